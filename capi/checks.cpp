@@ -1,0 +1,136 @@
+#include "checks.h"
+
+#include "base/checked.h"
+
+namespace nrb::capi {
+
+void require(const void *pointer, const char *name) {
+    if (pointer == nullptr) {
+        fail(NURBS_ERROR_NULL, "%s is NULL", name);
+    }
+}
+
+const Spline &spline_of(const ::nurbs *g) {
+    require(g, "g");
+    return *g->spline;
+}
+
+void check_axes(int32_t axes) {
+    if (axes < 1 || axes > max_axes) {
+        fail(NURBS_ERROR_AXES, "axes = %d, expected 1 to %d", axes, max_axes);
+    }
+}
+
+void check_axis(const Spline &spline, int32_t axis) {
+    if (axis < 0 || axis >= spline.axes()) {
+        fail(NURBS_ERROR_AXIS, "axis = %d, expected 0 to %d", axis, spline.axes() - 1);
+    }
+}
+
+void check_order(int32_t order) {
+    if (order < 0 || order > NURBS_MAX_ORDER) {
+        fail(NURBS_ERROR_ORDER, "order = %d, expected 0 to %d", order, NURBS_MAX_ORDER);
+    }
+}
+
+void check_length(int64_t n, const char *name) {
+    if (n < 0) {
+        fail(NURBS_ERROR_COUNT, "%s = %lld, expected >= 0", name, static_cast<long long>(n));
+    }
+}
+
+void check_size(int64_t n, int64_t expected, const char *name) {
+    if (n != expected) {
+        fail(NURBS_ERROR_SIZE, "%s = %lld, expected %lld", name, static_cast<long long>(n),
+             static_cast<long long>(expected));
+    }
+}
+
+namespace {
+
+[[noreturn]] void fail_stride(const char *name, const char *which, int64_t stride, const char *expected) {
+    fail(NURBS_ERROR_STRIDE, "%s: %s = %lld, expected %s", name, which, static_cast<long long>(stride),
+         expected);
+}
+
+// Components share no place if the records are apart (stride covers a record) or the components are (a component covers all records).
+void check_separation(const char *name, int64_t count, int64_t width, int64_t stride,
+                      int64_t component_stride) {
+    const bool records_apart = count <= 1 || (stride > 0 && (width - 1) <= (stride - 1) / component_stride);
+    const bool components_apart =
+        stride > 0 && (width == 1 || (count - 1) <= (component_stride - 1) / stride);
+    if (!records_apart && !components_apart) {
+        fail(NURBS_ERROR_STRIDE, "%s: strides (%lld, %lld) let %lld records of %lld values overlap", name,
+             static_cast<long long>(stride), static_cast<long long>(component_stride),
+             static_cast<long long>(count), static_cast<long long>(width));
+    }
+}
+
+template <class T>
+RecordView<T> view(const char *name, T *data, int64_t count, int64_t width, int64_t stride,
+                   int64_t component_stride) {
+    if (count > 0) {
+        require(data, name);
+    }
+    if (stride < 0) {
+        fail_stride(name, "stride", stride, ">= 0");
+    }
+    if (component_stride < 0) {
+        fail_stride(name, "component stride", component_stride, ">= 0");
+    }
+    component_stride = component_stride == 0 ? 1 : component_stride;
+    stride = stride == 0 ? checked_product(width, component_stride, name) : stride;
+    check_separation(name, count, width, stride, component_stride);
+    if (count > 0) {
+        checked_sum(checked_product(count - 1, stride, name),
+                    checked_product(width - 1, component_stride, name) + 1, name);
+    }
+    return {data, count, width, stride, component_stride};
+}
+
+bool interleaved(Records out, ConstRecords in) noexcept {
+    if (out.stride != in.stride || out.component_stride != 1 || in.component_stride != 1) {
+        return false;
+    }
+    const auto bytes = reinterpret_cast<intptr_t>(out.data) - reinterpret_cast<intptr_t>(in.data);
+    constexpr auto size = static_cast<intptr_t>(sizeof(double));
+    if (bytes % size != 0) {
+        return false;
+    }
+    const int64_t shift = ((bytes / size) % in.stride + in.stride) % in.stride;
+    return shift >= in.width && shift + out.width <= in.stride;
+}
+
+int64_t bytes_of(int64_t doubles) noexcept {
+    return doubles * static_cast<int64_t>(sizeof(double));
+}
+
+} // namespace
+
+ConstRecords input(const char *name, const double *data, int64_t count, int64_t width, int64_t stride,
+                   int64_t component_stride) {
+    return view(name, data, count, width, stride, component_stride);
+}
+
+Records output(const char *name, double *data, int64_t count, int64_t width, int64_t stride,
+               int64_t component_stride) {
+    return view(name, data, count, width, stride, component_stride);
+}
+
+void check_overlap(const char *out_name, const void *out, int64_t out_bytes, const char *in_name,
+                   const void *in, int64_t in_bytes) {
+    const auto a = reinterpret_cast<uintptr_t>(out);
+    const auto b = reinterpret_cast<uintptr_t>(in);
+    if (out_bytes > 0 && in_bytes > 0 && a < b + static_cast<uintptr_t>(in_bytes) &&
+        b < a + static_cast<uintptr_t>(out_bytes)) {
+        fail(NURBS_ERROR_OVERLAP, "output %s overlaps input %s", out_name, in_name);
+    }
+}
+
+void check_overlap(const char *out_name, Records out, const char *in_name, ConstRecords in) {
+    if (out.count > 0 && in.count > 0 && !interleaved(out, in)) {
+        check_overlap(out_name, out.data, bytes_of(out.extent()), in_name, in.data, bytes_of(in.extent()));
+    }
+}
+
+} // namespace nrb::capi

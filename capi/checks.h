@@ -1,0 +1,44 @@
+// Checks of arguments at the border, all to be called inside guard().
+#pragma once
+
+#include "base/records.h"
+#include "handle.h"
+
+#include <cstdint>
+
+namespace nrb::capi {
+
+// Throws NURBS_ERROR_NULL naming the argument.
+void require(const void *pointer, const char *name);
+// As require(), and sets *out to NULL, so that it is NULL whatever fails later.
+template <class Handle>
+void require_out(Handle **out) {
+    require(out, "out");
+    *out = nullptr;
+}
+const Spline &spline_of(const ::nurbs *g);
+
+void check_axes(int32_t axes);
+void check_axis(const Spline &spline, int32_t axis);
+void check_order(int32_t order);
+// n >= 0, else NURBS_ERROR_COUNT.
+void check_length(int64_t n, const char *name);
+// n == expected, else NURBS_ERROR_SIZE.
+void check_size(int64_t n, int64_t expected, const char *name);
+
+// A view of `count` records of `width` doubles, with strides completed (0 = packed) and checked. The pointer may be NULL when count is 0.
+ConstRecords input(const char *name, const double *data, int64_t count, int64_t width, int64_t stride,
+                   int64_t component_stride);
+Records output(const char *name, double *data, int64_t count, int64_t width, int64_t stride,
+               int64_t component_stride);
+// A strided list of single values.
+inline ConstRecords input(const char *name, const double *data, int64_t count, int64_t stride) {
+    return input(name, data, count, 1, stride, 0);
+}
+
+// Throws NURBS_ERROR_OVERLAP if an element of `out` is an element of `in`. Records of equal stride may interleave.
+void check_overlap(const char *out_name, Records out, const char *in_name, ConstRecords in);
+void check_overlap(const char *out_name, const void *out, int64_t out_bytes, const char *in_name,
+                   const void *in, int64_t in_bytes);
+
+} // namespace nrb::capi

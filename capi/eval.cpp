@@ -1,0 +1,128 @@
+// Evaluation, and what is made by evaluating along one axis.
+#include "checks.h"
+#include "guard.h"
+
+#include "base/checked.h"
+#include "eval/evaluate.h"
+#include "eval/slots.h"
+#include "refine/iso.h"
+
+using namespace nrb;
+using namespace nrb::capi;
+
+namespace {
+
+// Points are derivatives of order 0; `name` is what the output is called.
+void evaluate(const nurbs *g, int32_t order, ConstRecords raw, Records target, const char *name,
+              uint32_t flags) {
+    const Spline &spline = spline_of(g);
+    const AxisRules rules = decode_rules(flags, spline.axes());
+    check_length(raw.count, "n");
+    const ConstRecords in =
+        input("params", raw.data, raw.count, spline.axes(), raw.stride, raw.component_stride);
+    const int64_t width = checked_product(slot_count(spline.axes(), order), spline.dim(), name);
+    const Records out = output(name, target.data, raw.count, width, target.stride, target.component_stride);
+    check_overlap(name, out, "params", in);
+    check_parameters(spline, rules, in);
+    evaluate_points(spline, rules, order, in, out);
+}
+
+struct Grid {
+    std::array<ConstRecords, max_axes> params;
+    int64_t param_count = 0;
+    int64_t point_count = 1;
+};
+
+Grid checked_grid(const Spline &spline, const int64_t *counts, const double *params) {
+    require(counts, "counts");
+    Grid grid;
+    for (int k = 0; k < spline.axes(); ++k) {
+        if (counts[k] < 0) {
+            fail(NURBS_ERROR_COUNT, "counts[%d] = %lld, expected >= 0", k, static_cast<long long>(counts[k]));
+        }
+        const int64_t first = grid.param_count;
+        grid.param_count = checked_sum(first, counts[k], "params");
+        grid.point_count = checked_product(grid.point_count, counts[k], "grid");
+        grid.params[static_cast<size_t>(k)] = {params == nullptr ? nullptr : params + first, counts[k], 1, 1,
+                                               1};
+    }
+    if (grid.param_count > 0) {
+        require(params, "params");
+    }
+    return grid;
+}
+
+void evaluate_on_grid(const nurbs *g, int32_t order, const int64_t *counts, const double *params,
+                      Records target, const char *name, uint32_t flags) {
+    const Spline &spline = spline_of(g);
+    const AxisRules rules = decode_rules(flags, spline.axes());
+    const Grid grid = checked_grid(spline, counts, params);
+    const int64_t width = checked_product(slot_count(spline.axes(), order), spline.dim(), name);
+    const Records out =
+        output(name, target.data, grid.point_count, width, target.stride, target.component_stride);
+    check_overlap(name, out, "params", input("params", params, grid.param_count, 0));
+    int64_t first = 0;
+    for (int k = 0; k < spline.axes(); ++k) {
+        const auto at = static_cast<size_t>(k);
+        check_axis_parameters(spline.axis(k), rules[at], grid.params[at], first);
+        first += counts[k];
+    }
+    evaluate_grid(spline, rules, order, grid.params, out);
+}
+
+} // namespace
+
+nurbs_status nurbs_eval(const nurbs *g, int64_t n, const double *params, int64_t param_stride,
+                        int64_t param_component_stride, double *points, int64_t point_stride,
+                        int64_t point_component_stride, uint32_t flags) {
+    return guard([&] {
+        evaluate(g, 0, {params, n, 0, param_stride, param_component_stride},
+                 {points, n, 0, point_stride, point_component_stride}, "points", flags);
+    });
+}
+
+nurbs_status nurbs_derivative_slots(int32_t axes, int32_t order, int64_t *slots) {
+    return guard([&] {
+        check_axes(axes);
+        check_order(order);
+        require(slots, "slots");
+        *slots = slot_count(axes, order);
+    });
+}
+
+nurbs_status nurbs_eval_derivs(const nurbs *g, int32_t order, int64_t n, const double *params,
+                               int64_t param_stride, int64_t param_component_stride, double *derivs,
+                               int64_t deriv_stride, int64_t deriv_component_stride, uint32_t flags) {
+    return guard([&] {
+        check_order(order);
+        evaluate(g, order, {params, n, 0, param_stride, param_component_stride},
+                 {derivs, n, 0, deriv_stride, deriv_component_stride}, "derivs", flags);
+    });
+}
+
+nurbs_status nurbs_eval_grid(const nurbs *g, const int64_t *counts, const double *params, double *points,
+                             int64_t point_stride, int64_t point_component_stride, uint32_t flags) {
+    return guard([&] {
+        evaluate_on_grid(g, 0, counts, params, {points, 0, 0, point_stride, point_component_stride}, "points",
+                         flags);
+    });
+}
+
+nurbs_status nurbs_eval_grid_derivs(const nurbs *g, int32_t order, const int64_t *counts,
+                                    const double *params, double *derivs, int64_t deriv_stride,
+                                    int64_t deriv_component_stride, uint32_t flags) {
+    return guard([&] {
+        check_order(order);
+        evaluate_on_grid(g, order, counts, params, {derivs, 0, 0, deriv_stride, deriv_component_stride},
+                         "derivs", flags);
+    });
+}
+
+nurbs_status nurbs_iso(const nurbs *g, int32_t axis, double param, uint32_t flags, nurbs **out) {
+    return guard([&] {
+        require_out(out);
+        const Spline &spline = spline_of(g);
+        check_axis(spline, axis);
+        give(iso(spline, axis, param, decode_rules(flags, 1)[0]), out);
+    });
+}

@@ -1,0 +1,95 @@
+#include "spline_data.h"
+
+#include "base/checked.h"
+
+#include <limits>
+
+namespace nrb::capi {
+
+namespace {
+
+bool decode_periodic(uint32_t flags, int32_t axes, int k) {
+    const uint32_t known = NURBS_ON_ALL_AXES(axes, NURBS_PERIODIC);
+    if ((flags & ~known) != 0) {
+        fail(NURBS_ERROR_FLAGS, "flags = 0x%x: unknown bits 0x%x for %d axes", flags, flags & ~known, axes);
+    }
+    return (flags & NURBS_ON_AXIS(k, NURBS_PERIODIC)) != 0;
+}
+
+std::vector<double> packed(ConstRecords view) {
+    std::vector<double> values(static_cast<size_t>(checked_product(view.count, view.width, "points")));
+    auto next = values.begin();
+    for (int64_t i = 0; i < view.count; ++i) {
+        for (int64_t c = 0; c < view.width; ++c) {
+            *next++ = view(i, c);
+        }
+    }
+    return values;
+}
+
+void check_dimension(int32_t dim) {
+    constexpr int32_t largest =
+        std::numeric_limits<int32_t>::max() - 1; // a homogeneous record has one more value
+    if (dim < 1 || dim > largest) {
+        fail(NURBS_ERROR_DIMENSION, "dim = %d, expected 1 to %d", dim, largest);
+    }
+}
+
+} // namespace
+
+AxesData::AxesData(int32_t axes, const int32_t *degrees, const int64_t *counts, uint32_t flags)
+    : size_(axes) {
+    check_axes(axes);
+    require(degrees, "degrees");
+    require(counts, "counts");
+    for (int k = 0; k < axes; ++k) {
+        check_degree(degrees[k], k);
+        check_count(degrees[k], counts[k], k);
+        axes_[static_cast<size_t>(k)] = {degrees[k], counts[k], decode_periodic(flags, axes, k)};
+    }
+}
+
+AxesData::AxesData(int32_t axes, const int32_t *degrees) : size_(axes) {
+    check_axes(axes);
+    require(degrees, "degrees");
+    for (int k = 0; k < axes; ++k) {
+        check_degree(degrees[k], k);
+        axes_[static_cast<size_t>(k)] = {degrees[k], degrees[k] + 1, false};
+    }
+}
+
+int64_t AxesData::point_count() const {
+    int64_t count = 1;
+    for (int k = 0; k < size_; ++k) {
+        count = checked_product(count, (*this)[k].count, "points");
+    }
+    return count;
+}
+
+int64_t AxesData::knot_total(int extra) const {
+    int64_t total = 0;
+    for (int k = 0; k < size_; ++k) {
+        total =
+            checked_sum(total, checked_sum((*this)[k].count, (*this)[k].degree + extra, "knots"), "knots");
+    }
+    return total;
+}
+
+SplinePtr PointsData::make(Spline::Axes axes, int64_t count, std::vector<double> kept) const {
+    check_dimension(dim);
+    const ConstRecords point_view = input("points", points, count, dim, stride, component_stride);
+    if (weights != nullptr) {
+        kept = packed(input("weights", weights, count, weight_stride));
+    }
+    const Form form = kept.empty() ? Form::polynomial : Form::rational;
+    return make_spline(std::move(axes), dim, form, packed(point_view), std::move(kept));
+}
+
+SplinePtr PointsData::make_homogeneous(Spline::Axes axes, int64_t count) const {
+    check_dimension(dim);
+    const int64_t width = int64_t{dim} + 1;
+    const ConstRecords view = input("points", points, count, width, stride, component_stride);
+    return make_spline(std::move(axes), dim, Form::homogeneous, packed(view));
+}
+
+} // namespace nrb::capi

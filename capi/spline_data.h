@@ -1,0 +1,64 @@
+// The caller's description of a spline: axes in one of several knot conventions, and control points with optional weights.
+#pragma once
+
+#include "checks.h"
+
+#include <array>
+#include <utility>
+#include <vector>
+
+namespace nrb::capi {
+
+struct AxisData {
+    int32_t degree;
+    int64_t count;
+    bool periodic;
+};
+
+class AxesData {
+public:
+    // Checks degrees, counts and creation flags.
+    AxesData(int32_t axes, const int32_t *degrees, const int64_t *counts, uint32_t flags);
+    // Bezier: degree + 1 points along each axis.
+    AxesData(int32_t axes, const int32_t *degrees);
+
+    [[nodiscard]] int size() const noexcept { return size_; }
+    [[nodiscard]] const AxisData &operator[](int k) const noexcept { return axes_[static_cast<size_t>(k)]; }
+    [[nodiscard]] int64_t point_count() const;
+    // Sum of counts[k] + degrees[k] + extra.
+    [[nodiscard]] int64_t knot_total(int extra) const;
+
+    // knots_of(axis, index, offset) returns the full knots of an axis and the place in the caller's array that messages count from;
+    // `offset` is the number of knots of the axes before, each of count + degree + extra.
+    template <class KnotsOf>
+    [[nodiscard]] Spline::Axes make(KnotsOf &&knots_of, int extra) const {
+        Spline::Axes axes;
+        int64_t offset = 0;
+        for (int k = 0; k < size_; ++k) {
+            const AxisData &axis = (*this)[k];
+            auto [knots, first] = knots_of(axis, k, offset);
+            axes.push_back(make_knot_vector(axis.degree, std::move(knots), axis.periodic, k, first));
+            offset += axis.count + axis.degree + extra;
+        }
+        return axes;
+    }
+
+private:
+    int size_;
+    std::array<AxisData, max_axes> axes_{};
+};
+
+struct PointsData {
+    int32_t dim;
+    const double *points;
+    int64_t stride;
+    int64_t component_stride;
+    const double *weights;
+    int64_t weight_stride;
+
+    // `kept` stands in for weights that the caller did not give; both absent: polynomial.
+    [[nodiscard]] SplinePtr make(Spline::Axes axes, int64_t count, std::vector<double> kept = {}) const;
+    [[nodiscard]] SplinePtr make_homogeneous(Spline::Axes axes, int64_t count) const;
+};
+
+} // namespace nrb::capi

@@ -1,0 +1,146 @@
+/* SPDX-License-Identifier: MIT */
+/// \file arrays.hpp
+/// \brief Array arguments: views of the caller's memory that know their length.
+#ifndef NURBS_CPP_ARRAYS_HPP
+#define NURBS_CPP_ARRAYS_HPP
+
+#include <nurbs/cpp/status.hpp>
+
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <initializer_list>
+#include <span>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace libnurbs {
+
+namespace detail {
+
+[[noreturn]] inline void wrong_size(const char *what, std::size_t holds, const std::string &wanted) {
+    throw Error(Status::size,
+                std::string(what) + " holds " + std::to_string(holds) + " values, expected " + wanted);
+}
+
+inline std::size_t to_size(std::int64_t n) {
+    return n > 0 ? static_cast<std::size_t>(n) : 0;
+}
+
+template <class T>
+std::int64_t length(const T &range) {
+    return static_cast<std::int64_t>(range.size());
+}
+
+// Product of counts; -1 if one is negative or the product is absurd, which the library then reports itself.
+template <class T>
+std::int64_t product(std::span<const T> counts) {
+    std::int64_t result = 1;
+    for (const std::int64_t count : counts) {
+        if (count < 0 || (count > 0 && result > (INT64_MAX >> 8) / count)) {
+            return -1;
+        }
+        result *= count;
+    }
+    return result;
+}
+
+// Calls f(&result) and returns the result.
+template <class T, class F>
+T result_of(F &&f) {
+    T result{};
+    check(f(&result));
+    return result;
+}
+
+template <class F>
+std::vector<double> filled(std::int64_t size, F &&f) {
+    std::vector<double> values(to_size(size));
+    f(values);
+    return values;
+}
+
+// The text that f(buffer, capacity, &length) writes.
+template <class F>
+std::string text_of(F &&f) {
+    std::int64_t length = 0;
+    check(f(nullptr, 0, &length));
+    std::string text(to_size(length), '\0');
+    check(f(text.data(), length + 1, &length));
+    return text;
+}
+
+} // namespace detail
+
+/// A read-only array argument: any contiguous range, or a list in braces.
+template <class T>
+class View : public std::span<const T> {
+public:
+    View() noexcept = default;
+    View(std::initializer_list<T> list) noexcept : std::span<const T>(list.begin(), list.size()) {}
+    template <std::convertible_to<std::span<const T>> Range>
+    View(Range &&range) noexcept : std::span<const T>(range) {}
+};
+
+/// An array of records in the caller's memory. Without a layout it is packed, and its length gives the number of records.
+template <class T>
+class Records {
+public:
+    Records() noexcept = default;
+    Records(std::initializer_list<std::remove_const_t<T>> packed) noexcept requires std::is_const_v<T>
+        : values_(packed.begin(), packed.size()) {}
+    template <std::convertible_to<std::span<T>> Range>
+    Records(Range &&packed) noexcept : values_(packed) {}
+    /// n records; component c of record i is values[i * stride + c * component_stride]; 0 means packed.
+    Records(std::span<T> values, std::int64_t n, std::int64_t stride,
+            std::int64_t component_stride = 0) noexcept
+        : values_(values), n_(n), stride_(stride), component_stride_(component_stride), packed_(false) {}
+
+    /// The number of records of `width` components.
+    [[nodiscard]] std::int64_t count(std::int64_t width, const char *what) const {
+        if (!packed_) {
+            return n_;
+        }
+        const std::int64_t size = detail::length(values_);
+        if (width > 0 && size % width != 0) {
+            detail::wrong_size(what, values_.size(), "a multiple of " + std::to_string(width));
+        }
+        return width > 0 ? size / width : 0;
+    }
+    /// Throws unless exactly n records were described and the array is long enough for them.
+    void require(std::int64_t n, std::int64_t width, const char *what) const {
+        if (n < 0 || width < 1) {
+            return;
+        }
+        // In doubles: exact for every size that memory can have, and free of overflow for the others.
+        const double component = component_stride_ == 0 ? 1.0 : static_cast<double>(component_stride_);
+        const double step =
+            stride_ == 0 ? static_cast<double>(width) * component : static_cast<double>(stride_);
+        const double extent =
+            n == 0 ? 0.0
+                   : static_cast<double>(n - 1) * step + static_cast<double>(width - 1) * component + 1.0;
+        if (extent > static_cast<double>(values_.size()) || count(width, what) != n) {
+            detail::wrong_size(what, values_.size(),
+                               std::to_string(n) + " records of " + std::to_string(width) + " components");
+        }
+    }
+    [[nodiscard]] T *data() const noexcept { return values_.data(); }
+    [[nodiscard]] bool empty() const noexcept { return values_.empty(); }
+    [[nodiscard]] std::int64_t stride() const noexcept { return stride_; }
+    [[nodiscard]] std::int64_t component_stride() const noexcept { return component_stride_; }
+
+private:
+    std::span<T> values_;
+    std::int64_t n_ = 0;
+    std::int64_t stride_ = 0;
+    std::int64_t component_stride_ = 0;
+    bool packed_ = true;
+};
+
+using Input = Records<const double>;
+using Output = Records<double>;
+
+} // namespace libnurbs
+
+#endif // NURBS_CPP_ARRAYS_HPP

@@ -1,0 +1,328 @@
+/* SPDX-License-Identifier: MIT */
+/// \file spline.hpp
+/// \brief The class of curves, surfaces and volumes.
+#ifndef NURBS_CPP_SPLINE_HPP
+#define NURBS_CPP_SPLINE_HPP
+
+#include <nurbs/cpp/arrays.hpp>
+
+#include <array>
+#include <cstdint>
+#include <numeric>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace libnurbs {
+
+struct DistinctKnots {
+    std::vector<double> knots;
+    std::vector<std::int32_t> multiplicities;
+};
+
+/// Active basis functions at parameters: where they start, and their values.
+struct Basis {
+    std::vector<std::int64_t> spans;
+    std::vector<double> values;
+};
+
+/// Number of derivative slots, binomial(order + axes, axes).
+inline std::int64_t derivative_slots(std::int32_t axes, std::int32_t order) {
+    return detail::result_of<std::int64_t>([&](auto *s) { return nurbs_derivative_slots(axes, order, s); });
+}
+
+/// A curve, surface or volume: a handle that is copied in constant time and freed by its destructor.
+class Spline {
+public:
+    Spline() noexcept = default;
+    explicit Spline(nurbs *owned) noexcept : handle_(owned) {}
+    Spline(const Spline &other) {
+        if (other.handle_ != nullptr) {
+            detail::check(nurbs_clone(other.handle_, &handle_));
+        }
+    }
+    Spline(Spline &&other) noexcept : handle_(std::exchange(other.handle_, nullptr)) {}
+    Spline &operator=(Spline other) noexcept {
+        std::swap(handle_, other.handle_);
+        return *this;
+    }
+    ~Spline() { nurbs_destroy(handle_); }
+
+    [[nodiscard]] const nurbs *get() const noexcept { return handle_; }
+    [[nodiscard]] nurbs *release() noexcept { return std::exchange(handle_, nullptr); }
+
+    // Construction
+
+    static Spline create(View<std::int32_t> degrees, View<std::int64_t> counts, View<double> knots,
+                         std::int32_t dim, Input points, Input weights = {}, std::uint32_t flags = 0) {
+        check_net(degrees, counts, dim, points, weights);
+        return made([&](nurbs **out) {
+            return nurbs_create(axes_of(degrees), degrees.data(), counts.data(), knots.data(),
+                                detail::length(knots), dim, points.data(), points.stride(),
+                                points.component_stride(), weights.data(), weights.stride(), flags, out);
+        });
+    }
+    static Spline create_homogeneous(View<std::int32_t> degrees, View<std::int64_t> counts,
+                                     View<double> knots, std::int32_t dim, Input points,
+                                     std::uint32_t flags = 0) {
+        check_net(degrees, counts, dim < max_width ? dim + 1 : dim, points, {});
+        return made([&](nurbs **out) {
+            return nurbs_create_homogeneous(axes_of(degrees), degrees.data(), counts.data(), knots.data(),
+                                            detail::length(knots), dim, points.data(), points.stride(),
+                                            points.component_stride(), flags, out);
+        });
+    }
+    static Spline create_short(View<std::int32_t> degrees, View<std::int64_t> counts, View<double> knots,
+                               std::int32_t dim, Input points, Input weights = {}, std::uint32_t flags = 0) {
+        check_net(degrees, counts, dim, points, weights);
+        return made([&](nurbs **out) {
+            return nurbs_create_short(axes_of(degrees), degrees.data(), counts.data(), knots.data(),
+                                      detail::length(knots), dim, points.data(), points.stride(),
+                                      points.component_stride(), weights.data(), weights.stride(), flags,
+                                      out);
+        });
+    }
+    static Spline create_multiplicities(View<std::int32_t> degrees, View<std::int64_t> counts,
+                                        View<std::int64_t> distinct_counts, View<double> distinct_knots,
+                                        View<std::int32_t> multiplicities, std::int32_t dim, Input points,
+                                        Input weights = {}, std::uint32_t flags = 0) {
+        check_net(degrees, counts, dim, points, weights);
+        check_distinct(degrees.size(), distinct_counts, distinct_knots, multiplicities);
+        return made([&](nurbs **out) {
+            return nurbs_create_multiplicities(
+                axes_of(degrees), degrees.data(), counts.data(), distinct_counts.data(),
+                distinct_knots.data(), multiplicities.data(), dim, points.data(), points.stride(),
+                points.component_stride(), weights.data(), weights.stride(), flags, out);
+        });
+    }
+    static Spline create_bezier(View<std::int32_t> degrees, std::int32_t dim, Input points,
+                                Input weights = {}) {
+        std::vector<std::int64_t> counts(degrees.begin(), degrees.end());
+        for (auto &count : counts) {
+            ++count;
+        }
+        check_net(degrees, counts, dim, points, weights);
+        return made([&](nurbs **out) {
+            return nurbs_create_bezier(axes_of(degrees), degrees.data(), dim, points.data(), points.stride(),
+                                       points.component_stride(), weights.data(), weights.stride(), out);
+        });
+    }
+    [[nodiscard]] Spline with_points(Input points, Input weights = {}) const {
+        points.require(point_count(), dimension(), "points");
+        require_weights(weights, point_count());
+        return made([&](nurbs **out) {
+            return nurbs_with_points(handle_, points.data(), points.stride(), points.component_stride(),
+                                     weights.data(), weights.stride(), out);
+        });
+    }
+
+    // Inspection
+
+    [[nodiscard]] std::int32_t axes() const {
+        return detail::result_of<std::int32_t>([&](auto *v) { return nurbs_axes(handle_, v); });
+    }
+    [[nodiscard]] std::int32_t dimension() const {
+        return detail::result_of<std::int32_t>([&](auto *v) { return nurbs_dimension(handle_, v); });
+    }
+    [[nodiscard]] std::int32_t degree(std::int32_t axis) const {
+        return detail::result_of<std::int32_t>([&](auto *v) { return nurbs_degree(handle_, axis, v); });
+    }
+    [[nodiscard]] std::int64_t count(std::int32_t axis) const {
+        return detail::result_of<std::int64_t>([&](auto *v) { return nurbs_count(handle_, axis, v); });
+    }
+    [[nodiscard]] std::int64_t point_count() const {
+        return detail::result_of<std::int64_t>([&](auto *v) { return nurbs_point_count(handle_, v); });
+    }
+    [[nodiscard]] bool is_rational() const {
+        return detail::result_of<std::int32_t>([&](auto *v) { return nurbs_is_rational(handle_, v); }) != 0;
+    }
+    [[nodiscard]] std::int32_t knot_form(std::int32_t axis) const {
+        return detail::result_of<std::int32_t>([&](auto *v) { return nurbs_knot_form(handle_, axis, v); });
+    }
+    [[nodiscard]] std::array<double, 2> domain(std::int32_t axis) const {
+        return detail::result_of<std::array<double, 2>>(
+            [&](auto *v) { return nurbs_domain(handle_, axis, v->data()); });
+    }
+    [[nodiscard]] std::vector<double> knots(std::int32_t axis) const {
+        const std::int64_t size = count(axis) + degree(axis) + 1;
+        return detail::filled(size,
+                              [&](auto &v) { detail::check(nurbs_knots(handle_, axis, size, v.data())); });
+    }
+    [[nodiscard]] DistinctKnots distinct_knots(std::int32_t axis) const {
+        auto size = detail::result_of<std::int64_t>(
+            [&](auto *v) { return nurbs_distinct_knots(handle_, axis, 0, nullptr, nullptr, v); });
+        DistinctKnots result{std::vector<double>(detail::to_size(size)),
+                             std::vector<std::int32_t>(detail::to_size(size))};
+        detail::check(nurbs_distinct_knots(handle_, axis, size, result.knots.data(),
+                                           result.multiplicities.data(), &size));
+        return result;
+    }
+    [[nodiscard]] std::vector<double> greville(std::int32_t axis) const {
+        const std::int64_t size = count(axis);
+        return detail::filled(size,
+                              [&](auto &v) { detail::check(nurbs_greville(handle_, axis, size, v.data())); });
+    }
+    void points(Output points) const {
+        points.require(point_count(), dimension(), "points");
+        detail::check(
+            nurbs_points(handle_, point_count(), points.data(), points.stride(), points.component_stride()));
+    }
+    [[nodiscard]] std::vector<double> points() const {
+        return detail::filled(point_count() * dimension(), [&](auto &v) { points(v); });
+    }
+    void weights(Output weights) const {
+        weights.require(point_count(), 1, "weights");
+        detail::check(nurbs_weights(handle_, point_count(), weights.data(), weights.stride()));
+    }
+    [[nodiscard]] std::vector<double> weights() const {
+        return detail::filled(point_count(), [&](auto &v) { weights(v); });
+    }
+    void homogeneous_points(Output points) const {
+        points.require(point_count(), dimension() + 1, "points");
+        detail::check(nurbs_homogeneous_points(handle_, point_count(), points.data(), points.stride(),
+                                               points.component_stride()));
+    }
+    [[nodiscard]] std::vector<double> homogeneous_points() const {
+        return detail::filled(point_count() * (dimension() + 1), [&](auto &v) { homogeneous_points(v); });
+    }
+    void hull_size(Input params, Output sizes, std::uint32_t flags = 0) const {
+        const std::int64_t n = batch(params, sizes, 1, "sizes");
+        detail::check(nurbs_hull_size(handle_, n, params.data(), params.stride(), params.component_stride(),
+                                      sizes.data(), sizes.stride(), flags));
+    }
+    [[nodiscard]] std::vector<double> hull_size(Input params, std::uint32_t flags = 0) const {
+        return detail::filled(number_of(params), [&](auto &v) { hull_size(params, v, flags); });
+    }
+
+    // Evaluation
+
+    void eval(Input params, Output points, std::uint32_t flags = 0) const {
+        const std::int64_t n = batch(params, points, dimension(), "points");
+        detail::check(nurbs_eval(handle_, n, params.data(), params.stride(), params.component_stride(),
+                                 points.data(), points.stride(), points.component_stride(), flags));
+    }
+    [[nodiscard]] std::vector<double> eval(Input params, std::uint32_t flags = 0) const {
+        return detail::filled(number_of(params) * dimension(), [&](auto &v) { eval(params, v, flags); });
+    }
+    void eval_derivs(std::int32_t order, Input params, Output derivs, std::uint32_t flags = 0) const {
+        const std::int64_t n = batch(params, derivs, slots(order) * dimension(), "derivs");
+        detail::check(nurbs_eval_derivs(handle_, order, n, params.data(), params.stride(),
+                                        params.component_stride(), derivs.data(), derivs.stride(),
+                                        derivs.component_stride(), flags));
+    }
+    [[nodiscard]] std::vector<double> eval_derivs(std::int32_t order, Input params,
+                                                  std::uint32_t flags = 0) const {
+        return detail::filled(number_of(params) * slots(order) * dimension(),
+                              [&](auto &v) { eval_derivs(order, params, v, flags); });
+    }
+    void eval_grid(View<std::int64_t> counts, View<double> params, Output points,
+                   std::uint32_t flags = 0) const {
+        points.require(grid(counts, params), dimension(), "points");
+        detail::check(nurbs_eval_grid(handle_, counts.data(), params.data(), points.data(), points.stride(),
+                                      points.component_stride(), flags));
+    }
+    [[nodiscard]] std::vector<double> eval_grid(View<std::int64_t> counts, View<double> params,
+                                                std::uint32_t flags = 0) const {
+        return detail::filled(grid(counts, params) * dimension(),
+                              [&](auto &v) { eval_grid(counts, params, v, flags); });
+    }
+    void eval_grid_derivs(std::int32_t order, View<std::int64_t> counts, View<double> params, Output derivs,
+                          std::uint32_t flags = 0) const {
+        derivs.require(grid(counts, params), slots(order) * dimension(), "derivs");
+        detail::check(nurbs_eval_grid_derivs(handle_, order, counts.data(), params.data(), derivs.data(),
+                                             derivs.stride(), derivs.component_stride(), flags));
+    }
+    [[nodiscard]] std::vector<double> eval_grid_derivs(std::int32_t order, View<std::int64_t> counts,
+                                                       View<double> params, std::uint32_t flags = 0) const {
+        return detail::filled(grid(counts, params) * slots(order) * dimension(),
+                              [&](auto &v) { eval_grid_derivs(order, counts, params, v, flags); });
+    }
+    /// R_i at each parameter; the spans are [n][axes].
+    [[nodiscard]] Basis rational_basis(Input params, std::uint32_t flags = 0) const {
+        std::int64_t active = 1;
+        for (std::int32_t axis = 0; axis < axes(); ++axis) {
+            active *= degree(axis) + 1;
+        }
+        const std::int64_t n = number_of(params);
+        Basis result{std::vector<std::int64_t>(detail::to_size(n * axes())),
+                     std::vector<double>(detail::to_size(n * active))};
+        detail::check(nurbs_rational_basis(handle_, n, params.data(), params.stride(),
+                                           params.component_stride(), result.spans.data(),
+                                           result.values.data(), 0, 0, flags));
+        return result;
+    }
+
+    // Operations
+
+    [[nodiscard]] Spline iso(std::int32_t axis, double param, std::uint32_t flags = 0) const {
+        return made([&](nurbs **out) { return nurbs_iso(handle_, axis, param, flags, out); });
+    }
+    [[nodiscard]] Spline insert_knot(std::int32_t axis, double knot, std::int32_t times = 1) const {
+        return made([&](nurbs **out) { return nurbs_insert_knot(handle_, axis, knot, times, out); });
+    }
+
+private:
+    static constexpr std::int32_t max_width = INT32_MAX;
+    nurbs *handle_ = nullptr;
+
+    template <class F>
+    static Spline made(F &&f) {
+        Spline result;
+        detail::check(f(&result.handle_));
+        return result;
+    }
+    static std::int32_t axes_of(View<std::int32_t> degrees) {
+        return degrees.size() > 3 ? max_axes + 1 : static_cast<std::int32_t>(degrees.size());
+    }
+    static void require_weights(Input weights, std::int64_t n) {
+        if (!weights.empty()) {
+            weights.require(n, 1, "weights");
+        }
+    }
+    // Checks what only this side can see: that the arrays are as long as the counts say.
+    static void check_net(View<std::int32_t> degrees, View<std::int64_t> counts, std::int32_t width,
+                          Input points, Input weights) {
+        if (counts.size() != degrees.size()) {
+            detail::wrong_size("counts", counts.size(), std::to_string(degrees.size()));
+        }
+        const std::int64_t n = detail::product<std::int64_t>(counts);
+        points.require(n, width, "points");
+        require_weights(weights, n);
+    }
+    static void check_distinct(std::size_t axes, View<std::int64_t> counts, View<double> knots,
+                               View<std::int32_t> multiplicities) {
+        const auto total = std::accumulate(counts.begin(), counts.end(), std::int64_t{0});
+        if (counts.size() != axes) {
+            detail::wrong_size("distinct_counts", counts.size(), std::to_string(axes));
+        }
+        if (detail::length(knots) != total || multiplicities.size() != knots.size()) {
+            detail::wrong_size("distinct_knots", knots.size(),
+                               std::to_string(total) + ", with as many multiplicities");
+        }
+    }
+    [[nodiscard]] std::int64_t slots(std::int32_t order) const { return derivative_slots(axes(), order); }
+    [[nodiscard]] std::int64_t number_of(Input params) const {
+        const std::int64_t n = params.count(axes(), "params");
+        params.require(n, axes(), "params");
+        return n;
+    }
+    [[nodiscard]] std::int64_t batch(Input params, Output out, std::int64_t width, const char *what) const {
+        const std::int64_t n = number_of(params);
+        out.require(n, width, what);
+        return n;
+    }
+    [[nodiscard]] std::int64_t grid(View<std::int64_t> counts, View<double> params) const {
+        if (detail::length(counts) != axes()) {
+            detail::wrong_size("counts", counts.size(), std::to_string(axes()));
+        }
+        const auto total = std::accumulate(counts.begin(), counts.end(), std::int64_t{0});
+        if (detail::length(params) != total) {
+            detail::wrong_size("params", params.size(), std::to_string(total));
+        }
+        return detail::product<std::int64_t>(counts);
+    }
+};
+
+} // namespace libnurbs
+
+#endif // NURBS_CPP_SPLINE_HPP

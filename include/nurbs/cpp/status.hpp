@@ -1,0 +1,123 @@
+/* SPDX-License-Identifier: MIT */
+/// \file status.hpp
+/// \brief Statuses, flags and the exception that carries a status.
+#ifndef NURBS_CPP_STATUS_HPP
+#define NURBS_CPP_STATUS_HPP
+
+#include <nurbs/nurbs.h>
+
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+
+namespace libnurbs {
+
+/// The statuses of nurbs.h. Values without a name here may occur.
+enum class Status : nurbs_status {
+    ok = NURBS_OK,
+    null = NURBS_ERROR_NULL,
+    axes = NURBS_ERROR_AXES,
+    axis = NURBS_ERROR_AXIS,
+    degree = NURBS_ERROR_DEGREE,
+    count = NURBS_ERROR_COUNT,
+    too_few_points = NURBS_ERROR_TOO_FEW_POINTS,
+    overflow = NURBS_ERROR_OVERFLOW,
+    size = NURBS_ERROR_SIZE,
+    dimension = NURBS_ERROR_DIMENSION,
+    stride = NURBS_ERROR_STRIDE,
+    overlap = NURBS_ERROR_OVERLAP,
+    flags = NURBS_ERROR_FLAGS,
+    order = NURBS_ERROR_ORDER,
+    knot_not_finite = NURBS_ERROR_KNOT_NOT_FINITE,
+    knots_decreasing = NURBS_ERROR_KNOTS_DECREASING,
+    end_multiplicity = NURBS_ERROR_END_MULTIPLICITY,
+    multiplicity = NURBS_ERROR_MULTIPLICITY,
+    empty_domain = NURBS_ERROR_EMPTY_DOMAIN,
+    point_not_finite = NURBS_ERROR_POINT_NOT_FINITE,
+    weight_not_finite = NURBS_ERROR_WEIGHT_NOT_FINITE,
+    weight_negative = NURBS_ERROR_WEIGHT_NEGATIVE,
+    weights_vanish = NURBS_ERROR_WEIGHTS_VANISH,
+    parameter_not_finite = NURBS_ERROR_PARAMETER_NOT_FINITE,
+    periodic_knots = NURBS_ERROR_PERIODIC_KNOTS,
+    periodic_points = NURBS_ERROR_PERIODIC_POINTS,
+    times = NURBS_ERROR_TIMES,
+    options = NURBS_ERROR_OPTIONS,
+    index = NURBS_ERROR_INDEX,
+    outside_domain = NURBS_ERROR_OUTSIDE_DOMAIN,
+    not_representable = NURBS_ERROR_NOT_REPRESENTABLE,
+    memory = NURBS_ERROR_MEMORY,
+    file = NURBS_ERROR_FILE,
+    too_large = NURBS_ERROR_TOO_LARGE,
+    format = NURBS_ERROR_FORMAT,
+    truncated = NURBS_ERROR_TRUNCATED,
+    syntax = NURBS_ERROR_SYNTAX,
+    unsupported = NURBS_ERROR_UNSUPPORTED,
+    internal = NURBS_ERROR_INTERNAL
+};
+
+inline constexpr std::int32_t header_version = NURBS_VERSION;
+inline constexpr std::int32_t version_major = NURBS_VERSION_MAJOR;
+inline constexpr std::int32_t version_minor = NURBS_VERSION_MINOR;
+inline constexpr std::int32_t version_patch = NURBS_VERSION_PATCH;
+inline constexpr std::int32_t max_degree = NURBS_MAX_DEGREE;
+inline constexpr std::int32_t max_axes = NURBS_MAX_AXES;
+inline constexpr std::int32_t max_order = NURBS_MAX_ORDER;
+
+/// Flags of one axis; move them with on_axis() or on_all_axes().
+inline constexpr std::uint32_t left = NURBS_LEFT;
+inline constexpr std::uint32_t clamp = NURBS_CLAMP;
+inline constexpr std::uint32_t extrapolate = NURBS_EXTRAPOLATE;
+inline constexpr std::uint32_t wrap = NURBS_WRAP;
+inline constexpr std::uint32_t nan = NURBS_NAN;
+inline constexpr std::uint32_t periodic = NURBS_PERIODIC;
+
+/// Bits of Spline::knot_form().
+inline constexpr std::int32_t form_clamped_start = NURBS_FORM_CLAMPED_START;
+inline constexpr std::int32_t form_clamped_end = NURBS_FORM_CLAMPED_END;
+inline constexpr std::int32_t form_periodic = NURBS_FORM_PERIODIC;
+
+constexpr std::uint32_t on_axis(std::int32_t axis, std::uint32_t flags) {
+    return NURBS_ON_AXIS(axis, flags);
+}
+constexpr std::uint32_t on_all_axes(std::int32_t axes, std::uint32_t flags) {
+    return NURBS_ON_ALL_AXES(axes, flags);
+}
+
+inline std::int32_t version() noexcept {
+    return nurbs_version();
+}
+inline const char *status_name(Status status) noexcept {
+    return nurbs_status_name(static_cast<nurbs_status>(status));
+}
+
+/// Message of the last failed call in this thread.
+inline std::string last_error() {
+    std::string text(static_cast<std::size_t>(nurbs_last_error(nullptr, 0)), '\0');
+    nurbs_last_error(text.data(), static_cast<std::int64_t>(text.size()) + 1);
+    return text;
+}
+
+/// What every failure throws; what() is the library's message.
+class Error : public std::runtime_error {
+public:
+    Error(Status status, const std::string &message) : std::runtime_error(message), status_(status) {}
+    [[nodiscard]] Status status() const noexcept { return status_; }
+    [[nodiscard]] const char *name() const noexcept { return status_name(status_); }
+
+private:
+    Status status_;
+};
+
+namespace detail {
+
+inline void check(nurbs_status status) {
+    if (status != NURBS_OK) {
+        throw Error(static_cast<Status>(status), last_error());
+    }
+}
+
+} // namespace detail
+
+} // namespace libnurbs
+
+#endif // NURBS_CPP_STATUS_HPP

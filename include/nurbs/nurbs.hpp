@@ -1,0 +1,20 @@
+/* SPDX-License-Identifier: MIT */
+/// \file nurbs.hpp
+/// \brief libnurbs for C++20: the C interface of nurbs.h with RAII, spans and exceptions, and nothing else.
+///
+/// nurbs.h is the manual; this header keeps its names, its argument order and its layouts. What differs:
+/// - a failure throws libnurbs::Error, which carries the status and the message;
+/// - arrays are Input and Output. Any contiguous range of doubles converts to them and is taken as packed records;
+///   `Input(values, n, stride, component_stride)` describes any other layout. Their lengths are known here, so an array
+///   that is too short is an Error as well, with NURBS_ERROR_SIZE;
+/// - every function that fills an array also exists in a form that returns a std::vector.
+#ifndef NURBS_NURBS_HPP
+#define NURBS_NURBS_HPP
+
+#include <nurbs/cpp/arrays.hpp>
+#include <nurbs/cpp/knots.hpp>
+#include <nurbs/cpp/list.hpp>
+#include <nurbs/cpp/spline.hpp>
+#include <nurbs/cpp/status.hpp>
+
+#endif // NURBS_NURBS_HPP

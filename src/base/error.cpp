@@ -1,0 +1,27 @@
+#include "base/error.h"
+
+#include <charconv>
+#include <cstdarg>
+#include <cstdio>
+#include <cstring>
+
+namespace nrb {
+
+Error::Error(nurbs_status status, const char *text) noexcept : status_(status), text_{} {
+    std::strncpy(text_, text, capacity - 1);
+}
+
+Number::Number(double value) noexcept : text{} {
+    std::to_chars(text, text + sizeof text - 1, value);
+}
+
+void fail(nurbs_status status, const char *format, ...) {
+    char text[Error::capacity];
+    va_list arguments;
+    va_start(arguments, format);
+    std::vsnprintf(text, sizeof text, format, arguments);
+    va_end(arguments);
+    throw Error(status, text);
+}
+
+} // namespace nrb

@@ -1,0 +1,22 @@
+// Knot vectors by rule. All fill the whole vector and throw Error when an argument does not allow one.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+namespace nrb {
+
+// Each checks that `knots` has the size that the rule asks for (NURBS_ERROR_SIZE) before anything else is written.
+void uniform_knots(int degree, int64_t count, double a, double b, std::span<double> knots);
+void open_uniform_knots(int degree, int64_t count, double a, double b, std::span<double> knots);
+// `breaks`: pieces + 1 values, or null for even ones on [0, 1].
+void bezier_knots(int degree, int64_t pieces, const double *breaks, std::span<double> knots);
+void averaged_knots(int degree, std::span<const double> params, std::span<double> knots);
+// `multiplicities`: one for each break, or null for all 1.
+void periodic_knots(int degree, std::span<const double> breaks, const int32_t *multiplicities,
+                    std::span<double> knots);
+
+// Sizes of the vectors above; throw when they overflow.
+int64_t bezier_knot_count(int degree, int64_t pieces);
+
+} // namespace nrb

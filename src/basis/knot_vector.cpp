@@ -1,0 +1,156 @@
+#include "basis/knot_vector.h"
+
+#include "base/error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+namespace nrb {
+
+namespace {
+
+// " on axis 1", or nothing where a call has no axes.
+struct AxisText {
+    explicit AxisText(int axis) noexcept : text{} {
+        if (axis >= 0) {
+            std::snprintf(text, sizeof text, " on axis %d", axis);
+        }
+    }
+    char text[24];
+};
+
+void check_finite_and_sorted(std::span<const double> knots, int axis, int64_t offset) {
+    for (size_t i = 0; i < knots.size(); ++i) {
+        const long long index = static_cast<long long>(i) + offset;
+        if (!std::isfinite(knots[i])) {
+            fail(NURBS_ERROR_KNOT_NOT_FINITE, "knots[%lld] = %s%s is not finite", index,
+                 Number(knots[i]).text, AxisText(axis).text);
+        }
+        if (i > 0 && knots[i] < knots[i - 1]) {
+            fail(NURBS_ERROR_KNOTS_DECREASING, "knots[%lld] = %s%s is smaller than knots[%lld] = %s", index,
+                 Number(knots[i]).text, AxisText(axis).text, index - 1, Number(knots[i - 1]).text);
+        }
+    }
+    if (!std::isfinite(knots.back() - knots.front())) {
+        fail(NURBS_ERROR_KNOT_NOT_FINITE,
+             "knots%s: the range from knots[%lld] = %s to knots[%lld] = %s overflows", AxisText(axis).text,
+             static_cast<long long>(offset), Number(knots.front()).text,
+             static_cast<long long>(offset) + static_cast<long long>(knots.size()) - 1,
+             Number(knots.back()).text);
+    }
+}
+
+void check_multiplicities(int degree, std::span<const double> knots, int axis, int64_t offset) {
+    const auto limit = static_cast<size_t>(degree) + 1;
+    for (size_t i = 0; i + limit < knots.size(); ++i) {
+        if (knots[i] != knots[i + limit]) {
+            continue;
+        }
+        const bool end = knots[i] == knots.front() || knots[i] == knots.back();
+        fail(end ? NURBS_ERROR_END_MULTIPLICITY : NURBS_ERROR_MULTIPLICITY,
+             "knots[%lld] = %s%s is the same knot as knots[%lld]; degree %d allows %d equal %s knots",
+             static_cast<long long>(i + limit) + offset, Number(knots[i]).text, AxisText(axis).text,
+             static_cast<long long>(i) + offset, degree, degree + 1, end ? "end" : "interior");
+    }
+}
+
+} // namespace
+
+KnotVector::KnotVector(int degree, std::vector<double> knots, bool periodic) noexcept
+    : degree_(degree), periodic_(periodic), knots_(std::move(knots)) {}
+
+const SpanTable &KnotVector::spans() const {
+    return spans_.get([this] { return SpanTable(degree_, knots_); });
+}
+
+void check_degree(int degree, int axis) {
+    if (degree < 0 || degree > NURBS_MAX_DEGREE) {
+        fail(NURBS_ERROR_DEGREE, "degrees[%d] = %d, expected 0 to %d", axis < 0 ? 0 : axis, degree,
+             NURBS_MAX_DEGREE);
+    }
+}
+
+void check_count(int degree, int64_t count, int axis) {
+    const int index = axis < 0 ? 0 : axis;
+    if (count <= 0) {
+        fail(NURBS_ERROR_COUNT, "counts[%d] = %lld, expected at least 1", index,
+             static_cast<long long>(count));
+    }
+    if (count <= degree) {
+        fail(NURBS_ERROR_TOO_FEW_POINTS, "counts[%d] = %lld, degree %d needs at least %d control points",
+             index, static_cast<long long>(count), degree, degree + 1);
+    }
+}
+
+void check_knots(int degree, std::span<const double> knots, int axis, int64_t offset) {
+    check_finite_and_sorted(knots, axis, offset);
+    const auto first = static_cast<size_t>(degree);
+    const size_t last = knots.size() - first - 1;
+    if (knots[first] == knots[last]) {
+        fail(NURBS_ERROR_EMPTY_DOMAIN, "knots[%lld] = knots[%lld] = %s%s: the domain is empty",
+             static_cast<long long>(first) + offset, static_cast<long long>(last) + offset,
+             Number(knots[first]).text, AxisText(axis).text);
+    }
+    check_multiplicities(degree, knots, axis, offset);
+}
+
+void check_periodic_knots(int degree, std::span<const double> knots, int axis, int64_t offset) {
+    const auto p = static_cast<size_t>(degree);
+    const size_t count = knots.size() - p - 1;
+    const size_t distinct = count - p;
+    const double period = knots[count] - knots[p];
+    // Each of the sums and differences below may be off by half an ulp of the largest knot.
+    const double rounding = 4 * std::numeric_limits<double>::epsilon() *
+                            std::max(std::abs(knots.front()), std::abs(knots.back()));
+    for (size_t i = 0; i + distinct < knots.size(); ++i) {
+        if (!(std::abs(knots[i + distinct] - knots[i] - period) <= rounding)) {
+            fail(NURBS_ERROR_PERIODIC_KNOTS,
+                 "knots[%lld] = %s%s, expected knots[%lld] + period = %s on a periodic axis",
+                 static_cast<long long>(i + distinct) + offset, Number(knots[i + distinct]).text,
+                 AxisText(axis).text, static_cast<long long>(i) + offset, Number(knots[i] + period).text);
+        }
+    }
+}
+
+KnotVectorPtr make_knot_vector(int degree, std::vector<double> knots, bool periodic, int axis,
+                               int64_t offset) {
+    check_degree(degree, axis);
+    check_count(degree, static_cast<int64_t>(knots.size()) - degree - 1, axis);
+    check_knots(degree, knots, axis, offset);
+    if (periodic) {
+        check_periodic_knots(degree, knots, axis, offset);
+    }
+    return std::make_shared<const KnotVector>(degree, std::move(knots), periodic);
+}
+
+std::vector<KnotGroup> distinct_knots(std::span<const double> knots) {
+    std::vector<KnotGroup> groups;
+    for (const double knot : knots) {
+        if (groups.empty() || groups.back().knot != knot) {
+            groups.push_back({knot, 0});
+        }
+        ++groups.back().multiplicity;
+    }
+    return groups;
+}
+
+int multiplicity(std::span<const double> knots, double knot) noexcept {
+    const auto [first, last] = std::equal_range(knots.begin(), knots.end(), knot);
+    return static_cast<int>(last - first);
+}
+
+double greville(const KnotVector &axis, int64_t i) noexcept {
+    const int p = axis.degree();
+    if (p == 0) {
+        return axis[i] + (axis[i + 1] - axis[i]) / 2;
+    }
+    double offset = 0;
+    for (int j = 2; j <= p; ++j) {
+        offset += axis[i + j] - axis[i + 1];
+    }
+    return axis[i + 1] + offset / p;
+}
+
+} // namespace nrb

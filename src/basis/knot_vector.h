@@ -1,0 +1,69 @@
+// Knot vectors: the immutable value that every axis of a spline shares, its validation and its simple queries.
+#pragma once
+
+#include "base/lazy.h"
+#include "basis/span_table.h"
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace nrb {
+
+struct Interval {
+    double lower;
+    double upper;
+};
+
+class KnotVector {
+public:
+    // Takes a full vector of count + degree + 1 knots. Precondition: check_knots() accepts it.
+    KnotVector(int degree, std::vector<double> knots, bool periodic = false) noexcept;
+
+    [[nodiscard]] int degree() const noexcept { return degree_; }
+    [[nodiscard]] bool periodic() const noexcept { return periodic_; }
+    [[nodiscard]] std::span<const double> knots() const noexcept { return knots_; }
+    [[nodiscard]] double operator[](int64_t i) const noexcept { return knots_[static_cast<size_t>(i)]; }
+    [[nodiscard]] int64_t count() const noexcept { return static_cast<int64_t>(knots_.size()) - degree_ - 1; }
+    [[nodiscard]] Interval domain() const noexcept { return {(*this)[degree_], (*this)[count()]}; }
+    // Layers of control points that differ: count() - degree() on a periodic axis, count() on any other.
+    [[nodiscard]] int64_t distinct_layers() const noexcept { return periodic_ ? count() - degree_ : count(); }
+    [[nodiscard]] bool clamped_start() const noexcept { return knots_.front() == (*this)[degree_]; }
+    [[nodiscard]] bool clamped_end() const noexcept { return knots_.back() == (*this)[count()]; }
+
+    // The search structure over the non-empty spans of the domain; built at first use.
+    [[nodiscard]] const SpanTable &spans() const;
+
+private:
+    int degree_;
+    bool periodic_;
+    std::vector<double> knots_;
+    Lazy<SpanTable> spans_;
+};
+
+using KnotVectorPtr = std::shared_ptr<const KnotVector>;
+
+// Checks degree, count and knots; throws Error naming the first offender. `axis` is for the message only (-1: no axis), and
+// `offset` is the place of the vector in the caller's array.
+void check_degree(int degree, int axis);
+void check_count(int degree, int64_t count, int axis);
+void check_knots(int degree, std::span<const double> knots, int axis, int64_t offset);
+// Precondition: check_knots() accepts the vector. Throws NURBS_ERROR_PERIODIC_KNOTS.
+void check_periodic_knots(int degree, std::span<const double> knots, int axis, int64_t offset);
+
+// All checks, then the shared value.
+KnotVectorPtr make_knot_vector(int degree, std::vector<double> knots, bool periodic = false, int axis = -1,
+                               int64_t offset = 0);
+
+struct KnotGroup {
+    double knot;
+    int multiplicity;
+};
+std::vector<KnotGroup> distinct_knots(std::span<const double> knots);
+int multiplicity(std::span<const double> knots, double knot) noexcept;
+
+// x_i = (t_(i+1) + ... + t_(i+p)) / p, written so that equal knots give exactly that knot; degree 0: the span's middle.
+double greville(const KnotVector &axis, int64_t i) noexcept;
+
+} // namespace nrb

@@ -1,0 +1,150 @@
+#include "eval/active.h"
+
+#include "base/scratch.h"
+#include "eval/axis_basis.h"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <vector>
+
+namespace nrb {
+
+namespace {
+
+constexpr double nan_value = std::numeric_limits<double>::quiet_NaN();
+
+// Locates parameters on all axes and enumerates the active points with their (polynomial) basis functions.
+class ActivePoints {
+public:
+    ActivePoints(const Spline &spline, const AxisRules &rules)
+        : spline_(spline), scratch_(max_axes * max_basis) {
+        for (int k = 0; k < spline.axes(); ++k) {
+            const auto at = static_cast<size_t>(k);
+            axes_[at].emplace(spline.axis(k), rules[at], 0);
+            bases_[at].values = scratch_.take(max_basis);
+            size_ *= degree(k) + 1;
+        }
+    }
+
+    // Number of active points.
+    [[nodiscard]] int64_t size() const noexcept { return size_; }
+    [[nodiscard]] int degree(int k) const noexcept { return spline_.axis(k).degree(); }
+    [[nodiscard]] int64_t span(int k) const noexcept {
+        return bases_[static_cast<size_t>(k)].first + degree(k);
+    }
+
+    bool locate(ConstRecords params, int64_t i) noexcept {
+        bool valid = true;
+        for (int k = 0; k < spline_.axes(); ++k) {
+            const auto at = static_cast<size_t>(k);
+            valid = (*axes_[at])(params(i, k), bases_[at]) && valid;
+        }
+        return valid;
+    }
+
+    // visit(point, value): index of the control point and the product of its basis functions; the last axis varies fastest.
+    template <class Visit>
+    void for_each(Visit &&visit) const {
+        enumerate(0, 0, 1, visit);
+    }
+
+private:
+    template <class Visit>
+    void enumerate(int k, int64_t index, double product, Visit &visit) const {
+        if (k == spline_.axes()) {
+            return visit(index, product);
+        }
+        const AxisBasis &basis = bases_[static_cast<size_t>(k)];
+        for (int j = 0; j <= degree(k); ++j) {
+            enumerate(k + 1, index * spline_.count(k) + basis.first + j, product * basis.values[j], visit);
+        }
+    }
+
+    const Spline &spline_;
+    Scratch scratch_;
+    std::array<std::optional<AxisEvaluator>, max_axes> axes_;
+    std::array<AxisBasis, max_axes> bases_;
+    int64_t size_ = 1;
+};
+
+double largest_coordinate(const Spline &spline, int64_t point) noexcept {
+    double size = 0;
+    for (int c = 0; c < spline.dim(); ++c) {
+        size = std::max(size, std::abs(spline.coordinate(point, c)));
+    }
+    return size;
+}
+
+double largest_product(const Spline &spline, int64_t point) noexcept {
+    const double *record = spline.points().data() + point * spline.stored_width();
+    double size = 0;
+    for (int c = 0; c < spline.dim(); ++c) {
+        size = std::max(size, std::abs(record[c]));
+    }
+    return size;
+}
+
+double hull_size(const Spline &spline, const ActivePoints &active) noexcept {
+    double cartesian = 0;
+    double products = 0;
+    double weight = 0;
+    bool positive = true;
+    active.for_each([&](int64_t point, double value) {
+        const double w = spline.weight(point);
+        weight += w * value;
+        if (w > 0) {
+            cartesian = std::max(cartesian, largest_coordinate(spline, point));
+        }
+        if (spline.form() == Form::homogeneous) {
+            const double product = largest_product(spline, point);
+            products = std::max(products, product);
+            positive = positive && (w > 0 || (w == 0 && product == 0));
+        }
+    });
+    return positive ? cartesian : products / std::abs(weight);
+}
+
+// Fills w_i N_i and returns what they are to be divided by.
+double weighted_functions(const Spline &spline, const ActivePoints &active, std::vector<double> &functions) {
+    double sum = 0;
+    auto next = functions.begin();
+    active.for_each([&](int64_t point, double value) {
+        *next = value * spline.weight(point);
+        sum += *next++;
+    });
+    return spline.rational() ? sum : 1;
+}
+
+void store_spans(const ActivePoints &active, int axes, bool valid, int64_t *spans) noexcept {
+    for (int k = 0; k < axes; ++k) {
+        spans[k] = valid ? active.span(k) : -1;
+    }
+}
+
+} // namespace
+
+void rational_basis(const Spline &spline, const AxisRules &rules, ConstRecords params, int64_t *spans,
+                    Records values) {
+    ActivePoints active(spline, rules);
+    std::vector<double> functions(static_cast<size_t>(active.size()));
+    for (int64_t i = 0; i < params.count; ++i) {
+        const bool valid = active.locate(params, i);
+        if (spans != nullptr) {
+            store_spans(active, spline.axes(), valid, spans + i * spline.axes());
+        }
+        const double divisor = valid ? weighted_functions(spline, active, functions) : nan_value;
+        for (int64_t j = 0; j < active.size(); ++j) {
+            values(i, j) = functions[static_cast<size_t>(j)] / divisor;
+        }
+    }
+}
+
+void hull_sizes(const Spline &spline, const AxisRules &rules, ConstRecords params, Records sizes) {
+    ActivePoints active(spline, rules);
+    for (int64_t i = 0; i < params.count; ++i) {
+        sizes(i, 0) = active.locate(params, i) ? hull_size(spline, active) : nan_value;
+    }
+}
+
+} // namespace nrb

@@ -1,0 +1,55 @@
+// The basis functions of one axis at one placed parameter.
+#pragma once
+
+#include "basis/bspline.h"
+#include "eval/parameters.h"
+
+#include <cmath>
+
+namespace nrb {
+
+struct AxisBasis {
+    int64_t first = 0;        // index of the first active layer
+    int sole = -1;            // index of the only active layer relative to `first`, or -1
+    double *values = nullptr; // [order + 1][degree + 1]
+};
+
+// Everything about an axis that a batch looks up once.
+class AxisEvaluator {
+public:
+    AxisEvaluator(const KnotVector &axis, const AxisRule &rule, int order)
+        : spans_(axis.spans()), knots_(axis.knots().data()), domain_(axis.domain()), rule_(rule),
+          degree_(axis.degree()), order_(order) {}
+
+    [[nodiscard]] int degree() const noexcept { return degree_; }
+    [[nodiscard]] size_t values_size() const noexcept {
+        return static_cast<size_t>(order_ + 1) * static_cast<size_t>(degree_ + 1);
+    }
+
+    // Fills basis.first, basis.sole and basis.values; false when the parameter gives NaN. Precondition: t was admitted.
+    bool operator()(double t, AxisBasis &basis) const noexcept {
+        const double placed = place(t, rule_, domain_);
+        if (std::isnan(placed)) {
+            return false;
+        }
+        const int64_t span = spans_.find(placed, rule_.left);
+        basis.first = span - degree_;
+        basis.sole = sole_function(knots_, degree_, span, placed);
+        if (order_ == 0) {
+            basis_values(knots_, degree_, span, placed, basis.values);
+        } else {
+            basis_derivs(knots_, degree_, span, placed, order_, basis.values);
+        }
+        return true;
+    }
+
+private:
+    const SpanTable &spans_;
+    const double *knots_;
+    Interval domain_;
+    AxisRule rule_;
+    int degree_;
+    int order_;
+};
+
+} // namespace nrb

@@ -1,0 +1,146 @@
+#include "eval/parameters.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+namespace nrb {
+
+namespace {
+
+constexpr uint32_t axis_bits = 0xffu;
+constexpr uint32_t known_bits = NURBS_LEFT | NURBS_CLAMP | NURBS_EXTRAPOLATE | NURBS_WRAP | NURBS_NAN;
+constexpr uint32_t mode_bits = NURBS_CLAMP | NURBS_EXTRAPOLATE | NURBS_WRAP;
+
+AxisRule decode_rule(uint32_t bits, uint32_t flags, int axis) {
+    if ((bits & ~known_bits) != 0) {
+        fail(NURBS_ERROR_FLAGS, "flags = 0x%x: unknown bits 0x%x for axis %d", flags, bits & ~known_bits,
+             axis);
+    }
+    AxisRule rule{(bits & NURBS_LEFT) != 0, (bits & NURBS_NAN) != 0, Outside::refuse};
+    switch (bits & mode_bits) {
+    case 0:
+        return rule;
+    case NURBS_CLAMP:
+        rule.outside = Outside::clamp;
+        return rule;
+    case NURBS_EXTRAPOLATE:
+        rule.outside = Outside::extrapolate;
+        return rule;
+    case NURBS_WRAP:
+        rule.outside = Outside::wrap;
+        return rule;
+    default:
+        fail(NURBS_ERROR_FLAGS,
+             "flags = 0x%x: NURBS_CLAMP, NURBS_EXTRAPOLATE and NURBS_WRAP exclude each other (axis %d)",
+             flags, axis);
+    }
+}
+
+bool inside(double t, Interval domain) noexcept {
+    return t >= domain.lower && t <= domain.upper;
+}
+
+bool admitted(double t, const AxisRule &rule) noexcept {
+    if (rule.nan) {
+        return true;
+    }
+    return rule.outside == Outside::clamp ? !std::isnan(t)
+                                          : std::isfinite(t) && rule.outside != Outside::refuse;
+}
+
+double wrap(double t, bool left, Interval domain) noexcept {
+    const double period = domain.upper - domain.lower;
+    double offset = std::fmod(t - domain.lower, period);
+    if (!std::isfinite(offset)) { // t - lower overflows
+        offset = std::fmod(std::fmod(t, period) - std::fmod(domain.lower, period), period);
+    }
+    const double wrapped = domain.lower + (offset < 0 ? offset + period : offset);
+    const double placed = std::clamp(wrapped, domain.lower, domain.upper);
+    if (left) {
+        return placed == domain.lower ? domain.upper : placed;
+    }
+    return placed == domain.upper ? domain.lower : placed;
+}
+
+} // namespace
+
+AxisRules decode_rules(uint32_t flags, int axes) {
+    const uint32_t allowed = 0xffffffu >> (8 * (max_axes - axes));
+    if ((flags & ~allowed) != 0) {
+        fail(NURBS_ERROR_FLAGS, "flags = 0x%x: unknown bits 0x%x for %d axes", flags, flags & ~allowed, axes);
+    }
+    AxisRules rules;
+    for (int k = 0; k < axes; ++k) {
+        rules[static_cast<size_t>(k)] = decode_rule((flags >> (8 * k)) & axis_bits, flags, k);
+    }
+    return rules;
+}
+
+void check_parameter(double t, const AxisRule &rule, Interval domain, const char *name) {
+    if (inside(t, domain) || admitted(t, rule)) {
+        return;
+    }
+    if (!std::isfinite(t)) {
+        fail(NURBS_ERROR_PARAMETER_NOT_FINITE, "%s = %s is not finite", name, Number(t).text);
+    }
+    fail(NURBS_ERROR_OUTSIDE_DOMAIN, "%s = %s outside [%s, %s]", name, Number(t).text,
+         Number(domain.lower).text, Number(domain.upper).text);
+}
+
+void check_parameters(const Spline &spline, const AxisRules &rules, ConstRecords params) {
+    for (int k = 0; k < spline.axes(); ++k) {
+        const AxisRule &rule = rules[static_cast<size_t>(k)];
+        const Interval domain = spline.axis(k).domain();
+        for (int64_t i = 0; i < params.count; ++i) {
+            const double t = params(i, k);
+            if (inside(t, domain) || admitted(t, rule)) {
+                continue;
+            }
+            char name[64];
+            std::snprintf(name, sizeof name, spline.axes() == 1 ? "params[%lld]" : "params[%lld][%d]",
+                          static_cast<long long>(i), k);
+            check_parameter(t, rule, domain, name);
+        }
+    }
+}
+
+void check_axis_parameters(const KnotVector &axis, const AxisRule &rule, ConstRecords params,
+                           int64_t first_index) {
+    const Interval domain = axis.domain();
+    for (int64_t i = 0; i < params.count; ++i) {
+        const double t = params(i, 0);
+        if (!inside(t, domain) && !admitted(t, rule)) {
+            char name[64];
+            std::snprintf(name, sizeof name, "params[%lld]", static_cast<long long>(first_index + i));
+            check_parameter(t, rule, domain, name);
+        }
+    }
+}
+
+double place(double t, const AxisRule &rule, Interval domain) noexcept {
+    if (inside(t, domain) && rule.outside != Outside::wrap) {
+        return t;
+    }
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    if (std::isnan(t)) {
+        return nan;
+    }
+    switch (rule.outside) {
+    case Outside::clamp:
+        return std::clamp(t, domain.lower, domain.upper);
+    case Outside::extrapolate:
+        return std::isfinite(t) ? t : nan;
+    case Outside::wrap:
+        if (t > domain.lower && t < domain.upper) {
+            return t;
+        }
+        return std::isfinite(t) ? wrap(t, rule.left, domain) : nan;
+    case Outside::refuse:
+        break;
+    }
+    return nan;
+}
+
+} // namespace nrb

@@ -1,0 +1,41 @@
+// The graded order of partial derivatives: by total order, then by the orders of the later axes.
+#pragma once
+
+#include "spline/spline.h"
+
+#include <algorithm>
+#include <cstdint>
+
+namespace nrb {
+
+// Number of partial derivatives of orders 0 to `order`: binomial(order + axes, axes).
+inline int64_t slot_count(int axes, int64_t order) noexcept {
+    switch (axes) {
+    case 1:
+        return order + 1;
+    case 2:
+        return (order + 1) * (order + 2) / 2;
+    default:
+        return (order + 1) * (order + 2) * (order + 3) / 6;
+    }
+}
+
+// Slot of the derivative of orders (i, j, k); axes that a spline lacks have order 0.
+inline int64_t slot(int axes, int64_t i, int64_t j = 0, int64_t k = 0) noexcept {
+    const int64_t later = axes == 3 ? slot_count(2, j + k - 1) + k : j;
+    return slot_count(axes, i + j + k - 1) + later;
+}
+
+// Calls visit(i, j, k) for every slot in increasing order.
+template <class Visit>
+void for_each_slot(int axes, int order, Visit &&visit) {
+    for (int total = 0; total <= order; ++total) {
+        for (int later = 0; later <= (axes > 1 ? total : 0); ++later) {
+            for (int last = 0; last <= (axes > 2 ? later : 0); ++last) {
+                visit(total - later, later - last, last);
+            }
+        }
+    }
+}
+
+} // namespace nrb

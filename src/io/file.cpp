@@ -1,0 +1,53 @@
+#include "io/file.h"
+
+#include "base/error.h"
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+
+namespace nrb {
+
+namespace {
+
+struct Close {
+    void operator()(std::FILE *file) const noexcept { std::fclose(file); }
+};
+using File = std::unique_ptr<std::FILE, Close>;
+
+[[noreturn]] void fail_file(const char *path) {
+    fail(NURBS_ERROR_FILE, "path = \"%.200s\": %s", path, std::strerror(errno));
+}
+
+} // namespace
+
+std::vector<char> read_whole_file(const char *path, int64_t max_bytes) {
+    const File file(std::fopen(path, "rb"));
+    if (!file) {
+        fail_file(path);
+    }
+    // Read in growing blocks rather than by a size asked for first: the path may be a pipe.
+    std::vector<char> bytes;
+    size_t block = size_t{1} << 16;
+    for (;;) {
+        const size_t used = bytes.size();
+        bytes.resize(used + block);
+        const size_t got = std::fread(bytes.data() + used, 1, block, file.get());
+        bytes.resize(used + got);
+        if (static_cast<int64_t>(bytes.size()) > max_bytes) {
+            fail(NURBS_ERROR_TOO_LARGE, "path = \"%.200s\": more than max_bytes = %lld bytes", path,
+                 static_cast<long long>(max_bytes));
+        }
+        if (got < block) {
+            break;
+        }
+        block = bytes.size();
+    }
+    if (std::ferror(file.get()) != 0) {
+        fail_file(path);
+    }
+    return bytes;
+}
+
+} // namespace nrb

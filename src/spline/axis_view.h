@@ -1,0 +1,26 @@
+// A control net seen along one axis: (outer, count, inner) with the layers of the axis in the middle. Every operation along an axis
+// works on this view, so that curves, surfaces and volumes share one loop.
+#pragma once
+
+#include "spline/spline.h"
+
+namespace nrb {
+
+struct AxisView {
+    int64_t outer; // product of the counts of the axes before
+    int64_t count; // layers along the axis
+    int64_t inner; // product of the counts of the axes behind, times the width of a record
+};
+
+inline AxisView axis_view(const Spline &spline, int axis, int64_t width) noexcept {
+    AxisView view{1, spline.count(axis), width};
+    for (int k = 0; k < axis; ++k) {
+        view.outer *= spline.count(k);
+    }
+    for (int k = axis + 1; k < spline.axes(); ++k) {
+        view.inner *= spline.count(k);
+    }
+    return view;
+}
+
+} // namespace nrb

@@ -1,0 +1,206 @@
+// What a spline's points and weights must satisfy.
+#include "base/checked.h"
+#include "spline/axis_view.h"
+#include "spline/spline.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace nrb {
+
+namespace {
+
+void check_points(const Spline &spline) {
+    const std::span<const double> points = spline.points();
+    for (size_t i = 0; i < points.size(); ++i) {
+        if (!std::isfinite(points[i])) {
+            const auto width = static_cast<size_t>(spline.stored_width());
+            const bool weight = spline.form() == Form::homogeneous && i % width + 1 == width;
+            fail(weight ? NURBS_ERROR_WEIGHT_NOT_FINITE : NURBS_ERROR_POINT_NOT_FINITE,
+                 "points[%zu][%zu] = %s is not finite", i / width, i % width, Number(points[i]).text);
+        }
+    }
+}
+
+void check_weight_values(const Spline &spline) {
+    const std::span<const double> weights = spline.weights();
+    const auto dim = static_cast<size_t>(spline.dim());
+    for (size_t i = 0; i < weights.size(); ++i) {
+        if (!std::isfinite(weights[i])) {
+            fail(NURBS_ERROR_WEIGHT_NOT_FINITE, "weights[%zu] = %s is not finite", i,
+                 Number(weights[i]).text);
+        }
+        if (weights[i] < 0) {
+            fail(NURBS_ERROR_WEIGHT_NEGATIVE, "weights[%zu] = %s, expected >= 0", i, Number(weights[i]).text);
+        }
+        for (size_t c = 0; c < dim; ++c) {
+            const double point = spline.points()[i * dim + c];
+            if (!std::isfinite(weights[i] * point)) {
+                fail(NURBS_ERROR_NOT_REPRESENTABLE, "weights[%zu] * points[%zu][%zu] = %s * %s overflows", i,
+                     i, c, Number(weights[i]).text, Number(point).text);
+            }
+        }
+    }
+}
+
+// Layers of control points along one axis of which at least one must carry a weight, and where that is.
+struct Window {
+    int64_t first;
+    int64_t last;
+    double parameter;
+};
+
+// For w(t) > 0 at both ends of every span: the functions that do not vanish there. They are among those of the open span, so
+// that the inside needs no windows of its own.
+std::vector<Window> support_windows(const KnotVector &axis) {
+    const int p = axis.degree();
+    const SpanTable &table = axis.spans();
+    std::vector<Window> windows;
+    for (size_t k = 0; k < table.indices().size(); ++k) {
+        const int64_t s = table.indices()[k];
+        int at_start = 1;
+        while (at_start < p && axis[s - at_start] == axis[s]) {
+            ++at_start;
+        }
+        int at_end = 1;
+        while (at_end < p && axis[s + 1 + at_end] == axis[s + 1]) {
+            ++at_end;
+        }
+        windows.push_back({s - p, s - std::min(at_start, p), axis[s]});
+        windows.push_back({s - p + std::min(at_end, p), s, axis[s + 1]});
+    }
+    return windows;
+}
+
+// Homogeneous weights may have any sign, so that only a support without any weight can be excluded.
+std::vector<Window> span_windows(const KnotVector &axis) {
+    std::vector<Window> windows;
+    for (const int64_t s : axis.spans().indices()) {
+        windows.push_back({s - axis.degree(), s, axis[s]});
+    }
+    return windows;
+}
+
+// Replaces the layers of an axis by its windows: a window is carried where any of its layers is.
+std::vector<char> merge_layers(const std::vector<char> &carried, const AxisView &view,
+                               const std::vector<Window> &windows) {
+    const auto layers = static_cast<int64_t>(windows.size());
+    std::vector<char> merged(static_cast<size_t>(checked_product(view.outer * view.inner, layers, "weights")),
+                             0);
+    for (int64_t o = 0; o < view.outer; ++o) {
+        for (int64_t l = 0; l < layers; ++l) {
+            char *target = merged.data() + (o * layers + l) * view.inner;
+            for (int64_t i = windows[static_cast<size_t>(l)].first; i <= windows[static_cast<size_t>(l)].last;
+                 ++i) {
+                const char *source = carried.data() + (o * view.count + i) * view.inner;
+                std::transform(source, source + view.inner, target, target, std::bit_or<>());
+            }
+        }
+    }
+    return merged;
+}
+
+[[noreturn]] void fail_vanishing(const Spline &spline, const std::vector<std::vector<Window>> &windows,
+                                 int64_t index) {
+    char where[120] = "";
+    size_t used = 0;
+    for (int k = 0; k < spline.axes(); ++k) {
+        int64_t inner = 1;
+        for (int j = k + 1; j < spline.axes(); ++j) {
+            inner *= static_cast<int64_t>(windows[static_cast<size_t>(j)].size());
+        }
+        const Window &window = windows[static_cast<size_t>(k)][static_cast<size_t>(index / inner)];
+        index %= inner;
+        used += static_cast<size_t>(std::snprintf(where + used, sizeof where - used, "%s%s",
+                                                  k == 0 ? "" : ", ", Number(window.parameter).text));
+    }
+    fail(NURBS_ERROR_WEIGHTS_VANISH, "weights: every weight that is active at parameter (%s) is 0", where);
+}
+
+void check_weight_supports(const Spline &spline) {
+    std::vector<char> carried(static_cast<size_t>(spline.point_count()));
+    for (size_t i = 0; i < carried.size(); ++i) {
+        carried[i] = spline.weight(static_cast<int64_t>(i)) != 0 ? 1 : 0;
+    }
+    if (std::find(carried.begin(), carried.end(), 0) == carried.end()) {
+        return;
+    }
+    std::vector<std::vector<Window>> windows;
+    AxisView view = axis_view(spline, 0, 1);
+    for (int k = 0; k < spline.axes(); ++k) {
+        const KnotVector &axis = spline.axis(k);
+        windows.push_back(spline.form() == Form::homogeneous ? span_windows(axis) : support_windows(axis));
+        const auto layers = static_cast<int64_t>(windows.back().size());
+        carried = merge_layers(carried, view, windows.back());
+        if (k + 1 < spline.axes()) {
+            view = {view.outer * layers, spline.count(k + 1), view.inner / spline.count(k + 1)};
+        }
+    }
+    const auto hole = std::find(carried.begin(), carried.end(), 0);
+    if (hole != carried.end()) {
+        fail_vanishing(spline, windows, hole - carried.begin());
+    }
+}
+
+void check_wrapping(const Spline &spline, int k, std::span<const double> values, int width,
+                    const char *name) {
+    const AxisView view = axis_view(spline, k, width);
+    const int64_t distinct = spline.axis(k).distinct_layers();
+    for (int64_t o = 0; o < view.outer; ++o) {
+        for (int64_t i = 0; i + distinct < view.count; ++i) {
+            const double *first = values.data() + (o * view.count + i) * view.inner;
+            const double *copy = first + distinct * view.inner;
+            const auto bytes = static_cast<size_t>(view.inner) * sizeof(double);
+            if (std::memcmp(first, copy, bytes) == 0) {
+                continue;
+            }
+            const auto at = std::mismatch(first, first + view.inner, copy,
+                                          [](const double &a, const double &b) {
+                                              return std::memcmp(&a, &b, sizeof a) == 0;
+                                          })
+                                .first -
+                            first;
+            const int64_t original = ((o * view.count + i) * view.inner + at) / width;
+            fail(NURBS_ERROR_PERIODIC_POINTS,
+                 "%s[%lld] = %s differs from %s[%lld] = %s, which it repeats on periodic axis %d", name,
+                 static_cast<long long>(original + distinct * view.inner / width), Number(copy[at]).text,
+                 name, static_cast<long long>(original), Number(first[at]).text, k);
+        }
+    }
+}
+
+} // namespace
+
+void check_spline(const Spline &spline) {
+    check_points(spline);
+    check_weight_values(spline);
+    if (spline.rational()) {
+        check_weight_supports(spline);
+    }
+    for (int k = 0; k < spline.axes(); ++k) {
+        if (spline.axis(k).periodic()) {
+            check_wrapping(spline, k, spline.points(), spline.stored_width(), "points");
+            if (spline.form() == Form::rational) {
+                check_wrapping(spline, k, spline.weights(), 1, "weights");
+            }
+        }
+    }
+}
+
+SplinePtr make_spline(Spline::Axes axes, int dim, Form form, std::vector<double> points,
+                      std::vector<double> weights) {
+    auto spline =
+        std::make_shared<const Spline>(std::move(axes), dim, form, std::move(points), std::move(weights));
+    const int64_t count = spline->point_count();
+    if (static_cast<int64_t>(spline->points().size()) != count * spline->stored_width() ||
+        static_cast<int64_t>(spline->weights().size()) != (form == Form::rational ? count : 0)) {
+        fail(NURBS_ERROR_SIZE, "points: %zu values and %zu weights, expected %lld points of %d values",
+             spline->points().size(), spline->weights().size(), static_cast<long long>(count),
+             spline->stored_width());
+    }
+    check_spline(*spline);
+    return spline;
+}
+
+} // namespace nrb

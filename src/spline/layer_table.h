@@ -1,0 +1,47 @@
+// Banded tables of coefficients, and their one application along an axis. Refinement, iso-surfaces and everything else that makes
+// new layers of control points from old ones is such a table.
+#pragma once
+
+#include "spline/axis_view.h"
+
+#include <vector>
+
+namespace nrb {
+
+// New layer r is the sum of coefficient[offset + i] * old layer (first + i), i < size. A row of the single coefficient 1 is a copy
+// and costs no coefficient.
+class LayerTable {
+public:
+    struct Row {
+        int64_t first;
+        int size; // 0: a copy of layer `first`
+        size_t offset;
+    };
+
+    void reserve(int64_t rows) { rows_.reserve(static_cast<size_t>(rows)); }
+    void add_copy(int64_t layer) { rows_.push_back({layer, 0, 0}); }
+    // Zeros at both ends are dropped; a single 1 becomes a copy.
+    void add_row(int64_t first, const double *coefficients, int size);
+
+    [[nodiscard]] int64_t rows() const noexcept { return static_cast<int64_t>(rows_.size()); }
+    [[nodiscard]] const Row &row(int64_t r) const noexcept { return rows_[static_cast<size_t>(r)]; }
+    [[nodiscard]] const double *coefficients(const Row &row) const noexcept {
+        return coefficients_.data() + row.offset;
+    }
+
+private:
+    std::vector<Row> rows_;
+    std::vector<double> coefficients_;
+};
+
+struct Net {
+    std::vector<double> points;
+    std::vector<double> weights;
+};
+
+// Applies a table along an axis of a spline. The result has the form of the spline; copied layers keep their stored bits. Sums
+// are formed in homogeneous space; where all weights of a sum are 0 the Cartesian points are combined in their place, so that
+// a point of weight 0 keeps a position. Throws NURBS_ERROR_NOT_REPRESENTABLE when a value overflows, and _OVERFLOW.
+Net apply_along(const Spline &spline, int axis, const LayerTable &table);
+
+} // namespace nrb

@@ -1,0 +1,76 @@
+// The spline: an immutable tensor-product value of 1 to 3 axes.
+#pragma once
+
+#include "base/error.h"
+#include "base/lazy.h"
+#include "basis/knot_vector.h"
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace nrb {
+
+inline constexpr int max_axes = NURBS_MAX_AXES;
+
+// How the control points are stored. What the caller gave is what is kept.
+enum class Form {
+    polynomial,  // points of dim coordinates
+    rational,    // points of dim coordinates, and weights apart
+    homogeneous, // records of dim + 1: (w x, w y, ..., w)
+};
+
+class Spline {
+public:
+    using Axes = std::vector<KnotVectorPtr>;
+
+    // Preconditions: sizes agree (points: product of counts times record width; weights: product of counts for
+    // Form::rational, else empty) and the values satisfy check_points() and check_weights(): use make_spline() for data
+    // from outside.
+    Spline(Axes axes, int dim, Form form, std::vector<double> points, std::vector<double> weights) noexcept;
+
+    [[nodiscard]] int axes() const noexcept { return static_cast<int>(axes_.size()); }
+    [[nodiscard]] const KnotVector &axis(int k) const noexcept { return *axes_[static_cast<size_t>(k)]; }
+    [[nodiscard]] const Axes &knot_vectors() const noexcept { return axes_; }
+    [[nodiscard]] int64_t count(int k) const noexcept { return axis(k).count(); }
+    [[nodiscard]] int64_t point_count() const noexcept;
+    [[nodiscard]] int dim() const noexcept { return dim_; }
+    [[nodiscard]] Form form() const noexcept { return form_; }
+    [[nodiscard]] bool rational() const noexcept { return form_ != Form::polynomial; }
+
+    // The stored values. Width of a stored point record: dim, or dim + 1 when homogeneous.
+    [[nodiscard]] std::span<const double> points() const noexcept { return points_; }
+    [[nodiscard]] std::span<const double> weights() const noexcept { return weights_; }
+    [[nodiscard]] int stored_width() const noexcept { return form_ == Form::homogeneous ? dim_ + 1 : dim_; }
+
+    // The records that kernels contract: (w x, w y, ..., w) when rational, (x, y, ...) when not. For Form::rational they are
+    // a derived table, built at first use.
+    [[nodiscard]] std::span<const double> records() const;
+    [[nodiscard]] int width() const noexcept { return rational() ? dim_ + 1 : dim_; }
+
+    [[nodiscard]] double weight(int64_t i) const noexcept;
+    // Coordinate c of Cartesian control point i; homogeneous points are divided by their weight.
+    [[nodiscard]] double coordinate(int64_t i, int c) const noexcept;
+
+private:
+    Axes axes_;
+    int dim_;
+    Form form_;
+    std::vector<double> points_;
+    std::vector<double> weights_;
+    Lazy<std::vector<double>> records_;
+};
+
+using SplinePtr = std::shared_ptr<const Spline>;
+
+// Checks finiteness, weights (w(t) > 0 on the closed domain, or some w_i != 0 in every support when homogeneous) and the
+// wrapping of periodic axes; throws Error naming the array, the index and the value.
+void check_spline(const Spline &spline);
+
+// A checked spline from validated axes and packed data; throws NURBS_ERROR_SIZE when sizes disagree.
+SplinePtr make_spline(Spline::Axes axes, int dim, Form form, std::vector<double> points,
+                      std::vector<double> weights = {});
+
+} // namespace nrb
