@@ -1,0 +1,58 @@
+#include "basis/bspline.h"
+
+#include <gtest/gtest.h>
+#include <limits>
+#include <vector>
+
+namespace {
+
+TEST(BasisValues, AreExactlyOneWhereAFunctionIsAlone) {
+    const std::vector<double> knots{0, 0, 0, 0, 0.3, 0.3, 0.3, 0.7, 0.7, 0.7, 0.7};
+    double values[4];
+    nrb::basis_values(knots.data(), 3, 3, 0.0, values);
+    EXPECT_EQ(std::vector<double>(values, values + 4), (std::vector<double>{1, 0, 0, 0}));
+    nrb::basis_values(knots.data(), 3, 6, 0.3, values);
+    EXPECT_EQ(std::vector<double>(values, values + 4), (std::vector<double>{1, 0, 0, 0}));
+    nrb::basis_values(knots.data(), 3, 6, 0.7, values);
+    EXPECT_EQ(std::vector<double>(values, values + 4), (std::vector<double>{0, 0, 0, 1}));
+    EXPECT_EQ(nrb::sole_function(knots.data(), 3, 3, 0.0), 0);
+    EXPECT_EQ(nrb::sole_function(knots.data(), 3, 3, 0.3), 3);
+    EXPECT_EQ(nrb::sole_function(knots.data(), 3, 6, 0.5), -1);
+}
+
+// Outside the domain a parameter may equal an outer knot without a function being alone there.
+TEST(SoleFunction, IsNotFooledByExtrapolation) {
+    const std::vector<double> knots{0, 1, 2, 3, 4, 5, 6, 7};
+    EXPECT_EQ(nrb::sole_function(knots.data(), 3, 3, 1.0), -1);
+    EXPECT_EQ(nrb::sole_function(knots.data(), 3, 3, 6.0), -1);
+}
+
+TEST(BasisDerivs, RowZeroHasTheBitsOfTheValues) {
+    const std::vector<double> knots{-1, 0, 0.1, 0.37, 0.5, 2, 2.5, 9};
+    double values[4];
+    double derivs[12];
+    for (const double t : {0.37, 0.4, 0.499, 0.5}) {
+        nrb::basis_values(knots.data(), 3, 3, t, values);
+        nrb::basis_derivs(knots.data(), 3, 3, t, 2, derivs);
+        for (int j = 0; j < 4; ++j) {
+            EXPECT_EQ(values[j], derivs[j]);
+        }
+    }
+}
+
+TEST(BasisValues, StandDenormalSpans) {
+    const double tiny = std::numeric_limits<double>::denorm_min();
+    const std::vector<double> knots{0, 0, 0, 8 * tiny, 8 * tiny, 8 * tiny};
+    double values[3];
+    nrb::basis_values(knots.data(), 2, 2, 4 * tiny, values);
+    EXPECT_EQ(std::vector<double>(values, values + 3), (std::vector<double>{0.25, 0.5, 0.25}));
+}
+
+TEST(BernsteinDerivs, AreThePolynomialsOfTheBinomialFormula) {
+    double values[3 * 4];
+    nrb::bernstein_derivs(3, 0.5, 2, values);
+    const std::vector<double> expected{0.125, 0.375, 0.375, 0.125, -0.75, -0.75, 0.75, 0.75, 3, -3, -3, 3};
+    EXPECT_EQ(std::vector<double>(values, values + 12), expected);
+}
+
+} // namespace
