@@ -53,7 +53,8 @@ namespace {
          expected);
 }
 
-// Components share no place if the records are apart (stride covers a record) or the components are (a component covers all records).
+// Components share no place if the records are apart (stride covers a record) or the components are (a
+// component covers all records).
 void check_separation(const char *name, int64_t count, int64_t width, int64_t stride,
                       int64_t component_stride) {
     const bool records_apart = count <= 1 || (stride > 0 && (width - 1) <= (stride - 1) / component_stride);

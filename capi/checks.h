@@ -26,7 +26,8 @@ void check_length(int64_t n, const char *name);
 // n == expected, else NURBS_ERROR_SIZE.
 void check_size(int64_t n, int64_t expected, const char *name);
 
-// A view of `count` records of `width` doubles, with strides completed (0 = packed) and checked. The pointer may be NULL when count is 0.
+// A view of `count` records of `width` doubles, with strides completed (0 = packed) and checked. The pointer
+// may be NULL when count is 0.
 ConstRecords input(const char *name, const double *data, int64_t count, int64_t width, int64_t stride,
                    int64_t component_stride);
 Records output(const char *name, double *data, int64_t count, int64_t width, int64_t stride,
@@ -36,7 +37,8 @@ inline ConstRecords input(const char *name, const double *data, int64_t count, i
     return input(name, data, count, 1, stride, 0);
 }
 
-// Throws NURBS_ERROR_OVERLAP if an element of `out` is an element of `in`. Records of equal stride may interleave.
+// Throws NURBS_ERROR_OVERLAP if an element of `out` is an element of `in`. Records of equal stride may
+// interleave.
 void check_overlap(const char *out_name, Records out, const char *in_name, ConstRecords in);
 void check_overlap(const char *out_name, const void *out, int64_t out_bytes, const char *in_name,
                    const void *in, int64_t in_bytes);

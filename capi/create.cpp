@@ -34,7 +34,8 @@ std::vector<double> complete_knots(const AxisData &axis, const double *given, in
     return knots;
 }
 
-// Checks the distinct knots of an axis, which begin at `offset` in the caller's arrays, and returns the sum of the multiplicities.
+// Checks the distinct knots of an axis, which begin at `offset` in the caller's arrays, and returns the sum
+// of the multiplicities.
 int64_t check_distinct_knots(const AxisData &axis, const double *distinct, const int32_t *multiplicities,
                              int64_t n, int64_t offset) {
     int64_t total = 0;
@@ -135,7 +136,8 @@ Spline::Axes bezier_axes(const AxesData &axes) {
         1);
 }
 
-// The kept weights are those of a homogeneous spline too, which then becomes one of Cartesian points and weights.
+// The kept weights are those of a homogeneous spline too, which then becomes one of Cartesian points and
+// weights.
 std::vector<double> kept_weights(const Spline &spline) {
     std::vector<double> weights(spline.rational() ? static_cast<size_t>(spline.point_count()) : 0);
     for (size_t i = 0; i < weights.size(); ++i) {

@@ -1,11 +1,13 @@
-// The border's one guard: nothing thrown inside leaves the library, everything becomes a status and a message.
+// The border's one guard: nothing thrown inside leaves the library, everything becomes a status and a
+// message.
 #pragma once
 
 #include <nurbs/nurbs.h>
 
 namespace nrb::capi {
 
-// Translates the exception being handled; stores its message for nurbs_last_error(). Call inside a catch block only.
+// Translates the exception being handled; stores its message for nurbs_last_error(). Call inside a catch
+// block only.
 nurbs_status translate_exception() noexcept;
 
 template <class Body>

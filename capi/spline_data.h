@@ -1,4 +1,5 @@
-// The caller's description of a spline: axes in one of several knot conventions, and control points with optional weights.
+// The caller's description of a spline: axes in one of several knot conventions, and control points with
+// optional weights.
 #pragma once
 
 #include "checks.h"
@@ -28,8 +29,9 @@ public:
     // Sum of counts[k] + degrees[k] + extra.
     [[nodiscard]] int64_t knot_total(int extra) const;
 
-    // knots_of(axis, index, offset) returns the full knots of an axis and the place in the caller's array that messages count from;
-    // `offset` is the number of knots of the axes before, each of count + degree + extra.
+    // knots_of(axis, index, offset) returns the full knots of an axis and the place in the caller's array
+    // that messages count from; `offset` is the number of knots of the axes before, each of count + degree +
+    // extra.
     template <class KnotsOf>
     [[nodiscard]] Spline::Axes make(KnotsOf &&knots_of, int extra) const {
         Spline::Axes axes;

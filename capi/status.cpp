@@ -10,7 +10,8 @@
 
 namespace {
 
-// A plain array: thread-local without constructor or destructor, so that it works when memory is short and as threads end.
+// A plain array: thread-local without constructor or destructor, so that it works when memory is short and as
+// threads end.
 thread_local char last_message[nrb::Error::capacity];
 
 void remember(const char *message) noexcept {

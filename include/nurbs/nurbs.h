@@ -6,59 +6,67 @@
  * # What a handle is
  * A `nurbs` is a spline of 1 (curve), 2 (surface) or 3 (volume) parametric axes in any dimension >= 1:
  *
- *     C(t) = sum_i R_i(t) P_i,   R_i(t) = w_i N_i(t) / sum_j w_j N_j(t),   N_i = product of B-spline basis functions.
+ *     C(t) = sum_i R_i(t) P_i,   R_i(t) = w_i N_i(t) / sum_j w_j N_j(t),
  *
- * Handles are immutable. Every operation reads `const nurbs *` and returns a new handle through its last argument, which
- * is set to NULL on failure. Inputs are copied, getters copy out, nothing is borrowed and no argument changes its owner.
- * Free every handle with nurbs_destroy(). Any number of threads may use one handle at once; only nurbs_destroy() needs
- * the handle to itself. The library has no contexts, no initialisation, no settings and starts no threads.
+ * where N_i is a product of B-spline basis functions, one for each axis.
+ *
+ * Handles are immutable. Every operation reads `const nurbs *` and returns a new handle through its last
+ * argument, which is set to NULL on failure. Inputs are copied, getters copy out, nothing is borrowed and no
+ * argument changes its owner. Free every handle with nurbs_destroy(). Any number of threads may use one
+ * handle at once; only nurbs_destroy() needs the handle to itself. The library has no contexts, no
+ * initialisation, no settings and starts no threads.
  *
  * # Conventions
  * - **Degree** p, not order. Degrees run from 0 to NURBS_MAX_DEGREE.
- * - **Knots** are the full vector t_0 <= t_1 <= ... of count + degree + 1 values, for all axes one after the other.
- *   The domain of an axis is [t_p, t_count]; clamped, unclamped and periodic vectors are all first class. A knot occurs at
- *   most degree + 1 times. Knots are equal when they are equal: there is no built-in tolerance.
- * - **Points** are Cartesian, not multiplied by the weights; the last axis varies fastest: in a surface with counts
- *   (m, n), point (i, j) is record i * n + j. `weights` may be NULL, which makes the spline polynomial.
- *   The values given are the values stored: getters return them bit for bit.
- * - **Weights** are finite, >= 0, and at each parameter of the domain some weight in the support is > 0. Other weights, and
- *   control points at infinity, need nurbs_create_homogeneous().
- * - **Arrays of records** (points, parameters, derivatives) are described by a pointer and two strides counted in doubles:
- *   component c of record i is at `array[i * stride + c * component_stride]`. Both strides may be 0, which means
- *   packed: component_stride 0 is 1, stride 0 is (record length) * component_stride. A C array of points is (0, 0), a
- *   Fortran array x(n, dim) is (1, n). Strides that let two components share a place are an error, and outputs must not
- *   overlap inputs. Where n is 0 the pointers may be NULL.
- * - **A parameter** in a span uses [t_i, t_i+1), the last span is closed. Flags choose the other side, and what
- *   happens outside the domain.
+ * - **Knots** are the full vector t_0 <= t_1 <= ... of count + degree + 1 values, for all axes one after the
+ *   other. The domain of an axis is [t_p, t_count]; clamped, unclamped and periodic vectors are all first
+ *   class. A knot occurs at most degree + 1 times. Knots are equal when they are equal: there is no built-in
+ *   tolerance.
+ * - **Points** are Cartesian, not multiplied by the weights; the last axis varies fastest: in a surface with
+ *   counts (m, n), point (i, j) is record i * n + j. `weights` may be NULL, which makes the spline
+ *   polynomial. The values given are the values stored: getters return them bit for bit.
+ * - **Weights** are finite, >= 0, and at each parameter of the domain some weight in the support is > 0.
+ *   Other weights, and control points at infinity, need nurbs_create_homogeneous().
+ * - **Arrays of records** (points, parameters, derivatives) are described by a pointer and two strides
+ *   counted in doubles: component c of record i is at `array[i * stride + c * component_stride]`. Both
+ *   strides may be 0, which means packed: component_stride 0 is 1, stride 0 is (record length) *
+ *   component_stride. A C array of points is (0, 0), a Fortran array x(n, dim) is (1, n). Strides that let
+ *   two components share a place are an error, and outputs must not overlap inputs. Where n is 0 the pointers
+ *   may be NULL.
+ * - **A parameter** in a span uses [t_i, t_i+1), the last span is closed. Flags choose the other side, and
+ *   what happens outside the domain.
  *
  * # Errors
- * Functions return a nurbs_status: 0 is success, every other value a failure, including values that this header does not
- * name. The classes are: 1-99 argument, 100-199 domain, 200-299 numeric, 300-399 resource, 400-499 file contents, 900-999
- * internal. The code alone is enough to act upon; nurbs_last_error() adds the array, the index, the value and what was
- * expected, for the last failure in the calling thread. A failing call writes nothing to its output arrays. No
- * value in an argument makes a call crash; an array shorter than its stated length cannot be detected.
- * Every function that allocates can return NURBS_ERROR_MEMORY, and every function NURBS_ERROR_INTERNAL
- * (a defect of the library); the lists of statuses below do not repeat these two.
+ * Functions return a nurbs_status: 0 is success, every other value a failure, including values that this
+ * header does not name. The classes are: 1-99 argument, 100-199 domain, 200-299 numeric, 300-399 resource,
+ * 400-499 file contents, 900-999 internal. The code alone is enough to act upon; nurbs_last_error() adds the
+ * array, the index, the value and what was expected, for the last failure in the calling thread. A failing
+ * call writes nothing to its output arrays. No value in an argument makes a call crash; an array shorter than
+ * its stated length cannot be detected. Every function that allocates can return NURBS_ERROR_MEMORY, and
+ * every function NURBS_ERROR_INTERNAL (a defect of the library); the lists of statuses below do not repeat
+ * these two.
  *
  * # Accuracy
  * eps = 2^-52. For a spline with weights >= 0 every coordinate of a point inside the domain is within
- * c * eps * hull of the exact value for the stored data, where hull (nurbs_hull_size()) is the largest magnitude of a coordinate of a
- * control point with a positive weight that is active at the parameter, and c is the sum of c(p) over the axes:
+ * c * eps * hull of the exact value for the stored data, where hull (nurbs_hull_size()) is the largest
+ * magnitude of a coordinate of a control point with a positive weight that is active at the parameter, and c
+ * is the sum of c(p) over the axes:
  *
  *     degree p    0   1   2   3   4   5   6   7   8   9  10-15  16-23  24-31
  *     c(p)        1   3   4   4   6   6   8   8  12  12    16     24     32
  *
  * No ratio of weights enters. With signed weights the bound is c * eps * max|w_i P_i| / |w(t)|.
- * At clamped ends (and wherever one basis function is 1 on every axis) the stored control point is returned bit for bit.
- * A derivative of multi-index a (order k = |a|) of a polynomial spline is within 2 (c + 2 k) * eps * H_a, where H_a is the
- * result of the derivative formula in magnitudes: H_0 = |P|, and a step along an axis replaces neighbours by
- * (p - k + 1) (H_i + H_i+1) / (t_i+p+1 - t_i+k). For a rational one the quotient rule is followed in magnitudes:
- * E_a = (H_a[wP] + sum over 0 < b <= a of binomial(a, b) H_b[w] E_(a-b)) / w(t) replaces H_a.
- * One parameter gives the same bits alone, in a batch and on a grid, on one machine.
+ * At clamped ends (and wherever one basis function is 1 on every axis) the stored control point is returned
+ * bit for bit. A derivative of multi-index a (order k = |a|) of a polynomial spline is within 2 (c + 2 k) *
+ * eps * H_a, where H_a is the result of the derivative formula in magnitudes: H_0 = |P|, and a step along an
+ * axis replaces neighbours by (p - k + 1) (H_i + H_i+1) / (t_i+p+1 - t_i+k). For a rational one the quotient
+ * rule is followed in magnitudes: E_a = (H_a[wP] + sum over 0 < b <= a of binomial(a, b) H_b[w] E_(a-b)) /
+ * w(t) replaces H_a. One parameter gives the same bits alone, in a batch and on a grid, on one machine.
  *
  * # Bindings
- * Signatures use int32_t, int64_t, uint32_t, double, pointers to these, char buffers and opaque handles, nothing else.
- * Comments are uniform: every array parameter carries its shape in brackets, written in terms of other parameters.
+ * Signatures use int32_t, int64_t, uint32_t, double, pointers to these, char buffers and opaque handles,
+ * nothing else. Comments are uniform: every array parameter carries its shape in brackets, written in terms
+ * of other parameters.
  */
 #ifndef NURBS_NURBS_H
 #define NURBS_NURBS_H
@@ -153,9 +161,9 @@ enum {
 };
 
 /** \name Flags by axis
- * Each axis has eight bits: bits 0-7 for axis 0, 8-15 for axis 1, 16-23 for axis 2; bits 24-31 are global and none
- * is defined yet. Combine the constants below with NURBS_ON_AXIS() or NURBS_ON_ALL_AXES(). A set bit that is not defined, or
- * belongs to an axis that the spline lacks, is NURBS_ERROR_FLAGS.
+ * Each axis has eight bits: bits 0-7 for axis 0, 8-15 for axis 1, 16-23 for axis 2; bits 24-31 are global and
+ * none is defined yet. Combine the constants below with NURBS_ON_AXIS() or NURBS_ON_ALL_AXES(). A set bit
+ * that is not defined, or belongs to an axis that the spline lacks, is NURBS_ERROR_FLAGS.
  * @{ */
 /** \brief The bits `flags` moved to those of `axis`. */
 #define NURBS_ON_AXIS(axis, flags) ((uint32_t)(flags) << (8 * (axis)))
@@ -167,15 +175,16 @@ enum {
 #define NURBS_CLAMP 0x02u
 /** \brief Evaluation: outside the domain continue the first or last polynomial piece. */
 #define NURBS_EXTRAPOLATE 0x04u
-/** \brief Evaluation: reduce the parameter by multiples of the domain's length; the start and the end are the same place,
- * seen from the right unless NURBS_LEFT is set. Allowed on every axis, periodic or not. */
+/** \brief Evaluation: reduce the parameter by multiples of the domain's length; the start and the end are the
+ * same place, seen from the right unless NURBS_LEFT is set. Allowed on every axis, periodic or not. */
 #define NURBS_WRAP 0x08u
 /** \brief Evaluation: a parameter that cannot be evaluated gives NaN in place of an error. NURBS_CLAMP,
  * NURBS_EXTRAPOLATE and NURBS_WRAP exclude each other; each may be combined with NURBS_NAN. */
 #define NURBS_NAN 0x10u
-/** \brief Creation: the axis is periodic with period knots[count] - knots[degree]: knots[i + m] = knots[i] + period to
- * within the rounding of the largest knot, and the last `degree` layers of points and weights equal the first ones bit for bit,
- * where m = count - degree is the number of distinct layers. Operations keep the axis periodic. */
+/** \brief Creation: the axis is periodic with period knots[count] - knots[degree]: knots[i + m] = knots[i] +
+ * period to within the rounding of the largest knot, and the last `degree` layers of points and weights equal
+ * the first ones bit for bit, where m = count - degree is the number of distinct layers. Operations keep the
+ * axis periodic. */
 #define NURBS_PERIODIC 0x01u
 /** @} */
 
@@ -200,9 +209,9 @@ NURBS_API int32_t nurbs_version(void);
  * \since 0.1 */
 NURBS_API const char *nurbs_status_name(nurbs_status status);
 
-/** \brief Copies the message of the last failed call in the calling thread, such as "params[17] = 1.2 outside [0, 1]".
- * Successful calls leave the message as it was; before any failure it is empty. At most cap - 1 bytes and a terminating
- * zero are written.
+/** \brief Copies the message of the last failed call in the calling thread, such as "params[17] = 1.2 outside
+ * [0, 1]". Successful calls leave the message as it was; before any failure it is empty. At most cap - 1
+ * bytes and a terminating zero are written.
  * \param[out] buf [cap] receives the text; may be NULL when cap is 0.
  * \param[in] cap size of buf in bytes; values < 0 count as 0.
  * \return the length of the whole message, without the terminating zero.
@@ -227,9 +236,11 @@ NURBS_API int64_t nurbs_last_error(char *buf, int64_t cap);
  * \param[in] weight_stride distance between weights, 0 = 1.
  * \param[in] flags NURBS_PERIODIC per axis.
  * \param[out] out the new handle.
- * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DEGREE, _COUNT, _TOO_FEW_POINTS, _OVERFLOW, _SIZE, _DIMENSION, _STRIDE,
- *   _FLAGS, _KNOT_NOT_FINITE, _KNOTS_DECREASING, _END_MULTIPLICITY, _MULTIPLICITY, _EMPTY_DOMAIN, _POINT_NOT_FINITE,
- *   _WEIGHT_NOT_FINITE, _WEIGHT_NEGATIVE, _WEIGHTS_VANISH, _PERIODIC_KNOTS, _PERIODIC_POINTS.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DEGREE, _COUNT, _TOO_FEW_POINTS, _OVERFLOW, _SIZE, _DIMENSION,
+ *   _STRIDE, _FLAGS, _KNOT_NOT_FINITE, _KNOTS_DECREASING, _END_MULTIPLICITY, _MULTIPLICITY, _EMPTY_DOMAIN,
+ *   _POINT_NOT_FINITE, _WEIGHT_NOT_FINITE, _WEIGHT_NEGATIVE, _WEIGHTS_VANISH, _PERIODIC_KNOTS,
+ *   _PERIODIC_POINTS;
+ *   _NOT_REPRESENTABLE if a weight times a coordinate overflows.
  * \since 0.1 */
 NURBS_API nurbs_status nurbs_create(int32_t axes, const int32_t *degrees, const int64_t *counts,
                                     const double *knots, int64_t knot_count, int32_t dim,
@@ -238,8 +249,9 @@ NURBS_API nurbs_status nurbs_create(int32_t axes, const int32_t *degrees, const 
                                     int64_t weight_stride, uint32_t flags, nurbs **out);
 
 /** \brief A rational spline from homogeneous points (w x, w y, ..., w).
- * Weights may be negative or zero: a record with w = 0 is a control point at infinity in the direction of its other components.
- * Some weight in every span's support must differ from 0. Where w(t) = 0 evaluation yields the infinities and NaNs of the division.
+ * Weights may be negative or zero: a record with w = 0 is a control point at infinity in the direction of its
+ * other components. Some weight in every span's support must differ from 0. Where w(t) = 0 evaluation yields
+ * the infinities and NaNs of the division.
  * \param[in] axes,degrees,counts,knots,knot_count as for nurbs_create().
  * \param[in] dim dimension of the Cartesian points.
  * \param[in] points [N][dim + 1] homogeneous control points, last axis fastest, weight last.
@@ -253,11 +265,13 @@ NURBS_API nurbs_status nurbs_create_homogeneous(int32_t axes, const int32_t *deg
                                                 const double *points, int64_t point_stride,
                                                 int64_t point_component_stride, uint32_t flags, nurbs **out);
 
-/** \brief A spline from knot vectors without their first and last knot, as openNURBS, Rhino and Maya write them.
- * Each vector has counts[k] + degrees[k] - 1 values; the missing end knots influence nothing inside the domain and are
- * set to the value beside them, or, on a periodic axis, to the one that the period asks for. Degree >= 1.
- * \param[in] axes,degrees,counts,knots,dim,points,point_stride,point_component_stride,weights,weight_stride,flags as for
- *   nurbs_create(), except that degrees are >= 1.
+/** \brief A spline from knot vectors without their first and last knot, as openNURBS, Rhino and Maya write
+ * them. Each vector has counts[k] + degrees[k] - 1 values; the missing end knots influence nothing inside the
+ * domain and are set to the value beside them, or, on a periodic axis, to the one that the period asks for.
+ * Degree >= 1.
+ * \param[in]
+ *   axes,degrees,counts,knots,dim,points,point_stride,point_component_stride,weights,weight_stride,flags as
+ *   for nurbs_create(), except that degrees are >= 1.
  * \param[in] knot_count total number of knots, sum of counts[k] + degrees[k] - 1.
  * \param[out] out the new handle.
  * \return as for nurbs_create().
@@ -270,10 +284,11 @@ NURBS_API nurbs_status nurbs_create_short(int32_t axes, const int32_t *degrees, 
 
 /** \brief A spline from distinct knots with multiplicities, as STEP and Open CASCADE write them.
  * On each axis the multiplicities add up to counts[k] + degrees[k] + 1.
- * \param[in] axes,degrees,counts,dim,points,point_stride,point_component_stride,weights,weight_stride,flags as for
- *   nurbs_create().
+ * \param[in] axes,degrees,counts,dim,points,point_stride,point_component_stride,weights,weight_stride,flags
+ *   as for nurbs_create().
  * \param[in] distinct_counts [axes] number of distinct knots of each axis.
- * \param[in] distinct_knots [sum of distinct_counts] strictly increasing on each axis, the axes one after the other.
+ * \param[in] distinct_knots [sum of distinct_counts] strictly increasing on each axis, the axes one after the
+ *   other.
  * \param[in] multiplicities [sum of distinct_counts] each >= 1.
  * \param[out] out the new handle.
  * \return as for nurbs_create(); _SIZE if multiplicities do not add up, _COUNT for a multiplicity < 1,
@@ -287,7 +302,8 @@ NURBS_API nurbs_status nurbs_create_multiplicities(int32_t axes, const int32_t *
                                                    int64_t point_component_stride, const double *weights,
                                                    int64_t weight_stride, uint32_t flags, nurbs **out);
 
-/** \brief A Bezier curve, patch or volume over [0, 1] on every axis: degrees[k] + 1 points along axis k, no knots.
+/** \brief A Bezier curve, patch or volume over [0, 1] on every axis: degrees[k] + 1 points along axis k, no
+ * knots.
  * \param[in] axes,dim,points,point_stride,point_component_stride,weights,weight_stride as for nurbs_create().
  * \param[in] degrees [axes] degree along each axis.
  * \param[out] out the new handle.
@@ -299,7 +315,8 @@ NURBS_API nurbs_status nurbs_create_bezier(int32_t axes, const int32_t *degrees,
                                            int64_t point_component_stride, const double *weights,
                                            int64_t weight_stride, nurbs **out);
 
-/** \brief The same degrees, knots, dimension and periodicity with other points; knots and their tables are shared, not copied.
+/** \brief The same degrees, knots, dimension and periodicity with other points; knots and their tables are
+ * shared, not copied.
  * \param[in] g a spline.
  * \param[in] points [N][dim] Cartesian control points, last axis fastest, N and dim those of g.
  * \param[in] point_stride,point_component_stride layout of points, 0 = packed.
@@ -307,8 +324,8 @@ NURBS_API nurbs_status nurbs_create_bezier(int32_t axes, const int32_t *degrees,
  * \param[in] weight_stride distance between weights, 0 = 1.
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _STRIDE, _POINT_NOT_FINITE, _WEIGHT_NOT_FINITE, _WEIGHT_NEGATIVE,
- *   _WEIGHTS_VANISH, _PERIODIC_POINTS; _WEIGHT_NEGATIVE or _WEIGHTS_VANISH also when kept weights of a homogeneous spline
- *   do not suit Cartesian points.
+ *   _WEIGHTS_VANISH, _PERIODIC_POINTS; _WEIGHT_NEGATIVE or _WEIGHTS_VANISH also when kept weights of a
+ *   homogeneous spline do not suit Cartesian points.
  * \since 0.1 */
 NURBS_API nurbs_status nurbs_with_points(const nurbs *g, const double *points, int64_t point_stride,
                                          int64_t point_component_stride, const double *weights,
@@ -337,8 +354,8 @@ NURBS_API void nurbs_destroy(nurbs *g);
  * \param[in] a,b the domain, a < b.
  * \param[in] knot_count count + degree + 1.
  * \param[out] knots [knot_count].
- * \return NURBS_OK, NURBS_ERROR_NULL, _DEGREE, _COUNT, _TOO_FEW_POINTS, _SIZE, _KNOT_NOT_FINITE, _EMPTY_DOMAIN;
- *   _NOT_REPRESENTABLE if knots overflow.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _DEGREE, _COUNT, _TOO_FEW_POINTS, _SIZE, _KNOT_NOT_FINITE,
+ *   _EMPTY_DOMAIN; _NOT_REPRESENTABLE if knots overflow.
  * \since 0.1 */
 NURBS_API nurbs_status nurbs_knots_uniform(int32_t degree, int64_t count, double a, double b,
                                            int64_t knot_count, double *knots);
@@ -367,28 +384,33 @@ NURBS_API nurbs_status nurbs_knots_bezier(int32_t degree, int64_t pieces, const 
                                           int64_t knot_count, double *knots);
 
 /** \brief Clamped knots averaged from parameters, for interpolation: t_(j+p) = (s_j + ... + s_(j+p-1)) / p,
- * j = 1, ..., count - p - 1; the ends are s_0 and s_(count-1). Degree 0: the midpoints. (de Boor 1978; Piegl & Tiller 9.8.)
+ * j = 1, ..., count - p - 1; the ends are s_0 and s_(count-1). Degree 0: the midpoints. (de Boor 1978; Piegl
+ * & Tiller 9.8.)
  * \param[in] degree p.
  * \param[in] count number of parameters and of control points, > p.
  * \param[in] params [count] non-decreasing, first < last.
  * \param[in] knot_count count + degree + 1.
  * \param[out] knots [knot_count].
- * \return NURBS_OK, NURBS_ERROR_NULL, _DEGREE, _COUNT, _TOO_FEW_POINTS, _SIZE, _OVERLAP, _PARAMETER_NOT_FINITE,
- *   _KNOTS_DECREASING, _EMPTY_DOMAIN; _MULTIPLICITY if parameters repeat so often that a knot would.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _DEGREE, _COUNT, _TOO_FEW_POINTS, _SIZE, _OVERLAP,
+ *   _PARAMETER_NOT_FINITE, _KNOTS_DECREASING, _EMPTY_DOMAIN; _MULTIPLICITY if parameters repeat so often that
+ *   a knot would.
  * \since 0.1 */
 NURBS_API nurbs_status nurbs_knots_averaged(int32_t degree, int64_t count, const double *params,
                                             int64_t knot_count, double *knots);
 
-/** \brief Periodic knots from the breaks of one period: the given knots with their multiplicities, continued with the period on
- * both sides. With m = sum of multiplicities[0 .. n-2] there are m distinct control points, m + degree in all.
+/** \brief Periodic knots from the breaks of one period: the given knots with their multiplicities, continued
+ * with the period on both sides. With m = sum of multiplicities[0 .. n-2] there are m distinct control
+ * points, m + degree in all.
  * \param[in] degree p.
  * \param[in] n number of breaks, >= 2; the last break is the first one of the next period.
  * \param[in] breaks [n] strictly increasing.
- * \param[in] multiplicities [n] each in [1, degree + 1] (degree 0: 1), the last equal to the first; or NULL for 1.
+ * \param[in] multiplicities [n] each in [1, degree + 1] (degree 0: 1), the last equal to the first; or NULL
+ *   for 1.
  * \param[in] knot_count m + 2 * degree + 1.
  * \param[out] knots [knot_count].
  * \return NURBS_OK, NURBS_ERROR_NULL, _DEGREE, _COUNT, _SIZE, _OVERLAP, _KNOT_NOT_FINITE, _KNOTS_DECREASING,
- *   _MULTIPLICITY; _PERIODIC_KNOTS if the first and last multiplicities differ; _NOT_REPRESENTABLE if knots overflow.
+ *   _MULTIPLICITY; _PERIODIC_KNOTS if the first and last multiplicities differ; _NOT_REPRESENTABLE if knots
+ *   overflow.
  * \since 0.1 */
 NURBS_API nurbs_status nurbs_knots_periodic(int32_t degree, int64_t n, const double *breaks,
                                             const int32_t *multiplicities, int64_t knot_count, double *knots);
@@ -462,7 +484,8 @@ NURBS_API nurbs_status nurbs_knots(const nurbs *g, int32_t axis, int64_t knot_co
 NURBS_API nurbs_status nurbs_distinct_knots(const nurbs *g, int32_t axis, int64_t cap, double *knots,
                                             int32_t *multiplicities, int64_t *count);
 
-/** \brief Form of the knot vector of an axis: clamped at the start, at the end, declared periodic; 0 is plainly unclamped.
+/** \brief Form of the knot vector of an axis: clamped at the start, at the end, declared periodic; 0 is
+ * plainly unclamped.
  * \param[in] g a spline.
  * \param[in] axis 0-based axis.
  * \param[out] form sum of NURBS_FORM_ bits.
@@ -478,7 +501,8 @@ NURBS_API nurbs_status nurbs_knot_form(const nurbs *g, int32_t axis, int32_t *fo
  * \since 0.1 */
 NURBS_API nurbs_status nurbs_domain(const nurbs *g, int32_t axis, double *domain);
 
-/** \brief Greville abscissae of an axis: x_i = (t_(i+1) + ... + t_(i+p)) / p; for degree 0 (t_i + t_(i+1)) / 2.
+/** \brief Greville abscissae of an axis: x_i = (t_(i+1) + ... + t_(i+p)) / p; for degree 0 (t_i + t_(i+1)) /
+ * 2.
  * \param[in] g a spline.
  * \param[in] axis 0-based axis.
  * \param[in] count number of control points of the axis.
@@ -487,8 +511,8 @@ NURBS_API nurbs_status nurbs_domain(const nurbs *g, int32_t axis, double *domain
  * \since 0.1 */
 NURBS_API nurbs_status nurbs_greville(const nurbs *g, int32_t axis, int64_t count, double *abscissae);
 
-/** \brief The Cartesian control points. Those of a spline made by nurbs_create_homogeneous() are divided by their weights;
- * a point at infinity has infinite and NaN coordinates.
+/** \brief The Cartesian control points. Those of a spline made by nurbs_create_homogeneous() are divided by
+ * their weights; a point at infinity has infinite and NaN coordinates.
  * \param[in] g a spline.
  * \param[in] count number N of control points.
  * \param[out] points [count][dim] last axis fastest.
@@ -517,8 +541,8 @@ NURBS_API nurbs_status nurbs_weights(const nurbs *g, int64_t count, double *weig
 NURBS_API nurbs_status nurbs_homogeneous_points(const nurbs *g, int64_t count, double *points,
                                                 int64_t point_stride, int64_t point_component_stride);
 
-/** \brief Local hull size: the largest |coordinate| among the active control points of positive weight at each parameter,
- * the `hull` of the accuracy contract. With signed weights it is max|w_i P_i| / |w(t)|.
+/** \brief Local hull size: the largest |coordinate| among the active control points of positive weight at
+ * each parameter, the `hull` of the accuracy contract. With signed weights it is max|w_i P_i| / |w(t)|.
  * \param[in] g a spline.
  * \param[in] n number of parameters.
  * \param[in] params [n][axes].
@@ -537,24 +561,25 @@ NURBS_API nurbs_status nurbs_hull_size(const nurbs *g, int64_t n, const double *
 /** \defgroup basis Bases
  * @{ */
 
-/** \brief Span of each parameter: the index s with knots[s] <= t < knots[s+1] (the last span is closed), degree <= s < count,
- * never an empty span. The basis functions s - degree, ..., s are the ones that do not vanish there.
+/** \brief Span of each parameter: the index s with knots[s] <= t < knots[s+1] (the last span is closed),
+ * degree <= s < count, never an empty span. The basis functions s - degree, ..., s are the ones that do not
+ * vanish there.
  * \param[in] degree,count,knots,knot_count a full knot vector, as for nurbs_create().
  * \param[in] n number of parameters.
  * \param[in] params [n].
  * \param[in] param_stride distance between parameters, 0 = 1.
  * \param[out] spans [n].
  * \param[in] flags evaluation flags of one axis; NURBS_NAN gives span -1.
- * \return NURBS_OK, NURBS_ERROR_NULL, _DEGREE, _COUNT, _TOO_FEW_POINTS, _SIZE, _KNOT_NOT_FINITE, _KNOTS_DECREASING,
- *   _END_MULTIPLICITY, _MULTIPLICITY, _EMPTY_DOMAIN, _OVERFLOW, _STRIDE, _OVERLAP, _FLAGS, _PARAMETER_NOT_FINITE,
- *   _OUTSIDE_DOMAIN.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _DEGREE, _COUNT, _TOO_FEW_POINTS, _SIZE, _KNOT_NOT_FINITE,
+ *   _KNOTS_DECREASING, _END_MULTIPLICITY, _MULTIPLICITY, _EMPTY_DOMAIN, _OVERFLOW, _STRIDE, _OVERLAP, _FLAGS,
+ *   _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN.
  * \since 0.1 */
 NURBS_API nurbs_status nurbs_find_spans(int32_t degree, int64_t count, const double *knots,
                                         int64_t knot_count, int64_t n, const double *params,
                                         int64_t param_stride, int64_t *spans, uint32_t flags);
 
-/** \brief Bernstein polynomials B_(j,p)(t) = binomial(p, j) t^j (1 - t)^(p - j), j = 0, ..., p, and their derivatives.
- * Any finite t is allowed; values are componentwise accurate on [0, 1].
+/** \brief Bernstein polynomials B_(j,p)(t) = binomial(p, j) t^j (1 - t)^(p - j), j = 0, ..., p, and their
+ * derivatives. Any finite t is allowed; values are componentwise accurate on [0, 1].
  * \param[in] degree p.
  * \param[in] order highest derivative; those above the degree are 0.
  * \param[in] n number of parameters.
@@ -562,20 +587,23 @@ NURBS_API nurbs_status nurbs_find_spans(int32_t degree, int64_t count, const dou
  * \param[in] param_stride distance between parameters, 0 = 1.
  * \param[out] values [n][order + 1][degree + 1]: derivative k of B_(j,p) is component k * (degree + 1) + j.
  * \param[in] value_stride,value_component_stride layout of values, 0 = packed.
- * \return NURBS_OK, NURBS_ERROR_NULL, _DEGREE, _ORDER, _COUNT, _OVERFLOW, _STRIDE, _OVERLAP, _PARAMETER_NOT_FINITE.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _DEGREE, _ORDER, _COUNT, _OVERFLOW, _STRIDE, _OVERLAP,
+ *   _PARAMETER_NOT_FINITE.
  * \since 0.1 */
 NURBS_API nurbs_status nurbs_bernstein(int32_t degree, int32_t order, int64_t n, const double *params,
                                        int64_t param_stride, double *values, int64_t value_stride,
                                        int64_t value_component_stride);
 
-/** \brief B-spline basis functions that do not vanish at each parameter, and their derivatives (Cox-de Boor recurrence).
+/** \brief B-spline basis functions that do not vanish at each parameter, and their derivatives (Cox-de Boor
+ * recurrence).
  * \param[in] degree,count,knots,knot_count a full knot vector, as for nurbs_create().
  * \param[in] order highest derivative; those above the degree are 0.
  * \param[in] n number of parameters.
  * \param[in] params [n].
  * \param[in] param_stride distance between parameters, 0 = 1.
  * \param[out] spans [n] the span s of each parameter, or NULL.
- * \param[out] values [n][order + 1][degree + 1]: derivative k of N_(s - degree + j) is component k * (degree + 1) + j.
+ * \param[out] values [n][order + 1][degree + 1]: derivative k of N_(s - degree + j) is component k * (degree
+ *   + 1) + j.
  * \param[in] value_stride,value_component_stride layout of values, 0 = packed.
  * \param[in] flags evaluation flags of one axis.
  * \return as for nurbs_find_spans(), and NURBS_ERROR_ORDER.
@@ -585,8 +613,9 @@ NURBS_API nurbs_status nurbs_basis(int32_t degree, int64_t count, const double *
                                    int64_t *spans, double *values, int64_t value_stride,
                                    int64_t value_component_stride, uint32_t flags);
 
-/** \brief Rational basis functions R_i(t) = w_i N_i(t) / w(t) of the active control points; N_i for a polynomial spline.
- * There are M = (degree_0 + 1) * ... active points per parameter, last axis fastest; on axis k they start at spans[k] - degree_k.
+/** \brief Rational basis functions R_i(t) = w_i N_i(t) / w(t) of the active control points; N_i for a
+ * polynomial spline. There are M = (degree_0 + 1) * ... active points per parameter, last axis fastest; on
+ * axis k they start at spans[k] - degree_k.
  * \param[in] g a spline.
  * \param[in] n number of parameters.
  * \param[in] params [n][axes].
@@ -621,7 +650,8 @@ NURBS_API nurbs_status nurbs_eval(const nurbs *g, int64_t n, const double *param
                                   int64_t param_component_stride, double *points, int64_t point_stride,
                                   int64_t point_component_stride, uint32_t flags);
 
-/** \brief Number of derivative slots S = binomial(order + axes, axes), the partial derivatives of orders 0 to `order`.
+/** \brief Number of derivative slots S = binomial(order + axes, axes), the partial derivatives of orders 0 to
+ * `order`.
  * \param[in] axes 1, 2 or 3.
  * \param[in] order highest order.
  * \param[out] slots S.
@@ -629,15 +659,17 @@ NURBS_API nurbs_status nurbs_eval(const nurbs *g, int64_t n, const double *param
  * \since 0.1 */
 NURBS_API nurbs_status nurbs_derivative_slots(int32_t axes, int32_t order, int64_t *slots);
 
-/** \brief Points and all partial derivatives up to an order, by the quotient rule when rational (Piegl & Tiller A4.2, A4.4).
- * Slots are in graded order. Curve: derivative k is slot k. Surface: d^(i+j)/du^i dv^j is slot (i+j)(i+j+1)/2 + j.
- * Volume: d^(i+j+k)/du^i dv^j dw^k is slot s(s+1)(s+2)/6 + r(r+1)/2 + k with s = i+j+k, r = j+k.
+/** \brief Points and all partial derivatives up to an order, by the quotient rule when rational (Piegl &
+ * Tiller A4.2, A4.4). Slots are in graded order. Curve: derivative k is slot k. Surface: d^(i+j)/du^i dv^j is
+ * slot (i+j)(i+j+1)/2 + j. Volume: d^(i+j+k)/du^i dv^j dw^k is slot s(s+1)(s+2)/6 + r(r+1)/2 + k with s =
+ * i+j+k, r = j+k.
  * \param[in] g a spline.
  * \param[in] order highest order; orders above the degree are not special.
  * \param[in] n number of parameters.
  * \param[in] params [n][axes].
  * \param[in] param_stride,param_component_stride layout of params, 0 = packed.
- * \param[out] derivs [n][S][dim] with S = binomial(order + axes, axes): coordinate c of slot s is component s * dim + c.
+ * \param[out] derivs [n][S][dim] with S = binomial(order + axes, axes): coordinate c of slot s is component s
+ *   * dim + c.
  * \param[in] deriv_stride,deriv_component_stride layout of derivs, 0 = packed.
  * \param[in] flags evaluation flags per axis.
  * \return as for nurbs_eval(), and NURBS_ERROR_ORDER.
@@ -674,15 +706,16 @@ NURBS_API nurbs_status nurbs_eval_grid_derivs(const nurbs *g, int32_t order, con
                                               const double *params, double *derivs, int64_t deriv_stride,
                                               int64_t deriv_component_stride, uint32_t flags);
 
-/** \brief The iso-curve of a surface, or iso-surface of a volume, on which the parameter of one axis is fixed.
- * The other axes keep their order, degrees, knots and periodicity.
+/** \brief The iso-curve of a surface, or iso-surface of a volume, on which the parameter of one axis is
+ * fixed. The other axes keep their order, degrees, knots and periodicity.
  * \param[in] g a surface or volume.
  * \param[in] axis the axis that is fixed.
  * \param[in] param its parameter.
  * \param[in] flags evaluation flags of that axis, in the lowest eight bits; NURBS_NAN is not allowed.
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _AXIS, _FLAGS, _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN;
- *   _NOT_REPRESENTABLE if extrapolation overflows, _WEIGHTS_VANISH or _WEIGHT_NEGATIVE if it leaves the positive weights.
+ *   _NOT_REPRESENTABLE if extrapolation overflows, _WEIGHTS_VANISH or _WEIGHT_NEGATIVE if it leaves the
+ *   positive weights.
  * \since 0.1 */
 NURBS_API nurbs_status nurbs_iso(const nurbs *g, int32_t axis, double param, uint32_t flags, nurbs **out);
 /** @} */
@@ -691,14 +724,16 @@ NURBS_API nurbs_status nurbs_iso(const nurbs *g, int32_t axis, double param, uin
  * @{ */
 
 /** \brief Inserts a knot without changing the shape (Boehm 1980).
- * On a periodic axis the copies of the knot one period away are inserted with it, and the end of the domain is its start.
+ * On a periodic axis the copies of the knot one period away are inserted with it, and the end of the domain
+ * is its start.
  * \param[in] g a spline.
  * \param[in] axis 0-based axis.
  * \param[in] knot the knot, inside the closed domain.
  * \param[in] times how often; 0 gives the same spline.
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN, _TIMES, _OVERFLOW;
- *   _MULTIPLICITY if the knot would occur more than degree + 1 times.
+ *   _MULTIPLICITY if the knot would occur more than degree + 1 times; _PERIODIC_KNOTS if
+ *   its copies on a periodic axis cannot be told from their neighbours; _NOT_REPRESENTABLE if a point overflows.
  * \since 0.1 */
 NURBS_API nurbs_status nurbs_insert_knot(const nurbs *g, int32_t axis, double knot, int32_t times,
                                          nurbs **out);
@@ -707,7 +742,8 @@ NURBS_API nurbs_status nurbs_insert_knot(const nurbs *g, int32_t axis, double kn
 /** \defgroup read Reading files
  * @{ */
 
-/** \brief Settings for nurbs_read(); fill with nurbs_read_options_init() first. Fields are only ever appended. */
+/** \brief Settings for nurbs_read(); fill with nurbs_read_options_init() first. Fields are only ever
+ * appended. */
 typedef struct nurbs_read_options {
     int64_t struct_size; /**< size of this struct as the caller knows it */
     double unit; /**< wanted unit of length in metres (0.001: millimetres); 0 keeps the file's own unit */
@@ -722,11 +758,12 @@ typedef struct nurbs_read_options {
 NURBS_API nurbs_status nurbs_read_options_init(nurbs_read_options *options, int64_t struct_size);
 
 /** \brief Reads the curves and surfaces of an IGES 5.x file (fixed-length ASCII form).
- * Entities 126 (rational B-spline curve) and 128 (rational B-spline surface) become splines, in the order of the directory; transformation
- * matrices (124), parameter ranges, delimiters, unit and model scale are respected. Curves used in the parameter
- * plane of a surface have dimension 2, everything else dimension 3; parameter-plane curves are not scaled to `unit`. An
- * entity whose weights are all equal, or flagged polynomial, becomes a polynomial spline. Every other entity, and every
- * 126 or 128 that is not a valid spline, is listed in the notes.
+ * Entities 126 (rational B-spline curve) and 128 (rational B-spline surface) become splines, in the order of
+ * the directory; transformation matrices (124), parameter ranges, delimiters, unit and model scale are
+ * respected. Curves used in the parameter plane of a surface have dimension 2, everything else dimension 3;
+ * parameter-plane curves are not scaled to `unit`. An entity whose weights are all equal, or flagged
+ * polynomial, becomes a polynomial spline. Every other entity, and every 126 or 128 that is not a valid
+ * spline, is listed in the notes.
  * \param[in] bytes [size] the contents of the file.
  * \param[in] size number of bytes.
  * \param[in] options settings, or NULL for the defaults.
@@ -759,8 +796,8 @@ NURBS_API nurbs_status nurbs_list_count(const nurbs_list *list, int64_t *count);
  * \since 0.1 */
 NURBS_API nurbs_status nurbs_list_get(const nurbs_list *list, int64_t index, nurbs **out);
 
-/** \brief Name of spline `index`: that of the file (name property, else label and subscript), else "type#line" such as "126#17".
- * At most cap - 1 bytes and a terminating zero are written.
+/** \brief Name of spline `index`: that of the file (name property, else label and subscript), else
+ * "type#line" such as "126#17". At most cap - 1 bytes and a terminating zero are written.
  * \param[in] list a list.
  * \param[in] index 0-based.
  * \param[out] buf [cap] receives the text; may be NULL when cap is 0.
@@ -783,7 +820,8 @@ NURBS_API nurbs_status nurbs_list_note_count(const nurbs_list *list, int64_t *co
  * \param[in] index 0-based.
  * \param[out] entity_type type number of the entity in the file's format; may be NULL.
  * \param[out] line sequence number of the entity in the directory section; may be NULL.
- * \param[out] reason NURBS_ERROR_UNSUPPORTED for an entity that is not read, else what is wrong with it; may be NULL.
+ * \param[out] reason NURBS_ERROR_UNSUPPORTED for an entity that is not read, else what is wrong with it; may
+ *   be NULL.
  * \param[out] buf [cap] receives the text; may be NULL when cap is 0.
  * \param[in] cap size of buf in bytes.
  * \param[out] length length of the whole text without the terminating zero; may be NULL.

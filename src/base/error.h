@@ -6,8 +6,8 @@
 
 namespace nrb {
 
-// Carries a status of the C API and its message. The text is stored inside, so that throwing needs no memory beyond the
-// exception object itself.
+// Carries a status of the C API and its message. The text is stored inside, so that throwing needs no memory
+// beyond the exception object itself.
 class Error : public std::exception {
 public:
     Error(nurbs_status status, const char *text) noexcept;

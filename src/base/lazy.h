@@ -1,4 +1,5 @@
-// A slot for a table that is derived from an immutable object: built at first use, by any thread, then shared.
+// A slot for a table that is derived from an immutable object: built at first use, by any thread, then
+// shared.
 #pragma once
 
 #include <atomic>
@@ -6,8 +7,8 @@
 
 namespace nrb {
 
-// Two threads that meet may both build; the first to store wins and the other result is dropped. Nobody ever waits, and
-// a builder that throws leaves the slot empty.
+// Two threads that meet may both build; the first to store wins and the other result is dropped. Nobody ever
+// waits, and a builder that throws leaves the slot empty.
 template <class T>
 class Lazy {
 public:

@@ -1,4 +1,5 @@
-// Working memory of one call: on the stack while it is small, so that evaluating a few points allocates nothing.
+// Working memory of one call: on the stack while it is small, so that evaluating a few points allocates
+// nothing.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +14,8 @@ public:
     Scratch(const Scratch &) = delete;
     Scratch &operator=(const Scratch &) = delete;
 
-    // The next `size` doubles, uninitialised. Precondition: the sizes taken add up to at most the size asked for.
+    // The next `size` doubles, uninitialised. Precondition: the sizes taken add up to at most the size asked
+    // for.
     double *take(size_t size) noexcept {
         double *block = next_;
         next_ += size;

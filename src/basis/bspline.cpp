@@ -6,8 +6,8 @@ namespace nrb {
 
 namespace {
 
-// One step of the recurrence: from the degree functions of degree d - 1 in `lower` to the d + 1 ones of degree d in `upper`,
-// which may be the same array.
+// One step of the recurrence: from the degree functions of degree d - 1 in `lower` to the d + 1 ones of
+// degree d in `upper`, which may be the same array.
 void raise_degree(const double *knots, int d, int64_t span, double t, const double *lower,
                   double *upper) noexcept {
     const double *right = knots + span + 1;
@@ -22,8 +22,9 @@ void raise_degree(const double *knots, int d, int64_t span, double t, const doub
     upper[d] = carried;
 }
 
-// From derivatives of order j - 1 of the d functions of degree d - 1 to those of order j of the d + 1 functions of degree d:
-// N'_(i,d) = d (N_(i,d-1) / (t_(i+d) - t_i) - N_(i+1,d-1) / (t_(i+d+1) - t_(i+1))), in place.
+// From derivatives of order j - 1 of the d functions of degree d - 1 to those of order j of the d + 1
+// functions of degree d: N'_(i,d) = d (N_(i,d-1) / (t_(i+d) - t_i) - N_(i+1,d-1) / (t_(i+d+1) - t_(i+1))), in
+// place.
 void differentiate(const double *knots, int d, int64_t span, double *values) noexcept {
     const double *right = knots + span + 1;
     const double *left = right - d;

@@ -8,15 +8,17 @@ namespace nrb {
 
 inline constexpr int max_basis = 32; // NURBS_MAX_DEGREE + 1
 
-// N_(s-p), ..., N_s at t on span s, by the Cox-de Boor recurrence (de Boor 1972; Piegl & Tiller A2.2) with both ratios of each
-// step formed by a division of their own. Inside the span all terms are >= 0 and nothing cancels, so every value has a
-// relative error of at most 2.5 p eps, a ratio x/x is exactly 1, and a function that is alone at a knot comes out as exactly 1.
-// Preconditions: knots[s] < knots[s + 1], p <= s, and s + p is a valid index. Cost: p (p + 1) divisions.
+// N_(s-p), ..., N_s at t on span s, by the Cox-de Boor recurrence (de Boor 1972; Piegl & Tiller A2.2) with
+// both ratios of each step formed by a division of their own. Inside the span all terms are >= 0 and nothing
+// cancels, so every value has a relative error of at most 2.5 p eps, a ratio x/x is exactly 1, and a function
+// that is alone at a knot comes out as exactly 1. Preconditions: knots[s] < knots[s + 1], p <= s, and s + p
+// is a valid index. Cost: p (p + 1) divisions.
 void basis_values(const double *knots, int degree, int64_t span, double t, double *values) noexcept;
 
-// values[k * (p + 1) + j] = derivative k of N_(s-p+j) at t, k = 0, ..., order; row 0 has the bits of basis_values().
-// Derivative k starts from the functions of degree p - k, which are accurate, and applies the difference formula k times
-// (Piegl & Tiller 2.7), so that its error is relative to the sum of the magnitudes of the terms.
+// values[k * (p + 1) + j] = derivative k of N_(s-p+j) at t, k = 0, ..., order; row 0 has the bits of
+// basis_values(). Derivative k starts from the functions of degree p - k, which are accurate, and applies the
+// difference formula k times (Piegl & Tiller 2.7), so that its error is relative to the sum of the magnitudes
+// of the terms.
 void basis_derivs(const double *knots, int degree, int64_t span, double t, int order,
                   double *values) noexcept;
 

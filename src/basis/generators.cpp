@@ -48,7 +48,8 @@ double even(double a, double b, int64_t i, int64_t n) noexcept {
     return std::abs(s) <= 1 ? std::lerp(a, b, s) : a + s * (b - a);
 }
 
-// A knot that a rule computed must still be one: rounding in a short interval may merge knots, far ones may overflow.
+// A knot that a rule computed must still be one: rounding in a short interval may merge knots, far ones may
+// overflow.
 void check_result(int degree, std::span<const double> knots) {
     if (std::any_of(knots.begin(), knots.end(), [](double t) { return !std::isfinite(t); }) ||
         !std::isfinite(knots.back() - knots.front())) {
@@ -148,7 +149,8 @@ void averaged_knots(int degree, std::span<const double> params, std::span<double
     const auto p = static_cast<size_t>(degree);
     std::vector<double> result(p + 1, params.front());
     for (size_t j = 1; j + p < params.size(); ++j) {
-        // Degree 0 averages the two parameters beside the knot. Offsets from the first keep the mean of equal values exact.
+        // Degree 0 averages the two parameters beside the knot. Offsets from the first keep the mean of equal
+        // values exact.
         const size_t first = p == 0 ? j - 1 : j;
         const size_t terms = p == 0 ? 2 : p;
         double offset = 0;

@@ -6,7 +6,8 @@
 
 namespace nrb {
 
-// Each checks that `knots` has the size that the rule asks for (NURBS_ERROR_SIZE) before anything else is written.
+// Each checks that `knots` has the size that the rule asks for (NURBS_ERROR_SIZE) before anything else is
+// written.
 void uniform_knots(int degree, int64_t count, double a, double b, std::span<double> knots);
 void open_uniform_knots(int degree, int64_t count, double a, double b, std::span<double> knots);
 // `breaks`: pieces + 1 values, or null for even ones on [0, 1].

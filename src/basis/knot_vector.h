@@ -1,4 +1,5 @@
-// Knot vectors: the immutable value that every axis of a spline shares, its validation and its simple queries.
+// Knot vectors: the immutable value that every axis of a spline shares, its validation and its simple
+// queries.
 #pragma once
 
 #include "base/lazy.h"
@@ -44,8 +45,8 @@ private:
 
 using KnotVectorPtr = std::shared_ptr<const KnotVector>;
 
-// Checks degree, count and knots; throws Error naming the first offender. `axis` is for the message only (-1: no axis), and
-// `offset` is the place of the vector in the caller's array.
+// Checks degree, count and knots; throws Error naming the first offender. `axis` is for the message only (-1:
+// no axis), and `offset` is the place of the vector in the caller's array.
 void check_degree(int degree, int axis);
 void check_count(int degree, int64_t count, int axis);
 void check_knots(int degree, std::span<const double> knots, int axis, int64_t offset);
@@ -63,7 +64,8 @@ struct KnotGroup {
 std::vector<KnotGroup> distinct_knots(std::span<const double> knots);
 int multiplicity(std::span<const double> knots, double knot) noexcept;
 
-// x_i = (t_(i+1) + ... + t_(i+p)) / p, written so that equal knots give exactly that knot; degree 0: the span's middle.
+// x_i = (t_(i+1) + ... + t_(i+p)) / p, written so that equal knots give exactly that knot; degree 0: the
+// span's middle.
 double greville(const KnotVector &axis, int64_t i) noexcept;
 
 } // namespace nrb

@@ -16,7 +16,8 @@ SpanTable::SpanTable(int degree, std::span<const double> knots) {
     }
     breaks_.push_back(knots[last]);
 
-    // Two buckets a span leave most of them with at most one break. A domain too short for the scale gets one bucket.
+    // Two buckets a span leave most of them with at most one break. A domain too short for the scale gets one
+    // bucket.
     size_t buckets = std::bit_ceil(2 * span_.size());
     lower_ = knots[first];
     scale_ = static_cast<double>(buckets) / (knots[last] - lower_);

@@ -43,7 +43,8 @@ public:
         return valid;
     }
 
-    // visit(point, value): index of the control point and the product of its basis functions; the last axis varies fastest.
+    // visit(point, value): index of the control point and the product of its basis functions; the last axis
+    // varies fastest.
     template <class Visit>
     void for_each(Visit &&visit) const {
         enumerate(0, 0, 1, visit);

@@ -5,12 +5,13 @@
 
 namespace nrb {
 
-// values record: [(p_0 + 1) ... (p_last + 1)]; spans: packed [count][axes] or null. A parameter that gives NaN has spans -1.
+// values record: [(p_0 + 1) ... (p_last + 1)]; spans: packed [count][axes] or null. A parameter that gives
+// NaN has spans -1.
 void rational_basis(const Spline &spline, const AxisRules &rules, ConstRecords params, int64_t *spans,
                     Records values);
 
-// The largest |coordinate| of an active control point of positive weight; max|w_i P_i| / |w(t)| where an active weight is negative
-// or a point is at infinity.
+// The largest |coordinate| of an active control point of positive weight; max|w_i P_i| / |w(t)| where an
+// active weight is negative or a point is at infinity.
 void hull_sizes(const Spline &spline, const AxisRules &rules, ConstRecords params, Records sizes);
 
 } // namespace nrb

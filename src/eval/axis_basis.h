@@ -26,7 +26,8 @@ public:
         return static_cast<size_t>(order_ + 1) * static_cast<size_t>(degree_ + 1);
     }
 
-    // Fills basis.first, basis.sole and basis.values; false when the parameter gives NaN. Precondition: t was admitted.
+    // Fills basis.first, basis.sole and basis.values; false when the parameter gives NaN. Precondition: t was
+    // admitted.
     bool operator()(double t, AxisBasis &basis) const noexcept {
         const double placed = place(t, rule_, domain_);
         if (std::isnan(placed)) {

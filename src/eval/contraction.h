@@ -1,5 +1,6 @@
-// The tensor product: one axis after the other is contracted with its basis functions, axis 0 first, and every order of
-// derivative that is still needed is kept. Points and grids share these steps and hence every bit of their results.
+// The tensor product: one axis after the other is contracted with its basis functions, axis 0 first, and
+// every order of derivative that is still needed is kept. Points and grids share these steps and hence every
+// bit of their results.
 #pragma once
 
 #include "eval/axis_basis.h"
@@ -10,8 +11,9 @@
 
 namespace nrb {
 
-// Calls step(source, order, target) for every partial derivative kept after axis `level`: `source` is the index of what was kept
-// after the axes before, `target` its own, both in graded order of the axes seen so far.
+// Calls step(source, order, target) for every partial derivative kept after axis `level`: `source` is the
+// index of what was kept after the axes before, `target` its own, both in graded order of the axes seen so
+// far.
 template <class Step>
 void for_each_step(int level, int order, Step &&step) {
     if (level == 0) {
@@ -28,14 +30,15 @@ void for_each_step(int level, int order, Step &&step) {
     });
 }
 
-// What the contraction of each axis leaves: kept[k] arrays of length[k] doubles after axis k. The last length is the width of a record.
+// What the contraction of each axis leaves: kept[k] arrays of length[k] doubles after axis k. The last length
+// is the width of a record.
 struct Slabs {
     std::array<double *, max_axes> data{};
     std::array<int64_t, max_axes> length{};
 };
 
-// Contracts axis `level` of the slabs before it (level >= 1). Row r of the axis is row_length = length[level] doubles; the active
-// rows begin at row `first`.
+// Contracts axis `level` of the slabs before it (level >= 1). Row r of the axis is row_length = length[level]
+// doubles; the active rows begin at row `first`.
 inline void contract_level(int level, int order, int degree, const AxisBasis &basis, int64_t first,
                            const Slabs &slabs) noexcept {
     const auto at = static_cast<size_t>(level);

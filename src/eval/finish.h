@@ -19,7 +19,8 @@ public:
     [[nodiscard]] static size_t scratch_size(const Spline &spline, int order) noexcept;
     Finisher(const Spline &spline, int order, Scratch &scratch) noexcept;
 
-    // Divides, replaces the point by the stored control point where it is the only active one, and writes record i.
+    // Divides, replaces the point by the stored control point where it is the only active one, and writes
+    // record i.
     void write(const double *contracted, const Bases &bases, Records out, int64_t i) const noexcept;
     void write_nan(Records out, int64_t i) const noexcept;
 

@@ -39,7 +39,8 @@ private:
     std::vector<double> values_;
 };
 
-// Row contraction: axis 0 is contracted once for each of its parameters over the whole net, axis 1 once for each pair, and so on.
+// Row contraction: axis 0 is contracted once for each of its parameters over the whole net, axis 1 once for
+// each pair, and so on.
 class GridEvaluator {
 public:
     GridEvaluator(const Spline &spline, const AxisRules &rules, int order,

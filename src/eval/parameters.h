@@ -19,19 +19,22 @@ struct AxisRule {
 };
 using AxisRules = std::array<AxisRule, max_axes>;
 
-// Decodes evaluation flags; throws NURBS_ERROR_FLAGS for unknown bits, bits of missing axes and modes that exclude each other.
+// Decodes evaluation flags; throws NURBS_ERROR_FLAGS for unknown bits, bits of missing axes and modes that
+// exclude each other.
 AxisRules decode_rules(uint32_t flags, int axes);
 
-// Throws NURBS_ERROR_PARAMETER_NOT_FINITE or _OUTSIDE_DOMAIN when the rule does not admit t; `name` is how the message calls it.
+// Throws NURBS_ERROR_PARAMETER_NOT_FINITE or _OUTSIDE_DOMAIN when the rule does not admit t; `name` is how
+// the message calls it.
 void check_parameter(double t, const AxisRule &rule, Interval domain, const char *name);
 
-// Checks every parameter of a batch or of one axis of a grid; messages name the array "params" and the index from `first_index` on.
+// Checks every parameter of a batch or of one axis of a grid; messages name the array "params" and the index
+// from `first_index` on.
 void check_parameters(const Spline &spline, const AxisRules &rules, ConstRecords params);
 void check_axis_parameters(const KnotVector &axis, const AxisRule &rule, ConstRecords params,
                            int64_t first_index);
 
-// The parameter to evaluate at in place of an admitted t, or NaN when the rule gives NaN. A wrapped parameter is in
-// [lower, upper), with NURBS_LEFT in (lower, upper].
+// The parameter to evaluate at in place of an admitted t, or NaN when the rule gives NaN. A wrapped parameter
+// is in [lower, upper), with NURBS_LEFT in (lower, upper].
 double place(double t, const AxisRule &rule, Interval domain) noexcept;
 
 } // namespace nrb

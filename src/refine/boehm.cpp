@@ -9,8 +9,9 @@ namespace nrb {
 
 namespace {
 
-// Rows of coefficients over the p - s + 1 old points P_(k-p), ..., P_(k-s) that insertion involves. After j steps row i, j <= i <= p - s,
-// is point i of the triangle of de Boor's algorithm at the new knot, which stops there after p - s steps.
+// Rows of coefficients over the p - s + 1 old points P_(k-p), ..., P_(k-s) that insertion involves. After j
+// steps row i, j <= i <= p - s, is point i of the triangle of de Boor's algorithm at the new knot, which
+// stops there after p - s steps.
 class Triangle {
 public:
     Triangle(int degree, const double *knots, int64_t k, int present, double knot) noexcept
@@ -44,7 +45,8 @@ private:
     std::array<double, max_basis> rows_[max_basis];
 };
 
-// The new points lie on the border of the triangle's first `steps` columns: down its left side, along the last column, up its right side.
+// The new points lie on the border of the triangle's first `steps` columns: down its left side, along the
+// last column, up its right side.
 void append_border(Triangle &triangle, int64_t first, int times, LayerTable &table) {
     const int n = triangle.size();
     const int steps = std::min(times, n - 1);

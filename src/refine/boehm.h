@@ -1,4 +1,5 @@
-// Boehm's knot insertion as a table: W. Boehm, "Inserting new knots into B-spline curves", Computer-Aided Design 12 (1980).
+// Boehm's knot insertion as a table: W. Boehm, "Inserting new knots into B-spline curves", Computer-Aided
+// Design 12 (1980).
 #pragma once
 
 #include "spline/layer_table.h"
@@ -11,10 +12,11 @@ namespace nrb {
 // The knots with `times` more copies of `knot` behind the last knot that is not greater.
 std::vector<double> insert_into_knots(std::span<const double> knots, double knot, int times);
 
-// Appends the rows that give the control points over insert_into_knots(knots, knot, times) from those over `knots`: copies, except for
-// at most p - s + times - 1 rows of convex combinations, s the multiplicity of the knot before. All factors lie in [0, 1] and come from
-// one division each, so a row is accurate to (5/2) times eps relative to each of its entries.
-// Preconditions: knots[p] <= knot <= knots[count], 0 < times <= p + 1 - s.
+// Appends the rows that give the control points over insert_into_knots(knots, knot, times) from those over
+// `knots`: copies, except for at most p - s + times - 1 rows of convex combinations, s the multiplicity of
+// the knot before. All factors lie in [0, 1] and come from one division each, so a row is accurate to (5/2)
+// times eps relative to each of its entries. Preconditions: knots[p] <= knot <= knots[count], 0 < times <= p
+// + 1 - s.
 void append_insertion_rows(int degree, std::span<const double> knots, double knot, int times,
                            LayerTable &table);
 

@@ -8,16 +8,16 @@ namespace nrb {
 
 namespace {
 
-// Several periods of an axis laid out as plain knots, `margin` of them on either side of the stored ones. Layer i of the
-// extension is layer (i mod distinct) of the spline.
+// Several periods of an axis laid out as plain knots, `margin` of them on either side of the stored ones.
+// Layer i of the extension is layer (i mod distinct) of the spline.
 struct Extension {
     int64_t distinct;
     int64_t margin;
     std::vector<double> knots;
 
     explicit Extension(const KnotVector &axis);
-    // The knot `periods` periods away from a new one behind stored knot k: an existing knot's copy is the one that stands there, a
-    // new one stays between its neighbours whatever the rounding.
+    // The knot `periods` periods away from a new one behind stored knot k: an existing knot's copy is the one
+    // that stands there, a new one stays between its neighbours whatever the rounding.
     [[nodiscard]] double copy_of(const KnotVector &axis, double knot, int64_t k,
                                  int64_t periods) const noexcept;
 };

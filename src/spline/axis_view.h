@@ -1,5 +1,5 @@
-// A control net seen along one axis: (outer, count, inner) with the layers of the axis in the middle. Every operation along an axis
-// works on this view, so that curves, surfaces and volumes share one loop.
+// A control net seen along one axis: (outer, count, inner) with the layers of the axis in the middle. Every
+// operation along an axis works on this view, so that curves, surfaces and volumes share one loop.
 #pragma once
 
 #include "spline/spline.h"

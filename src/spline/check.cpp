@@ -51,8 +51,8 @@ struct Window {
     double parameter;
 };
 
-// For w(t) > 0 at both ends of every span: the functions that do not vanish there. They are among those of the open span, so
-// that the inside needs no windows of its own.
+// For w(t) > 0 at both ends of every span: the functions that do not vanish there. They are among those of
+// the open span, so that the inside needs no windows of its own.
 std::vector<Window> support_windows(const KnotVector &axis) {
     const int p = axis.degree();
     const SpanTable &table = axis.spans();

@@ -65,7 +65,8 @@ std::vector<double> combine_all(const LayerTable &table, const Layers &layers) {
     return result;
 }
 
-// Overwrites one layer of Cartesian points by the quotients of the homogeneous sums, wherever their weight allows.
+// Overwrites one layer of Cartesian points by the quotients of the homogeneous sums, wherever their weight
+// allows.
 void project(const std::vector<double> &sums, int dim, double *points, double *weights) {
     const int64_t width = dim + 1;
     const auto count = static_cast<int64_t>(sums.size()) / width;

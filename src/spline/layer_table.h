@@ -1,5 +1,5 @@
-// Banded tables of coefficients, and their one application along an axis. Refinement, iso-surfaces and everything else that makes
-// new layers of control points from old ones is such a table.
+// Banded tables of coefficients, and their one application along an axis. Refinement, iso-surfaces and
+// everything else that makes new layers of control points from old ones is such a table.
 #pragma once
 
 #include "spline/axis_view.h"
@@ -8,8 +8,8 @@
 
 namespace nrb {
 
-// New layer r is the sum of coefficient[offset + i] * old layer (first + i), i < size. A row of the single coefficient 1 is a copy
-// and costs no coefficient.
+// New layer r is the sum of coefficient[offset + i] * old layer (first + i), i < size. A row of the single
+// coefficient 1 is a copy and costs no coefficient.
 class LayerTable {
 public:
     struct Row {
@@ -39,9 +39,10 @@ struct Net {
     std::vector<double> weights;
 };
 
-// Applies a table along an axis of a spline. The result has the form of the spline; copied layers keep their stored bits. Sums
-// are formed in homogeneous space; where all weights of a sum are 0 the Cartesian points are combined in their place, so that
-// a point of weight 0 keeps a position. Throws NURBS_ERROR_NOT_REPRESENTABLE when a value overflows, and _OVERFLOW.
+// Applies a table along an axis of a spline. The result has the form of the spline; copied layers keep their
+// stored bits. Sums are formed in homogeneous space; where all weights of a sum are 0 the Cartesian points
+// are combined in their place, so that a point of weight 0 keeps a position. Throws
+// NURBS_ERROR_NOT_REPRESENTABLE when a value overflows, and _OVERFLOW.
 Net apply_along(const Spline &spline, int axis, const LayerTable &table);
 
 } // namespace nrb

@@ -26,9 +26,9 @@ class Spline {
 public:
     using Axes = std::vector<KnotVectorPtr>;
 
-    // Preconditions: sizes agree (points: product of counts times record width; weights: product of counts for
-    // Form::rational, else empty) and the values satisfy check_points() and check_weights(): use make_spline() for data
-    // from outside.
+    // Preconditions: sizes agree (points: product of counts times record width; weights: product of counts
+    // for Form::rational, else empty) and the values satisfy check_points() and check_weights(): use
+    // make_spline() for data from outside.
     Spline(Axes axes, int dim, Form form, std::vector<double> points, std::vector<double> weights) noexcept;
 
     [[nodiscard]] int axes() const noexcept { return static_cast<int>(axes_.size()); }
@@ -45,8 +45,8 @@ public:
     [[nodiscard]] std::span<const double> weights() const noexcept { return weights_; }
     [[nodiscard]] int stored_width() const noexcept { return form_ == Form::homogeneous ? dim_ + 1 : dim_; }
 
-    // The records that kernels contract: (w x, w y, ..., w) when rational, (x, y, ...) when not. For Form::rational they are
-    // a derived table, built at first use.
+    // The records that kernels contract: (w x, w y, ..., w) when rational, (x, y, ...) when not. For
+    // Form::rational they are a derived table, built at first use.
     [[nodiscard]] std::span<const double> records() const;
     [[nodiscard]] int width() const noexcept { return rational() ? dim_ + 1 : dim_; }
 
@@ -65,8 +65,8 @@ private:
 
 using SplinePtr = std::shared_ptr<const Spline>;
 
-// Checks finiteness, weights (w(t) > 0 on the closed domain, or some w_i != 0 in every support when homogeneous) and the
-// wrapping of periodic axes; throws Error naming the array, the index and the value.
+// Checks finiteness, weights (w(t) > 0 on the closed domain, or some w_i != 0 in every support when
+// homogeneous) and the wrapping of periodic axes; throws Error naming the array, the index and the value.
 void check_spline(const Spline &spline);
 
 // A checked spline from validated axes and packed data; throws NURBS_ERROR_SIZE when sizes disagree.
