@@ -70,7 +70,7 @@ std::vector<double> expand_knots(const AxisData &axis, const double *distinct, c
         fail(NURBS_ERROR_SIZE,
              "multiplicities of axis %d add up to %lld, expected counts[%d] + degrees[%d] + 1 = %lld", index,
              static_cast<long long>(total), index, index,
-             static_cast<long long>(axis.count + axis.degree + 1));
+             static_cast<long long>(axis.count) + axis.degree + 1);
     }
     std::vector<double> knots;
     knots.reserve(static_cast<size_t>(total));
@@ -112,7 +112,7 @@ Spline::Axes multiplicity_axes(const AxesData &axes, const int64_t *distinct_cou
             fail(distinct_counts[k] < 2 ? NURBS_ERROR_COUNT : NURBS_ERROR_SIZE,
                  "distinct_counts[%d] = %lld, expected 2 to counts[%d] + degrees[%d] + 1 = %lld", k,
                  static_cast<long long>(distinct_counts[k]), k, k,
-                 static_cast<long long>(axes[k].count + axes[k].degree + 1));
+                 static_cast<long long>(axes[k].count) + axes[k].degree + 1);
         }
     }
     int64_t offset = 0;

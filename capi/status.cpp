@@ -15,8 +15,9 @@ namespace {
 thread_local char last_message[nrb::Error::capacity];
 
 void remember(const char *message) noexcept {
-    std::strncpy(last_message, message, sizeof last_message - 1);
-    last_message[sizeof last_message - 1] = '\0';
+    const size_t length = std::min(std::strlen(message), sizeof last_message - 1);
+    std::memcpy(last_message, message, length);
+    last_message[length] = '\0';
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 #include "base/error.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cstdarg>
 #include <cstdio>
@@ -8,7 +9,7 @@
 namespace nrb {
 
 Error::Error(nurbs_status status, const char *text) noexcept : status_(status), text_{} {
-    std::strncpy(text_, text, capacity - 1);
+    std::memcpy(text_, text, std::min(std::strlen(text), static_cast<size_t>(capacity) - 1));
 }
 
 Number::Number(double value) noexcept : text{} {
@@ -19,7 +20,7 @@ void fail(nurbs_status status, const char *format, ...) {
     char text[Error::capacity];
     va_list arguments;
     va_start(arguments, format);
-    std::vsnprintf(text, sizeof text, format, arguments);
+    static_cast<void>(std::vsnprintf(text, sizeof text, format, arguments));
     va_end(arguments);
     throw Error(status, text);
 }

@@ -70,8 +70,8 @@ void basis_derivs(const double *knots, int degree, int64_t span, double t, int o
 
 void bernstein_derivs(int degree, double t, int order, double *values) noexcept {
     double knots[2 * max_basis];
-    std::fill(knots, knots + degree + 1, 0.0);
-    std::fill(knots + degree + 1, knots + 2 * degree + 2, 1.0);
+    std::fill_n(knots, degree + 1, 0.0);
+    std::fill_n(knots + degree + 1, degree + 1, 1.0);
     basis_derivs(knots, degree, degree, t, order, values);
 }
 

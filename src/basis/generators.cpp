@@ -177,7 +177,7 @@ void periodic_knots(int degree, std::span<const double> breaks, const int32_t *m
         period.insert(period.end(), static_cast<size_t>(break_multiplicity(multiplicities, i)), breaks[i]);
     }
     const auto distinct = static_cast<int64_t>(period.size());
-    check_size(knots, distinct + 2 * degree + 1);
+    check_size(knots, distinct + 2 * int64_t{degree} + 1);
     const int64_t last_copy = break_multiplicity(multiplicities, 0) - 1;
     const double length = breaks.back() - breaks.front();
     std::vector<double> result(knots.size());

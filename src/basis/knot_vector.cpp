@@ -15,7 +15,7 @@ namespace {
 struct AxisText {
     explicit AxisText(int axis) noexcept : text{} {
         if (axis >= 0) {
-            std::snprintf(text, sizeof text, " on axis %d", axis);
+            static_cast<void>(std::snprintf(text, sizeof text, " on axis %d", axis));
         }
     }
     char text[24];

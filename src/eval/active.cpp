@@ -18,18 +18,23 @@ constexpr double nan_value = std::numeric_limits<double>::quiet_NaN();
 class ActivePoints {
 public:
     ActivePoints(const Spline &spline, const AxisRules &rules)
-        : spline_(spline), scratch_(max_axes * max_basis) {
-        for (int k = 0; k < spline.axes(); ++k) {
+        : spline_(spline), scratch_(size_t{max_axes} * max_basis) {
+        for (int k = 0; k < max_axes; ++k) {
             const auto at = static_cast<size_t>(k);
-            axes_[at].emplace(spline.axis(k), rules[at], 0);
             bases_[at].values = scratch_.take(max_basis);
+            bases_[at].values[0] = 1;
             size_ *= degree(k) + 1;
+            if (k < spline.axes()) {
+                axes_[at].emplace(spline.axis(k), rules[at], 0);
+            }
         }
     }
 
     // Number of active points.
     [[nodiscard]] int64_t size() const noexcept { return size_; }
-    [[nodiscard]] int degree(int k) const noexcept { return spline_.axis(k).degree(); }
+    [[nodiscard]] int degree(int k) const noexcept {
+        return k < spline_.axes() ? spline_.axis(k).degree() : 0;
+    }
     [[nodiscard]] int64_t span(int k) const noexcept {
         return bases_[static_cast<size_t>(k)].first + degree(k);
     }
@@ -47,20 +52,20 @@ public:
     // varies fastest.
     template <class Visit>
     void for_each(Visit &&visit) const {
-        enumerate(0, 0, 1, visit);
+        const auto &[u, v, w] = bases_;
+        for (int i = 0; i <= degree(0); ++i) {
+            for (int j = 0; j <= degree(1); ++j) {
+                const int64_t row = (u.first + i) * count(1) + v.first + j;
+                for (int k = 0; k <= degree(2); ++k) {
+                    visit(row * count(2) + w.first + k, u.values[i] * v.values[j] * w.values[k]);
+                }
+            }
+        }
     }
 
 private:
-    template <class Visit>
-    void enumerate(int k, int64_t index, double product, Visit &visit) const {
-        if (k == spline_.axes()) {
-            return visit(index, product);
-        }
-        const AxisBasis &basis = bases_[static_cast<size_t>(k)];
-        for (int j = 0; j <= degree(k); ++j) {
-            enumerate(k + 1, index * spline_.count(k) + basis.first + j, product * basis.values[j], visit);
-        }
-    }
+    // An axis that the spline lacks has one layer and one function, the constant 1.
+    [[nodiscard]] int64_t count(int k) const noexcept { return k < spline_.axes() ? spline_.count(k) : 1; }
 
     const Spline &spline_;
     Scratch scratch_;

@@ -60,25 +60,27 @@ public:
 
     void write(Records out) noexcept {
         next_ = 0;
-        descend(0, out);
+        descend<0>(out);
     }
 
 private:
-    void descend(int level, Records out) noexcept {
-        const auto at = static_cast<size_t>(level);
-        const AxisTable &table = tables_[at];
+    template <int level>
+    void descend(Records out) noexcept {
+        const AxisTable &table = tables_[level];
         for (int64_t i = 0; i < table.size(); ++i) {
             if (!table.valid(i)) {
                 skip(level, out);
                 continue;
             }
-            bases_[at] = table[i];
+            bases_[level] = table[i];
             contract_rows(level, table);
-            if (level + 1 < spline_.axes()) {
-                descend(level + 1, out);
-            } else {
-                finisher_.write(slabs_.data[at], bases_, out, next_++);
+            if constexpr (level + 1 < max_axes) {
+                if (level + 1 < spline_.axes()) {
+                    descend<level + 1>(out);
+                    continue;
+                }
             }
+            finisher_.write(slabs_.data[level], bases_, out, next_++);
         }
     }
 

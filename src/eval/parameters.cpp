@@ -50,6 +50,20 @@ bool admitted(double t, const AxisRule &rule) noexcept {
                                           : std::isfinite(t) && rule.outside != Outside::refuse;
 }
 
+// Component k of every record; `format` makes a name from the index, counted from `first_index`, and k.
+void check_column(ConstRecords params, int k, const AxisRule &rule, Interval domain, int64_t first_index,
+                  const char *format) {
+    for (int64_t i = 0; i < params.count; ++i) {
+        const double t = params(i, k);
+        if (!inside(t, domain) && !admitted(t, rule)) {
+            const long long index = first_index + i;
+            char name[64];
+            static_cast<void>(std::snprintf(name, sizeof name, format, index, k));
+            check_parameter(t, rule, domain, name);
+        }
+    }
+}
+
 double wrap(double t, bool left, Interval domain) noexcept {
     const double period = domain.upper - domain.lower;
     double offset = std::fmod(t - domain.lower, period);
@@ -90,33 +104,15 @@ void check_parameter(double t, const AxisRule &rule, Interval domain, const char
 }
 
 void check_parameters(const Spline &spline, const AxisRules &rules, ConstRecords params) {
+    const char *format = spline.axes() == 1 ? "params[%lld]" : "params[%lld][%d]";
     for (int k = 0; k < spline.axes(); ++k) {
-        const AxisRule &rule = rules[static_cast<size_t>(k)];
-        const Interval domain = spline.axis(k).domain();
-        for (int64_t i = 0; i < params.count; ++i) {
-            const double t = params(i, k);
-            if (inside(t, domain) || admitted(t, rule)) {
-                continue;
-            }
-            char name[64];
-            std::snprintf(name, sizeof name, spline.axes() == 1 ? "params[%lld]" : "params[%lld][%d]",
-                          static_cast<long long>(i), k);
-            check_parameter(t, rule, domain, name);
-        }
+        check_column(params, k, rules[static_cast<size_t>(k)], spline.axis(k).domain(), 0, format);
     }
 }
 
 void check_axis_parameters(const KnotVector &axis, const AxisRule &rule, ConstRecords params,
                            int64_t first_index) {
-    const Interval domain = axis.domain();
-    for (int64_t i = 0; i < params.count; ++i) {
-        const double t = params(i, 0);
-        if (!inside(t, domain) && !admitted(t, rule)) {
-            char name[64];
-            std::snprintf(name, sizeof name, "params[%lld]", static_cast<long long>(first_index + i));
-            check_parameter(t, rule, domain, name);
-        }
-    }
+    check_column(params, 0, rule, axis.domain(), first_index, "params[%lld]");
 }
 
 double place(double t, const AxisRule &rule, Interval domain) noexcept {

@@ -85,32 +85,31 @@ SplinePtr slice(const Spline &spline, int k, int64_t first, int64_t end, std::ve
 
 } // namespace
 
-SplinePtr insert_knot(const SplinePtr &spline, int k, double knot, int64_t times) {
-    const KnotVector &axis = spline->axis(k);
-    check_insertion(axis, k, knot, times);
-    if (axis.periodic() && knot == axis.domain().upper) {
-        knot = axis.domain().lower;
+SplinePtr insert_knot(const SplinePtr &spline, int axis, double knot, int64_t times) {
+    const KnotVector &knots = spline->axis(axis);
+    check_insertion(knots, axis, knot, times);
+    if (knots.periodic() && knot == knots.domain().upper) {
+        knot = knots.domain().lower;
     }
-    check_multiplicity(axis, k, knot, times);
+    check_multiplicity(knots, axis, knot, times);
     if (times == 0) {
         return spline;
     }
-    return axis.periodic() ? insert_periodic(*spline, k, knot, static_cast<int>(times))
-                           : insert_plain(*spline, k, knot, static_cast<int>(times));
+    return knots.periodic() ? insert_periodic(*spline, axis, knot, static_cast<int>(times))
+                            : insert_plain(*spline, axis, knot, static_cast<int>(times));
 }
 
-SplinePtr restrict_axis(const SplinePtr &spline, int k, double lower, double upper) {
-    const Interval domain = spline->axis(k).domain();
+SplinePtr restrict_axis(const SplinePtr &spline, int axis, double lower, double upper) {
+    const Interval domain = spline->axis(axis).domain();
     if (lower == domain.lower && upper == domain.upper) {
         return spline;
     }
-    const SplinePtr cut = saturate(saturate(open_axis(spline, k), k, lower), k, upper);
-    const KnotVector &axis = cut->axis(k);
-    const std::span<const double> knots = axis.knots();
-    const int p = axis.degree();
+    const SplinePtr cut = saturate(saturate(open_axis(spline, axis), axis, lower), axis, upper);
+    const std::span<const double> knots = cut->axis(axis).knots();
+    const int p = cut->axis(axis).degree();
     std::vector<double> kept;
     int64_t first = 0;
-    int64_t end = axis.count();
+    int64_t end = cut->axis(axis).count();
     auto from = knots.begin();
     auto to = knots.end();
     if (lower != domain.lower) {
@@ -128,7 +127,7 @@ SplinePtr restrict_axis(const SplinePtr &spline, int k, double lower, double upp
     if (upper != domain.upper) {
         kept.push_back(upper);
     }
-    return slice(*cut, k, first, end, std::move(kept));
+    return slice(*cut, axis, first, end, std::move(kept));
 }
 
 } // namespace nrb

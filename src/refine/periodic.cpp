@@ -108,7 +108,7 @@ SplinePtr insert_periodic(const Spline &spline, int axis, double knot, int times
         window.add_copy(start + i % distinct);
     }
     const auto first = knots.begin() + start;
-    SplinePtr result = replaced(*wide, axis, {first, first + distinct + 2 * p + 1}, true, window);
+    SplinePtr result = replaced(*wide, axis, {first, first + distinct + 2 * int64_t{p} + 1}, true, window);
     check_spline(*result);
     return result;
 }

@@ -4,8 +4,9 @@
 #include "spline/spline.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
-#include <cstring>
+#include <cstdio>
 
 namespace nrb {
 
@@ -143,29 +144,25 @@ void check_weight_supports(const Spline &spline) {
     }
 }
 
+bool same_bits(double a, double b) noexcept {
+    return std::bit_cast<uint64_t>(a) == std::bit_cast<uint64_t>(b);
+}
+
+// `width` values stand for one control point.
 void check_wrapping(const Spline &spline, int k, std::span<const double> values, int width,
                     const char *name) {
     const AxisView view = axis_view(spline, k, width);
-    const int64_t distinct = spline.axis(k).distinct_layers();
+    const int64_t period = spline.axis(k).distinct_layers() * view.inner;
+    const int64_t row = view.count * view.inner;
     for (int64_t o = 0; o < view.outer; ++o) {
-        for (int64_t i = 0; i + distinct < view.count; ++i) {
-            const double *first = values.data() + (o * view.count + i) * view.inner;
-            const double *copy = first + distinct * view.inner;
-            const auto bytes = static_cast<size_t>(view.inner) * sizeof(double);
-            if (std::memcmp(first, copy, bytes) == 0) {
-                continue;
-            }
-            const auto at = std::mismatch(first, first + view.inner, copy,
-                                          [](const double &a, const double &b) {
-                                              return std::memcmp(&a, &b, sizeof a) == 0;
-                                          })
-                                .first -
-                            first;
-            const int64_t original = ((o * view.count + i) * view.inner + at) / width;
+        const double *begin = values.data() + o * row;
+        const double *end = begin + row - period;
+        const double *at = std::mismatch(begin, end, begin + period, same_bits).first;
+        if (at != end) {
+            const long long original = (at - values.data()) / width;
             fail(NURBS_ERROR_PERIODIC_POINTS,
                  "%s[%lld] = %s differs from %s[%lld] = %s, which it repeats on periodic axis %d", name,
-                 static_cast<long long>(original + distinct * view.inner / width), Number(copy[at]).text,
-                 name, static_cast<long long>(original), Number(first[at]).text, k);
+                 original + period / width, Number(at[period]).text, name, original, Number(*at).text, k);
         }
     }
 }

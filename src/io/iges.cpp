@@ -1,0 +1,115 @@
+#include "io/iges.h"
+
+#include "base/error.h"
+#include "io/iges_directory.h"
+#include "io/iges_global.h"
+#include "io/iges_lines.h"
+#include "io/iges_names.h"
+#include "io/iges_roles.h"
+#include "io/iges_spline.h"
+#include "io/iges_transform.h"
+
+#include <cmath>
+
+namespace nrb {
+namespace {
+
+using iges::Entry;
+
+void check_settings(std::span<const char> bytes, const ReadSettings &settings) {
+    if (!std::isfinite(settings.unit) || settings.unit < 0) {
+        fail(NURBS_ERROR_OPTIONS, "unit = %s, expected metres > 0, or 0 for the unit of the file",
+             Number(settings.unit).text);
+    }
+    if (std::ssize(bytes) > settings.max_bytes) {
+        fail(NURBS_ERROR_TOO_LARGE, "%lld bytes where %lld are the most allowed",
+             static_cast<long long>(bytes.size()), static_cast<long long>(settings.max_bytes));
+    }
+}
+
+// Factor from the unit of the file to the wanted one. A unit that the file does not tell cannot be converted.
+double unit_factor(double metres_per_unit, const ReadSettings &settings) {
+    if (settings.unit == 0 || metres_per_unit == 0) {
+        return 1;
+    }
+    const double factor = metres_per_unit / settings.unit;
+    if (!std::isnormal(factor)) {
+        fail(NURBS_ERROR_OPTIONS, "unit = %s cannot be reached from units of %s metres",
+             Number(settings.unit).text, Number(metres_per_unit).text);
+    }
+    return factor;
+}
+
+class Reader {
+public:
+    Reader(const iges::Sections &sections, const iges::Global &global, const ReadSettings &settings)
+        : directory_(sections.directory), data_(sections.parameter, global.delimiters),
+          parameter_plane_(iges::find_parameter_plane_curves(directory_, data_)),
+          transforms_(directory_, data_), names_(directory_, data_),
+          factor_(unit_factor(global.metres_per_unit, settings)) {
+        const bool converted = settings.unit > 0 && global.metres_per_unit > 0;
+        document_.metres_per_unit = converted ? settings.unit : global.metres_per_unit;
+    }
+
+    Document run() {
+        for (size_t i = 0; i < directory_.entries().size(); ++i) {
+            const Entry &entry = directory_.entries()[i];
+            try {
+                read_entity(entry, parameter_plane_[i]);
+            } catch (const Error &error) {
+                add_note(entry, error.status(), error.what());
+            }
+        }
+        return std::move(document_);
+    }
+
+private:
+    void read_entity(const Entry &entry, bool parameter_plane) {
+        if (!entry.damage.empty()) {
+            fail(NURBS_ERROR_SYNTAX, "%s", entry.damage.c_str());
+        }
+        if (entry.type == iges::curve_type || entry.type == iges::surface_type) {
+            add_spline(entry, parameter_plane && entry.type == iges::curve_type);
+        } else {
+            add_note(entry, NURBS_ERROR_UNSUPPORTED, "does not become a spline in this version");
+        }
+    }
+
+    void add_spline(const Entry &entry, bool parameter_plane) {
+        iges::Record record = data_.take(entry);
+        iges::SplineData data =
+            entry.type == iges::curve_type ? iges::read_curve_data(record) : iges::read_surface_data(record);
+        iges::Placement placement;
+        placement.transform = entry.transform == 0 ? nullptr : &transforms_.resolve(entry.transform);
+        placement.factor = parameter_plane ? 1 : factor_;
+        placement.parameter_plane = parameter_plane;
+        SplinePtr spline = iges::build_spline(std::move(data), placement);
+        document_.splines.push_back({names_.name(entry, record), std::move(spline)});
+    }
+
+    void add_note(const Entry &entry, nurbs_status reason, const char *text) {
+        const std::string where = std::string(iges::type_name(entry.type)) + " (" +
+                                  std::to_string(entry.type) + ") at directory line " +
+                                  std::to_string(entry.line) + ": ";
+        document_.notes.push_back({entry.type, entry.line, reason, where + text});
+    }
+
+    iges::Directory directory_;
+    iges::ParameterData data_;
+    std::vector<bool> parameter_plane_;
+    iges::Transforms transforms_;
+    iges::Names names_;
+    double factor_;
+    Document document_;
+};
+
+} // namespace
+
+Document read_iges(std::span<const char> bytes, const ReadSettings &settings) {
+    check_settings(bytes, settings);
+    const iges::Sections sections = iges::split_sections(bytes);
+    const iges::Global global = iges::read_global(sections.global);
+    return Reader(sections, global, settings).run();
+}
+
+} // namespace nrb

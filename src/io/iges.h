@@ -1,0 +1,18 @@
+// Reading IGES: the curves and surfaces of a file in the fixed-length ASCII form of IGES 5.x.
+#pragma once
+
+#include "io/document.h"
+
+#include <span>
+
+namespace nrb {
+
+// Entities 126 and 128 become splines in the order of the directory, everything else becomes a note. Throws
+// Error: NURBS_ERROR_TOO_LARGE, _FORMAT (not such a file), _TRUNCATED (its end is missing), _SYNTAX (its
+// structure is broken; the message names the line), _OPTIONS. What is wrong inside one entity becomes a note
+// and does not touch the others. A unit that the file leaves out is the inch, the default of the standard; a
+// unit that cannot be known (flag 3 with a name that the standard does not list) leaves metres_per_unit 0 and
+// the coordinates as they stand. Cost: O(bytes) time; memory at most about six times the size of the file.
+Document read_iges(std::span<const char> bytes, const ReadSettings &settings);
+
+} // namespace nrb
