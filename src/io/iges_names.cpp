@@ -99,7 +99,7 @@ std::string Names::property_name(Record &record) {
     const int64_t count = std::min(record.integer("number of properties"), record.remaining());
     for (int64_t i = 0; i < count; ++i) {
         const std::optional<size_t> index = directory_.find(record.integer("property", i));
-        const std::string name = index ? read_property(*index) : std::string();
+        std::string name = index ? read_property(*index) : std::string();
         if (!name.empty()) {
             return name;
         }

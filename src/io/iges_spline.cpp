@@ -93,34 +93,48 @@ bool cuts(const SplineData::Axis &axis, const Interval &range) {
     return range.lower > domain.lower || range.upper < domain.upper;
 }
 
-} // namespace
+// Precondition: the knots are valid.
+bool wraps_as_stated(const SplineData &data, const std::vector<double> &points, size_t dim, size_t along) {
+    const SplineData::Axis &axis = data.axes[along];
+    return axis.periodic && knots_repeat(axis) && wraps(points, dim, data, along) &&
+           wraps(data.weights, 1, data, along);
+}
 
-SplinePtr build_spline(SplineData data, const Placement &placement) {
-    const std::vector<double> points = place_points(data.points, placement);
-    if (!weights_matter(data)) {
-        data.weights.clear();
-    }
+Spline::Axes make_axes(const SplineData &data, const std::vector<double> &points, size_t dim) {
     Spline::Axes axes;
-    std::vector<Interval> ranges;
-    const size_t dim = placement.parameter_plane ? 2 : 3;
     for (size_t k = 0; k < data.axes.size(); ++k) {
         const SplineData::Axis &axis = data.axes[k];
         const int name = data.axes.size() == 1 ? -1 : static_cast<int>(k);
         check_knots(axis.degree, axis.knots, name, 0);
-        ranges.push_back(clipped_range(axis));
-        const bool periodic = axis.periodic && !cuts(axis, ranges.back()) && knots_repeat(axis) &&
-                              wraps(points, dim, data, k) && wraps(data.weights, 1, data, k);
-        axes.push_back(make_knot_vector(axis.degree, axis.knots, periodic, name, 0));
+        axes.push_back(
+            make_knot_vector(axis.degree, axis.knots, wraps_as_stated(data, points, dim, k), name, 0));
     }
-    const Form form = data.weights.empty() ? Form::polynomial : Form::rational;
-    SplinePtr spline =
-        make_spline(std::move(axes), static_cast<int>(dim), form, points, std::move(data.weights));
-    for (size_t k = 0; k < data.axes.size(); ++k) {
-        if (cuts(data.axes[k], ranges[k])) {
-            spline = restrict_axis(spline, static_cast<int>(k), ranges[k].lower, ranges[k].upper);
+    return axes;
+}
+
+SplinePtr cut_to_ranges(SplinePtr spline, const std::vector<SplineData::Axis> &axes) {
+    for (size_t k = 0; k < axes.size(); ++k) {
+        const Interval range = clipped_range(axes[k]);
+        if (cuts(axes[k], range)) {
+            spline = restrict_axis(spline, static_cast<int>(k), range.lower, range.upper);
         }
     }
     return spline;
+}
+
+} // namespace
+
+SplinePtr build_spline(SplineData data, const Placement &placement) {
+    const size_t dim = placement.parameter_plane ? 2 : 3;
+    std::vector<double> points = place_points(data.points, placement);
+    if (!weights_matter(data)) {
+        data.weights.clear();
+    }
+    Spline::Axes axes = make_axes(data, points, dim);
+    const Form form = data.weights.empty() ? Form::polynomial : Form::rational;
+    SplinePtr whole =
+        make_spline(std::move(axes), static_cast<int>(dim), form, std::move(points), std::move(data.weights));
+    return cut_to_ranges(std::move(whole), data.axes);
 }
 
 } // namespace nrb::iges

@@ -1,0 +1,23 @@
+! SPDX-License-Identifier: MIT
+!> libnurbs for Fortran 2018: splines and lists of splines as types that clean up after themselves.
+!>
+!> - Arrays have Fortran's order, one column for each coordinate: points(n, dim), params(n, axes) and
+!>   derivs(n, dim, slots). Contiguous ones are used in place; the compiler packs others into a temporary.
+!> - Control points and grids run through the last axis fastest: point (i, j) of a surface of counts (m, n) is
+!>   row (i - 1) * n + j.
+!> - Axes, spans and list entries count from 1. Only messages and the module nurbs_c count from 0.
+!> - Each procedure has an optional status. Without it a failure ends the program with the library's message.
+!>   An array whose shape does not suit is NURBS_ERROR_SIZE.
+!> - Results are arguments, not function values, which compilers of today do not always finalize. The result of
+!>   an operation must be another variable than its operand.
+!>
+!> Order of compilation: nurbs_constants, nurbs_c, nurbs_support, nurbs_handles, nurbs_splines, nurbs_lists, nurbs.
+module nurbs
+    use nurbs_constants ! statuses, flags and limits
+    use nurbs_c         ! the C functions; knot generators, span search and bases are called by these names
+    use nurbs_support, only: nurbs_message, nurbs_status_text, nurbs_on_axis, nurbs_on_all_axes
+    use nurbs_splines, only: nurbs_spline
+    use nurbs_lists, only: nurbs_list
+    implicit none
+    public
+end module nurbs

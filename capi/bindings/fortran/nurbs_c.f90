@@ -1,0 +1,437 @@
+! SPDX-License-Identifier: MIT
+!> The functions of nurbs.h as they stand, argument by argument; that header is the manual. Here the indices of axes,
+!> spans and list entries count from 0, flags are 32-bit patterns, and the optional arguments are those that may be
+!> NULL. An output array is intent(inout) because a failing call leaves it as it was.
+module nurbs_c
+    use, intrinsic :: iso_c_binding
+    implicit none
+    public
+
+    type, bind(c) :: nurbs_read_options
+        integer(c_int64_t) :: struct_size
+        real(c_double) :: unit
+        integer(c_int64_t) :: max_bytes
+    end type nurbs_read_options
+
+    interface
+        function nurbs_version() bind(c) result(r)
+            import
+            integer(c_int32_t) :: r
+        end function nurbs_version
+        function nurbs_status_name(status) bind(c) result(r)
+            import
+            integer(c_int32_t), value :: status
+            type(c_ptr) :: r
+        end function nurbs_status_name
+        function nurbs_last_error(buf, cap) bind(c) result(r)
+            import
+            character(kind=c_char), intent(inout), optional :: buf(*)
+            integer(c_int64_t), value :: cap
+            integer(c_int64_t) :: r
+        end function nurbs_last_error
+        function nurbs_create(axes, degrees, counts, knots, knot_count, dim, points, point_stride, &
+            point_component_stride, weights, weight_stride, flags, out) bind(c) result(r)
+            import
+            integer(c_int32_t), value :: axes, dim, flags
+            integer(c_int32_t), intent(in) :: degrees(*)
+            integer(c_int64_t), intent(in) :: counts(*)
+            real(c_double), intent(in) :: knots(*), points(*)
+            integer(c_int64_t), value :: knot_count, point_stride, point_component_stride, weight_stride
+            real(c_double), intent(in), optional :: weights(*)
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_create
+        function nurbs_create_homogeneous(axes, degrees, counts, knots, knot_count, dim, points, &
+            point_stride, point_component_stride, flags, out) bind(c) result(r)
+            import
+            integer(c_int32_t), value :: axes, dim, flags
+            integer(c_int32_t), intent(in) :: degrees(*)
+            integer(c_int64_t), intent(in) :: counts(*)
+            real(c_double), intent(in) :: knots(*), points(*)
+            integer(c_int64_t), value :: knot_count, point_stride, point_component_stride
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_create_homogeneous
+        function nurbs_create_short(axes, degrees, counts, knots, knot_count, dim, points, point_stride, &
+            point_component_stride, weights, weight_stride, flags, out) bind(c) result(r)
+            import
+            integer(c_int32_t), value :: axes, dim, flags
+            integer(c_int32_t), intent(in) :: degrees(*)
+            integer(c_int64_t), intent(in) :: counts(*)
+            real(c_double), intent(in) :: knots(*), points(*)
+            integer(c_int64_t), value :: knot_count, point_stride, point_component_stride, weight_stride
+            real(c_double), intent(in), optional :: weights(*)
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_create_short
+        function nurbs_create_multiplicities(axes, degrees, counts, distinct_counts, distinct_knots, &
+            multiplicities, dim, points, point_stride, point_component_stride, weights, weight_stride, &
+            flags, out) bind(c) result(r)
+            import
+            integer(c_int32_t), value :: axes, dim, flags
+            integer(c_int32_t), intent(in) :: degrees(*), multiplicities(*)
+            integer(c_int64_t), intent(in) :: counts(*), distinct_counts(*)
+            real(c_double), intent(in) :: distinct_knots(*), points(*)
+            integer(c_int64_t), value :: point_stride, point_component_stride, weight_stride
+            real(c_double), intent(in), optional :: weights(*)
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_create_multiplicities
+        function nurbs_create_bezier(axes, degrees, dim, points, point_stride, point_component_stride, &
+            weights, weight_stride, out) bind(c) result(r)
+            import
+            integer(c_int32_t), value :: axes, dim
+            integer(c_int32_t), intent(in) :: degrees(*)
+            real(c_double), intent(in) :: points(*)
+            integer(c_int64_t), value :: point_stride, point_component_stride, weight_stride
+            real(c_double), intent(in), optional :: weights(*)
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_create_bezier
+        function nurbs_with_points(g, points, point_stride, point_component_stride, weights, &
+            weight_stride, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            real(c_double), intent(in) :: points(*)
+            integer(c_int64_t), value :: point_stride, point_component_stride, weight_stride
+            real(c_double), intent(in), optional :: weights(*)
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_with_points
+        function nurbs_clone(g, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_clone
+        subroutine nurbs_destroy(g) bind(c)
+            import
+            type(c_ptr), value :: g
+        end subroutine nurbs_destroy
+        function nurbs_knots_uniform(degree, count, a, b, knot_count, knots) bind(c) result(r)
+            import
+            integer(c_int32_t), value :: degree
+            integer(c_int64_t), value :: count, knot_count
+            real(c_double), value :: a, b
+            real(c_double), intent(inout) :: knots(*)
+            integer(c_int32_t) :: r
+        end function nurbs_knots_uniform
+        function nurbs_knots_open_uniform(degree, count, a, b, knot_count, knots) bind(c) result(r)
+            import
+            integer(c_int32_t), value :: degree
+            integer(c_int64_t), value :: count, knot_count
+            real(c_double), value :: a, b
+            real(c_double), intent(inout) :: knots(*)
+            integer(c_int32_t) :: r
+        end function nurbs_knots_open_uniform
+        function nurbs_knots_bezier(degree, pieces, breaks, knot_count, knots) bind(c) result(r)
+            import
+            integer(c_int32_t), value :: degree
+            integer(c_int64_t), value :: pieces, knot_count
+            real(c_double), intent(in), optional :: breaks(*)
+            real(c_double), intent(inout) :: knots(*)
+            integer(c_int32_t) :: r
+        end function nurbs_knots_bezier
+        function nurbs_knots_averaged(degree, count, params, knot_count, knots) bind(c) result(r)
+            import
+            integer(c_int32_t), value :: degree
+            integer(c_int64_t), value :: count, knot_count
+            real(c_double), intent(in) :: params(*)
+            real(c_double), intent(inout) :: knots(*)
+            integer(c_int32_t) :: r
+        end function nurbs_knots_averaged
+        function nurbs_knots_periodic(degree, n, breaks, multiplicities, knot_count, knots) bind(c) result(r)
+            import
+            integer(c_int32_t), value :: degree
+            integer(c_int64_t), value :: n, knot_count
+            real(c_double), intent(in) :: breaks(*)
+            integer(c_int32_t), intent(in), optional :: multiplicities(*)
+            real(c_double), intent(inout) :: knots(*)
+            integer(c_int32_t) :: r
+        end function nurbs_knots_periodic
+        function nurbs_axes(g, axes) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int32_t), intent(out) :: axes
+            integer(c_int32_t) :: r
+        end function nurbs_axes
+        function nurbs_dimension(g, dim) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int32_t), intent(out) :: dim
+            integer(c_int32_t) :: r
+        end function nurbs_dimension
+        function nurbs_degree(g, axis, degree) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int32_t), value :: axis
+            integer(c_int32_t), intent(out) :: degree
+            integer(c_int32_t) :: r
+        end function nurbs_degree
+        function nurbs_count(g, axis, count) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int32_t), value :: axis
+            integer(c_int64_t), intent(out) :: count
+            integer(c_int32_t) :: r
+        end function nurbs_count
+        function nurbs_point_count(g, count) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int64_t), intent(out) :: count
+            integer(c_int32_t) :: r
+        end function nurbs_point_count
+        function nurbs_is_rational(g, rational) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int32_t), intent(out) :: rational
+            integer(c_int32_t) :: r
+        end function nurbs_is_rational
+        function nurbs_knots(g, axis, knot_count, knots) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int32_t), value :: axis
+            integer(c_int64_t), value :: knot_count
+            real(c_double), intent(inout) :: knots(*)
+            integer(c_int32_t) :: r
+        end function nurbs_knots
+        function nurbs_distinct_knots(g, axis, cap, knots, multiplicities, count) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int32_t), value :: axis
+            integer(c_int64_t), value :: cap
+            real(c_double), intent(inout), optional :: knots(*)
+            integer(c_int32_t), intent(inout), optional :: multiplicities(*)
+            integer(c_int64_t), intent(out) :: count
+            integer(c_int32_t) :: r
+        end function nurbs_distinct_knots
+        function nurbs_knot_form(g, axis, form) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int32_t), value :: axis
+            integer(c_int32_t), intent(out) :: form
+            integer(c_int32_t) :: r
+        end function nurbs_knot_form
+        function nurbs_domain(g, axis, domain) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int32_t), value :: axis
+            real(c_double), intent(inout) :: domain(*)
+            integer(c_int32_t) :: r
+        end function nurbs_domain
+        function nurbs_greville(g, axis, count, abscissae) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int32_t), value :: axis
+            integer(c_int64_t), value :: count
+            real(c_double), intent(inout) :: abscissae(*)
+            integer(c_int32_t) :: r
+        end function nurbs_greville
+        function nurbs_points(g, count, points, point_stride, point_component_stride) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int64_t), value :: count, point_stride, point_component_stride
+            real(c_double), intent(inout) :: points(*)
+            integer(c_int32_t) :: r
+        end function nurbs_points
+        function nurbs_weights(g, count, weights, weight_stride) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int64_t), value :: count, weight_stride
+            real(c_double), intent(inout) :: weights(*)
+            integer(c_int32_t) :: r
+        end function nurbs_weights
+        function nurbs_homogeneous_points(g, count, points, point_stride, point_component_stride &
+            ) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int64_t), value :: count, point_stride, point_component_stride
+            real(c_double), intent(inout) :: points(*)
+            integer(c_int32_t) :: r
+        end function nurbs_homogeneous_points
+        function nurbs_hull_size(g, n, params, param_stride, param_component_stride, sizes, size_stride, &
+            flags) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int64_t), value :: n, param_stride, param_component_stride, size_stride
+            real(c_double), intent(in) :: params(*)
+            real(c_double), intent(inout) :: sizes(*)
+            integer(c_int32_t), value :: flags
+            integer(c_int32_t) :: r
+        end function nurbs_hull_size
+        function nurbs_find_spans(degree, count, knots, knot_count, n, params, param_stride, spans, flags &
+            ) bind(c) result(r)
+            import
+            integer(c_int32_t), value :: degree, flags
+            integer(c_int64_t), value :: count, knot_count, n, param_stride
+            real(c_double), intent(in) :: knots(*), params(*)
+            integer(c_int64_t), intent(inout) :: spans(*)
+            integer(c_int32_t) :: r
+        end function nurbs_find_spans
+        function nurbs_bernstein(degree, order, n, params, param_stride, values, value_stride, &
+            value_component_stride) bind(c) result(r)
+            import
+            integer(c_int32_t), value :: degree, order
+            integer(c_int64_t), value :: n, param_stride, value_stride, value_component_stride
+            real(c_double), intent(in) :: params(*)
+            real(c_double), intent(inout) :: values(*)
+            integer(c_int32_t) :: r
+        end function nurbs_bernstein
+        function nurbs_basis(degree, count, knots, knot_count, order, n, params, param_stride, spans, &
+            values, value_stride, value_component_stride, flags) bind(c) result(r)
+            import
+            integer(c_int32_t), value :: degree, order, flags
+            integer(c_int64_t), value :: count, knot_count, n, param_stride, value_stride, &
+                value_component_stride
+            real(c_double), intent(in) :: knots(*), params(*)
+            integer(c_int64_t), intent(inout), optional :: spans(*)
+            real(c_double), intent(inout) :: values(*)
+            integer(c_int32_t) :: r
+        end function nurbs_basis
+        function nurbs_rational_basis(g, n, params, param_stride, param_component_stride, spans, values, &
+            value_stride, value_component_stride, flags) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int64_t), value :: n, param_stride, param_component_stride, value_stride, &
+                value_component_stride
+            real(c_double), intent(in) :: params(*)
+            integer(c_int64_t), intent(inout), optional :: spans(*)
+            real(c_double), intent(inout) :: values(*)
+            integer(c_int32_t), value :: flags
+            integer(c_int32_t) :: r
+        end function nurbs_rational_basis
+        function nurbs_eval(g, n, params, param_stride, param_component_stride, points, point_stride, &
+            point_component_stride, flags) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int64_t), value :: n, param_stride, param_component_stride, point_stride, &
+                point_component_stride
+            real(c_double), intent(in) :: params(*)
+            real(c_double), intent(inout) :: points(*)
+            integer(c_int32_t), value :: flags
+            integer(c_int32_t) :: r
+        end function nurbs_eval
+        function nurbs_derivative_slots(axes, order, slots) bind(c) result(r)
+            import
+            integer(c_int32_t), value :: axes, order
+            integer(c_int64_t), intent(out) :: slots
+            integer(c_int32_t) :: r
+        end function nurbs_derivative_slots
+        function nurbs_eval_derivs(g, order, n, params, param_stride, param_component_stride, derivs, &
+            deriv_stride, deriv_component_stride, flags) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int32_t), value :: order, flags
+            integer(c_int64_t), value :: n, param_stride, param_component_stride, deriv_stride, &
+                deriv_component_stride
+            real(c_double), intent(in) :: params(*)
+            real(c_double), intent(inout) :: derivs(*)
+            integer(c_int32_t) :: r
+        end function nurbs_eval_derivs
+        function nurbs_eval_grid(g, counts, params, points, point_stride, point_component_stride, flags &
+            ) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int64_t), intent(in) :: counts(*)
+            real(c_double), intent(in) :: params(*)
+            real(c_double), intent(inout) :: points(*)
+            integer(c_int64_t), value :: point_stride, point_component_stride
+            integer(c_int32_t), value :: flags
+            integer(c_int32_t) :: r
+        end function nurbs_eval_grid
+        function nurbs_eval_grid_derivs(g, order, counts, params, derivs, deriv_stride, &
+            deriv_component_stride, flags) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int32_t), value :: order, flags
+            integer(c_int64_t), intent(in) :: counts(*)
+            real(c_double), intent(in) :: params(*)
+            real(c_double), intent(inout) :: derivs(*)
+            integer(c_int64_t), value :: deriv_stride, deriv_component_stride
+            integer(c_int32_t) :: r
+        end function nurbs_eval_grid_derivs
+        function nurbs_iso(g, axis, param, flags, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int32_t), value :: axis, flags
+            real(c_double), value :: param
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_iso
+        function nurbs_insert_knot(g, axis, knot, times, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int32_t), value :: axis, times
+            real(c_double), value :: knot
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_insert_knot
+        function nurbs_read_options_init(options, struct_size) bind(c) result(r)
+            import
+            type(nurbs_read_options), intent(out) :: options
+            integer(c_int64_t), value :: struct_size
+            integer(c_int32_t) :: r
+        end function nurbs_read_options_init
+        function nurbs_read(bytes, size, options, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: bytes
+            integer(c_int64_t), value :: size
+            type(nurbs_read_options), intent(in), optional :: options
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_read
+        function nurbs_read_file(path, options, out) bind(c) result(r)
+            import
+            character(kind=c_char), intent(in) :: path(*)
+            type(nurbs_read_options), intent(in), optional :: options
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_read_file
+        function nurbs_list_count(list, count) bind(c) result(r)
+            import
+            type(c_ptr), value :: list
+            integer(c_int64_t), intent(out) :: count
+            integer(c_int32_t) :: r
+        end function nurbs_list_count
+        function nurbs_list_get(list, index, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: list
+            integer(c_int64_t), value :: index
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_list_get
+        function nurbs_list_name(list, index, buf, cap, length) bind(c) result(r)
+            import
+            type(c_ptr), value :: list
+            integer(c_int64_t), value :: index, cap
+            character(kind=c_char), intent(inout), optional :: buf(*)
+            integer(c_int64_t), intent(inout), optional :: length
+            integer(c_int32_t) :: r
+        end function nurbs_list_name
+        function nurbs_list_note_count(list, count) bind(c) result(r)
+            import
+            type(c_ptr), value :: list
+            integer(c_int64_t), intent(out) :: count
+            integer(c_int32_t) :: r
+        end function nurbs_list_note_count
+        function nurbs_list_note(list, index, entity_type, line, reason, buf, cap, length) bind(c) result(r)
+            import
+            type(c_ptr), value :: list
+            integer(c_int64_t), value :: index, cap
+            integer(c_int32_t), intent(inout), optional :: entity_type, reason
+            integer(c_int64_t), intent(inout), optional :: line, length
+            character(kind=c_char), intent(inout), optional :: buf(*)
+            integer(c_int32_t) :: r
+        end function nurbs_list_note
+        function nurbs_list_unit(list, metres) bind(c) result(r)
+            import
+            type(c_ptr), value :: list
+            real(c_double), intent(out) :: metres
+            integer(c_int32_t) :: r
+        end function nurbs_list_unit
+        subroutine nurbs_list_destroy(list) bind(c)
+            import
+            type(c_ptr), value :: list
+        end subroutine nurbs_list_destroy
+    end interface
+end module nurbs_c

@@ -1,0 +1,70 @@
+! SPDX-License-Identifier: MIT
+!> The constants of nurbs.h, with its names and values.
+module nurbs_constants
+    use, intrinsic :: iso_c_binding, only: c_int32_t
+    implicit none
+    public
+
+    ! The macro NURBS_VERSION under another name: Fortran does not tell it from the function nurbs_version.
+    integer(c_int32_t), parameter :: NURBS_VERSION_MAJOR = 0, NURBS_VERSION_MINOR = 1, NURBS_VERSION_PATCH = 0
+    integer(c_int32_t), parameter :: NURBS_HEADER_VERSION = &
+        NURBS_VERSION_MAJOR * 10000 + NURBS_VERSION_MINOR * 100 + NURBS_VERSION_PATCH
+
+    integer(c_int32_t), parameter :: NURBS_MAX_DEGREE = 31
+    integer(c_int32_t), parameter :: NURBS_MAX_AXES = 3
+    integer(c_int32_t), parameter :: NURBS_MAX_ORDER = 255
+
+    ! Statuses
+    integer(c_int32_t), parameter :: NURBS_OK = 0
+    integer(c_int32_t), parameter :: NURBS_ERROR_NULL = 1
+    integer(c_int32_t), parameter :: NURBS_ERROR_AXES = 2
+    integer(c_int32_t), parameter :: NURBS_ERROR_AXIS = 3
+    integer(c_int32_t), parameter :: NURBS_ERROR_DEGREE = 4
+    integer(c_int32_t), parameter :: NURBS_ERROR_COUNT = 5
+    integer(c_int32_t), parameter :: NURBS_ERROR_TOO_FEW_POINTS = 6
+    integer(c_int32_t), parameter :: NURBS_ERROR_OVERFLOW = 7
+    integer(c_int32_t), parameter :: NURBS_ERROR_SIZE = 8
+    integer(c_int32_t), parameter :: NURBS_ERROR_DIMENSION = 9
+    integer(c_int32_t), parameter :: NURBS_ERROR_STRIDE = 10
+    integer(c_int32_t), parameter :: NURBS_ERROR_OVERLAP = 11
+    integer(c_int32_t), parameter :: NURBS_ERROR_FLAGS = 12
+    integer(c_int32_t), parameter :: NURBS_ERROR_ORDER = 13
+    integer(c_int32_t), parameter :: NURBS_ERROR_KNOT_NOT_FINITE = 14
+    integer(c_int32_t), parameter :: NURBS_ERROR_KNOTS_DECREASING = 15
+    integer(c_int32_t), parameter :: NURBS_ERROR_END_MULTIPLICITY = 16
+    integer(c_int32_t), parameter :: NURBS_ERROR_MULTIPLICITY = 17
+    integer(c_int32_t), parameter :: NURBS_ERROR_EMPTY_DOMAIN = 18
+    integer(c_int32_t), parameter :: NURBS_ERROR_POINT_NOT_FINITE = 19
+    integer(c_int32_t), parameter :: NURBS_ERROR_WEIGHT_NOT_FINITE = 20
+    integer(c_int32_t), parameter :: NURBS_ERROR_WEIGHT_NEGATIVE = 21
+    integer(c_int32_t), parameter :: NURBS_ERROR_WEIGHTS_VANISH = 22
+    integer(c_int32_t), parameter :: NURBS_ERROR_PARAMETER_NOT_FINITE = 23
+    integer(c_int32_t), parameter :: NURBS_ERROR_PERIODIC_KNOTS = 24
+    integer(c_int32_t), parameter :: NURBS_ERROR_PERIODIC_POINTS = 25
+    integer(c_int32_t), parameter :: NURBS_ERROR_TIMES = 26
+    integer(c_int32_t), parameter :: NURBS_ERROR_OPTIONS = 27
+    integer(c_int32_t), parameter :: NURBS_ERROR_INDEX = 28
+    integer(c_int32_t), parameter :: NURBS_ERROR_OUTSIDE_DOMAIN = 100
+    integer(c_int32_t), parameter :: NURBS_ERROR_NOT_REPRESENTABLE = 200
+    integer(c_int32_t), parameter :: NURBS_ERROR_MEMORY = 300
+    integer(c_int32_t), parameter :: NURBS_ERROR_FILE = 301
+    integer(c_int32_t), parameter :: NURBS_ERROR_TOO_LARGE = 302
+    integer(c_int32_t), parameter :: NURBS_ERROR_FORMAT = 400
+    integer(c_int32_t), parameter :: NURBS_ERROR_TRUNCATED = 401
+    integer(c_int32_t), parameter :: NURBS_ERROR_SYNTAX = 402
+    integer(c_int32_t), parameter :: NURBS_ERROR_UNSUPPORTED = 403
+    integer(c_int32_t), parameter :: NURBS_ERROR_INTERNAL = 900
+
+    ! Flags of one axis, to be moved with nurbs_on_axis() or nurbs_on_all_axes()
+    integer(c_int32_t), parameter :: NURBS_LEFT = int(z'01', c_int32_t)
+    integer(c_int32_t), parameter :: NURBS_CLAMP = int(z'02', c_int32_t)
+    integer(c_int32_t), parameter :: NURBS_EXTRAPOLATE = int(z'04', c_int32_t)
+    integer(c_int32_t), parameter :: NURBS_WRAP = int(z'08', c_int32_t)
+    integer(c_int32_t), parameter :: NURBS_NAN = int(z'10', c_int32_t)
+    integer(c_int32_t), parameter :: NURBS_PERIODIC = int(z'01', c_int32_t)
+
+    ! Bits of the form of a knot vector
+    integer(c_int32_t), parameter :: NURBS_FORM_CLAMPED_START = int(z'01', c_int32_t)
+    integer(c_int32_t), parameter :: NURBS_FORM_CLAMPED_END = int(z'02', c_int32_t)
+    integer(c_int32_t), parameter :: NURBS_FORM_PERIODIC = int(z'04', c_int32_t)
+end module nurbs_constants

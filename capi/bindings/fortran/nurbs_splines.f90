@@ -1,0 +1,314 @@
+! SPDX-License-Identifier: MIT
+!> The type of curves, surfaces and volumes. Conventions: see the module nurbs.
+module nurbs_splines
+    use, intrinsic :: iso_c_binding
+    use nurbs_constants
+    use nurbs_c
+    use nurbs_support
+    use nurbs_handles
+    implicit none
+    private
+
+    !> A spline; an assignment makes another handle on the same data.
+    type, extends(nurbs_handle), public :: nurbs_spline
+    contains
+        procedure :: create, create_homogeneous, create_short, create_multiplicities, create_bezier
+        procedure :: with_points, eval_grid, eval_grid_derivs, rational_basis, iso, insert_knot
+        procedure, private :: hull_size_1, hull_size_n, eval_1, eval_n, eval_derivs_1, eval_derivs_n
+        generic :: hull_size => hull_size_1, hull_size_n
+        generic :: eval => eval_1, eval_n
+        generic :: eval_derivs => eval_derivs_1, eval_derivs_n
+    end type nurbs_spline
+
+contains
+
+    ! Construction
+
+    subroutine create(this, degrees, counts, knots, points, weights, flags, status)
+        class(nurbs_spline), intent(inout) :: this
+        integer(c_int32_t), intent(in) :: degrees(:), counts(:)
+        real(c_double), intent(in) :: knots(:), points(:, :)
+        real(c_double), intent(in), optional :: weights(:)
+        integer(c_int32_t), intent(in), optional :: flags
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        type(c_ptr) :: made
+        made = c_null_ptr
+        code = net_shape(degrees, counts, points, weights)
+        if (code == NURBS_OK) code = nurbs_create(size(degrees), degrees, int(counts, c_int64_t), knots, &
+            size(knots, kind=c_int64_t), size(points, 2), points, step(points), column(points), weights, &
+            0_c_int64_t, bits(flags), made)
+        call this%replace(made)
+        call settle(code, status)
+    end subroutine create
+
+    !> points(n, dim + 1): (w x, w y, ..., w).
+    subroutine create_homogeneous(this, degrees, counts, knots, points, flags, status)
+        class(nurbs_spline), intent(inout) :: this
+        integer(c_int32_t), intent(in) :: degrees(:), counts(:)
+        real(c_double), intent(in) :: knots(:), points(:, :)
+        integer(c_int32_t), intent(in), optional :: flags
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        type(c_ptr) :: made
+        made = c_null_ptr
+        code = net_shape(degrees, counts, points)
+        if (code == NURBS_OK) code = nurbs_create_homogeneous(size(degrees), degrees, &
+            int(counts, c_int64_t), knots, size(knots, kind=c_int64_t), size(points, 2) - 1, points, &
+            step(points), column(points), bits(flags), made)
+        call this%replace(made)
+        call settle(code, status)
+    end subroutine create_homogeneous
+
+    !> Knot vectors without their first and last knot.
+    subroutine create_short(this, degrees, counts, knots, points, weights, flags, status)
+        class(nurbs_spline), intent(inout) :: this
+        integer(c_int32_t), intent(in) :: degrees(:), counts(:)
+        real(c_double), intent(in) :: knots(:), points(:, :)
+        real(c_double), intent(in), optional :: weights(:)
+        integer(c_int32_t), intent(in), optional :: flags
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        type(c_ptr) :: made
+        made = c_null_ptr
+        code = net_shape(degrees, counts, points, weights)
+        if (code == NURBS_OK) code = nurbs_create_short(size(degrees), degrees, int(counts, c_int64_t), &
+            knots, size(knots, kind=c_int64_t), size(points, 2), points, step(points), column(points), &
+            weights, 0_c_int64_t, bits(flags), made)
+        call this%replace(made)
+        call settle(code, status)
+    end subroutine create_short
+
+    subroutine create_multiplicities(this, degrees, counts, distinct_counts, distinct_knots, multiplicities, &
+                                     points, weights, flags, status)
+        class(nurbs_spline), intent(inout) :: this
+        integer(c_int32_t), intent(in) :: degrees(:), counts(:), distinct_counts(:), multiplicities(:)
+        real(c_double), intent(in) :: distinct_knots(:), points(:, :)
+        real(c_double), intent(in), optional :: weights(:)
+        integer(c_int32_t), intent(in), optional :: flags
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        type(c_ptr) :: made
+        made = c_null_ptr
+        code = net_shape(degrees, counts, points, weights)
+        if (size(distinct_counts) /= size(degrees) .or. size(distinct_knots) /= size(multiplicities) .or. &
+            size(distinct_knots) /= sum(distinct_counts)) code = shape_error
+        if (code == NURBS_OK) code = nurbs_create_multiplicities(size(degrees), degrees, &
+            int(counts, c_int64_t), int(distinct_counts, c_int64_t), distinct_knots, multiplicities, &
+            size(points, 2), points, step(points), column(points), weights, 0_c_int64_t, bits(flags), made)
+        call this%replace(made)
+        call settle(code, status)
+    end subroutine create_multiplicities
+
+    subroutine create_bezier(this, degrees, points, weights, status)
+        class(nurbs_spline), intent(inout) :: this
+        integer(c_int32_t), intent(in) :: degrees(:)
+        real(c_double), intent(in) :: points(:, :)
+        real(c_double), intent(in), optional :: weights(:)
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        type(c_ptr) :: made
+        made = c_null_ptr
+        code = net_shape(degrees, degrees + 1, points, weights)
+        if (code == NURBS_OK) code = nurbs_create_bezier(size(degrees), degrees, size(points, 2), points, &
+            step(points), column(points), weights, 0_c_int64_t, made)
+        call this%replace(made)
+        call settle(code, status)
+    end subroutine create_bezier
+
+    !> The same knots with other points; out is another variable than this.
+    subroutine with_points(this, points, out, weights, status)
+        class(nurbs_spline), intent(in) :: this
+        real(c_double), intent(in) :: points(:, :)
+        type(nurbs_spline), intent(inout) :: out
+        real(c_double), intent(in), optional :: weights(:)
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code, dim
+        integer(c_int64_t) :: n
+        type(c_ptr) :: made
+        made = c_null_ptr
+        code = sizes_of(this%handle, n, dim)
+        if (code == NURBS_OK .and. (size(points, 1) /= n .or. size(points, 2) /= dim)) code = shape_error
+        if (present(weights)) then
+            if (code == NURBS_OK .and. size(weights) /= n) code = shape_error
+        end if
+        if (code == NURBS_OK) code = nurbs_with_points(this%handle, points, step(points), column(points), &
+            weights, 0_c_int64_t, made)
+        call out%replace(made)
+        call settle(code, status)
+    end subroutine with_points
+
+
+    ! Evaluation
+
+    subroutine hull_size_1(this, params, sizes, flags, status)
+        class(nurbs_spline), intent(in) :: this
+        real(c_double), intent(in) :: params(:)
+        real(c_double), intent(inout) :: sizes(:)
+        integer(c_int32_t), intent(in), optional :: flags
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        code = batch_shape(this%handle, [size(params), 1], shape(sizes), shape(params))
+        if (code == NURBS_OK) code = nurbs_hull_size(this%handle, size(params, kind=c_int64_t), params, &
+            0_c_int64_t, 0_c_int64_t, sizes, 0_c_int64_t, bits(flags))
+        call settle(code, status)
+    end subroutine hull_size_1
+
+    subroutine hull_size_n(this, params, sizes, flags, status)
+        class(nurbs_spline), intent(in) :: this
+        real(c_double), intent(in) :: params(:, :)
+        real(c_double), intent(inout) :: sizes(:)
+        integer(c_int32_t), intent(in), optional :: flags
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        code = batch_shape(this%handle, shape(params), shape(sizes), [size(params, 1)])
+        if (code == NURBS_OK) code = nurbs_hull_size(this%handle, size(params, 1, c_int64_t), params, &
+            step(params), column(params), sizes, 0_c_int64_t, bits(flags))
+        call settle(code, status)
+    end subroutine hull_size_n
+
+    !> points(n, dim) of a curve at params(n).
+    subroutine eval_1(this, params, points, flags, status)
+        class(nurbs_spline), intent(in) :: this
+        real(c_double), intent(in) :: params(:)
+        real(c_double), intent(inout) :: points(:, :)
+        integer(c_int32_t), intent(in), optional :: flags
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        code = batch_shape(this%handle, [size(params), 1], shape(points), [size(params), dim_of(this%handle)])
+        if (code == NURBS_OK) code = nurbs_eval(this%handle, size(params, kind=c_int64_t), params, &
+            0_c_int64_t, 0_c_int64_t, points, step(points), column(points), bits(flags))
+        call settle(code, status)
+    end subroutine eval_1
+
+    !> points(n, dim) at params(n, axes).
+    subroutine eval_n(this, params, points, flags, status)
+        class(nurbs_spline), intent(in) :: this
+        real(c_double), intent(in) :: params(:, :)
+        real(c_double), intent(inout) :: points(:, :)
+        integer(c_int32_t), intent(in), optional :: flags
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        code = batch_shape(this%handle, shape(params), shape(points), [size(params, 1), dim_of(this%handle)])
+        if (code == NURBS_OK) code = nurbs_eval(this%handle, size(params, 1, c_int64_t), params, &
+            step(params), column(params), points, step(points), column(points), bits(flags))
+        call settle(code, status)
+    end subroutine eval_n
+
+    !> derivs(n, dim, slots) of a curve at params(n).
+    subroutine eval_derivs_1(this, order, params, derivs, flags, status)
+        class(nurbs_spline), intent(in) :: this
+        integer(c_int32_t), intent(in) :: order
+        real(c_double), intent(in) :: params(:)
+        real(c_double), intent(inout) :: derivs(:, :, :)
+        integer(c_int32_t), intent(in), optional :: flags
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        code = batch_shape(this%handle, [size(params), 1], shape(derivs), &
+                           [size(params), dim_of(this%handle), slots_of(this%handle, order)])
+        if (code == NURBS_OK) code = nurbs_eval_derivs(this%handle, order, size(params, kind=c_int64_t), &
+            params, 0_c_int64_t, 0_c_int64_t, derivs, step(derivs), column(derivs), bits(flags))
+        call settle(code, status)
+    end subroutine eval_derivs_1
+
+    !> derivs(n, dim, slots) at params(n, axes).
+    subroutine eval_derivs_n(this, order, params, derivs, flags, status)
+        class(nurbs_spline), intent(in) :: this
+        integer(c_int32_t), intent(in) :: order
+        real(c_double), intent(in) :: params(:, :)
+        real(c_double), intent(inout) :: derivs(:, :, :)
+        integer(c_int32_t), intent(in), optional :: flags
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        code = batch_shape(this%handle, shape(params), shape(derivs), &
+                           [size(params, 1), dim_of(this%handle), slots_of(this%handle, order)])
+        if (code == NURBS_OK) code = nurbs_eval_derivs(this%handle, order, size(params, 1, c_int64_t), &
+            params, step(params), column(params), derivs, step(derivs), column(derivs), bits(flags))
+        call settle(code, status)
+    end subroutine eval_derivs_n
+
+    !> points(product(counts), dim) on the grid of counts(k) parameters on axis k; params holds those of the first
+    !> axis, then those of the next.
+    subroutine eval_grid(this, counts, params, points, flags, status)
+        class(nurbs_spline), intent(in) :: this
+        integer(c_int32_t), intent(in) :: counts(:)
+        real(c_double), intent(in) :: params(:)
+        real(c_double), intent(inout) :: points(:, :)
+        integer(c_int32_t), intent(in), optional :: flags
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        code = batch_shape(this%handle, [0, size(counts)], [size(params), shape(points)], &
+                           [sum(counts), product(counts), dim_of(this%handle)])
+        if (code == NURBS_OK) code = nurbs_eval_grid(this%handle, int(counts, c_int64_t), params, points, &
+            step(points), column(points), bits(flags))
+        call settle(code, status)
+    end subroutine eval_grid
+
+    !> derivs(product(counts), dim, slots) on a grid.
+    subroutine eval_grid_derivs(this, order, counts, params, derivs, flags, status)
+        class(nurbs_spline), intent(in) :: this
+        integer(c_int32_t), intent(in) :: order, counts(:)
+        real(c_double), intent(in) :: params(:)
+        real(c_double), intent(inout) :: derivs(:, :, :)
+        integer(c_int32_t), intent(in), optional :: flags
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        code = batch_shape(this%handle, [0, size(counts)], [size(params), shape(derivs)], &
+                           [sum(counts), product(counts), dim_of(this%handle), slots_of(this%handle, order)])
+        if (code == NURBS_OK) code = nurbs_eval_grid_derivs(this%handle, order, int(counts, c_int64_t), &
+            params, derivs, step(derivs), column(derivs), bits(flags))
+        call settle(code, status)
+    end subroutine eval_grid_derivs
+
+    !> values(n, product of degree + 1) of the active points, which on axis k start at spans(:, k) - degree(k).
+    subroutine rational_basis(this, params, spans, values, flags, status)
+        class(nurbs_spline), intent(in) :: this
+        real(c_double), intent(in) :: params(:, :)
+        integer(c_int64_t), intent(inout) :: spans(:, :)
+        real(c_double), intent(inout) :: values(:, :)
+        integer(c_int32_t), intent(in), optional :: flags
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code, active, k, p
+        integer(c_int64_t) :: packed(size(params, 2), size(params, 1))
+        active = 1
+        do k = 0, size(params, 2) - 1
+            code = nurbs_degree(this%handle, k, p)
+            if (code == NURBS_OK) active = active * (p + 1)
+        end do
+        code = batch_shape(this%handle, shape(params), [shape(spans), shape(values)], &
+                           [shape(params), size(params, 1), active])
+        if (code == NURBS_OK) code = nurbs_rational_basis(this%handle, size(params, 1, c_int64_t), params, &
+            step(params), column(params), packed, values, step(values), column(values), bits(flags))
+        if (code == NURBS_OK) spans = transpose(packed) + 1
+        call settle(code, status)
+    end subroutine rational_basis
+
+    ! Operations; out is another variable than this.
+
+    subroutine iso(this, axis, param, out, flags, status)
+        class(nurbs_spline), intent(in) :: this
+        integer(c_int32_t), intent(in) :: axis
+        real(c_double), intent(in) :: param
+        type(nurbs_spline), intent(inout) :: out
+        integer(c_int32_t), intent(in), optional :: flags
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        type(c_ptr) :: made
+        code = nurbs_iso(this%handle, axis - 1, param, bits(flags), made)
+        call out%replace(made)
+        call settle(code, status)
+    end subroutine iso
+
+    subroutine insert_knot(this, axis, knot, times, out, status)
+        class(nurbs_spline), intent(in) :: this
+        integer(c_int32_t), intent(in) :: axis, times
+        real(c_double), intent(in) :: knot
+        type(nurbs_spline), intent(inout) :: out
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        type(c_ptr) :: made
+        code = nurbs_insert_knot(this%handle, axis - 1, knot, times, made)
+        call out%replace(made)
+        call settle(code, status)
+    end subroutine insert_knot
+end module nurbs_splines

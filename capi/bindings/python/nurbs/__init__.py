@@ -1,0 +1,25 @@
+# SPDX-License-Identifier: MIT
+"""libnurbs for Python: NURBS curves, surfaces and volumes on NumPy arrays.
+
+    import numpy, nurbs
+    arc = nurbs.Spline.bezier([[1, 0], [1, 1], [0, 1]], weights=[1, 0.5**0.5, 1])
+    points = arc.eval(numpy.linspace(0, 1, 100))
+
+The manual is the header nurbs.h; this package keeps its names, its indices from 0 and its flags. What differs:
+
+- A failure raises NurbsError with `status`, `name` and `message`.
+- Arrays have natural shapes: control points (counts..., dim), parameters of a curve (...), of a surface (..., 2),
+  results (..., dim). Arrays of float64 with positive strides are passed without a copy, in either memory order; others
+  are converted. Each evaluating method fills `out` if it is given.
+- The interpreter's lock is released during every call, and one spline may be used by many threads at once.
+
+The library is $NURBS_LIBRARY, a path to libnurbs.so, if that is set, else the system's libnurbs.so.0. The C functions
+themselves are attributes of `nurbs.lib`.
+"""
+
+from ._library import NurbsError, last_error, lib, status_name, version
+from .constants import *  # noqa: F401,F403 - the names of the header
+from .files import Note, SplineList, read, read_file
+from .knots import (basis, bernstein, find_spans, knots_averaged, knots_bezier, knots_open_uniform,
+                    knots_periodic, knots_uniform)
+from .spline import Spline, derivative_slots

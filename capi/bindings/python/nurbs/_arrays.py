@@ -1,0 +1,85 @@
+# SPDX-License-Identifier: MIT
+"""NumPy arrays as the library's pointers and strides."""
+
+import numpy
+
+
+class Records:
+    """n records of `width` doubles in memory that the library can use directly."""
+
+    def __init__(self, array, width):
+        self.array = array  # keeps the memory alive
+        self.n = array.shape[0]
+        self.address = array.ctypes.data
+        record, component = (step // 8 for step in array.strides)
+        # NumPy leaves the strides of axes of length 1 undefined.
+        self.component_stride = component if width > 1 else 1
+        self.stride = record if self.n > 1 else width * self.component_stride
+        if array.size == 0:
+            self.stride = self.component_stride = 0
+
+    @property
+    def layout(self):
+        return self.address, self.stride, self.component_stride
+
+
+def _direct(array):
+    """Whether the library can address a 2-D array: whole positive strides, and no place used twice."""
+    if array.dtype != numpy.float64 or not array.dtype.isnative or not array.flags.aligned:
+        return False
+    if array.size == 0:
+        return True
+    if any(size > 1 and (step <= 0 or step % 8) for size, step in zip(array.shape, array.strides)):
+        return False
+    (n, width), (record, component) = array.shape, array.strides
+    return n <= 1 or width <= 1 or record >= (width - 1) * component + 8 or component >= (n - 1) * record + 8
+
+
+def records(values, width):
+    """An input of records: a view where possible, otherwise a packed copy."""
+    array = numpy.asarray(values, dtype=numpy.float64)
+    if array.size % max(width, 1):
+        raise ValueError(f"an array of shape {array.shape} does not hold records of {width} components")
+    array = array.reshape(-1, width) if width else array.reshape(0, 0)
+    return Records(array if _direct(array) else numpy.ascontiguousarray(array), width)
+
+
+def vector(values, dtype=numpy.float64):
+    """A packed vector; a plain number is a vector of one."""
+    return numpy.ascontiguousarray(values, dtype=dtype).reshape(-1)
+
+
+def _as_table(array, width):
+    """The array as (records, width) without a copy, or None."""
+    table = array.view()
+    try:
+        table.shape = (array.size // width if width else 0, width)
+    except AttributeError:
+        return None
+    return table if _direct(table) else None
+
+
+class Output:
+    """An array to be filled: `out` itself where the library can address it, else a packed array copied to it."""
+
+    def __init__(self, out, shape, width):
+        if out is not None and (not isinstance(out, numpy.ndarray) or out.shape != tuple(shape)
+                                or out.dtype != numpy.float64 or not out.flags.writeable):
+            raise ValueError(f"out must be a writeable float64 array of shape {tuple(shape)}")
+        self.result = numpy.empty(shape) if out is None else out
+        table = _as_table(self.result, width)
+        self._copy = None
+        if table is None:
+            self._copy = numpy.empty(shape)
+            table = _as_table(self._copy, width)
+        self.records = Records(table, width)
+
+    @property
+    def layout(self):
+        return self.records.layout
+
+    def finish(self):
+        """The filled array."""
+        if self._copy is not None:
+            self.result[...] = self._copy
+        return self.result

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+//! Slices as arrays of records, with lengths checked before the library sees a pointer.
+
+use crate::error::{Error, Result};
+
+#[derive(Clone, Copy)]
+struct Layout {
+    count: Option<usize>,
+    stride: usize,
+    component_stride: usize,
+}
+
+impl Layout {
+    const PACKED: Layout = Layout { count: None, stride: 0, component_stride: 0 };
+
+    fn count(&self, length: usize, width: usize, what: &str) -> Result<usize> {
+        match self.count {
+            Some(n) => Ok(n),
+            None if width == 0 || length % width != 0 => {
+                Err(Error::size(what, length, format!("a multiple of {}", width)))
+            }
+            None => Ok(length / width),
+        }
+    }
+
+    /// One past the last element that n records touch.
+    fn extent(&self, n: usize, width: usize) -> usize {
+        if n == 0 || width == 0 {
+            return 0;
+        }
+        let component = self.component_stride.max(1);
+        let step = if self.stride == 0 { width.saturating_mul(component) } else { self.stride };
+        let last = (n - 1).saturating_mul(step).saturating_add((width - 1).saturating_mul(component));
+        last.saturating_add(1)
+    }
+
+    fn require(&self, length: usize, n: usize, width: usize, what: &str) -> Result<()> {
+        if self.extent(n, width) > length || self.count(length, width, what)? != n {
+            let expected = format!("{} records of {} components", n, width);
+            return Err(Error::size(what, length, expected));
+        }
+        Ok(())
+    }
+}
+
+/// An input array of records. A slice, array or vector converts to packed records.
+#[derive(Clone, Copy)]
+pub struct Records<'a> {
+    values: &'a [f64],
+    layout: Layout,
+}
+
+impl<'a> Records<'a> {
+    /// n records; component c of record i is `values[i * stride + c * component_stride]`, 0 means packed.
+    pub fn strided(values: &'a [f64], n: usize, stride: usize, component_stride: usize) -> Self {
+        Records { values, layout: Layout { count: Some(n), stride, component_stride } }
+    }
+
+    /// The number of records of `width` components, all of which are in the slice.
+    pub(crate) fn count(&self, width: usize, what: &str) -> Result<usize> {
+        let n = self.layout.count(self.values.len(), width, what)?;
+        self.require(n, width, what)?;
+        Ok(n)
+    }
+    pub(crate) fn require(&self, n: usize, width: usize, what: &str) -> Result<()> {
+        self.layout.require(self.values.len(), n, width, what)
+    }
+    pub(crate) fn pointer(&self) -> *const f64 {
+        self.values.as_ptr()
+    }
+    pub(crate) fn stride(&self) -> i64 {
+        self.layout.stride as i64
+    }
+    pub(crate) fn component_stride(&self) -> i64 {
+        self.layout.component_stride as i64
+    }
+}
+
+impl<'a, T: AsRef<[f64]> + ?Sized> From<&'a T> for Records<'a> {
+    fn from(values: &'a T) -> Self {
+        Records { values: values.as_ref(), layout: Layout::PACKED }
+    }
+}
+
+/// An output array of records. A mutable slice, array or vector converts to packed records.
+pub struct RecordsMut<'a> {
+    values: &'a mut [f64],
+    layout: Layout,
+}
+
+impl<'a> RecordsMut<'a> {
+    /// n records; component c of record i is `values[i * stride + c * component_stride]`, 0 means packed.
+    pub fn strided(values: &'a mut [f64], n: usize, stride: usize, component_stride: usize) -> Self {
+        RecordsMut { values, layout: Layout { count: Some(n), stride, component_stride } }
+    }
+
+    pub(crate) fn require(&self, n: usize, width: usize, what: &str) -> Result<()> {
+        self.layout.require(self.values.len(), n, width, what)
+    }
+    pub(crate) fn pointer(&mut self) -> *mut f64 {
+        self.values.as_mut_ptr()
+    }
+    pub(crate) fn stride(&self) -> i64 {
+        self.layout.stride as i64
+    }
+    pub(crate) fn component_stride(&self) -> i64 {
+        self.layout.component_stride as i64
+    }
+}
+
+impl<'a, T: AsMut<[f64]> + ?Sized> From<&'a mut T> for RecordsMut<'a> {
+    fn from(values: &'a mut T) -> Self {
+        RecordsMut { values: values.as_mut(), layout: Layout::PACKED }
+    }
+}

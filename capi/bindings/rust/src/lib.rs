@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+//! libnurbs for Rust: NURBS curves, surfaces and volumes.
+//!
+//! The manual is the header `nurbs.h`; this crate keeps its names, its indices from 0 and its flags. [`sys`] is the C
+//! interface as it stands, everything else is safe: a failure is an [`Error`] with the status and the message, arrays
+//! are slices whose lengths are checked, a [`Spline`] is freed when dropped and may be used by many threads at once.
+//!
+//! ```no_run
+//! # fn main() -> nurbs::Result<()> {
+//! let arc = nurbs::Spline::bezier(&[2], 2, &[1.0, 0.0, 1.0, 1.0, 0.0, 1.0], Some(&[1.0, 0.5f64.sqrt(), 1.0]))?;
+//! let points = arc.eval(&[0.0, 0.5, 1.0], 0)?;
+//! # Ok(()) }
+//! ```
+
+mod arrays;
+mod error;
+mod eval;
+mod inspect;
+mod knots;
+mod list;
+mod spline;
+pub mod sys;
+
+pub use arrays::{Records, RecordsMut};
+pub use error::{last_error, status_name, version, Error, Result};
+pub use knots::{
+    basis, bernstein, find_spans, knots_averaged, knots_bezier, knots_bezier_breaks, knots_open_uniform,
+    knots_periodic, knots_uniform, Basis,
+};
+pub use list::{List, Note, ReadOptions};
+pub use spline::{derivative_slots, DistinctKnots, Spline};
+
+/// The bits `flags` moved to those of `axis`: the macro `NURBS_ON_AXIS`.
+pub const fn on_axis(axis: u32, flags: u32) -> u32 {
+    flags << (8 * axis)
+}
+
+/// The bits `flags` for the first `axes` axes: the macro `NURBS_ON_ALL_AXES`.
+pub const fn on_all_axes(axes: u32, flags: u32) -> u32 {
+    flags * (0x010101 >> (8 * (3 - axes)))
+}

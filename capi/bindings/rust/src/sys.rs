@@ -1,0 +1,399 @@
+// SPDX-License-Identifier: MIT
+//! The C interface as it stands: the names, arguments and constants of `nurbs.h`, which is the manual.
+
+#![allow(non_camel_case_types)]
+
+use std::os::raw::{c_char, c_void};
+
+/// A spline. Never made or moved on this side.
+#[repr(C)]
+pub struct nurbs {
+    _private: [u8; 0],
+}
+
+/// What a file held. Never made or moved on this side.
+#[repr(C)]
+pub struct nurbs_list {
+    _private: [u8; 0],
+}
+
+pub type nurbs_status = i32;
+
+/// Settings for reading, filled by `nurbs_read_options_init`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct nurbs_read_options {
+    pub struct_size: i64,
+    pub unit: f64,
+    pub max_bytes: i64,
+}
+
+pub const NURBS_VERSION_MAJOR: i32 = 0;
+pub const NURBS_VERSION_MINOR: i32 = 1;
+pub const NURBS_VERSION_PATCH: i32 = 0;
+pub const NURBS_VERSION: i32 = NURBS_VERSION_MAJOR * 10000 + NURBS_VERSION_MINOR * 100 + NURBS_VERSION_PATCH;
+pub const NURBS_MAX_DEGREE: i32 = 31;
+pub const NURBS_MAX_AXES: i32 = 3;
+pub const NURBS_MAX_ORDER: i32 = 255;
+
+// Statuses
+pub const NURBS_OK: nurbs_status = 0;
+pub const NURBS_ERROR_NULL: nurbs_status = 1;
+pub const NURBS_ERROR_AXES: nurbs_status = 2;
+pub const NURBS_ERROR_AXIS: nurbs_status = 3;
+pub const NURBS_ERROR_DEGREE: nurbs_status = 4;
+pub const NURBS_ERROR_COUNT: nurbs_status = 5;
+pub const NURBS_ERROR_TOO_FEW_POINTS: nurbs_status = 6;
+pub const NURBS_ERROR_OVERFLOW: nurbs_status = 7;
+pub const NURBS_ERROR_SIZE: nurbs_status = 8;
+pub const NURBS_ERROR_DIMENSION: nurbs_status = 9;
+pub const NURBS_ERROR_STRIDE: nurbs_status = 10;
+pub const NURBS_ERROR_OVERLAP: nurbs_status = 11;
+pub const NURBS_ERROR_FLAGS: nurbs_status = 12;
+pub const NURBS_ERROR_ORDER: nurbs_status = 13;
+pub const NURBS_ERROR_KNOT_NOT_FINITE: nurbs_status = 14;
+pub const NURBS_ERROR_KNOTS_DECREASING: nurbs_status = 15;
+pub const NURBS_ERROR_END_MULTIPLICITY: nurbs_status = 16;
+pub const NURBS_ERROR_MULTIPLICITY: nurbs_status = 17;
+pub const NURBS_ERROR_EMPTY_DOMAIN: nurbs_status = 18;
+pub const NURBS_ERROR_POINT_NOT_FINITE: nurbs_status = 19;
+pub const NURBS_ERROR_WEIGHT_NOT_FINITE: nurbs_status = 20;
+pub const NURBS_ERROR_WEIGHT_NEGATIVE: nurbs_status = 21;
+pub const NURBS_ERROR_WEIGHTS_VANISH: nurbs_status = 22;
+pub const NURBS_ERROR_PARAMETER_NOT_FINITE: nurbs_status = 23;
+pub const NURBS_ERROR_PERIODIC_KNOTS: nurbs_status = 24;
+pub const NURBS_ERROR_PERIODIC_POINTS: nurbs_status = 25;
+pub const NURBS_ERROR_TIMES: nurbs_status = 26;
+pub const NURBS_ERROR_OPTIONS: nurbs_status = 27;
+pub const NURBS_ERROR_INDEX: nurbs_status = 28;
+pub const NURBS_ERROR_OUTSIDE_DOMAIN: nurbs_status = 100;
+pub const NURBS_ERROR_NOT_REPRESENTABLE: nurbs_status = 200;
+pub const NURBS_ERROR_MEMORY: nurbs_status = 300;
+pub const NURBS_ERROR_FILE: nurbs_status = 301;
+pub const NURBS_ERROR_TOO_LARGE: nurbs_status = 302;
+pub const NURBS_ERROR_FORMAT: nurbs_status = 400;
+pub const NURBS_ERROR_TRUNCATED: nurbs_status = 401;
+pub const NURBS_ERROR_SYNTAX: nurbs_status = 402;
+pub const NURBS_ERROR_UNSUPPORTED: nurbs_status = 403;
+pub const NURBS_ERROR_INTERNAL: nurbs_status = 900;
+
+// Flags of one axis, to be moved with on_axis() or on_all_axes()
+pub const NURBS_LEFT: u32 = 0x01;
+pub const NURBS_CLAMP: u32 = 0x02;
+pub const NURBS_EXTRAPOLATE: u32 = 0x04;
+pub const NURBS_WRAP: u32 = 0x08;
+pub const NURBS_NAN: u32 = 0x10;
+pub const NURBS_PERIODIC: u32 = 0x01;
+
+// Bits of the form of a knot vector
+pub const NURBS_FORM_CLAMPED_START: i32 = 0x01;
+pub const NURBS_FORM_CLAMPED_END: i32 = 0x02;
+pub const NURBS_FORM_PERIODIC: i32 = 0x04;
+
+#[link(name = "nurbs")]
+extern "C" {
+    pub fn nurbs_version() -> i32;
+    pub fn nurbs_status_name(status: nurbs_status) -> *const c_char;
+    pub fn nurbs_last_error(buf: *mut c_char, cap: i64) -> i64;
+    pub fn nurbs_create(
+        axes: i32,
+        degrees: *const i32,
+        counts: *const i64,
+        knots: *const f64,
+        knot_count: i64,
+        dim: i32,
+        points: *const f64,
+        point_stride: i64,
+        point_component_stride: i64,
+        weights: *const f64,
+        weight_stride: i64,
+        flags: u32,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    pub fn nurbs_create_homogeneous(
+        axes: i32,
+        degrees: *const i32,
+        counts: *const i64,
+        knots: *const f64,
+        knot_count: i64,
+        dim: i32,
+        points: *const f64,
+        point_stride: i64,
+        point_component_stride: i64,
+        flags: u32,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    pub fn nurbs_create_short(
+        axes: i32,
+        degrees: *const i32,
+        counts: *const i64,
+        knots: *const f64,
+        knot_count: i64,
+        dim: i32,
+        points: *const f64,
+        point_stride: i64,
+        point_component_stride: i64,
+        weights: *const f64,
+        weight_stride: i64,
+        flags: u32,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    pub fn nurbs_create_multiplicities(
+        axes: i32,
+        degrees: *const i32,
+        counts: *const i64,
+        distinct_counts: *const i64,
+        distinct_knots: *const f64,
+        multiplicities: *const i32,
+        dim: i32,
+        points: *const f64,
+        point_stride: i64,
+        point_component_stride: i64,
+        weights: *const f64,
+        weight_stride: i64,
+        flags: u32,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    pub fn nurbs_create_bezier(
+        axes: i32,
+        degrees: *const i32,
+        dim: i32,
+        points: *const f64,
+        point_stride: i64,
+        point_component_stride: i64,
+        weights: *const f64,
+        weight_stride: i64,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    pub fn nurbs_with_points(
+        g: *const nurbs,
+        points: *const f64,
+        point_stride: i64,
+        point_component_stride: i64,
+        weights: *const f64,
+        weight_stride: i64,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    pub fn nurbs_clone(g: *const nurbs, out: *mut *mut nurbs) -> nurbs_status;
+    pub fn nurbs_destroy(g: *mut nurbs);
+    pub fn nurbs_knots_uniform(
+        degree: i32,
+        count: i64,
+        a: f64,
+        b: f64,
+        knot_count: i64,
+        knots: *mut f64,
+    ) -> nurbs_status;
+    pub fn nurbs_knots_open_uniform(
+        degree: i32,
+        count: i64,
+        a: f64,
+        b: f64,
+        knot_count: i64,
+        knots: *mut f64,
+    ) -> nurbs_status;
+    pub fn nurbs_knots_bezier(
+        degree: i32,
+        pieces: i64,
+        breaks: *const f64,
+        knot_count: i64,
+        knots: *mut f64,
+    ) -> nurbs_status;
+    pub fn nurbs_knots_averaged(
+        degree: i32,
+        count: i64,
+        params: *const f64,
+        knot_count: i64,
+        knots: *mut f64,
+    ) -> nurbs_status;
+    pub fn nurbs_knots_periodic(
+        degree: i32,
+        n: i64,
+        breaks: *const f64,
+        multiplicities: *const i32,
+        knot_count: i64,
+        knots: *mut f64,
+    ) -> nurbs_status;
+    pub fn nurbs_axes(g: *const nurbs, axes: *mut i32) -> nurbs_status;
+    pub fn nurbs_dimension(g: *const nurbs, dim: *mut i32) -> nurbs_status;
+    pub fn nurbs_degree(g: *const nurbs, axis: i32, degree: *mut i32) -> nurbs_status;
+    pub fn nurbs_count(g: *const nurbs, axis: i32, count: *mut i64) -> nurbs_status;
+    pub fn nurbs_point_count(g: *const nurbs, count: *mut i64) -> nurbs_status;
+    pub fn nurbs_is_rational(g: *const nurbs, rational: *mut i32) -> nurbs_status;
+    pub fn nurbs_knots(g: *const nurbs, axis: i32, knot_count: i64, knots: *mut f64) -> nurbs_status;
+    pub fn nurbs_distinct_knots(
+        g: *const nurbs,
+        axis: i32,
+        cap: i64,
+        knots: *mut f64,
+        multiplicities: *mut i32,
+        count: *mut i64,
+    ) -> nurbs_status;
+    pub fn nurbs_knot_form(g: *const nurbs, axis: i32, form: *mut i32) -> nurbs_status;
+    pub fn nurbs_domain(g: *const nurbs, axis: i32, domain: *mut f64) -> nurbs_status;
+    pub fn nurbs_greville(g: *const nurbs, axis: i32, count: i64, abscissae: *mut f64) -> nurbs_status;
+    pub fn nurbs_points(
+        g: *const nurbs,
+        count: i64,
+        points: *mut f64,
+        point_stride: i64,
+        point_component_stride: i64,
+    ) -> nurbs_status;
+    pub fn nurbs_weights(g: *const nurbs, count: i64, weights: *mut f64, weight_stride: i64) -> nurbs_status;
+    pub fn nurbs_homogeneous_points(
+        g: *const nurbs,
+        count: i64,
+        points: *mut f64,
+        point_stride: i64,
+        point_component_stride: i64,
+    ) -> nurbs_status;
+    pub fn nurbs_hull_size(
+        g: *const nurbs,
+        n: i64,
+        params: *const f64,
+        param_stride: i64,
+        param_component_stride: i64,
+        sizes: *mut f64,
+        size_stride: i64,
+        flags: u32,
+    ) -> nurbs_status;
+    pub fn nurbs_find_spans(
+        degree: i32,
+        count: i64,
+        knots: *const f64,
+        knot_count: i64,
+        n: i64,
+        params: *const f64,
+        param_stride: i64,
+        spans: *mut i64,
+        flags: u32,
+    ) -> nurbs_status;
+    pub fn nurbs_bernstein(
+        degree: i32,
+        order: i32,
+        n: i64,
+        params: *const f64,
+        param_stride: i64,
+        values: *mut f64,
+        value_stride: i64,
+        value_component_stride: i64,
+    ) -> nurbs_status;
+    pub fn nurbs_basis(
+        degree: i32,
+        count: i64,
+        knots: *const f64,
+        knot_count: i64,
+        order: i32,
+        n: i64,
+        params: *const f64,
+        param_stride: i64,
+        spans: *mut i64,
+        values: *mut f64,
+        value_stride: i64,
+        value_component_stride: i64,
+        flags: u32,
+    ) -> nurbs_status;
+    pub fn nurbs_rational_basis(
+        g: *const nurbs,
+        n: i64,
+        params: *const f64,
+        param_stride: i64,
+        param_component_stride: i64,
+        spans: *mut i64,
+        values: *mut f64,
+        value_stride: i64,
+        value_component_stride: i64,
+        flags: u32,
+    ) -> nurbs_status;
+    pub fn nurbs_eval(
+        g: *const nurbs,
+        n: i64,
+        params: *const f64,
+        param_stride: i64,
+        param_component_stride: i64,
+        points: *mut f64,
+        point_stride: i64,
+        point_component_stride: i64,
+        flags: u32,
+    ) -> nurbs_status;
+    pub fn nurbs_derivative_slots(axes: i32, order: i32, slots: *mut i64) -> nurbs_status;
+    pub fn nurbs_eval_derivs(
+        g: *const nurbs,
+        order: i32,
+        n: i64,
+        params: *const f64,
+        param_stride: i64,
+        param_component_stride: i64,
+        derivs: *mut f64,
+        deriv_stride: i64,
+        deriv_component_stride: i64,
+        flags: u32,
+    ) -> nurbs_status;
+    pub fn nurbs_eval_grid(
+        g: *const nurbs,
+        counts: *const i64,
+        params: *const f64,
+        points: *mut f64,
+        point_stride: i64,
+        point_component_stride: i64,
+        flags: u32,
+    ) -> nurbs_status;
+    pub fn nurbs_eval_grid_derivs(
+        g: *const nurbs,
+        order: i32,
+        counts: *const i64,
+        params: *const f64,
+        derivs: *mut f64,
+        deriv_stride: i64,
+        deriv_component_stride: i64,
+        flags: u32,
+    ) -> nurbs_status;
+    pub fn nurbs_iso(
+        g: *const nurbs,
+        axis: i32,
+        param: f64,
+        flags: u32,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    pub fn nurbs_insert_knot(
+        g: *const nurbs,
+        axis: i32,
+        knot: f64,
+        times: i32,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    pub fn nurbs_read_options_init(options: *mut nurbs_read_options, struct_size: i64) -> nurbs_status;
+    pub fn nurbs_read(
+        bytes: *const c_void,
+        size: i64,
+        options: *const nurbs_read_options,
+        out: *mut *mut nurbs_list,
+    ) -> nurbs_status;
+    pub fn nurbs_read_file(
+        path: *const c_char,
+        options: *const nurbs_read_options,
+        out: *mut *mut nurbs_list,
+    ) -> nurbs_status;
+    pub fn nurbs_list_count(list: *const nurbs_list, count: *mut i64) -> nurbs_status;
+    pub fn nurbs_list_get(list: *const nurbs_list, index: i64, out: *mut *mut nurbs) -> nurbs_status;
+    pub fn nurbs_list_name(
+        list: *const nurbs_list,
+        index: i64,
+        buf: *mut c_char,
+        cap: i64,
+        length: *mut i64,
+    ) -> nurbs_status;
+    pub fn nurbs_list_note_count(list: *const nurbs_list, count: *mut i64) -> nurbs_status;
+    pub fn nurbs_list_note(
+        list: *const nurbs_list,
+        index: i64,
+        entity_type: *mut i32,
+        line: *mut i64,
+        reason: *mut nurbs_status,
+        buf: *mut c_char,
+        cap: i64,
+        length: *mut i64,
+    ) -> nurbs_status;
+    pub fn nurbs_list_unit(list: *const nurbs_list, metres: *mut f64) -> nurbs_status;
+    pub fn nurbs_list_destroy(list: *mut nurbs_list);
+}

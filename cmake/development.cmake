@@ -1,0 +1,30 @@
+# What holds only when this project is built by itself.
+
+if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+    set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
+endif()
+
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+
+find_program(NURBS_CCACHE ccache)
+if(NURBS_CCACHE)
+    foreach(language C CXX)
+        if(NOT DEFINED CMAKE_${language}_COMPILER_LAUNCHER)
+            set(CMAKE_${language}_COMPILER_LAUNCHER "${NURBS_CCACHE}")
+        endif()
+    endforeach()
+endif()
+
+# libFuzzer counts coverage in every object, and finds little without the two sanitizers.
+if(NURBS_FUZZ)
+    if(NOT CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+        message(FATAL_ERROR "NURBS_FUZZ needs clang; other compilers replay the corpus instead")
+    endif()
+    set(NURBS_SANITIZE "address,undefined" CACHE STRING "" FORCE)
+    add_compile_options(-fsanitize=fuzzer-no-link)
+endif()
+
+if(NURBS_SANITIZE)
+    add_compile_options(-fsanitize=${NURBS_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+    add_link_options(-fsanitize=${NURBS_SANITIZE} -fno-sanitize-recover=all)
+endif()

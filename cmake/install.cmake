@@ -1,0 +1,45 @@
+# What is installed, and how other builds find it: CMake package and pkg-config file. Both are relocatable.
+include(CMakePackageConfigHelpers)
+
+install(TARGETS nurbs nurbs_static EXPORT nurbs-targets
+    LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}"
+    ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}")
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/include/nurbs" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}"
+    FILES_MATCHING PATTERN "*.h" PATTERN "*.hpp")
+
+# The other languages' modules are installed as sources: compiled Fortran modules and Rust crates belong to one compiler
+# each, and Python's package goes where a packager's interpreter looks for it.
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/capi/bindings/" DESTINATION "${CMAKE_INSTALL_DATADIR}/nurbs"
+    FILES_MATCHING PATTERN "*.f90" PATTERN "*.py" PATTERN "*.rs" PATTERN "Cargo.toml"
+    PATTERN "__pycache__" EXCLUDE PATTERN "target" EXCLUDE)
+install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}")
+
+set(package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/nurbs")
+install(EXPORT nurbs-targets NAMESPACE nurbs:: DESTINATION "${package_dir}")
+configure_package_config_file("${PROJECT_SOURCE_DIR}/cmake/nurbs-config.cmake.in"
+    "${PROJECT_BINARY_DIR}/nurbs-config.cmake"
+    INSTALL_DESTINATION "${package_dir}" NO_SET_AND_CHECK_MACRO)
+# Before 1.0.0 a minor release may change the interface.
+write_basic_package_version_file("${PROJECT_BINARY_DIR}/nurbs-config-version.cmake"
+    COMPATIBILITY SameMinorVersion)
+install(FILES "${PROJECT_BINARY_DIR}/nurbs-config.cmake" "${PROJECT_BINARY_DIR}/nurbs-config-version.cmake"
+    DESTINATION "${package_dir}")
+
+# pkg-config: directories relative to the .pc file, except where the installer asked for absolute ones.
+foreach(kind LIB INCLUDE)
+    string(TOLOWER "${kind}" name)
+    if(IS_ABSOLUTE "${CMAKE_INSTALL_${kind}DIR}")
+        set(pc_${name}dir "${CMAKE_INSTALL_${kind}DIR}")
+    else()
+        set(pc_${name}dir "\${prefix}/${CMAKE_INSTALL_${kind}DIR}")
+    endif()
+endforeach()
+if(IS_ABSOLUTE "${CMAKE_INSTALL_LIBDIR}")
+    set(pc_prefix "${CMAKE_INSTALL_PREFIX}")
+else()
+    file(RELATIVE_PATH pc_up "/${CMAKE_INSTALL_LIBDIR}/pkgconfig" "/")
+    string(REGEX REPLACE "/$" "" pc_up "${pc_up}")
+    set(pc_prefix "\${pcfiledir}/${pc_up}")
+endif()
+configure_file("${PROJECT_SOURCE_DIR}/cmake/nurbs.pc.in" "${PROJECT_BINARY_DIR}/nurbs.pc" @ONLY)
+install(FILES "${PROJECT_BINARY_DIR}/nurbs.pc" DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig")

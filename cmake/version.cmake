@@ -1,0 +1,15 @@
+# The version stands once, as macros in the public header.
+function(nurbs_read_version header result)
+    set(parts "")
+    foreach(part MAJOR MINOR PATCH)
+        file(STRINGS "${header}" line REGEX "^#define NURBS_VERSION_${part} [0-9]+$")
+        if(NOT line MATCHES "([0-9]+)$")
+            message(FATAL_ERROR "${header} does not define NURBS_VERSION_${part}")
+        endif()
+        list(APPEND parts "${CMAKE_MATCH_1}")
+    endforeach()
+    list(JOIN parts "." version)
+    set(${result} "${version}" PARENT_SCOPE)
+    # A new version must configure again.
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${header}")
+endfunction()

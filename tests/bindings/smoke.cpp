@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+// The C++ wrapper: create, evaluate a batch, insert a knot, and be told what is wrong.
+#include <nurbs/nurbs.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <limits>
+
+using libnurbs::Input;
+using libnurbs::Output;
+using libnurbs::Spline;
+
+static int failures = 0;
+static constexpr double eps = std::numeric_limits<double>::epsilon();
+
+static void expect(bool condition, const char *what, int line) {
+    if (!condition) {
+        std::cout << __FILE__ << ":" << line << ": " << what << "\n";
+        ++failures;
+    }
+}
+#define EXPECT(condition) expect((condition), #condition, __LINE__)
+
+// The error that a call throws; success if it throws none.
+template <class F>
+static libnurbs::Error error_of(F &&f) {
+    try {
+        f();
+    } catch (const libnurbs::Error &error) {
+        return error;
+    }
+    return {libnurbs::Status::ok, ""};
+}
+
+static const std::vector<double> circle_points{1, 0, 1, 1, 0, 1, -1, 1, -1, 0, -1, -1, 0, -1, 1, -1, 1, 0};
+
+// The unit circle as four rational quadratic quarters.
+static Spline circle() {
+    const double s = std::sqrt(0.5);
+    return Spline::create({2}, {9}, libnurbs::knots_bezier(2, 4), 2, circle_points,
+                          {1, s, 1, s, 1, s, 1, s, 1});
+}
+
+// z = u v over the unit square.
+static Spline patch() {
+    return Spline::create_bezier({1, 1}, 3, {0, 0, 0, 0, 1, 0, 1, 0, 0, 1, 1, 1});
+}
+
+static std::vector<double> samples() {
+    std::vector<double> params(1001);
+    for (std::size_t i = 0; i < params.size(); ++i) {
+        params[i] = static_cast<double>(i) / 1000.0;
+    }
+    return params;
+}
+
+static double largest_difference(const std::vector<double> &a, const std::vector<double> &b) {
+    double largest = a.size() == b.size() ? 0 : 1;
+    for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
+        largest = std::max(largest, std::abs(a[i] - b[i]));
+    }
+    return largest;
+}
+
+static void known_points() {
+    EXPECT((circle().eval({0, 0.25, 0.5, 0.75}) == std::vector<double>{1, 0, 0, 1, -1, 0, 0, -1}));
+    const auto derivs = patch().eval_derivs(1, {0.25, 0.5});
+    EXPECT((derivs == std::vector<double>{0.25, 0.5, 0.125, 1, 0, 0.5, 0, 1, 0.25}));
+    EXPECT((patch().iso(0, 0.5).eval({1}) == std::vector<double>{0.5, 1, 0.5}));
+    EXPECT(patch().eval_grid({2, 1}, {0, 1, 0.5}) == patch().eval({0, 0.5, 1, 0.5}));
+    EXPECT(patch().eval_grid_derivs(2, {2, 1}, {0, 1, 0.5}) == patch().eval_derivs(2, {0, 0.5, 1, 0.5}));
+}
+
+static void insertion_keeps_the_circle() {
+    const auto params = samples();
+    const Spline before = circle(), after = before.insert_knot(0, 0.3, 2);
+    const auto points = after.eval(params);
+    EXPECT(after.count(0) == 11);
+    EXPECT(largest_difference(points, before.eval(params)) <= 8 * eps);
+    for (std::size_t i = 0; i < points.size(); i += 2) {
+        EXPECT(std::abs(std::hypot(points[i], points[i + 1]) - 1) <= 8 * eps);
+    }
+}
+
+static void arrays_of_any_layout() {
+    std::vector<double> columns(8);
+    circle().eval({0, 0.25, 0.5, 0.75}, Output(columns, 4, 1, 4));
+    EXPECT((columns == std::vector<double>{1, 0, -1, 0, 0, 1, 0, -1}));
+    EXPECT(circle().with_points(Input(circle_points, 9, 2, 1)).points() == circle_points);
+}
+
+static void values_of_a_handle() {
+    Spline a = circle();
+    const Spline b = a;
+    Spline c = std::move(a);
+    EXPECT(b.point_count() == 9 && c.dimension() == 2 && a.get() == nullptr);
+    a = c;
+    EXPECT(a.axes() == 1 && a.degree(0) == 2 && a.is_rational());
+    EXPECT(error_of([] { (void)Spline().axes(); }).status() == libnurbs::Status::null);
+}
+
+static void inspection() {
+    const Spline g = circle();
+    const auto distinct = g.distinct_knots(0);
+    EXPECT((distinct.knots == std::vector<double>{0, 0.25, 0.5, 0.75, 1}));
+    EXPECT((distinct.multiplicities == std::vector<std::int32_t>{3, 2, 2, 2, 3}));
+    EXPECT(g.knot_form(0) == (libnurbs::form_clamped_start | libnurbs::form_clamped_end));
+    EXPECT(g.domain(0)[1] == 1 && g.greville(0)[1] == 0.125 && g.hull_size({0.1})[0] == 1);
+    EXPECT((g.rational_basis({0}).values == std::vector<double>{1, 0, 0}));
+}
+
+static void constructors_agree() {
+    const Spline g = circle();
+    const auto knots = g.knots(0), weights = g.weights();
+    const auto d = g.distinct_knots(0);
+    const libnurbs::View<double> inner = std::span(knots).subspan(1, knots.size() - 2);
+    for (const Spline &other :
+         {Spline::create_short({2}, {9}, inner, 2, circle_points, weights),
+          Spline::create_multiplicities({2}, {9}, {5}, d.knots, d.multiplicities, 2, circle_points, weights),
+          Spline::create_homogeneous({2}, {9}, knots, 2, g.homogeneous_points())}) {
+        EXPECT(other.knots(0) == knots);
+        EXPECT(largest_difference(other.eval({0.1}), g.eval({0.1})) <= 4 * eps);
+    }
+}
+
+static void bases() {
+    const auto knots = libnurbs::knots_open_uniform(2, 4);
+    const auto basis = libnurbs::basis(2, knots, 0, {0, 0.5, 1});
+    EXPECT(basis.spans == libnurbs::find_spans(2, knots, {0, 0.5, 1}));
+    EXPECT((basis.values == std::vector<double>{1, 0, 0, 0.5, 0.5, 0, 0, 0, 1}));
+    EXPECT((libnurbs::bernstein(2, 0, {0.5}) == std::vector<double>{0.25, 0.5, 0.25}));
+    EXPECT((libnurbs::knots_uniform(1, 3) == std::vector<double>{-0.5, 0, 0.5, 1, 1.5}));
+    EXPECT((libnurbs::knots_periodic(1, {0, 1, 2}) == std::vector<double>{-1, 0, 1, 2, 3}));
+    EXPECT((libnurbs::knots_averaged(2, {0, 1, 2, 4}) == std::vector<double>{0, 0, 0, 1.5, 4, 4, 4}));
+    EXPECT((libnurbs::knots_bezier(1, {0, 2, 3}) == std::vector<double>{0, 0, 2, 3, 3}));
+}
+
+static void errors_name_what_is_wrong() {
+    std::vector<double> params(20, 0.5), points(40, 7.0);
+    params[17] = 1.25;
+    const auto error = error_of([&] { circle().eval(params, points); });
+    const std::string text = error.what();
+    std::cout << error.name() << ": " << text << "\n";
+    EXPECT(error.status() == libnurbs::Status::outside_domain);
+    EXPECT(text.find("params[17]") != text.npos && text.find("1.25") != text.npos);
+    EXPECT(std::ranges::all_of(points, [](double x) { return x == 7.0; }));
+    EXPECT((circle().eval({1.25}, libnurbs::clamp) == std::vector<double>{1, 0}));
+    points.resize(39);
+    EXPECT(error_of([&] { circle().eval(params, points); }).status() == libnurbs::Status::size);
+    EXPECT(error_of([&] { (void)circle().eval(Input(params, 20, 2)); }).status() == libnurbs::Status::size);
+    EXPECT(error_of([] { (void)libnurbs::List::read_file("/no/such/file"); }).status() ==
+           libnurbs::Status::file);
+}
+
+int main() {
+    known_points();
+    insertion_keeps_the_circle();
+    arrays_of_any_layout();
+    values_of_a_handle();
+    inspection();
+    constructors_agree();
+    bases();
+    errors_name_what_is_wrong();
+    return failures == 0 ? 0 : 1;
+}

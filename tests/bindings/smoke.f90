@@ -1,0 +1,187 @@
+! SPDX-License-Identifier: MIT
+! The Fortran binding: create, evaluate a batch, insert a knot, and be told what is wrong.
+program smoke
+    use, intrinsic :: iso_c_binding
+    use nurbs
+    implicit none
+    integer, parameter :: samples = 1001
+    real(c_double), parameter :: eps = epsilon(1.0_c_double)
+    integer :: failures = 0
+
+    call known_points()
+    call insertion_keeps_the_circle()
+    call surfaces()
+    call sections_and_copies()
+    call inspection()
+    call constructors_agree()
+    call errors_name_what_is_wrong()
+    call files()
+    if (failures > 0) error stop 'failures, see above'
+
+contains
+
+    subroutine expect(condition, what)
+        logical, intent(in) :: condition
+        character(len=*), intent(in) :: what
+        if (condition) return
+        print '(2a)', 'failed: ', what
+        failures = failures + 1
+    end subroutine expect
+
+    ! The unit circle as four rational quadratic quarters.
+    subroutine make_circle(g)
+        type(nurbs_spline), intent(inout) :: g
+        real(c_double) :: points(9, 2), weights(9), knots(12)
+        points(:, 1) = [1, 1, 0, -1, -1, -1, 0, 1, 1]
+        points(:, 2) = [0, 1, 1, 1, 0, -1, -1, -1, 0]
+        weights = 1
+        weights(2:8:2) = sqrt(0.5_c_double)
+        call expect(nurbs_knots_bezier(2, 4_c_int64_t, knot_count=12_c_int64_t, knots=knots) == NURBS_OK, 'knots')
+        call g%create([2], [9], knots, points, weights)
+    end subroutine make_circle
+
+    function params() result(t)
+        real(c_double) :: t(samples)
+        integer :: i
+        t = [(i / real(samples - 1, c_double), i=0, samples - 1)]
+    end function params
+
+    subroutine known_points()
+        type(nurbs_spline) :: g
+        real(c_double) :: points(4, 2)
+        call make_circle(g)
+        call g%eval([0.0_c_double, 0.25_c_double, 0.5_c_double, 0.75_c_double], points)
+        call expect(all(points(:, 1) == [1, 0, -1, 0]) .and. all(points(:, 2) == [0, 1, 0, -1]), 'points')
+        call g%eval([0.5_c_double], points(2:2, :))
+        call expect(all(points(2, :) == [-1, 0]) .and. points(1, 1) == 1, 'one point in a section')
+    end subroutine known_points
+
+    subroutine insertion_keeps_the_circle()
+        type(nurbs_spline) :: g, finer
+        real(c_double) :: before(samples, 2), after(samples, 2)
+        call make_circle(g)
+        call g%insert_knot(1, 0.3_c_double, 2, finer)
+        call g%eval(params(), before)
+        call finer%eval(params(), after)
+        call expect(finer%count(1) == 11, 'two more control points')
+        call expect(maxval(abs(after - before)) <= 8 * eps, 'the same shape')
+        call expect(maxval(abs(hypot(after(:, 1), after(:, 2)) - 1)) <= 8 * eps, 'a circle')
+    end subroutine insertion_keeps_the_circle
+
+    ! z = u v over the unit square.
+    subroutine surfaces()
+        type(nurbs_spline) :: g, curve
+        real(c_double) :: net(4, 3), derivs(1, 3, 6), grid(6, 3), grid_derivs(6, 3, 3), end_point(1, 3), values(1, 4)
+        integer(c_int64_t) :: spans(1, 2)
+        net = reshape([0, 0, 1, 1, 0, 1, 0, 1, 0, 0, 0, 1], [4, 3]) * 1.0_c_double
+        call g%create_bezier([1, 1], net)
+        call g%eval_derivs(2, reshape([0.25_c_double, 0.5_c_double], [1, 2]), derivs)
+        call expect(all(derivs(1, 3, :) == [0.125d0, 0.5d0, 0.25d0, 0d0, 1d0, 0d0]), 'derivatives of u v')
+        call g%eval_grid([3, 2], [0d0, 0.5d0, 1d0, 0.25d0, 1d0], grid)
+        call expect(all(grid(:, 3) == [0d0, 0d0, 0.125d0, 0.5d0, 0.25d0, 1d0]), 'grid')
+        call g%eval_grid_derivs(1, [3, 2], [0d0, 0.5d0, 1d0, 0.25d0, 1d0], grid_derivs)
+        call expect(all(grid_derivs(:, 3, 2) == [0.25d0, 1d0, 0.25d0, 1d0, 0.25d0, 1d0]), 'derivatives on a grid')
+        call g%iso(1, 0.5d0, curve)
+        call curve%eval([1d0], end_point)
+        call expect(all(end_point(1, :) == [0.5d0, 1d0, 0.5d0]), 'iso-curve')
+        call g%rational_basis(reshape([0d0, 1d0], [1, 2]), spans, values)
+        call expect(all(spans(1, :) == [2, 2]) .and. all(values(1, :) == [0, 1, 0, 0]), 'basis')
+    end subroutine surfaces
+
+    subroutine sections_and_copies()
+        type(nurbs_spline) :: g, copied, moved
+        real(c_double) :: wide(8, 2), tight(4, 2)
+        real(c_double), allocatable :: points(:, :)
+        call make_circle(g)
+        wide = 7
+        call g%eval([0d0, 0.25d0, 0.5d0, 0.75d0], tight)
+        call g%eval([0d0, 0.25d0, 0.5d0, 0.75d0], wide(1::2, :))
+        call expect(all(wide(1::2, :) == tight) .and. all(wide(2::2, :) == 7), 'every other row')
+        copied = g
+        call g%destroy()
+        call expect(copied%point_count() == 9, 'a copy outlives its original')
+        call copied%points(points)
+        call copied%with_points(points + 1, moved)
+        call moved%eval([0d0], tight(1:1, :))
+        call expect(all(tight(1, :) == [2, 1]), 'moved points')
+        copied = copied
+        call expect(copied%dimension() == 2, 'assignment to itself')
+    end subroutine sections_and_copies
+
+    subroutine inspection()
+        type(nurbs_spline) :: g
+        real(c_double), allocatable :: knots(:), abscissae(:)
+        integer(c_int32_t), allocatable :: times(:)
+        real(c_double) :: sizes(1)
+        call make_circle(g)
+        call expect(g%axes() == 1, 'axes')
+        call expect(g%degree(1) == 2, 'degree')
+        call expect(g%is_rational(), 'rational')
+        call expect(all(g%domain(1) == [0, 1]), 'domain')
+        call expect(g%knot_form(1) == NURBS_FORM_CLAMPED_START + NURBS_FORM_CLAMPED_END, 'form')
+        call g%distinct_knots(1, knots, times)
+        call expect(all(knots == [0d0, 0.25d0, 0.5d0, 0.75d0, 1d0]) .and. all(times == [3, 2, 2, 2, 3]), 'knots')
+        call g%greville(1, abscissae)
+        call expect(size(abscissae) == 9 .and. abscissae(2) == 0.125d0, 'Greville abscissae')
+        call g%hull_size([0.1d0], sizes)
+        call expect(sizes(1) == 1, 'hull size')
+        call expect(nurbs_on_axis(3, NURBS_CLAMP) == int(z'020000'), 'flags of the third axis')
+        call expect(nurbs_on_all_axes(2, NURBS_LEFT) == int(z'0101'), 'flags of two axes')
+    end subroutine inspection
+
+    subroutine constructors_agree()
+        type(nurbs_spline) :: g, others(3)
+        real(c_double), allocatable :: knots(:), distinct(:), points(:, :), weights(:), homogeneous(:, :)
+        integer(c_int32_t), allocatable :: times(:)
+        real(c_double) :: expected(1, 2), point(1, 2)
+        integer :: i
+        call make_circle(g)
+        call g%knots(1, knots)
+        call g%distinct_knots(1, distinct, times)
+        call g%points(points)
+        call g%weights(weights)
+        call g%homogeneous_points(homogeneous)
+        call others(1)%create_short([2], [9], knots(2:11), points, weights)
+        call others(2)%create_multiplicities([2], [9], [5], distinct, times, points, weights)
+        call others(3)%create_homogeneous([2], [9], knots, homogeneous)
+        call g%eval([0.1d0], expected)
+        do i = 1, 3
+            call others(i)%eval([0.1d0], point)
+            call expect(maxval(abs(point - expected)) <= 4 * eps, 'constructors agree')
+        end do
+    end subroutine constructors_agree
+
+    subroutine errors_name_what_is_wrong()
+        type(nurbs_spline) :: g
+        real(c_double) :: t(20), points(20, 2)
+        integer(c_int32_t) :: status
+        character(len=:), allocatable :: text
+        call make_circle(g)
+        t = 0.5d0
+        t(18) = 1.25d0
+        points = 7
+        call g%eval(t, points, status=status)
+        text = nurbs_message()
+        print '(3a)', nurbs_status_text(status), ': ', text
+        call expect(status == NURBS_ERROR_OUTSIDE_DOMAIN, 'status')
+        call expect(nurbs_status_text(status) == 'NURBS_ERROR_OUTSIDE_DOMAIN', 'name of the status')
+        call expect(index(text, 'params[17]') > 0 .and. index(text, '1.25') > 0, 'array, index and value')
+        call expect(all(points == 7), 'a failing call writes nothing')
+        call g%eval(t(18:18), points(1:1, :), flags=NURBS_CLAMP)
+        call expect(all(points(1, :) == [1, 0]), 'clamped')
+        call g%eval(t, points(1:19, :), status=status)
+        call expect(status == NURBS_ERROR_SIZE, 'output of a wrong shape')
+        call g%create([1], [4], [0d0, 0d0, 2d0, 1d0, 3d0, 3d0], points(1:4, :), status=status)
+        call expect(status == NURBS_ERROR_KNOTS_DECREASING, 'decreasing knots')
+        call expect(.not. c_associated(g%handle), 'nothing is left after a failure')
+    end subroutine errors_name_what_is_wrong
+
+    subroutine files()
+        type(nurbs_list) :: list
+        integer(c_int32_t) :: status
+        call list%read_file('/no/such/file', status=status)
+        call expect(status == NURBS_ERROR_FILE, 'a file that is not there')
+        call list%read('no file of a known format', status=status)
+        call expect(status / 100 == 4, 'not a known format')
+    end subroutine files
+end program smoke

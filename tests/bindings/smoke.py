@@ -1,0 +1,182 @@
+# SPDX-License-Identifier: MIT
+"""The Python binding: create, evaluate a batch, insert a knot, and be told what is wrong."""
+
+import ctypes
+import sys
+import threading
+import unittest
+
+try:
+    import numpy as np
+except ImportError:
+    print("SKIPPED: NumPy is not installed")
+    sys.exit(77)
+
+import nurbs
+
+EPS = np.finfo(float).eps
+
+
+def circle():
+    """The unit circle as four rational quadratic quarters."""
+    s = 0.5**0.5
+    points = [[1, 0], [1, 1], [0, 1], [-1, 1], [-1, 0], [-1, -1], [0, -1], [1, -1], [1, 0]]
+    return nurbs.Spline(2, nurbs.knots_bezier(2, 4), points, [1, s, 1, s, 1, s, 1, s, 1])
+
+
+def patch():
+    """z = u v over the unit square, as a Bezier patch of degrees 1 and 2 with counts 2 and 3."""
+    u, v = np.meshgrid([0.0, 1.0], [0.0, 0.5, 1.0], indexing="ij")
+    return nurbs.Spline.bezier(np.stack([u, v, u * v], axis=-1))
+
+
+class Evaluation(unittest.TestCase):
+    def test_known_points(self):
+        points = circle().eval([0.0, 0.25, 0.5, 0.75, 1.0])
+        np.testing.assert_array_equal(points, [[1, 0], [0, 1], [-1, 0], [0, -1], [1, 0]])
+
+    def test_knot_insertion_keeps_the_circle(self):
+        before, t = circle(), np.linspace(0, 1, 1001)
+        after = before.insert_knot(0.3, times=2)
+        self.assertEqual(after.count(), 11)
+        self.assertEqual(list(after.knots()).count(0.3), 2)
+        self.assertLess(np.abs(after.eval(t) - before.eval(t)).max(), 8 * EPS)
+        self.assertLess(np.abs(np.hypot(*after.eval(t).T) - 1).max(), 8 * EPS)
+
+    def test_derivative_of_a_product(self):
+        derivs = patch().eval_derivs([[0.25, 0.5]], order=2)
+        self.assertEqual(derivs.shape, (1, 6, 3))
+        np.testing.assert_array_equal(derivs[0, :, 2], [0.125, 0.5, 0.25, 0, 1, 0])
+
+    def test_grid_equals_points_bit_for_bit(self):
+        u, v = np.linspace(0, 1, 5), np.linspace(0, 1, 7)
+        pairs = np.stack(np.meshgrid(u, v, indexing="ij"), axis=-1)
+        np.testing.assert_array_equal(patch().eval_grid(u, v), patch().eval(pairs))
+        np.testing.assert_array_equal(patch().eval_grid_derivs(u, v, order=1), patch().eval_derivs(pairs, order=1))
+
+
+class Arrays(unittest.TestCase):
+    def test_strided_output_is_filled_in_place(self):
+        t = np.linspace(0, 1, 9)
+        expected = circle().eval(t)
+        for out in (np.zeros((9, 2), order="F"), np.zeros((9, 5))[:, 1:3], np.zeros((18, 2))[::2]):
+            self.assertIs(circle().eval(t, out=out), out)
+            np.testing.assert_array_equal(out, expected)
+
+    def test_reversed_arrays_are_copied(self):
+        t, out = np.linspace(0, 1, 9), np.zeros((9, 2))
+        circle().eval(t[::-1], out=out[::-1])
+        np.testing.assert_array_equal(out, circle().eval(t))
+
+    def test_fortran_points(self):
+        points = np.asfortranarray(circle().points())
+        same = circle().with_points(points)
+        np.testing.assert_array_equal(same.points(), points)
+        np.testing.assert_array_equal(same.weights(), circle().weights())
+
+    def test_shapes(self):
+        self.assertEqual(circle().eval(0.5).shape, (2,))
+        self.assertEqual(circle().eval(np.zeros((3, 4))).shape, (3, 4, 2))
+        self.assertEqual(patch().eval(np.zeros((3, 4, 2))).shape, (3, 4, 3))
+        self.assertEqual(circle().eval([]).shape, (0, 2))
+        with self.assertRaises(ValueError):
+            patch().eval([0.5, 0.5, 0.5])
+        with self.assertRaises(ValueError):
+            circle().eval([0.5], out=np.zeros((1, 3)))
+
+
+class Inspection(unittest.TestCase):
+    def test_circle(self):
+        c = circle()
+        self.assertEqual((c.axes, c.dimension, c.degrees, c.counts, c.rational), (1, 2, (2,), (9,), True))
+        self.assertEqual((c.point_count, c.domain()), (9, (0.0, 1.0)))
+        values, times = c.distinct_knots()
+        self.assertEqual((values.tolist(), times.tolist()), ([0, 0.25, 0.5, 0.75, 1], [3, 2, 2, 2, 3]))
+        self.assertEqual(c.knot_form(), nurbs.NURBS_FORM_CLAMPED_START | nurbs.NURBS_FORM_CLAMPED_END)
+        self.assertEqual(c.greville()[1], 0.125)
+        self.assertEqual(c.hull_size([0.1, 0.9]).tolist(), [1, 1])
+        self.assertEqual(c.homogeneous_points()[1].tolist(), [0.5**0.5, 0.5**0.5, 0.5**0.5])
+        self.assertEqual(repr(c.clone()), repr(c))
+
+    def test_constructors_agree(self):
+        c, s = circle(), circle().knots()
+        values, times = c.distinct_knots()
+        for other in (nurbs.Spline.short(2, s[1:-1], c.points(), c.weights()),
+                      nurbs.Spline.from_multiplicities(2, values, times, c.points(), c.weights()),
+                      nurbs.Spline.homogeneous(2, s, c.homogeneous_points())):
+            np.testing.assert_array_equal(other.knots(), s)
+            np.testing.assert_allclose(other.eval(0.1), c.eval(0.1), rtol=4 * EPS)
+
+    def test_bases(self):
+        knots = nurbs.knots_open_uniform(2, 4)
+        spans, values = nurbs.basis(2, knots, [0.0, 0.5, 1.0], order=1)
+        self.assertEqual(spans.tolist(), nurbs.find_spans(2, knots, [0.0, 0.5, 1.0]).tolist())
+        self.assertEqual(spans.tolist(), [2, 3, 3])
+        np.testing.assert_array_equal(values.sum(axis=-1), [[1, 0]] * 3)
+        np.testing.assert_array_equal(nurbs.bernstein(2, [0.5]), [[[0.25, 0.5, 0.25]]])
+        spans, values = circle().rational_basis([0.0])
+        self.assertEqual((spans.tolist(), values.tolist()), ([[2]], [[1, 0, 0]]))
+        self.assertEqual(nurbs.knots_uniform(1, 3).tolist(), [-0.5, 0, 0.5, 1, 1.5])
+        self.assertEqual(nurbs.knots_periodic(1, [0, 1, 2]).tolist(), [-1, 0, 1, 2, 3])
+        self.assertEqual(nurbs.knots_averaged(2, [0, 1, 2, 4]).tolist(), [0, 0, 0, 1.5, 4, 4, 4])
+
+    def test_iso_curve(self):
+        np.testing.assert_array_equal(patch().iso(0, 0.5).eval([0.0, 1.0]), [[0.5, 0, 0], [0.5, 1, 0.5]])
+
+
+class Errors(unittest.TestCase):
+    def test_outside_the_domain(self):
+        params = np.full(20, 0.5)
+        params[17] = 1.25
+        out = np.full((20, 2), 7.0)
+        with self.assertRaises(nurbs.NurbsError) as caught:
+            circle().eval(params, out=out)
+        error = caught.exception
+        print(error)
+        self.assertEqual((error.status, error.name), (nurbs.NURBS_ERROR_OUTSIDE_DOMAIN, "NURBS_ERROR_OUTSIDE_DOMAIN"))
+        self.assertIn("params[17]", error.message)
+        self.assertIn("1.25", error.message)
+        self.assertTrue((out == 7).all(), "a failing call writes nothing")
+        np.testing.assert_array_equal(circle().eval([1.25], nurbs.NURBS_CLAMP), [[1, 0]])
+
+    def test_bad_knot(self):
+        with self.assertRaises(nurbs.NurbsError) as caught:
+            nurbs.Spline(1, [0, 0, 2, 1, 3, 3], np.zeros((4, 2)))
+        self.assertEqual(caught.exception.status, nurbs.NURBS_ERROR_KNOTS_DECREASING)
+        self.assertRegex(caught.exception.message, r"knots\[3\]")
+
+    def test_numbers_that_do_not_fit(self):
+        with self.assertRaisesRegex(ctypes.ArgumentError, "4294967296 does not fit"):
+            circle().degree(2**32)
+        with self.assertRaises(nurbs.NurbsError):
+            circle().degree(1)
+
+    def test_files(self):
+        with self.assertRaises(nurbs.NurbsError) as caught:
+            nurbs.read(b"no file of a known format")
+        self.assertEqual(caught.exception.status // 100, 4)
+        with self.assertRaises(nurbs.NurbsError) as caught:
+            nurbs.read_file("/no/such/file")
+        self.assertEqual(caught.exception.status, nurbs.NURBS_ERROR_FILE)
+
+
+class Threads(unittest.TestCase):
+    def test_one_spline_in_many_threads(self):
+        shared, t = circle(), np.linspace(0, 1, 20000)
+        expected, results = shared.eval(t), [None] * 4
+
+        def work(i):
+            results[i] = shared.insert_knot(0.3).eval(t), shared.eval(t)
+
+        threads = [threading.Thread(target=work, args=(i,)) for i in range(4)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        for inserted, plain in results:
+            np.testing.assert_array_equal(plain, expected)
+            self.assertLess(np.abs(inserted - expected).max(), 8 * EPS)
+
+
+if __name__ == "__main__":
+    unittest.main()

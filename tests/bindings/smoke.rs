@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+//! The Rust binding: create, evaluate a batch, insert a knot, and be told what is wrong.
+
+use nurbs::{sys, List, Records, RecordsMut, Result, Spline};
+use std::thread;
+
+const EPS: f64 = f64::EPSILON;
+
+const CIRCLE: [f64; 18] = [1., 0., 1., 1., 0., 1., -1., 1., -1., 0., -1., -1., 0., -1., 1., -1., 1., 0.];
+
+/// The unit circle as four rational quadratic quarters.
+fn circle() -> Result<Spline> {
+    let s = 0.5f64.sqrt();
+    let knots = nurbs::knots_bezier(2, 4)?;
+    Spline::create(&[2], &[9], &knots, 2, &CIRCLE, Some(&[1., s, 1., s, 1., s, 1., s, 1.]), 0)
+}
+
+/// z = u v over the unit square.
+fn patch() -> Result<Spline> {
+    Spline::bezier(&[1, 1], 3, &[0., 0., 0., 0., 1., 0., 1., 0., 0., 1., 1., 1.], None)
+}
+
+fn params() -> Vec<f64> {
+    (0..=1000).map(|i| f64::from(i) / 1000.0).collect()
+}
+
+fn largest_difference(a: &[f64], b: &[f64]) -> f64 {
+    assert_eq!(a.len(), b.len());
+    a.iter().zip(b).map(|(x, y)| (x - y).abs()).fold(0.0, f64::max)
+}
+
+fn known_points() -> Result<()> {
+    assert_eq!(circle()?.eval(&[0.0, 0.25, 0.5, 0.75], 0)?, [1., 0., 0., 1., -1., 0., 0., -1.]);
+    let derivs = patch()?.eval_derivs(2, &[0.25, 0.5], 0)?;
+    let z: Vec<f64> = derivs.chunks(3).map(|d| d[2]).collect();
+    assert_eq!(z, [0.125, 0.5, 0.25, 0.0, 1.0, 0.0]);
+    assert_eq!(patch()?.iso(0, 0.5, 0)?.eval(&[1.0], 0)?, [0.5, 1.0, 0.5]);
+    Ok(())
+}
+
+fn grid_equals_points() -> Result<()> {
+    let (u, v) = ([0.0, 0.3, 1.0], [0.1, 0.7]);
+    let pairs: Vec<f64> = u.iter().flat_map(|&a| v.iter().flat_map(move |&b| [a, b])).collect();
+    assert_eq!(patch()?.eval_grid(&[&u, &v], 0)?, patch()?.eval(&pairs, 0)?);
+    assert_eq!(patch()?.eval_grid_derivs(1, &[&u, &v], 0)?, patch()?.eval_derivs(1, &pairs, 0)?);
+    Ok(())
+}
+
+fn insertion_keeps_the_circle() -> Result<()> {
+    let (before, t) = (circle()?, params());
+    let after = before.insert_knot(0, 0.3, 2)?;
+    assert_eq!(after.count(0)?, 11);
+    assert_eq!(after.knots(0)?.iter().filter(|&&knot| knot == 0.3).count(), 2);
+    let points = after.eval(&t, 0)?;
+    assert!(largest_difference(&points, &before.eval(&t, 0)?) <= 8.0 * EPS);
+    assert!(points.chunks(2).all(|p| (p[0].hypot(p[1]) - 1.0).abs() <= 8.0 * EPS));
+    Ok(())
+}
+
+fn strided_arrays() -> Result<()> {
+    let (t, n) = (params(), 1001);
+    let expected = circle()?.eval(&t, 0)?;
+    let mut columns = vec![0.0; 2 * n];
+    circle()?.eval_into(&t, RecordsMut::strided(&mut columns, n, 1, n), 0)?;
+    assert!((0..n).all(|i| columns[i] == expected[2 * i] && columns[n + i] == expected[2 * i + 1]));
+    let same = circle()?.with_points(Records::strided(&CIRCLE, 9, 2, 1), None)?;
+    assert_eq!(same.points()?, CIRCLE);
+    Ok(())
+}
+
+fn inspection() -> Result<()> {
+    let c = circle()?.clone();
+    assert_eq!((c.axes()?, c.dimension()?, c.degree(0)?, c.point_count()?), (1, 2, 2, 9));
+    assert!(c.is_rational()? && c.domain(0)? == [0.0, 1.0] && c.greville(0)?[1] == 0.125);
+    assert_eq!(c.knot_form(0)?, sys::NURBS_FORM_CLAMPED_START | sys::NURBS_FORM_CLAMPED_END);
+    let distinct = c.distinct_knots(0)?;
+    assert_eq!((distinct.knots[1], distinct.multiplicities), (0.25, vec![3, 2, 2, 2, 3]));
+    assert_eq!(c.hull_size(&[0.1], 0)?, [1.0]);
+    assert_eq!(c.rational_basis(&[0.0], 0)?.values, [1.0, 0.0, 0.0]);
+    Ok(())
+}
+
+fn constructors_agree() -> Result<()> {
+    let c = circle()?;
+    let (knots, weights, homogeneous) = (c.knots(0)?, c.weights()?, c.homogeneous_points()?);
+    let short = Spline::create_short(&[2], &[9], &knots[1..11], 2, &CIRCLE, Some(&weights), 0)?;
+    let d = c.distinct_knots(0)?;
+    let pairs = [(&d.knots[..], &d.multiplicities[..])];
+    let multiple = Spline::create_multiplicities(&[2], &[9], &pairs, 2, &CIRCLE, Some(&weights), 0)?;
+    let projective = Spline::create_homogeneous(&[2], &[9], &knots, 2, &homogeneous, 0)?;
+    for other in [short, multiple, projective] {
+        assert_eq!(other.knots(0)?, knots);
+        assert!(largest_difference(&other.eval(&[0.1], 0)?, &c.eval(&[0.1], 0)?) <= 4.0 * EPS);
+    }
+    Ok(())
+}
+
+fn bases() -> Result<()> {
+    let knots = nurbs::knots_open_uniform(2, 4, 0.0, 1.0)?;
+    let basis = nurbs::basis(2, &knots, 1, &[0.0, 0.5, 1.0], 0)?;
+    assert_eq!(basis.spans, nurbs::find_spans(2, &knots, &[0.0, 0.5, 1.0], 0)?);
+    let sums: Vec<f64> = basis.values.chunks(3).map(|row| row.iter().sum()).collect();
+    assert_eq!(sums, [1.0, 0.0, 1.0, 0.0, 1.0, 0.0]);
+    assert_eq!(nurbs::bernstein(2, 0, &[0.5])?, [0.25, 0.5, 0.25]);
+    assert_eq!(nurbs::knots_uniform(1, 3, 0.0, 1.0)?, [-0.5, 0.0, 0.5, 1.0, 1.5]);
+    assert_eq!(nurbs::knots_periodic(1, &[0., 1., 2.], None)?, [-1., 0., 1., 2., 3.]);
+    assert_eq!(nurbs::knots_averaged(2, &[0., 1., 2., 4.])?, [0., 0., 0., 1.5, 4., 4., 4.]);
+    assert_eq!(nurbs::knots_bezier_breaks(1, &[0., 2., 3.])?, [0., 0., 2., 3., 3.]);
+    Ok(())
+}
+
+fn errors() -> Result<()> {
+    let mut t = vec![0.5; 20];
+    t[17] = 1.25;
+    let mut out = vec![7.0; 40];
+    let error = circle()?.eval_into(&t, &mut out, 0).unwrap_err();
+    println!("{}", error);
+    assert_eq!((error.status, error.name()), (sys::NURBS_ERROR_OUTSIDE_DOMAIN, "NURBS_ERROR_OUTSIDE_DOMAIN"));
+    assert!(error.message.contains("params[17]") && error.message.contains("1.25"));
+    assert!(out.iter().all(|&x| x == 7.0), "a failing call writes nothing");
+    assert_eq!(circle()?.eval(&[1.25], sys::NURBS_CLAMP)?, [1.0, 0.0]);
+    let short = circle()?.eval_into(&[0.5, 0.6], &mut [0.0; 3], 0).unwrap_err();
+    assert_eq!(short.status, sys::NURBS_ERROR_SIZE);
+    let strided = circle()?.eval(Records::strided(&[0.5; 4], 3, 2, 0), 0);
+    assert!(strided.is_err(), "the last of three parameters at distance 2 lies outside an array of 4");
+    let file = List::read(b"no file of a known format", None).err().map(|e| e.status / 100);
+    assert_eq!(file, Some(4));
+    Ok(())
+}
+
+fn threads() -> Result<()> {
+    let (shared, t) = (circle()?, params());
+    let expected = shared.eval(&t, 0)?;
+    thread::scope(|scope| {
+        for _ in 0..4 {
+            scope.spawn(|| assert_eq!(shared.clone().eval(&t, 0).as_ref(), Ok(&expected)));
+        }
+    });
+    Ok(())
+}
+
+fn main() -> Result<()> {
+    known_points()?;
+    grid_equals_points()?;
+    insertion_keeps_the_circle()?;
+    strided_arrays()?;
+    inspection()?;
+    constructors_agree()?;
+    bases()?;
+    errors()?;
+    threads()
+}

@@ -1,0 +1,385 @@
+/* SPDX-License-Identifier: MIT */
+// Every function with every one of its allocations failing: the memory status, no handle, no leak, nothing
+// written, inputs intact, and the same call succeeds afterwards. Then: what evaluation allocates, and what a
+// handle costs.
+#include "check.h"
+
+#include "allocations.h"
+#include "iges_text.h"
+#include "shapes.h"
+
+#include <cstdio>
+#include <vector>
+
+namespace {
+
+// Fresh inputs for each attempt, since tables are built at first use; the output array is long enough for
+// all.
+struct Inputs {
+    nurbs *curve = nullptr, *loop = nullptr, *surface = nullptr, *volume = nullptr, *homogeneous = nullptr;
+    nurbs_list *list = nullptr;
+    double values[1024];
+    int64_t spans[64];
+};
+
+const IgesText file = small_file();
+constexpr const char *path = "allocation_failure_test.igs";
+const double params[] = {0.1, 0.9, 0.3, 0.7, 0.2, 0.6};
+
+nurbs *make_homogeneous() {
+    static const int32_t degree = 2;
+    static const int64_t count = 3;
+    static const double knots[] = {0, 0, 0, 1, 1, 1}, records[] = {1, 0, 1, 0, 1, 0, -1, 0, 1};
+    nurbs *g = nullptr;
+    CHECK_OK(nurbs_create_homogeneous(1, &degree, &count, knots, 6, 2, records, 0, 0, 0, &g));
+    return g;
+}
+
+void fill(Inputs &in) {
+    in.curve = make(circle());
+    in.loop = make(loop());
+    in.surface = make(trough());
+    in.volume = make(cube());
+    in.homogeneous = make_homogeneous();
+    CHECK_OK(nurbs_read(file.bytes, file.size, nullptr, &in.list));
+    FILL(in.values);
+    FILL(in.spans);
+}
+
+void drop(Inputs &in) {
+    nurbs_destroy(in.curve);
+    nurbs_destroy(in.loop);
+    nurbs_destroy(in.surface);
+    nurbs_destroy(in.volume);
+    nurbs_destroy(in.homogeneous);
+    nurbs_list_destroy(in.list);
+}
+
+void check_intact(const Inputs &in) {
+    CHECK_POINTS(in.curve, circle().points);
+    CHECK_WEIGHTS(in.curve, circle().weights);
+    CHECK_KNOTS(in.curve, 0, circle().knots);
+    CHECK_POINTS(in.loop, loop().points);
+    CHECK_POINTS(in.surface, trough().points);
+    CHECK_POINTS(in.volume, cube().points);
+}
+
+// A call makes a handle, or a list, or neither; it takes what it makes into `out` or `list`.
+struct Output {
+    nurbs *out;
+    nurbs_list *list;
+};
+
+struct Case {
+    const char *name;
+    nurbs_status (*call)(Inputs &in, Output &o);
+    bool can_do_without = false; // the C library reads files without a buffer when there is none
+};
+
+nurbs_status short_knots(Inputs &, Output &o) {
+    static const double knots[] = {0, 0, 0.25, 0.25, 0.5, 0.5, 0.75, 0.75, 1, 1};
+    const SplineArgs a = circle();
+    return nurbs_create_short(1, a.degrees, a.counts, knots, 10, 2, a.points, 0, 0, a.weights, 0, 0, &o.out);
+}
+
+nurbs_status grouped_knots(Inputs &, Output &o) {
+    static const int64_t count = 5;
+    static const double knots[] = {0, 0.25, 0.5, 0.75, 1};
+    static const int32_t times[] = {3, 2, 2, 2, 3};
+    const SplineArgs a = circle();
+    return nurbs_create_multiplicities(1, a.degrees, a.counts, &count, knots, times, 2, a.points, 0, 0,
+                                       a.weights, 0, 0, &o.out);
+}
+
+nurbs_status homogeneous(Inputs &, Output &o) {
+    static const double records[] = {1, 1, 1, 2, -1, 1, -1, -1, 1, -1, 1, 2};
+    const SplineArgs a = loop();
+    return nurbs_create_homogeneous(1, a.degrees, a.counts, a.knots, 9, 1, records, 0, 0, 0, &o.out);
+}
+
+nurbs_status averaged(Inputs &in, Output &) {
+    static const double sites[] = {0, 1, 2, 3, 4};
+    return nurbs_knots_averaged(2, 5, sites, 8, in.values);
+}
+
+nurbs_status periodic_knots(Inputs &in, Output &) {
+    static const double breaks[] = {0, 1, 2, 3};
+    return nurbs_knots_periodic(2, 4, breaks, nullptr, 8, in.values);
+}
+
+const int64_t grid_counts[] = {2, 2, 2};
+
+const Case cases[] = {
+    {"create curve",
+     [](Inputs &, Output &o) {
+         const SplineArgs a = circle();
+         return create(&a, &o.out);
+     }},
+    {"create loop",
+     [](Inputs &, Output &o) {
+         const SplineArgs a = loop();
+         return create(&a, &o.out);
+     }},
+    {"create volume",
+     [](Inputs &, Output &o) {
+         const SplineArgs a = cube();
+         return create(&a, &o.out);
+     }},
+    {"create_homogeneous", homogeneous},
+    {"create_short", short_knots},
+    {"create_multiplicities", grouped_knots},
+    {"create_bezier",
+     [](Inputs &, Output &o) {
+         return nurbs_create_bezier(1, arch().degrees, 2, arch().points, 0, 0, nullptr, 0, &o.out);
+     }},
+    {"with_points",
+     [](Inputs &in, Output &o) {
+         return nurbs_with_points(in.curve, circle().points, 0, 0, nullptr, 0, &o.out);
+     }},
+    {"clone", [](Inputs &in, Output &o) { return nurbs_clone(in.curve, &o.out); }},
+    {"knots_uniform", [](Inputs &in, Output &) { return nurbs_knots_uniform(2, 5, 0, 1, 8, in.values); }},
+    {"knots_open_uniform",
+     [](Inputs &in, Output &) { return nurbs_knots_open_uniform(2, 5, 0, 1, 8, in.values); }},
+    {"knots_bezier", [](Inputs &in, Output &) { return nurbs_knots_bezier(2, 2, nullptr, 8, in.values); }},
+    {"knots_averaged", averaged},
+    {"knots_periodic", periodic_knots},
+    {"knots", [](Inputs &in, Output &) { return nurbs_knots(in.curve, 0, 12, in.values); }},
+    {"distinct_knots",
+     [](Inputs &in, Output &) { return nurbs_distinct_knots(in.curve, 0, 5, in.values, nullptr, in.spans); }},
+    {"greville", [](Inputs &in, Output &) { return nurbs_greville(in.curve, 0, 9, in.values); }},
+    {"points", [](Inputs &in, Output &) { return nurbs_points(in.homogeneous, 3, in.values, 0, 0); }},
+    {"weights", [](Inputs &in, Output &) { return nurbs_weights(in.curve, 9, in.values, 0); }},
+    {"homogeneous_points",
+     [](Inputs &in, Output &) { return nurbs_homogeneous_points(in.curve, 9, in.values, 0, 0); }},
+    {"hull_size",
+     [](Inputs &in, Output &) { return nurbs_hull_size(in.curve, 6, params, 0, 0, in.values, 0, 0); }},
+    {"hull_size signed",
+     [](Inputs &in, Output &) { return nurbs_hull_size(in.homogeneous, 6, params, 0, 0, in.values, 0, 0); }},
+    {"find_spans",
+     [](Inputs &in, Output &) {
+         return nurbs_find_spans(2, 9, circle().knots, 12, 6, params, 0, in.spans, 0);
+     }},
+    {"bernstein", [](Inputs &in, Output &) { return nurbs_bernstein(5, 3, 6, params, 0, in.values, 0, 0); }},
+    {"basis",
+     [](Inputs &in, Output &) {
+         return nurbs_basis(2, 9, circle().knots, 12, 4, 6, params, 0, in.spans, in.values, 0, 0, 0);
+     }},
+    {"rational_basis",
+     [](Inputs &in, Output &) {
+         return nurbs_rational_basis(in.curve, 6, params, 0, 0, in.spans, in.values, 0, 0, 0);
+     }},
+    {"rational_basis surface",
+     [](Inputs &in, Output &) {
+         return nurbs_rational_basis(in.surface, 3, params, 0, 0, in.spans, in.values, 0, 0, 0);
+     }},
+    {"eval", [](Inputs &in, Output &) { return nurbs_eval(in.curve, 6, params, 0, 0, in.values, 0, 0, 0); }},
+    {"eval surface",
+     [](Inputs &in, Output &) { return nurbs_eval(in.surface, 3, params, 0, 0, in.values, 0, 0, 0); }},
+    {"eval volume",
+     [](Inputs &in, Output &) { return nurbs_eval(in.volume, 2, params, 0, 0, in.values, 0, 0, 0); }},
+    {"eval_derivs",
+     [](Inputs &in, Output &) {
+         return nurbs_eval_derivs(in.curve, 5, 6, params, 0, 0, in.values, 0, 0, 0);
+     }},
+    {"eval_derivs volume",
+     [](Inputs &in, Output &) {
+         return nurbs_eval_derivs(in.volume, 4, 2, params, 0, 0, in.values, 0, 0, 0);
+     }},
+    {"eval_grid",
+     [](Inputs &in, Output &) {
+         return nurbs_eval_grid(in.surface, grid_counts, params, in.values, 0, 0, 0);
+     }},
+    {"eval_grid_derivs",
+     [](Inputs &in, Output &) {
+         return nurbs_eval_grid_derivs(in.volume, 2, grid_counts, params, in.values, 0, 0, 0);
+     }},
+    {"iso curve", [](Inputs &in, Output &o) { return nurbs_iso(in.surface, 0, 0.3, 0, &o.out); }},
+    {"iso surface", [](Inputs &in, Output &o) { return nurbs_iso(in.volume, 1, 0.3, 0, &o.out); }},
+    {"insert_knot", [](Inputs &in, Output &o) { return nurbs_insert_knot(in.curve, 0, 0.3, 2, &o.out); }},
+    {"insert_knot periodic",
+     [](Inputs &in, Output &o) { return nurbs_insert_knot(in.loop, 0, 2.5, 2, &o.out); }},
+    {"insert_knot surface",
+     [](Inputs &in, Output &o) { return nurbs_insert_knot(in.surface, 1, 1.5, 1, &o.out); }},
+    {"insert_knot 0 times",
+     [](Inputs &in, Output &o) { return nurbs_insert_knot(in.surface, 1, 1.5, 0, &o.out); }},
+    {"read", [](Inputs &, Output &o) { return nurbs_read(file.bytes, file.size, nullptr, &o.list); }},
+    {"read_file", [](Inputs &, Output &o) { return nurbs_read_file(path, nullptr, &o.list); }, true},
+    {"list_get", [](Inputs &in, Output &o) { return nurbs_list_get(in.list, 0, &o.out); }},
+};
+
+// Functions that return fixed-size answers never allocate.
+void scalars_allocate_nothing() {
+    Inputs in;
+    fill(in);
+    allocations::begin();
+    allocations::fail(1, true);
+    int32_t small = 0;
+    int64_t large = 0;
+    double domain[2];
+    char text[64];
+    CHECK(nurbs_axes(in.curve, &small) == NURBS_OK && nurbs_dimension(in.curve, &small) == NURBS_OK);
+    CHECK(nurbs_degree(in.curve, 0, &small) == NURBS_OK && nurbs_count(in.curve, 0, &large) == NURBS_OK);
+    CHECK(nurbs_point_count(in.curve, &large) == NURBS_OK && nurbs_is_rational(in.curve, &small) == NURBS_OK);
+    CHECK(nurbs_knot_form(in.curve, 0, &small) == NURBS_OK && nurbs_domain(in.curve, 0, domain) == NURBS_OK);
+    CHECK(nurbs_derivative_slots(3, 9, &large) == NURBS_OK && nurbs_version() == NURBS_VERSION);
+    CHECK(nurbs_list_count(in.list, &large) == NURBS_OK &&
+          nurbs_list_note_count(in.list, &large) == NURBS_OK);
+    CHECK(nurbs_list_unit(in.list, domain) == NURBS_OK);
+    CHECK(nurbs_list_name(in.list, 0, text, 64, &large) == NURBS_OK);
+    CHECK(nurbs_list_note(in.list, 0, &small, nullptr, nullptr, text, 64, &large) == NURBS_OK);
+    CHECK(nurbs_status_name(NURBS_OK) != nullptr && nurbs_last_error(text, 64) >= 0);
+    nurbs_read_options options;
+    CHECK(nurbs_read_options_init(&options, sizeof options) == NURBS_OK);
+    allocations::fail(0, false);
+    allocations::end();
+    drop(in);
+}
+
+// One attempt with allocation k failing; returns whether there was one.
+bool attempt(const Case &c, int64_t k, bool on) {
+    Inputs in;
+    Output o = {check_poison(), nullptr};
+    const int before = check_failures;
+    allocations::begin();
+    fill(in);
+    check_forget();
+    allocations::fail(k, on);
+    const nurbs_status status = c.call(in, o);
+    const bool failed = allocations::log.failed;
+    allocations::fail(0, false);
+    const bool refused = failed && !(c.can_do_without && status == NURBS_OK);
+    if (refused) {
+        CHECK_INT(status, NURBS_ERROR_MEMORY);
+        CHECK(o.out == nullptr || o.out == check_poison());
+        CHECK(o.list == nullptr);
+        CHECK_UNTOUCHED(in.values);
+        CHECK_UNTOUCHED(in.spans);
+        check_intact(in);
+        o = {check_poison(), nullptr};
+    } else {
+        CHECK_INT(status, NURBS_OK);
+    }
+    if (refused) {
+        CHECK_INT(c.call(in, o), NURBS_OK);
+    }
+    nurbs_destroy(o.out == check_poison() ? nullptr : o.out);
+    nurbs_list_destroy(o.list);
+    drop(in);
+    CHECK_INT(allocations::log.live, 0);
+    allocations::end();
+    if (check_failures != before) {
+        std::fprintf(stderr, "    ... in %s, allocation %lld%s\n", c.name, static_cast<long long>(k),
+                     on ? " and all that follow" : "");
+    }
+    return failed;
+}
+
+void every_allocation_fails() {
+    for (const Case &c : cases) {
+        int64_t k = 1;
+        while (attempt(c, k, false) && attempt(c, k, true)) {
+            ++k;
+        }
+        std::printf("%-24s %lld allocations\n", c.name, static_cast<long long>(k - 1));
+    }
+}
+
+// Allocations of the second call of `run`: the first one may build tables.
+template <class Run>
+int64_t repeated_cost(Run &&run) {
+    run();
+    allocations::begin();
+    allocations::fail(0, false);
+    run();
+    const int64_t count = allocations::log.count;
+    allocations::end();
+    return count;
+}
+
+int64_t eval_cost(const nurbs *g, int axes, int64_t n, int32_t order) {
+    std::vector<double> at(static_cast<size_t>(n * axes), 0.3), out(static_cast<size_t>(n * 40 * 4));
+    return repeated_cost([&] {
+        CHECK(order < 0 ? nurbs_eval(g, n, at.data(), 0, 0, out.data(), 0, 0, 0) == NURBS_OK
+                        : nurbs_eval_derivs(g, order, n, at.data(), 0, 0, out.data(), 0, 0, 0) == NURBS_OK);
+    });
+}
+
+int64_t grid_cost(const nurbs *g, int axes, int64_t side, int32_t order) {
+    const int64_t counts[] = {side, side, side};
+    std::vector<double> at(static_cast<size_t>(side * axes), 0.3),
+        out(static_cast<size_t>(side * side * side * 40));
+    return repeated_cost([&] {
+        CHECK(order < 0
+                  ? nurbs_eval_grid(g, counts, at.data(), out.data(), 0, 0, 0) == NURBS_OK
+                  : nurbs_eval_grid_derivs(g, order, counts, at.data(), out.data(), 0, 0, 0) == NURBS_OK);
+    });
+}
+
+void evaluation_allocates_nothing_per_point() {
+    const SplineArgs shapes[] = {circle(), arch(), loop(), trough(), cube()};
+    for (const SplineArgs &a : shapes) {
+        SplineArgs b = a;
+        static const double shifted[] = {-2, -1, 0, 1, 2, 3, 4, 5, 6};
+        b.knots = a.flags != 0 ? shifted : a.knots; /* so that 0.3 lies in every domain */
+        nurbs *g = make(b);
+        for (int32_t order = -1; order < 3; ++order) {
+            CHECK_INT(eval_cost(g, a.axes, 1, order), eval_cost(g, a.axes, 1000, order));
+            CHECK_INT(grid_cost(g, a.axes, 2, order), grid_cost(g, a.axes, 20, order));
+        }
+        if (a.axes < 3) {
+            CHECK_INT(eval_cost(g, a.axes, 1000, -1), 0);
+        }
+        nurbs_destroy(g);
+    }
+}
+
+// A handle costs its data once and at most 1 KiB.
+void handles_cost_their_data(int64_t count, bool rational) {
+    const int32_t degree = 3, dim = 3;
+    const int64_t knot_count = count + degree + 1;
+    std::vector<double> knots(static_cast<size_t>(knot_count)), points(static_cast<size_t>(count * dim), 0.5);
+    const std::vector<double> weights(static_cast<size_t>(count), 1.5);
+    CHECK_OK(nurbs_knots_uniform(degree, count, 0, 1, knot_count, knots.data()));
+    nurbs *g = nullptr;
+    allocations::begin();
+    CHECK_OK(nurbs_create(1, &degree, &count, knots.data(), knot_count, dim, points.data(), 0, 0,
+                          rational ? weights.data() : nullptr, 0, 0, &g));
+    const auto data = static_cast<size_t>(knot_count + count * dim + (rational ? count : 0)) * sizeof(double);
+    const size_t bytes = allocations::live_bytes();
+    std::printf("%7lld points, %s: %zu bytes beside %zu of data\n", static_cast<long long>(count),
+                rational ? "rational" : "polynomial", bytes - data, data);
+    CHECK(bytes >= data && bytes <= data + 1024);
+    nurbs *clone = nullptr;
+    CHECK_OK(nurbs_clone(g, &clone));
+    CHECK(allocations::live_bytes() <= bytes + 256);
+    nurbs_destroy(clone);
+    nurbs_destroy(g);
+    CHECK_INT(allocations::log.live, 0);
+    allocations::end();
+}
+
+bool write_file() {
+    std::FILE *f = std::fopen(path, "wb");
+    const auto size = static_cast<size_t>(file.size);
+    return f != nullptr && std::fwrite(file.bytes, 1, size, f) == size && std::fclose(f) == 0;
+}
+
+} // namespace
+
+int main() {
+#ifdef ALLOCATIONS_BELONG_TO_A_SANITIZER
+    std::puts("skipped: the sanitizer replaces malloc itself");
+    return 77;
+#else
+    CHECK(write_file());
+    scalars_allocate_nothing();
+    every_allocation_fails();
+    evaluation_allocates_nothing_per_point();
+    for (const int64_t count : {10, 100, 1000, 10000, 100000}) {
+        handles_cost_their_data(count, false);
+        handles_cost_their_data(count, true);
+    }
+    std::remove(path);
+    return check_summary("allocation_failure");
+#endif
+}

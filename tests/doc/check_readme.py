@@ -1,0 +1,52 @@
+"""The README shows the example that is tested, names every function of the library, and points at files that exist.
+
+usage: check_readme.py TOP_FOLDER
+"""
+
+import re
+import sys
+from pathlib import Path
+
+
+def code_blocks(text, language):
+    return re.findall(rf"^```{language}\n(.*?)^```$", text, flags=re.MULTILINE | re.DOTALL)
+
+
+def header_functions(top):
+    text = (top / "include/nurbs/nurbs.h").read_text(encoding="utf-8")
+    text = re.sub(r"/\*.*?\*/", "", text, flags=re.DOTALL)
+    return re.findall(r"^NURBS_API\s[^;(]*?(\w+)\s*\(", text, flags=re.MULTILINE)
+
+
+def named_functions(text):
+    return set(re.findall(r"`(nurbs_\w+)`", text))
+
+
+def linked_files(text):
+    return [target for target in re.findall(r"\]\(([^)#]+)\)", text) if "://" not in target]
+
+
+def problems(top):
+    text = (top / "README.md").read_text(encoding="utf-8")
+    example = (top / "capi/examples/readme.c").read_text(encoding="utf-8")
+    if code_blocks(text, "c") != [example]:
+        yield "the C program of the README is not capi/examples/readme.c"
+    functions = header_functions(top)
+    for name in functions:
+        if name not in named_functions(text):
+            yield f"{name} is not mentioned"
+    for name in named_functions(text) - set(functions) - {"nurbs_list", "nurbs_status", "nurbs_read_options"}:
+        yield f"{name} is mentioned but does not exist"
+    for target in linked_files(text):
+        if not (top / target).exists():
+            yield f"the link to {target} leads nowhere"
+
+
+def main():
+    messages = list(problems(Path(sys.argv[1])))
+    print("\n".join(messages) or "the README agrees with the tree")
+    return 1 if messages else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,15 @@
+// The C++ wrapper as installed: it needs nothing but the C library.
+#include <nurbs/nurbs.hpp>
+
+#include <cstdio>
+
+int main() {
+    const bool same = libnurbs::version() == libnurbs::header_version;
+    try {
+        libnurbs::detail::check(nurbs_eval(nullptr, 0, nullptr, 0, 0, nullptr, 0, 0, 0));
+    } catch (const libnurbs::Error &error) {
+        std::printf("%s: %s\n", error.name(), error.what());
+        return same && error.status() == libnurbs::Status::null ? 0 : 1;
+    }
+    return 1;
+}

@@ -1,0 +1,217 @@
+// One parameter gives the same bits alone, in a batch of any layout and order, on a grid and from any thread.
+#include "support/cases.h"
+#include "support/handle.h"
+
+#include <algorithm>
+#include <atomic>
+#include <gtest/gtest.h>
+#include <numeric>
+#include <thread>
+
+using namespace support;
+
+namespace {
+
+Recipe batch_recipe(int axes, Weights weights) {
+    Recipe recipe;
+    for (int k = 0; k < axes; ++k) {
+        recipe.axes.push_back(
+            {3, k == 0 ? KnotForm::clamped : KnotForm::periodic, Spacing::ratio, Placement::origin, 12});
+    }
+    recipe.weights = weights;
+    return recipe;
+}
+
+// A million points in one call, in that order and shuffled, and each by a call of its own.
+void check_million(int axes, Weights weights, uint64_t seed) {
+    Random random(seed);
+    const auto data = random_spline(random, batch_recipe(axes, weights));
+    const auto g = create(data);
+    const size_t n = 1000000;
+    const auto params = random_params(random, data, static_cast<int>(n));
+    const auto points = eval(g.get(), params);
+    const auto width = static_cast<size_t>(axes);
+    const auto dim = static_cast<size_t>(data.dim);
+    double alone[6];
+    for (size_t i = 0; i < n; ++i) {
+        require_ok(nurbs_eval(g.get(), 1, params.data() + i * width, 0, 0, alone, 0, 0, 0));
+        for (size_t c = 0; c < dim; ++c) {
+            ASSERT_TRUE(same_bits(alone[c], points[i * dim + c])) << where(seed, data) << "parameter " << i;
+        }
+    }
+    // i -> i * step mod n visits every point once in a scattered order, since step is prime to n.
+    std::vector<double> scattered(params.size());
+    const size_t step = 618033;
+    for (size_t i = 0; i < n; ++i) {
+        std::copy_n(params.begin() + static_cast<std::ptrdiff_t>(i * step % n * width), width,
+                    scattered.begin() + static_cast<std::ptrdiff_t>(i * width));
+    }
+    const auto again = eval(g.get(), scattered);
+    for (size_t i = 0; i < n * dim; ++i) {
+        ASSERT_TRUE(same_bits(again[i], points[i / dim * step % n * dim + i % dim])) << where(seed, data);
+    }
+}
+
+TEST(SameBits, a_million_points_of_a_curve) {
+    check_million(1, Weights::moderate, 80000);
+}
+
+TEST(SameBits, a_million_points_of_a_surface) {
+    check_million(2, Weights::none, 80001);
+}
+
+// Points and derivatives of one case in a reference layout, to compare every other way with.
+struct Batch {
+    SplineData data;
+    Handle g;
+    int order;
+    size_t n;
+    size_t width; // of a derivative record
+    std::vector<double> params;
+    std::vector<double> points;
+    std::vector<double> derivs;
+};
+
+Batch make_batch(Random &random, int n) {
+    Batch batch;
+    batch.data = random_spline(random, random_recipe(random, random.whole(1, 3), 6));
+    batch.g = create(batch.data);
+    batch.order = random.whole(0, 3);
+    batch.n = static_cast<size_t>(n);
+    batch.params = random_params(random, batch.data, n);
+    batch.points = eval(batch.g.get(), batch.params);
+    batch.derivs = eval_derivs(batch.g.get(), batch.order, batch.params);
+    batch.width = batch.derivs.size() / batch.n;
+    return batch;
+}
+
+std::vector<double> part(const std::vector<double> &values, size_t record, size_t width) {
+    const auto from = values.begin() + static_cast<std::ptrdiff_t>(record * width);
+    return {from, from + static_cast<std::ptrdiff_t>(width)};
+}
+
+TEST(SameBits, alone_and_in_batches) {
+    for_each_case(81000, 600, [](Random &random, uint64_t seed) {
+        const Batch batch = make_batch(random, random.whole(1, 70));
+        const auto axes = batch.data.degrees.size();
+        const auto dim = static_cast<size_t>(batch.data.dim);
+        for (size_t i = 0; i < batch.n; ++i) {
+            const auto param = part(batch.params, i, axes);
+            ASSERT_TRUE(same_bits(eval(batch.g.get(), param), part(batch.points, i, dim)))
+                << where(seed, batch.data) << "at " << hex(param);
+            ASSERT_TRUE(
+                same_bits(eval_derivs(batch.g.get(), batch.order, param), part(batch.derivs, i, batch.width)))
+                << where(seed, batch.data) << "at " << hex(param);
+        }
+        // A second handle on equal data has tables of its own.
+        ASSERT_TRUE(same_bits(eval(create(batch.data).get(), batch.params), batch.points))
+            << where(seed, batch.data);
+    });
+}
+
+// Order 0 of the derivatives is the point, whatever the order asked for.
+TEST(SameBits, slot_zero_is_the_point_and_low_orders_do_not_change) {
+    for_each_case(82000, 600, [](Random &random, uint64_t seed) {
+        const Batch batch = make_batch(random, 20);
+        const auto dim = static_cast<size_t>(batch.data.dim);
+        const auto more = eval_derivs(batch.g.get(), batch.order + 2, batch.params);
+        const size_t wide = more.size() / batch.n;
+        for (size_t i = 0; i < batch.n; ++i) {
+            auto head = part(more, i, wide);
+            head.resize(batch.width);
+            ASSERT_TRUE(same_bits(head, part(batch.derivs, i, batch.width)))
+                << where(seed, batch.data) << "order " << batch.order;
+            head.resize(dim);
+            ASSERT_TRUE(same_bits(head, part(batch.points, i, dim))) << where(seed, batch.data);
+        }
+    });
+}
+
+// Parameters in separate columns or in wide records, results the same, everything one double off any alignment.
+TEST(SameBits, strides_and_alignment) {
+    for_each_case(83000, 600, [](Random &random, uint64_t seed) {
+        const Batch batch = make_batch(random, random.whole(1, 40));
+        const auto axes = static_cast<int64_t>(batch.data.degrees.size());
+        const auto n = static_cast<int64_t>(batch.n);
+        const auto width = static_cast<int64_t>(batch.width);
+        const bool columns = random.chance(50);
+        const int64_t from_stride = columns ? 1 : axes + 2;
+        const int64_t from_component = columns ? n + 3 : 1;
+        std::vector<double> params(static_cast<size_t>(1 + n * (axes + 2) + 3 * axes));
+        for (int64_t i = 0; i < n * axes; ++i) {
+            params[static_cast<size_t>(1 + i / axes * from_stride + i % axes * from_component)] =
+                batch.params[static_cast<size_t>(i)];
+        }
+        const bool planes = random.chance(50);
+        const int64_t to_stride = planes ? 1 : 2 * width + 1;
+        const int64_t to_component = planes ? n + 1 : 2;
+        const double untouched = -12345.5;
+        std::vector<double> out(static_cast<size_t>(2 + n * (2 * width + 1) + width), untouched);
+        require_ok(nurbs_eval_derivs(batch.g.get(), batch.order, n, params.data() + 1, from_stride,
+                                     from_component, out.data() + 1, to_stride, to_component, 0));
+        for (int64_t i = 0; i < n * width; ++i) {
+            double &value = out[static_cast<size_t>(1 + i / width * to_stride + i % width * to_component)];
+            ASSERT_TRUE(same_bits(value, batch.derivs[static_cast<size_t>(i)])) << where(seed, batch.data);
+            value = untouched;
+        }
+        ASSERT_TRUE(std::all_of(out.begin(), out.end(), [&](double x) { return x == untouched; }))
+            << where(seed, batch.data) << "something was written between the records";
+    });
+}
+
+TEST(SameBits, on_a_grid) {
+    for_each_case(84000, 600, [](Random &random, uint64_t seed) {
+        const Batch batch = make_batch(random, 1);
+        const size_t axes = batch.data.degrees.size();
+        std::vector<std::vector<double>> grid(axes);
+        std::vector<double> params;
+        size_t size = 1;
+        for (size_t k = 0; k < axes; ++k) {
+            for (int i = random.whole(1, axes == 3 ? 5 : 11); i > 0; --i) {
+                grid[k].push_back(random_param(random, batch.data.knots[k], batch.data.degrees[k]));
+            }
+            size *= grid[k].size();
+        }
+        for (size_t i = 0; i < size; ++i) {
+            size_t rest = i;
+            std::vector<double> param(axes);
+            for (size_t k = axes; k-- > 0;) {
+                param[k] = grid[k][rest % grid[k].size()];
+                rest /= grid[k].size();
+            }
+            params.insert(params.end(), param.begin(), param.end());
+        }
+        ASSERT_TRUE(same_bits(eval_grid(batch.g.get(), grid), eval(batch.g.get(), params)))
+            << where(seed, batch.data);
+        ASSERT_TRUE(same_bits(eval_grid_derivs(batch.g.get(), batch.order, grid),
+                              eval_derivs(batch.g.get(), batch.order, params)))
+            << where(seed, batch.data);
+    });
+}
+
+// Four threads meet on a handle whose tables nobody has built yet.
+TEST(SameBits, from_several_threads) {
+    for_each_case(85000, 60, [](Random &random, uint64_t seed) {
+        const Batch batch = make_batch(random, 300);
+        const auto fresh = create(batch.data);
+        std::atomic<int> different = 0;
+        std::vector<std::thread> threads;
+        for (int i = 0; i < 4; ++i) {
+            threads.emplace_back([&, i] {
+                const bool points_first = i % 2 == 0;
+                for (const bool points : {points_first, !points_first}) {
+                    const bool same =
+                        points ? same_bits(eval(fresh.get(), batch.params), batch.points)
+                               : same_bits(eval_derivs(fresh.get(), batch.order, batch.params), batch.derivs);
+                    different += same ? 0 : 1;
+                }
+            });
+        }
+        for (auto &thread : threads) {
+            thread.join();
+        }
+        ASSERT_EQ(different, 0) << where(seed, batch.data);
+    });
+}
+
+} // namespace

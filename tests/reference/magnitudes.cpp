@@ -1,0 +1,148 @@
+#include "reference/magnitudes.h"
+
+#include "reference/exact_basis.h"
+
+#include <cmath>
+
+namespace reference {
+
+using support::MultiIndex;
+using support::SplineData;
+
+long double c_of(int degree) {
+    static constexpr int to_nine[] = {1, 3, 4, 4, 6, 6, 8, 8, 12, 12};
+    if (degree <= 9) {
+        return to_nine[degree];
+    }
+    return degree <= 15 ? 16 : degree <= 23 ? 24 : 32;
+}
+
+long double c_of(const SplineData &data) {
+    long double sum = 0;
+    for (const int degree : data.degrees) {
+        sum += c_of(degree);
+    }
+    return sum;
+}
+
+namespace {
+
+using Record = std::vector<long double>;
+
+// One axis at one parameter, with its knots counted from the first active function: knot(i) is t_(span - degree + i).
+struct Axis {
+    const double *knots;
+    int degree;
+    long double t;
+
+    [[nodiscard]] long double knot(int i) const { return knots[i]; }
+};
+
+// Magnitudes on the span of the functions of a lower degree: the recurrence of Cox and de Boor with every factor made positive.
+// Inside the domain all factors are, and these are the functions themselves.
+Record basis_values(const Axis &axis, int degree) {
+    Record values = {1};
+    for (int r = 1; r <= degree; ++r) {
+        Record upper(values.size() + 1);
+        for (int j = 0; j < r; ++j) {
+            const int first = axis.degree - r + 1 + j;
+            const long double part =
+                values[static_cast<size_t>(j)] / (axis.knot(first + r) - axis.knot(first));
+            upper[static_cast<size_t>(j)] += part * std::fabs(axis.knot(first + r) - axis.t);
+            upper[static_cast<size_t>(j) + 1] += part * std::fabs(axis.t - axis.knot(first));
+        }
+        values = std::move(upper);
+    }
+    return values;
+}
+
+// H_a along one axis: k steps on magnitudes, then the value at t.
+Record contract(const Axis &axis, int order, std::vector<Record> points) {
+    const size_t width = points[0].size();
+    if (order > axis.degree) {
+        return Record(width, 0);
+    }
+    for (int k = 1; k <= order; ++k) {
+        for (size_t i = 0; i + 1 < points.size(); ++i) {
+            const auto number = static_cast<int>(i);
+            const long double length = axis.knot(number + axis.degree + 1) - axis.knot(number + k);
+            for (size_t c = 0; c < width; ++c) {
+                points[i][c] = (axis.degree - k + 1) * (points[i][c] + points[i + 1][c]) / length;
+            }
+        }
+        points.pop_back();
+    }
+    const Record values = basis_values(axis, axis.degree - order);
+    Record sum(width);
+    for (size_t i = 0; i < points.size(); ++i) {
+        for (size_t c = 0; c < width; ++c) {
+            sum[c] += values[i] * points[i][c];
+        }
+    }
+    return sum;
+}
+
+// Contracts the last axis of `points` first; the order does not matter for a sum of positive terms.
+Record contract_all(const std::vector<Axis> &axes, const MultiIndex &a, std::vector<Record> points) {
+    for (size_t k = axes.size(); k-- > 0;) {
+        const auto width = static_cast<size_t>(axes[k].degree) + 1;
+        std::vector<Record> fewer;
+        for (size_t i = 0; i < points.size(); i += width) {
+            const auto from = points.begin() + static_cast<std::ptrdiff_t>(i);
+            fewer.push_back(contract(axes[k], a[k], {from, from + static_cast<std::ptrdiff_t>(width)}));
+        }
+        points = std::move(fewer);
+    }
+    return points[0];
+}
+
+// E_a = (H_a[wP] + sum over 0 < b <= a of binomial(a, b) H_b[w] E_(a-b)) / w(t).
+std::vector<Record> divide_by_weight(const std::vector<MultiIndex> &indices, const std::vector<Record> &h) {
+    std::vector<Record> e;
+    for (size_t slot = 0; slot < indices.size(); ++slot) {
+        Record sum(h[slot].begin(), h[slot].end() - 1);
+        for (const auto &term : support::leibniz_terms(indices[slot])) {
+            const long double factor = static_cast<long double>(term.factor) *
+                                       h[static_cast<size_t>(support::slot_of(term.b))].back();
+            const Record &rest = e[static_cast<size_t>(support::slot_of(term.rest))];
+            for (size_t c = 0; c < sum.size(); ++c) {
+                sum[c] += factor * rest[c];
+            }
+        }
+        for (long double &x : sum) {
+            x /= h[0].back();
+        }
+        e.push_back(std::move(sum));
+    }
+    return e;
+}
+
+} // namespace
+
+std::vector<std::vector<long double>> magnitudes(const SplineData &data, int order, const double *param,
+                                                 Sides left) {
+    const auto first = first_active(data, param, left);
+    std::vector<Axis> axes;
+    for (size_t k = 0; k < first.size(); ++k) {
+        axes.push_back({data.knots[k].data() + first[k], data.degrees[k], param[k]});
+    }
+    std::vector<Record> points;
+    for (const int64_t i : active_points(data, first)) {
+        Record record;
+        for (int c = 0; c < data.dim; ++c) {
+            record.push_back(std::fabs(static_cast<long double>(data.weight(i)) * data.coordinate(i, c)));
+        }
+        if (data.rational()) {
+            record.push_back(data.weight(i));
+        }
+        points.push_back(std::move(record));
+    }
+    const auto indices = support::graded_indices(data.axes(), order);
+    std::vector<Record> h;
+    for (const MultiIndex &a : indices) {
+        h.push_back(contract_all(axes, a, points));
+    }
+    return data.rational() ? divide_by_weight(indices, h) : h;
+}
+
+} // namespace reference

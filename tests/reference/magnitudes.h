@@ -1,0 +1,20 @@
+// The accuracy contract of nurbs.h in numbers: the table c(p) and the magnitudes H_a and E_a.
+#pragma once
+
+#include "reference/exact_spline.h"
+
+namespace reference {
+
+inline constexpr long double eps = 0x1p-52L;
+
+// c(p) of the header's table, and its sum over the axes of a spline.
+long double c_of(int degree);
+long double c_of(const support::SplineData &data);
+
+// What multiplies 2 (c + 2 |a|) eps in the bound of derivative a of coordinate c: H_a of the preamble for a polynomial spline, E_a
+// for a rational one. All terms are positive, so that long double gives them to a few of its own units.
+// magnitudes[slot][c], slots as in nurbs_eval_derivs().
+std::vector<std::vector<long double>> magnitudes(const support::SplineData &data, int order,
+                                                 const double *param, Sides left = {});
+
+} // namespace reference

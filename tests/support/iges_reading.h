@@ -1,0 +1,74 @@
+// Reading IGES texts in tests of the core.
+#pragma once
+
+#include "base/error.h"
+#include "io/iges.h"
+#include "support/iges_builder.h"
+
+#include <gtest/gtest.h>
+#include <stdexcept>
+#include <string>
+
+namespace iges_test {
+
+inline nrb::Document read(const std::string &text, const nrb::ReadSettings &settings = {}) {
+    return nrb::read_iges(text, settings);
+}
+
+inline nrb::Document read(const IgesBuilder &builder, const nrb::ReadSettings &settings = {}) {
+    return read(builder.text(), settings);
+}
+
+// The one spline of a file; the test fails if there is another number of them, or an entity that is wrong.
+inline nrb::SplinePtr only_spline(const nrb::Document &document) {
+    EXPECT_EQ(document.splines.size(), 1U);
+    for (const nrb::Note &note : document.notes) {
+        EXPECT_EQ(note.reason, NURBS_ERROR_UNSUPPORTED) << note.text;
+    }
+    if (document.splines.empty()) {
+        throw std::runtime_error("no spline was read");
+    }
+    return document.splines.front().spline;
+}
+
+inline nrb::SplinePtr read_one(int type, const std::string &data, const Fields &fields = {}) {
+    IgesBuilder builder;
+    builder.add(type, data, fields);
+    return only_spline(read(builder));
+}
+
+// The note that a file with one entity leaves; one with reason NURBS_OK, and a failed test, if there is none.
+inline nrb::Note note_of(int type, const std::string &data, const Fields &fields = {}) {
+    IgesBuilder builder;
+    builder.add(type, data, fields);
+    const nrb::Document document = read(builder);
+    EXPECT_EQ(document.splines.size(), 0U);
+    EXPECT_EQ(document.notes.size(), 1U);
+    return document.notes.empty() ? nrb::Note{0, 0, NURBS_OK, ""} : document.notes.front();
+}
+
+struct Failure {
+    nurbs_status status = NURBS_OK;
+    std::string text;
+};
+
+// What reading a whole file throws.
+inline Failure failure_of(const std::string &text, const nrb::ReadSettings &settings = {}) {
+    try {
+        (void)read(text, settings);
+        return {};
+    } catch (const nrb::Error &error) {
+        return {error.status(), error.what()};
+    }
+}
+
+inline std::vector<double> points_of(const nrb::Spline &spline) {
+    return {spline.points().begin(), spline.points().end()};
+}
+
+inline std::vector<double> knots_of(const nrb::Spline &spline, int axis = 0) {
+    const auto knots = spline.axis(axis).knots();
+    return {knots.begin(), knots.end()};
+}
+
+} // namespace iges_test

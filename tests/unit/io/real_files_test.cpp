@@ -1,0 +1,128 @@
+// Real files from CAD programs: what is in them must match the table that comes with them. Their folder is
+// named by the environment variable NURBS_TEST_DATA.
+#include "support/iges_reading.h"
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <utility>
+
+namespace {
+
+using Degrees = std::map<std::pair<int, int>, int>; // (degree, degree of the second axis or 0): how many
+struct Content {
+    int curves = 0;
+    int plane_curves = 0;
+    int surfaces = 0;
+    int rational = 0;
+    Degrees curve_degrees;
+    Degrees surface_degrees;
+
+    bool operator==(const Content &) const = default;
+};
+
+// Curves of the plane count in curve_degrees with the others, as in the README of the folder.
+const std::map<std::string, Content> &expected_contents() {
+    static const std::map<std::string, Content> table = {
+        {"dtmb5415_bow.iges",
+         {7, 0, 1, 0, {{{2, 0}, 2}, {{3, 0}, 3}, {{5, 0}, 1}, {{8, 0}, 1}}, {{{3, 3}, 1}}}},
+        {"goteborg_hull.iges",
+         {12, 0, 3, 0, {{{3, 0}, 8}, {{5, 0}, 2}, {{8, 0}, 1}, {{11, 0}, 1}}, {{{3, 3}, 2}, {{3, 5}, 1}}}},
+        {"iea15mw_blade.igs",
+         {32, 8, 3, 0, {{{1, 0}, 8}, {{3, 0}, 9}, {{8, 0}, 23}}, {{{3, 3}, 1}, {{3, 8}, 2}}}},
+        {"pipe_hollow_deformed.iges", {8, 0, 6, 8, {{{2, 0}, 4}, {{11, 0}, 4}}, {{{1, 1}, 2}, {{2, 1}, 4}}}},
+        {"propeller_blade_upper.iges", {4, 0, 1, 0, {{{2, 0}, 2}, {{3, 0}, 2}}, {{{3, 2}, 1}}}},
+        {"propeller_shaft.iges",
+         {21,
+          14,
+          3,
+          14,
+          {{{1, 0}, 4}, {{2, 0}, 18}, {{3, 0}, 3}, {{5, 0}, 4}, {{6, 0}, 4}, {{10, 0}, 2}},
+          {{{1, 1}, 1}, {{1, 2}, 2}}}},
+        {"wigley_hull.iges", {4, 0, 1, 0, {{{3, 0}, 2}, {{4, 0}, 2}}, {{{3, 4}, 1}}}},
+        {"wing.iges", {12, 12, 4, 0, {{{1, 0}, 4}, {{2, 0}, 8}, {{3, 0}, 12}}, {{{1, 1}, 2}, {{3, 1}, 2}}}},
+    };
+    return table;
+}
+
+Content content_of(const nrb::Document &document) {
+    Content content;
+    for (const nrb::NamedSpline &named : document.splines) {
+        const nrb::Spline &spline = *named.spline;
+        content.rational += spline.rational() ? 1 : 0;
+        if (spline.axes() == 2) {
+            ++content.surfaces;
+            ++content.surface_degrees[{spline.axis(0).degree(), spline.axis(1).degree()}];
+        } else {
+            ++(spline.dim() == 2 ? content.plane_curves : content.curves);
+            ++content.curve_degrees[{spline.axis(0).degree(), 0}];
+        }
+    }
+    return content;
+}
+
+std::string describe(const Content &content) {
+    std::string text = std::to_string(content.curves) + " curves, " + std::to_string(content.plane_curves) +
+                       " 2D curves, " + std::to_string(content.surfaces) + " surfaces, " +
+                       std::to_string(content.rational) + " rational;";
+    for (const Degrees *degrees : {&content.curve_degrees, &content.surface_degrees}) {
+        for (const auto &[degree, count] : *degrees) {
+            text += " " + std::to_string(degree.first) + "x" + std::to_string(degree.second) + " (" +
+                    std::to_string(count) + ")";
+        }
+    }
+    return text;
+}
+
+std::string bytes_of(const std::filesystem::path &path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+TEST(RealFiles, ContentsMatchTheTable) {
+    const char *folder = std::getenv("NURBS_TEST_DATA");
+    if (folder == nullptr) {
+        GTEST_SKIP() << "NURBS_TEST_DATA is not set: no real files to read";
+    }
+    size_t known = 0;
+    for (const auto &entry : std::filesystem::directory_iterator(folder)) {
+        const std::string name = entry.path().filename().string();
+        if (entry.path().extension() != ".iges" && entry.path().extension() != ".igs") {
+            continue;
+        }
+        SCOPED_TRACE(name);
+        const nrb::Document document = iges_test::read(bytes_of(entry.path()));
+        for (const nrb::Note &note : document.notes) {
+            EXPECT_EQ(note.reason, NURBS_ERROR_UNSUPPORTED) << note.text;
+        }
+        const auto expected = expected_contents().find(name);
+        if (expected != expected_contents().end()) {
+            ++known;
+            const Content content = content_of(document);
+            EXPECT_TRUE(content == expected->second)
+                << "found    " << describe(content) << "\nexpected " << describe(expected->second);
+        }
+    }
+    EXPECT_EQ(known, expected_contents().size()) << "files of the table are missing from " << folder;
+}
+
+TEST(RealFiles, UnitAndNamesOfTheBlade) {
+    const char *folder = std::getenv("NURBS_TEST_DATA");
+    if (folder == nullptr) {
+        GTEST_SKIP() << "NURBS_TEST_DATA is not set: no real files to read";
+    }
+    const nrb::Document document =
+        iges_test::read(bytes_of(std::filesystem::path(folder) / "iea15mw_blade.igs"));
+    EXPECT_EQ(document.metres_per_unit, 1.0);
+    std::map<std::string, int> surfaces;
+    for (const nrb::NamedSpline &named : document.splines) {
+        surfaces[named.name] += named.spline->axes() == 2 ? 1 : 0;
+    }
+    EXPECT_EQ(surfaces["shell_1"], 1);
+    EXPECT_EQ(surfaces["shell_2"], 1);
+    EXPECT_EQ(surfaces["shell_3"], 1);
+}
+
+} // namespace
