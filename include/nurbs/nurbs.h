@@ -761,9 +761,9 @@ NURBS_API nurbs_status nurbs_read_options_init(nurbs_read_options *options, int6
  * Entities 126 (rational B-spline curve) and 128 (rational B-spline surface) become splines, in the order of
  * the directory; transformation matrices (124), parameter ranges, delimiters, unit and model scale are
  * respected. Curves used in the parameter plane of a surface have dimension 2, everything else dimension 3;
- * parameter-plane curves are not scaled to `unit`. An entity whose weights are all equal, or flagged
- * polynomial, becomes a polynomial spline. Every other entity, and every 126 or 128 that is not a valid
- * spline, is listed in the notes.
+ * parameter-plane curves are not scaled to `unit`. An entity whose weights are all equal becomes a polynomial spline, whatever its flags say; an axis becomes
+ * periodic if the entity says so and its knots and points wrap. Every other entity that did not go into a
+ * spline, and every 126 or 128 that is not a valid spline, is listed in the notes.
  * \param[in] bytes [size] the contents of the file.
  * \param[in] size number of bytes.
  * \param[in] options settings, or NULL for the defaults.
@@ -833,7 +833,8 @@ NURBS_API nurbs_status nurbs_list_note(const nurbs_list *list, int64_t index, in
 
 /** \brief Unit of length of the splines in a list.
  * \param[in] list a list.
- * \param[out] metres metres per unit; 0 if the file does not say.
+ * \param[out] metres metres per unit, model scale included; 0 if the file names a unit that is not
+ *   known. A file without any unit is in inches, as IGES has it.
  * \return NURBS_OK, NURBS_ERROR_NULL.
  * \since 0.1 */
 NURBS_API nurbs_status nurbs_list_unit(const nurbs_list *list, double *metres);

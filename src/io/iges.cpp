@@ -60,6 +60,7 @@ public:
                 add_note(entry, error.status(), error.what());
             }
         }
+        std::erase_if(document_.notes, [this](const Note &note) { return used(note); });
         return std::move(document_);
     }
 
@@ -73,6 +74,12 @@ private:
         } else {
             add_note(entry, NURBS_ERROR_UNSUPPORTED, "does not become a spline in this version");
         }
+    }
+
+    // Matrices and names that have gone into a spline are not lost. Which these are shows at the end only.
+    [[nodiscard]] bool used(const Note &note) const noexcept {
+        const std::optional<size_t> index = directory_.find(note.line);
+        return index && (transforms_.used(*index) || names_.used(*index));
     }
 
     void add_spline(const Entry &entry, bool parameter_plane) {

@@ -107,6 +107,11 @@ std::string Names::property_name(Record &record) {
     return {};
 }
 
+bool Names::used(size_t index) const noexcept {
+    const auto found = properties_.find(index);
+    return found != properties_.end() && !found->second.empty();
+}
+
 std::string Names::name(const Entry &entry, Record &record) {
     std::string name;
     try {

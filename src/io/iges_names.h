@@ -18,6 +18,9 @@ public:
     // (406 form 15) among them, else label and subscript "LABEL(3)", else "126#17".
     std::string name(const Entry &entry, Record &record);
 
+    // Whether the property of a directory entry has given a name.
+    [[nodiscard]] bool used(size_t index) const noexcept;
+
 private:
     std::string property_name(Record &record);
     const std::string &read_property(size_t index);

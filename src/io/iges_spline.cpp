@@ -12,8 +12,8 @@ namespace {
 // One common weight cancels. Common zeros do not: they stay and are refused.
 bool weights_matter(const SplineData &data) {
     const double first = data.weights.front();
-    return !data.polynomial && (first == 0 || std::any_of(data.weights.begin(), data.weights.end(),
-                                                          [&](double w) { return w != first; }));
+    return first == 0 ||
+           std::any_of(data.weights.begin(), data.weights.end(), [&](double w) { return w != first; });
 }
 
 std::array<double, 3> placed(const double *point, const Placement &placement) {

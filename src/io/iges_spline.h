@@ -22,7 +22,6 @@ struct SplineData {
         double upper = 0;
     };
     std::vector<Axis> axes;
-    bool polynomial = false; // as the file says
     std::vector<double> weights;
     std::vector<double> points; // records of three
 };

@@ -90,8 +90,8 @@ SplineData read_curve_data(Record &record) {
     const int64_t degree = record.integer("M");
     data.axes.push_back(make_axis(upper_index, degree, -1, record));
     SplineData::Axis &axis = data.axes.front();
-    record.skip(2); // planar, closed
-    data.polynomial = record.integer("PROP3") == 1;
+    record.skip(2);          // planar, closed
+    record.integer("PROP3"); // polynomial or rational: the weights tell
     axis.periodic = record.integer("PROP4") == 1;
     require(knot_count(axis) + checked_product(4, axis.count, "weights and points"), record);
     read_knots(record, axis, "knots");
@@ -112,8 +112,8 @@ SplineData read_surface_data(Record &record) {
     data.axes.push_back(make_axis(upper_v, degree_v, 1, record));
     SplineData::Axis &u = data.axes[0];
     SplineData::Axis &v = data.axes[1];
-    record.skip(2); // closed in u, closed in v
-    data.polynomial = record.integer("PROP3") == 1;
+    record.skip(2);          // closed in u, closed in v
+    record.integer("PROP3"); // polynomial or rational: the weights tell
     u.periodic = record.integer("PROP4") == 1;
     v.periodic = record.integer("PROP5") == 1;
     const int64_t point_count = checked_product(u.count, v.count, "points");

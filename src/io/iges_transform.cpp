@@ -98,4 +98,9 @@ const Transform &Transforms::resolve(int64_t pointer) {
     return resolved_.at(*directory_.find(pointer)).transform;
 }
 
+bool Transforms::used(size_t index) const noexcept {
+    const auto found = resolved_.find(index);
+    return found != resolved_.end() && found->second.damage.empty();
+}
+
 } // namespace nrb::iges

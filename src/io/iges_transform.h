@@ -29,6 +29,9 @@ public:
     // cannot be read or closes a circle.
     const Transform &resolve(int64_t pointer);
 
+    // Whether the matrix of a directory entry has been part of a chain that could be resolved.
+    [[nodiscard]] bool used(size_t index) const noexcept;
+
 private:
     struct Resolved {
         Transform transform;

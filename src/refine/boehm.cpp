@@ -17,13 +17,13 @@ public:
     Triangle(int degree, const double *knots, int64_t k, int present, double knot) noexcept
         : size_(degree - present + 1), knot_(knot), left_(knots + k - degree), right_(knots + k) {
         for (int i = 0; i < size_; ++i) {
-            rows_[i].fill(0);
+            std::fill_n(rows_[i], size_, 0.0);
             rows_[i][i] = 1;
         }
     }
 
     [[nodiscard]] int size() const noexcept { return size_; }
-    [[nodiscard]] const double *row(int i) const noexcept { return rows_[i].data(); }
+    [[nodiscard]] const double *row(int i) const noexcept { return rows_[i]; }
 
     void step(int j) noexcept {
         for (int i = size_ - 1; i >= j; --i) {
@@ -42,7 +42,7 @@ private:
     double knot_;
     const double *left_;
     const double *right_;
-    std::array<double, max_basis> rows_[max_basis];
+    double rows_[max_basis][max_basis];
 };
 
 // The new points lie on the border of the triangle's first `steps` columns: down its left side, along the

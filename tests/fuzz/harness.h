@@ -49,7 +49,10 @@ public:
         }
         return value;
     }
-    double unit() { return (byte() * 256 + byte()) / 65535.0; }
+    double unit() {
+        const int high = byte();
+        return (high * 256 + byte()) / 65535.0;
+    }
 
     // Sizes from 2^-20 to 2^20, and the numbers that people type.
     double number() {
@@ -112,8 +115,9 @@ inline bool succeeded(nurbs_status status, int line) {
     return status == NURBS_OK;
 }
 
-// A call that makes a handle: success gives one, failure gives NULL.
-inline nurbs *made(nurbs_status status, nurbs *out, int line) {
+// A call that makes a handle: success gives one, failure gives NULL. `out` is read here, after the call that
+// gave `status`, in whatever order the arguments are evaluated.
+inline nurbs *made(nurbs_status status, nurbs *const &out, int line) {
     if (succeeded(status, line) != (out != nullptr)) {
         violated("status and handle disagree", line);
     }
@@ -305,8 +309,10 @@ inline uint32_t any_flags(Input &in, int axes) {
     uint32_t flags = 0;
     for (int k = 0; k < axes; ++k) {
         static constexpr uint32_t outside[] = {0, 0, NURBS_CLAMP, NURBS_EXTRAPOLATE, NURBS_WRAP};
-        flags |= NURBS_ON_AXIS(k, outside[in.below(5)] | (in.coin() ? NURBS_LEFT : 0) |
-                                      (in.below(4) == 3 ? NURBS_NAN : 0));
+        uint32_t bits = outside[in.below(5)];
+        bits |= in.coin() ? NURBS_LEFT : 0;
+        bits |= in.below(4) == 3 ? NURBS_NAN : 0;
+        flags |= NURBS_ON_AXIS(k, bits);
     }
     return in.rarely() ? flags ^ 1u << in.below(32) : flags;
 }

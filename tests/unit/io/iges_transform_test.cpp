@@ -50,6 +50,7 @@ TEST(IgesTransform, OneMatrixForMany) {
     }
     const nrb::Document document = read(builder);
     ASSERT_EQ(document.splines.size(), 3U);
+    EXPECT_TRUE(document.notes.empty()); // a matrix that was used is not lost
     EXPECT_EQ(document.splines[2].spline->points()[0], 101.0);
 }
 
