@@ -18,7 +18,7 @@ namespace {
 KnotVectorPtr checked_knot_vector(int32_t degree, int64_t count, const double *knots, int64_t knot_count) {
     check_degree(degree, -1);
     check_count(degree, count, -1);
-    check_size(knot_count, checked_sum(count, degree + 1, "knots"), "knot_count");
+    check_knot_total(knot_count, degree, count);
     require(knots, "knots");
     return make_knot_vector(degree, std::vector<double>(knots, knots + knot_count));
 }

@@ -13,23 +13,47 @@ namespace {
 using namespace nrb;
 using namespace nrb::capi;
 
-// The short convention drops the first and the last knot, which shape nothing inside the domain.
-std::vector<double> complete_knots(const AxisData &axis, const double *given, int index) {
-    if (axis.degree < 1) {
-        fail(NURBS_ERROR_DEGREE, "degrees[%d] = %d, expected 1 to %d with short knot vectors", index,
-             axis.degree, NURBS_MAX_DEGREE);
+void check_short_degrees(const AxesData &axes) {
+    for (int k = 0; k < axes.size(); ++k) {
+        if (axes[k].degree < 1) {
+            fail(NURBS_ERROR_DEGREE, "degrees[%d] = %d, expected 1 to %d with short knot vectors", k,
+                 axes[k].degree, NURBS_MAX_DEGREE);
+        }
     }
-    const int64_t short_count = axis.count + axis.degree - 1;
-    std::vector<double> knots(static_cast<size_t>(short_count) + 2);
-    std::copy_n(given, short_count, knots.begin() + 1);
-    knots.front() = knots[1];
-    knots.back() = given[short_count - 1];
+}
+
+// Doubling an end knot that already occurs degree + 1 times, or is not finite, is refused in terms of the
+// short vector.
+void check_short_end(const double *given, int64_t end, int64_t inner, int degree, int64_t offset) {
+    const long long at = offset + end;
+    if (!std::isfinite(given[end])) {
+        fail(NURBS_ERROR_KNOT_NOT_FINITE, "knots[%lld] = %s is not finite", at, Number(given[end]).text);
+    }
+    if (given[end] == given[inner]) {
+        fail(NURBS_ERROR_END_MULTIPLICITY,
+             "knots[%lld] = %s is the same knot as knots[%lld]; degree %d allows %d equal knots at the end "
+             "of a short "
+             "vector",
+             at, Number(given[end]).text, static_cast<long long>(offset) + inner, degree, degree);
+    }
+}
+
+// The short convention drops the first and the last knot, which shape nothing inside the domain.
+std::vector<double> complete_knots(const AxisData &axis, const double *given, int64_t offset) {
+    const int64_t last = axis.count + axis.degree - 2;
+    std::vector<double> knots(static_cast<size_t>(last) + 3);
+    std::copy_n(given, last + 1, knots.begin() + 1);
+    knots.front() = given[0];
+    knots.back() = given[last];
     if (axis.periodic) {
         const auto p = static_cast<size_t>(axis.degree);
         const auto count = static_cast<size_t>(axis.count);
         const double period = knots[count] - knots[p];
         knots.front() = std::min(knots.front(), knots[count - p] - period);
         knots.back() = std::max(knots.back(), knots[2 * p] + period);
+    } else if (given[axis.degree - 1] != given[axis.count - 1]) { // else the domain is empty, as will be said
+        check_short_end(given, 0, axis.degree, axis.degree, offset);
+        check_short_end(given, last, last - axis.degree, axis.degree, offset);
     }
     return knots;
 }
@@ -92,11 +116,12 @@ Spline::Axes full_axes(const AxesData &axes, const double *knots, int64_t knot_c
 }
 
 Spline::Axes short_axes(const AxesData &axes, const double *knots, int64_t knot_count) {
+    check_short_degrees(axes);
     check_size(knot_count, axes.knot_total(-1), "knot_count");
     require(knots, "knots");
     return axes.make(
-        [&](const AxisData &axis, int index, int64_t offset) {
-            return std::pair(complete_knots(axis, knots + offset, index), offset - 1);
+        [&](const AxisData &axis, int, int64_t offset) {
+            return std::pair(complete_knots(axis, knots + offset, offset), offset - 1);
         },
         -1);
 }

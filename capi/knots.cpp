@@ -10,7 +10,10 @@ using namespace nrb::capi;
 namespace {
 
 std::span<double> knot_span(double *knots, int64_t knot_count) {
-    check_length(knot_count, "knot_count");
+    if (knot_count < 0) {
+        fail(NURBS_ERROR_SIZE, "knot_count = %lld, expected the number of knots of the rule",
+             static_cast<long long>(knot_count));
+    }
     require(knots, "knots");
     return {knots, static_cast<size_t>(knot_count)};
 }
@@ -61,7 +64,7 @@ nurbs_status nurbs_knots_averaged(int32_t degree, int64_t count, const double *p
         require(params, "params");
         check_degree(degree, -1);
         check_count(degree, count, -1);
-        check_size(knot_count - degree - 1, count, "knot_count - degree - 1");
+        check_knot_total(knot_count, degree, count);
         averaged_knots(degree, source_span(params, count, "params", target), target);
     });
 }

@@ -12,9 +12,9 @@ from pathlib import Path
 
 
 def skip_reason(case):
-    """The reason as the test prints it: after "SKIPPED:", or the line after GoogleTest's "Skipped"."""
+    """The reason as the test prints it: after "SKIPPED:" in either case, or the line after GoogleTest's "Skipped"."""
     output = case.findtext("system-out") or ""
-    match = re.search(r"SKIPPED:\s*(.*)|Skipped\n(.*)", output)
+    match = re.search(r"(?:SKIPPED|skipped):\s*(.*)|Skipped\n(.*)", output)
     return next((group.strip() for group in match.groups() if group), "") if match else "no reason given"
 
 

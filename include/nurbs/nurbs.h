@@ -73,6 +73,7 @@
 
 #include <stdint.h>
 
+/** \brief Marks the exported functions. */
 #if defined(_WIN32) && !defined(NURBS_STATIC)
 #define NURBS_API __declspec(dllimport)
 #elif defined(__GNUC__)
@@ -87,8 +88,11 @@ extern "C" {
 
 /** \name Version and limits
  * @{ */
+/** \brief Changes when binaries built before stop working. */
 #define NURBS_VERSION_MAJOR 0
+/** \brief Changes when functions are added. */
 #define NURBS_VERSION_MINOR 1
+/** \brief Changes when defects are mended. */
 #define NURBS_VERSION_PATCH 0
 /** \brief major * 10000 + minor * 100 + patch, as returned by nurbs_version(). */
 #define NURBS_VERSION (NURBS_VERSION_MAJOR * 10000 + NURBS_VERSION_MINOR * 100 + NURBS_VERSION_PATCH)
@@ -392,8 +396,8 @@ NURBS_API nurbs_status nurbs_knots_bezier(int32_t degree, int64_t pieces, const 
  * \param[in] knot_count count + degree + 1.
  * \param[out] knots [knot_count].
  * \return NURBS_OK, NURBS_ERROR_NULL, _DEGREE, _COUNT, _TOO_FEW_POINTS, _SIZE, _OVERLAP,
- *   _PARAMETER_NOT_FINITE, _KNOTS_DECREASING, _EMPTY_DOMAIN; _MULTIPLICITY if parameters repeat so often that
- *   a knot would.
+ *   _PARAMETER_NOT_FINITE, _KNOTS_DECREASING, _EMPTY_DOMAIN; _END_MULTIPLICITY or _MULTIPLICITY if
+ *   parameters repeat so often that a knot would.
  * \since 0.1 */
 NURBS_API nurbs_status nurbs_knots_averaged(int32_t degree, int64_t count, const double *params,
                                             int64_t knot_count, double *knots);

@@ -85,7 +85,7 @@ void check_multiplicities(int degree, size_t n, const int32_t *multiplicities) {
 void uniform_knots(int degree, int64_t count, double a, double b, std::span<double> knots) {
     check_degree(degree, -1);
     check_count(degree, count, -1);
-    check_size(knots, checked_sum(count, degree + 1, "knots"));
+    check_knot_total(static_cast<int64_t>(knots.size()), degree, count);
     check_interval(a, b);
     std::vector<double> result(knots.size());
     for (size_t i = 0; i < result.size(); ++i) {
@@ -97,7 +97,7 @@ void uniform_knots(int degree, int64_t count, double a, double b, std::span<doub
 void open_uniform_knots(int degree, int64_t count, double a, double b, std::span<double> knots) {
     check_degree(degree, -1);
     check_count(degree, count, -1);
-    check_size(knots, checked_sum(count, degree + 1, "knots"));
+    check_knot_total(static_cast<int64_t>(knots.size()), degree, count);
     check_interval(a, b);
     std::vector<double> result(knots.size());
     for (size_t i = 0; i < result.size(); ++i) {
@@ -135,7 +135,7 @@ void averaged_knots(int degree, std::span<const double> params, std::span<double
     const auto count = static_cast<int64_t>(params.size());
     check_degree(degree, -1);
     check_count(degree, count, -1);
-    check_size(knots, checked_sum(count, degree + 1, "knots"));
+    check_knot_total(static_cast<int64_t>(knots.size()), degree, count);
     for (size_t i = 0; i < params.size(); ++i) {
         if (!std::isfinite(params[i])) {
             fail(NURBS_ERROR_PARAMETER_NOT_FINITE, "params[%zu] = %s is not finite", i,

@@ -84,6 +84,14 @@ void check_count(int degree, int64_t count, int axis) {
     }
 }
 
+void check_knot_total(int64_t knot_count, int degree, int64_t count) {
+    if (knot_count - degree - 1 != count) { // the sum might overflow
+        fail(NURBS_ERROR_SIZE, "knot_count = %lld, expected count + degree + 1 = %llu",
+             static_cast<long long>(knot_count),
+             static_cast<unsigned long long>(count) + static_cast<unsigned long long>(degree) + 1);
+    }
+}
+
 void check_knots(int degree, std::span<const double> knots, int axis, int64_t offset) {
     check_finite_and_sorted(knots, axis, offset);
     const auto first = static_cast<size_t>(degree);

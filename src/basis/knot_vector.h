@@ -49,6 +49,8 @@ using KnotVectorPtr = std::shared_ptr<const KnotVector>;
 // no axis), and `offset` is the place of the vector in the caller's array.
 void check_degree(int degree, int axis);
 void check_count(int degree, int64_t count, int axis);
+// knot_count == count + degree + 1, else NURBS_ERROR_SIZE. Precondition: degree and count have been checked.
+void check_knot_total(int64_t knot_count, int degree, int64_t count);
 void check_knots(int degree, std::span<const double> knots, int axis, int64_t offset);
 // Precondition: check_knots() accepts the vector. Throws NURBS_ERROR_PERIODIC_KNOTS.
 void check_periodic_knots(int degree, std::span<const double> knots, int axis, int64_t offset);

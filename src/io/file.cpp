@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <cstring>
 #include <memory>
+#include <new>
 
 namespace nrb {
 
@@ -17,6 +18,9 @@ struct Close {
 using File = std::unique_ptr<std::FILE, Close>;
 
 [[noreturn]] void fail_file(const char *path) {
+    if (errno == ENOMEM) {
+        throw std::bad_alloc();
+    }
     fail(NURBS_ERROR_FILE, "path = \"%.200s\": %s", path, std::strerror(errno));
 }
 

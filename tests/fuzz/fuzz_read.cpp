@@ -1,10 +1,12 @@
 // Fuzz target: any bytes go through nurbs_read(), and whatever comes out is used.
 #include <nurbs/nurbs.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <string>
 #include <vector>
 
 namespace {
@@ -85,10 +87,18 @@ void read_in(double unit, const uint8_t *data, size_t size) {
     nurbs_list_destroy(list);
 }
 
+// No file has such a name; whatever the bytes are, the call says so.
+void read_missing_file(const uint8_t *data, size_t size) {
+    const std::string path = "/nonexistent/" + std::string(data, data + std::min<size_t>(size, 300));
+    nurbs_list *list = nullptr;
+    require(nurbs_read_file(path.c_str(), nullptr, &list) == NURBS_ERROR_FILE && list == nullptr);
+}
+
 } // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     read_in(0, data, size);
     read_in(0.001, data, size);
+    read_missing_file(data, size);
     return 0;
 }
