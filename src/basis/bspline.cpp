@@ -14,10 +14,9 @@ void raise_degree(const double *knots, int d, int64_t span, double t, const doub
     const double *left = right - d;
     double carried = 0;
     for (int r = 0; r < d; ++r) {
-        const double width = right[r] - left[r];
-        const double value = lower[r];
-        upper[r] = carried + value * ((right[r] - t) / width);
-        carried = value * ((t - left[r]) / width);
+        const auto [alpha, beta] = split(lower[r], left[r], t, right[r]);
+        upper[r] = carried + beta;
+        carried = alpha;
     }
     upper[d] = carried;
 }

@@ -27,10 +27,7 @@ public:
 
     void step(int j) noexcept {
         for (int i = size_ - 1; i >= j; --i) {
-            const double start = left_[i];
-            const double end = right_[i - j + 1];
-            const double alpha = (knot_ - start) / (end - start);
-            const double beta = (end - knot_) / (end - start);
+            const auto [alpha, beta] = split(1, left_[i], knot_, right_[i - j + 1]);
             for (int c = 0; c < size_; ++c) {
                 rows_[i][c] = alpha * rows_[i][c] + beta * rows_[i - 1][c];
             }

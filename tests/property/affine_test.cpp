@@ -1,5 +1,5 @@
-// Affine maps commute with evaluation; maps that are exact in binary do so bit for bit. Nothing depends on the scale of the model,
-// of the parameters or of the weights.
+// Affine maps commute with evaluation; maps that are exact in binary do so bit for bit. Nothing depends on
+// the scale of the model, of the parameters or of the weights.
 #include "reference/magnitudes.h"
 #include "support/cases.h"
 #include "support/handle.h"

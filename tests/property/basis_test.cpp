@@ -67,8 +67,9 @@ TEST(Basis, spans_contain_their_parameters) {
     });
 }
 
-// Each level of the recurrence rounds five times (two differences, a quotient, a product, a sum), all terms being positive: every
-// function keeps a relative error of 5 p / 2 eps, to first order. Below the normal range the error is absolute.
+// Each level of the recurrence rounds five times (two differences, a quotient, a product, a sum), all terms
+// being positive: every function keeps a relative error of 5 p / 2 eps, to first order. Below the normal
+// range the error is absolute.
 TEST(Basis, every_function_is_accurate_by_itself) {
     WorstErrors worst("basis functions by degree, unit eps * N");
     for_each_case(41000, 1500, [&](Random &random, uint64_t seed) {
@@ -96,7 +97,8 @@ TEST(Basis, every_function_is_accurate_by_itself) {
     });
 }
 
-// The curve whose control points are the unit vectors: its coordinates are the basis functions, and its bounds theirs.
+// The curve whose control points are the unit vectors: its coordinates are the basis functions, and its
+// bounds theirs.
 SplineData unit_vectors(const std::vector<double> &knots, int degree) {
     const auto count = static_cast<int64_t>(knots.size()) - degree - 1;
     SplineData data = {{degree}, {count}, {knots}, static_cast<int32_t>(count), {}, {}, 0};
@@ -141,7 +143,8 @@ TEST(Basis, derivatives_are_accurate_and_cancel) {
     });
 }
 
-// R_i is the curve whose points are the unit vectors, rational: bound c * eps with hull 1; the sum has all M errors.
+// R_i is the curve whose points are the unit vectors, rational: bound c * eps with hull 1; the sum has all M
+// errors.
 TEST(Basis, rational_functions_are_accurate_and_sum_to_one) {
     for_each_case(43000, 800, [](Random &random, uint64_t seed) {
         Recipe recipe = random_recipe(random, random.whole(1, 2), 5);
@@ -165,7 +168,8 @@ TEST(Basis, rational_functions_are_accurate_and_sum_to_one) {
                     << where(seed, data) << "point " << one << " at " << hex(params[i]);
                 sum += *value++;
             }
-            // Errors of the functions are relative: numerator and denominator c each, the division half a unit.
+            // Errors of the functions are relative: numerator and denominator c each, the division half a
+            // unit.
             ASSERT_LE(std::fabs(sum - 1), (2 * c + 1) * eps) << where(seed, data);
         }
     });

@@ -20,7 +20,8 @@ SplineData circle(double r) {
             0};
 }
 
-// Relative distance from the circle in units of eps; long double carries the squares of doubles to half an ulp of its 64 bits.
+// Relative distance from the circle in units of eps; long double carries the squares of doubles to half an
+// ulp of its 64 bits.
 long double off_circle(double x, double y, double r) {
     const long double radius = std::hypot(static_cast<long double>(x), static_cast<long double>(y));
     return std::fabs(radius - r) / r / 0x1p-52L;

@@ -1,5 +1,5 @@
-// Stored values from an exact evaluator written independently in another language: the library keeps its bounds against them, and
-// the reference of these tests rounds to them exactly.
+// Stored values from an exact evaluator written independently in another language: the library keeps its
+// bounds against them, and the reference of these tests rounds to them exactly.
 #include "reference/magnitudes.h"
 #include "support/handle.h"
 
@@ -21,7 +21,8 @@ constexpr const char *source_dir = NURBS_SOURCE_DIR;
 constexpr const char *source_dir = nullptr;
 #endif
 
-// Words of a golden file; lines that start with # are comments. Streams do not read hexadecimal floats, strtod does.
+// Words of a golden file; lines that start with # are comments. Streams do not read hexadecimal floats,
+// strtod does.
 class Words {
 public:
     explicit Words(const std::string &path) {

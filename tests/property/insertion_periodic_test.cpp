@@ -1,4 +1,5 @@
-// Knot insertion on periodic axes: the result is periodic again, over the same domain, with wrapped points equal bit for bit.
+// Knot insertion on periodic axes: the result is periodic again, over the same domain, with wrapped points
+// equal bit for bit.
 #include "support/cases.h"
 #include "support/handle.h"
 
@@ -87,7 +88,8 @@ TEST(PeriodicInsertion, stays_periodic) {
     });
 }
 
-// A new knot within rounding of another one: inserted, or refused because the two fall together one period away.
+// A new knot within rounding of another one: inserted, or refused because the two fall together one period
+// away.
 TEST(PeriodicInsertion, next_to_a_knot) {
     for_each_case(98000, 500, [](Random &random, uint64_t seed) {
         const auto data = periodic_spline(random, 0, 1);

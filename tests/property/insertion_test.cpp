@@ -62,8 +62,9 @@ struct Layers {
     }
 };
 
-// 2 eps of the largest magnitude of the same homogeneous coordinate among the old points that can contribute, for each step.
-// Old points are products of two doubles and new ones are handed out rounded again, half an eps each, when rational.
+// 2 eps of the largest magnitude of the same homogeneous coordinate among the old points that can contribute,
+// for each step. Old points are products of two doubles and new ones are handed out rounded again, half an
+// eps each, when rational.
 TEST(Insertion, control_points_are_exact_to_two_eps_a_step) {
     WorstErrors worst("inserted control points by degree, unit eps * hull * steps");
     for_each_case(90000, 999, [&](Random &random, uint64_t seed) {
@@ -130,8 +131,9 @@ SplineData homogeneous(const nurbs *g) {
     return data;
 }
 
-// On a periodic axis the copies of layers are made equal bit for bit, while knots repeat to within their rounding only: control points
-// move by that rounding relative to the spans. 0 where knots of few bits repeat exactly.
+// On a periodic axis the copies of layers are made equal bit for bit, while knots repeat to within their
+// rounding only: control points move by that rounding relative to the spans. 0 where knots of few bits repeat
+// exactly.
 long double wrapping(const SplineData &data, int axis, double knot) {
     const auto &t = data.knots[static_cast<size_t>(axis)];
     const double size = std::max(std::fabs(t.front()), std::fabs(t.back()));
@@ -146,8 +148,8 @@ long double wrapping(const SplineData &data, int axis, double knot) {
                : 4 * (data.degrees[static_cast<size_t>(axis)] + 1) * size / shortest;
 }
 
-// Exact points of the refined records against exact points of the old ones: only the control points' own errors remain.
-// `moved` is what control points may have moved by, in eps * hull.
+// Exact points of the refined records against exact points of the old ones: only the control points' own
+// errors remain. `moved` is what control points may have moved by, in eps * hull.
 void expect_same_shape(const nurbs *before, const nurbs *after, long double moved, Random &random,
                        const std::string &place) {
     const auto old = homogeneous(before);
@@ -256,8 +258,8 @@ TEST(Insertion, full_multiplicity_puts_a_control_point_on_the_curve) {
     });
 }
 
-// Points computed before and after agree within both evaluations' promises and the moves of the control points. A weight of the
-// denominator may be as small as the smallest active one.
+// Points computed before and after agree within both evaluations' promises and the moves of the control
+// points. A weight of the denominator may be as small as the smallest active one.
 TEST(Insertion, commutes_with_evaluation) {
     for_each_case(95000, 999, [](Random &random, uint64_t seed) {
         Recipe recipe = random_recipe(random, random.whole(1, 3), 3);

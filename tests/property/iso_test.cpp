@@ -39,8 +39,8 @@ TEST(Iso, keeps_the_other_axes) {
     });
 }
 
-// The contraction is the same, in two steps with a rounded record between. With weights in [0.2, 5] the rounding of the records
-// counts up to 25 times in numerator and denominator.
+// The contraction is the same, in two steps with a rounded record between. With weights in [0.2, 5] the
+// rounding of the records counts up to 25 times in numerator and denominator.
 TEST(Iso, agrees_with_the_exact_surface_or_volume) {
     for_each_case(111000, 1000, [](Random &random, uint64_t seed) {
         Recipe recipe = random_recipe(random, random.whole(2, 3), 4);

@@ -1,4 +1,5 @@
-// The accuracy contract for points: |error| <= c * eps * hull per coordinate, c the sum of c(p) over the axes.
+// The accuracy contract for points: |error| <= c * eps * hull per coordinate, c the sum of c(p) over the
+// axes.
 #include "reference/magnitudes.h"
 #include "support/cases.h"
 #include "support/handle.h"

@@ -44,7 +44,8 @@ TEST(Reference, points_follow_the_definition) {
         const auto data = random_spline(random, random_recipe(random, axes, axes == 1 ? 5 : 4 - axes));
         const auto param = random_params(random, data, 1);
         const reference::Sides left = {random.chance(50), random.chance(50), random.chance(50)};
-        // From the left a parameter may meet only weights that are 0 there when it lies outside the checked sides: none does.
+        // From the left a parameter may meet only weights that are 0 there when it lies outside the checked
+        // sides: none does.
         const auto fast = reference::exact_point(data, param.data(), left);
         const auto slow = reference::defined_point(data, param.data(), left);
         for (size_t c = 0; c < slow.size(); ++c) {
@@ -53,10 +54,12 @@ TEST(Reference, points_follow_the_definition) {
     });
 }
 
-// x = t, y = t^2 on a rational curve w = 1 + t: all partial derivatives of (x/w, y/w) are known in closed form.
+// x = t, y = t^2 on a rational curve w = 1 + t: all partial derivatives of (x/w, y/w) are known in closed
+// form.
 TEST(Reference, quotient_rule_of_a_known_fraction) {
     const SplineData data = {{2}, {3}, {{0, 0, 0, 1, 1, 1}}, 1, {0, 1.0 / 3, 0.5}, {1, 1.5, 2}, 0};
-    // The homogeneous numerators are (0, 0.5, 1) up to the rounding of 1/3, so that C = a(t) / (1 + t) with a near t.
+    // The homogeneous numerators are (0, 0.5, 1) up to the rounding of 1/3, so that C = a(t) / (1 + t) with a
+    // near t.
     const double t = 0.25;
     const auto derivs = reference::exact_derivatives(data, 3, &t);
     const Rational a1 = 2 * (exact(1.5) * exact(1.0 / 3)); // a'(0)

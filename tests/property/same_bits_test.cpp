@@ -127,7 +127,8 @@ TEST(SameBits, slot_zero_is_the_point_and_low_orders_do_not_change) {
     });
 }
 
-// Parameters in separate columns or in wide records, results the same, everything one double off any alignment.
+// Parameters in separate columns or in wide records, results the same, everything one double off any
+// alignment.
 TEST(SameBits, strides_and_alignment) {
     for_each_case(83000, 600, [](Random &random, uint64_t seed) {
         const Batch batch = make_batch(random, random.whole(1, 40));

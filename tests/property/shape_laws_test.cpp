@@ -45,7 +45,8 @@ int sign_changes(const std::vector<double> &values, double noise) {
     return changes;
 }
 
-// A plane meets a curve no more often than its control polygon. With the plane x = 0: the signs of a scalar curve.
+// A plane meets a curve no more often than its control polygon. With the plane x = 0: the signs of a scalar
+// curve.
 TEST(ShapeLaws, variation_diminishing) {
     for_each_case(120000, 1000, [](Random &random, uint64_t seed) {
         Recipe recipe = random_recipe(random, 1, 12);
@@ -110,7 +111,8 @@ std::vector<double> small_points(Random &random, int n) {
     return points;
 }
 
-// Curvature at the start of a Bezier curve of degree n: (n - 1) / n |a x b| / |a|^3, a and b the first two legs. (Farin 1988)
+// Curvature at the start of a Bezier curve of degree n: (n - 1) / n |a x b| / |a|^3, a and b the first two
+// legs. (Farin 1988)
 TEST(ShapeLaws, end_curvature_of_bezier_curves) {
     for_each_case(122000, 300, [](Random &random, uint64_t seed) {
         const int n = random.whole(2, 15);
@@ -137,8 +139,8 @@ TEST(ShapeLaws, end_curvature_of_bezier_curves) {
     });
 }
 
-// Where the tangent at s meets the tangent at t, as a fraction of the way from C(r) ... : of a parabola, the point on the tangent
-// at parameter q that also lies on the tangent at r.
+// Where the tangent at s meets the tangent at t, as a fraction of the way from C(r) ... : of a parabola, the
+// point on the tangent at parameter q that also lies on the tangent at r.
 Vector meeting_point(const std::vector<double> &derivs, size_t q, size_t r) {
     const Vector from = at(derivs, 3 * q);
     const Vector direction = at(derivs, 3 * q + 1);
@@ -150,7 +152,8 @@ Vector meeting_point(const std::vector<double> &derivs, size_t q, size_t r) {
     return {from[0] + step * direction[0], from[1] + step * direction[1], from[2] + step * direction[2]};
 }
 
-// Three tangents of a parabola at t0 < t1 < t2 cut each other in the ratio (t1 - t0) : (t2 - t1). (Farin 1988, section 4.1)
+// Three tangents of a parabola at t0 < t1 < t2 cut each other in the ratio (t1 - t0) : (t2 - t1). (Farin
+// 1988, section 4.1)
 TEST(ShapeLaws, three_tangents_of_a_parabola) {
     for_each_case(123000, 200, [](Random &random, uint64_t seed) {
         const auto points = small_points(random, 3);
@@ -182,7 +185,8 @@ TEST(ShapeLaws, three_tangents_of_a_parabola) {
     });
 }
 
-// Control points on a line at the Greville abscissae give that line, uniformly traversed: derivative constant, second one zero.
+// Control points on a line at the Greville abscissae give that line, uniformly traversed: derivative
+// constant, second one zero.
 TEST(ShapeLaws, linear_precision_of_derivatives) {
     for_each_case(124000, 200, [](Random &random, uint64_t seed) {
         Recipe recipe;
@@ -201,7 +205,8 @@ TEST(ShapeLaws, linear_precision_of_derivatives) {
         for (const double t : random_params(random, data, 10)) {
             const auto derivs = eval_derivs(g.get(), 2, {t});
             const auto sizes = reference::magnitudes(data, 2, &t);
-            // The abscissae are rounded (p + 1) / 2 times, which the magnitudes of the differences count as well.
+            // The abscissae are rounded (p + 1) / 2 times, which the magnitudes of the differences count as
+            // well.
             const long double c = reference::c_of(data) + data.degrees[0] + 1;
             ASSERT_LE(std::fabs(derivs[1] - 1), 2 * (c + 2) * eps * sizes[1][0]) << where(seed, data);
             ASSERT_LE(std::fabs(derivs[2]), 2 * (c + 4) * eps * sizes[2][0]) << where(seed, data);

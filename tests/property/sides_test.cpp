@@ -1,4 +1,5 @@
-// The evaluation flags: sides at knots, and what happens outside the domain, against the exact one-sided values.
+// The evaluation flags: sides at knots, and what happens outside the domain, against the exact one-sided
+// values.
 #include "reference/magnitudes.h"
 #include "support/cases.h"
 #include "support/handle.h"
@@ -94,8 +95,8 @@ TEST(Sides, clamped_parameters_give_the_ends) {
     });
 }
 
-// Outside the domain the factors of the recurrence change sign; the bound is that of points with the sum in magnitudes in place of
-// the hull, twice since errors of opposite signs no longer average.
+// Outside the domain the factors of the recurrence change sign; the bound is that of points with the sum in
+// magnitudes in place of the hull, twice since errors of opposite signs no longer average.
 TEST(Sides, extrapolation_continues_the_end_pieces) {
     WorstErrors worst("extrapolated points by degree, unit eps * sum in magnitudes");
     for_each_case(132000, 1000, [&](Random &random, uint64_t seed) {
@@ -139,7 +140,8 @@ TEST(Sides, extrapolation_of_small_numbers_is_exact) {
     }
 }
 
-// Domains and parameters of few bits: the reduced parameter is exact, so the bits are those of the place it stands for.
+// Domains and parameters of few bits: the reduced parameter is exact, so the bits are those of the place it
+// stands for.
 TEST(Sides, wrapped_parameters_stand_for_their_place) {
     for_each_case(133000, 800, [](Random &random, uint64_t seed) {
         Recipe recipe = random_recipe(random, random.whole(1, 3), 4);
@@ -194,7 +196,8 @@ TEST(Sides, periodic_splines_close) {
         const auto points = eval(create(data).get(), {data.lower(0), data.upper(0)});
         const double hull = reference::exact_hull(data, &data.knots[0][static_cast<size_t>(data.degrees[0])]);
         for (size_t d = 0; d < 3; ++d) {
-            // Both ends have the same exact value; the active points of positive basis value are the same ones.
+            // Both ends have the same exact value; the active points of positive basis value are the same
+            // ones.
             ASSERT_NEAR(points[d], points[3 + d], static_cast<double>(2 * reference::c_of(data) * eps) * hull)
                 << where(seed, data);
         }

@@ -1,5 +1,6 @@
-// The bound for points is for every spline, not for average ones: a search that climbs towards the largest error. The sum of the errors
-// of the basis functions is the error of the curve whose control points are +1 and -1 with the signs of those errors.
+// The bound for points is for every spline, not for average ones: a search that climbs towards the largest
+// error. The sum of the errors of the basis functions is the error of the curve whose control points are +1
+// and -1 with the signs of those errors.
 #include "reference/exact_basis.h"
 #include "reference/magnitudes.h"
 #include "support/cases.h"

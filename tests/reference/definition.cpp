@@ -101,7 +101,8 @@ Point homogeneous(const SplineData &data, int64_t i) {
     return point;
 }
 
-// Numbers of points that differ in the layers of `axis` only: place = (outer * count + layer) * inner + inside.
+// Numbers of points that differ in the layers of `axis` only: place = (outer * count + layer) * inner +
+// inside.
 struct AxisView {
     int64_t outer = 1;
     int64_t inner = 1;
@@ -115,8 +116,8 @@ AxisView view_of(const SplineData &data, int axis) {
     return view;
 }
 
-// The piece of the old spline that a refined control point belongs to: any non-empty span of the domain that meets its support,
-// or the nearest one for a point whose support lies outside the domain.
+// The piece of the old spline that a refined control point belongs to: any non-empty span of the domain that
+// meets its support, or the nearest one for a point whose support lies outside the domain.
 int64_t piece_of(const std::vector<double> &knots, int degree, const std::vector<double> &refined,
                  int64_t j) {
     const auto count = static_cast<int64_t>(knots.size()) - degree - 1;
@@ -145,7 +146,8 @@ InsertedLayers defined_insertion(const SplineData &data, int axis, double knot, 
     const auto above = place - out.knots.begin(); // knots[above - 1] <= knot < knots[above]
     out.knots.insert(place, static_cast<size_t>(times), knot);
     const auto multiplicity = std::count(data.knots[k].begin(), data.knots[k].end(), knot);
-    // Point j changes only if its p inner knots t_j+1 .. t_j+p meet a new copy, which stand last among the equal ones.
+    // Point j changes only if its p inner knots t_j+1 .. t_j+p meet a new copy, which stand last among the
+    // equal ones.
     out.first = std::max<int64_t>(above - degree, 0);
     out.last = std::min<int64_t>(above - multiplicity + times - 2, data.counts[k] + times - 1);
     const AxisView view = view_of(data, axis);

@@ -1,11 +1,13 @@
-// The textbook definitions, word for word, in reduced rational numbers: slow, and the judge of the fast reference.
+// The textbook definitions, word for word, in reduced rational numbers: slow, and the judge of the fast
+// reference.
 #pragma once
 
 #include "reference/exact_spline.h"
 
 namespace reference {
 
-// N_(i,p)(t) by the recursive definition; `span` names the piece whose polynomial is meant (N_(i,0) = 1 if i = span, else 0).
+// N_(i,p)(t) by the recursive definition; `span` names the piece whose polynomial is meant (N_(i,0) = 1 if i
+// = span, else 0).
 Rational defined_basis(const std::vector<double> &knots, int64_t span, int64_t i, int degree,
                        const Rational &t);
 // Its k-th derivative.
@@ -15,9 +17,10 @@ Rational defined_basis_derivative(const std::vector<double> &knots, int64_t span
 // sum_i R_i(t) P_i over all control points, not only the active ones.
 std::vector<Rational> defined_point(const support::SplineData &data, const double *param, Sides left = {});
 
-// Control points (w x, w y, ..., w) after inserting `knot` `times` times on an axis, each by its polar form: point j of the
-// refined spline is the blossom of the old one at the p new knots that follow new knot j (Ramshaw 1989). Only layers
-// first .. last of that axis are computed, packed with the axes in their order. Indices count the refined spline's layers.
+// Control points (w x, w y, ..., w) after inserting `knot` `times` times on an axis, each by its polar form:
+// point j of the refined spline is the blossom of the old one at the p new knots that follow new knot j
+// (Ramshaw 1989). Only layers first .. last of that axis are computed, packed with the axes in their order.
+// Indices count the refined spline's layers.
 struct InsertedLayers {
     std::vector<double> knots; // the refined vector
     int64_t first = 0;         // layers below are old ones, layers above are old ones moved up by `times`

@@ -34,7 +34,8 @@ Level make_level(const std::vector<Integer> &local, const Integer &t, int degree
     Level level{r, {}, {}, {}, 1};
     std::vector<Integer> lengths;
     for (int j = 0; j < r; ++j) {
-        // Function j of degree r - 1 on the span is number span - r + 1 + j; local[0] is the knot span - degree.
+        // Function j of degree r - 1 on the span is number span - r + 1 + j; local[0] is the knot span -
+        // degree.
         const auto first = static_cast<size_t>(degree - r + 1 + j);
         const auto last = first + static_cast<size_t>(r);
         level.rise.push_back(t - local[first]);
@@ -48,7 +49,8 @@ Level make_level(const std::vector<Integer> &local, const Integer &t, int degree
     return level;
 }
 
-// Lower function j spreads to the functions j (with its falling factor) and j + 1 (with its rising one) of the next degree.
+// Lower function j spreads to the functions j (with its falling factor) and j + 1 (with its rising one) of
+// the next degree.
 Values raise(const Level &level, const Values &lower) {
     Values upper(lower.size() + 1);
     for (size_t j = 0; j < lower.size(); ++j) {

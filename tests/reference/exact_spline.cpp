@@ -40,7 +40,8 @@ std::vector<ExactBasis> bases_at(const SplineData &data, int order, const double
     return bases;
 }
 
-// Sum over the active points of axes k, k+1, ...; `start` is the number of the active point of the earlier axes.
+// Sum over the active points of axes k, k+1, ...; `start` is the number of the active point of the earlier
+// axes.
 Record contract(const SplineData &data, const std::vector<ExactBasis> &bases,
                 const std::vector<Record> &active, const MultiIndex &a, size_t k, size_t start) {
     if (k == bases.size()) {

@@ -29,7 +29,8 @@ namespace {
 
 using Record = std::vector<long double>;
 
-// One axis at one parameter, with its knots counted from the first active function: knot(i) is t_(span - degree + i).
+// One axis at one parameter, with its knots counted from the first active function: knot(i) is t_(span -
+// degree + i).
 struct Axis {
     const double *knots;
     int degree;
@@ -38,8 +39,8 @@ struct Axis {
     [[nodiscard]] long double knot(int i) const { return knots[i]; }
 };
 
-// Magnitudes on the span of the functions of a lower degree: the recurrence of Cox and de Boor with every factor made positive.
-// Inside the domain all factors are, and these are the functions themselves.
+// Magnitudes on the span of the functions of a lower degree: the recurrence of Cox and de Boor with every
+// factor made positive. Inside the domain all factors are, and these are the functions themselves.
 Record basis_values(const Axis &axis, int degree) {
     Record values = {1};
     for (int r = 1; r <= degree; ++r) {

@@ -11,9 +11,9 @@ inline constexpr long double eps = 0x1p-52L;
 long double c_of(int degree);
 long double c_of(const support::SplineData &data);
 
-// What multiplies 2 (c + 2 |a|) eps in the bound of derivative a of coordinate c: H_a of the preamble for a polynomial spline, E_a
-// for a rational one. All terms are positive, so that long double gives them to a few of its own units.
-// magnitudes[slot][c], slots as in nurbs_eval_derivs().
+// What multiplies 2 (c + 2 |a|) eps in the bound of derivative a of coordinate c: H_a of the preamble for a
+// polynomial spline, E_a for a rational one. All terms are positive, so that long double gives them to a few
+// of its own units. magnitudes[slot][c], slots as in nurbs_eval_derivs().
 std::vector<std::vector<long double>> magnitudes(const support::SplineData &data, int order,
                                                  const double *param, Sides left = {});
 

@@ -71,7 +71,8 @@ double nearest(const Fraction &x) {
         return 0;
     }
     const Integer magnitude = abs(x.numerator);
-    // The quotient gets 63 or 64 bits; the remainder is folded into the last one, far below the place that is rounded.
+    // The quotient gets 63 or 64 bits; the remainder is folded into the last one, far below the place that is
+    // rounded.
     const int shift = 63 + static_cast<int>(msb(x.denominator)) - static_cast<int>(msb(magnitude));
     const Integer up = shift > 0 ? Integer(magnitude << shift) : magnitude;
     const Integer down = shift < 0 ? Integer(x.denominator << -shift) : x.denominator;

@@ -1,5 +1,5 @@
-// Exact numbers: every double is an integer times a power of two, and everything derived from doubles here stays a
-// quotient of integers until it is compared with a double.
+// Exact numbers: every double is an integer times a power of two, and everything derived from doubles here
+// stays a quotient of integers until it is compared with a double.
 #pragma once
 
 // Boost 1.74 shadows and converts inside its own headers.
@@ -20,8 +20,8 @@ namespace reference {
 using Integer = boost::multiprecision::cpp_int;
 using Rational = boost::multiprecision::cpp_rational;
 
-// numerator / denominator with denominator > 0, deliberately not reduced: the common divisors of intermediate results cost far
-// more than they save.
+// numerator / denominator with denominator > 0, deliberately not reduced: the common divisors of intermediate
+// results cost far more than they save.
 struct Fraction {
     Integer numerator;
     Integer denominator;

@@ -9,8 +9,9 @@
 
 namespace support {
 
-// Calls body(random, seed) for seeds base, base + 1, ...: count * NURBS_PROPERTY_SCALE (environment, default 1) times, at least
-// once. Prints the seeds; stops at the first case that fails, which is enough to repeat it. An exception counts as a failure.
+// Calls body(random, seed) for seeds base, base + 1, ...: count * NURBS_PROPERTY_SCALE (environment, default
+// 1) times, at least once. Prints the seeds; stops at the first case that fails, which is enough to repeat
+// it. An exception counts as a failure.
 void for_each_case(uint64_t base, int count, const std::function<void(Random &, uint64_t)> &body);
 
 // What a failure message ends with: the seed and the spline in hexadecimal.

@@ -1,4 +1,5 @@
-// Random splines and parameters, most of them close to some degeneracy. Everything follows from one printed 64-bit seed.
+// Random splines and parameters, most of them close to some degeneracy. Everything follows from one printed
+// 64-bit seed.
 #pragma once
 
 #include "support/spline_data.h"
@@ -9,7 +10,8 @@
 
 namespace support {
 
-// std::mt19937_64 has the same stream everywhere; the standard distributions have not, so these are written out.
+// std::mt19937_64 has the same stream everywhere; the standard distributions have not, so these are written
+// out.
 class Random {
 public:
     explicit Random(uint64_t seed) : engine_(seed) {}
@@ -60,8 +62,8 @@ Recipe random_recipe(Random &random, int axes, int max_degree);
 
 // A parameter of the domain of one axis: at random, at a knot, one step beside a knot, at an end or near one.
 double random_param(Random &random, const std::vector<double> &knots, int degree);
-// Such a parameter as a knot to insert. On a periodic axis one that lies within rounding of a knot becomes that knot: one period away
-// the two could not be told apart.
+// Such a parameter as a knot to insert. On a periodic axis one that lies within rounding of a knot becomes
+// that knot: one period away the two could not be told apart.
 double random_new_knot(Random &random, const SplineData &data, int axis);
 // 0 in place of parameters so close to it that products with them underflow, where relative bounds end.
 double away_from_underflow(double t);

@@ -14,7 +14,8 @@ struct Destroy {
 };
 using Handle = std::unique_ptr<nurbs, Destroy>;
 
-// Throws std::runtime_error with the status' name and the message of nurbs_last_error() unless status is NURBS_OK.
+// Throws std::runtime_error with the status' name and the message of nurbs_last_error() unless status is
+// NURBS_OK.
 void require_ok(nurbs_status status);
 std::string last_error();
 

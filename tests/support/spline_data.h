@@ -32,12 +32,14 @@ struct SplineData {
     }
 };
 
-// Multi-indices of all derivatives up to `order`, in the graded order of nurbs_eval_derivs(), by its formulas.
+// Multi-indices of all derivatives up to `order`, in the graded order of nurbs_eval_derivs(), by its
+// formulas.
 using MultiIndex = std::vector<int>;
 std::vector<MultiIndex> graded_indices(int axes, int order);
 // Place of a multi-index in that order.
 int64_t slot_of(const MultiIndex &index);
-// The slots of all b with 0 < b <= a, each with the product of the binomials (a_k over b_k); for the quotient rule.
+// The slots of all b with 0 < b <= a, each with the product of the binomials (a_k over b_k); for the quotient
+// rule.
 struct LeibnizTerm {
     MultiIndex b;
     MultiIndex rest; // a - b
