@@ -55,7 +55,7 @@
  *     degree p    0   1   2   3   4   5   6   7   8   9  10-15  16-23  24-31
  *     c(p)        1   3   4   4   6   6   8   8  12  12    16     24     32
  *
- * Tests that climb to the worst case find at most half of this; (7 p + 2) eps hull on each axis is the proved
+ * Tests that search for the worst case find at most 0.6 of this; (7 p + 2) eps hull on each axis is the proved
  * bound. No ratio of weights enters. With signed weights the bound is c * eps * max|w_i P_i| / |w(t)|. At
  * clamped ends (and wherever one basis function is 1 on every axis) the stored control point is returned
  * bit for bit. A derivative of multi-index a (order k = |a|) of a polynomial spline is within 2 (c + 2 k) *
