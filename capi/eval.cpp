@@ -1,5 +1,5 @@
 // Evaluation, and what is made by evaluating along one axis.
-#include "checks.h"
+#include "batch.h"
 #include "guard.h"
 
 #include "base/checked.h"
@@ -13,18 +13,14 @@ using namespace nrb::capi;
 namespace {
 
 // Points are derivatives of order 0; `name` is what the output is called.
-void evaluate(const nurbs *g, int32_t order, ConstRecords raw, Records target, const char *name,
-              uint32_t flags) {
-    const Spline &spline = spline_of(g);
-    const AxisRules rules = decode_rules(flags, spline.axes());
-    check_length(raw.count, "n");
-    const ConstRecords in =
-        input("params", raw.data, raw.count, spline.axes(), raw.stride, raw.component_stride);
+void evaluate(const SplineBatch &batch, int32_t order, double *values, int64_t stride,
+              int64_t component_stride, const char *name) {
+    const Spline &spline = batch.spline;
     const int64_t width = checked_product(slot_count(spline.axes(), order), spline.dim(), name);
-    const Records out = output(name, target.data, raw.count, width, target.stride, target.component_stride);
-    check_overlap(name, out, "params", in);
-    check_parameters(spline, rules, in);
-    evaluate_points(spline, rules, order, in, out);
+    const Records out = output(name, values, batch.params.count, width, stride, component_stride);
+    check_overlap(name, out, "params", batch.params);
+    admit(batch);
+    evaluate_points(spline, batch.rules, order, batch.params, out);
 }
 
 struct Grid {
@@ -53,13 +49,13 @@ Grid checked_grid(const Spline &spline, const int64_t *counts, const double *par
 }
 
 void evaluate_on_grid(const nurbs *g, int32_t order, const int64_t *counts, const double *params,
-                      Records target, const char *name, uint32_t flags) {
+                      double *values, int64_t stride, int64_t component_stride, const char *name,
+                      uint32_t flags) {
     const Spline &spline = spline_of(g);
     const AxisRules rules = decode_rules(flags, spline.axes());
     const Grid grid = checked_grid(spline, counts, params);
     const int64_t width = checked_product(slot_count(spline.axes(), order), spline.dim(), name);
-    const Records out =
-        output(name, target.data, grid.point_count, width, target.stride, target.component_stride);
+    const Records out = output(name, values, grid.point_count, width, stride, component_stride);
     check_overlap(name, out, "params", input("params", params, grid.param_count, 0));
     int64_t first = 0;
     for (int k = 0; k < spline.axes(); ++k) {
@@ -76,8 +72,8 @@ nurbs_status nurbs_eval(const nurbs *g, int64_t n, const double *params, int64_t
                         int64_t param_component_stride, double *points, int64_t point_stride,
                         int64_t point_component_stride, uint32_t flags) {
     return guard([&] {
-        evaluate(g, 0, {params, n, 0, param_stride, param_component_stride},
-                 {points, n, 0, point_stride, point_component_stride}, "points", flags);
+        evaluate(spline_batch(g, n, params, param_stride, param_component_stride, flags), 0, points,
+                 point_stride, point_component_stride, "points");
     });
 }
 
@@ -95,16 +91,15 @@ nurbs_status nurbs_eval_derivs(const nurbs *g, int32_t order, int64_t n, const d
                                int64_t deriv_stride, int64_t deriv_component_stride, uint32_t flags) {
     return guard([&] {
         check_order(order);
-        evaluate(g, order, {params, n, 0, param_stride, param_component_stride},
-                 {derivs, n, 0, deriv_stride, deriv_component_stride}, "derivs", flags);
+        evaluate(spline_batch(g, n, params, param_stride, param_component_stride, flags), order, derivs,
+                 deriv_stride, deriv_component_stride, "derivs");
     });
 }
 
 nurbs_status nurbs_eval_grid(const nurbs *g, const int64_t *counts, const double *params, double *points,
                              int64_t point_stride, int64_t point_component_stride, uint32_t flags) {
     return guard([&] {
-        evaluate_on_grid(g, 0, counts, params, {points, 0, 0, point_stride, point_component_stride}, "points",
-                         flags);
+        evaluate_on_grid(g, 0, counts, params, points, point_stride, point_component_stride, "points", flags);
     });
 }
 
@@ -113,8 +108,8 @@ nurbs_status nurbs_eval_grid_derivs(const nurbs *g, int32_t order, const int64_t
                                     int64_t deriv_component_stride, uint32_t flags) {
     return guard([&] {
         check_order(order);
-        evaluate_on_grid(g, order, counts, params, {derivs, 0, 0, deriv_stride, deriv_component_stride},
-                         "derivs", flags);
+        evaluate_on_grid(g, order, counts, params, derivs, deriv_stride, deriv_component_stride, "derivs",
+                         flags);
     });
 }
 

@@ -1,5 +1,5 @@
 // Getters: all copy out.
-#include "checks.h"
+#include "batch.h"
 #include "guard.h"
 
 #include "eval/active.h"
@@ -161,14 +161,10 @@ nurbs_status nurbs_hull_size(const nurbs *g, int64_t n, const double *params, in
                              int64_t param_component_stride, double *sizes, int64_t size_stride,
                              uint32_t flags) {
     return guard([&] {
-        const Spline &spline = spline_of(g);
-        const AxisRules rules = decode_rules(flags, spline.axes());
-        check_length(n, "n");
-        const ConstRecords in =
-            input("params", params, n, spline.axes(), param_stride, param_component_stride);
+        const SplineBatch batch = spline_batch(g, n, params, param_stride, param_component_stride, flags);
         const Records out = output("sizes", sizes, n, 1, size_stride, 0);
-        check_overlap("sizes", out, "params", in);
-        check_parameters(spline, rules, in);
-        hull_sizes(spline, rules, in, out);
+        check_overlap("sizes", out, "params", batch.params);
+        admit(batch);
+        hull_sizes(batch.spline, batch.rules, batch.params, out);
     });
 }

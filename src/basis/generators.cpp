@@ -63,6 +63,20 @@ void fill_checked(int degree, const std::vector<double> &result, std::span<doubl
     std::copy(result.begin(), result.end(), knots.begin());
 }
 
+// Knot i stands at step_of(i - degree) of count - degree even steps from a to b.
+template <class StepOf>
+void fill_even(int degree, int64_t count, double a, double b, std::span<double> knots, StepOf &&step_of) {
+    check_degree(degree, -1);
+    check_count(degree, count, -1);
+    check_knot_total(static_cast<int64_t>(knots.size()), degree, count);
+    check_interval(a, b);
+    std::vector<double> result(knots.size());
+    for (size_t i = 0; i < result.size(); ++i) {
+        result[i] = even(a, b, step_of(static_cast<int64_t>(i) - degree), count - degree);
+    }
+    fill_checked(degree, result, knots);
+}
+
 int break_multiplicity(const int32_t *multiplicities, size_t i) noexcept {
     return multiplicities == nullptr ? 1 : multiplicities[i];
 }
@@ -83,28 +97,12 @@ void check_multiplicities(int degree, size_t n, const int32_t *multiplicities) {
 } // namespace
 
 void uniform_knots(int degree, int64_t count, double a, double b, std::span<double> knots) {
-    check_degree(degree, -1);
-    check_count(degree, count, -1);
-    check_knot_total(static_cast<int64_t>(knots.size()), degree, count);
-    check_interval(a, b);
-    std::vector<double> result(knots.size());
-    for (size_t i = 0; i < result.size(); ++i) {
-        result[i] = even(a, b, static_cast<int64_t>(i) - degree, count - degree);
-    }
-    fill_checked(degree, result, knots);
+    fill_even(degree, count, a, b, knots, [](int64_t step) { return step; });
 }
 
 void open_uniform_knots(int degree, int64_t count, double a, double b, std::span<double> knots) {
-    check_degree(degree, -1);
-    check_count(degree, count, -1);
-    check_knot_total(static_cast<int64_t>(knots.size()), degree, count);
-    check_interval(a, b);
-    std::vector<double> result(knots.size());
-    for (size_t i = 0; i < result.size(); ++i) {
-        const int64_t step = std::clamp(static_cast<int64_t>(i) - degree, int64_t{0}, count - degree);
-        result[i] = even(a, b, step, count - degree);
-    }
-    fill_checked(degree, result, knots);
+    fill_even(degree, count, a, b, knots,
+              [last = count - degree](int64_t step) { return std::clamp(step, int64_t{0}, last); });
 }
 
 int64_t bezier_knot_count(int degree, int64_t pieces) {
