@@ -79,7 +79,7 @@ nurbs_status nurbs_basis(int32_t degree, int64_t count, const double *knots, int
         if (spans != nullptr) {
             check_spans_overlap(spans, n, "params", batch.params);
             check_spans_overlap(spans, n, "knots", knot_view);
-            check_spans_overlap(spans, n, "output values", read_only(out));
+            check_spans_overlap(spans, n, "values", read_only(out));
         }
         admit(batch);
         basis_functions(*batch.axis, batch.rule, order, batch.params, spans, out);
@@ -96,7 +96,7 @@ nurbs_status nurbs_rational_basis(const nurbs *g, int64_t n, const double *param
         check_overlap("values", out, "params", batch.params);
         if (spans != nullptr) {
             check_spans_overlap(spans, n * batch.spline.axes(), "params", batch.params);
-            check_spans_overlap(spans, n * batch.spline.axes(), "output values", read_only(out));
+            check_spans_overlap(spans, n * batch.spline.axes(), "values", read_only(out));
         }
         admit(batch);
         rational_basis(batch.spline, batch.rules, batch.params, spans, out);

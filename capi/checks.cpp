@@ -124,7 +124,7 @@ void check_overlap(const char *out_name, const void *out, int64_t out_bytes, con
     const auto b = reinterpret_cast<uintptr_t>(in);
     if (out_bytes > 0 && in_bytes > 0 && a < b + static_cast<uintptr_t>(in_bytes) &&
         b < a + static_cast<uintptr_t>(out_bytes)) {
-        fail(NURBS_ERROR_OVERLAP, "output %s overlaps input %s", out_name, in_name);
+        fail(NURBS_ERROR_OVERLAP, "output %s overlaps %s", out_name, in_name);
     }
 }
 

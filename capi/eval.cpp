@@ -57,6 +57,8 @@ void evaluate_on_grid(const nurbs *g, int32_t order, const int64_t *counts, cons
     const int64_t width = checked_product(slot_count(spline.axes(), order), spline.dim(), name);
     const Records out = output(name, values, grid.point_count, width, stride, component_stride);
     check_overlap(name, out, "params", input("params", params, grid.param_count, 0));
+    constexpr auto bytes = static_cast<int64_t>(sizeof(double)); // of a count as well
+    check_overlap(name, out.data, out.extent() * bytes, "counts", counts, spline.axes() * bytes);
     int64_t first = 0;
     for (int k = 0; k < spline.axes(); ++k) {
         const auto at = static_cast<size_t>(k);

@@ -69,6 +69,10 @@ nurbs_status nurbs_distinct_knots(const nurbs *g, int32_t axis, int64_t cap, dou
             fail(NURBS_ERROR_SIZE, "cap = %lld, expected 0 or at least %lld", static_cast<long long>(cap),
                  static_cast<long long>(needed));
         }
+        if (cap != 0 && knots != nullptr && multiplicities != nullptr) {
+            check_overlap("multiplicities", multiplicities, needed * static_cast<int64_t>(sizeof(int32_t)),
+                          "knots", knots, needed * static_cast<int64_t>(sizeof(double)));
+        }
         for (size_t i = 0; cap != 0 && i < groups.size(); ++i) {
             if (knots != nullptr) {
                 knots[i] = groups[i].knot;
@@ -142,17 +146,16 @@ nurbs_status nurbs_homogeneous_points(const nurbs *g, int64_t count, double *poi
     return guard([&] {
         const Spline &spline = spline_of(g);
         check_size(count, spline.point_count(), "count");
-        const int width = spline.width();
+        const int dim = spline.dim();
         const Records out =
-            output("points", points, count, int64_t{spline.dim()} + 1, point_stride, point_component_stride);
-        const std::span<const double> records = spline.records();
+            output("points", points, count, int64_t{dim} + 1, point_stride, point_component_stride);
+        const bool stored = spline.form() == Form::homogeneous;
         for (int64_t i = 0; i < count; ++i) {
-            for (int c = 0; c < width; ++c) {
-                out(i, c) = records[static_cast<size_t>(i * width + c)];
+            for (int c = 0; c < dim; ++c) {
+                out(i, c) = stored ? spline.points()[static_cast<size_t>(i * (dim + 1) + c)]
+                                   : spline.weight(i) * spline.coordinate(i, c);
             }
-            if (!spline.rational()) {
-                out(i, width) = 1;
-            }
+            out(i, dim) = spline.weight(i);
         }
     });
 }

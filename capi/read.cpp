@@ -20,10 +20,14 @@ namespace {
 // Size of the struct in the first release: a caller never knows less.
 constexpr int64_t smallest_options = offsetof(nurbs_read_options, max_bytes) + sizeof(int64_t);
 
+// No release will have a larger one; a size beyond is garbage rather than a newer header.
+constexpr int64_t largest_options = 4096;
+
 void check_options_size(int64_t size) {
-    if (size < smallest_options) {
-        fail(NURBS_ERROR_OPTIONS, "options: struct_size = %lld, expected at least %lld",
-             static_cast<long long>(size), static_cast<long long>(smallest_options));
+    if (size < smallest_options || size > largest_options) {
+        fail(NURBS_ERROR_OPTIONS, "options: struct_size = %lld, expected %lld to %lld",
+             static_cast<long long>(size), static_cast<long long>(smallest_options),
+             static_cast<long long>(largest_options));
     }
 }
 
@@ -52,7 +56,8 @@ ReadSettings settings_of(const nurbs_read_options *options) {
         fail(NURBS_ERROR_OPTIONS, "options: max_bytes = %lld, expected >= 0",
              static_cast<long long>(options->max_bytes));
     }
-    return {options->unit, options->max_bytes};
+    const int64_t limit = options->max_bytes == 0 ? ReadSettings().max_bytes : options->max_bytes;
+    return {options->unit, limit};
 }
 
 const Document &document_of(const nurbs_list *list) {
@@ -101,7 +106,8 @@ nurbs_status nurbs_read_options_init(nurbs_read_options *options, int64_t struct
         require(options, "options");
         check_options_size(struct_size);
         const ReadSettings defaults;
-        std::memset(options, 0, static_cast<size_t>(std::min<int64_t>(struct_size, sizeof *options)));
+        // Fields of a newer header too: zero asks for nothing new.
+        std::fill_n(reinterpret_cast<unsigned char *>(options), struct_size, static_cast<unsigned char>(0));
         options->struct_size = struct_size;
         options->unit = defaults.unit;
         options->max_bytes = defaults.max_bytes;

@@ -30,8 +30,9 @@
  * - **Arrays of records** (points, parameters, derivatives) are described by a pointer and two strides
  *   counted in doubles: component c of record i is at `array[i * stride + c * component_stride]`. Both
  *   strides may be 0, which means packed: component_stride 0 is 1, stride 0 is (record length) *
- *   component_stride. A C array of points is (0, 0), a Fortran array x(n, dim) is (1, n). Strides that let
- *   two components share a place are an error, and outputs must not overlap inputs. Where n is 0 the pointers
+ *   component_stride. A C array of points is (0, 0), a Fortran array x(n, dim) is (1, n). Either the
+ *   records lie apart (stride covers a record) or the components do (component_stride covers all records);
+ *   anything else is an error. Outputs must overlap neither inputs nor each other. Where n is 0 the pointers
  *   may be NULL.
  * - **A parameter** in a span uses [t_i, t_i+1), the last span is closed. Flags choose the other side, and
  *   what happens outside the domain.
@@ -55,17 +56,24 @@
  *     degree p    0   1   2   3   4   5   6   7   8   9  10-15  16-23  24-31
  *     c(p)        1   3   4   4   6   6   8   8  12  12    16     24     32
  *
- * Tests that search for the worst case find at most 0.6 of this; (7 p + 2) eps hull on each axis is the proved
- * bound. No ratio of weights enters. With signed weights the bound is c * eps * max|w_i P_i| / |w(t)|. At
- * clamped ends (and wherever one basis function is 1 on every axis) the stored control point is returned
- * bit for bit. A derivative of multi-index a (order k = |a|) of a polynomial spline is within 2 (c + 2 k) *
- * eps * H_a, where H_a is the result of the derivative formula in magnitudes: H_0 = |P|, and a step along an
- * axis replaces neighbours by (p - k + 1) (H_i + H_i+1) / (t_i+p+1 - t_i+k). For a rational one the quotient
- * rule is followed in magnitudes: E_a = (H_a[wP] + sum over 0 < b <= a of binomial(a, b) H_b[w] E_(a-b)) /
- * w(t) replaces H_a. Inserting a knot moves each homogeneous control point by at most 2 eps * hull for each
- * time, and where the knots of a periodic axis repeat to rounding only, by what that rounding moves. All
- * bounds hold barring underflow. One parameter gives the same bits alone, in a batch and on a grid, on one
- * machine.
+ * This table is tested, not proved: comparison with exact arithmetic, and a search for the worst case, find
+ * at most 0.6 of it. Proved is 7 p + 2. No ratio of weights enters. With signed weights hull is
+ * (max|w_i P_i| + |C(t)| max|w_i|) / |w(t)|. At clamped ends (and wherever one basis function is 1 on every
+ * axis) the stored control point is returned bit for bit.
+ *
+ * A derivative of multi-index a (order k = |a|) of a polynomial spline is within 2 (c + 2 k) * eps * H_a,
+ * where H_a is the result of the derivative formula in magnitudes: H_0 = |P|, and a step along an axis
+ * replaces neighbours by (p - k + 1) (H_i + H_i+1) / (t_i+p+1 - t_i+k). For a rational one the quotient rule
+ * is followed in magnitudes: E_a = (H_a[wP] + sum over 0 < b <= a of binomial(a, b) H_b[w] E_(a-b)) / w(t)
+ * replaces H_a.
+ *
+ * Inserting a knot moves each homogeneous control point by at most 2 eps * hull for each time (tested), one
+ * eps more in all for Cartesian points with weights; where the knots of a periodic axis repeat to rounding
+ * only, also by what that rounding moves.
+ *
+ * All bounds hold barring underflow and overflow: a component too large for double precision comes out as an
+ * infinity or NaN, without a status. One parameter gives the same bits alone, in a batch and on a grid, on
+ * one machine.
  *
  * # Bindings
  * Signatures use int32_t, int64_t, uint32_t, double, pointers to these, char buffers and opaque handles,
@@ -94,7 +102,7 @@ extern "C" {
  * @{ */
 /** \brief Changes when binaries built before stop working. */
 #define NURBS_VERSION_MAJOR 0
-/** \brief Changes when functions are added. */
+/** \brief Changes when functions are added; before 1.0 binaries must be built again for it. */
 #define NURBS_VERSION_MINOR 1
 /** \brief Changes when defects are mended. */
 #define NURBS_VERSION_PATCH 0
@@ -129,9 +137,9 @@ enum {
     NURBS_ERROR_TOO_FEW_POINTS = 6,    /**< fewer control points than degree + 1 */
     NURBS_ERROR_OVERFLOW = 7,          /**< the sizes asked for do not fit in memory addresses */
     NURBS_ERROR_SIZE = 8,              /**< a stated array length is not the one required */
-    NURBS_ERROR_DIMENSION = 9,         /**< dimension < 1 */
-    NURBS_ERROR_STRIDE = 10,           /**< negative stride, or components would share a place */
-    NURBS_ERROR_OVERLAP = 11,          /**< an output array overlaps an input array */
+    NURBS_ERROR_DIMENSION = 9,         /**< dimension not in [1, 2^31 - 2] */
+    NURBS_ERROR_STRIDE = 10,           /**< negative stride, or neither records nor components lie apart */
+    NURBS_ERROR_OVERLAP = 11,          /**< an output array overlaps another array */
     NURBS_ERROR_FLAGS = 12,            /**< unknown flag bits, or flags that exclude each other */
     NURBS_ERROR_ORDER = 13,            /**< derivative order not in [0, NURBS_MAX_ORDER] */
     NURBS_ERROR_KNOT_NOT_FINITE = 14,  /**< a knot is NaN or infinite, or the knots' range overflows */
@@ -220,7 +228,7 @@ NURBS_API const char *nurbs_status_name(nurbs_status status);
 /** \brief Copies the message of the last failed call in the calling thread, such as "params[17] = 1.2 outside
  * [0, 1]". Successful calls leave the message as it was; before any failure it is empty. At most cap - 1
  * bytes and a terminating zero are written.
- * \param[out] buf [cap] receives the text; may be NULL when cap is 0.
+ * \param[out] buf [cap] receives the text; NULL asks for the length only.
  * \param[in] cap size of buf in bytes; values < 0 count as 0.
  * \return the length of the whole message, without the terminating zero.
  * \since 0.1 */
@@ -316,7 +324,8 @@ NURBS_API nurbs_status nurbs_create_multiplicities(int32_t axes, const int32_t *
  * \param[in] degrees [axes] degree along each axis.
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DEGREE, _OVERFLOW, _DIMENSION, _STRIDE, _POINT_NOT_FINITE,
- *   _WEIGHT_NOT_FINITE, _WEIGHT_NEGATIVE, _WEIGHTS_VANISH.
+ *   _WEIGHT_NOT_FINITE, _WEIGHT_NEGATIVE, _WEIGHTS_VANISH;
+ *   _NOT_REPRESENTABLE if a weight times a coordinate overflows.
  * \since 0.1 */
 NURBS_API nurbs_status nurbs_create_bezier(int32_t axes, const int32_t *degrees, int32_t dim,
                                            const double *points, int64_t point_stride,
@@ -332,8 +341,9 @@ NURBS_API nurbs_status nurbs_create_bezier(int32_t axes, const int32_t *degrees,
  * \param[in] weight_stride distance between weights, 0 = 1.
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _STRIDE, _POINT_NOT_FINITE, _WEIGHT_NOT_FINITE, _WEIGHT_NEGATIVE,
- *   _WEIGHTS_VANISH, _PERIODIC_POINTS; _WEIGHT_NEGATIVE or _WEIGHTS_VANISH also when kept weights of a
- *   homogeneous spline do not suit Cartesian points.
+ *   _WEIGHTS_VANISH, _PERIODIC_POINTS, _OVERFLOW; _NOT_REPRESENTABLE if a weight times a coordinate
+ *   overflows; _WEIGHT_NEGATIVE or _WEIGHTS_VANISH also when kept weights of a homogeneous spline do not suit
+ *   Cartesian points.
  * \since 0.1 */
 NURBS_API nurbs_status nurbs_with_points(const nurbs *g, const double *points, int64_t point_stride,
                                          int64_t point_component_stride, const double *weights,
@@ -363,7 +373,7 @@ NURBS_API void nurbs_destroy(nurbs *g);
  * \param[in] knot_count count + degree + 1.
  * \param[out] knots [knot_count].
  * \return NURBS_OK, NURBS_ERROR_NULL, _DEGREE, _COUNT, _TOO_FEW_POINTS, _SIZE, _KNOT_NOT_FINITE,
- *   _EMPTY_DOMAIN; _NOT_REPRESENTABLE if knots overflow.
+ *   _EMPTY_DOMAIN; _NOT_REPRESENTABLE if knots overflow or [a, b] has no room for them.
  * \since 0.1 */
 NURBS_API nurbs_status nurbs_knots_uniform(int32_t degree, int64_t count, double a, double b,
                                            int64_t knot_count, double *knots);
@@ -400,8 +410,8 @@ NURBS_API nurbs_status nurbs_knots_bezier(int32_t degree, int64_t pieces, const 
  * \param[in] knot_count count + degree + 1.
  * \param[out] knots [knot_count].
  * \return NURBS_OK, NURBS_ERROR_NULL, _DEGREE, _COUNT, _TOO_FEW_POINTS, _SIZE, _OVERLAP,
- *   _PARAMETER_NOT_FINITE, _KNOTS_DECREASING, _EMPTY_DOMAIN; _END_MULTIPLICITY or _MULTIPLICITY if
- *   parameters repeat so often that a knot would.
+ *   _PARAMETER_NOT_FINITE, _KNOTS_DECREASING, _EMPTY_DOMAIN, _NOT_REPRESENTABLE; _END_MULTIPLICITY or
+ *   _MULTIPLICITY if parameters repeat so often that a knot would.
  * \since 0.1 */
 NURBS_API nurbs_status nurbs_knots_averaged(int32_t degree, int64_t count, const double *params,
                                             int64_t knot_count, double *knots);
@@ -487,7 +497,7 @@ NURBS_API nurbs_status nurbs_knots(const nurbs *g, int32_t axis, int64_t knot_co
  * \param[out] knots [cap] receives the distinct knots; may be NULL.
  * \param[out] multiplicities [cap] receives their multiplicities; may be NULL.
  * \param[out] count the number of distinct knots.
- * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _COUNT; _SIZE if cap is neither 0 nor enough.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _COUNT; _OVERLAP; _SIZE if cap is neither 0 nor enough.
  * \since 0.1 */
 NURBS_API nurbs_status nurbs_distinct_knots(const nurbs *g, int32_t axis, int64_t cap, double *knots,
                                             int32_t *multiplicities, int64_t *count);
@@ -525,7 +535,7 @@ NURBS_API nurbs_status nurbs_greville(const nurbs *g, int32_t axis, int64_t coun
  * \param[in] count number N of control points.
  * \param[out] points [count][dim] last axis fastest.
  * \param[in] point_stride,point_component_stride layout of points, 0 = packed.
- * \return NURBS_OK, NURBS_ERROR_NULL, _SIZE, _STRIDE.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _SIZE, _STRIDE, _OVERFLOW.
  * \since 0.1 */
 NURBS_API nurbs_status nurbs_points(const nurbs *g, int64_t count, double *points, int64_t point_stride,
                                     int64_t point_component_stride);
@@ -535,7 +545,7 @@ NURBS_API nurbs_status nurbs_points(const nurbs *g, int64_t count, double *point
  * \param[in] count number N of control points.
  * \param[out] weights [count] last axis fastest.
  * \param[in] weight_stride distance between weights, 0 = 1.
- * \return NURBS_OK, NURBS_ERROR_NULL, _SIZE, _STRIDE.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _SIZE, _STRIDE, _OVERFLOW.
  * \since 0.1 */
 NURBS_API nurbs_status nurbs_weights(const nurbs *g, int64_t count, double *weights, int64_t weight_stride);
 
@@ -544,13 +554,14 @@ NURBS_API nurbs_status nurbs_weights(const nurbs *g, int64_t count, double *weig
  * \param[in] count number N of control points.
  * \param[out] points [count][dim + 1] last axis fastest.
  * \param[in] point_stride,point_component_stride layout of points, 0 = packed.
- * \return NURBS_OK, NURBS_ERROR_NULL, _SIZE, _STRIDE.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _SIZE, _STRIDE, _OVERFLOW.
  * \since 0.1 */
 NURBS_API nurbs_status nurbs_homogeneous_points(const nurbs *g, int64_t count, double *points,
                                                 int64_t point_stride, int64_t point_component_stride);
 
 /** \brief Local hull size: the largest |coordinate| among the active control points of positive weight at
- * each parameter, the `hull` of the accuracy contract. With signed weights it is max|w_i P_i| / |w(t)|.
+ * each parameter, the `hull` of the accuracy contract. With signed weights it is (max|w_i P_i| + |C(t)|
+ * max|w_i|) / |w(t)|.
  * \param[in] g a spline.
  * \param[in] n number of parameters.
  * \param[in] params [n][axes].
@@ -722,8 +733,8 @@ NURBS_API nurbs_status nurbs_eval_grid_derivs(const nurbs *g, int32_t order, con
  * \param[in] flags evaluation flags of that axis, in the lowest eight bits; NURBS_NAN is not allowed.
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _AXIS, _FLAGS, _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN;
- *   _NOT_REPRESENTABLE if extrapolation overflows, _WEIGHTS_VANISH or _WEIGHT_NEGATIVE if it leaves the
- *   positive weights.
+ *   _NOT_REPRESENTABLE if a value overflows, _WEIGHTS_VANISH or _WEIGHT_NEGATIVE if extrapolation leaves the
+ *   positive weights or weights underflow.
  * \since 0.1 */
 NURBS_API nurbs_status nurbs_iso(const nurbs *g, int32_t axis, double param, uint32_t flags, nurbs **out);
 /** @} */
@@ -742,7 +753,7 @@ NURBS_API nurbs_status nurbs_iso(const nurbs *g, int32_t axis, double param, uin
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN, _TIMES, _OVERFLOW;
  *   _MULTIPLICITY if the knot would occur more than degree + 1 times; _PERIODIC_KNOTS if
  *   its copies on a periodic axis cannot be told from their neighbours; _NOT_REPRESENTABLE if a point
- *   overflows.
+ *   or a knot of the next period overflows, _WEIGHTS_VANISH if weights underflow.
  * \since 0.1 */
 NURBS_API nurbs_status nurbs_insert_knot(const nurbs *g, int32_t axis, double knot, int32_t times,
                                          nurbs **out);
@@ -752,11 +763,12 @@ NURBS_API nurbs_status nurbs_insert_knot(const nurbs *g, int32_t axis, double kn
  * @{ */
 
 /** \brief Settings for nurbs_read(); fill with nurbs_read_options_init() first. Fields are only ever
- * appended. */
+ * appended, and struct_size is at most 4096. A file whose own unit is not known cannot be converted to
+ * another: NURBS_ERROR_OPTIONS. */
 typedef struct nurbs_read_options {
     int64_t struct_size; /**< size of this struct as the caller knows it */
-    double unit; /**< wanted unit of length in metres (0.001: millimetres); 0 keeps the file's own unit */
-    int64_t max_bytes; /**< largest file accepted; default 2^30 */
+    double unit;         /**< wanted unit in metres (0.001: millimetres); 0 keeps the file's own */
+    int64_t max_bytes;   /**< largest file accepted; 0 means the default, 2^30 */
 } nurbs_read_options;
 
 /** \brief Fills an options struct with the defaults.

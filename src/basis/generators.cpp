@@ -63,6 +63,16 @@ void fill_checked(int degree, const std::vector<double> &result, std::span<doubl
     std::copy(result.begin(), result.end(), knots.begin());
 }
 
+void check_steps(double a, double b, int64_t n) {
+    for (int64_t i = 0; i < n; ++i) {
+        if (!(even(a, b, i, n) < even(a, b, i + 1, n))) {
+            fail(NURBS_ERROR_NOT_REPRESENTABLE,
+                 "[a, b] = [%s, %s] has no room for %lld spans in double precision", Number(a).text,
+                 Number(b).text, static_cast<long long>(n));
+        }
+    }
+}
+
 // Knot i stands at step_of(i - degree) of count - degree even steps from a to b.
 template <class StepOf>
 void fill_even(int degree, int64_t count, double a, double b, std::span<double> knots, StepOf &&step_of) {
@@ -70,6 +80,7 @@ void fill_even(int degree, int64_t count, double a, double b, std::span<double> 
     check_count(degree, count, -1);
     check_knot_total(static_cast<int64_t>(knots.size()), degree, count);
     check_interval(a, b);
+    check_steps(a, b, count - degree);
     std::vector<double> result(knots.size());
     for (size_t i = 0; i < result.size(); ++i) {
         result[i] = even(a, b, step_of(static_cast<int64_t>(i) - degree), count - degree);

@@ -85,7 +85,7 @@ void check_count(int degree, int64_t count, int axis) {
 }
 
 void check_knot_total(int64_t knot_count, int degree, int64_t count) {
-    if (knot_count - degree - 1 != count) { // the sum might overflow
+    if (knot_count < 0 || knot_count - degree - 1 != count) { // neither side overflows
         fail(NURBS_ERROR_SIZE, "knot_count = %lld, expected count + degree + 1 = %llu",
              static_cast<long long>(knot_count),
              static_cast<unsigned long long>(count) + static_cast<unsigned long long>(degree) + 1);

@@ -82,33 +82,67 @@ double largest_coordinate(const Spline &spline, int64_t point) noexcept {
     return size;
 }
 
-double largest_product(const Spline &spline, int64_t point) noexcept {
-    const double *record = spline.points().data() + point * spline.stored_width();
-    double size = 0;
-    for (int c = 0; c < spline.dim(); ++c) {
-        size = std::max(size, std::abs(record[c]));
+// What a bound in homogeneous space needs: the largest |w_i P_i| and |w_i|, and w(t) C(t) in the last dim + 1
+// values.
+class HomogeneousHull {
+public:
+    HomogeneousHull(const Spline &spline, std::vector<double> &sums) : spline_(spline), sums_(sums) {
+        std::fill(sums_.begin(), sums_.end(), 0.0);
     }
+
+    void add(int64_t point, double value) noexcept {
+        const int dim = spline_.dim();
+        const double *record = spline_.points().data() + point * (dim + 1);
+        double product = 0;
+        for (int c = 0; c <= dim; ++c) {
+            sums_[static_cast<size_t>(c)] += value * record[c];
+            product = c < dim ? std::max(product, std::abs(record[c])) : product;
+        }
+        largest_product_ = std::max(largest_product_, product);
+        largest_weight_ = std::max(largest_weight_, std::abs(record[dim]));
+        positive_ = positive_ && (record[dim] > 0 || (record[dim] == 0 && product == 0));
+    }
+
+    [[nodiscard]] bool positive() const noexcept { return positive_; }
+
+    // The numerator may be off by eps max|w_i P_i|, the denominator by eps max|w_i|, which moves the quotient
+    // C in proportion.
+    [[nodiscard]] double size() const noexcept {
+        const double weight = std::abs(sums_.back());
+        double point = 0;
+        for (auto sum = sums_.begin(); sum + 1 != sums_.end(); ++sum) {
+            point = std::max(point, std::abs(*sum) / weight);
+        }
+        return (largest_product_ + point * largest_weight_) / weight;
+    }
+
+private:
+    const Spline &spline_;
+    std::vector<double> &sums_;
+    double largest_product_ = 0;
+    double largest_weight_ = 0;
+    bool positive_ = true;
+};
+
+double cartesian_hull(const Spline &spline, const ActivePoints &active) noexcept {
+    double size = 0;
+    active.for_each([&](int64_t point, double) {
+        if (spline.weight(point) > 0) {
+            size = std::max(size, largest_coordinate(spline, point));
+        }
+    });
     return size;
 }
 
-double hull_size(const Spline &spline, const ActivePoints &active) noexcept {
-    double cartesian = 0;
-    double products = 0;
-    double weight = 0;
-    bool positive = true;
-    active.for_each([&](int64_t point, double value) {
-        const double w = spline.weight(point);
-        weight += w * value;
-        if (w > 0) {
-            cartesian = std::max(cartesian, largest_coordinate(spline, point));
+double hull_size(const Spline &spline, const ActivePoints &active, std::vector<double> &sums) noexcept {
+    if (spline.form() == Form::homogeneous) {
+        HomogeneousHull hull(spline, sums);
+        active.for_each([&](int64_t point, double value) { hull.add(point, value); });
+        if (!hull.positive()) {
+            return hull.size();
         }
-        if (spline.form() == Form::homogeneous) {
-            const double product = largest_product(spline, point);
-            products = std::max(products, product);
-            positive = positive && (w > 0 || (w == 0 && product == 0));
-        }
-    });
-    return positive ? cartesian : products / std::abs(weight);
+    }
+    return cartesian_hull(spline, active);
 }
 
 // Fills w_i N_i and returns what they are to be divided by.
@@ -148,8 +182,9 @@ void rational_basis(const Spline &spline, const AxisRules &rules, ConstRecords p
 
 void hull_sizes(const Spline &spline, const AxisRules &rules, ConstRecords params, Records sizes) {
     ActivePoints active(spline, rules);
+    std::vector<double> sums(spline.form() == Form::homogeneous ? static_cast<size_t>(spline.width()) : 0);
     for (int64_t i = 0; i < params.count; ++i) {
-        sizes(i, 0) = active.locate(params, i) ? hull_size(spline, active) : nan_value;
+        sizes(i, 0) = active.locate(params, i) ? hull_size(spline, active, sums) : nan_value;
     }
 }
 

@@ -10,8 +10,8 @@ namespace nrb {
 void rational_basis(const Spline &spline, const AxisRules &rules, ConstRecords params, int64_t *spans,
                     Records values);
 
-// The largest |coordinate| of an active control point of positive weight; max|w_i P_i| / |w(t)| where an
-// active weight is negative or a point is at infinity.
+// The largest |coordinate| of an active control point of positive weight; where a weight is negative or a
+// point at infinity, (max|w_i P_i| + |C(t)| max|w_i|) / |w(t)|.
 void hull_sizes(const Spline &spline, const AxisRules &rules, ConstRecords params, Records sizes);
 
 } // namespace nrb

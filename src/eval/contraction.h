@@ -8,6 +8,7 @@
 #include "spline/contract.h"
 
 #include <array>
+#include <span>
 
 namespace nrb {
 
@@ -37,16 +38,24 @@ struct Slabs {
     std::array<int64_t, max_axes> length{};
 };
 
-// Contracts axis `level` of the slabs before it (level >= 1). Row r of the axis is row_length = length[level]
-// doubles; the active rows begin at row `first`.
+// Part of a slab.
+struct Stretch {
+    int64_t offset;
+    int64_t length;
+};
+
+// Contracts axis `level` of the slabs before it (level >= 1), over the given stretches of each row. Row r of
+// the axis is length[level] doubles; the active rows begin at row `first`.
 inline void contract_level(int level, int order, int degree, const AxisBasis &basis, int64_t first,
-                           const Slabs &slabs) noexcept {
+                           const Slabs &slabs, std::span<const Stretch> stretches) noexcept {
     const auto at = static_cast<size_t>(level);
     const int64_t length = slabs.length[at];
     for_each_step(level, order, [&](int64_t source, int a, int64_t target) {
-        contract(basis.values + static_cast<int64_t>(a) * (degree + 1), degree + 1,
-                 slabs.data[at - 1] + source * slabs.length[at - 1] + first * length, length, length,
-                 slabs.data[at] + target * length);
+        const double *rows = slabs.data[at - 1] + source * slabs.length[at - 1] + first * length;
+        for (const Stretch &stretch : stretches) {
+            contract(basis.values + static_cast<int64_t>(a) * (degree + 1), degree + 1, rows + stretch.offset,
+                     length, stretch.length, slabs.data[at] + target * length + stretch.offset);
+        }
     });
 }
 

@@ -5,6 +5,7 @@
 #include "spline/axis_view.h"
 
 #include <algorithm>
+#include <memory>
 #include <vector>
 
 namespace nrb {
@@ -28,6 +29,8 @@ public:
     [[nodiscard]] int64_t size() const noexcept { return static_cast<int64_t>(bases_.size()); }
     [[nodiscard]] int degree() const noexcept { return evaluator_.degree(); }
     [[nodiscard]] bool valid(int64_t i) const noexcept { return valid_[static_cast<size_t>(i)] != 0; }
+    // Every layer that is active at some parameter, in rising order.
+    [[nodiscard]] std::vector<int64_t> needed_layers() const;
     [[nodiscard]] const AxisBasis &operator[](int64_t i) const noexcept {
         return bases_[static_cast<size_t>(i)];
     }
@@ -39,8 +42,26 @@ private:
     std::vector<double> values_;
 };
 
+std::vector<int64_t> AxisTable::needed_layers() const {
+    std::vector<int64_t> firsts;
+    for (int64_t i = 0; i < size(); ++i) {
+        if (valid(i)) {
+            firsts.push_back((*this)[i].first);
+        }
+    }
+    std::sort(firsts.begin(), firsts.end());
+    std::vector<int64_t> layers;
+    for (const int64_t first : firsts) {
+        const int64_t begin = layers.empty() ? first : std::max(first, layers.back() + 1);
+        for (int64_t layer = begin; layer <= first + degree(); ++layer) {
+            layers.push_back(layer);
+        }
+    }
+    return layers;
+}
+
 // Row contraction: axis 0 is contracted once for each of its parameters over the whole net, axis 1 once for
-// each pair, and so on.
+// each pair, and so on; layers of the later axes that no parameter needs are left out.
 class GridEvaluator {
 public:
     GridEvaluator(const Spline &spline, const AxisRules &rules, int order,
@@ -52,10 +73,13 @@ public:
             const auto at = static_cast<size_t>(k);
             tables_.emplace_back(spline.axis(k), rules[at], order, params[at]);
             slabs_.length[at] = axis_view(spline, k, spline.width()).inner;
-            storage_[at].resize(static_cast<size_t>(
-                checked_product(slot_count(k + 1, order), slabs_.length[at], "working memory of the grid")));
-            slabs_.data[at] = storage_[at].data();
+            const int64_t size =
+                checked_product(slot_count(k + 1, order), slabs_.length[at], "working memory of the grid");
+            storage_[at].reset(
+                new double[static_cast<size_t>(size)]); // uninitialised: little of it may be used
+            slabs_.data[at] = storage_[at].get();
         }
+        find_stretches();
     }
 
     void write(Records out) noexcept {
@@ -64,6 +88,29 @@ public:
     }
 
 private:
+    // From the last axis forward: each needed layer of an axis holds the stretches of the axes behind it.
+    void find_stretches() {
+        const int last = spline_.axes() - 1;
+        stretches_[static_cast<size_t>(last)] = {{0, spline_.width()}};
+        for (int k = last; k > 0; --k) {
+            const auto at = static_cast<size_t>(k);
+            std::vector<Stretch> &joined = stretches_[at - 1];
+            for (const int64_t layer : tables_[at].needed_layers()) {
+                for (const Stretch &inner : stretches_[at]) {
+                    append(joined, {layer * slabs_.length[at] + inner.offset, inner.length});
+                }
+            }
+        }
+    }
+
+    static void append(std::vector<Stretch> &stretches, Stretch next) {
+        if (!stretches.empty() && stretches.back().offset + stretches.back().length == next.offset) {
+            stretches.back().length += next.length;
+        } else {
+            stretches.push_back(next);
+        }
+    }
+
     template <int level>
     void descend(Records out) noexcept {
         const AxisTable &table = tables_[level];
@@ -86,14 +133,18 @@ private:
 
     void contract_rows(int level, const AxisTable &table) noexcept {
         const AxisBasis &basis = bases_[static_cast<size_t>(level)];
+        const std::vector<Stretch> &stretches = stretches_[static_cast<size_t>(level)];
         if (level > 0) {
-            return contract_level(level, order_, table.degree(), basis, basis.first, slabs_);
+            return contract_level(level, order_, table.degree(), basis, basis.first, slabs_, stretches);
         }
         const int functions = table.degree() + 1;
         const int64_t length = slabs_.length[0];
         for (int a = 0; a <= order_; ++a) {
-            contract(basis.values + static_cast<int64_t>(a) * functions, functions,
-                     net_ + basis.first * length, length, length, slabs_.data[0] + a * length);
+            for (const Stretch &stretch : stretches) {
+                contract(basis.values + static_cast<int64_t>(a) * functions, functions,
+                         net_ + basis.first * length + stretch.offset, length, stretch.length,
+                         slabs_.data[0] + a * length + stretch.offset);
+            }
         }
     }
 
@@ -114,7 +165,8 @@ private:
     Scratch scratch_;
     Finisher finisher_;
     std::vector<AxisTable> tables_;
-    std::array<std::vector<double>, max_axes> storage_;
+    std::array<std::unique_ptr<double[]>, max_axes> storage_;
+    std::array<std::vector<Stretch>, max_axes> stretches_;
     Slabs slabs_;
     Bases bases_;
     int64_t next_ = 0;

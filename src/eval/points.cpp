@@ -31,7 +31,9 @@ public:
         }
         contract_net();
         for (int k = 1; k < spline_.axes(); ++k) {
-            contract_level(k, order_, axis(k).degree(), bases_[static_cast<size_t>(k)], 0, slabs_);
+            const auto at = static_cast<size_t>(k);
+            const Stretch whole{0, slabs_.length[at]};
+            contract_level(k, order_, axis(k).degree(), bases_[at], 0, slabs_, {&whole, 1});
         }
         finisher_.write(slabs_.data[static_cast<size_t>(spline_.axes() - 1)], bases_, out, i);
     }

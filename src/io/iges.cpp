@@ -29,8 +29,12 @@ void check_settings(std::span<const char> bytes, const ReadSettings &settings) {
 
 // Factor from the unit of the file to the wanted one. A unit that the file does not tell cannot be converted.
 double unit_factor(double metres_per_unit, const ReadSettings &settings) {
-    if (settings.unit == 0 || metres_per_unit == 0) {
+    if (settings.unit == 0) {
         return 1;
+    }
+    if (metres_per_unit == 0) {
+        fail(NURBS_ERROR_OPTIONS, "unit = %s cannot be reached: the unit of the file is not known",
+             Number(settings.unit).text);
     }
     const double factor = metres_per_unit / settings.unit;
     if (!std::isnormal(factor)) {
@@ -47,8 +51,7 @@ public:
           parameter_plane_(iges::find_parameter_plane_curves(directory_, data_)),
           transforms_(directory_, data_), names_(directory_, data_),
           factor_(unit_factor(global.metres_per_unit, settings)) {
-        const bool converted = settings.unit > 0 && global.metres_per_unit > 0;
-        document_.metres_per_unit = converted ? settings.unit : global.metres_per_unit;
+        document_.metres_per_unit = settings.unit > 0 ? settings.unit : global.metres_per_unit;
     }
 
     Document run() {

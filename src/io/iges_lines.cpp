@@ -14,21 +14,35 @@ struct FileLine {
     bool terminated; // false only for a last line without line end
 };
 
-// Takes the next line off `rest`, without its line end.
+// Takes the next line off `rest`, without its line end, which is LF, CR LF or CR.
 FileLine take_line(std::string_view &rest, int64_t number) {
-    const size_t end = rest.find('\n');
+    const size_t end = rest.find_first_of("\r\n");
     const bool terminated = end != std::string_view::npos;
-    std::string_view text = rest.substr(0, end);
-    rest.remove_prefix(terminated ? end + 1 : rest.size());
-    if (terminated && !text.empty() && text.back() == '\r') {
-        text.remove_suffix(1);
+    const std::string_view text = rest.substr(0, end);
+    rest.remove_prefix(terminated ? end : rest.size());
+    if (terminated) {
+        rest.remove_prefix(rest.starts_with("\r\n") ? 2 : 1);
     }
     return {text, number, terminated};
 }
 
-// Programs for DOS ended text files with a Control-Z.
+// Programs for DOS ended text files with a Control-Z, others fill up a block with zeros.
 bool blank(std::string_view text) {
-    return text.find_first_not_of(" \t\r\n\x1a") == std::string_view::npos;
+    constexpr std::string_view nothing(" \t\r\n\x1a\0", 6);
+    return text.find_first_not_of(nothing) == std::string_view::npos;
+}
+
+// Takes off what editors and mail programs put before the first line, and returns how many lines that were.
+int64_t take_preamble(std::string_view &rest) {
+    constexpr std::string_view byte_order_mark("\xef\xbb\xbf");
+    if (rest.starts_with(byte_order_mark)) {
+        rest.remove_prefix(byte_order_mark.size());
+    }
+    int64_t lines = 0;
+    for (std::string_view ahead = rest; !ahead.empty() && blank(take_line(ahead, 0).text); ++lines) {
+        rest = ahead;
+    }
+    return lines;
 }
 
 char section_letter(std::string_view text) {
@@ -154,9 +168,10 @@ Sections split_sections(std::span<const char> bytes) {
     Lines *const in_order[] = {&sections.start, &sections.global, &sections.directory, &sections.parameter,
                                &sections.terminate};
     std::string_view rest(bytes.data(), bytes.size());
-    check_first_line(rest.substr(0, rest.find('\n')));
+    const int64_t skipped = take_preamble(rest);
+    check_first_line(rest.substr(0, rest.find_first_of("\r\n")));
     size_t current = 0;
-    for (int64_t number = 1; !rest.empty() && sections.terminate.empty(); ++number) {
+    for (int64_t number = skipped + 1; !rest.empty() && sections.terminate.empty(); ++number) {
         const FileLine line = take_line(rest, number);
         const size_t section = section_of(line);
         if (section < current) {

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include <cmath>
+
 namespace nrb::iges {
 
 // One pass counts the parameters, so that counts stated inside an entity can be checked before anything is
@@ -75,10 +77,26 @@ void Record::fail_value(const Parameter &parameter, const char *what, int64_t in
          static_cast<long long>(taken_), excerpt(parameter.text).c_str(), expected);
 }
 
+namespace {
+
+// Some programs write integers as reals, "3.".
+bool parse_whole(std::string_view text, int64_t &value) {
+    constexpr double limit = 1e15; // every whole number below is a double of its own
+    double real = 0;
+    if (!parse_real(text, real) || std::abs(real) > limit || real != std::trunc(real)) {
+        return false;
+    }
+    value = static_cast<int64_t>(real);
+    return true;
+}
+
+} // namespace
+
 int64_t Record::integer(const char *what, int64_t index) {
     const Parameter parameter = take();
     int64_t value = 0;
-    if (parameter.is_string || (!parameter.text.empty() && !parse_integer(parameter.text, value))) {
+    if (parameter.is_string || (!parameter.text.empty() && !parse_integer(parameter.text, value) &&
+                                !parse_whole(parameter.text, value))) {
         fail_value(parameter, what, index, "an integer");
     }
     return value;

@@ -2,6 +2,8 @@
 
 #include "base/checked.h"
 
+#include <limits>
+
 namespace nrb::iges {
 namespace {
 
@@ -38,13 +40,17 @@ void read_knots(Record &record, SplineData::Axis &axis, const char *name) {
     }
 }
 
-// The range of one axis; one that is left out, wholly or after its lower end, is the domain's.
+// The range of one axis. An end that is left out is the domain's; so are both when they are equal, because
+// nobody filled them in.
 void read_range(Record &record, SplineData::Axis &axis, const char *name) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
     const bool lower_blank = record.next_is_blank();
-    axis.lower = record.real(name, 0);
+    const double lower = record.real(name, 0);
     const bool upper_blank = record.next_is_blank();
-    axis.upper = record.real(name, 1);
-    axis.whole = lower_blank && upper_blank;
+    const double upper = record.real(name, 1);
+    axis.lower = lower_blank ? -infinity : lower;
+    axis.upper = upper_blank ? infinity : upper;
+    axis.whole = axis.lower == axis.upper;
 }
 
 // IGES lets the first index run fastest, this library the last: entry (i, j) of counts (m, n) stands at j * m

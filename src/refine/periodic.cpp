@@ -3,60 +3,65 @@
 #include "refine/boehm.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace nrb {
 
 namespace {
 
-// Several periods of an axis laid out as plain knots, `margin` of them on either side of the stored ones.
-// Layer i of the extension is layer (i mod distinct) of the spline.
+// The layers and knots of a periodic axis with `lead` more on either side, as plain ones. Layer i of the
+// extension is layer i - lead of the endless sequence, and so is knot i.
 struct Extension {
+    const KnotVector &axis;
     int64_t distinct;
-    int64_t margin;
+    int64_t lead;
+    double period;
     std::vector<double> knots;
 
-    explicit Extension(const KnotVector &axis);
-    // The knot `periods` periods away from a new one behind stored knot k: an existing knot's copy is the one
-    // that stands there, a new one stays between its neighbours whatever the rounding.
-    [[nodiscard]] double copy_of(const KnotVector &axis, double knot, int64_t k,
-                                 int64_t periods) const noexcept;
+    explicit Extension(const KnotVector &stored);
+    // The copy of a new knot that stands behind stored knot k, behind extended knot `at`: where the knot
+    // exists its copy does too, and elsewhere the copy stays between its neighbours whatever the rounding.
+    [[nodiscard]] double copy_of(double knot, int64_t k, int64_t at) const noexcept;
+    // A table that takes the layers of the extension from those of the spline.
+    [[nodiscard]] LayerTable unroll() const;
 };
 
 // New layers and knots of one period depend on old ones at most degree + 1 places away.
-Extension::Extension(const KnotVector &axis)
-    : distinct(axis.distinct_layers()), margin((axis.degree() + 1 + distinct - 1) / distinct + 1) {
-    const std::span<const double> stored = axis.knots();
-    const auto lead = static_cast<size_t>(margin * distinct);
+Extension::Extension(const KnotVector &stored)
+    : axis(stored), distinct(stored.distinct_layers()), lead(stored.degree() + 1),
+      period(stored.domain().upper - stored.domain().lower),
+      knots(stored.knots().size() + 2 * static_cast<size_t>(lead)) {
+    const auto first = static_cast<size_t>(lead);
     const auto step = static_cast<size_t>(distinct);
-    const double period = axis.domain().upper - axis.domain().lower;
-    knots.resize(stored.size() + 2 * lead);
-    std::copy(stored.begin(), stored.end(), knots.begin() + static_cast<std::ptrdiff_t>(lead));
-    for (size_t i = lead; i-- > 0;) { // equal knots have equal copies, whatever the rounding
+    const size_t end = first + stored.knots().size();
+    std::copy(stored.knots().begin(), stored.knots().end(), knots.begin() + lead);
+    for (size_t i = first; i-- > 0;) { // equal knots have equal copies, whatever the rounding
         const bool repeated = knots[i + step] == knots[i + step + 1];
         knots[i] = repeated ? knots[i + 1] : std::min(knots[i + step] - period, knots[i + 1]);
     }
-    for (size_t i = lead + stored.size(); i < knots.size(); ++i) {
+    for (size_t i = end; i < knots.size(); ++i) {
         const bool repeated = knots[i - step] == knots[i - step - 1];
         knots[i] = repeated ? knots[i - 1] : std::max(knots[i - step] + period, knots[i - 1]);
     }
 }
 
-double Extension::copy_of(const KnotVector &axis, double knot, int64_t k, int64_t periods) const noexcept {
-    const auto at = static_cast<size_t>(k + (margin + periods) * distinct);
+double Extension::copy_of(double knot, int64_t k, int64_t at) const noexcept {
+    const auto index = static_cast<size_t>(at);
     if (knot == axis[k]) {
-        return knots[at];
+        return knots[index];
     }
-    const double period = axis.domain().upper - axis.domain().lower;
-    return std::clamp(knot + static_cast<double>(periods) * period, knots[at], knots[at + 1]);
+    const int64_t periods = (at - lead - k) / distinct; // without remainder
+    return std::clamp(knot + static_cast<double>(periods) * period, knots[index], knots[index + 1]);
 }
 
-// A table that takes the layers of the extension from those of the spline.
-LayerTable unroll(const Extension &extension, int64_t count) {
+LayerTable Extension::unroll() const {
     LayerTable table;
-    const int64_t rows = count + 2 * extension.margin * extension.distinct;
+    const int64_t rows = axis.count() + 2 * lead;
+    const int64_t shift =
+        (lead / distinct + 1) * distinct - lead; // a multiple of the period brings it above 0
     table.reserve(rows);
     for (int64_t i = 0; i < rows; ++i) {
-        table.add_copy(i % extension.distinct);
+        table.add_copy((i + shift) % distinct);
     }
     return table;
 }
@@ -89,27 +94,33 @@ SplinePtr insert_periodic(const Spline &spline, int axis, double knot, int times
     const int p = stored.degree();
     const Extension extension(stored);
     const int64_t k = stored.spans().find(knot, false);
+    const int64_t distinct = extension.distinct;
 
+    if (!std::isfinite(extension.knots.back() - extension.knots.front())) {
+        fail(NURBS_ERROR_NOT_REPRESENTABLE, "knots: those of the periods beside the domain overflow");
+    }
     std::vector<double> knots = extension.knots;
-    SplinePtr wide = replaced(spline, axis, knots, false, unroll(extension, stored.count()));
-    for (int64_t q = -extension.margin; q <= extension.margin; ++q) {
-        const double copy = extension.copy_of(stored, knot, k, q);
+    SplinePtr wide = replaced(spline, axis, knots, false, extension.unroll());
+    int64_t before = 0; // copies in front of the domain
+    const int64_t lowest = (k + extension.lead - p) % distinct + p;
+    for (int64_t at = lowest; at < stored.count() + 2 * extension.lead; at += distinct) {
+        const double copy = extension.copy_of(knot, k, at);
         check_copy(knots, p, copy, times);
         LayerTable table;
         append_insertion_rows(p, knots, copy, times, table);
         knots = insert_into_knots(knots, copy, times);
         wide = replaced(*wide, axis, knots, false, table);
+        before += at < extension.lead + p ? 1 : 0;
     }
 
-    // The start of the domain has moved by the copies inserted before it, one in each period.
-    const int64_t distinct = extension.distinct + times;
-    const int64_t start = extension.margin * distinct;
+    const int64_t start = extension.lead + before * times;
     LayerTable window;
-    for (int64_t i = 0; i < distinct + p; ++i) {
-        window.add_copy(start + i % distinct);
+    for (int64_t i = 0; i < distinct + times + p; ++i) {
+        window.add_copy(start + i % (distinct + times));
     }
     const auto first = knots.begin() + start;
-    SplinePtr result = replaced(*wide, axis, {first, first + distinct + 2 * int64_t{p} + 1}, true, window);
+    SplinePtr result =
+        replaced(*wide, axis, {first, first + distinct + times + 2 * int64_t{p} + 1}, true, window);
     check_spline(*result);
     return result;
 }

@@ -67,12 +67,11 @@ std::vector<double> combine_all(const LayerTable &table, const Layers &layers) {
 
 // Overwrites one layer of Cartesian points by the quotients of the homogeneous sums, wherever their weight
 // allows.
-void project(const std::vector<double> &sums, int dim, double *points, double *weights) {
+void project(const std::vector<double> &sums, int dim, double *points) {
     const int64_t width = dim + 1;
     const auto count = static_cast<int64_t>(sums.size()) / width;
     for (int64_t i = 0; i < count; ++i) {
         const double *sum = sums.data() + i * width;
-        weights[i] = sum[dim];
         if (sum[dim] != 0) {
             std::transform(sum, sum + dim, points + i * dim, [w = sum[dim]](double x) { return x / w; });
         }
@@ -93,7 +92,7 @@ Net apply_rational(const Spline &spline, int axis, const LayerTable &table) {
             }
             combine(table, table.row(r), records, o, sums.data());
             const int64_t target = (o * table.rows() + r) * weights.view.inner;
-            project(sums, dim, net.points.data() + target * dim, net.weights.data() + target);
+            project(sums, dim, net.points.data() + target * dim);
         }
     }
     check_representable(net.points.data(), static_cast<int64_t>(net.points.size()));

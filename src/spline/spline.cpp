@@ -1,20 +1,33 @@
 #include "spline/spline.h"
 
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <numeric>
 
 namespace nrb {
 
 namespace {
 
+// A common factor of the weights cancels. Weights that are all so small or so large that their products would
+// leave double precision are brought near 1 by a power of two, which is exact.
+int common_exponent(std::span<const double> weights) noexcept {
+    constexpr int harmless = 256;
+    const int exponent = std::ilogb(*std::max_element(weights.begin(), weights.end()));
+    return std::abs(exponent) <= harmless ? 0 : exponent;
+}
+
 std::vector<double> homogeneous_records(std::span<const double> points, std::span<const double> weights,
                                         int dim) {
     const auto width = static_cast<size_t>(dim) + 1;
+    const int exponent = common_exponent(weights);
     std::vector<double> records(weights.size() * width);
     for (size_t i = 0; i < weights.size(); ++i) {
+        const double weight = std::ldexp(weights[i], -exponent);
         for (size_t c = 0; c + 1 < width; ++c) {
-            records[i * width + c] = weights[i] * points[i * (width - 1) + c];
+            records[i * width + c] = weight * points[i * (width - 1) + c];
         }
-        records[i * width + width - 1] = weights[i];
+        records[i * width + width - 1] = weight;
     }
     return records;
 }

@@ -27,8 +27,8 @@ public:
     using Axes = std::vector<KnotVectorPtr>;
 
     // Preconditions: sizes agree (points: product of counts times record width; weights: product of counts
-    // for Form::rational, else empty) and the values satisfy check_points() and check_weights(): use
-    // make_spline() for data from outside.
+    // for Form::rational, else empty) and the values satisfy check_spline(): use make_spline() for data from
+    // outside.
     Spline(Axes axes, int dim, Form form, std::vector<double> points, std::vector<double> weights) noexcept;
 
     [[nodiscard]] int axes() const noexcept { return static_cast<int>(axes_.size()); }
@@ -46,7 +46,8 @@ public:
     [[nodiscard]] int stored_width() const noexcept { return form_ == Form::homogeneous ? dim_ + 1 : dim_; }
 
     // The records that kernels contract: (w x, w y, ..., w) when rational, (x, y, ...) when not. For
-    // Form::rational they are a derived table, built at first use.
+    // Form::rational they are a derived table, built at first use; all weights may be scaled by one power of
+    // two in it.
     [[nodiscard]] std::span<const double> records() const;
     [[nodiscard]] int width() const noexcept { return rational() ? dim_ + 1 : dim_; }
 

@@ -22,6 +22,12 @@
 #endif
 #endif
 
+#ifdef ALLOCATIONS_BELONG_TO_A_SANITIZER
+constexpr bool allocations_belong_to_a_sanitizer = true;
+#else
+constexpr bool allocations_belong_to_a_sanitizer = false;
+#endif
+
 namespace allocations {
 
 struct Block {
