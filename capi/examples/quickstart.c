@@ -251,7 +251,7 @@ static const shape *choose(const shape *shapes, int64_t count, int32_t axes) {
     const shape *best = NULL, *s;
     int64_t most = -1;
     for (s = shapes; s < shapes + count; ++s) {
-        const int64_t merit = 1000 * (s->degree[0] > 2) + 500 * clamped(s) + s->points % 64;
+        const int64_t merit = 1000 * (s->degree[0] > 2) + 500 * clamped(s) + (s->points < 64 ? s->points : 0);
         if (s->axes == axes && merit > most) {
             most = merit;
             best = s;
@@ -260,15 +260,37 @@ static const shape *choose(const shape *shapes, int64_t count, int32_t axes) {
     return best;
 }
 
+/* What the header allows: twice the error of a point, and 2 for each inserted knot, in units of eps * hull. */
+static double allowance(const shape *before, const shape *after) {
+    double units = 1;
+    int32_t axis;
+    for (axis = 0; axis < before->axes; ++axis) {
+        const int32_t p = before->degree[axis];
+        units += 2 * (p <= 3    ? 4
+                      : p <= 15 ? 16
+                                : 32) +
+                 2 * (double)(after->count[axis] - before->count[axis]);
+    }
+    return units;
+}
+
 static void show(const shape *s, const char *folder) {
     shape finer;
+    double moved, allowed;
     if (s == NULL) {
         return;
     }
     finer = refined(s);
     print_evaluation(s);
-    printf("  %lld control points, %lld with more knots; the shape moved by %.2f eps * hull\n\n",
-           (long long)s->points, (long long)finer.points, difference(s, &finer));
+    moved = difference(s, &finer);
+    allowed = allowance(s, &finer);
+    printf("  %lld control points, %lld with more knots; the shape moved by %.2f eps * hull, rounding allows "
+           "%g\n\n",
+           (long long)s->points, (long long)finer.points, moved, allowed);
+    if (!(moved <= allowed)) {
+        fprintf(stderr, "quickstart: inserting knots has moved %s\n", s->name);
+        exit(EXIT_FAILURE);
+    }
     if (s->axes == 1) {
         draw_curve(folder, s, &finer);
     }

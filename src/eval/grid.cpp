@@ -44,6 +44,7 @@ private:
 
 std::vector<int64_t> AxisTable::needed_layers() const {
     std::vector<int64_t> firsts;
+    firsts.reserve(bases_.size());
     for (int64_t i = 0; i < size(); ++i) {
         if (valid(i)) {
             firsts.push_back((*this)[i].first);
@@ -51,6 +52,10 @@ std::vector<int64_t> AxisTable::needed_layers() const {
     }
     std::sort(firsts.begin(), firsts.end());
     std::vector<int64_t> layers;
+    if (!firsts.empty()) {
+        const int64_t range = firsts.back() - firsts.front() + degree() + 1;
+        layers.reserve(static_cast<size_t>(std::min(range, std::ssize(firsts) * (degree() + 1))));
+    }
     for (const int64_t first : firsts) {
         const int64_t begin = layers.empty() ? first : std::max(first, layers.back() + 1);
         for (int64_t layer = begin; layer <= first + degree(); ++layer) {
@@ -95,7 +100,9 @@ private:
         for (int k = last; k > 0; --k) {
             const auto at = static_cast<size_t>(k);
             std::vector<Stretch> &joined = stretches_[at - 1];
-            for (const int64_t layer : tables_[at].needed_layers()) {
+            const std::vector<int64_t> layers = tables_[at].needed_layers();
+            joined.reserve(layers.size() * stretches_[at].size());
+            for (const int64_t layer : layers) {
                 for (const Stretch &inner : stretches_[at]) {
                     append(joined, {layer * slabs_.length[at] + inner.offset, inner.length});
                 }

@@ -64,7 +64,7 @@ def repeated(kind, names):
 
 def soname(major, minor):
     """Before 1.0 a minor release may change the interface."""
-    return f"libnurbs.so.{major}" if major else f"libnurbs.so.0.{minor}"
+    return f"libnurbs.so.{major}" if int(major) else f"libnurbs.so.0.{minor}"
 
 
 def problems(header_path, map_path, library):

@@ -59,12 +59,12 @@ static void zero_weights(void) {
     local_sizes(a, 1, &half, 0, (const double[]){2});
 }
 
-/* With signed weights: max |w_i P_i| / |w(t)|, here 1 / |1 - 2 t|. */
+/* With signed weights: (max |w_i P_i| + |C(t)| max |w_i|) / |w(t)|, here (1 + |t / (1 - 2 t)|) / |1 - 2 t|. */
 static void signed_weights(void) {
     static const int32_t degree = 1;
     static const int64_t count = 2;
     static const double knots[] = {0, 0, 1, 1}, records[] = {0, 1, 1, -1}, params[] = {0, 0.25, 0.75, 1};
-    static const double expected[] = {1, 2, 2, 1};
+    static const double expected[] = {1, 3, 5, 2};
     double sizes[4];
     nurbs *g = NULL;
     CHECK_OK(nurbs_create_homogeneous(1, &degree, &count, knots, 4, 1, records, 0, 0, 0, &g));

@@ -33,15 +33,28 @@ std::int64_t length(const T &range) {
     return static_cast<std::int64_t>(range.size());
 }
 
-// Product of counts; -1 if one is negative or the product is absurd, which the library then reports itself.
+// Sum of counts, in the same manner as product().
+inline std::int64_t sum(std::span<const std::int64_t> counts) {
+    std::int64_t result = 0;
+    for (const std::int64_t count : counts) {
+        if (count < 0) {
+            return -1;
+        }
+        result = result > INT64_MAX - count ? INT64_MAX : result + count;
+    }
+    return result;
+}
+
+// Product of counts; -1 if one is negative, which the library then reports itself, and INT64_MAX, which no array
+// has, if it overflows.
 template <class T>
 std::int64_t product(std::span<const T> counts) {
     std::int64_t result = 1;
     for (const std::int64_t count : counts) {
-        if (count < 0 || (count > 0 && result > (INT64_MAX >> 8) / count)) {
+        if (count < 0) {
             return -1;
         }
-        result *= count;
+        result = count > 0 && result > INT64_MAX / count ? INT64_MAX : result * count;
     }
     return result;
 }

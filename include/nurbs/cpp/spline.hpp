@@ -8,7 +8,6 @@
 
 #include <array>
 #include <cstdint>
-#include <numeric>
 #include <span>
 #include <utility>
 #include <vector>
@@ -291,7 +290,7 @@ private:
     }
     static void check_distinct(std::size_t axes, View<std::int64_t> counts, View<double> knots,
                                View<std::int32_t> multiplicities) {
-        const auto total = std::accumulate(counts.begin(), counts.end(), std::int64_t{0});
+        const std::int64_t total = detail::sum(counts);
         if (counts.size() != axes) {
             detail::wrong_size("distinct_counts", counts.size(), std::to_string(axes));
         }
@@ -315,7 +314,7 @@ private:
         if (detail::length(counts) != axes()) {
             detail::wrong_size("counts", counts.size(), std::to_string(axes()));
         }
-        const auto total = std::accumulate(counts.begin(), counts.end(), std::int64_t{0});
+        const std::int64_t total = detail::sum(counts);
         if (detail::length(params) != total) {
             detail::wrong_size("params", params.size(), std::to_string(total));
         }

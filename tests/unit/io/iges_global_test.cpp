@@ -41,14 +41,15 @@ TEST(IgesGlobal, InchesWhereNothingIsSaid) {
     EXPECT_EQ(read(IgesBuilder::join(lines)).metres_per_unit, 0.0254);
 }
 
-TEST(IgesGlobal, UnknownUnitsStayUnknownAndAreNotConverted) {
+TEST(IgesGlobal, UnknownUnitsStayUnknownAndCannotBeConverted) {
     for (const auto &[flag, name] : std::vector<std::pair<std::string, std::string>>{
              {"3", ""}, {"3", "5HCUBIT"}, {"12", "2HMM"}, {"-1", "2HMM"}, {"99999999999", ""}}) {
         IgesBuilder builder;
         builder.global(14, flag).global(15, name).add(126, line_126);
-        const nrb::Document document = read(builder, {.unit = 0.001});
+        const nrb::Document document = read(builder);
         EXPECT_EQ(document.metres_per_unit, 0.0) << flag << name;
         EXPECT_EQ(points_of(*only_spline(document)), (std::vector<double>{1, 2, 3, 4, 6, 8}));
+        EXPECT_THROW(read(builder, {.unit = 0.001}), nrb::Error) << flag << name;
     }
 }
 

@@ -89,9 +89,20 @@ TEST(IgesCurve, CutsTheRightPart) {
 
 TEST(IgesCurve, RangesWithoutParameters) {
     EXPECT_EQ(note_of(126, cubic(ones, "0", "2,1")).reason, NURBS_ERROR_EMPTY_DOMAIN);
-    EXPECT_EQ(note_of(126, cubic(ones, "0", "1,1")).reason, NURBS_ERROR_EMPTY_DOMAIN);
     EXPECT_EQ(note_of(126, cubic(ones, "0", "3,4")).reason, NURBS_ERROR_OUTSIDE_DOMAIN);
     EXPECT_EQ(note_of(126, cubic(ones, "0", "-2,0")).reason, NURBS_ERROR_OUTSIDE_DOMAIN);
+}
+
+// An end that is not given is the domain's, and equal ones nobody filled in.
+TEST(IgesCurve, RangesThatAreNotFilledIn) {
+    const std::vector<double> whole{0, 0, 0, 0, 1, 2, 3, 3, 3, 3};
+    EXPECT_EQ(knots_of(*read_one(126, cubic(ones, "0", ","))), whole);
+    EXPECT_EQ(knots_of(*read_one(126, cubic(ones, "0", "0,0"))), whole);
+    EXPECT_EQ(knots_of(*read_one(126, cubic(ones, "0", "0,"))), whole);
+    EXPECT_EQ(knots_of(*read_one(126, cubic(ones, "0", ",2"))),
+              (std::vector<double>{0, 0, 0, 0, 1, 2, 2, 2, 2}));
+    EXPECT_EQ(knots_of(*read_one(126, cubic(ones, "0", "1,"))),
+              (std::vector<double>{1, 1, 1, 1, 2, 3, 3, 3, 3}));
 }
 
 // Closed cubic over [3, 7] with uniform knots; the last three points repeat the first three.
