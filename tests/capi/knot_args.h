@@ -60,6 +60,10 @@ static inline void huge_counts(OnKnots f) {
     CHECK(status == NURBS_ERROR_OVERFLOW || status == NURBS_ERROR_SIZE);
     status = f(a.degree, INT64_MAX / 2, a.knots, a.knot_count);
     CHECK(status == NURBS_ERROR_OVERFLOW || status == NURBS_ERROR_SIZE);
+    /* Totals whose difference to the degree would wrap around to the count. */
+    CHECK_FAILS(f(a.degree, INT64_MAX, a.knots, INT64_MIN + a.degree), NURBS_ERROR_SIZE, "knot_count");
+    CHECK_FAILS(f(a.degree, a.degree + 1, a.knots, INT64_MIN), NURBS_ERROR_SIZE, "knot_count");
+    CHECK_FAILS(f(a.degree, INT64_MAX, a.knots, INT64_MAX), NURBS_ERROR_SIZE, "knot_count");
 }
 
 #endif

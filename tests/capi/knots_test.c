@@ -2,6 +2,8 @@
 /* The generators of knot vectors. */
 #include "check.h"
 
+#include <float.h>
+
 #include <stdint.h>
 
 /* Outputs are longer than any vector asked for, so that a write past the end is seen. */
@@ -69,6 +71,7 @@ static void between_refuses(Between f) {
     KNOTS_FAIL(f(2, 5, 0, INFINITY, 8, out), NURBS_ERROR_KNOT_NOT_FINITE, "b|inf");
     KNOTS_FAIL(f(2, 5, 1, 1, 8, out), NURBS_ERROR_EMPTY_DOMAIN, "1");
     KNOTS_FAIL(f(2, 5, 1, 0.5, 8, out), NURBS_ERROR_EMPTY_DOMAIN, "1|0.5");
+    KNOTS_FAIL(f(2, 5, 1, 1 + DBL_EPSILON, 8, out), NURBS_ERROR_NOT_REPRESENTABLE, "3 spans");
 }
 
 /* INT64_MAX + degree + 1 is no count of knots; either the count or the total is named. */

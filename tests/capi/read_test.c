@@ -211,6 +211,36 @@ static void bad_list_arguments(void) {
     nurbs_list_destroy(NULL);
 }
 
+/* A program built with a later header hands over a longer struct: cleared by init, refused where it is used. */
+static void longer_options(void) {
+    union {
+        nurbs_read_options options;
+        unsigned char bytes[64];
+    } wide;
+    const IgesText text = small_file();
+    nurbs_list *list = NULL;
+    size_t i;
+    memset(&wide, 0xab, sizeof wide);
+    CHECK_OK(nurbs_read_options_init(&wide.options, (int64_t)sizeof wide));
+    CHECK_INT(wide.options.struct_size, sizeof wide);
+    for (i = sizeof wide.options; i < sizeof wide; ++i) {
+        CHECK_INT(wide.bytes[i], 0);
+    }
+    CHECK_OK(nurbs_read(text.bytes, text.size, &wide.options, &list));
+    nurbs_list_destroy(list);
+    wide.bytes[63] = 1;
+    NO_LIST(nurbs_read(text.bytes, text.size, &wide.options, &list), NURBS_ERROR_OPTIONS, "24");
+    wide.options.struct_size = 4097;
+    NO_LIST(nurbs_read(text.bytes, text.size, &wide.options, &list), NURBS_ERROR_OPTIONS, "struct_size|4097");
+    wide.options.struct_size = INT64_MAX;
+    NO_LIST(nurbs_read(text.bytes, text.size, &wide.options, &list), NURBS_ERROR_OPTIONS, "struct_size");
+    CHECK_FAILS(nurbs_read_options_init(&wide.options, INT64_MAX), NURBS_ERROR_OPTIONS, "struct_size");
+    wide.options = defaults();
+    wide.options.max_bytes = 0;
+    CHECK_OK(nurbs_read(text.bytes, text.size, &wide.options, &list));
+    nurbs_list_destroy(list);
+}
+
 static void files(void) {
     const IgesText text = small_file();
     nurbs_read_options options = defaults();
@@ -241,6 +271,7 @@ static void files(void) {
 
 int main(void) {
     default_options();
+    longer_options();
     contents();
     units();
     truncated_texts();

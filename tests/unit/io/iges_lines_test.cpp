@@ -23,9 +23,10 @@ TEST(IgesLines, EveryLineEnd) {
     const std::vector<double> expected = {1, 2, 3, 4, 6, 8};
     std::string stripped = builder.text();
     stripped.pop_back();
-    for (const std::string &text :
-         {builder.text("\n"), builder.text("\r\n"), stripped, builder.text() + "\n\n",
-          builder.text("\r\n") + "\x1a", builder.text("  \n")}) {
+    for (const std::string &text : {builder.text("\n"), builder.text("\r\n"), stripped,
+                                    builder.text() + "\n\n", builder.text("\r\n") + "\x1a",
+                                    builder.text("  \n"), builder.text("\r"), "\xef\xbb\xbf" + builder.text(),
+                                    "\n  \n" + builder.text(), builder.text() + std::string(100, '\0')}) {
         EXPECT_EQ(points_of(*only_spline(read(text))), expected);
     }
 }

@@ -93,6 +93,14 @@ TEST(IgesCurve, RangesWithoutParameters) {
     EXPECT_EQ(note_of(126, cubic(ones, "0", "-2,0")).reason, NURBS_ERROR_OUTSIDE_DOMAIN);
 }
 
+TEST(IgesCurve, IntegersMayBeWrittenAsReals) {
+    const nrb::SplinePtr spline =
+        read_one(126, "1.,1.0D0,0,0,1,0,0.,0.,1.,1.,1.,1.,1.,2.,3.,5.,6.,8.,0.,1.,0.,0.,1.");
+    EXPECT_EQ(points_of(*spline), (std::vector<double>{1, 2, 3, 5, 6, 8}));
+    EXPECT_EQ(note_of(126, "1.5,1,0,0,1,0,0.,0.,1.,1.,1.,1.,1.,2.,3.,5.,6.,8.,0.,1.,0.,0.,1.").reason,
+              NURBS_ERROR_SYNTAX);
+}
+
 // An end that is not given is the domain's, and equal ones nobody filled in.
 TEST(IgesCurve, RangesThatAreNotFilledIn) {
     const std::vector<double> whole{0, 0, 0, 0, 1, 2, 3, 3, 3, 3};
