@@ -278,6 +278,6 @@ class Spline:
         """The spline of one axis less on which the parameter of `axis` is fixed."""
         return self._made(lib.nurbs_iso, self._handle, axis, param, flags)
 
-    def insert_knot(self, knot, times=1, axis=0):
+    def insert_knot(self, knot, *, times=1, axis=0):
         """The same shape with a knot inserted."""
         return self._made(lib.nurbs_insert_knot, self._handle, axis, knot, times)

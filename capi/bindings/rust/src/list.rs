@@ -6,6 +6,7 @@ use crate::spline::Spline;
 use crate::sys;
 use std::ffi::CString;
 use std::os::raw::{c_char, c_void};
+use std::os::unix::ffi::OsStrExt;
 use std::path::Path;
 use std::ptr::{null_mut, NonNull};
 
@@ -89,8 +90,7 @@ impl List {
     }
 
     pub fn read_file(path: impl AsRef<Path>, options: Option<&ReadOptions>) -> Result<List> {
-        let path = path.as_ref().to_string_lossy().into_owned();
-        let path = CString::new(path).map_err(|_| Error {
+        let path = CString::new(path.as_ref().as_os_str().as_bytes()).map_err(|_| Error {
             status: sys::NURBS_ERROR_FILE,
             message: String::from("path contains a zero byte"),
         })?;
