@@ -73,7 +73,7 @@ void check_steps(double a, double b, int64_t n) {
     }
 }
 
-// Knot i stands at step_of(i - degree) of count - degree even steps from a to b.
+// Knot i stands at step_of(i - degree, n) of n = count - degree even steps from a to b.
 template <class StepOf>
 void fill_even(int degree, int64_t count, double a, double b, std::span<double> knots, StepOf &&step_of) {
     check_degree(degree, -1);
@@ -83,7 +83,7 @@ void fill_even(int degree, int64_t count, double a, double b, std::span<double> 
     check_steps(a, b, count - degree);
     std::vector<double> result(knots.size());
     for (size_t i = 0; i < result.size(); ++i) {
-        result[i] = even(a, b, step_of(static_cast<int64_t>(i) - degree), count - degree);
+        result[i] = even(a, b, step_of(static_cast<int64_t>(i) - degree, count - degree), count - degree);
     }
     fill_checked(degree, result, knots);
 }
@@ -108,12 +108,12 @@ void check_multiplicities(int degree, size_t n, const int32_t *multiplicities) {
 } // namespace
 
 void uniform_knots(int degree, int64_t count, double a, double b, std::span<double> knots) {
-    fill_even(degree, count, a, b, knots, [](int64_t step) { return step; });
+    fill_even(degree, count, a, b, knots, [](int64_t step, int64_t) { return step; });
 }
 
 void open_uniform_knots(int degree, int64_t count, double a, double b, std::span<double> knots) {
     fill_even(degree, count, a, b, knots,
-              [last = count - degree](int64_t step) { return std::clamp(step, int64_t{0}, last); });
+              [](int64_t step, int64_t last) { return std::clamp(step, int64_t{0}, last); });
 }
 
 int64_t bezier_knot_count(int degree, int64_t pieces) {
