@@ -1,0 +1,29 @@
+// Evaluation in blocks, for results that are computed from points and derivatives (frames, curvature, other
+// number formats): no array of all derivatives is ever made.
+#pragma once
+
+#include "eval/parameters.h"
+
+namespace nrb {
+
+inline constexpr int64_t block_size = 64;
+
+// Receives points first, ..., first + values.count - 1. Component slot * dim + c of point i of the block is
+// values.data[(slot * dim + c) * block_size + i]: one row of block_size doubles for each component, of which
+// the first values.count are filled. A point that gives NaN has NaN in all rows.
+class BlockSink {
+public:
+    virtual void operator()(int64_t first, ConstRecords values) noexcept = 0;
+
+protected:
+    ~BlockSink() = default;
+};
+
+// As evaluate_points() and evaluate_grid(), in rising order of the points, at most block_size at a time. May
+// throw only std::bad_alloc, before the sink is called.
+void evaluate_points(const Spline &spline, const AxisRules &rules, int order, ConstRecords params,
+                     BlockSink &sink);
+void evaluate_grid(const Spline &spline, const AxisRules &rules, int order,
+                   const std::array<ConstRecords, max_axes> &params, BlockSink &sink);
+
+} // namespace nrb
