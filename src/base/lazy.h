@@ -1,8 +1,8 @@
-// A slot for a table that is derived from an immutable object: built at first use, by any thread, then
-// shared.
+// Slots for tables that are derived from an immutable object: built when needed, by any thread, then shared.
 #pragma once
 
 #include <atomic>
+#include <cstdint>
 #include <memory>
 
 namespace nrb {
@@ -17,9 +17,12 @@ public:
     Lazy &operator=(const Lazy &) = delete;
     ~Lazy() { delete slot_.load(std::memory_order_acquire); }
 
+    // The table, or null while there is none.
+    [[nodiscard]] const T *peek() const noexcept { return slot_.load(std::memory_order_acquire); }
+
     template <class Build>
     const T &get(Build &&build) const {
-        if (const T *ready = slot_.load(std::memory_order_acquire)) {
+        if (const T *ready = peek()) {
             return *ready;
         }
         auto fresh = std::make_unique<const T>(build());
@@ -32,6 +35,19 @@ public:
 
 private:
     mutable std::atomic<const T *> slot_{nullptr};
+};
+
+// Whether the uses of an object so far have paid for a table: until then every use does without, which costs
+// as much as the table's share, so that neither one use nor many cost more than twice what they must.
+class Uses {
+public:
+    // Counts `uses` more; `cost` is the cost of the table in uses.
+    [[nodiscard]] bool pay(int64_t uses, int64_t cost) const noexcept {
+        return uses >= cost || count_.fetch_add(uses, std::memory_order_relaxed) + uses >= cost;
+    }
+
+private:
+    mutable std::atomic<int64_t> count_{0};
 };
 
 } // namespace nrb

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 
 namespace nrb {
@@ -21,10 +22,17 @@ public:
         next_ += size;
         return block;
     }
+    // The same at the start of a cache line, for which up to line - 1 doubles are skipped.
+    double *take_aligned(size_t size) noexcept {
+        const size_t over = reinterpret_cast<uintptr_t>(next_) / sizeof(double) % line;
+        next_ += (line - over) % line;
+        return take(size);
+    }
+    static constexpr size_t line = 64 / sizeof(double);
 
 private:
     static constexpr size_t inline_size = 1024;
-    double inline_[inline_size];
+    alignas(64) double inline_[inline_size];
     std::unique_ptr<double[]> heap_;
     double *next_;
 };

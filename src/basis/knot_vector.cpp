@@ -65,6 +65,22 @@ const SpanTable &KnotVector::spans() const {
     return spans_.get([this] { return SpanTable(degree_, knots_); });
 }
 
+const SpanTable *KnotVector::spans_after(int64_t uses) const {
+    return spans_.peek() != nullptr || searches_.pay(uses, count() / 4) ? &spans() : nullptr;
+}
+
+const PieceArray *KnotVector::pieces_after(int64_t uses) const {
+    if (pieces_.peek() != nullptr || evaluations_.pay(uses, count())) {
+        return &pieces_.get([this] { return basis_pieces(*this); });
+    }
+    return nullptr;
+}
+
+int64_t KnotVector::find_span(double t, bool left) const noexcept {
+    const SpanTable *table = spans_.peek();
+    return table != nullptr ? table->find(t, left) : nrb::find_span(degree_, knots_, t, left);
+}
+
 void check_degree(int degree, int axis) {
     if (degree < 0 || degree > NURBS_MAX_DEGREE) {
         fail(NURBS_ERROR_DEGREE, "degrees[%d] = %d, expected 0 to %d", axis < 0 ? 0 : axis, degree,

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/lazy.h"
+#include "basis/pieces.h"
 #include "basis/span_table.h"
 
 #include <cstdint>
@@ -35,12 +36,22 @@ public:
 
     // The search structure over the non-empty spans of the domain; built at first use.
     [[nodiscard]] const SpanTable &spans() const;
+    // The same if it exists or if `uses` searches more make it worth having, else null.
+    [[nodiscard]] const SpanTable *spans_after(int64_t uses) const;
+    // The pieces of the basis functions of every non-empty span, if they exist or if `uses` evaluations more
+    // make them worth having, else null. Precondition: degree() <= max_piece_degree.
+    [[nodiscard]] const PieceArray *pieces_after(int64_t uses) const;
+    // Index of the span that holds t, as SpanTable::find(), with the table if there is one.
+    [[nodiscard]] int64_t find_span(double t, bool left) const noexcept;
 
 private:
     int degree_;
     bool periodic_;
     std::vector<double> knots_;
     Lazy<SpanTable> spans_;
+    Lazy<PieceArray> pieces_;
+    Uses searches_;
+    Uses evaluations_;
 };
 
 using KnotVectorPtr = std::shared_ptr<const KnotVector>;

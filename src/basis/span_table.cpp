@@ -1,7 +1,10 @@
 #include "basis/span_table.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 namespace nrb {
 
@@ -15,40 +18,47 @@ SpanTable::SpanTable(int degree, std::span<const double> knots) {
         }
     }
     breaks_.push_back(knots[last]);
+    finder_.lower_ = breaks_.front();
+    finder_.breaks_ = breaks_.data();
 
-    // Two buckets a span leave most of them with at most one break. A domain too short for the scale gets one
-    // bucket.
+    // More buckets make it rarer that a bucket holds several breaks, and the table larger. Eight a span leave
+    // a percent or so of uneven breaks together; even ones never are.
+    const size_t most = std::bit_ceil(8 * span_.size());
     size_t buckets = std::bit_ceil(2 * span_.size());
-    lower_ = knots[first];
-    scale_ = static_cast<double>(buckets) / (knots[last] - lower_);
-    if (!std::isfinite(scale_)) {
-        scale_ = 0;
-        buckets = 1;
-    }
-    last_bucket_ = static_cast<double>(buckets - 1);
-    first_.assign(buckets + 1, 0);
-    for (size_t i = 1; i < span_.size(); ++i) {
-        ++first_[static_cast<size_t>(bucket(breaks_[i])) + 1];
-    }
-    for (size_t b = 1; b <= buckets; ++b) {
-        first_[b] += first_[b - 1];
+    while (!fill(buckets) && buckets < most && finder_.scale_ > 0) {
+        buckets *= 2;
     }
 }
 
-int64_t SpanTable::bucket(double t) const noexcept {
-    const double x = (t - lower_) * scale_;
-    if (!(x > 0)) {
-        return 0;
+bool SpanTable::fill(size_t buckets) {
+    using Bucket = Finder::Bucket;
+    finder_.scale_ = static_cast<double>(buckets) / (breaks_.back() - breaks_.front());
+    if (!std::isfinite(finder_.scale_)) { // a domain too short for the scale gets one bucket
+        finder_.scale_ = 0;
+        buckets = 1;
     }
-    return static_cast<int64_t>(x < last_bucket_ ? x : last_bucket_);
+    finder_.last_bucket_ = static_cast<double>(buckets - 1);
+    buckets_.assign(buckets + 1, Bucket{std::numeric_limits<double>::infinity(), 0});
+    finder_.buckets_ = buckets_.data();
+    bool single = true;
+    for (size_t i = 1; i < span_.size(); ++i) {
+        Bucket &own = buckets_[static_cast<size_t>(finder_.bucket(breaks_[i]))];
+        const bool alone = own.before == 0;
+        own.inner = alone ? breaks_[i] : std::numeric_limits<double>::quiet_NaN();
+        ++own.before;
+        single = single && alone;
+    }
+    int64_t before = 0;
+    for (Bucket &bucket : buckets_) {
+        before += std::exchange(bucket.before, before);
+    }
+    return single;
 }
 
 template <bool left>
-int64_t SpanTable::rank(double t) const noexcept {
-    const auto b = static_cast<size_t>(bucket(t));
-    const double *inner = breaks_.data() + 1;
-    int64_t rank = first_[b];
-    int64_t remaining = first_[b + 1] - rank;
+int64_t SpanTable::Finder::search(double t, int64_t rank, int64_t end) const noexcept {
+    const double *inner = breaks_ + 1;
+    int64_t remaining = end - rank;
     while (remaining > 0) {
         const int64_t half = remaining / 2;
         const bool below = left ? inner[rank + half] < t : inner[rank + half] <= t;
@@ -58,8 +68,19 @@ int64_t SpanTable::rank(double t) const noexcept {
     return rank;
 }
 
-int64_t SpanTable::find(double t, bool left) const noexcept {
-    return span_[static_cast<size_t>(left ? rank<true>(t) : rank<false>(t))];
+template int64_t SpanTable::Finder::search<true>(double, int64_t, int64_t) const noexcept;
+template int64_t SpanTable::Finder::search<false>(double, int64_t, int64_t) const noexcept;
+
+int64_t find_span(int degree, std::span<const double> knots, double t, bool left) noexcept {
+    const auto p = static_cast<std::ptrdiff_t>(degree);
+    const auto begin = knots.begin() + p;
+    const auto end = knots.end() - p - 1; // the end of the domain
+    // The break that ends the span: the first one beyond t, inside the domain.
+    const double clamped = std::clamp(t, *begin, *end);
+    auto after = left ? std::lower_bound(begin, end, clamped) : std::upper_bound(begin, end, clamped);
+    after = *after == *begin ? std::upper_bound(begin, end, *begin) : after;
+    after = *after == *end ? std::lower_bound(begin, end, *end) : after;
+    return after - knots.begin() - 1;
 }
 
 } // namespace nrb

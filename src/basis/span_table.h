@@ -2,23 +2,78 @@
 // can meet.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
 namespace nrb {
 
-// Only non-empty spans are listed. A parameter's bucket is floor((t - lower) * scale); in floating point this
-// is a monotone function of t, so that breaks in lower buckets are <= t and breaks in higher buckets are > t
-// without any safety margin, and only the breaks of t's own bucket need a comparison.
+// Only non-empty spans are listed; they are numbered from 0 on. A parameter's bucket is
+// floor((t - lower) * scale); in floating point this is a monotone function of t, so that breaks in lower
+// buckets are <= t and breaks in higher buckets are > t without any safety margin, and only the breaks of t's
+// own bucket need a comparison. Most buckets hold at most one.
 class SpanTable {
 public:
+    // The search itself, a value that loops keep in registers.
+    class Finder {
+    public:
+        // Number of the non-empty span with breaks[i] <= t < breaks[i + 1]; outside the domain the first or
+        // the last one. `left` takes breaks[i] < t <= breaks[i + 1] in place of it. Precondition: t is not
+        // NaN.
+        template <bool left>
+        [[nodiscard]] int64_t number(double t) const noexcept {
+            return number_in<left>(buckets_ + bucket(t), std::min(t, std::numeric_limits<double>::max()));
+        }
+        // The same for a parameter inside the domain.
+        [[nodiscard]] int64_t number_inside(double t) const noexcept {
+            const double x = (t - lower_) * scale_;
+            return number_in<false>(buckets_ + static_cast<int64_t>(x < last_bucket_ ? x : last_bucket_), t);
+        }
+
+    private:
+        friend class SpanTable;
+        struct Bucket {
+            double inner;   // the only break inside the bucket; infinity: none; NaN: several
+            int64_t before; // number of breaks in lower buckets
+        };
+        template <bool left>
+        [[nodiscard]] int64_t number_in(const Bucket *bucket, double t) const noexcept {
+            if (bucket->inner != bucket->inner) {
+                return search<left>(t, bucket[0].before, bucket[1].before);
+            }
+            return bucket->before + ((left ? bucket->inner < t : bucket->inner <= t) ? 1 : 0);
+        }
+        template <bool left>
+        [[nodiscard]] int64_t search(double t, int64_t rank, int64_t end) const noexcept;
+
+        [[nodiscard]] int64_t bucket(double t) const noexcept {
+            const double x = (t - lower_) * scale_;
+            return x > 0 ? static_cast<int64_t>(x < last_bucket_ ? x : last_bucket_) : 0;
+        }
+
+        double lower_ = 0;
+        double scale_ = 0;
+        double last_bucket_ = 0;
+        const Bucket *buckets_ = nullptr; // and one behind the last
+        const double *breaks_ = nullptr;
+    };
+
     // Precondition: knots are non-decreasing with knots[degree] < knots[size - degree - 1].
     SpanTable(int degree, std::span<const double> knots);
+    SpanTable(SpanTable &&) noexcept = default;
+    SpanTable(const SpanTable &) = delete;
+    SpanTable &operator=(const SpanTable &) = delete;
 
-    // Index s of the non-empty span with knots[s] <= t < knots[s + 1]; outside the domain the first or the
-    // last span. `left` takes knots[s] < t <= knots[s + 1] in place of it. Precondition: t is not NaN.
-    [[nodiscard]] int64_t find(double t, bool left) const noexcept;
+    [[nodiscard]] const Finder &finder() const noexcept { return finder_; }
+    [[nodiscard]] int64_t number(double t, bool left) const noexcept {
+        return left ? finder_.number<true>(t) : finder_.number<false>(t);
+    }
+    // The same span's index in the knot vector.
+    [[nodiscard]] int64_t find(double t, bool left) const noexcept {
+        return span_[static_cast<size_t>(number(t, left))];
+    }
     [[nodiscard]] int64_t size() const noexcept { return static_cast<int64_t>(span_.size()); }
     // Start of non-empty span number i, and its index in the knot vector; breaks()[size()] is the end of the
     // domain.
@@ -26,16 +81,16 @@ public:
     [[nodiscard]] std::span<const int64_t> indices() const noexcept { return span_; }
 
 private:
-    template <bool left>
-    [[nodiscard]] int64_t rank(double t) const noexcept;
-    [[nodiscard]] int64_t bucket(double t) const noexcept;
+    // Fills `buckets` buckets; whether none has more than one break.
+    bool fill(size_t buckets);
 
     std::vector<double> breaks_;
     std::vector<int64_t> span_;
-    std::vector<int64_t> first_; // first_[b]: number of breaks between spans that lie in buckets below b
-    double lower_ = 0;
-    double scale_ = 0;
-    double last_bucket_ = 0;
+    std::vector<Finder::Bucket> buckets_;
+    Finder finder_; // points into the vectors
 };
+
+// SpanTable::find() without a table: a binary search.
+int64_t find_span(int degree, std::span<const double> knots, double t, bool left) noexcept;
 
 } // namespace nrb

@@ -3,12 +3,9 @@
 // bit of their results.
 #pragma once
 
-#include "eval/axis_basis.h"
 #include "eval/slots.h"
-#include "spline/contract.h"
 
 #include <array>
-#include <span>
 
 namespace nrb {
 
@@ -31,32 +28,11 @@ void for_each_step(int level, int order, Step &&step) {
     });
 }
 
-// What the contraction of each axis leaves: kept[k] arrays of length[k] doubles after axis k. The last length
-// is the width of a record.
+// What the contraction of each axis but the last leaves: kept[k] arrays of length[k] doubles after axis k.
+// Row r of axis k + 1 is length[k + 1] doubles of such an array; the last length is the width of a record.
 struct Slabs {
     std::array<double *, max_axes> data{};
     std::array<int64_t, max_axes> length{};
 };
-
-// Part of a slab.
-struct Stretch {
-    int64_t offset;
-    int64_t length;
-};
-
-// Contracts axis `level` of the slabs before it (level >= 1), over the given stretches of each row. Row r of
-// the axis is length[level] doubles; the active rows begin at row `first`.
-inline void contract_level(int level, int order, int degree, const AxisBasis &basis, int64_t first,
-                           const Slabs &slabs, std::span<const Stretch> stretches) noexcept {
-    const auto at = static_cast<size_t>(level);
-    const int64_t length = slabs.length[at];
-    for_each_step(level, order, [&](int64_t source, int a, int64_t target) {
-        const double *rows = slabs.data[at - 1] + source * slabs.length[at - 1] + first * length;
-        for (const Stretch &stretch : stretches) {
-            contract(basis.values + static_cast<int64_t>(a) * (degree + 1), degree + 1, rows + stretch.offset,
-                     length, stretch.length, slabs.data[at] + target * length + stretch.offset);
-        }
-    });
-}
 
 } // namespace nrb

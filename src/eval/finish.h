@@ -1,36 +1,48 @@
-// The last step of every evaluation: from contracted records to the caller's record.
+// What the last step of every evaluation needs to know: the shape of contracted records and of the caller's
+// ones.
 #pragma once
 
 #include "base/records.h"
-#include "eval/axis_basis.h"
+#include "basis/pieces.h"
 #include "eval/quotient.h"
 #include "eval/slots.h"
+#include "spline/spline.h"
 
-#include <array>
 #include <limits>
-#include <optional>
 
 namespace nrb {
 
-using Bases = std::array<AxisBasis, max_axes>;
+// A contracted record is [slots][lanes]: components 0, ..., dim - 1, then the weight if rational, then
+// padding. The caller's record is [slots][dim].
+struct RecordShape {
+    RecordShape(const Spline &spline, int highest_order) noexcept
+        : axes(spline.axes()), order(highest_order), dim(spline.dim()), width(spline.width()),
+          lanes(Piece::lanes(spline.width())), slots(slot_count(spline.axes(), highest_order)),
+          rational(spline.rational()) {}
 
-class Finisher {
-public:
-    [[nodiscard]] static size_t scratch_size(const Spline &spline, int order) noexcept;
-    Finisher(const Spline &spline, int order, Scratch &scratch) noexcept;
+    [[nodiscard]] int64_t size() const noexcept { return slots * lanes; }
+    [[nodiscard]] int64_t values() const noexcept { return slots * dim; }
 
-    // Divides, replaces the point by the stored control point where it is the only active one, and writes
-    // record i.
-    void write(const double *contracted, const Bases &bases, Records out, int64_t i) const noexcept;
-    void write_nan(Records out, int64_t i) const noexcept;
-
-private:
-    [[nodiscard]] int64_t sole_point(const Bases &bases) const noexcept;
-
-    const Spline &spline_;
-    std::optional<QuotientRule> quotient_;
-    int64_t values_;
-    double *cartesian_;
+    int axes;
+    int order;
+    int dim;
+    int width;
+    int lanes;
+    int64_t slots;
+    bool rational;
 };
+
+// The caller's arrays hold stored control points where one is alone, and NaN where nothing was evaluated.
+inline void write_control_point(const Spline &spline, int64_t point, Records out, int64_t i) noexcept {
+    for (int c = 0; c < spline.dim(); ++c) {
+        out(i, c) = spline.coordinate(point, c);
+    }
+}
+
+inline void write_nan(int64_t values, Records out, int64_t i) noexcept {
+    for (int64_t c = 0; c < values; ++c) {
+        out(i, c) = std::numeric_limits<double>::quiet_NaN();
+    }
+}
 
 } // namespace nrb

@@ -1,182 +1,130 @@
 #include "base/checked.h"
-#include "eval/contraction.h"
 #include "eval/evaluate.h"
-#include "eval/finish.h"
+#include "eval/grid_layout.h"
 #include "spline/axis_view.h"
 
 #include <algorithm>
 #include <memory>
-#include <vector>
+#include <optional>
 
 namespace nrb {
 
 namespace {
 
-// The basis functions of all parameters of one axis.
-class AxisTable {
-public:
-    AxisTable(const KnotVector &axis, const AxisRule &rule, int order, ConstRecords params)
-        : evaluator_(axis, rule, order), bases_(static_cast<size_t>(params.count)),
-          valid_(static_cast<size_t>(params.count)),
-          values_(static_cast<size_t>(
-              checked_product(params.count, static_cast<int64_t>(evaluator_.values_size()), "params"))) {
-        for (size_t i = 0; i < bases_.size(); ++i) {
-            bases_[i].values = values_.data() + i * evaluator_.values_size();
-            valid_[i] = evaluator_(params(static_cast<int64_t>(i), 0), bases_[i]) ? 1 : 0;
-        }
+void append(std::vector<Stretch> &stretches, Stretch next) {
+    if (!stretches.empty() && stretches.back().offset + stretches.back().length == next.offset) {
+        stretches.back().length += next.length;
+    } else {
+        stretches.push_back(next);
     }
-
-    [[nodiscard]] int64_t size() const noexcept { return static_cast<int64_t>(bases_.size()); }
-    [[nodiscard]] int degree() const noexcept { return evaluator_.degree(); }
-    [[nodiscard]] bool valid(int64_t i) const noexcept { return valid_[static_cast<size_t>(i)] != 0; }
-    // Every layer that is active at some parameter, in rising order.
-    [[nodiscard]] std::vector<int64_t> needed_layers() const;
-    [[nodiscard]] const AxisBasis &operator[](int64_t i) const noexcept {
-        return bases_[static_cast<size_t>(i)];
-    }
-
-private:
-    AxisEvaluator evaluator_;
-    std::vector<AxisBasis> bases_;
-    std::vector<char> valid_;
-    std::vector<double> values_;
-};
-
-std::vector<int64_t> AxisTable::needed_layers() const {
-    std::vector<int64_t> firsts;
-    firsts.reserve(bases_.size());
-    for (int64_t i = 0; i < size(); ++i) {
-        if (valid(i)) {
-            firsts.push_back((*this)[i].first);
-        }
-    }
-    std::sort(firsts.begin(), firsts.end());
-    std::vector<int64_t> layers;
-    if (!firsts.empty()) {
-        const int64_t range = firsts.back() - firsts.front() + degree() + 1;
-        layers.reserve(static_cast<size_t>(std::min(range, std::ssize(firsts) * (degree() + 1))));
-    }
-    for (const int64_t first : firsts) {
-        const int64_t begin = layers.empty() ? first : std::max(first, layers.back() + 1);
-        for (int64_t layer = begin; layer <= first + degree(); ++layer) {
-            layers.push_back(layer);
-        }
-    }
-    return layers;
 }
 
-// Row contraction: axis 0 is contracted once for each of its parameters over the whole net, axis 1 once for
-// each pair, and so on; layers of the later axes that no parameter needs are left out.
+// Tables and working memory of one grid.
 class GridEvaluator {
 public:
     GridEvaluator(const Spline &spline, const AxisRules &rules, int order,
                   const std::array<ConstRecords, max_axes> &params)
-        : spline_(spline), order_(order), net_(spline.records().data()),
-          scratch_(Finisher::scratch_size(spline, order)), finisher_(spline, order, scratch_) {
-        tables_.reserve(max_axes);
-        for (int k = 0; k < spline.axes(); ++k) {
-            const auto at = static_cast<size_t>(k);
-            tables_.emplace_back(spline.axis(k), rules[at], order, params[at]);
-            slabs_.length[at] = axis_view(spline, k, spline.width()).inner;
-            const int64_t size =
-                checked_product(slot_count(k + 1, order), slabs_.length[at], "working memory of the grid");
-            storage_[at].reset(
-                new double[static_cast<size_t>(size)]); // uninitialised: little of it may be used
-            slabs_.data[at] = storage_[at].get();
+        : spline_(spline), shape_(spline, order), net_(spline.records().data()),
+          sources_(axis_sources(spline, rules, order, {params[0].count, params[1].count, params[2].count})),
+          scratch_(scratch_size()) {
+        if (shape_.rational) {
+            quotient_.emplace(shape_.axes, order, scratch_);
+        }
+        for (size_t k = 0; k < axes(); ++k) {
+            sources_[k].take_work(scratch_);
+            make_table(k, params[k]);
         }
         find_stretches();
+        make_slabs();
+        make_groups();
     }
 
-    void write(Records out) noexcept {
-        next_ = 0;
-        descend<0>(out);
+    void write(Records out) {
+        run(GridJob{spline_, shape_, quotient_ ? &*quotient_ : nullptr, net_, sources_, tables_, groups_, group_values_, exceptions_,
+                    {stretches_[0], stretches_[1], stretches_[2]}, slabs_, rows_, out});
     }
 
 private:
+    [[nodiscard]] size_t axes() const noexcept { return static_cast<size_t>(shape_.axes); }
+    [[nodiscard]] const AxisTable &last_table() const noexcept { return tables_[axes() - 1]; }
+    [[nodiscard]] int64_t rows_size() const noexcept { return shape_.slots * shape_.width * grid_group; }
+
+    [[nodiscard]] size_t scratch_size() const noexcept {
+        size_t size = QuotientRule::scratch_size(shape_.order) + static_cast<size_t>(rows_size()) + Scratch::line;
+        for (const AxisSource &source : sources_) {
+            size += source.work_size;
+        }
+        return size;
+    }
+
+    void make_table(size_t k, ConstRecords params) {
+        AxisTable &table = tables_[k];
+        table.points.resize(static_cast<size_t>(params.count));
+        table.values.resize(static_cast<size_t>(checked_product(params.count, sources_[k].values_size(shape_.order), "params")));
+        tabulate(sources_[k], shape_.order, params, table);
+    }
+
     // From the last axis forward: each needed layer of an axis holds the stretches of the axes behind it.
     void find_stretches() {
-        const int last = spline_.axes() - 1;
-        stretches_[static_cast<size_t>(last)] = {{0, spline_.width()}};
-        for (int k = last; k > 0; --k) {
-            const auto at = static_cast<size_t>(k);
-            std::vector<Stretch> &joined = stretches_[at - 1];
-            const std::vector<int64_t> layers = tables_[at].needed_layers();
-            joined.reserve(layers.size() * stretches_[at].size());
+        std::vector<Stretch> inner{{0, shape_.width}};
+        int64_t length = shape_.width;
+        for (size_t k = axes() - 1; k > 0; --k) {
+            const std::vector<int64_t> layers = needed_layers(tables_[k], sources_[k].degree);
+            std::vector<Stretch> &joined = stretches_[k - 1];
+            joined.reserve(layers.size() * inner.size());
             for (const int64_t layer : layers) {
-                for (const Stretch &inner : stretches_[at]) {
-                    append(joined, {layer * slabs_.length[at] + inner.offset, inner.length});
+                for (const Stretch &stretch : inner) {
+                    append(joined, {layer * length + stretch.offset, stretch.length});
                 }
             }
+            length *= spline_.count(static_cast<int>(k));
+            inner = joined;
         }
     }
 
-    static void append(std::vector<Stretch> &stretches, Stretch next) {
-        if (!stretches.empty() && stretches.back().offset + stretches.back().length == next.offset) {
-            stretches.back().length += next.length;
-        } else {
-            stretches.push_back(next);
+    void make_slabs() {
+        for (size_t k = 0; k + 1 < axes(); ++k) {
+            const int axis = static_cast<int>(k);
+            slabs_.length[k] = axis_view(spline_, axis, shape_.width).inner;
+            const int64_t size = checked_product(slot_count(axis + 1, shape_.order), slabs_.length[k], "working memory of the grid");
+            storage_[k].reset(new double[static_cast<size_t>(size)]); // uninitialised: little of it may be used
+            slabs_.data[k] = storage_[k].get();
         }
+        rows_ = scratch_.take_aligned(static_cast<size_t>(rows_size()));
     }
 
-    template <int level>
-    void descend(Records out) noexcept {
-        const AxisTable &table = tables_[level];
-        for (int64_t i = 0; i < table.size(); ++i) {
-            if (!table.valid(i)) {
-                skip(level, out);
-                continue;
+    void make_groups() {
+        const AxisSource &source = sources_[axes() - 1];
+        groups_ = group_by_layers(last_table());
+        const int64_t one = static_cast<int64_t>(shape_.order + 1) * (source.degree + 1) * grid_group;
+        const auto size = static_cast<size_t>(checked_product(std::ssize(groups_), one, "params"));
+        group_memory_.resize(size + Scratch::line);
+        const size_t over = reinterpret_cast<uintptr_t>(group_memory_.data()) / sizeof(double) % Scratch::line;
+        group_values_ = group_memory_.data() + (Scratch::line - over) % Scratch::line;
+        transpose_values(last_table(), source, shape_.order, groups_, group_values_);
+        for (int64_t i = 0; i < last_table().size(); ++i) {
+            const AxisPoint &point = last_table().points[static_cast<size_t>(i)];
+            if (!point.valid() || point.sole >= 0) {
+                exceptions_.push_back(i);
             }
-            bases_[level] = table[i];
-            contract_rows(level, table);
-            if constexpr (level + 1 < max_axes) {
-                if (level + 1 < spline_.axes()) {
-                    descend<level + 1>(out);
-                    continue;
-                }
-            }
-            finisher_.write(slabs_.data[level], bases_, out, next_++);
-        }
-    }
-
-    void contract_rows(int level, const AxisTable &table) noexcept {
-        const AxisBasis &basis = bases_[static_cast<size_t>(level)];
-        const std::vector<Stretch> &stretches = stretches_[static_cast<size_t>(level)];
-        if (level > 0) {
-            return contract_level(level, order_, table.degree(), basis, basis.first, slabs_, stretches);
-        }
-        const int functions = table.degree() + 1;
-        const int64_t length = slabs_.length[0];
-        for (int a = 0; a <= order_; ++a) {
-            for (const Stretch &stretch : stretches) {
-                contract(basis.values + static_cast<int64_t>(a) * functions, functions,
-                         net_ + basis.first * length + stretch.offset, length, stretch.length,
-                         slabs_.data[0] + a * length + stretch.offset);
-            }
-        }
-    }
-
-    // All grid points below an invalid parameter are NaN.
-    void skip(int level, Records out) noexcept {
-        int64_t points = 1;
-        for (int k = level + 1; k < spline_.axes(); ++k) {
-            points *= tables_[static_cast<size_t>(k)].size();
-        }
-        for (; points > 0; --points) {
-            finisher_.write_nan(out, next_++);
         }
     }
 
     const Spline &spline_;
-    int order_;
+    RecordShape shape_;
     const double *net_;
+    AxisSources sources_;
     Scratch scratch_;
-    Finisher finisher_;
-    std::vector<AxisTable> tables_;
-    std::array<std::unique_ptr<double[]>, max_axes> storage_;
+    std::optional<QuotientRule> quotient_;
+    std::array<AxisTable, max_axes> tables_;
     std::array<std::vector<Stretch>, max_axes> stretches_;
+    std::array<std::unique_ptr<double[]>, max_axes> storage_;
+    std::vector<GridGroup> groups_;
+    std::vector<double> group_memory_;
+    double *group_values_ = nullptr;
+    std::vector<int64_t> exceptions_;
     Slabs slabs_;
-    Bases bases_;
-    int64_t next_ = 0;
+    double *rows_ = nullptr;
 };
 
 } // namespace
@@ -185,6 +133,9 @@ void evaluate_grid(const Spline &spline, const AxisRules &rules, int order,
                    const std::array<ConstRecords, max_axes> &params, Records out) {
     if (out.count == 0) {
         return;
+    }
+    if (spline.axes() == 1) {
+        return evaluate_points(spline, rules, order, params[0], out);
     }
     GridEvaluator(spline, rules, order, params).write(out);
 }

@@ -104,6 +104,14 @@ void check_parameter(double t, const AxisRule &rule, Interval domain, const char
 }
 
 void check_parameters(const Spline &spline, const AxisRules &rules, ConstRecords params) {
+    std::array<Interval, max_axes> domains{};
+    for (int k = 0; k < spline.axes(); ++k) {
+        domains[static_cast<size_t>(k)] = spline.axis(k).domain();
+    }
+    const bool packed = params.stride == spline.axes() && (params.component_stride == 1 || spline.axes() == 1);
+    if (packed && all_inside(params.data, params.count * spline.axes(), spline.axes(), domains.data())) {
+        return;
+    }
     const char *format = spline.axes() == 1 ? "params[%lld]" : "params[%lld][%d]";
     for (int k = 0; k < spline.axes(); ++k) {
         check_column(params, k, rules[static_cast<size_t>(k)], spline.axis(k).domain(), 0, format);

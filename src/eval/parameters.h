@@ -33,6 +33,10 @@ void check_parameters(const Spline &spline, const AxisRules &rules, ConstRecords
 void check_axis_parameters(const KnotVector &axis, const AxisRule &rule, ConstRecords params,
                            int64_t first_index);
 
+// Whether `count` parameters, packed with those of all axes in turn, lie in the closed domains; NaN lies in
+// none.
+bool all_inside(const double *params, int64_t count, int axes, const Interval *domains) noexcept;
+
 // The parameter to evaluate at in place of an admitted t, or NaN when the rule gives NaN. A wrapped parameter
 // is in [lower, upper), with NURBS_LEFT in (lower, upper].
 double place(double t, const AxisRule &rule, Interval domain) noexcept;

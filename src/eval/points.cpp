@@ -1,98 +1,120 @@
-#include "eval/contraction.h"
+#include "eval/curve_kernel.h"
 #include "eval/evaluate.h"
-#include "eval/finish.h"
+#include "eval/tensor_kernel.h"
+
+#include <memory>
+#include <optional>
 
 namespace nrb {
 
 namespace {
 
-// Evaluates one parameter after the other; the scratch of a call serves them all.
-class PointEvaluator {
-public:
-    PointEvaluator(const Spline &spline, const AxisRules &rules, int order)
-        : spline_(spline), order_(order), net_(spline.records().data()),
-          axes_(make_axes(spline, rules, order)), scratch_(scratch_size()),
-          finisher_(spline, order, scratch_) {
-        int64_t length = spline.width();
-        for (int k = spline.axes() - 1; k >= 0; --k) {
-            const auto at = static_cast<size_t>(k);
-            slabs_.length[at] = length;
-            slabs_.data[at] = scratch_.take(static_cast<size_t>(slot_count(k + 1, order) * length));
-            bases_[at].values = scratch_.take(axis(k).values_size());
-            length *= axis(k).degree() + 1;
-        }
-    }
+size_t record_scratch(const RecordShape &shape, int64_t block) noexcept {
+    return static_cast<size_t>(block * shape.size() + shape.slots) + QuotientRule::scratch_size(shape.order);
+}
 
-    void operator()(ConstRecords params, Records out, int64_t i) noexcept {
-        for (int k = 0; k < spline_.axes(); ++k) {
-            if (!axis(k)(params(i, k), bases_[static_cast<size_t>(k)])) {
-                return finisher_.write_nan(out, i);
-            }
+const QuotientRule *make_rule(std::optional<QuotientRule> &rule, const RecordShape &shape, Scratch &scratch) {
+    return shape.rational ? &rule.emplace(shape.axes, shape.order, scratch) : nullptr;
+}
+
+void evaluate_curve(const Spline &curve, const AxisRule &rule, int order, ConstRecords params, Records out) {
+    const RecordShape shape(curve, order);
+    const int degree = curve.axis(0).degree();
+    const auto piece = static_cast<size_t>(Piece::size(degree, shape.width));
+    const auto values = static_cast<size_t>(shape.slots) * static_cast<size_t>(degree + 1);
+    Scratch scratch(record_scratch(shape, curve_group) + 2 * piece + values + 8);
+    std::optional<QuotientRule> quotient;
+    const PieceArray *pieces = curve.pieces_after(params.count);
+    run(CurveJob{curve, rule, shape, make_rule(quotient, shape, scratch),
+                 pieces != nullptr ? &curve.axis(0).spans() : nullptr, pieces, params, out,
+                 scratch.take_aligned(static_cast<size_t>(curve_group * shape.size())),
+                 scratch.take(static_cast<size_t>(shape.slots)), scratch.take(piece), scratch.take(values),
+                 scratch.take(piece)});
+}
+
+// Blocks of the size that suits the first-level cache.
+int64_t tensor_block(const RecordShape &shape, int64_t points) noexcept {
+    constexpr int64_t most = 32;
+    constexpr int64_t doubles = 1024;
+    return std::clamp<int64_t>(doubles / shape.size(), 1, std::min(most, points));
+}
+
+class TensorMemory {
+public:
+    TensorMemory(const Spline &spline, const RecordShape &shape, const AxisSource *sources, int64_t block)
+        : spline_(spline), shape_(shape), sources_(sources), block_(block), scratch_(size()) {}
+
+    Scratch &scratch() noexcept { return scratch_; }
+
+    void give(TensorJob &job) {
+        const auto axes = static_cast<size_t>(shape_.axes);
+        job.records = scratch_.take(static_cast<size_t>(block_ * shape_.size()));
+        job.weights = scratch_.take(static_cast<size_t>(shape_.slots));
+        for (size_t k = 0; k < axes; ++k) {
+            job.values[k] = scratch_.take(static_cast<size_t>(block_ * sources_[k].values_size(shape_.order)));
+            job.points[k] = points_[k];
         }
-        contract_net();
-        for (int k = 1; k < spline_.axes(); ++k) {
-            const auto at = static_cast<size_t>(k);
-            const Stretch whole{0, slabs_.length[at]};
-            contract_level(k, order_, axis(k).degree(), bases_[at], 0, slabs_, {&whole, 1});
+        job.slabs.length[axes - 1] = shape_.width;
+        for (size_t k = axes - 1; k-- > 0;) {
+            job.slabs.length[k] = job.slabs.length[k + 1] * (sources_[k + 1].degree + 1);
+            const auto size = slab_size(k, job.slabs.length[k]);
+            job.slabs.data[k] = scratch_.take(size);
+            std::fill_n(job.slabs.data[k] + size - padding, padding, 0.0);
         }
-        finisher_.write(slabs_.data[static_cast<size_t>(spline_.axes() - 1)], bases_, out, i);
+        job.window = scratch_.take(window_size());
     }
 
 private:
-    using AxisEvaluators = std::array<std::optional<AxisEvaluator>, max_axes>;
+    static constexpr size_t padding = 4; // records are read as whole vectors
 
-    static AxisEvaluators make_axes(const Spline &spline, const AxisRules &rules, int order) {
-        AxisEvaluators axes;
-        for (int k = 0; k < spline.axes(); ++k) {
-            axes[static_cast<size_t>(k)].emplace(spline.axis(k), rules[static_cast<size_t>(k)], order);
-        }
-        return axes;
+    [[nodiscard]] size_t slab_size(size_t k, int64_t length) const noexcept {
+        return static_cast<size_t>(slot_count(static_cast<int>(k) + 1, shape_.order) * length) + padding;
     }
 
-    [[nodiscard]] const AxisEvaluator &axis(int k) const noexcept { return *axes_[static_cast<size_t>(k)]; }
-
-    [[nodiscard]] size_t scratch_size() const noexcept {
-        size_t size = Finisher::scratch_size(spline_, order_);
-        auto length = static_cast<size_t>(spline_.width());
-        for (int k = spline_.axes() - 1; k >= 0; --k) {
-            size += static_cast<size_t>(slot_count(k + 1, order_)) * length + axis(k).values_size();
-            length *= static_cast<size_t>(axis(k).degree() + 1);
+    [[nodiscard]] size_t window_size() const noexcept {
+        auto size = static_cast<size_t>(shape_.width);
+        for (int k = 0; k < shape_.axes; ++k) {
+            size *= static_cast<size_t>(sources_[k].degree + 1);
         }
         return size;
     }
 
-    // Contracts axis 0 over the active window of the net, whose rows are contiguous along the last axis only.
-    void contract_net() noexcept {
-        const int axes = spline_.axes();
-        const int64_t segments = axes == 3 ? axis(1).degree() + 1 : 1;
-        const int64_t segment = slabs_.length[0] / segments;
-        int64_t stride = spline_.width();
-        int64_t offset = 0;
-        int64_t segment_stride = 0;
-        for (int k = axes - 1; k >= 0; --k) {
-            segment_stride = k == 1 ? stride : segment_stride;
-            offset += bases_[static_cast<size_t>(k)].first * stride;
-            stride *= k > 0 ? spline_.count(k) : 1;
-        }
-        const int functions = axis(0).degree() + 1;
-        for (int a = 0; a <= order_; ++a) {
-            for (int64_t s = 0; s < segments; ++s) {
-                contract(bases_[0].values + static_cast<int64_t>(a) * functions, functions,
-                         net_ + offset + s * segment_stride, stride, segment,
-                         slabs_.data[0] + a * slabs_.length[0] + s * segment);
+    [[nodiscard]] size_t size() const noexcept {
+        size_t size = record_scratch(shape_, block_) + window_size();
+        int64_t length = shape_.width;
+        for (auto k = static_cast<size_t>(shape_.axes); k-- > 0;) {
+            size += static_cast<size_t>(block_ * sources_[k].values_size(shape_.order)) + sources_[k].work_size;
+            if (k > 0) {
+                length *= sources_[k].degree + 1;
+                size += slab_size(k - 1, length);
             }
         }
+        return size;
     }
 
     const Spline &spline_;
-    int order_;
-    const double *net_;
-    AxisEvaluators axes_;
+    const RecordShape &shape_;
+    const AxisSource *sources_;
+    int64_t block_;
     Scratch scratch_;
-    Finisher finisher_;
-    Slabs slabs_;
-    Bases bases_;
+    AxisPoint points_[max_axes][32];
 };
+
+void evaluate_tensor(const Spline &spline, const AxisRules &rules, int order, ConstRecords params,
+                     Records out) {
+    const RecordShape shape(spline, order);
+    AxisSources sources = axis_sources(spline, rules, order, {params.count, params.count, params.count});
+    const int64_t block = tensor_block(shape, params.count);
+    TensorMemory memory(spline, shape, sources.data(), block);
+    for (int k = 0; k < spline.axes(); ++k) {
+        sources[static_cast<size_t>(k)].take_work(memory.scratch());
+    }
+    std::optional<QuotientRule> quotient;
+    TensorJob job{spline, shape, make_rule(quotient, shape, memory.scratch()), sources.data(),
+                  spline.records_after(params.count), params, out, block, {}, {}, {}, nullptr, nullptr, nullptr};
+    memory.give(job);
+    run(job);
+}
 
 } // namespace
 
@@ -101,9 +123,10 @@ void evaluate_points(const Spline &spline, const AxisRules &rules, int order, Co
     if (params.count == 0) {
         return;
     }
-    PointEvaluator evaluate(spline, rules, order);
-    for (int64_t i = 0; i < params.count; ++i) {
-        evaluate(params, out, i);
+    if (spline.axes() == 1) {
+        evaluate_curve(spline, rules[0], order, params, out);
+    } else {
+        evaluate_tensor(spline, rules, order, params, out);
     }
 }
 

@@ -9,7 +9,7 @@
 namespace nrb {
 
 // Number of partial derivatives of orders 0 to `order`: binomial(order + axes, axes).
-inline int64_t slot_count(int axes, int64_t order) noexcept {
+constexpr int64_t slot_count(int axes, int64_t order) noexcept {
     switch (axes) {
     case 1:
         return order + 1;
@@ -21,7 +21,7 @@ inline int64_t slot_count(int axes, int64_t order) noexcept {
 }
 
 // Slot of the derivative of orders (i, j, k); axes that a spline lacks have order 0.
-inline int64_t slot(int axes, int64_t i, int64_t j = 0, int64_t k = 0) noexcept {
+constexpr int64_t slot(int axes, int64_t i, int64_t j = 0, int64_t k = 0) noexcept {
     const int64_t later = axes == 3 ? slot_count(2, j + k - 1) + k : j;
     return slot_count(axes, i + j + k - 1) + later;
 }

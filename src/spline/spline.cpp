@@ -11,25 +11,10 @@ namespace {
 
 // A common factor of the weights cancels. Weights that are all so small or so large that their products would
 // leave double precision are brought near 1 by a power of two, which is exact.
-int common_exponent(std::span<const double> weights) noexcept {
+int common_exponent(double largest_weight) noexcept {
     constexpr int harmless = 256;
-    const int exponent = std::ilogb(*std::max_element(weights.begin(), weights.end()));
+    const int exponent = std::ilogb(largest_weight);
     return std::abs(exponent) <= harmless ? 0 : exponent;
-}
-
-std::vector<double> homogeneous_records(std::span<const double> points, std::span<const double> weights,
-                                        int dim) {
-    const auto width = static_cast<size_t>(dim) + 1;
-    const int exponent = common_exponent(weights);
-    std::vector<double> records(weights.size() * width);
-    for (size_t i = 0; i < weights.size(); ++i) {
-        const double weight = std::ldexp(weights[i], -exponent);
-        for (size_t c = 0; c + 1 < width; ++c) {
-            records[i * width + c] = weight * points[i * (width - 1) + c];
-        }
-        records[i * width + width - 1] = weight;
-    }
-    return records;
 }
 
 } // namespace
@@ -37,7 +22,13 @@ std::vector<double> homogeneous_records(std::span<const double> points, std::spa
 Spline::Spline(Axes axes, int dim, Form form, std::vector<double> points,
                std::vector<double> weights) noexcept
     : axes_(std::move(axes)), dim_(dim), form_(form), points_(std::move(points)),
-      weights_(std::move(weights)) {}
+      weights_(std::move(weights)) {
+    if (rational()) {
+        const WeightRange range = weight_range(0, point_count());
+        even_weights_ = even(range);
+        weight_exponent_ = form_ == Form::rational ? common_exponent(range.largest) : 0;
+    }
+}
 
 int64_t Spline::point_count() const noexcept {
     return std::accumulate(
@@ -49,7 +40,36 @@ std::span<const double> Spline::records() const {
     if (form_ != Form::rational) {
         return points_;
     }
-    return records_.get([this] { return homogeneous_records(points_, weights_, dim_); });
+    return records_.get([this] {
+        std::vector<double> records(weights_.size() * static_cast<size_t>(width()));
+        for (int64_t i = 0; i < std::ssize(weights_); ++i) {
+            record_part(i, 0, width(), records.data() + i * width());
+        }
+        return records;
+    });
+}
+
+const double *Spline::records_after(int64_t uses) const {
+    const bool ready = form_ != Form::rational || records_.peek() != nullptr;
+    // An evaluation without the table makes the records of its own window.
+    return ready || uses_.pay(uses, std::ssize(weights_) / 8) ? records().data() : nullptr;
+}
+
+void Spline::record_part(int64_t i, int first, int size, double *out) const noexcept {
+    const double *point = points_.data() + i * stored_width() + first;
+    if (form_ != Form::rational) {
+        std::copy_n(point, size, out);
+        return;
+    }
+    const double weight = scaled_weight(i);
+    for (int c = 0; c < size; ++c) {
+        out[c] = first + c == dim_ ? weight : weight * point[c];
+    }
+}
+
+double Spline::scaled_weight(int64_t i) const noexcept {
+    const double stored = weights_[static_cast<size_t>(i)];
+    return weight_exponent_ == 0 ? stored : std::ldexp(stored, -weight_exponent_);
 }
 
 double Spline::weight(int64_t i) const noexcept {

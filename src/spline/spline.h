@@ -4,6 +4,7 @@
 #include "base/error.h"
 #include "base/lazy.h"
 #include "basis/knot_vector.h"
+#include "basis/pieces.h"
 
 #include <array>
 #include <cstdint>
@@ -51,17 +52,50 @@ public:
     [[nodiscard]] std::span<const double> records() const;
     [[nodiscard]] int width() const noexcept { return rational() ? dim_ + 1 : dim_; }
 
+    // Components [first, first + size) of record i, without the table.
+    void record_part(int64_t i, int first, int size, double *out) const noexcept;
+    // The table if it exists or if `uses` evaluations more make it worth having, else null.
+    [[nodiscard]] const double *records_after(int64_t uses) const;
+
     [[nodiscard]] double weight(int64_t i) const noexcept;
     // Coordinate c of Cartesian control point i; homogeneous points are divided by their weight.
     [[nodiscard]] double coordinate(int64_t i, int c) const noexcept;
 
+    // Whether span `span` of a curve, or every span of an axis of any spline, is evaluated from polynomial
+    // pieces: the degree is at most max_piece_degree, and the weights are positive with a ratio of at most 4,
+    // so that rounding relative to the largest weight is harmless. Other spans go by the recurrences, whose
+    // basis functions are accurate relative to themselves.
+    [[nodiscard]] bool has_piece(int64_t span) const noexcept;
+    [[nodiscard]] bool has_pieces(int k) const noexcept;
+
+    // The pieces of a curve, if they exist or if `uses` evaluations more make them worth having, else null.
+    // Component c < width() of a piece is that of the records. A span without a piece has NaN bounds.
+    [[nodiscard]] const PieceArray *pieces_after(int64_t uses) const;
+    // The piece of one span without the table, with the same bits; points: [degree + 1][lanes], working memory.
+    // Precondition: has_piece(span).
+    void curve_piece(int64_t span, double *points, double *piece) const noexcept;
+
 private:
+    struct WeightRange {
+        double smallest = 1;
+        double largest = 1;
+    };
+    static bool even(WeightRange range) noexcept;
+    [[nodiscard]] WeightRange weight_range(int64_t first, int64_t count) const noexcept;
+    [[nodiscard]] PieceArray curve_pieces() const;
+    void combine(int64_t span, const double *basis, const double *rests, double *points, double *piece) const noexcept;
+    [[nodiscard]] double scaled_weight(int64_t i) const noexcept;
+
     Axes axes_;
     int dim_;
     Form form_;
     std::vector<double> points_;
     std::vector<double> weights_;
+    int weight_exponent_ = 0; // the records hold the weights divided by 2 to this
+    bool even_weights_ = true;
     Lazy<std::vector<double>> records_;
+    Lazy<PieceArray> pieces_;
+    Uses uses_;
 };
 
 using SplinePtr = std::shared_ptr<const Spline>;

@@ -1,0 +1,11 @@
+// How the kernels use Google Highway. A file of kernels is compiled once for every instruction set, the best
+// one that the processor has is chosen at run time; see Highway's documentation on dynamic dispatch.
+//
+// Vectors with sizes known only at run time (SVE, RISC-V) cannot hold four coordinates by name and are left
+// out, as is NEON without double precision. SSSE3 is no faster for this work than the portable code.
+#pragma once
+
+#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
+#if defined(__arm__)
+#define HWY_COMPILE_ONLY_SCALAR
+#endif

@@ -1,0 +1,93 @@
+// Twins: unevaluated sums of two doubles, twice the precision (Dekker 1971), for coefficients that are used a
+// million times. Included once for every instruction set: see base/simd.h.
+#if defined(NURBS_BASE_TWIN_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef NURBS_BASE_TWIN_INL_H_
+#undef NURBS_BASE_TWIN_INL_H_
+#else
+#define NURBS_BASE_TWIN_INL_H_
+#endif
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace nrb {
+namespace HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+template <class V>
+struct Twin {
+    V high;
+    V low;
+};
+
+// a + b exactly (Knuth).
+template <class V>
+HWY_INLINE Twin<V> exact_sum(V a, V b) {
+    const V sum = hn::Add(a, b);
+    const V part = hn::Sub(sum, a);
+    return {sum, hn::Add(hn::Sub(a, hn::Sub(sum, part)), hn::Sub(b, part))};
+}
+
+// The same where |a| >= |b|.
+template <class V>
+HWY_INLINE Twin<V> ordered_sum(V a, V b) {
+    const V sum = hn::Add(a, b);
+    return {sum, hn::Sub(b, hn::Sub(sum, a))};
+}
+
+// a * b exactly: by a fused multiplication, or else by Dekker's halves of 26 bits.
+template <class V>
+HWY_INLINE Twin<V> exact_product(V a, V b) {
+    const V product = hn::Mul(a, b);
+#if !HWY_NATIVE_FMA
+    const hn::DFromV<V> d;
+    const V splitter = hn::Set(d, 134217729.0); // 2^27 + 1
+    const V spread_a = hn::Mul(a, splitter);
+    const V spread_b = hn::Mul(b, splitter);
+    const V upper_a = hn::Sub(spread_a, hn::Sub(spread_a, a));
+    const V upper_b = hn::Sub(spread_b, hn::Sub(spread_b, b));
+    const V lower_a = hn::Sub(a, upper_a);
+    const V lower_b = hn::Sub(b, upper_b);
+    const V crossed = hn::Add(hn::Mul(upper_a, lower_b), hn::Mul(lower_a, upper_b));
+    const V rest = hn::Add(hn::Sub(hn::Mul(upper_a, upper_b), product), crossed);
+    return {product, hn::Add(rest, hn::Mul(lower_a, lower_b))};
+#else
+    return {product, hn::MulSub(a, b, product)};
+#endif
+}
+
+template <class V>
+HWY_INLINE Twin<V> operator+(const Twin<V> &a, const Twin<V> &b) {
+    const Twin<V> sum = exact_sum(a.high, b.high);
+    return ordered_sum(sum.high, hn::Add(sum.low, hn::Add(a.low, b.low)));
+}
+
+template <class V>
+HWY_INLINE Twin<V> operator-(const Twin<V> &a, const Twin<V> &b) {
+    return a + Twin<V>{hn::Neg(b.high), hn::Neg(b.low)};
+}
+
+template <class V>
+HWY_INLINE Twin<V> operator*(const Twin<V> &a, const Twin<V> &b) {
+    const Twin<V> product = exact_product(a.high, b.high);
+    const V crossed = hn::MulAdd(a.high, b.low, hn::Mul(a.low, b.high));
+    return ordered_sum(product.high, hn::Add(product.low, crossed));
+}
+
+// Newton's step on the rounded inverse.
+template <class V>
+HWY_INLINE Twin<V> inverse(const Twin<V> &a) {
+    const hn::DFromV<V> d;
+    const V one = hn::Set(d, 1.0);
+    const V rounded = hn::Div(one, a.high);
+    const Twin<V> product = exact_product(rounded, a.high);
+    const V rest = hn::Sub(hn::Sub(hn::Sub(one, product.high), product.low), hn::Mul(rounded, a.low));
+    return ordered_sum(rounded, hn::Mul(rounded, rest));
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace nrb
+HWY_AFTER_NAMESPACE();
+
+#endif

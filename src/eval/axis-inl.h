@@ -1,0 +1,117 @@
+// Basis functions of one axis at one parameter. Included once for every instruction set: see base/simd.h.
+#if defined(NURBS_EVAL_AXIS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef NURBS_EVAL_AXIS_INL_H_
+#undef NURBS_EVAL_AXIS_INL_H_
+#else
+#define NURBS_EVAL_AXIS_INL_H_
+#endif
+
+#include "eval/axis_source.h"
+#include "eval/horner-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace nrb {
+namespace HWY_NAMESPACE {
+
+// By the recurrence, whose rows have no padding.
+static HWY_NOINLINE void recurrence_values(const AxisSource &source, int64_t span, int order, double t,
+                                           double *values) {
+    const int functions = source.degree + 1;
+    basis_derivs(source.axis->knots().data(), source.degree, span, t, order, source.work);
+    for (int k = 0; k <= order; ++k) {
+        const double *row = source.work + static_cast<int64_t>(k) * functions;
+        std::copy_n(row, functions, values + static_cast<int64_t>(k) * source.lanes);
+    }
+}
+
+// Any parameter: outside the domain, at a knot, without tables.
+static HWY_NOINLINE AxisPoint special_values(const AxisSource &source, int order, double param,
+                                             double *values) {
+    const double t = place(param, source.rule, source.domain);
+    if (t != t) {
+        return {-1, -1};
+    }
+    const int64_t span = source.spans != nullptr ? source.spans->find(t, source.rule.left) : source.axis->find_span(t, source.rule.left);
+    const double *knots = source.axis->knots().data();
+    if (!source.has_pieces) {
+        recurrence_values(source, span, order, t, values);
+    } else if (source.pieces != nullptr) {
+        const double *piece = (*source.pieces)[source.spans->number(t, source.rule.left)];
+        horner(order, piece, source.degree, source.lanes, t, values);
+    } else {
+        double *const pieces[1] = {source.work};
+        basis_pieces(knots, source.degree, &span, 1, pieces, nullptr);
+        horner(order, source.work, source.degree, source.lanes, t, values);
+    }
+    return {span - source.degree, sole_function(knots, source.degree, span, t)};
+}
+
+// values: [order + 1][lanes]. first < 0 when the parameter gives NaN.
+HWY_INLINE AxisPoint axis_values(const AxisSource &source, int order, double t, double *values) {
+    if (source.pieces != nullptr && t > source.domain.lower && t < source.domain.upper) {
+        const int64_t number = source.spans->number(t, false);
+        const double *piece = (*source.pieces)[number];
+        if (t > piece[Piece::lower]) {
+            horner(order, piece, source.degree, source.lanes, t, values);
+            return {source.spans->indices()[static_cast<size_t>(number)] - source.degree, -1};
+        }
+    }
+    return special_values(source, order, t, values);
+}
+
+// axis_values() of `count` parameters that are `stride` apart, in two passes: searches, then polynomials. Record
+// i goes to values[i * (order + 1) * lanes]. Returns whether a parameter was special: NaN, or with a function
+// that is alone.
+template <int kOrders, int kDegree>
+HWY_INLINE bool axis_block(const AxisSource &source, int order, const double *params, int64_t stride, int64_t count, AxisPoint *points, double *values) {
+    const int64_t size = source.values_size(order);
+    if (source.pieces == nullptr) {
+        bool special = false;
+        for (int64_t i = 0; i < count; ++i) {
+            points[i] = special_values(source, order, params[i * stride], values + i * size);
+            special |= points[i].sole >= 0 || !points[i].valid();
+        }
+        return special;
+    }
+    const SpanTable::Finder find = source.spans->finder();
+    const int64_t *spans = source.spans->indices().data();
+    const double *pieces = (*source.pieces)[0];
+    const int64_t piece_size = source.pieces->size();
+    const double lower = source.domain.lower;
+    const double upper = source.domain.upper;
+    const int degree = source.degree;
+    const int lanes = source.lanes;
+    const double *found[axis_block_size];
+    bool ordinary = true;
+    for (int64_t i = 0; i < count; ++i) {
+        const double t = params[i * stride];
+        found[i] = nullptr;
+        if (t > lower && t < upper) {
+            const int64_t number = find.number_inside(t);
+            const double *piece = pieces + number * piece_size;
+            points[i] = {spans[number] - degree, -1};
+            found[i] = piece;
+            ordinary &= t > piece[Piece::lower];
+        } else {
+            ordinary = false;
+        }
+    }
+    if (HWY_UNLIKELY(!ordinary)) {
+        bool special = false;
+        for (int64_t i = 0; i < count; ++i) {
+            points[i] = axis_values(source, order, params[i * stride], values + i * size);
+            special |= points[i].sole >= 0 || !points[i].valid();
+        }
+        return special;
+    }
+    for (int64_t i = 0; i < count; ++i) {
+        horner_record<kOrders, kDegree>(order, found[i], degree, kDegree == 3 ? 4 : lanes, params[i * stride], values + i * size);
+    }
+    return false;
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace nrb
+HWY_AFTER_NAMESPACE();
+
+#endif

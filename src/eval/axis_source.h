@@ -1,0 +1,68 @@
+// Where the basis functions of one axis come from: tables while they exist, the same code without them, or
+// the recurrence where there are no pieces.
+#pragma once
+
+#include "base/scratch.h"
+#include "basis/bspline.h"
+#include "eval/parameters.h"
+
+#include <algorithm>
+
+namespace nrb {
+
+// The first active layer of a parameter, and which of the active ones is alone: -1 if none.
+struct AxisPoint {
+    int64_t first;
+    int sole;
+
+    [[nodiscard]] bool valid() const noexcept { return first >= 0; }
+};
+
+// Most parameters that are treated together.
+inline constexpr int64_t axis_block_size = 32;
+
+struct AxisSource {
+    AxisSource() noexcept = default;
+    AxisSource(const Spline &spline, int k, const AxisRule &axis_rule, int order, int64_t uses)
+        : axis(&spline.axis(k)), rule(axis_rule), domain(axis->domain()), degree(axis->degree()),
+          lanes(Piece::lanes(degree + 1)), has_pieces(spline.has_pieces(k)), spans(axis->spans_after(uses)),
+          pieces(has_pieces ? axis->pieces_after(uses) : nullptr), work_size(size_of_work(order)) {
+        spans = pieces != nullptr ? &axis->spans() : spans;
+    }
+
+    [[nodiscard]] int64_t values_size(int order) const noexcept {
+        return static_cast<int64_t>(order + 1) * lanes;
+    }
+    void take_work(Scratch &scratch) noexcept { work = scratch.take(work_size); }
+
+    const KnotVector *axis = nullptr;
+    AxisRule rule;
+    Interval domain{};
+    int degree = 0;
+    int lanes = 0;
+    bool has_pieces = false;
+    const SpanTable *spans = nullptr;
+    const PieceArray *pieces = nullptr; // null: no table yet
+    size_t work_size = 0;
+    double *work = nullptr;
+
+private:
+    [[nodiscard]] size_t size_of_work(int order) const noexcept {
+        return has_pieces ? static_cast<size_t>(Piece::size(degree, degree + 1))
+                          : static_cast<size_t>(order + 1) * static_cast<size_t>(degree + 1);
+    }
+};
+
+using AxisSources = std::array<AxisSource, max_axes>;
+
+inline AxisSources axis_sources(const Spline &spline, const AxisRules &rules, int order,
+                                const std::array<int64_t, max_axes> &uses) {
+    AxisSources sources;
+    for (int k = 0; k < spline.axes(); ++k) {
+        const auto at = static_cast<size_t>(k);
+        sources[at] = AxisSource(spline, k, rules[at], order, uses[at]);
+    }
+    return sources;
+}
+
+} // namespace nrb

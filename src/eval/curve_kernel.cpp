@@ -1,0 +1,281 @@
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "eval/curve_kernel.cpp"
+#include "base/simd.h"
+
+#include <hwy/foreach_target.h>
+
+#include "basis/bspline.h"
+#include "eval/contract-inl.h"
+#include "eval/curve_kernel.h"
+#include "eval/finish-inl.h"
+#include "eval/horner-inl.h"
+#include "eval/rows-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace nrb {
+namespace HWY_NAMESPACE {
+
+static_assert(curve_group == group_size);
+
+// What the loops over ordinary parameters read, kept in registers.
+struct CurveTables {
+    explicit CurveTables(const CurveJob &job)
+        : domain(job.spline.axis(0).domain()), find(job.spans->finder()), pieces((*job.pieces)[0]),
+          piece_size(job.pieces->size()), degree(job.spline.axis(0).degree()), lanes(job.shape.lanes), dim(job.shape.dim) {}
+
+    // The pieces of `count` parameters inside the domain; false unless each lies strictly inside its span,
+    // and the span has a piece.
+    [[nodiscard]] HWY_INLINE bool locate(const double *HWY_RESTRICT params, int count, const double **HWY_RESTRICT found) const {
+        bool all = true;
+        for (int i = 0; i < count; ++i) {
+            const double *piece = pieces + find.number_inside(params[i]) * piece_size;
+            found[i] = piece;
+            all &= params[i] > piece[Piece::lower];
+        }
+        return all;
+    }
+
+    Interval domain;
+    SpanTable::Finder find;
+    const double *pieces;
+    int64_t piece_size;
+    int degree;
+    int lanes;
+    int dim;
+};
+
+// Whether a block of parameters lies strictly between two bounds; NaN does not.
+HWY_INLINE bool between(const double *block, double lower_bound, double upper_bound) {
+    const Wide d;
+    const auto lower = hn::Set(d, lower_bound);
+    const auto upper = hn::Set(d, upper_bound);
+    auto all = hn::And(hn::Lt(lower, hn::LoadU(d, block)), hn::Lt(hn::LoadU(d, block), upper));
+    for (int i = wide_lanes; i < curve_block; i += wide_lanes) {
+        const auto t = hn::LoadU(d, block + i);
+        all = hn::And(all, hn::And(hn::Lt(lower, t), hn::Lt(t, upper)));
+    }
+    return hn::AllTrue(d, all);
+}
+
+class CurveKernel {
+public:
+    explicit CurveKernel(const CurveJob &job)
+        : job_(job), axis_(job.spline.axis(0)), domain_(axis_.domain()), write_records_(job.shape, job.quotient, job.weights, job.out),
+          write_rows_(job.shape, job.out) {}
+
+    void run() {
+        switch (job_.pieces == nullptr ? -1 : job_.shape.order) {
+        case -1:
+            return run_without_tables();
+        case 0:
+            return run_order<1>();
+        case 1:
+            return run_order<2>();
+        case 2:
+            return run_order<3>();
+        default:
+            return run_params<most_orders, -1, false, false>();
+        }
+    }
+
+private:
+    // The shapes that are evaluated a million times have loops of their own; what they compute is the same.
+    template <int kOrders>
+    void run_order() {
+        const bool rational = job_.quotient != nullptr;
+        if (job_.shape.lanes != 4) {
+            run_params<kOrders, -1, false, false>();
+        } else if (degree() == 3) {
+            rational ? run_params<kOrders, 3, true, true>() : run_params<kOrders, 3, true, false>();
+        } else {
+            rational ? run_params<kOrders, -1, true, true>() : run_params<kOrders, -1, true, false>();
+        }
+    }
+
+    void run_without_tables() {
+        for (int64_t i = 0; i < job_.params.count; ++i) {
+            run_specially(job_.params(i, 0), i);
+        }
+    }
+
+    // Blocks in one span go by vectors across the parameters, others by vectors across the components, in two
+    // passes: the searches of a block do not wait for its divisions.
+    template <int kOrders, int kDegree, bool kQuad, bool kRational>
+    HWY_NOINLINE void run_params() {
+        const CurveTables tables(job_);
+        const ConstRecords params = job_.params;
+        const double *piece = nullptr;
+        double copy[curve_block];
+        for (int64_t first = 0; first < params.count; first += curve_block) {
+            const int count = static_cast<int>(std::min<int64_t>(curve_block, params.count - first));
+            const double *block = block_of(params, first, count, copy);
+            const double *pieces[curve_block];
+            if (piece != nullptr && count == curve_block && between(block, piece[Piece::lower], piece[Piece::upper])) {
+                run_in_piece<kOrders, kDegree>(block, piece, first);
+                continue;
+            }
+            if (!between(block, tables.domain.lower, tables.domain.upper) || !tables.locate(block, count, pieces)) {
+                run_specially(block, count, first);
+                piece = nullptr;
+                continue;
+            }
+            piece = pieces[count - 1];
+            if constexpr (kQuad) {
+                run_quads<kOrders, kDegree, kRational>(tables, block, pieces, count, first);
+            } else {
+                run_records<kOrders, kDegree>(tables, block, pieces, count, first);
+            }
+        }
+    }
+
+    // A block of parameters side by side; one that is not full repeats its first.
+    static HWY_INLINE const double *block_of(ConstRecords params, int64_t first, int count, double *copy) {
+        const double *start = params.data + first * params.stride;
+        if (count == curve_block && params.stride == 1) {
+            return start;
+        }
+        for (int i = 0; i < curve_block; ++i) {
+            copy[i] = i < count ? start[i * params.stride] : *start;
+        }
+        return copy;
+    }
+
+    template <int kOrders, int kDegree>
+    HWY_NOINLINE void run_in_piece(const double *block, const double *piece, int64_t first) {
+        for (int i = 0; i < curve_block; i += group_size) {
+            horner_rows<kOrders, kDegree>(block + i, piece);
+            if (job_.quotient != nullptr) {
+                divide_group(job_.shape, *job_.quotient, job_.records);
+            }
+            write_rows_(first + i, group_size, job_.records);
+        }
+    }
+
+    template <int kOrders, int kDegree>
+    HWY_INLINE void run_records(const CurveTables &tables, const double *block, const double *const *pieces, int count, int64_t first) {
+        for (int i = 0; i < count; ++i) {
+            horner_record<kOrders, kDegree>(job_.shape.order, pieces[i], tables.degree, tables.lanes, block[i], job_.records);
+            write_records_(first + i, 1, job_.records);
+        }
+    }
+
+    template <int kOrders, int kDegree>
+    HWY_INLINE void horner_rows(const double *HWY_RESTRICT params, const double *HWY_RESTRICT piece) {
+        using V = hn::Vec<Wide>;
+        const Wide d;
+        const int width = job_.shape.width;
+        const int64_t slot_size = static_cast<int64_t>(width) * group_size;
+        double *rows = job_.records;
+        const double scale = piece[Piece::scale];
+        for (int i = 0; i < group_size; i += wide_lanes) {
+            const V x = hn::Mul(hn::Sub(hn::LoadU(d, params + i), hn::Set(d, piece[Piece::middle])), hn::Set(d, scale));
+            for (int c = 0; c < width; ++c) {
+                V y[kOrders];
+                horner_vector<kOrders, kDegree>(d, OneComponent(), piece + Piece::head_size + c, degree(), job_.shape.lanes, x, scale, y);
+                for (int k = 0; k < kOrders; ++k) {
+                    if (kOrders < most_orders || k < job_.shape.slots) {
+                        hn::Store(y[k], d, rows + k * slot_size + c * group_size + i);
+                    }
+                }
+            }
+        }
+        for (int64_t rest = kOrders * slot_size; rest < job_.shape.slots * slot_size; ++rest) {
+            rows[rest] = 0;
+        }
+    }
+
+    // Records of four lanes, in registers from the coefficients to the caller's array.
+    template <int kOrders, int kDegree, bool kRational>
+    HWY_INLINE void run_quads(const CurveTables &tables, const double *block, const double *const *pieces, int count, int64_t first) {
+        const Quad d;
+        const QuadWriter write(job_.shape, job_.out);
+        const int degree = tables.degree;
+        const int dim = tables.dim;
+        for (int i = 0; i < count; ++i) {
+            QuadRecord<kOrders> record;
+            const double *piece = pieces[i];
+            const double scale = piece[Piece::scale];
+            const auto x = hn::Set(d, (block[i] - piece[Piece::middle]) * scale);
+            for (int part = 0; part < quad_parts; ++part) {
+                horner_vector<kOrders, kDegree>(d, Components(), piece + Piece::head_size + part * quad_lanes, degree, 4, x, scale, record.values[part]);
+            }
+            if constexpr (kRational) {
+                record.template divide_by_weight<1, kOrders - 1>(dim);
+            }
+            write(record, first + i);
+        }
+    }
+
+    HWY_NOINLINE void run_specially(const double *params, int count, int64_t first) {
+        for (int i = 0; i < count; ++i) {
+            run_specially(params[i], first + i);
+        }
+    }
+
+    HWY_NOINLINE void run_specially(double param, int64_t i) {
+        const double t = place(param, job_.rule, domain_);
+        if (t != t) {
+            return write_nan(job_.shape.values(), job_.out, i);
+        }
+        const int64_t span = axis_.find_span(t, job_.rule.left);
+        evaluate(span, t);
+        write_records_(i, 1, job_.records);
+        const int sole = sole_function(axis_.knots().data(), degree(), span, t);
+        if (sole >= 0) {
+            write_control_point(job_.spline, span - degree() + sole, job_.out, i);
+        }
+    }
+
+    void evaluate(int64_t span, double t) {
+        if (job_.spline.has_piece(span)) {
+            return horner(job_.shape.order, piece_of(span, t), degree(), job_.shape.lanes, t, job_.records);
+        }
+        basis_derivs(axis_.knots().data(), degree(), span, t, job_.shape.order, job_.values);
+        const int lanes = job_.shape.lanes;
+        for (int j = 0; j <= degree(); ++j) {
+            double *record = job_.window + static_cast<int64_t>(j) * lanes;
+            job_.spline.record_part(span - degree() + j, 0, job_.shape.width, record);
+            std::fill(record + job_.shape.width, record + lanes, 0.0);
+        }
+        for (int64_t s = 0; s < job_.shape.slots; ++s) {
+            contract_rows(job_.values + s * (degree() + 1), degree() + 1, job_.window, lanes, lanes, job_.records + s * lanes);
+        }
+    }
+
+    // From the table, or made by the same code.
+    const double *piece_of(int64_t span, double t) {
+        if (job_.pieces != nullptr) {
+            return (*job_.pieces)[job_.spans->number(t, job_.rule.left)];
+        }
+        job_.spline.curve_piece(span, job_.window, job_.piece);
+        return job_.piece;
+    }
+
+    [[nodiscard]] HWY_INLINE int degree() const { return axis_.degree(); }
+
+    const CurveJob &job_;
+    const KnotVector &axis_;
+    Interval domain_;
+    RecordWriter write_records_;
+    RowWriter write_rows_;
+};
+
+void run_curve(const CurveJob &job) {
+    CurveKernel(job).run();
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace nrb
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace nrb {
+
+HWY_EXPORT(run_curve);
+
+void run(const CurveJob &job) noexcept {
+    HWY_DYNAMIC_DISPATCH(run_curve)(job);
+}
+
+} // namespace nrb
+#endif

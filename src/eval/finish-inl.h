@@ -1,0 +1,214 @@
+// From contracted records to the caller's. Included once for every instruction set: see base/simd.h.
+#if defined(NURBS_EVAL_FINISH_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef NURBS_EVAL_FINISH_INL_H_
+#undef NURBS_EVAL_FINISH_INL_H_
+#else
+#define NURBS_EVAL_FINISH_INL_H_
+#endif
+
+#include "eval/finish.h"
+#include "eval/horner-inl.h"
+#include "eval/quotient-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace nrb {
+namespace HWY_NAMESPACE {
+
+// The quotient rule on one record, in place.
+template <int kAxes, int kOrder>
+HWY_INLINE void divide_record(const RecordShape &shape, double *HWY_RESTRICT record) {
+    constexpr int slots = static_cast<int>(slot_count(kAxes, kOrder));
+    const Quad d;
+    using V = hn::Vec<Quad>;
+    const int lanes = shape.lanes;
+    const V inverse = hn::Set(d, 1 / record[shape.dim]);
+    V weights[slots];
+    for (int s = 1; s < slots; ++s) {
+        weights[s] = hn::Set(d, record[s * lanes + shape.dim]);
+    }
+    for (int l = 0; l < lanes; l += quad_lanes) {
+        V values[slots];
+        for (int s = 0; s < slots; ++s) {
+            values[s] = hn::LoadU(d, record + s * lanes + l);
+        }
+        divide<kAxes, kOrder>(weights, inverse, values);
+        for (int s = 0; s < slots; ++s) {
+            hn::StoreU(values[s], d, record + s * lanes + l);
+        }
+    }
+}
+
+inline constexpr int quad_parts = 4 / quad_lanes;
+
+// A record of four lanes in registers.
+template <int kSlots>
+struct QuadRecord {
+    hn::Vec<Quad> values[quad_parts][kSlots];
+
+    // Divides by the weight, which is component `dim`.
+    template <int kAxes, int kOrder>
+    HWY_INLINE void divide_by_weight(int dim) {
+        static_assert(slot_count(kAxes, kOrder) == kSlots);
+        const Quad d;
+        hn::Vec<Quad> weights[kSlots];
+        for (int s = 1; s < kSlots; ++s) {
+            weights[s] = hn::Set(d, component(s, dim));
+        }
+        const auto inverse = hn::Set(d, 1 / component(0, dim));
+        for (int part = 0; part < quad_parts; ++part) {
+            divide<kAxes, kOrder>(weights, inverse, values[part]);
+        }
+    }
+
+    [[nodiscard]] HWY_INLINE double component(int slot, int c) const {
+        if (quad_parts == 1 && c == 3) { // the usual dimension, without memory
+            return hn::ExtractLane(values[0][slot], quad_lanes - 1);
+        }
+        HWY_ALIGN double lanes[4];
+        store(slot, lanes);
+        return lanes[c];
+    }
+
+    HWY_INLINE void store(int slot, double *target) const {
+        for (int part = 0; part < quad_parts; ++part) {
+            hn::StoreU(values[part][slot], Quad(), target + part * quad_lanes);
+        }
+    }
+};
+
+// The same for any order. weights: [slots], working memory.
+static HWY_NOINLINE void divide_record(const RecordShape &shape, const QuotientRule &rule,
+                                       double *HWY_RESTRICT record, double *HWY_RESTRICT weights) {
+    const Quad d;
+    const int lanes = shape.lanes;
+    const auto inverse = hn::Set(d, 1 / record[shape.dim]);
+    for (int64_t s = 1; s < shape.slots; ++s) {
+        weights[s] = record[s * lanes + shape.dim];
+    }
+    int64_t s = 0;
+    for_each_slot(shape.axes, shape.order, [&](int i, int j, int k) HWY_ATTR {
+        for (int l = 0; l < lanes; l += quad_lanes) {
+            double *const own = record + s * lanes + l;
+            auto sum = hn::LoadU(d, own);
+            rule.for_each_term(s, i, j, k, [&](const QuotientTerm &term) HWY_ATTR {
+                const auto factor = hn::Set(d, term.binomial * weights[term.weight]);
+                sum = without(sum, factor, hn::LoadU(d, record + term.value * lanes + l));
+            });
+            hn::StoreU(hn::Mul(sum, inverse), d, own);
+        }
+        ++s;
+    });
+}
+
+// Writes records from registers. Packed triples are written as four doubles, of which the fourth falls on the
+// next slot or point, which is written later; behind the last record nothing is touched.
+class QuadWriter {
+public:
+    QuadWriter(const RecordShape &shape, Records out)
+        : out_(out.data), stride_(out.stride), component_stride_(out.component_stride),
+          packed_count_(shape.dim == 3 && out.component_stride == 1 && out.stride == shape.values() ? out.count - 1 : 0), dim_(shape.dim) {}
+
+    template <int kSlots>
+    HWY_INLINE void operator()(const QuadRecord<kSlots> &record, int64_t i) const {
+        if (i < packed_count_) {
+            for (int s = 0; s < kSlots; ++s) {
+                record.store(s, out_ + 3 * (kSlots * i + s));
+            }
+            return;
+        }
+        double *target = out_ + i * stride_;
+        for (int s = 0; s < kSlots; ++s) {
+            HWY_ALIGN double lanes[4];
+            record.store(s, lanes);
+            for (int c = 0; c < dim_; ++c, target += component_stride_) {
+                *target = lanes[c];
+            }
+        }
+    }
+
+private:
+    double *out_;
+    int64_t stride_;
+    int64_t component_stride_;
+    int64_t packed_count_;
+    int dim_;
+};
+
+HWY_INLINE void write_record(const RecordShape &shape, const double *record, Records out, int64_t i) {
+    double *target = out.record(i);
+    for (int64_t s = 0; s < shape.slots; ++s) {
+        for (int c = 0; c < shape.dim; ++c) {
+            *target = record[s * shape.lanes + c];
+            target += out.component_stride;
+        }
+    }
+}
+
+// Three coordinates written by stores of four: the fourth falls on the next slot or point, which is written
+// after it. `last` takes care of what lies behind the record.
+HWY_INLINE void write_three(const RecordShape &shape, const double *record, double *target, bool last) {
+    const Quad d;
+    const int64_t whole = last ? shape.slots - 1 : shape.slots;
+    for (int64_t s = 0; s < whole; ++s, target += 3) {
+        for (int l = 0; l < 4; l += quad_lanes) {
+            hn::StoreU(hn::LoadU(d, record + s * 4 + l), d, target + l);
+        }
+    }
+    if (last) {
+        std::copy_n(record + whole * 4, 3, target);
+    }
+}
+
+// Divides and writes records first, ..., first + count - 1; `records` holds [count][slots][lanes].
+class RecordWriter {
+public:
+    RecordWriter(const RecordShape &shape, const QuotientRule *rule, double *weights, Records out)
+        : shape_(shape), rule_(rule), weights_(weights), out_(out),
+          packed_(shape.dim == 3 && shape.lanes == 4 && out.component_stride == 1 &&
+                  out.stride == shape.values()) {}
+
+    HWY_INLINE void operator()(int64_t first, int64_t count, double *records) const {
+        for (int64_t i = 0; i < count; ++i, records += shape_.size()) {
+            if (rule_ != nullptr) {
+                divide(records);
+            }
+            if (packed_) {
+                write_three(shape_, records, out_.record(first + i), first + i + 1 == out_.count);
+            } else {
+                write_record(shape_, records, out_, first + i);
+            }
+        }
+    }
+
+private:
+    HWY_INLINE void divide(double *record) const {
+        switch (10 * shape_.axes + shape_.order) {
+        case 10:
+        case 20:
+        case 30:
+            return divide_record<1, 0>(shape_, record);
+        case 11:
+            return divide_record<1, 1>(shape_, record);
+        case 12:
+            return divide_record<1, 2>(shape_, record);
+        case 21:
+            return divide_record<2, 1>(shape_, record);
+        case 22:
+            return divide_record<2, 2>(shape_, record);
+        default:
+            divide_record(shape_, *rule_, record, weights_);
+        }
+    }
+
+    const RecordShape &shape_;
+    const QuotientRule *rule_;
+    double *weights_;
+    Records out_;
+    bool packed_;
+};
+
+} // namespace HWY_NAMESPACE
+} // namespace nrb
+HWY_AFTER_NAMESPACE();
+
+#endif

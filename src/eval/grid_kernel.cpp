@@ -1,0 +1,205 @@
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "eval/grid_kernel.cpp"
+#include "base/simd.h"
+
+#include <hwy/foreach_target.h>
+
+#include "eval/axis-inl.h"
+#include "eval/contract-inl.h"
+#include "eval/grid_kernel.h"
+#include "eval/rows-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace nrb {
+namespace HWY_NAMESPACE {
+
+static_assert(grid_group == group_size);
+
+class GridKernel {
+public:
+    explicit GridKernel(const GridJob &job)
+        : job_(job), last_(job.spline.axes() - 1), write_(job.shape, job.out) {}
+
+    // Axis 0 is contracted once for each of its parameters over the whole net, axis 1 once for each pair, and
+    // so on.
+    void run() {
+        descend(0, 0);
+    }
+
+private:
+    // `row`: number of the combination of parameters of the axes before `level`.
+    void descend(int level, int64_t row) {
+        const AxisTable &table = job_.tables[static_cast<size_t>(level)];
+        for (int64_t i = 0; i < table.size(); ++i) {
+            chosen_[level] = table.points[static_cast<size_t>(i)];
+            if (chosen_[level].valid()) {
+                contract(level, i);
+            }
+            const int64_t next = row * table.size() + i;
+            if (level + 1 < last_) {
+                descend(level + 1, next);
+            } else {
+                write_row(next * job_.tables[static_cast<size_t>(last_)].size());
+            }
+        }
+    }
+
+    void contract(int level, int64_t i) const {
+        const auto at = static_cast<size_t>(level);
+        const AxisSource &source = job_.sources[at];
+        const int order = job_.shape.order;
+        const int64_t length = job_.slabs.length[at];
+        const int64_t before = level == 0 ? 0 : job_.slabs.length[at - 1];
+        const double *net = level == 0 ? job_.net : job_.slabs.data[at - 1];
+        const double *values = job_.tables[at].values.data() + i * source.values_size(order);
+        for_each_step(level, order, [&](int64_t from, int a, int64_t target) HWY_ATTR {
+            const double *rows = net + from * before + chosen_[level].first * length;
+            for (const Stretch &stretch : job_.stretches[at]) {
+                contract_rows(values + static_cast<int64_t>(a) * source.lanes, source.degree + 1, rows + stretch.offset, length,
+                              stretch.length, job_.slabs.data[at] + target * length + stretch.offset);
+            }
+        });
+    }
+
+    // All parameters of the last axis; the first of them is grid point `first`.
+    void write_row(int64_t first) const {
+        for (int k = 0; k < last_; ++k) {
+            if (!chosen_[k].valid()) {
+                return write_nan_row(first);
+            }
+        }
+        const auto group_values = static_cast<int64_t>(job_.shape.order + 1) * (job_.sources[static_cast<size_t>(last_)].degree + 1) * group_size;
+        const double *values = job_.group_values;
+        for (const GridGroup &group : job_.groups) {
+            contract_group(group, values);
+            if (job_.quotient != nullptr) {
+                divide_group(job_.shape, *job_.quotient, job_.rows);
+            }
+            write_group(group, first);
+            values += group_values;
+        }
+        for (const int64_t position : job_.exceptions) {
+            mend(position, first);
+        }
+    }
+
+    HWY_INLINE void contract_group(const GridGroup &group, const double *values) const {
+        switch (job_.shape.width) {
+        case 3:
+            return contract_width<3>(group, values);
+        case 4:
+            return contract_width<4>(group, values);
+        default:
+            return contract_width<1>(group, values);
+        }
+    }
+
+    // contract_rows() for a group: kWidth components at a time.
+    template <int kWidth>
+    HWY_INLINE void contract_width(const GridGroup &group, const double *HWY_RESTRICT values) const {
+        const auto at = static_cast<size_t>(last_);
+        const int width = job_.shape.width;
+        const int functions = job_.sources[at].degree + 1;
+        const double *slab = job_.slabs.data[at - 1] + group.first * width;
+        const int64_t length = job_.slabs.length[at - 1];
+        for_each_step(last_, job_.shape.order, [&](int64_t from, int a, int64_t target) HWY_ATTR {
+            for (int c = 0; c < width; c += kWidth) {
+                for (int i = 0; i < group_size; i += wide_lanes) {
+                    contract_components<kWidth>(values + static_cast<int64_t>(a) * functions * group_size + i, functions,
+                                                slab + from * length + c, width,
+                                                job_.rows + (target * width + c) * group_size + i);
+                }
+            }
+        });
+    }
+
+    template <int kWidth>
+    static HWY_INLINE void contract_components(const double *HWY_RESTRICT values, int functions,
+                                               const double *HWY_RESTRICT rows, int width, double *HWY_RESTRICT out) {
+        const Wide d;
+        hn::Vec<Wide> sums[kWidth];
+        const auto start = hn::Load(d, values);
+        for (int c = 0; c < kWidth; ++c) {
+            sums[c] = hn::Mul(start, hn::Set(d, rows[c]));
+        }
+        for (int j = 1; j < functions; ++j) {
+            const auto value = hn::Load(d, values + j * group_size);
+            rows += width;
+            for (int c = 0; c < kWidth; ++c) {
+                sums[c] = hn::MulAdd(value, hn::Set(d, rows[c]), sums[c]);
+            }
+        }
+        for (int c = 0; c < kWidth; ++c) {
+            hn::Store(sums[c], d, out + c * group_size);
+        }
+    }
+
+    HWY_INLINE void write_group(const GridGroup &group, int64_t first) const {
+        if (group.consecutive) {
+            return write_(first + group.position[0], group.count, job_.rows);
+        }
+        for (int i = 0; i < group.count; ++i) {
+            write_.scatter(first + group.position[i], i, job_.rows);
+        }
+    }
+
+    void write_nan_row(int64_t first) const {
+        for (int64_t i = 0; i < job_.tables[static_cast<size_t>(last_)].size(); ++i) {
+            write_nan(job_.shape.values(), job_.out, first + i);
+        }
+    }
+
+    // NaN where the parameter gives it, the stored control point where one is alone on every axis.
+    void mend(int64_t position, int64_t first) const {
+        const AxisPoint &own = job_.tables[static_cast<size_t>(last_)].points[static_cast<size_t>(position)];
+        if (!own.valid()) {
+            return write_nan(job_.shape.values(), job_.out, first + position);
+        }
+        int64_t index = 0;
+        for (int k = 0; k <= last_; ++k) {
+            const AxisPoint &point = k < last_ ? chosen_[k] : own;
+            if (point.sole < 0) {
+                return;
+            }
+            index = index * job_.spline.count(k) + point.first + point.sole;
+        }
+        write_control_point(job_.spline, index, job_.out, first + position);
+    }
+
+    const GridJob &job_;
+    int last_;
+    RowWriter write_;
+    AxisPoint chosen_[max_axes];
+};
+
+void tabulate_axis(const AxisSource &source, int order, ConstRecords params, AxisTable &table) {
+    double *values = table.values.data();
+    for (int64_t i = 0; i < params.count; ++i, values += source.values_size(order)) {
+        table.points[static_cast<size_t>(i)] = axis_values(source, order, params(i, 0), values);
+    }
+}
+
+void run_grid(const GridJob &job) {
+    GridKernel(job).run();
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace nrb
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace nrb {
+
+HWY_EXPORT(tabulate_axis);
+HWY_EXPORT(run_grid);
+
+void tabulate(const AxisSource &source, int order, ConstRecords params, AxisTable &table) noexcept {
+    HWY_DYNAMIC_DISPATCH(tabulate_axis)(source, order, params, table);
+}
+
+void run(const GridJob &job) noexcept {
+    HWY_DYNAMIC_DISPATCH(run_grid)(job);
+}
+
+} // namespace nrb
+#endif

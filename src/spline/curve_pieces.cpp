@@ -1,0 +1,95 @@
+// Which spans have polynomial pieces, and the pieces of a curve.
+#include "spline/spline.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace nrb {
+
+bool Spline::even(WeightRange range) noexcept {
+    constexpr double largest_ratio = 4;
+    return range.smallest > 0 && range.largest <= largest_ratio * range.smallest;
+}
+
+Spline::WeightRange Spline::weight_range(int64_t first, int64_t count) const noexcept {
+    WeightRange range{weight(first), weight(first)};
+    for (int64_t i = first + 1; i < first + count; ++i) {
+        range.smallest = std::min(range.smallest, weight(i));
+        range.largest = std::max(range.largest, weight(i));
+    }
+    return range;
+}
+
+bool Spline::has_pieces(int k) const noexcept {
+    return piece_degree(axis(k).degree()) && even_weights_;
+}
+
+bool Spline::has_piece(int64_t span) const noexcept {
+    const int degree = axis(0).degree();
+    return piece_degree(degree) && (even_weights_ || even(weight_range(span - degree, degree + 1)));
+}
+
+// From the basis of a span, whose points are copied to `points`: [degree + 1][lanes].
+void Spline::combine(int64_t span, const double *basis, const double *rests, double *points, double *piece) const noexcept {
+    const int degree = axis(0).degree();
+    const int lanes = Piece::lanes(width());
+    double weights[max_piece_degree + 1];
+    for (int j = 0; j <= degree; ++j) {
+        const int64_t i = span - degree + j;
+        double *point = points + static_cast<int64_t>(j) * lanes;
+        std::fill(std::copy_n(points_.data() + i * stored_width(), stored_width(), point), point + lanes, 0.0);
+        weights[j] = 1;
+        if (form_ == Form::rational) {
+            point[dim_] = 1;
+            weights[j] = scaled_weight(i);
+        }
+    }
+    std::copy_n(basis, static_cast<int>(Piece::head_size), piece);
+    combine_pieces(basis, rests, degree, weights, points, lanes, piece + Piece::head_size);
+}
+
+void Spline::curve_piece(int64_t span, double *points, double *piece) const noexcept {
+    double basis[max_basis_piece];
+    double rests[max_basis_piece];
+    double *const pieces[1] = {basis};
+    double *const low[1] = {rests};
+    basis_pieces(axis(0).knots().data(), axis(0).degree(), &span, 1, pieces, low);
+    combine(span, basis, rests, points, piece);
+}
+
+PieceArray Spline::curve_pieces() const {
+    const SpanTable &spans = axis(0).spans();
+    const int degree = axis(0).degree();
+    PieceArray pieces(spans.size(), Piece::size(degree, width()));
+    std::vector<double> points(static_cast<size_t>(degree + 1) * static_cast<size_t>(Piece::lanes(width())));
+    double basis[most_pieces_together][max_basis_piece];
+    double rests[most_pieces_together][max_basis_piece];
+    double *together[most_pieces_together];
+    double *low[most_pieces_together];
+    for (int l = 0; l < most_pieces_together; ++l) {
+        together[l] = basis[l];
+        low[l] = rests[l];
+    }
+    for (int64_t first = 0; first < spans.size(); first += pieces_together()) {
+        const auto count = static_cast<int>(std::min<int64_t>(pieces_together(), spans.size() - first));
+        const int64_t *indices = spans.indices().data() + first;
+        basis_pieces(axis(0).knots().data(), degree, indices, count, together, low);
+        for (int l = 0; l < count; ++l) {
+            if (has_piece(indices[l])) {
+                combine(indices[l], basis[l], rests[l], points.data(), pieces[first + l]);
+            } else {
+                std::fill_n(pieces[first + l], static_cast<int>(Piece::head_size), std::numeric_limits<double>::quiet_NaN());
+            }
+        }
+    }
+    return pieces;
+}
+
+const PieceArray *Spline::pieces_after(int64_t uses) const {
+    if (pieces_.peek() != nullptr || (piece_degree(axis(0).degree()) && uses_.pay(uses, count(0)))) {
+        return &pieces_.get([this] { return curve_pieces(); });
+    }
+    return nullptr;
+}
+
+} // namespace nrb
