@@ -76,6 +76,17 @@ const PieceArray *KnotVector::pieces_after(int64_t uses) const {
     return nullptr;
 }
 
+bool KnotVector::has_piece(int64_t span) const noexcept {
+    if (!piece_degree(degree_)) {
+        return false;
+    }
+    constexpr double shortest = 0x1p-100;
+    constexpr double largest_ratio = 0x1p500;
+    const double length = (*this)[span + 1] - (*this)[span];
+    const double extent = (*this)[span + degree_] - (*this)[span + 1 - degree_];
+    return length >= shortest && extent <= largest_ratio && extent <= largest_ratio * length;
+}
+
 int64_t KnotVector::find_span(double t, bool left) const noexcept {
     const SpanTable *table = spans_.peek();
     return table != nullptr ? table->find(t, left) : nrb::find_span(degree_, knots_, t, left);

@@ -30,7 +30,8 @@ public:
         Number ahead[most];
         const auto lanes = static_cast<int>(hn::Lanes(d));
         for (int i = 0; i < degree; ++i) {
-            behind[i] = scaled(exact_sum(middle, hn::Neg(hn::LoadU(d, knots + (degree - 1 - i) * lanes))), scale);
+            behind[i] =
+                scaled(exact_sum(middle, hn::Neg(hn::LoadU(d, knots + (degree - 1 - i) * lanes))), scale);
             ahead[i] = scaled(exact_sum(hn::LoadU(d, knots + (degree + i) * lanes), hn::Neg(middle)), scale);
         }
         for (int e = 1; e <= degree; ++e) {
@@ -72,7 +73,7 @@ private:
     }
 
     D d_;
-    Number slope_[most][most]; // [e - 1][r]: 1 / length of the support of function r of degree e - 1
+    Number slope_[most][most];  // [e - 1][r]: 1 / length of the support of function r of degree e - 1
     Number behind_[most][most]; // the part of the support before the middle
     Number ahead_[most][most];
 };
@@ -87,8 +88,8 @@ double binomial(int n, int k) {
 
 // Lane l of the coefficients to the pieces of span l.
 template <class D>
-HWY_INLINE void store_row(D d, const Twin<hn::Vec<D>> *row, int degree, double factor, int64_t offset, int count,
-                          double *const *pieces, double *const *rests) {
+HWY_INLINE void store_row(D d, const Twin<hn::Vec<D>> *row, int degree, double factor, int64_t offset,
+                          int count, double *const *pieces, double *const *rests) {
     HWY_ALIGN double high[8] = {};
     HWY_ALIGN double low[8] = {};
     for (int j = 0; j <= degree; ++j) {
@@ -109,7 +110,8 @@ HWY_INLINE void store_row(D d, const Twin<hn::Vec<D>> *row, int degree, double f
 // Coefficients of the pieces of `count` spans, at most one for each lane; the heads are there. knots as for
 // CentredFunctions.
 template <class D>
-HWY_INLINE void fill_pieces(D d, int degree, const double *knots, int count, double *const *pieces, double *const *rests) {
+HWY_INLINE void fill_pieces(D d, int degree, const double *knots, int count, double *const *pieces,
+                            double *const *rests) {
     using Number = Twin<hn::Vec<D>>;
     HWY_ALIGN double middles[8];
     HWY_ALIGN double scales[8];
@@ -133,11 +135,13 @@ HWY_INLINE void fill_pieces(D d, int degree, const double *knots, int count, dou
         // The factors degree, ..., e + 1 of the difference formula, over the factorial of the order.
         const int order = degree - e;
         const double factor = binomial(degree, order);
-        store_row(d, row, degree, factor, Piece::head_size + static_cast<int64_t>(order) * lanes, count, pieces, rests);
+        store_row(d, row, degree, factor, Piece::head_size + static_cast<int64_t>(order) * lanes, count,
+                  pieces, rests);
     }
 }
 
-void make_pieces(const double *knots, int degree, const int64_t *spans, int count, double *const *pieces, double *const *rests) {
+void make_pieces(const double *knots, int degree, const int64_t *spans, int count, double *const *pieces,
+                 double *const *rests) {
     HWY_ALIGN double local[2 * most * 8];
     const int lanes = count == 1 ? 1 : static_cast<int>(hn::Lanes(Wide()));
     for (int i = 0; i < 2 * degree; ++i) {
@@ -157,15 +161,17 @@ int piece_lanes() {
 }
 
 // Component c of power k: the sum over j of coefficient [k][j] with w_j x_jc, rounded once.
-void combine(const double *HWY_RESTRICT basis, const double *HWY_RESTRICT rests, int degree, const double *HWY_RESTRICT weights,
-             const double *HWY_RESTRICT points, int lanes, double *HWY_RESTRICT powers) {
+void combine(const double *HWY_RESTRICT basis, const double *HWY_RESTRICT rests, int degree,
+             const double *HWY_RESTRICT weights, const double *HWY_RESTRICT points, int lanes,
+             double *HWY_RESTRICT powers) {
     const hn::CappedTag<double, 4> d;
     using V = hn::Vec<hn::CappedTag<double, 4>>;
     const int functions = Piece::lanes(degree + 1);
     for (int c = 0; c < lanes; c += static_cast<int>(hn::Lanes(d))) {
         Twin<V> products[most + 1];
         for (int j = 0; j <= degree; ++j) {
-            products[j] = exact_product(hn::Set(d, weights[j]), hn::LoadU(d, points + static_cast<int64_t>(j) * lanes + c));
+            products[j] = exact_product(hn::Set(d, weights[j]),
+                                        hn::LoadU(d, points + static_cast<int64_t>(j) * lanes + c));
         }
         for (int k = 0; k <= degree; ++k) {
             Twin<V> sum{hn::Zero(d), hn::Zero(d)};
@@ -173,7 +179,9 @@ void combine(const double *HWY_RESTRICT basis, const double *HWY_RESTRICT rests,
                 const V coefficient = hn::Set(d, basis[k * functions + j]);
                 const Twin<V> term = exact_product(coefficient, products[j].high);
                 const Twin<V> next = exact_sum(sum.high, term.high);
-                const V small = hn::MulAdd(coefficient, products[j].low, hn::MulAdd(hn::Set(d, rests[k * functions + j]), products[j].high, term.low));
+                const V small =
+                    hn::MulAdd(coefficient, products[j].low,
+                               hn::MulAdd(hn::Set(d, rests[k * functions + j]), products[j].high, term.low));
                 sum = {next.high, hn::Add(sum.low, hn::Add(next.low, small))};
             }
             hn::StoreU(hn::Add(sum.high, sum.low), d, powers + static_cast<int64_t>(k) * lanes + c);
@@ -206,7 +214,8 @@ HWY_EXPORT(combine);
 
 } // namespace
 
-void basis_pieces(const double *knots, int degree, const int64_t *spans, int count, double *const *pieces, double *const *rests) noexcept {
+void basis_pieces(const double *knots, int degree, const int64_t *spans, int count, double *const *pieces,
+                  double *const *rests) noexcept {
     const int lanes = Piece::lanes(degree + 1);
     for (int l = 0; l < count; ++l) {
         write_head(knots[spans[l]], knots[spans[l] + 1], pieces[l]);
@@ -219,9 +228,10 @@ int pieces_together() noexcept {
     return HWY_DYNAMIC_DISPATCH(piece_lanes)();
 }
 
-void combine_pieces(const double *basis, const double *rests, int degree, const double *weights, const double *points,
-                    int lanes, double *powers) noexcept {
-    HWY_DYNAMIC_DISPATCH(combine)(basis + Piece::head_size, rests + Piece::head_size, degree, weights, points, lanes, powers);
+void combine_pieces(const double *basis, const double *rests, int degree, const double *weights,
+                    const double *points, int lanes, double *powers) noexcept {
+    HWY_DYNAMIC_DISPATCH(combine)
+    (basis + Piece::head_size, rests + Piece::head_size, degree, weights, points, lanes, powers);
 }
 
 } // namespace nrb

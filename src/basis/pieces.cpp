@@ -3,6 +3,7 @@
 #include "basis/knot_vector.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace nrb {
 
@@ -22,7 +23,14 @@ PieceArray basis_pieces(const KnotVector &axis) {
         for (int l = 0; l < count; ++l) {
             together[l] = pieces[first + l];
         }
-        basis_pieces(axis.knots().data(), axis.degree(), spans.indices().data() + first, count, together, nullptr);
+        basis_pieces(axis.knots().data(), axis.degree(), spans.indices().data() + first, count, together,
+                     nullptr);
+        for (int l = 0; l < count; ++l) {
+            if (!axis.has_piece(spans.indices()[static_cast<size_t>(first + l)])) {
+                std::fill_n(together[l], static_cast<int>(Piece::head_size),
+                            std::numeric_limits<double>::quiet_NaN());
+            }
+        }
     }
     return pieces;
 }

@@ -31,9 +31,10 @@ static HWY_NOINLINE AxisPoint special_values(const AxisSource &source, int order
     if (t != t) {
         return {-1, -1};
     }
-    const int64_t span = source.spans != nullptr ? source.spans->find(t, source.rule.left) : source.axis->find_span(t, source.rule.left);
+    const int64_t span = source.spans != nullptr ? source.spans->find(t, source.rule.left)
+                                                 : source.axis->find_span(t, source.rule.left);
     const double *knots = source.axis->knots().data();
-    if (!source.has_pieces) {
+    if (!source.has_pieces || !source.axis->has_piece(span)) {
         recurrence_values(source, span, order, t, values);
     } else if (source.pieces != nullptr) {
         const double *piece = (*source.pieces)[source.spans->number(t, source.rule.left)];
@@ -63,7 +64,8 @@ HWY_INLINE AxisPoint axis_values(const AxisSource &source, int order, double t, 
 // i goes to values[i * (order + 1) * lanes]. Returns whether a parameter was special: NaN, or with a function
 // that is alone.
 template <int kOrders, int kDegree>
-HWY_INLINE bool axis_block(const AxisSource &source, int order, const double *params, int64_t stride, int64_t count, AxisPoint *points, double *values) {
+HWY_INLINE bool axis_block(const AxisSource &source, int order, const double *params, int64_t stride,
+                           int64_t count, AxisPoint *points, double *values) {
     const int64_t size = source.values_size(order);
     if (source.pieces == nullptr) {
         bool special = false;
@@ -105,7 +107,8 @@ HWY_INLINE bool axis_block(const AxisSource &source, int order, const double *pa
         return special;
     }
     for (int64_t i = 0; i < count; ++i) {
-        horner_record<kOrders, kDegree>(order, found[i], degree, kDegree == 3 ? 4 : lanes, params[i * stride], values + i * size);
+        horner_record<kOrders, kDegree>(order, found[i], degree, kDegree == 3 ? 4 : lanes, params[i * stride],
+                                        values + i * size);
     }
     return false;
 }

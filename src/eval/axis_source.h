@@ -48,8 +48,8 @@ struct AxisSource {
 
 private:
     [[nodiscard]] size_t size_of_work(int order) const noexcept {
-        return has_pieces ? static_cast<size_t>(Piece::size(degree, degree + 1))
-                          : static_cast<size_t>(order + 1) * static_cast<size_t>(degree + 1);
+        const auto recurrence = static_cast<size_t>(order + 1) * static_cast<size_t>(degree + 1);
+        return std::max(recurrence, has_pieces ? static_cast<size_t>(Piece::size(degree, degree + 1)) : 0);
     }
 };
 

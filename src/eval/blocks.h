@@ -19,8 +19,8 @@ protected:
     ~BlockSink() = default;
 };
 
-// As evaluate_points() and evaluate_grid(), in rising order of the points, at most block_size at a time. May
-// throw only std::bad_alloc, before the sink is called.
+// As evaluate_points() and evaluate_grid(), at most block_size points of one row of the last axis at a time,
+// in any order. May throw only std::bad_alloc, before the sink is called.
 void evaluate_points(const Spline &spline, const AxisRules &rules, int order, ConstRecords params,
                      BlockSink &sink);
 void evaluate_grid(const Spline &spline, const AxisRules &rules, int order,

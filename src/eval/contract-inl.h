@@ -14,8 +14,8 @@ namespace HWY_NAMESPACE {
 
 // One vector of the sum; kDegree < 0 stands for any number n of rows, else that is kDegree + 1.
 template <int kDegree, class D>
-HWY_INLINE hn::Vec<D> contracted(D d, const double *HWY_RESTRICT coefficients, int n, const double *HWY_RESTRICT rows,
-                                 int64_t stride) {
+HWY_INLINE hn::Vec<D> contracted(D d, const double *HWY_RESTRICT coefficients, int n,
+                                 const double *HWY_RESTRICT rows, int64_t stride) {
     const int count = kDegree >= 0 ? kDegree + 1 : n;
     auto sum = hn::Mul(hn::Set(d, coefficients[0]), hn::LoadU(d, rows));
     for (int i = 1; i < count; ++i) {
@@ -26,8 +26,9 @@ HWY_INLINE hn::Vec<D> contracted(D d, const double *HWY_RESTRICT coefficients, i
 }
 
 template <int kDegree>
-HWY_INLINE void contract_degree(const double *HWY_RESTRICT coefficients, int n, const double *HWY_RESTRICT rows,
-                               int64_t stride, int64_t length, double *HWY_RESTRICT out) {
+HWY_INLINE void contract_degree(const double *HWY_RESTRICT coefficients, int n,
+                                const double *HWY_RESTRICT rows, int64_t stride, int64_t length,
+                                double *HWY_RESTRICT out) {
     int64_t l = 0;
     for (; l + wide_lanes <= length; l += wide_lanes) {
         hn::StoreU(contracted<kDegree>(Wide(), coefficients, n, rows + l, stride), Wide(), out + l);
@@ -36,7 +37,8 @@ HWY_INLINE void contract_degree(const double *HWY_RESTRICT coefficients, int n, 
         hn::StoreU(contracted<kDegree>(Quad(), coefficients, n, rows + l, stride), Quad(), out + l);
     }
     for (; l < length; ++l) {
-        hn::StoreU(contracted<kDegree>(hn::CappedTag<double, 1>(), coefficients, n, rows + l, stride), hn::CappedTag<double, 1>(), out + l);
+        hn::StoreU(contracted<kDegree>(hn::CappedTag<double, 1>(), coefficients, n, rows + l, stride),
+                   hn::CappedTag<double, 1>(), out + l);
     }
 }
 
@@ -53,8 +55,9 @@ HWY_INLINE void contract_rows(const double *coefficients, int n, const double *r
 
 // One vector of the sums for kOrders sets of coefficients, `lanes` apart; the sums are `length` apart.
 template <int kOrders, class D>
-HWY_INLINE void contract_orders(D d, const double *HWY_RESTRICT coefficients, int lanes, int n, const double *HWY_RESTRICT rows,
-                                int64_t stride, int64_t length, double *HWY_RESTRICT out) {
+HWY_INLINE void contract_orders(D d, const double *HWY_RESTRICT coefficients, int lanes, int n,
+                                const double *HWY_RESTRICT rows, int64_t stride, int64_t length,
+                                double *HWY_RESTRICT out) {
     hn::Vec<D> sums[kOrders];
     const auto first = hn::LoadU(d, rows);
     for (int a = 0; a < kOrders; ++a) {
@@ -74,8 +77,8 @@ HWY_INLINE void contract_orders(D d, const double *HWY_RESTRICT coefficients, in
 
 // contract_rows() for the functions and their derivatives below kOrders.
 template <int kOrders>
-HWY_INLINE void contract_rows_of_orders(const double *coefficients, int lanes, int n, const double *rows, int64_t stride,
-                                        int64_t length, double *out) {
+HWY_INLINE void contract_rows_of_orders(const double *coefficients, int lanes, int n, const double *rows,
+                                        int64_t stride, int64_t length, double *out) {
     int64_t l = 0;
     for (; l + wide_lanes <= length; l += wide_lanes) {
         contract_orders<kOrders>(Wide(), coefficients, lanes, n, rows + l, stride, length, out + l);
@@ -84,7 +87,8 @@ HWY_INLINE void contract_rows_of_orders(const double *coefficients, int lanes, i
         contract_orders<kOrders>(Quad(), coefficients, lanes, n, rows + l, stride, length, out + l);
     }
     for (; l < length; ++l) {
-        contract_orders<kOrders>(hn::CappedTag<double, 1>(), coefficients, lanes, n, rows + l, stride, length, out + l);
+        contract_orders<kOrders>(hn::CappedTag<double, 1>(), coefficients, lanes, n, rows + l, stride, length,
+                                 out + l);
     }
 }
 

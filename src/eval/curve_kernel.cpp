@@ -21,11 +21,13 @@ static_assert(curve_group == group_size);
 struct CurveTables {
     explicit CurveTables(const CurveJob &job)
         : domain(job.spline.axis(0).domain()), find(job.spans->finder()), pieces((*job.pieces)[0]),
-          piece_size(job.pieces->size()), degree(job.spline.axis(0).degree()), lanes(job.shape.lanes), dim(job.shape.dim) {}
+          piece_size(job.pieces->size()), degree(job.spline.axis(0).degree()), lanes(job.shape.lanes),
+          dim(job.shape.dim) {}
 
     // The pieces of `count` parameters inside the domain; false unless each lies strictly inside its span,
     // and the span has a piece.
-    [[nodiscard]] HWY_INLINE bool locate(const double *HWY_RESTRICT params, int count, const double **HWY_RESTRICT found) const {
+    [[nodiscard]] HWY_INLINE bool locate(const double *HWY_RESTRICT params, int count,
+                                         const double **HWY_RESTRICT found) const {
         bool all = true;
         for (int i = 0; i < count; ++i) {
             const double *piece = pieces + find.number_inside(params[i]) * piece_size;
@@ -60,8 +62,8 @@ HWY_INLINE bool between(const double *block, double lower_bound, double upper_bo
 class CurveKernel {
 public:
     explicit CurveKernel(const CurveJob &job)
-        : job_(job), axis_(job.spline.axis(0)), domain_(axis_.domain()), write_records_(job.shape, job.quotient, job.weights, job.out),
-          write_rows_(job.shape, job.out) {}
+        : job_(job), axis_(job.spline.axis(0)), domain_(axis_.domain()),
+          write_records_(job.shape, job.quotient, job.weights, job.out), write_rows_(job.shape, job.out) {}
 
     void run() {
         switch (job_.pieces == nullptr ? -1 : job_.shape.order) {
@@ -110,11 +112,13 @@ private:
             const int count = static_cast<int>(std::min<int64_t>(curve_block, params.count - first));
             const double *block = block_of(params, first, count, copy);
             const double *pieces[curve_block];
-            if (piece != nullptr && count == curve_block && between(block, piece[Piece::lower], piece[Piece::upper])) {
+            if (piece != nullptr && count == curve_block &&
+                between(block, piece[Piece::lower], piece[Piece::upper])) {
                 run_in_piece<kOrders, kDegree>(block, piece, first);
                 continue;
             }
-            if (!between(block, tables.domain.lower, tables.domain.upper) || !tables.locate(block, count, pieces)) {
+            if (!between(block, tables.domain.lower, tables.domain.upper) ||
+                !tables.locate(block, count, pieces)) {
                 run_specially(block, count, first);
                 piece = nullptr;
                 continue;
@@ -152,9 +156,11 @@ private:
     }
 
     template <int kOrders, int kDegree>
-    HWY_INLINE void run_records(const CurveTables &tables, const double *block, const double *const *pieces, int count, int64_t first) {
+    HWY_INLINE void run_records(const CurveTables &tables, const double *block, const double *const *pieces,
+                                int count, int64_t first) {
         for (int i = 0; i < count; ++i) {
-            horner_record<kOrders, kDegree>(job_.shape.order, pieces[i], tables.degree, tables.lanes, block[i], job_.records);
+            horner_record<kOrders, kDegree>(job_.shape.order, pieces[i], tables.degree, tables.lanes,
+                                            block[i], job_.records);
             write_records_(first + i, 1, job_.records);
         }
     }
@@ -168,10 +174,12 @@ private:
         double *rows = job_.records;
         const double scale = piece[Piece::scale];
         for (int i = 0; i < group_size; i += wide_lanes) {
-            const V x = hn::Mul(hn::Sub(hn::LoadU(d, params + i), hn::Set(d, piece[Piece::middle])), hn::Set(d, scale));
+            const V x = hn::Mul(hn::Sub(hn::LoadU(d, params + i), hn::Set(d, piece[Piece::middle])),
+                                hn::Set(d, scale));
             for (int c = 0; c < width; ++c) {
                 V y[kOrders];
-                horner_vector<kOrders, kDegree>(d, OneComponent(), piece + Piece::head_size + c, degree(), job_.shape.lanes, x, scale, y);
+                horner_vector<kOrders, kDegree>(d, OneComponent(), piece + Piece::head_size + c, degree(),
+                                                job_.shape.lanes, x, scale, y);
                 for (int k = 0; k < kOrders; ++k) {
                     if (kOrders < most_orders || k < job_.shape.slots) {
                         hn::Store(y[k], d, rows + k * slot_size + c * group_size + i);
@@ -186,7 +194,8 @@ private:
 
     // Records of four lanes, in registers from the coefficients to the caller's array.
     template <int kOrders, int kDegree, bool kRational>
-    HWY_INLINE void run_quads(const CurveTables &tables, const double *block, const double *const *pieces, int count, int64_t first) {
+    HWY_INLINE void run_quads(const CurveTables &tables, const double *block, const double *const *pieces,
+                              int count, int64_t first) {
         const Quad d;
         const QuadWriter write(job_.shape, job_.out);
         const int degree = tables.degree;
@@ -197,7 +206,8 @@ private:
             const double scale = piece[Piece::scale];
             const auto x = hn::Set(d, (block[i] - piece[Piece::middle]) * scale);
             for (int part = 0; part < quad_parts; ++part) {
-                horner_vector<kOrders, kDegree>(d, Components(), piece + Piece::head_size + part * quad_lanes, degree, 4, x, scale, record.values[part]);
+                horner_vector<kOrders, kDegree>(d, Components(), piece + Piece::head_size + part * quad_lanes,
+                                                degree, 4, x, scale, record.values[part]);
             }
             if constexpr (kRational) {
                 record.template divide_by_weight<1, kOrders - 1>(dim);
@@ -238,7 +248,8 @@ private:
             std::fill(record + job_.shape.width, record + lanes, 0.0);
         }
         for (int64_t s = 0; s < job_.shape.slots; ++s) {
-            contract_rows(job_.values + s * (degree() + 1), degree() + 1, job_.window, lanes, lanes, job_.records + s * lanes);
+            contract_rows(job_.values + s * (degree() + 1), degree() + 1, job_.window, lanes, lanes,
+                          job_.records + s * lanes);
         }
     }
 

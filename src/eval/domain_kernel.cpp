@@ -29,7 +29,8 @@ bool packed_inside(const double *params, int64_t count, int axes, const Interval
     for (; i + lanes * axes <= count; i += lanes * axes) {
         for (int k = 0; k < axes; ++k) {
             const auto t = hn::LoadU(d, params + i + k * lanes);
-            const auto both = hn::And(hn::Ge(t, hn::Load(d, lower + k * lanes)), hn::Le(t, hn::Load(d, upper + k * lanes)));
+            const auto both =
+                hn::And(hn::Ge(t, hn::Load(d, lower + k * lanes)), hn::Le(t, hn::Load(d, upper + k * lanes)));
             inside = hn::And(inside, both);
         }
     }

@@ -106,7 +106,10 @@ class QuadWriter {
 public:
     QuadWriter(const RecordShape &shape, Records out)
         : out_(out.data), stride_(out.stride), component_stride_(out.component_stride),
-          packed_count_(shape.dim == 3 && out.component_stride == 1 && out.stride == shape.values() ? out.count - 1 : 0), dim_(shape.dim) {}
+          packed_count_(shape.dim == 3 && out.component_stride == 1 && out.stride == shape.values()
+                            ? out.count - 1
+                            : 0),
+          dim_(shape.dim) {}
 
     template <int kSlots>
     HWY_INLINE void operator()(const QuadRecord<kSlots> &record, int64_t i) const {

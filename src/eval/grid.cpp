@@ -1,4 +1,5 @@
 #include "base/checked.h"
+#include "eval/blocks.h"
 #include "eval/evaluate.h"
 #include "eval/grid_layout.h"
 #include "spline/axis_view.h"
@@ -39,9 +40,26 @@ public:
         make_groups();
     }
 
-    void write(Records out) {
-        run(GridJob{spline_, shape_, quotient_ ? &*quotient_ : nullptr, net_, sources_, tables_, groups_, group_values_, exceptions_,
-                    {stretches_[0], stretches_[1], stretches_[2]}, slabs_, rows_, out});
+    // `sink`, if any, is called for every row of the last axis, whose first point is number sink_first of the
+    // whole grid and which has sink_stride points there; `out` then holds one row.
+    void write(Records out, BlockSink *sink = nullptr, int64_t sink_first = 0,
+               int64_t sink_stride = 0) noexcept {
+        run(GridJob{spline_,
+                    shape_,
+                    quotient_ ? &*quotient_ : nullptr,
+                    net_,
+                    sources_,
+                    tables_,
+                    groups_,
+                    group_values_,
+                    exceptions_,
+                    {stretches_[0], stretches_[1], stretches_[2]},
+                    slabs_,
+                    rows_,
+                    out,
+                    sink,
+                    sink_first,
+                    sink_stride});
     }
 
 private:
@@ -50,7 +68,8 @@ private:
     [[nodiscard]] int64_t rows_size() const noexcept { return shape_.slots * shape_.width * grid_group; }
 
     [[nodiscard]] size_t scratch_size() const noexcept {
-        size_t size = QuotientRule::scratch_size(shape_.order) + static_cast<size_t>(rows_size()) + Scratch::line;
+        size_t size =
+            QuotientRule::scratch_size(shape_.order) + static_cast<size_t>(rows_size()) + Scratch::line;
         for (const AxisSource &source : sources_) {
             size += source.work_size;
         }
@@ -60,7 +79,8 @@ private:
     void make_table(size_t k, ConstRecords params) {
         AxisTable &table = tables_[k];
         table.points.resize(static_cast<size_t>(params.count));
-        table.values.resize(static_cast<size_t>(checked_product(params.count, sources_[k].values_size(shape_.order), "params")));
+        table.values.resize(static_cast<size_t>(
+            checked_product(params.count, sources_[k].values_size(shape_.order), "params")));
         tabulate(sources_[k], shape_.order, params, table);
     }
 
@@ -86,8 +106,10 @@ private:
         for (size_t k = 0; k + 1 < axes(); ++k) {
             const int axis = static_cast<int>(k);
             slabs_.length[k] = axis_view(spline_, axis, shape_.width).inner;
-            const int64_t size = checked_product(slot_count(axis + 1, shape_.order), slabs_.length[k], "working memory of the grid");
-            storage_[k].reset(new double[static_cast<size_t>(size)]); // uninitialised: little of it may be used
+            const int64_t size = checked_product(slot_count(axis + 1, shape_.order), slabs_.length[k],
+                                                 "working memory of the grid");
+            storage_[k].reset(
+                new double[static_cast<size_t>(size)]); // uninitialised: little of it may be used
             slabs_.data[k] = storage_[k].get();
         }
         rows_ = scratch_.take_aligned(static_cast<size_t>(rows_size()));
@@ -99,7 +121,8 @@ private:
         const int64_t one = static_cast<int64_t>(shape_.order + 1) * (source.degree + 1) * grid_group;
         const auto size = static_cast<size_t>(checked_product(std::ssize(groups_), one, "params"));
         group_memory_.resize(size + Scratch::line);
-        const size_t over = reinterpret_cast<uintptr_t>(group_memory_.data()) / sizeof(double) % Scratch::line;
+        const size_t over =
+            reinterpret_cast<uintptr_t>(group_memory_.data()) / sizeof(double) % Scratch::line;
         group_values_ = group_memory_.data() + (Scratch::line - over) % Scratch::line;
         transpose_values(last_table(), source, shape_.order, groups_, group_values_);
         for (int64_t i = 0; i < last_table().size(); ++i) {
@@ -138,6 +161,29 @@ void evaluate_grid(const Spline &spline, const AxisRules &rules, int order,
         return evaluate_points(spline, rules, order, params[0], out);
     }
     GridEvaluator(spline, rules, order, params).write(out);
+}
+
+void evaluate_grid(const Spline &spline, const AxisRules &rules, int order,
+                   const std::array<ConstRecords, max_axes> &params, BlockSink &sink) {
+    if (spline.axes() == 1) {
+        return evaluate_points(spline, rules, order, params[0], sink);
+    }
+    const auto last = static_cast<size_t>(spline.axes() - 1);
+    const int64_t width = slot_count(spline.axes(), order) * spline.dim();
+    const std::unique_ptr<double[]> rows(new double[static_cast<size_t>(width * block_size)]);
+    std::vector<std::unique_ptr<GridEvaluator>>
+        strips; // all of them first: nothing is written if memory runs out
+    for (int64_t first = 0; first < params[last].count; first += block_size) {
+        std::array<ConstRecords, max_axes> part = params;
+        part[last].data += first * params[last].stride;
+        part[last].count = std::min(block_size, params[last].count - first);
+        strips.push_back(std::make_unique<GridEvaluator>(spline, rules, order, part));
+    }
+    for (size_t i = 0; i < strips.size(); ++i) {
+        const int64_t first = static_cast<int64_t>(i) * block_size;
+        const int64_t count = std::min(block_size, params[last].count - first);
+        strips[i]->write({rows.get(), count, width, 1, block_size}, &sink, first, params[last].count);
+    }
 }
 
 } // namespace nrb

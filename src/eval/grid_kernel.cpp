@@ -22,9 +22,7 @@ public:
 
     // Axis 0 is contracted once for each of its parameters over the whole net, axis 1 once for each pair, and
     // so on.
-    void run() {
-        descend(0, 0);
-    }
+    void run() { descend(0, 0); }
 
 private:
     // `row`: number of the combination of parameters of the axes before `level`.
@@ -38,8 +36,13 @@ private:
             const int64_t next = row * table.size() + i;
             if (level + 1 < last_) {
                 descend(level + 1, next);
-            } else {
+            } else if (job_.sink == nullptr) {
                 write_row(next * job_.tables[static_cast<size_t>(last_)].size());
+            } else {
+                write_row(0);
+                const Records &rows = job_.out;
+                (*job_.sink)(job_.sink_first + next * job_.sink_stride,
+                             {rows.data, rows.count, rows.width, rows.stride, rows.component_stride});
             }
         }
     }
@@ -55,8 +58,9 @@ private:
         for_each_step(level, order, [&](int64_t from, int a, int64_t target) HWY_ATTR {
             const double *rows = net + from * before + chosen_[level].first * length;
             for (const Stretch &stretch : job_.stretches[at]) {
-                contract_rows(values + static_cast<int64_t>(a) * source.lanes, source.degree + 1, rows + stretch.offset, length,
-                              stretch.length, job_.slabs.data[at] + target * length + stretch.offset);
+                contract_rows(values + static_cast<int64_t>(a) * source.lanes, source.degree + 1,
+                              rows + stretch.offset, length, stretch.length,
+                              job_.slabs.data[at] + target * length + stretch.offset);
             }
         });
     }
@@ -68,7 +72,35 @@ private:
                 return write_nan_row(first);
             }
         }
-        const auto group_values = static_cast<int64_t>(job_.shape.order + 1) * (job_.sources[static_cast<size_t>(last_)].degree + 1) * group_size;
+        write_groups(first);
+        for (const int64_t position : job_.exceptions) {
+            mend(position, first);
+        }
+    }
+
+    // The shapes that grids are made of have loops of their own; what they compute is the same.
+    void write_groups(int64_t first) const {
+        const bool rational = job_.quotient != nullptr && job_.shape.width == 4;
+        const bool polynomial = job_.quotient == nullptr && job_.shape.width == 3;
+        if (last_ == 1 && job_.shape.order == 0 && rational) {
+            write_triples<1, 4>(first);
+        } else if (last_ == 1 && job_.shape.order == 0 && polynomial) {
+            write_triples<1, 3>(first);
+        } else if (last_ == 1 && job_.shape.order == 1 && rational) {
+            write_triples<2, 4>(first);
+        } else if (last_ == 1 && job_.shape.order == 1 && polynomial) {
+            write_triples<2, 3>(first);
+        } else {
+            write_any(first);
+        }
+    }
+
+    [[nodiscard]] int64_t values_of_group() const {
+        return static_cast<int64_t>(job_.shape.order + 1) *
+               (job_.sources[static_cast<size_t>(last_)].degree + 1) * group_size;
+    }
+
+    HWY_NOINLINE void write_any(int64_t first) const {
         const double *values = job_.group_values;
         for (const GridGroup &group : job_.groups) {
             contract_group(group, values);
@@ -76,10 +108,78 @@ private:
                 divide_group(job_.shape, *job_.quotient, job_.rows);
             }
             write_group(group, first);
-            values += group_values;
+            values += values_of_group();
         }
-        for (const int64_t position : job_.exceptions) {
-            mend(position, first);
+    }
+
+    // Three coordinates of a surface, rational with width 4: in registers up to the division.
+    template <int kOrders, int kWidth>
+    HWY_NOINLINE void write_triples(int64_t first) const {
+        constexpr int slots = static_cast<int>(slot_count(2, kOrders - 1));
+        using V = hn::Vec<Wide>;
+        const Wide d;
+        const int functions = job_.sources[1].degree + 1;
+        const int64_t size = values_of_group();
+        const int64_t length = job_.slabs.length[0];
+        const bool packed = slots == 1 && job_.out.component_stride == 1 && job_.out.stride == 3;
+        const double *values = job_.group_values;
+        for (const GridGroup &group : job_.groups) {
+            const double *slab = job_.slabs.data[0] + group.first * kWidth;
+            const bool direct = packed && group.consecutive && group.count == group_size;
+            double *target = job_.out.data + (first + group.position[0]) * 3;
+            for (int i = 0; i < group_size; i += wide_lanes) {
+                V sums[kWidth][slots];
+                contract_slots<kOrders, kWidth>(values + i, functions, slab, length, sums);
+                if (kWidth == 4) {
+                    const V inverse = hn::Div(hn::Set(d, 1.0), sums[kWidth - 1][0]);
+                    for (int c = 0; c < 3; ++c) {
+                        divide<2, kOrders - 1>(sums[kWidth - 1], inverse, sums[c]);
+                    }
+                }
+                if (direct) {
+                    hn::StoreInterleaved3(sums[0][0], sums[1][0], sums[2][0], d, target + 3 * i);
+                    continue;
+                }
+                for (int s = 0; s < slots; ++s) {
+                    for (int c = 0; c < 3; ++c) {
+                        hn::Store(sums[c][s], d, job_.rows + (s * kWidth + c) * group_size + i);
+                    }
+                }
+            }
+            if (!direct) {
+                write_group(group, first);
+            }
+            values += size;
+        }
+    }
+
+    // contract_rows() for a vector of points, all components and slots at once.
+    template <int kOrders, int kWidth>
+    static HWY_INLINE void contract_slots(const double *HWY_RESTRICT values, int functions,
+                                          const double *HWY_RESTRICT slab, int64_t length,
+                                          hn::Vec<Wide> (*sums)[slot_count(2, kOrders - 1)]) {
+        add_function<kOrders, kWidth, true>(values, functions, slab, length, sums);
+        for (int j = 1; j < functions; ++j) {
+            add_function<kOrders, kWidth, false>(values + j * group_size, functions, slab + j * kWidth,
+                                                 length, sums);
+        }
+    }
+
+    template <int kOrders, int kWidth, bool kFirst>
+    static HWY_INLINE void add_function(const double *HWY_RESTRICT values, int functions,
+                                        const double *HWY_RESTRICT slab, int64_t length,
+                                        hn::Vec<Wide> (*sums)[slot_count(2, kOrders - 1)]) {
+        using V = hn::Vec<Wide>;
+        const Wide d;
+        for (int a = 0; a < kOrders; ++a) {
+            for (int b = 0; a + b < kOrders; ++b) {
+                const V value = hn::Load(d, values + b * functions * group_size);
+                for (int c = 0; c < kWidth; ++c) {
+                    const V row = hn::Set(d, slab[a * length + c]);
+                    V &sum = sums[c][slot(2, a, b)];
+                    sum = kFirst ? hn::Mul(value, row) : hn::MulAdd(value, row, sum);
+                }
+            }
         }
     }
 
@@ -105,8 +205,8 @@ private:
         for_each_step(last_, job_.shape.order, [&](int64_t from, int a, int64_t target) HWY_ATTR {
             for (int c = 0; c < width; c += kWidth) {
                 for (int i = 0; i < group_size; i += wide_lanes) {
-                    contract_components<kWidth>(values + static_cast<int64_t>(a) * functions * group_size + i, functions,
-                                                slab + from * length + c, width,
+                    contract_components<kWidth>(values + static_cast<int64_t>(a) * functions * group_size + i,
+                                                functions, slab + from * length + c, width,
                                                 job_.rows + (target * width + c) * group_size + i);
                 }
             }
@@ -115,7 +215,8 @@ private:
 
     template <int kWidth>
     static HWY_INLINE void contract_components(const double *HWY_RESTRICT values, int functions,
-                                               const double *HWY_RESTRICT rows, int width, double *HWY_RESTRICT out) {
+                                               const double *HWY_RESTRICT rows, int width,
+                                               double *HWY_RESTRICT out) {
         const Wide d;
         hn::Vec<Wide> sums[kWidth];
         const auto start = hn::Load(d, values);

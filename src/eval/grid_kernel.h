@@ -2,6 +2,7 @@
 #pragma once
 
 #include "eval/axis_source.h"
+#include "eval/blocks.h"
 #include "eval/contraction.h"
 #include "eval/finish.h"
 
@@ -47,6 +48,9 @@ struct GridJob {
     Slabs slabs;
     double *rows; // [slots][width][grid_group], aligned
     Records out;
+    BlockSink *sink;     // null: `out` is the whole grid
+    int64_t sink_first;  // number of the first point of the first row in the whole grid
+    int64_t sink_stride; // between the first points of rows there
 };
 
 // Fills the tables of one axis.

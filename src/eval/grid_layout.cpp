@@ -36,11 +36,18 @@ std::vector<GridGroup> group_by_layers(const AxisTable &table) {
         }
     }
     const auto first = [&](int64_t position) { return table.points[static_cast<size_t>(position)].first; };
-    const auto earlier = [&](int64_t a, int64_t b) { return first(a) < first(b) || (first(a) == first(b) && a < b); };
+    const auto earlier = [&](int64_t a, int64_t b) {
+        return first(a) < first(b) || (first(a) == first(b) && a < b);
+    };
     if (!std::is_sorted(positions.begin(), positions.end(), earlier)) {
         std::sort(positions.begin(), positions.end(), earlier);
     }
+    int64_t different = 0;
+    for (size_t i = 0; i < positions.size(); ++i) {
+        different += i == 0 || first(positions[i]) != first(positions[i - 1]) ? 1 : 0;
+    }
     std::vector<GridGroup> groups;
+    groups.reserve(static_cast<size_t>(different) + positions.size() / grid_group);
     for (const int64_t position : positions) {
         if (groups.empty() || groups.back().first != first(position) || groups.back().count == grid_group) {
             groups.push_back({first(position), 0, true, {position}});
@@ -52,14 +59,15 @@ std::vector<GridGroup> group_by_layers(const AxisTable &table) {
     return groups;
 }
 
-void transpose_values(const AxisTable &table, const AxisSource &source, int order, const std::vector<GridGroup> &groups,
-                      double *values) noexcept {
+void transpose_values(const AxisTable &table, const AxisSource &source, int order,
+                      const std::vector<GridGroup> &groups, double *values) noexcept {
     for (const GridGroup &group : groups) {
         for (int a = 0; a <= order; ++a) {
             for (int j = 0; j <= source.degree; ++j) {
                 for (int i = 0; i < grid_group; ++i) {
                     const int64_t position = group.position[std::min(i, group.count - 1)];
-                    *values++ = table.values[static_cast<size_t>(position * source.values_size(order) + static_cast<int64_t>(a) * source.lanes + j)];
+                    *values++ = table.values[static_cast<size_t>(position * source.values_size(order) +
+                                                                 static_cast<int64_t>(a) * source.lanes + j)];
                 }
             }
         }

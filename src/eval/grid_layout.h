@@ -13,7 +13,7 @@ std::vector<GridGroup> group_by_layers(const AxisTable &table);
 
 // [group][order + 1][degree + 1][grid_group] from the table's values; a group that is not full repeats its
 // last parameter.
-void transpose_values(const AxisTable &table, const AxisSource &source, int order, const std::vector<GridGroup> &groups,
-                      double *values) noexcept;
+void transpose_values(const AxisTable &table, const AxisSource &source, int order,
+                      const std::vector<GridGroup> &groups, double *values) noexcept;
 
 } // namespace nrb

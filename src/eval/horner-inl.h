@@ -86,14 +86,16 @@ HWY_INLINE void horner_record(int order, const double *HWY_RESTRICT piece, int d
     const auto x = hn::Set(d, (t - piece[Piece::middle]) * scale);
     for (int l = 0; l < lanes; l += quad_lanes) {
         hn::Vec<Quad> y[kOrders];
-        horner_vector<kOrders, kDegree>(d, Components(), piece + Piece::head_size + l, degree, lanes, x, scale, y);
+        horner_vector<kOrders, kDegree>(d, Components(), piece + Piece::head_size + l, degree, lanes, x,
+                                        scale, y);
         for (int k = 0; k < kOrders; ++k) {
             if (kOrders < most_orders || k <= order) {
                 hn::StoreU(y[k], d, out + static_cast<int64_t>(k) * lanes + l);
             }
         }
     }
-    for (int64_t rest = static_cast<int64_t>(kOrders) * lanes; rest < static_cast<int64_t>(order + 1) * lanes; ++rest) {
+    for (int64_t rest = static_cast<int64_t>(kOrders) * lanes; rest < static_cast<int64_t>(order + 1) * lanes;
+         ++rest) {
         out[rest] = 0;
     }
 }

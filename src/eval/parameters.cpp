@@ -108,7 +108,8 @@ void check_parameters(const Spline &spline, const AxisRules &rules, ConstRecords
     for (int k = 0; k < spline.axes(); ++k) {
         domains[static_cast<size_t>(k)] = spline.axis(k).domain();
     }
-    const bool packed = params.stride == spline.axes() && (params.component_stride == 1 || spline.axes() == 1);
+    const bool packed =
+        params.stride == spline.axes() && (params.component_stride == 1 || spline.axes() == 1);
     if (packed && all_inside(params.data, params.count * spline.axes(), spline.axes(), domains.data())) {
         return;
     }

@@ -1,7 +1,9 @@
+#include "eval/blocks.h"
 #include "eval/curve_kernel.h"
 #include "eval/evaluate.h"
 #include "eval/tensor_kernel.h"
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 
@@ -17,20 +19,51 @@ const QuotientRule *make_rule(std::optional<QuotientRule> &rule, const RecordSha
     return shape.rational ? &rule.emplace(shape.axes, shape.order, scratch) : nullptr;
 }
 
-void evaluate_curve(const Spline &curve, const AxisRule &rule, int order, ConstRecords params, Records out) {
-    const RecordShape shape(curve, order);
-    const int degree = curve.axis(0).degree();
-    const auto piece = static_cast<size_t>(Piece::size(degree, shape.width));
-    const auto values = static_cast<size_t>(shape.slots) * static_cast<size_t>(degree + 1);
-    Scratch scratch(record_scratch(shape, curve_group) + 2 * piece + values + 8);
-    std::optional<QuotientRule> quotient;
-    const PieceArray *pieces = curve.pieces_after(params.count);
-    run(CurveJob{curve, rule, shape, make_rule(quotient, shape, scratch),
-                 pieces != nullptr ? &curve.axis(0).spans() : nullptr, pieces, params, out,
-                 scratch.take_aligned(static_cast<size_t>(curve_group * shape.size())),
-                 scratch.take(static_cast<size_t>(shape.slots)), scratch.take(piece), scratch.take(values),
-                 scratch.take(piece)});
-}
+class CurveEvaluator {
+public:
+    CurveEvaluator(const Spline &curve, const AxisRule &rule, int order, int64_t uses)
+        : shape_(curve, order), scratch_(scratch_size(curve, shape_)),
+          quotient_(make_rule(rule_, shape_, scratch_)),
+          pieces_(curve.pieces_after(uses)), job_{curve,
+                                                  rule,
+                                                  shape_,
+                                                  quotient_,
+                                                  pieces_ != nullptr ? &curve.axis(0).spans() : nullptr,
+                                                  pieces_,
+                                                  {},
+                                                  {},
+                                                  scratch_.take_aligned(
+                                                      static_cast<size_t>(curve_group * shape_.size())),
+                                                  scratch_.take(static_cast<size_t>(shape_.slots)),
+                                                  scratch_.take(piece_size(curve, shape_)),
+                                                  scratch_.take(values_size(curve, shape_)),
+                                                  scratch_.take(piece_size(curve, shape_))} {}
+
+    void operator()(ConstRecords params, Records out) noexcept {
+        job_.params = params;
+        job_.out = out;
+        run(job_);
+    }
+
+private:
+    static size_t piece_size(const Spline &curve, const RecordShape &shape) noexcept {
+        return static_cast<size_t>(Piece::size(curve.axis(0).degree(), shape.width));
+    }
+    static size_t values_size(const Spline &curve, const RecordShape &shape) noexcept {
+        return static_cast<size_t>(shape.slots) * static_cast<size_t>(curve.axis(0).degree() + 1);
+    }
+    static size_t scratch_size(const Spline &curve, const RecordShape &shape) noexcept {
+        return record_scratch(shape, curve_group) + 2 * piece_size(curve, shape) + values_size(curve, shape) +
+               Scratch::line;
+    }
+
+    RecordShape shape_;
+    Scratch scratch_;
+    std::optional<QuotientRule> rule_;
+    const QuotientRule *quotient_;
+    const PieceArray *pieces_;
+    CurveJob job_;
+};
 
 // Blocks of the size that suits the first-level cache.
 int64_t tensor_block(const RecordShape &shape, int64_t points) noexcept {
@@ -39,33 +72,47 @@ int64_t tensor_block(const RecordShape &shape, int64_t points) noexcept {
     return std::clamp<int64_t>(doubles / shape.size(), 1, std::min(most, points));
 }
 
-class TensorMemory {
+class TensorEvaluator {
 public:
-    TensorMemory(const Spline &spline, const RecordShape &shape, const AxisSource *sources, int64_t block)
-        : spline_(spline), shape_(shape), sources_(sources), block_(block), scratch_(size()) {}
-
-    Scratch &scratch() noexcept { return scratch_; }
-
-    void give(TensorJob &job) {
-        const auto axes = static_cast<size_t>(shape_.axes);
-        job.records = scratch_.take(static_cast<size_t>(block_ * shape_.size()));
-        job.weights = scratch_.take(static_cast<size_t>(shape_.slots));
-        for (size_t k = 0; k < axes; ++k) {
-            job.values[k] = scratch_.take(static_cast<size_t>(block_ * sources_[k].values_size(shape_.order)));
-            job.points[k] = points_[k];
+    TensorEvaluator(const Spline &spline, const AxisRules &rules, int order, int64_t uses)
+        : shape_(spline, order), sources_(axis_sources(spline, rules, order, {uses, uses, uses})),
+          block_(tensor_block(shape_, uses)), scratch_(scratch_size()),
+          quotient_(make_rule(rule_, shape_, scratch_)),
+          job_{
+              spline, shape_,  quotient_, sources_.data(), spline.records_after(uses), {}, {}, block_, {}, {},
+              {},     nullptr, nullptr,   nullptr} {
+        job_.records = scratch_.take(static_cast<size_t>(block_ * shape_.size()));
+        job_.weights = scratch_.take(static_cast<size_t>(shape_.slots));
+        job_.window = scratch_.take(window_size());
+        for (size_t k = 0; k < axes(); ++k) {
+            sources_[k].take_work(scratch_);
+            job_.values[k] =
+                scratch_.take(static_cast<size_t>(block_ * sources_[k].values_size(shape_.order)));
+            job_.points[k] = points_[k];
         }
-        job.slabs.length[axes - 1] = shape_.width;
-        for (size_t k = axes - 1; k-- > 0;) {
-            job.slabs.length[k] = job.slabs.length[k + 1] * (sources_[k + 1].degree + 1);
-            const auto size = slab_size(k, job.slabs.length[k]);
-            job.slabs.data[k] = scratch_.take(size);
-            std::fill_n(job.slabs.data[k] + size - padding, padding, 0.0);
-        }
-        job.window = scratch_.take(window_size());
+        make_slabs();
+    }
+
+    void operator()(ConstRecords params, Records out) noexcept {
+        job_.params = params;
+        job_.out = out;
+        run(job_);
     }
 
 private:
     static constexpr size_t padding = 4; // records are read as whole vectors
+
+    [[nodiscard]] size_t axes() const noexcept { return static_cast<size_t>(shape_.axes); }
+
+    void make_slabs() noexcept {
+        job_.slabs.length[axes() - 1] = shape_.width;
+        for (size_t k = axes() - 1; k-- > 0;) {
+            job_.slabs.length[k] = job_.slabs.length[k + 1] * (sources_[k + 1].degree + 1);
+            const auto size = slab_size(k, job_.slabs.length[k]);
+            job_.slabs.data[k] = scratch_.take(size);
+            std::fill_n(job_.slabs.data[k] + size - padding, padding, 0.0);
+        }
+    }
 
     [[nodiscard]] size_t slab_size(size_t k, int64_t length) const noexcept {
         return static_cast<size_t>(slot_count(static_cast<int>(k) + 1, shape_.order) * length) + padding;
@@ -73,17 +120,18 @@ private:
 
     [[nodiscard]] size_t window_size() const noexcept {
         auto size = static_cast<size_t>(shape_.width);
-        for (int k = 0; k < shape_.axes; ++k) {
+        for (size_t k = 0; k < axes(); ++k) {
             size *= static_cast<size_t>(sources_[k].degree + 1);
         }
         return size;
     }
 
-    [[nodiscard]] size_t size() const noexcept {
+    [[nodiscard]] size_t scratch_size() const noexcept {
         size_t size = record_scratch(shape_, block_) + window_size();
         int64_t length = shape_.width;
-        for (auto k = static_cast<size_t>(shape_.axes); k-- > 0;) {
-            size += static_cast<size_t>(block_ * sources_[k].values_size(shape_.order)) + sources_[k].work_size;
+        for (size_t k = axes(); k-- > 0;) {
+            size +=
+                static_cast<size_t>(block_ * sources_[k].values_size(shape_.order)) + sources_[k].work_size;
             if (k > 0) {
                 length *= sources_[k].degree + 1;
                 size += slab_size(k - 1, length);
@@ -92,28 +140,28 @@ private:
         return size;
     }
 
-    const Spline &spline_;
-    const RecordShape &shape_;
-    const AxisSource *sources_;
+    RecordShape shape_;
+    AxisSources sources_;
     int64_t block_;
     Scratch scratch_;
-    AxisPoint points_[max_axes][32];
+    std::optional<QuotientRule> rule_;
+    const QuotientRule *quotient_;
+    TensorJob job_;
+    AxisPoint points_[max_axes][axis_block_size];
 };
 
-void evaluate_tensor(const Spline &spline, const AxisRules &rules, int order, ConstRecords params,
-                     Records out) {
-    const RecordShape shape(spline, order);
-    AxisSources sources = axis_sources(spline, rules, order, {params.count, params.count, params.count});
-    const int64_t block = tensor_block(shape, params.count);
-    TensorMemory memory(spline, shape, sources.data(), block);
-    for (int k = 0; k < spline.axes(); ++k) {
-        sources[static_cast<size_t>(k)].take_work(memory.scratch());
+// Blocks of rows for a sink, one after the other through the same evaluator.
+template <class Evaluator>
+void evaluate_blocks(Evaluator &&evaluate, ConstRecords params, int64_t width, BlockSink &sink) {
+    const std::unique_ptr<double[]> rows(new double[static_cast<size_t>(width * block_size)]);
+    for (int64_t first = 0; first < params.count; first += block_size) {
+        const int64_t count = std::min(block_size, params.count - first);
+        ConstRecords part = params;
+        part.data += first * params.stride;
+        part.count = count;
+        evaluate(part, Records{rows.get(), count, width, 1, block_size});
+        sink(first, {rows.get(), count, width, 1, block_size});
     }
-    std::optional<QuotientRule> quotient;
-    TensorJob job{spline, shape, make_rule(quotient, shape, memory.scratch()), sources.data(),
-                  spline.records_after(params.count), params, out, block, {}, {}, {}, nullptr, nullptr, nullptr};
-    memory.give(job);
-    run(job);
 }
 
 } // namespace
@@ -124,9 +172,20 @@ void evaluate_points(const Spline &spline, const AxisRules &rules, int order, Co
         return;
     }
     if (spline.axes() == 1) {
-        evaluate_curve(spline, rules[0], order, params, out);
+        CurveEvaluator(spline, rules[0], order, params.count)(params, out);
     } else {
-        evaluate_tensor(spline, rules, order, params, out);
+        TensorEvaluator(spline, rules, order, params.count)(params, out);
+    }
+}
+
+void evaluate_points(const Spline &spline, const AxisRules &rules, int order, ConstRecords params,
+                     BlockSink &sink) {
+    const int64_t width = slot_count(spline.axes(), order) * spline.dim();
+    if (spline.axes() == 1) {
+        evaluate_blocks(CurveEvaluator(spline, rules[0], order, params.count), params, width, sink);
+    } else {
+        evaluate_blocks(TensorEvaluator(spline, rules, order, std::max<int64_t>(params.count, 1)), params,
+                        width, sink);
     }
 }
 

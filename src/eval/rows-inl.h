@@ -46,7 +46,8 @@ HWY_INLINE void divide_rows(const RecordShape &shape, double *HWY_RESTRICT rows)
 }
 
 // The same for any order.
-static HWY_NOINLINE void divide_rows(const RecordShape &shape, const QuotientRule &rule, double *HWY_RESTRICT rows) {
+static HWY_NOINLINE void divide_rows(const RecordShape &shape, const QuotientRule &rule,
+                                     double *HWY_RESTRICT rows) {
     const Wide d;
     using V = hn::Vec<Wide>;
     const int64_t slot_size = static_cast<int64_t>(shape.width) * group_size;
@@ -137,8 +138,8 @@ private:
         if (shape_.slots == 1 && out_.stride == 3) {
             for (int i = 0; i < group_size; i += wide_lanes) {
                 const double *x = rows + i;
-                hn::StoreInterleaved3(hn::Load(d, x), hn::Load(d, x + group_size), hn::Load(d, x + 2 * group_size), d,
-                                      target + 3 * i);
+                hn::StoreInterleaved3(hn::Load(d, x), hn::Load(d, x + group_size),
+                                      hn::Load(d, x + 2 * group_size), d, target + 3 * i);
             }
             return;
         }
@@ -154,7 +155,8 @@ private:
         HWY_ALIGN double records[4 * group_size];
         for (int i = 0; i < group_size; i += wide_lanes) {
             hn::StoreInterleaved4(hn::Load(wide, x + i), hn::Load(wide, x + group_size + i),
-                                  hn::Load(wide, x + 2 * group_size + i), hn::Zero(wide), wide, records + 4 * i);
+                                  hn::Load(wide, x + 2 * group_size + i), hn::Zero(wide), wide,
+                                  records + 4 * i);
         }
         for (int i = 0; i < group_size; ++i, target += out_.stride) {
             if (last) {

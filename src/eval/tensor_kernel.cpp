@@ -60,8 +60,9 @@ private:
             for (int k = 0; k < axes_; ++k) {
                 const auto at = static_cast<size_t>(k);
                 const double *params = job_.params.record(first) + k * job_.params.component_stride;
-                special |= axis_block<kOrders, kDegree>(job_.sources[at], job_.shape.order, params, job_.params.stride, count,
-                                                        job_.points[at], job_.values[at]);
+                special |=
+                    axis_block<kOrders, kDegree>(job_.sources[at], job_.shape.order, params,
+                                                 job_.params.stride, count, job_.points[at], job_.values[at]);
             }
             if constexpr (kDegree == 3) {
                 contract_quads<kOrders>(first, count, special);
@@ -100,14 +101,16 @@ private:
                 continue;
             }
             const QuadWindow from = quad_window(i);
-            contract_rows_of_orders<kOrders>(job_.values[0] + i * kOrders * u.lanes, u.lanes, u.degree + 1, from.records, from.stride, row, slab);
+            contract_rows_of_orders<kOrders>(job_.values[0] + i * kOrders * u.lanes, u.lanes, u.degree + 1,
+                                             from.records, from.stride, row, slab);
             QuadRecord<static_cast<int>(slot_count(2, kOrders - 1))> record;
             const double *values = job_.values[1] + i * kOrders * v.lanes;
             for (int a = 0; a < kOrders; ++a) {
                 for (int b = 0; a + b < kOrders; ++b) {
                     for (int part = 0; part < quad_parts; ++part) {
-                        record.values[part][slot(2, a, b)] = contracted<-1>(
-                            Quad(), values + b * v.lanes, v.degree + 1, slab + a * row + part * quad_lanes, width);
+                        record.values[part][slot(2, a, b)] =
+                            contracted<-1>(Quad(), values + b * v.lanes, v.degree + 1,
+                                           slab + a * row + part * quad_lanes, width);
                     }
                 }
             }
@@ -128,7 +131,8 @@ private:
             }
             const QuadWindow from = quad_window(i);
             const int64_t at = i * kOrders * 4;
-            const double *values[max_axes] = {tables[0] + at, tables[1] + at, surface ? nullptr : tables[2] + at};
+            const double *values[max_axes] = {tables[0] + at, tables[1] + at,
+                                              surface ? nullptr : tables[2] + at};
             if (surface) {
                 QuadRecord<static_cast<int>(slot_count(2, kOrders - 1))> record;
                 contract_surface<kOrders>(from, values, record);
@@ -161,14 +165,15 @@ private:
             copy_window(i);
             return {job_.window, job_.slabs.length[0], job_.slabs.length[1]};
         }
-        const double *records = job_.net + points[0][i].first * strides_[0] + points[1][i].first * strides_[1];
+        const double *records =
+            job_.net + points[0][i].first * strides_[0] + points[1][i].first * strides_[1];
         return {axes_ == 2 ? records : records + points[2][i].first * strides_[2], strides_[0], strides_[1]};
     }
 
     // sums[a] = the column from `rows` on, contracted with derivative a of the functions of axis 0.
     template <int kOrders>
-    HWY_INLINE void contract_column(const double *HWY_RESTRICT values, const double *HWY_RESTRICT rows, int64_t stride, int part,
-                                    hn::Vec<Quad> *HWY_RESTRICT sums) const {
+    HWY_INLINE void contract_column(const double *HWY_RESTRICT values, const double *HWY_RESTRICT rows,
+                                    int64_t stride, int part, hn::Vec<Quad> *HWY_RESTRICT sums) const {
         const Quad d;
         std::fill_n(sums, kOrders, hn::Zero(d));
         for (int i = 0; i <= 3; ++i, rows += stride) {
@@ -181,7 +186,8 @@ private:
     }
 
     template <int kOrders, class Record>
-    HWY_INLINE void contract_surface(const QuadWindow &from, const double *const *values, Record &record) const {
+    HWY_INLINE void contract_surface(const QuadWindow &from, const double *const *values,
+                                     Record &record) const {
         const Quad d;
         for (int part = 0; part < quad_parts; ++part) {
             for (int j = 0; j <= 3; ++j) {
@@ -199,7 +205,8 @@ private:
     }
 
     template <int kOrders, class Record>
-    HWY_INLINE void contract_volume(const QuadWindow &from, const double *const *values, Record &record) const {
+    HWY_INLINE void contract_volume(const QuadWindow &from, const double *const *values,
+                                    Record &record) const {
         const Quad d;
         constexpr int kept = static_cast<int>(slot_count(2, kOrders - 1));
         for (int part = 0; part < quad_parts; ++part) {
@@ -222,8 +229,8 @@ private:
 
     // The columns of a volume that share their place on the last axis.
     template <int kOrders>
-    HWY_INLINE void contract_plane(const QuadWindow &from, const double *const *values, const double *records, int part,
-                                   hn::Vec<Quad> *HWY_RESTRICT planes) const {
+    HWY_INLINE void contract_plane(const QuadWindow &from, const double *const *values, const double *records,
+                                   int part, hn::Vec<Quad> *HWY_RESTRICT planes) const {
         const Quad d;
         std::fill_n(planes, slot_count(2, kOrders - 1), hn::Zero(d));
         for (int j = 0; j <= 3; ++j) {
@@ -250,10 +257,10 @@ private:
     // Rows of axis 0 that are active at a point: a window of the net, contiguous along the last axis only.
     struct Window {
         const double *rows;
-        int64_t stride;         // between rows of axis 0
-        int64_t segments;       // of each row
+        int64_t stride;   // between rows of axis 0
+        int64_t segments; // of each row
         int64_t segment_stride;
-        int64_t segment;        // length
+        int64_t segment; // length
     };
 
     HWY_INLINE Window window(int64_t i) const {
@@ -275,7 +282,8 @@ private:
         double *next = job_.window;
         for (int64_t a = 0; a <= job_.sources[0].degree; ++a) {
             for (int64_t b = 0; b <= job_.sources[1].degree; ++b) {
-                const int64_t row = (job_.points[0][i].first + a) * spline.count(1) + job_.points[1][i].first + b;
+                const int64_t row =
+                    (job_.points[0][i].first + a) * spline.count(1) + job_.points[1][i].first + b;
                 for (int64_t c = 0; c < planes; ++c, next += job_.shape.width) {
                     spline.record_part(row * depth + last + c, 0, job_.shape.width, next);
                 }
@@ -290,16 +298,17 @@ private:
         for (int a = 0; a <= order; ++a) {
             double *slab = job_.slabs.data[0] + a * job_.slabs.length[0];
             for (int64_t s = 0; s < from.segments; ++s) {
-                contract_rows(values + static_cast<int64_t>(a) * job_.sources[0].lanes, job_.sources[0].degree + 1,
-                              from.rows + s * from.segment_stride, from.stride, from.segment,
-                              slab + s * from.segment);
+                contract_rows(values + static_cast<int64_t>(a) * job_.sources[0].lanes,
+                              job_.sources[0].degree + 1, from.rows + s * from.segment_stride, from.stride,
+                              from.segment, slab + s * from.segment);
             }
         }
         if (axes_ == 3) {
             contract_level(1, i, job_.slabs.length[1], job_.slabs.length[1], job_.slabs.data[1]);
         }
         // Records are read with their padding, which is the next record's beginning.
-        contract_level(axes_ - 1, i, job_.shape.lanes, job_.shape.lanes, job_.records + i * job_.shape.size());
+        contract_level(axes_ - 1, i, job_.shape.lanes, job_.shape.lanes,
+                       job_.records + i * job_.shape.size());
     }
 
     // Axis `level` of the slabs before it: `length` doubles of each row, to targets `stride` apart.

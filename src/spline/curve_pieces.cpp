@@ -26,18 +26,20 @@ bool Spline::has_pieces(int k) const noexcept {
 
 bool Spline::has_piece(int64_t span) const noexcept {
     const int degree = axis(0).degree();
-    return piece_degree(degree) && (even_weights_ || even(weight_range(span - degree, degree + 1)));
+    return axis(0).has_piece(span) && (even_weights_ || even(weight_range(span - degree, degree + 1)));
 }
 
 // From the basis of a span, whose points are copied to `points`: [degree + 1][lanes].
-void Spline::combine(int64_t span, const double *basis, const double *rests, double *points, double *piece) const noexcept {
+void Spline::combine(int64_t span, const double *basis, const double *rests, double *points,
+                     double *piece) const noexcept {
     const int degree = axis(0).degree();
     const int lanes = Piece::lanes(width());
     double weights[max_piece_degree + 1];
     for (int j = 0; j <= degree; ++j) {
         const int64_t i = span - degree + j;
         double *point = points + static_cast<int64_t>(j) * lanes;
-        std::fill(std::copy_n(points_.data() + i * stored_width(), stored_width(), point), point + lanes, 0.0);
+        std::fill(std::copy_n(points_.data() + i * stored_width(), stored_width(), point), point + lanes,
+                  0.0);
         weights[j] = 1;
         if (form_ == Form::rational) {
             point[dim_] = 1;
@@ -78,7 +80,8 @@ PieceArray Spline::curve_pieces() const {
             if (has_piece(indices[l])) {
                 combine(indices[l], basis[l], rests[l], points.data(), pieces[first + l]);
             } else {
-                std::fill_n(pieces[first + l], static_cast<int>(Piece::head_size), std::numeric_limits<double>::quiet_NaN());
+                std::fill_n(pieces[first + l], static_cast<int>(Piece::head_size),
+                            std::numeric_limits<double>::quiet_NaN());
             }
         }
     }

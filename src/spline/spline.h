@@ -83,7 +83,8 @@ private:
     static bool even(WeightRange range) noexcept;
     [[nodiscard]] WeightRange weight_range(int64_t first, int64_t count) const noexcept;
     [[nodiscard]] PieceArray curve_pieces() const;
-    void combine(int64_t span, const double *basis, const double *rests, double *points, double *piece) const noexcept;
+    void combine(int64_t span, const double *basis, const double *rests, double *points,
+                 double *piece) const noexcept;
     [[nodiscard]] double scaled_weight(int64_t i) const noexcept;
 
     Axes axes_;

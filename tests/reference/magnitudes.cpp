@@ -2,7 +2,9 @@
 
 #include "reference/exact_basis.h"
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace reference {
 
@@ -57,8 +59,11 @@ Record basis_values(const Axis &axis, int degree) {
     return values;
 }
 
-// H_a along one axis: k steps on magnitudes, then the value at t.
-Record contract(const Axis &axis, int order, std::vector<Record> points) {
+// How the points of the last step become one: by the largest, or by the value at t.
+enum class Last { largest, value };
+
+// H_a along one axis: k steps on magnitudes, then the last.
+Record contract(const Axis &axis, int order, Last last, std::vector<Record> points) {
     const size_t width = points[0].size();
     if (order > axis.degree) {
         return Record(width, 0);
@@ -74,23 +79,27 @@ Record contract(const Axis &axis, int order, std::vector<Record> points) {
         points.pop_back();
     }
     const Record values = basis_values(axis, axis.degree - order);
+    // Inside the domain the values add up to 1; outside they say how far rounding is magnified.
+    const long double total = std::accumulate(values.begin(), values.end(), 0.0L);
     Record sum(width);
     for (size_t i = 0; i < points.size(); ++i) {
         for (size_t c = 0; c < width; ++c) {
-            sum[c] += values[i] * points[i][c];
+            sum[c] = last == Last::value ? sum[c] + values[i] * points[i][c]
+                                         : std::max(sum[c], total * points[i][c]);
         }
     }
     return sum;
 }
 
 // Contracts the last axis of `points` first; the order does not matter for a sum of positive terms.
-Record contract_all(const std::vector<Axis> &axes, const MultiIndex &a, std::vector<Record> points) {
+Record contract_all(const std::vector<Axis> &axes, const MultiIndex &a, Last last,
+                    std::vector<Record> points) {
     for (size_t k = axes.size(); k-- > 0;) {
         const auto width = static_cast<size_t>(axes[k].degree) + 1;
         std::vector<Record> fewer;
         for (size_t i = 0; i < points.size(); i += width) {
             const auto from = points.begin() + static_cast<std::ptrdiff_t>(i);
-            fewer.push_back(contract(axes[k], a[k], {from, from + static_cast<std::ptrdiff_t>(width)}));
+            fewer.push_back(contract(axes[k], a[k], last, {from, from + static_cast<std::ptrdiff_t>(width)}));
         }
         points = std::move(fewer);
     }
@@ -98,7 +107,8 @@ Record contract_all(const std::vector<Axis> &axes, const MultiIndex &a, std::vec
 }
 
 // E_a = (H_a[wP] + sum over 0 < b <= a of binomial(a, b) H_b[w] E_(a-b)) / w(t).
-std::vector<Record> divide_by_weight(const std::vector<MultiIndex> &indices, const std::vector<Record> &h) {
+std::vector<Record> divide_by_weight(const std::vector<MultiIndex> &indices, const std::vector<Record> &h,
+                                     long double weight) {
     std::vector<Record> e;
     for (size_t slot = 0; slot < indices.size(); ++slot) {
         Record sum(h[slot].begin(), h[slot].end() - 1);
@@ -111,11 +121,18 @@ std::vector<Record> divide_by_weight(const std::vector<MultiIndex> &indices, con
             }
         }
         for (long double &x : sum) {
-            x /= h[0].back();
+            x /= weight;
         }
         e.push_back(std::move(sum));
     }
     return e;
+}
+
+// Whether the weights, the last components, differ by a factor of more than 4.
+bool uneven(const std::vector<Record> &points) {
+    const auto [smallest, largest] = std::minmax_element(
+        points.begin(), points.end(), [](const Record &a, const Record &b) { return a.back() < b.back(); });
+    return !(smallest->back() > 0 && largest->back() <= 4 * smallest->back());
 }
 
 } // namespace
@@ -138,12 +155,15 @@ std::vector<std::vector<long double>> magnitudes(const SplineData &data, int ord
         }
         points.push_back(std::move(record));
     }
+    const Last last = data.rational() && uneven(points) ? Last::value : Last::largest;
     const auto indices = support::graded_indices(data.axes(), order);
     std::vector<Record> h;
     for (const MultiIndex &a : indices) {
-        h.push_back(contract_all(axes, a, points));
+        h.push_back(contract_all(axes, a, last, points));
     }
-    return data.rational() ? divide_by_weight(indices, h) : h;
+    return data.rational()
+               ? divide_by_weight(indices, h, contract_all(axes, indices[0], Last::value, points).back())
+               : h;
 }
 
 } // namespace reference
