@@ -42,6 +42,6 @@ Output packed_output(const Job &job, const Case &data);
 int run(int argc, char **argv, const std::vector<Route> &routes, double tolerance);
 
 // For libraries that promise no bounds: far above their rounding errors, far below any mistake.
-constexpr double peer_tolerance = 1e4;
+constexpr double peer_tolerance = 1e3;
 
 } // namespace bench
