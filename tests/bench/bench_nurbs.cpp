@@ -1,0 +1,77 @@
+// This library, through its C interface, as a user calls it.
+#include "bench/frames.h"
+#include "bench/harness.h"
+#include "support/handle.h"
+
+namespace {
+
+using namespace bench;
+using SharedHandle = std::shared_ptr<nurbs>;
+
+void require(nurbs_status status) {
+    if (status != NURBS_OK) {
+        support::require_ok(status);
+    }
+}
+
+Work single_calls(const SharedHandle &g, const Case &data, Output &output) {
+    return [g, &data, &output] {
+        const double *param = data.params.data();
+        double *point = output.values.data();
+        const int dim = data.spline.dim;
+        for (int64_t i = 0; i < data.points(); ++i, ++param, point += dim) {
+            require(nurbs_eval(g.get(), 1, param, 0, 0, point, 0, 0, 0));
+        }
+    };
+}
+
+Work grid(const SharedHandle &g, const Job &job, const Case &data, Output &output) {
+    if (job.normal) {
+        return [g, &data, &output] {
+            require(grid_frames(g.get(), data.grid.data(), data.params.data(), output.values.data()));
+        };
+    }
+    return [g, &data, &output] {
+        require(
+            nurbs_eval_grid(g.get(), data.grid.data(), data.params.data(), output.values.data(), 0, 0, 0));
+    };
+}
+
+Work scattered(const SharedHandle &g, const Job &job, const Case &data, Output &output) {
+    const int64_t n = data.points();
+    if (job.normal) {
+        return
+            [g, n, &data, &output] { require(frames(g.get(), n, data.params.data(), output.values.data())); };
+    }
+    if (job.order > 0) {
+        return [g, n, order = job.order, &data, &output] {
+            require(nurbs_eval_derivs(g.get(), order, n, data.params.data(), 0, 0, output.values.data(), 0, 0,
+                                      0));
+        };
+    }
+    return [g, n, &data, &output] {
+        require(nurbs_eval(g.get(), n, data.params.data(), 0, 0, output.values.data(), 0, 0, 0));
+    };
+}
+
+bool offers(const Job &) {
+    return true;
+}
+
+Work prepare(const Job &job, const Case &data, Output &output) {
+    const SharedHandle g = support::create(data.spline);
+    switch (job.params) {
+    case Params::single:
+        return single_calls(g, data, output);
+    case Params::grid:
+        return grid(g, job, data, output);
+    default:
+        return scattered(g, job, data, output);
+    }
+}
+
+} // namespace
+
+int main(int argc, char **argv) {
+    return run(argc, argv, {{"nurbs", offers, prepare}}, 1.0);
+}

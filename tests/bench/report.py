@@ -1,0 +1,127 @@
+"""Prints the times of measure.py as Markdown; with --readme, puts the table into the README."""
+
+import argparse
+import json
+import re
+import subprocess
+import sys
+from pathlib import Path
+from statistics import median
+
+TOP = Path(__file__).resolve().parents[2]
+OURS = "libnurbs"
+PEERS = {
+    "SISL": "libsisl-dev",
+    "Open CASCADE": "libocct-modeling-data-dev",
+    "Eigen": "libeigen3-dev",
+    "GSL": "libgsl-dev",
+    "SciPy": "python3-scipy",
+}
+BEGIN, END = "<!-- speed: written by tests/bench/run --readme -->", "<!-- end of speed -->"
+
+
+def best(results, job, library):
+    """The fastest route of a library, or None."""
+    routes = results["times"].get(job, {}).get(library, {})
+    return min((median(times) for times in routes.values()), default=None)
+
+
+def number(x):
+    return "–" if x is None else f"{x:.2f}" if x < 10 else f"{x:.1f}" if x < 100 else f"{x:.0f}"
+
+
+def table(rows):
+    head, *body = ([str(cell) for cell in row] for row in rows)
+    rule = ["---"] + ["---:"] * (len(head) - 1)
+    return "\n".join("| " + " | ".join(row) + " |" for row in (head, rule, *body))
+
+
+def job_row(results, job):
+    ours = best(results, job["name"], OURS)
+    peers = [best(results, job["name"], peer) for peer in PEERS]
+    known = [time for time in peers if time is not None]
+    ratio = f"{min(known) / ours:.1f}" if known and ours else "–"
+    return [job["title"], number(ours), *map(number, peers), ratio, f"{job['target']:g}"]
+
+
+def main_table(results):
+    rows = [["ns per point", OURS, *PEERS, "best other / ours", "target"]]
+    for job in results["jobs"]:
+        if job["group"] == "main" and job["name"] in results["times"]:
+            rows.append(job_row(results, job))
+    return table(rows)
+
+
+def own_table(results, group, title):
+    rows = [[title, "ns per point"]]
+    for job in results["jobs"]:
+        if job["group"] == group and job["name"] in results["times"]:
+            rows.append([job["title"], number(best(results, job["name"], OURS))])
+    return table(rows) if len(rows) > 1 else ""
+
+
+def scaling_tables(results):
+    times = {name: median(values) for name, values in results["scaling"].items()}
+    sizes = sorted((int(name[2:]), time) for name, time in times.items() if name.startswith("n="))
+    if not sizes:
+        return ""
+    batches = table([["points in a call", "ns per point"], *([f"{n:,}", number(t)] for n, t in sizes)])
+    large, points = times["large_fresh"] - times["large_warm"], 1e5
+    first = table(
+        [
+            ["first calls", "ns"],
+            ["one point on a new handle of 100 control points", number(times["single_fresh"])],
+            ["one point on a handle that has had a call with 1000 points", number(times["single_warm"])],
+            ["tables, for each span: what a first call with 1e5 points takes more than a second one, "
+             "10000 control points", f"{large * points / results['spans']:.1f}"],
+        ]
+    )
+    return batches + "\n\n" + first
+
+
+def first_match(pattern, text):
+    found = re.search(pattern, text, flags=re.MULTILINE)
+    return found.group(1).strip() if found else "unknown"
+
+
+def version(package):
+    command = ["dpkg-query", "-W", "-f=${Version}", package]
+    found = subprocess.run(command, capture_output=True, text=True).stdout
+    return re.sub(r"^\d+:|[+-].*$", "", found)
+
+
+def machine():
+    info = Path("/proc/cpuinfo").read_text(encoding="utf-8")
+    cpu, family, model = (first_match(rf"^{key}\s*:(.*)$", info) for key in ("model name", "cpu family", "model"))
+    compiler = subprocess.run(["g++", "-dumpfullversion"], capture_output=True, text=True).stdout.strip()
+    system = first_match(r'^PRETTY_NAME="(.*)"$', Path("/etc/os-release").read_text(encoding="utf-8"))
+    others = ", ".join(f"{name} {version(package)}" for name, package in PEERS.items() if version(package))
+    return f"Measured on {cpu} (family {family}, model {model}), {system}, g++ {compiler}; {others}."
+
+
+def update_readme(text):
+    path = TOP / "README.md"
+    before, rest = path.read_text(encoding="utf-8").split(BEGIN)
+    path.write_text(f"{before}{BEGIN}\n{text}\n{END}{rest.split(END)[1]}", encoding="utf-8")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("results", type=Path)
+    parser.add_argument("--readme", action="store_true")
+    arguments = parser.parse_args()
+    results = json.loads(arguments.results.read_text(encoding="utf-8"))
+    text = main_table(results) + "\n\n" + machine()
+    own = [
+        own_table(results, "variants", "curve of degree 3, random parameters"),
+        own_table(results, "points", "curve of degree 3, random parameters"),
+        scaling_tables(results),
+    ]
+    errors = [f"**error**: {error}" for error in results["errors"]]
+    print("\n\n".join(part for part in (text, *own, *errors) if part))
+    if arguments.readme:
+        update_readme(text)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
