@@ -32,6 +32,8 @@ ConstRecords input(const char *name, const double *data, int64_t count, int64_t 
                    int64_t component_stride);
 Records output(const char *name, double *data, int64_t count, int64_t width, int64_t stride,
                int64_t component_stride);
+FloatRecords output(const char *name, float *data, int64_t count, int64_t width, int64_t stride,
+                    int64_t component_stride);
 // A strided list of single values.
 inline ConstRecords input(const char *name, const double *data, int64_t count, int64_t stride) {
     return input(name, data, count, 1, stride, 0);
@@ -40,6 +42,7 @@ inline ConstRecords input(const char *name, const double *data, int64_t count, i
 // Throws NURBS_ERROR_OVERLAP if an element of `out` is an element of `in`. Records of equal stride may
 // interleave.
 void check_overlap(const char *out_name, Records out, const char *in_name, ConstRecords in);
+void check_overlap(const char *out_name, FloatRecords out, const char *in_name, ConstRecords in);
 void check_overlap(const char *out_name, const void *out, int64_t out_bytes, const char *in_name,
                    const void *in, int64_t in_bytes);
 

@@ -76,8 +76,8 @@
  * one machine.
  *
  * # Bindings
- * Signatures use int32_t, int64_t, uint32_t, double, pointers to these, char buffers and opaque handles,
- * nothing else. Comments are uniform: every array parameter carries its shape in brackets, written in terms
+ * Signatures use int32_t, int64_t, uint32_t, double, pointers to these and to float, char buffers and opaque
+ * handles, nothing else. Arrays of float are results in single precision; their strides count floats. Comments are uniform: every array parameter carries its shape in brackets, written in terms
  * of other parameters.
  */
 #ifndef NURBS_NURBS_H
@@ -724,6 +724,35 @@ NURBS_API nurbs_status nurbs_eval_grid(const nurbs *g, const int64_t *counts, co
 NURBS_API nurbs_status nurbs_eval_grid_derivs(const nurbs *g, int32_t order, const int64_t *counts,
                                               const double *params, double *derivs, int64_t deriv_stride,
                                               int64_t deriv_component_stride, uint32_t flags);
+
+/** \brief Points at parameters in single precision: the results of nurbs_eval(), each rounded once to the nearest
+ * float. Coordinates beyond the range of float become infinities.
+ * \param[in] g a spline.
+ * \param[in] n number of parameters.
+ * \param[in] params [n][axes].
+ * \param[in] param_stride,param_component_stride layout of params, 0 = packed.
+ * \param[out] points [n][dim].
+ * \param[in] point_stride,point_component_stride layout of points in floats, 0 = packed.
+ * \param[in] flags evaluation flags per axis.
+ * \return as for nurbs_eval().
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_eval_f32(const nurbs *g, int64_t n, const double *params, int64_t param_stride,
+                                      int64_t param_component_stride, float *points, int64_t point_stride,
+                                      int64_t point_component_stride, uint32_t flags);
+
+/** \brief Points on a grid in single precision: the results of nurbs_eval_grid(), each rounded once to the
+ * nearest float.
+ * \param[in] g a spline.
+ * \param[in] counts [axes] number of parameters on each axis.
+ * \param[in] params [sum of counts] as for nurbs_eval_grid().
+ * \param[out] points [counts[0]]...[counts[axes-1]][dim] one record per grid point, last axis fastest.
+ * \param[in] point_stride,point_component_stride layout of points in floats, 0 = packed.
+ * \param[in] flags evaluation flags per axis.
+ * \return as for nurbs_eval_grid().
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_eval_grid_f32(const nurbs *g, const int64_t *counts, const double *params,
+                                           float *points, int64_t point_stride,
+                                           int64_t point_component_stride, uint32_t flags);
 
 /** \brief The iso-curve of a surface, or iso-surface of a volume, on which the parameter of one axis is
  * fixed. The other axes keep their order, degrees, knots and periodicity.

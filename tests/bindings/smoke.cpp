@@ -72,6 +72,14 @@ static void known_points() {
     EXPECT(patch().eval_grid_derivs(2, {2, 1}, {0, 1, 0.5}) == patch().eval_derivs(2, {0, 0.5, 1, 0.5}));
 }
 
+static void single_precision_is_rounded_once() {
+    const auto params = samples();
+    const auto points = circle().eval(params);
+    EXPECT(circle().eval_f32(params) == std::vector<float>(points.begin(), points.end()));
+    const auto grid = patch().eval_grid({2, 1}, {0, 0.3, 0.7});
+    EXPECT(patch().eval_grid_f32({2, 1}, {0, 0.3, 0.7}) == std::vector<float>(grid.begin(), grid.end()));
+}
+
 static void insertion_keeps_the_circle() {
     const auto params = samples();
     const Spline before = circle(), after = before.insert_knot(0, 0.3, 2);
@@ -155,6 +163,7 @@ static void errors_name_what_is_wrong() {
 
 int main() {
     known_points();
+    single_precision_is_rounded_once();
     insertion_keeps_the_circle();
     arrays_of_any_layout();
     values_of_a_handle();

@@ -49,9 +49,15 @@ contains
     subroutine known_points()
         type(nurbs_spline) :: g
         real(c_double) :: points(4, 2)
+        real(c_float) :: singles(2, 2)
         call make_circle(g)
         call g%eval([0.0_c_double, 0.25_c_double, 0.5_c_double, 0.75_c_double], points)
         call expect(all(points(:, 1) == [1, 0, -1, 0]) .and. all(points(:, 2) == [0, 1, 0, -1]), 'points')
+        call g%eval_f32([0.1_c_double, 0.2_c_double], singles)
+        call g%eval([0.1_c_double, 0.2_c_double], points(3:4, :))
+        call expect(all(singles == real(points(3:4, :), c_float)), 'single precision')
+        call g%eval_grid_f32([2], [0.1_c_double, 0.2_c_double], singles)
+        call expect(all(singles == real(points(3:4, :), c_float)), 'single precision on a grid')
         call g%eval([0.5_c_double], points(2:2, :))
         call expect(all(points(2, :) == [-1, 0]) .and. points(1, 1) == 1, 'one point in a section')
     end subroutine known_points

@@ -55,6 +55,14 @@ class Evaluation(unittest.TestCase):
         np.testing.assert_array_equal(patch().eval_grid_derivs(u, v, order=1), patch().eval_derivs(pairs, order=1))
 
 
+    def test_single_precision_is_rounded_once(self):
+        t, u = np.linspace(0, 1, 99), np.linspace(0, 1, 5)
+        out = np.zeros((2, 99), np.float32).T
+        self.assertIs(circle().eval_f32(t, out=out), out)
+        np.testing.assert_array_equal(out, circle().eval(t).astype(np.float32))
+        np.testing.assert_array_equal(patch().eval_grid_f32(u, u), patch().eval_grid(u, u).astype(np.float32))
+
+
 class Arrays(unittest.TestCase):
     def test_strided_output_is_filled_in_place(self):
         t = np.linspace(0, 1, 9)

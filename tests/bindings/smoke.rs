@@ -46,6 +46,14 @@ fn grid_equals_points() -> Result<()> {
     Ok(())
 }
 
+fn single_precision_is_rounded_once() -> Result<()> {
+    let rounded = |points: Vec<f64>| points.iter().map(|&x| x as f32).collect::<Vec<f32>>();
+    assert_eq!(circle()?.eval_f32(&params(), 0)?, rounded(circle()?.eval(&params(), 0)?));
+    let grid: [&[f64]; 2] = [&[0.0, 0.3, 1.0], &[0.1, 0.7]];
+    assert_eq!(patch()?.eval_grid_f32(&grid, 0)?, rounded(patch()?.eval_grid(&grid, 0)?));
+    Ok(())
+}
+
 fn insertion_keeps_the_circle() -> Result<()> {
     let (before, t) = (circle()?, params());
     let after = before.insert_knot(0, 0.3, 2)?;
@@ -142,6 +150,7 @@ fn threads() -> Result<()> {
 fn main() -> Result<()> {
     known_points()?;
     grid_equals_points()?;
+    single_precision_is_rounded_once()?;
     insertion_keeps_the_circle()?;
     strided_arrays()?;
     inspection()?;

@@ -19,6 +19,7 @@ struct Inputs {
     nurbs *curve = nullptr, *loop = nullptr, *surface = nullptr, *volume = nullptr, *homogeneous = nullptr;
     nurbs_list *list = nullptr;
     double values[1024];
+    float singles[64];
     int64_t spans[64];
 };
 
@@ -43,6 +44,7 @@ void fill(Inputs &in) {
     in.homogeneous = make_homogeneous();
     CHECK_OK(nurbs_read(file.bytes, file.size, nullptr, &in.list));
     FILL(in.values);
+    FILL(in.singles);
     FILL(in.spans);
 }
 
@@ -193,6 +195,12 @@ const Case cases[] = {
      [](Inputs &in, Output &) {
          return nurbs_eval_grid_derivs(in.volume, 2, grid_counts, params, in.values, 0, 0, 0);
      }},
+    {"eval_f32",
+     [](Inputs &in, Output &) { return nurbs_eval_f32(in.curve, 6, params, 0, 0, in.singles, 0, 0, 0); }},
+    {"eval_grid_f32",
+     [](Inputs &in, Output &) {
+         return nurbs_eval_grid_f32(in.curve, grid_counts, params, in.singles, 0, 0, 0);
+     }},
     {"iso curve", [](Inputs &in, Output &o) { return nurbs_iso(in.surface, 0, 0.3, 0, &o.out); }},
     {"iso surface", [](Inputs &in, Output &o) { return nurbs_iso(in.volume, 1, 0.3, 0, &o.out); }},
     {"insert_knot", [](Inputs &in, Output &o) { return nurbs_insert_knot(in.curve, 0, 0.3, 2, &o.out); }},
@@ -253,6 +261,7 @@ bool attempt(const Case &c, int64_t k, bool on) {
         CHECK(o.out == nullptr || o.out == check_poison());
         CHECK(o.list == nullptr);
         CHECK_UNTOUCHED(in.values);
+        CHECK_UNTOUCHED(in.singles);
         CHECK_UNTOUCHED(in.spans);
         check_intact(in);
         o = {check_poison(), nullptr};

@@ -350,6 +350,28 @@ module nurbs_c
             integer(c_int64_t), value :: deriv_stride, deriv_component_stride
             integer(c_int32_t) :: r
         end function nurbs_eval_grid_derivs
+        function nurbs_eval_f32(g, n, params, param_stride, param_component_stride, points, point_stride, &
+            point_component_stride, flags) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int64_t), value :: n, param_stride, param_component_stride, point_stride, &
+                point_component_stride
+            real(c_double), intent(in) :: params(*)
+            real(c_float), intent(inout) :: points(*)
+            integer(c_int32_t), value :: flags
+            integer(c_int32_t) :: r
+        end function nurbs_eval_f32
+        function nurbs_eval_grid_f32(g, counts, params, points, point_stride, point_component_stride, flags &
+            ) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int64_t), intent(in) :: counts(*)
+            real(c_double), intent(in) :: params(*)
+            real(c_float), intent(inout) :: points(*)
+            integer(c_int64_t), value :: point_stride, point_component_stride
+            integer(c_int32_t), value :: flags
+            integer(c_int32_t) :: r
+        end function nurbs_eval_grid_f32
         function nurbs_iso(g, axis, param, flags, out) bind(c) result(r)
             import
             type(c_ptr), value :: g

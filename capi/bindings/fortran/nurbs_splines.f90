@@ -17,6 +17,9 @@ module nurbs_splines
         procedure, private :: hull_size_1, hull_size_n, eval_1, eval_n, eval_derivs_1, eval_derivs_n
         generic :: hull_size => hull_size_1, hull_size_n
         generic :: eval => eval_1, eval_n
+        procedure :: eval_grid_f32
+        procedure, private :: eval_f32_1, eval_f32_n
+        generic :: eval_f32 => eval_f32_1, eval_f32_n
         generic :: eval_derivs => eval_derivs_1, eval_derivs_n
     end type nurbs_spline
 
@@ -195,6 +198,34 @@ contains
         call settle(code, status)
     end subroutine eval_n
 
+    !> points(n, dim) of a curve at params(n), rounded once to single precision.
+    subroutine eval_f32_1(this, params, points, flags, status)
+        class(nurbs_spline), intent(in) :: this
+        real(c_double), intent(in) :: params(:)
+        real(c_float), intent(inout) :: points(:, :)
+        integer(c_int32_t), intent(in), optional :: flags
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        code = batch_shape(this%handle, [size(params), 1], shape(points), [size(params), dim_of(this%handle)])
+        if (code == NURBS_OK) code = nurbs_eval_f32(this%handle, size(params, kind=c_int64_t), params, &
+            0_c_int64_t, 0_c_int64_t, points, step(points), column(points), bits(flags))
+        call settle(code, status)
+    end subroutine eval_f32_1
+
+    !> points(n, dim) at params(n, axes), rounded once to single precision.
+    subroutine eval_f32_n(this, params, points, flags, status)
+        class(nurbs_spline), intent(in) :: this
+        real(c_double), intent(in) :: params(:, :)
+        real(c_float), intent(inout) :: points(:, :)
+        integer(c_int32_t), intent(in), optional :: flags
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        code = batch_shape(this%handle, shape(params), shape(points), [size(params, 1), dim_of(this%handle)])
+        if (code == NURBS_OK) code = nurbs_eval_f32(this%handle, size(params, 1, c_int64_t), params, &
+            step(params), column(params), points, step(points), column(points), bits(flags))
+        call settle(code, status)
+    end subroutine eval_f32_n
+
     !> derivs(n, dim, slots) of a curve at params(n).
     subroutine eval_derivs_1(this, order, params, derivs, flags, status)
         class(nurbs_spline), intent(in) :: this
@@ -259,6 +290,22 @@ contains
             params, derivs, step(derivs), column(derivs), bits(flags))
         call settle(code, status)
     end subroutine eval_grid_derivs
+
+    !> points(product(counts), dim) on a grid, rounded once to single precision.
+    subroutine eval_grid_f32(this, counts, params, points, flags, status)
+        class(nurbs_spline), intent(in) :: this
+        integer(c_int32_t), intent(in) :: counts(:)
+        real(c_double), intent(in) :: params(:)
+        real(c_float), intent(inout) :: points(:, :)
+        integer(c_int32_t), intent(in), optional :: flags
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        code = batch_shape(this%handle, [0, size(counts)], [size(params), shape(points)], &
+                           [sum(counts), product(counts), dim_of(this%handle)])
+        if (code == NURBS_OK) code = nurbs_eval_grid_f32(this%handle, int(counts, c_int64_t), params, points, &
+            step(points), column(points), bits(flags))
+        call settle(code, status)
+    end subroutine eval_grid_f32
 
     !> values(n, product of degree + 1) of the active points, which on axis k start at spans(:, k) - degree(k).
     subroutine rational_basis(this, params, spans, values, flags, status)

@@ -78,6 +78,8 @@ PROTOTYPES = {
     "nurbs_eval_derivs": "i pilpllpllu",
     "nurbs_eval_grid": "i ppppllu",
     "nurbs_eval_grid_derivs": "i pipppllu",
+    "nurbs_eval_f32": "i plpllpllu",
+    "nurbs_eval_grid_f32": "i ppppllu",
     "nurbs_iso": "i pidup",
     "nurbs_insert_knot": "i pidip",
     "nurbs_read_options_init": "i pl",

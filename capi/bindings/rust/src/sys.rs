@@ -348,6 +348,26 @@ extern "C" {
         deriv_component_stride: i64,
         flags: u32,
     ) -> nurbs_status;
+    pub fn nurbs_eval_f32(
+        g: *const nurbs,
+        n: i64,
+        params: *const f64,
+        param_stride: i64,
+        param_component_stride: i64,
+        points: *mut f32,
+        point_stride: i64,
+        point_component_stride: i64,
+        flags: u32,
+    ) -> nurbs_status;
+    pub fn nurbs_eval_grid_f32(
+        g: *const nurbs,
+        counts: *const i64,
+        params: *const f64,
+        points: *mut f32,
+        point_stride: i64,
+        point_component_stride: i64,
+        flags: u32,
+    ) -> nurbs_status;
     pub fn nurbs_iso(
         g: *const nurbs,
         axis: i32,
