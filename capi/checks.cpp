@@ -146,4 +146,15 @@ void check_overlap(const char *out_name, FloatRecords out, const char *in_name, 
     }
 }
 
+void check_apart(std::initializer_list<Memory> outputs, std::initializer_list<Memory> inputs) {
+    for (const Memory *out = outputs.begin(); out != outputs.end(); ++out) {
+        for (const Memory &in : inputs) {
+            check_overlap(out->name, out->data, out->bytes, in.name, in.data, in.bytes);
+        }
+        for (const Memory *other = outputs.begin(); other != out; ++other) {
+            check_overlap(out->name, out->data, out->bytes, other->name, other->data, other->bytes);
+        }
+    }
+}
+
 } // namespace nrb::capi

@@ -103,10 +103,10 @@ void check_parameter(double t, const AxisRule &rule, Interval domain, const char
          Number(domain.lower).text, Number(domain.upper).text);
 }
 
-void check_parameters(const Spline &spline, const AxisRules &rules, ConstRecords params) {
-    const char *format = spline.axes() == 1 ? "params[%lld]" : "params[%lld][%d]";
-    for (int k = 0; k < spline.axes(); ++k) {
-        check_column(params, k, rules[static_cast<size_t>(k)], spline.axis(k).domain(), 0, format);
+void check_parameters(const Spline::Axes &axes, const AxisRules &rules, ConstRecords params) {
+    const char *format = axes.size() == 1 ? "params[%lld]" : "params[%lld][%d]";
+    for (size_t k = 0; k < axes.size(); ++k) {
+        check_column(params, static_cast<int>(k), rules[k], axes[k]->domain(), 0, format);
     }
 }
 
