@@ -65,8 +65,8 @@ struct SparseArrays {
 Spline::Axes checked_axes(int32_t axes, const int32_t *degrees, const int64_t *counts, const double *knots,
                           int64_t knot_count) {
     const AxesData data(axes, degrees, counts, 0);
-    static_cast<void>(data.point_count()); // columns are 64-bit integers
     check_size(knot_count, data.knot_total(1), "knot_count");
+    static_cast<void>(data.point_count()); // columns are 64-bit integers
     require(knots, "knots");
     return data.make(
         [knots](const AxisData &axis, int, int64_t offset) {
