@@ -39,27 +39,32 @@ void check_cap(int64_t cap, int64_t needed) {
 }
 
 // The caller's arrays for a sparse matrix.
-struct SparseArrays {
-    int64_t cap;
-    double *values;
-    int64_t *columns;
-    int64_t *row_pointers;
-    int64_t *entries;
+class SparseArrays {
+public:
+    SparseArrays(int64_t cap, double *values, int64_t *columns, int64_t *row_pointers, int64_t *entries)
+        : cap_(cap), values_(values), columns_(columns), row_pointers_(row_pointers), entries_(entries) {}
 
     // Checks lengths and overlap, and returns what is to be filled.
     [[nodiscard]] SparseRows check(int64_t n, int64_t total, std::initializer_list<Memory> inputs) const {
-        check_cap(cap, total);
-        const SparseRows rows{cap == 0 ? nullptr : values, cap == 0 ? nullptr : columns, row_pointers};
+        check_cap(cap_, total);
+        const SparseRows rows{cap_ == 0 ? nullptr : values_, cap_ == 0 ? nullptr : columns_, row_pointers_};
         check_apart({memory("values", rows.values, total), memory("columns", rows.columns, total),
-                     memory("row_pointers", row_pointers, n + 1), memory("entries", entries, 1)},
+                     memory("row_pointers", row_pointers_, n + 1), memory("entries", entries_, 1)},
                     inputs);
         return rows;
     }
     void finish(int64_t total) const noexcept {
-        if (entries != nullptr) {
-            *entries = total;
+        if (entries_ != nullptr) {
+            *entries_ = total;
         }
     }
+
+private:
+    int64_t cap_;
+    double *values_;
+    int64_t *columns_;
+    int64_t *row_pointers_;
+    int64_t *entries_;
 };
 
 Spline::Axes checked_axes(int32_t axes, const int32_t *degrees, const int64_t *counts, const double *knots,
@@ -90,7 +95,7 @@ nurbs_status nurbs_collocation(int32_t axes, const int32_t *degrees, const int64
         check_length(n, "n");
         const ConstRecords in = input("params", params, n, axes, param_stride, param_component_stride);
         const int64_t total = checked_product(n, row_length(vectors), "entries");
-        const SparseArrays arrays{cap, values, columns, row_pointers, entries};
+        const SparseArrays arrays(cap, values, columns, row_pointers, entries);
         const SparseRows rows =
             arrays.check(n, total,
                          {memory("params", params, in.extent()), memory("knots", knots, knot_count),
@@ -112,7 +117,7 @@ nurbs_status nurbs_rational_collocation(const nurbs *g, const int32_t *orders, i
         const Spline &spline = batch.spline;
         const Orders derivative = checked_orders(orders, spline.axes());
         const int64_t total = checked_product(n, row_length(spline.knot_vectors()), "entries");
-        const SparseArrays arrays{cap, values, columns, row_pointers, entries};
+        const SparseArrays arrays(cap, values, columns, row_pointers, entries);
         const SparseRows rows = arrays.check(
             n, total,
             {memory("params", params, batch.params.extent()), memory("orders", orders, spline.axes())});

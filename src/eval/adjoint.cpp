@@ -35,6 +35,7 @@ public:
           reciprocal_(spline.axes(), order), spread_(active_, spline.axes(), order, width_),
           products_(static_cast<size_t>(slot_count(spline.axes(), order))),
           homogeneous_(products_.size() * static_cast<size_t>(width_)) {}
+    virtual ~Adjoint() = default;
 
     void run() {
         if (params_.count == 0) {
@@ -172,9 +173,14 @@ private:
 
     // Weights of 1 divide nothing.
     void copy_cotangents(int64_t i) noexcept {
-        std::fill(homogeneous_.begin(), homogeneous_.end(), 0.0);
+        double *out = homogeneous_.data();
         for (int64_t s = 0; s < std::ssize(products_); ++s) {
-            add_cotangent(i, s, 1, homogeneous_.data() + s * width_);
+            for (int c = 0; c < spline_.dim(); ++c) {
+                *out++ = cotangent(i, s, c);
+            }
+            if (weighted_) {
+                *out++ = products_[static_cast<size_t>(s)];
+            }
         }
     }
 
@@ -189,23 +195,30 @@ private:
     }
 
     void scatter(const double *window) const noexcept {
+        const Records &points = gradients_.points;
         const int dim = spline_.dim();
         active_.for_each([&](int64_t point, double) {
-            if (gradients_.points.data != nullptr) {
+            if (points.data != nullptr) {
                 const double weight = spline_.weight(point);
+                double *out = points.record(point);
                 for (int c = 0; c < dim; ++c) {
-                    gradients_.points(point, c) += weight * window[c];
+                    *out += weight * window[c];
+                    out += points.component_stride;
                 }
             }
             if (weighted_) {
-                double sum = -window[dim];
-                for (int c = 0; c < dim; ++c) {
-                    sum += spline_.coordinate(point, c) * window[c];
-                }
-                gradients_.weights(point, 0) += sum;
+                gradients_.weights(point, 0) += weight_gradient(point, window);
             }
             window += width_;
         });
+    }
+
+    [[nodiscard]] double weight_gradient(int64_t point, const double *window) const noexcept {
+        double sum = -window[spline_.dim()];
+        for (int c = 0; c < spline_.dim(); ++c) {
+            sum += spline_.coordinate(point, c) * window[c];
+        }
+        return sum;
     }
 
     const Spline &spline_;

@@ -9,6 +9,7 @@ namespace {
 class FloatSink final : public BlockSink {
 public:
     explicit FloatSink(FloatRecords points) noexcept : points_(points) {}
+    virtual ~FloatSink() = default;
 
     void operator()(int64_t first, ConstRecords values) noexcept override {
         for (int64_t i = 0; i < values.count; ++i) {

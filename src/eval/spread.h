@@ -3,7 +3,6 @@
 
 #include "eval/active_points.h"
 
-#include <algorithm>
 #include <vector>
 
 namespace nrb {
@@ -53,14 +52,22 @@ private:
     void expand_one(int k, Orders orders, const double *in, double *out) const noexcept {
         const auto at = static_cast<size_t>(k);
         const int64_t length = lengths_[at + 1];
-        std::fill_n(out, lengths_[at], 0.0);
-        for (const int highest = order_ - orders[0] - orders[1]; orders[at] <= highest; ++orders[at]) {
-            const double *functions = active_.functions(at, orders[at]);
-            const double *row = in + slot(k + 1, orders) * length;
-            for (int r = 0; r <= active_.degree(at); ++r) {
-                for (int64_t l = 0; l < length; ++l) {
-                    out[r * length + l] += functions[r] * row[l];
-                }
+        const int highest = order_ - orders[0] - orders[1];
+        products<false>(at, 0, length, in + slot(k + 1, orders) * length, out);
+        for (orders[at] = 1; orders[at] <= highest; ++orders[at]) {
+            products<true>(at, orders[at], length, in + slot(k + 1, orders) * length, out);
+        }
+    }
+
+    // out[r][l] = N_r^(order) row[l], or that much more.
+    template <bool add>
+    void products(size_t k, int order, int64_t length, const double *row, double *out) const noexcept {
+        const double *functions = active_.functions(k, order);
+        for (int r = 0; r <= active_.degree(k); ++r) {
+            for (int64_t l = 0; l < length; ++l) {
+                const double product = functions[r] * row[l];
+                *out = add ? *out + product : product;
+                ++out;
             }
         }
     }
