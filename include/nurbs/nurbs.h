@@ -747,7 +747,7 @@ NURBS_API nurbs_status nurbs_eval_f32(const nurbs *g, int64_t n, const double *p
                                       int64_t point_component_stride, uint32_t flags);
 
 /** \brief Points on a grid in single precision: the results of nurbs_eval_grid(), each rounded once to the
- * nearest float.
+ * nearest float. Needs working memory for the points in double precision.
  * \param[in] g a spline.
  * \param[in] counts [axes] number of parameters on each axis.
  * \param[in] params [sum of counts] as for nurbs_eval_grid().

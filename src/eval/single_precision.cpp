@@ -1,10 +1,23 @@
 #include "eval/single_precision.h"
 
+#include "base/checked.h"
 #include "eval/blocks.h"
+#include "eval/evaluate.h"
+
+#include <memory>
 
 namespace nrb {
 
 namespace {
+
+// Points first, first + 1, ... from those of `values`.
+void round_points(ConstRecords values, int64_t first, FloatRecords points) noexcept {
+    for (int64_t i = 0; i < values.count; ++i) {
+        for (int64_t c = 0; c < values.width; ++c) {
+            points(first + i, c) = static_cast<float>(values(i, c));
+        }
+    }
+}
 
 class FloatSink final : public BlockSink {
 public:
@@ -12,11 +25,7 @@ public:
     virtual ~FloatSink() = default;
 
     void operator()(int64_t first, ConstRecords values) noexcept override {
-        for (int64_t i = 0; i < values.count; ++i) {
-            for (int64_t c = 0; c < values.width; ++c) {
-                points_(first + i, c) = static_cast<float>(values(i, c));
-            }
-        }
+        round_points(values, first, points_);
     }
 
 private:
@@ -32,10 +41,11 @@ void evaluate_points(const Spline &spline, const AxisRules &rules, ConstRecords 
 
 void evaluate_grid(const Spline &spline, const AxisRules &rules,
                    const std::array<ConstRecords, max_axes> &params, FloatRecords points) {
-    if (points.count > 0) {
-        FloatSink sink(points);
-        evaluate_grid(spline, rules, 0, params, sink);
-    }
+    const int64_t width = points.width;
+    const int64_t size = checked_product(points.count, width, "points");
+    const std::unique_ptr<double[]> values(new double[static_cast<size_t>(size)]);
+    evaluate_grid(spline, rules, 0, params, {values.get(), points.count, width, width, 1});
+    round_points({values.get(), points.count, width, width, 1}, 0, points);
 }
 
 } // namespace nrb

@@ -200,7 +200,7 @@ const Case cases[] = {
      [](Inputs &in, Output &) { return nurbs_eval_f32(in.curve, 6, params, 0, 0, in.singles, 0, 0, 0); }},
     {"eval_grid_f32",
      [](Inputs &in, Output &) {
-         return nurbs_eval_grid_f32(in.curve, grid_counts, params, in.singles, 0, 0, 0);
+         return nurbs_eval_grid_f32(in.volume, grid_counts, params, in.singles, 0, 0, 0);
      }},
     {"collocation",
      [](Inputs &in, Output &) {
