@@ -28,10 +28,6 @@ int64_t active_points(const Spline &spline) noexcept {
     return points;
 }
 
-ConstRecords read_only(Records out) noexcept {
-    return {out.data, out.count, out.width, out.stride, out.component_stride};
-}
-
 } // namespace
 
 nurbs_status nurbs_find_spans(int32_t degree, int64_t count, const double *knots, int64_t knot_count,

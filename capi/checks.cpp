@@ -102,8 +102,9 @@ bool interleaved(Records out, ConstRecords in) noexcept {
     return shift >= in.width && shift + out.width <= in.stride;
 }
 
-int64_t bytes_of(int64_t doubles) noexcept {
-    return doubles * static_cast<int64_t>(sizeof(double));
+template <class T>
+int64_t bytes_of(RecordView<T> view) noexcept {
+    return view.extent() * static_cast<int64_t>(sizeof(T));
 }
 
 } // namespace
@@ -115,6 +116,11 @@ ConstRecords input(const char *name, const double *data, int64_t count, int64_t 
 
 Records output(const char *name, double *data, int64_t count, int64_t width, int64_t stride,
                int64_t component_stride) {
+    return view(name, data, count, width, stride, component_stride);
+}
+
+FloatRecords output(const char *name, float *data, int64_t count, int64_t width, int64_t stride,
+                    int64_t component_stride) {
     return view(name, data, count, width, stride, component_stride);
 }
 
@@ -130,7 +136,24 @@ void check_overlap(const char *out_name, const void *out, int64_t out_bytes, con
 
 void check_overlap(const char *out_name, Records out, const char *in_name, ConstRecords in) {
     if (out.count > 0 && in.count > 0 && !interleaved(out, in)) {
-        check_overlap(out_name, out.data, bytes_of(out.extent()), in_name, in.data, bytes_of(in.extent()));
+        check_overlap(out_name, out.data, bytes_of(out), in_name, in.data, bytes_of(in));
+    }
+}
+
+void check_overlap(const char *out_name, FloatRecords out, const char *in_name, ConstRecords in) {
+    if (out.count > 0 && in.count > 0) {
+        check_overlap(out_name, out.data, bytes_of(out), in_name, in.data, bytes_of(in));
+    }
+}
+
+void check_apart(std::initializer_list<Memory> outputs, std::initializer_list<Memory> inputs) {
+    for (const Memory *out = outputs.begin(); out != outputs.end(); ++out) {
+        for (const Memory &in : inputs) {
+            check_overlap(out->name, out->data, out->bytes, in.name, in.data, in.bytes);
+        }
+        for (const Memory *other = outputs.begin(); other != out; ++other) {
+            check_overlap(out->name, out->data, out->bytes, other->name, other->data, other->bytes);
+        }
     }
 }
 

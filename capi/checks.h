@@ -5,6 +5,7 @@
 #include "handle.h"
 
 #include <cstdint>
+#include <initializer_list>
 
 namespace nrb::capi {
 
@@ -32,15 +33,36 @@ ConstRecords input(const char *name, const double *data, int64_t count, int64_t 
                    int64_t component_stride);
 Records output(const char *name, double *data, int64_t count, int64_t width, int64_t stride,
                int64_t component_stride);
+FloatRecords output(const char *name, float *data, int64_t count, int64_t width, int64_t stride,
+                    int64_t component_stride);
 // A strided list of single values.
 inline ConstRecords input(const char *name, const double *data, int64_t count, int64_t stride) {
     return input(name, data, count, 1, stride, 0);
 }
 
+// An output as something that other outputs must not overlap.
+inline ConstRecords read_only(Records out) noexcept {
+    return {out.data, out.count, out.width, out.stride, out.component_stride};
+}
+
 // Throws NURBS_ERROR_OVERLAP if an element of `out` is an element of `in`. Records of equal stride may
 // interleave.
 void check_overlap(const char *out_name, Records out, const char *in_name, ConstRecords in);
+void check_overlap(const char *out_name, FloatRecords out, const char *in_name, ConstRecords in);
 void check_overlap(const char *out_name, const void *out, int64_t out_bytes, const char *in_name,
                    const void *in, int64_t in_bytes);
+
+// Any array, in bytes; NULL is no array.
+struct Memory {
+    const char *name;
+    const void *data;
+    int64_t bytes;
+};
+template <class T>
+Memory memory(const char *name, const T *data, int64_t n) noexcept {
+    return {name, data, data == nullptr ? 0 : n * static_cast<int64_t>(sizeof(T))};
+}
+// No output overlaps another output or an input.
+void check_apart(std::initializer_list<Memory> outputs, std::initializer_list<Memory> inputs);
 
 } // namespace nrb::capi

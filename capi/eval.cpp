@@ -4,6 +4,7 @@
 
 #include "base/checked.h"
 #include "eval/evaluate.h"
+#include "eval/single_precision.h"
 #include "eval/slots.h"
 #include "refine/iso.h"
 
@@ -21,6 +22,14 @@ void evaluate(const SplineBatch &batch, int32_t order, double *values, int64_t s
     check_overlap(name, out, "params", batch.params);
     admit(batch);
     evaluate_points(spline, batch.rules, order, batch.params, out);
+}
+
+void evaluate(const SplineBatch &batch, float *points, int64_t stride, int64_t component_stride) {
+    const int dim = batch.spline.dim();
+    const FloatRecords out = output("points", points, batch.params.count, dim, stride, component_stride);
+    check_overlap("points", out, "params", batch.params);
+    admit(batch);
+    evaluate_points(batch.spline, batch.rules, batch.params, out);
 }
 
 struct Grid {
@@ -48,6 +57,21 @@ Grid checked_grid(const Spline &spline, const int64_t *counts, const double *par
     return grid;
 }
 
+// What comes after all checks of sizes: overlap, then the values.
+template <class Value>
+void admit_grid(const Spline &spline, const AxisRules &rules, const int64_t *counts, const double *params,
+                const Grid &grid, const char *name, RecordView<Value> out) {
+    check_overlap(name, out, "params", input("params", params, grid.param_count, 0));
+    check_overlap(name, out.data, out.extent() * static_cast<int64_t>(sizeof(Value)), "counts", counts,
+                  spline.axes() * static_cast<int64_t>(sizeof *counts));
+    int64_t first = 0;
+    for (int k = 0; k < spline.axes(); ++k) {
+        const auto at = static_cast<size_t>(k);
+        check_axis_parameters(spline.axis(k), rules[at], grid.params[at], first);
+        first += counts[k];
+    }
+}
+
 void evaluate_on_grid(const nurbs *g, int32_t order, const int64_t *counts, const double *params,
                       double *values, int64_t stride, int64_t component_stride, const char *name,
                       uint32_t flags) {
@@ -56,16 +80,19 @@ void evaluate_on_grid(const nurbs *g, int32_t order, const int64_t *counts, cons
     const Grid grid = checked_grid(spline, counts, params);
     const int64_t width = checked_product(slot_count(spline.axes(), order), spline.dim(), name);
     const Records out = output(name, values, grid.point_count, width, stride, component_stride);
-    check_overlap(name, out, "params", input("params", params, grid.param_count, 0));
-    constexpr auto bytes = static_cast<int64_t>(sizeof(double)); // of a count as well
-    check_overlap(name, out.data, out.extent() * bytes, "counts", counts, spline.axes() * bytes);
-    int64_t first = 0;
-    for (int k = 0; k < spline.axes(); ++k) {
-        const auto at = static_cast<size_t>(k);
-        check_axis_parameters(spline.axis(k), rules[at], grid.params[at], first);
-        first += counts[k];
-    }
+    admit_grid(spline, rules, counts, params, grid, name, out);
     evaluate_grid(spline, rules, order, grid.params, out);
+}
+
+void evaluate_on_grid(const nurbs *g, const int64_t *counts, const double *params, float *points,
+                      int64_t stride, int64_t component_stride, uint32_t flags) {
+    const Spline &spline = spline_of(g);
+    const AxisRules rules = decode_rules(flags, spline.axes());
+    const Grid grid = checked_grid(spline, counts, params);
+    const FloatRecords out =
+        output("points", points, grid.point_count, spline.dim(), stride, component_stride);
+    admit_grid(spline, rules, counts, params, grid, "points", out);
+    evaluate_grid(spline, rules, grid.params, out);
 }
 
 } // namespace
@@ -113,6 +140,21 @@ nurbs_status nurbs_eval_grid_derivs(const nurbs *g, int32_t order, const int64_t
         evaluate_on_grid(g, order, counts, params, derivs, deriv_stride, deriv_component_stride, "derivs",
                          flags);
     });
+}
+
+nurbs_status nurbs_eval_f32(const nurbs *g, int64_t n, const double *params, int64_t param_stride,
+                            int64_t param_component_stride, float *points, int64_t point_stride,
+                            int64_t point_component_stride, uint32_t flags) {
+    return guard([&] {
+        evaluate(spline_batch(g, n, params, param_stride, param_component_stride, flags), points,
+                 point_stride, point_component_stride);
+    });
+}
+
+nurbs_status nurbs_eval_grid_f32(const nurbs *g, const int64_t *counts, const double *params, float *points,
+                                 int64_t point_stride, int64_t point_component_stride, uint32_t flags) {
+    return guard(
+        [&] { evaluate_on_grid(g, counts, params, points, point_stride, point_component_stride, flags); });
 }
 
 nurbs_status nurbs_iso(const nurbs *g, int32_t axis, double param, uint32_t flags, nurbs **out) {

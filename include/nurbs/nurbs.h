@@ -76,8 +76,8 @@
  * one machine.
  *
  * # Bindings
- * Signatures use int32_t, int64_t, uint32_t, double, pointers to these, char buffers and opaque handles,
- * nothing else. Comments are uniform: every array parameter carries its shape in brackets, written in terms
+ * Signatures use int32_t, int64_t, uint32_t, double, pointers to these and to float, char buffers and opaque
+ * handles, nothing else. Arrays of float are results in single precision; their strides count floats. Comments are uniform: every array parameter carries its shape in brackets, written in terms
  * of other parameters.
  */
 #ifndef NURBS_NURBS_H
@@ -177,8 +177,8 @@ enum {
 };
 
 /** \name Flags by axis
- * Each axis has eight bits: bits 0-7 for axis 0, 8-15 for axis 1, 16-23 for axis 2; bits 24-31 are global and
- * none is defined yet. Combine the constants below with NURBS_ON_AXIS() or NURBS_ON_ALL_AXES(). A set bit
+ * Each axis has eight bits: bits 0-7 for axis 0, 8-15 for axis 1, 16-23 for axis 2; bits 24-31 are global.
+ * Combine the constants below with NURBS_ON_AXIS() or NURBS_ON_ALL_AXES(). A set bit
  * that is not defined, or belongs to an axis that the spline lacks, is NURBS_ERROR_FLAGS.
  * @{ */
 /** \brief The bits `flags` moved to those of `axis`. */
@@ -202,6 +202,12 @@ enum {
  * the first ones bit for bit, where m = count - degree is the number of distinct layers. Operations keep the
  * axis periodic. */
 #define NURBS_PERIODIC 0x01u
+/** @} */
+
+/** \name Global flags
+ * @{ */
+/** \brief nurbs_eval_adjoint(): add to what the outputs hold in place of overwriting it. */
+#define NURBS_ACCUMULATE 0x01000000u
 /** @} */
 
 /** \name Form of a knot vector, as reported by nurbs_knot_form()
@@ -725,6 +731,35 @@ NURBS_API nurbs_status nurbs_eval_grid_derivs(const nurbs *g, int32_t order, con
                                               const double *params, double *derivs, int64_t deriv_stride,
                                               int64_t deriv_component_stride, uint32_t flags);
 
+/** \brief Points at parameters in single precision: the results of nurbs_eval(), each rounded once to the nearest
+ * float. Coordinates beyond the range of float become infinities.
+ * \param[in] g a spline.
+ * \param[in] n number of parameters.
+ * \param[in] params [n][axes].
+ * \param[in] param_stride,param_component_stride layout of params, 0 = packed.
+ * \param[out] points [n][dim].
+ * \param[in] point_stride,point_component_stride layout of points in floats, 0 = packed.
+ * \param[in] flags evaluation flags per axis.
+ * \return as for nurbs_eval().
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_eval_f32(const nurbs *g, int64_t n, const double *params, int64_t param_stride,
+                                      int64_t param_component_stride, float *points, int64_t point_stride,
+                                      int64_t point_component_stride, uint32_t flags);
+
+/** \brief Points on a grid in single precision: the results of nurbs_eval_grid(), each rounded once to the
+ * nearest float. Needs working memory for the points in double precision.
+ * \param[in] g a spline.
+ * \param[in] counts [axes] number of parameters on each axis.
+ * \param[in] params [sum of counts] as for nurbs_eval_grid().
+ * \param[out] points [counts[0]]...[counts[axes-1]][dim] one record per grid point, last axis fastest.
+ * \param[in] point_stride,point_component_stride layout of points in floats, 0 = packed.
+ * \param[in] flags evaluation flags per axis.
+ * \return as for nurbs_eval_grid().
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_eval_grid_f32(const nurbs *g, const int64_t *counts, const double *params,
+                                           float *points, int64_t point_stride,
+                                           int64_t point_component_stride, uint32_t flags);
+
 /** \brief The iso-curve of a surface, or iso-surface of a volume, on which the parameter of one axis is
  * fixed. The other axes keep their order, degrees, knots and periodicity.
  * \param[in] g a surface or volume.
@@ -757,6 +792,144 @@ NURBS_API nurbs_status nurbs_iso(const nurbs *g, int32_t axis, double param, uin
  * \since 0.1 */
 NURBS_API nurbs_status nurbs_insert_knot(const nurbs *g, int32_t axis, double knot, int32_t times,
                                          nurbs **out);
+/** @} */
+
+/** \defgroup linear Derivatives with respect to data
+ * A point is linear in the control points, and so is every derivative of it: C = A P. Here are the matrix A,
+ * products with its transpose, and the operators that turn spans into Bezier pieces. On a periodic axis all of
+ * them refer to the stored N control points, the last `degree` layers along the axis included, as if these
+ * were not copies. With m = count - degree distinct layers, columns and gradients of layer l + m are to be
+ * added to those of layer l, l < degree, to refer to the m distinct ones.
+ * @{ */
+
+/** \brief Collocation matrix of B-spline basis functions, or of one of their partial derivatives, as
+ * compressed sparse rows (CSR), the arrays that SciPy and Eigen take. Row i is parameter i, column j is control
+ * point j, last axis fastest, of N = counts[0] * ... * counts[axes-1]; the entry is
+ *
+ *     d^|a| / dt^a  N_j(t_i),   a = orders.
+ *
+ * Every row has the M = (degrees[0] + 1) * ... functions of the spans of its parameter, in rising columns,
+ * zeros included; row_pointers[i] is i * M. A parameter that gives NaN (NURBS_NAN) has the M columns of the
+ * first span of the knot vectors and the value NaN. Each array may be NULL if it is not wanted; with cap 0
+ * values and columns are not written, which asks for their length. Values are those of nurbs_basis(),
+ * multiplied over the axes: within 3 p eps of itself for each axis of degree p inside the domain at order 0,
+ * otherwise as the preamble says of a derivative.
+ * \param[in] axes,degrees,counts,knots,knot_count as for nurbs_create().
+ * \param[in] orders [axes] order of the derivative along each axis, with a sum of at most NURBS_MAX_ORDER; or
+ *   NULL for 0.
+ * \param[in] n number of parameters.
+ * \param[in] params [n][axes].
+ * \param[in] param_stride,param_component_stride layout of params, 0 = packed.
+ * \param[in] cap length of values and columns: 0, or at least n * M.
+ * \param[out] values [cap] receives the n * M entries, or NULL.
+ * \param[out] columns [cap] receives their columns, or NULL.
+ * \param[out] row_pointers [n + 1] receives 0, M, ..., n * M, or NULL.
+ * \param[out] entries n * M, or NULL.
+ * \param[in] flags evaluation flags per axis.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DEGREE, _COUNT, _TOO_FEW_POINTS, _OVERFLOW, _SIZE, _ORDER,
+ *   _STRIDE, _OVERLAP, _FLAGS, _KNOT_NOT_FINITE, _KNOTS_DECREASING, _END_MULTIPLICITY, _MULTIPLICITY,
+ *   _EMPTY_DOMAIN, _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_collocation(int32_t axes, const int32_t *degrees, const int64_t *counts,
+                                         const double *knots, int64_t knot_count, const int32_t *orders,
+                                         int64_t n, const double *params, int64_t param_stride,
+                                         int64_t param_component_stride, int64_t cap, double *values,
+                                         int64_t *columns, int64_t *row_pointers, int64_t *entries,
+                                         uint32_t flags);
+
+/** \brief Collocation matrix of the rational basis functions R_j = w_j N_j / w(t) of a spline, or of one of
+ * their partial derivatives; of N_j for a polynomial spline. Otherwise as nurbs_collocation().
+ * By the quotient rule: with q = 1 / w(t), whose derivatives are q^(0) = 1 / w and
+ *
+ *     q^(a) = -(sum over 0 < b <= a of binomial(a, b) w^(b) q^(a-b)) / w,
+ *     R_j^(a) = w_j * sum over b <= a of binomial(a, b) N_j^(b) q^(a-b).
+ *
+ * The values of order 0 are those of nurbs_rational_basis(), bit for bit.
+ * \param[in] g a spline.
+ * \param[in] orders [axes] order of the derivative along each axis, with a sum of at most NURBS_MAX_ORDER; or
+ *   NULL for 0.
+ * \param[in] n number of parameters.
+ * \param[in] params [n][axes].
+ * \param[in] param_stride,param_component_stride layout of params, 0 = packed.
+ * \param[in] cap length of values and columns: 0, or at least n * M.
+ * \param[out] values [cap] receives the n * M entries, or NULL.
+ * \param[out] columns [cap] receives their columns, or NULL.
+ * \param[out] row_pointers [n + 1] receives 0, M, ..., n * M, or NULL.
+ * \param[out] entries n * M, or NULL.
+ * \param[in] flags evaluation flags per axis.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERFLOW, _SIZE, _ORDER, _STRIDE, _OVERLAP, _FLAGS,
+ *   _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_rational_collocation(const nurbs *g, const int32_t *orders, int64_t n,
+                                                  const double *params, int64_t param_stride,
+                                                  int64_t param_component_stride, int64_t cap, double *values,
+                                                  int64_t *columns, int64_t *row_pointers, int64_t *entries,
+                                                  uint32_t flags);
+
+/** \brief Bezier extraction operators of the non-empty spans of an axis (Borden, Scott, Evans & Hughes 2011).
+ * On span e with the domain [a, b] and x = (t - a) / (b - a)
+ *
+ *     N_(f+j)(t) = sum_k C[j][k] B_(k,p)(x),   j = 0, ..., p,
+ *
+ * with f = firsts[e] and the Bernstein polynomials B of nurbs_bernstein(); the Bezier points of the piece are
+ * Q_k = sum_j C[j][k] P_(f+j), with homogeneous points when rational. Entries are >= 0, those of a column
+ * k add up to 1 and each is within 3 p eps of itself.
+ * \param[in] g a spline.
+ * \param[in] axis 0-based axis, of degree p.
+ * \param[in] cap length of the arrays in spans; 0 asks for the number only.
+ * \param[out] operators [cap][p + 1][p + 1] receives C[j][k] of each span, packed; may be NULL.
+ * \param[out] firsts [cap] receives the index of the first control point of each span; may be NULL.
+ * \param[out] domains [cap][2] receives a and b of each span, packed; may be NULL.
+ * \param[out] count number of non-empty spans in the domain.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _COUNT, _OVERFLOW, _OVERLAP; _SIZE if cap is neither 0 nor enough.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_bezier_extraction(const nurbs *g, int32_t axis, int64_t cap, double *operators,
+                                               int64_t *firsts, double *domains, int64_t *count);
+
+/** \brief Gradients of a function L of points and derivatives with respect to the control points, the weights
+ * and the parameters: the transpose of nurbs_eval_derivs(), or of nurbs_eval() with order 0. Given the
+ * cotangents G[k][s] = dL / dC^(s)(t_k) of every slot s,
+ *
+ *     grad_points[i]  = dL/dP_i = sum_k sum_s R_i^(s)(t_k) G[k][s],
+ *     grad_weights[i] = dL/dw_i = sum_k sum_s < G[k][s], (N_i (P_i - C) / w)^(s)(t_k) >,
+ *     grad_params[k][a] = dL/dt_k,a = sum_s < G[k][s], C^(s + e_a)(t_k) >,
+ *
+ * where < , > is the scalar product and e_a the order 1 along axis a. Points are Cartesian; those of a
+ * homogeneous spline are its records divided by their weights, and a point at infinity has no finite weight
+ * gradient. The weights of a polynomial spline are 1. For a parameter moved to an end by NURBS_CLAMP,
+ * grad_params is 0. A parameter that gives NaN (NURBS_NAN) adds nothing to grad_points and grad_weights; its
+ * grad_params are NaN. Cotangents may have any value and follow the rules of IEEE arithmetic.
+ *
+ * Contributions are added in the order of the parameters, whatever the machine's load. With NURBS_ACCUMULATE
+ * they are added to what the outputs hold, so that a batch that is cut into consecutive calls gives the bits
+ * of a single one; without it the outputs are overwritten, all N points of them. Each contribution is within
+ * the bound of the derivative it belongs to, with the terms of the sum over s in magnitudes; adding n of them
+ * costs n eps / 2 of the sum of their magnitudes.
+ * \param[in] g a spline.
+ * \param[in] order highest order of derivatives in L; less than NURBS_MAX_ORDER if grad_params is wanted.
+ * \param[in] n number of parameters.
+ * \param[in] params [n][axes].
+ * \param[in] param_stride,param_component_stride layout of params, 0 = packed.
+ * \param[in] cotangents [n][S][dim] slots as for nurbs_eval_derivs(): coordinate c of slot s is component
+ *   s * dim + c.
+ * \param[in] cotangent_stride,cotangent_component_stride layout of cotangents, 0 = packed.
+ * \param[in,out] grad_points [N][dim] last axis fastest, or NULL.
+ * \param[in] grad_point_stride,grad_point_component_stride layout of grad_points, 0 = packed.
+ * \param[in,out] grad_weights [N] or NULL.
+ * \param[in] grad_weight_stride distance between weight gradients, 0 = 1.
+ * \param[in,out] grad_params [n][axes] or NULL.
+ * \param[in] grad_param_stride,grad_param_component_stride layout of grad_params, 0 = packed.
+ * \param[in] flags evaluation flags per axis, and NURBS_ACCUMULATE.
+ * \return as for nurbs_eval_derivs().
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_eval_adjoint(const nurbs *g, int32_t order, int64_t n, const double *params,
+                                          int64_t param_stride, int64_t param_component_stride,
+                                          const double *cotangents, int64_t cotangent_stride,
+                                          int64_t cotangent_component_stride, double *grad_points,
+                                          int64_t grad_point_stride, int64_t grad_point_component_stride,
+                                          double *grad_weights, int64_t grad_weight_stride,
+                                          double *grad_params, int64_t grad_param_stride,
+                                          int64_t grad_param_component_stride, uint32_t flags);
 /** @} */
 
 /** \defgroup read Reading files

@@ -1,4 +1,4 @@
-// Strided views of the caller's arrays: `count` records of `width` doubles, component c of record i at
+// Strided views of the caller's arrays: `count` records of `width` values, component c of record i at
 // data[i * stride + c * component_stride].
 #pragma once
 
@@ -27,5 +27,6 @@ struct RecordView {
 
 using ConstRecords = RecordView<const double>;
 using Records = RecordView<double>;
+using FloatRecords = RecordView<float>; // results in single precision; strides in floats
 
 } // namespace nrb

@@ -1,11 +1,9 @@
 #include "eval/active.h"
 
-#include "base/scratch.h"
-#include "eval/axis_basis.h"
+#include "eval/active_points.h"
 
 #include <algorithm>
 #include <limits>
-#include <optional>
 #include <vector>
 
 namespace nrb {
@@ -13,66 +11,6 @@ namespace nrb {
 namespace {
 
 constexpr double nan_value = std::numeric_limits<double>::quiet_NaN();
-
-// Locates parameters on all axes and enumerates the active points with their (polynomial) basis functions.
-class ActivePoints {
-public:
-    ActivePoints(const Spline &spline, const AxisRules &rules)
-        : spline_(spline), scratch_(size_t{max_axes} * max_basis) {
-        for (int k = 0; k < max_axes; ++k) {
-            const auto at = static_cast<size_t>(k);
-            bases_[at].values = scratch_.take(max_basis);
-            bases_[at].values[0] = 1;
-            size_ *= degree(k) + 1;
-            if (k < spline.axes()) {
-                axes_[at].emplace(spline.axis(k), rules[at], 0);
-            }
-        }
-    }
-
-    // Number of active points.
-    [[nodiscard]] int64_t size() const noexcept { return size_; }
-    [[nodiscard]] int degree(int k) const noexcept {
-        return k < spline_.axes() ? spline_.axis(k).degree() : 0;
-    }
-    [[nodiscard]] int64_t span(int k) const noexcept {
-        return bases_[static_cast<size_t>(k)].first + degree(k);
-    }
-
-    bool locate(ConstRecords params, int64_t i) noexcept {
-        bool valid = true;
-        for (int k = 0; k < spline_.axes(); ++k) {
-            const auto at = static_cast<size_t>(k);
-            valid = (*axes_[at])(params(i, k), bases_[at]) && valid;
-        }
-        return valid;
-    }
-
-    // visit(point, value): index of the control point and the product of its basis functions; the last axis
-    // varies fastest.
-    template <class Visit>
-    void for_each(Visit &&visit) const {
-        const auto &[u, v, w] = bases_;
-        for (int i = 0; i <= degree(0); ++i) {
-            for (int j = 0; j <= degree(1); ++j) {
-                const int64_t row = (u.first + i) * count(1) + v.first + j;
-                for (int k = 0; k <= degree(2); ++k) {
-                    visit(row * count(2) + w.first + k, u.values[i] * v.values[j] * w.values[k]);
-                }
-            }
-        }
-    }
-
-private:
-    // An axis that the spline lacks has one layer and one function, the constant 1.
-    [[nodiscard]] int64_t count(int k) const noexcept { return k < spline_.axes() ? spline_.count(k) : 1; }
-
-    const Spline &spline_;
-    Scratch scratch_;
-    std::array<std::optional<AxisEvaluator>, max_axes> axes_;
-    std::array<AxisBasis, max_axes> bases_;
-    int64_t size_ = 1;
-};
 
 double largest_coordinate(const Spline &spline, int64_t point) noexcept {
     double size = 0;
@@ -158,7 +96,7 @@ double weighted_functions(const Spline &spline, const ActivePoints &active, std:
 
 void store_spans(const ActivePoints &active, int axes, bool valid, int64_t *spans) noexcept {
     for (int k = 0; k < axes; ++k) {
-        spans[k] = valid ? active.span(k) : -1;
+        spans[k] = valid ? active.span(static_cast<size_t>(k)) : -1;
     }
 }
 
@@ -166,7 +104,7 @@ void store_spans(const ActivePoints &active, int axes, bool valid, int64_t *span
 
 void rational_basis(const Spline &spline, const AxisRules &rules, ConstRecords params, int64_t *spans,
                     Records values) {
-    ActivePoints active(spline, rules);
+    ActivePoints active(spline.knot_vectors(), rules);
     std::vector<double> functions(static_cast<size_t>(active.size()));
     for (int64_t i = 0; i < params.count; ++i) {
         const bool valid = active.locate(params, i);
@@ -181,7 +119,7 @@ void rational_basis(const Spline &spline, const AxisRules &rules, ConstRecords p
 }
 
 void hull_sizes(const Spline &spline, const AxisRules &rules, ConstRecords params, Records sizes) {
-    ActivePoints active(spline, rules);
+    ActivePoints active(spline.knot_vectors(), rules);
     std::vector<double> sums(spline.form() == Form::homogeneous ? static_cast<size_t>(spline.width()) : 0);
     for (int64_t i = 0; i < params.count; ++i) {
         sizes(i, 0) = active.locate(params, i) ? hull_size(spline, active, sums) : nan_value;

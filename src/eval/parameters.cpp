@@ -103,19 +103,19 @@ void check_parameter(double t, const AxisRule &rule, Interval domain, const char
          Number(domain.lower).text, Number(domain.upper).text);
 }
 
-void check_parameters(const Spline &spline, const AxisRules &rules, ConstRecords params) {
+void check_parameters(const Spline::Axes &axes, const AxisRules &rules, ConstRecords params) {
     std::array<Interval, max_axes> domains{};
-    for (int k = 0; k < spline.axes(); ++k) {
-        domains[static_cast<size_t>(k)] = spline.axis(k).domain();
+    for (size_t k = 0; k < axes.size(); ++k) {
+        domains[k] = axes[k]->domain();
     }
-    const bool packed =
-        params.stride == spline.axes() && (params.component_stride == 1 || spline.axes() == 1);
-    if (packed && all_inside(params.data, params.count * spline.axes(), spline.axes(), domains.data())) {
+    const auto count = static_cast<int>(axes.size());
+    const bool packed = params.stride == count && (params.component_stride == 1 || count == 1);
+    if (packed && all_inside(params.data, params.count * count, count, domains.data())) {
         return;
     }
-    const char *format = spline.axes() == 1 ? "params[%lld]" : "params[%lld][%d]";
-    for (int k = 0; k < spline.axes(); ++k) {
-        check_column(params, k, rules[static_cast<size_t>(k)], spline.axis(k).domain(), 0, format);
+    const char *format = count == 1 ? "params[%lld]" : "params[%lld][%d]";
+    for (size_t k = 0; k < axes.size(); ++k) {
+        check_column(params, static_cast<int>(k), rules[k], axes[k]->domain(), 0, format);
     }
 }
 

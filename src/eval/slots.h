@@ -4,6 +4,7 @@
 #include "spline/spline.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 
 namespace nrb {
@@ -24,6 +25,13 @@ constexpr int64_t slot_count(int axes, int64_t order) noexcept {
 constexpr int64_t slot(int axes, int64_t i, int64_t j = 0, int64_t k = 0) noexcept {
     const int64_t later = axes == 3 ? slot_count(2, j + k - 1) + k : j;
     return slot_count(axes, i + j + k - 1) + later;
+}
+
+// A multi-index of derivatives; axes that a spline lacks have order 0.
+using Orders = std::array<int, max_axes>;
+
+inline int64_t slot(int axes, const Orders &a) noexcept {
+    return slot(axes, a[0], a[1], a[2]);
 }
 
 // Calls visit(i, j, k) for every slot in increasing order.

@@ -15,11 +15,11 @@ TOP = TOP if TOP.is_dir() else TOP.parents[2]
 BINDINGS = TOP / "capi/bindings"
 
 PYTHON_LETTERS = {"int32_t": "i", "nurbs_status": "i", "int64_t": "l", "uint32_t": "u", "double": "d"}
-RUST_TYPES = {"int32_t": "i32", "int64_t": "i64", "uint32_t": "u32", "double": "f64", "char": "c_char",
+RUST_TYPES = {"int32_t": "i32", "int64_t": "i64", "uint32_t": "u32", "double": "f64", "float": "f32", "char": "c_char",
               "void": "c_void"}
 FORTRAN_TYPES = {"int32_t": "integer(c_int32_t)", "uint32_t": "integer(c_int32_t)", "int64_t": "integer(c_int64_t)",
-                 "nurbs_status": "integer(c_int32_t)", "double": "real(c_double)", "char": "character(kind=c_char)",
-                 "nurbs_read_options": "type(nurbs_read_options)"}
+                 "nurbs_status": "integer(c_int32_t)", "double": "real(c_double)", "float": "real(c_float)",
+                 "char": "character(kind=c_char)", "nurbs_read_options": "type(nurbs_read_options)"}
 # Fortran does not tell the constant from the function nurbs_version.
 FORTRAN_NAMES = {"NURBS_VERSION": "NURBS_HEADER_VERSION"}
 

@@ -72,6 +72,39 @@ static void known_points() {
     EXPECT(patch().eval_grid_derivs(2, {2, 1}, {0, 1, 0.5}) == patch().eval_derivs(2, {0, 0.5, 1, 0.5}));
 }
 
+static void single_precision_is_rounded_once() {
+    const auto params = samples();
+    const auto points = circle().eval(params);
+    EXPECT(circle().eval_f32(params) == std::vector<float>(points.begin(), points.end()));
+    const auto grid = patch().eval_grid({2, 1}, {0, 0.3, 0.7});
+    EXPECT(patch().eval_grid_f32({2, 1}, {0, 0.3, 0.7}) == std::vector<float>(grid.begin(), grid.end()));
+}
+
+// L = x + 2 y of a point of the circle at t = 0, the first control point.
+static void data_derivatives() {
+    const Spline g = circle();
+    const auto m = libnurbs::rational_collocation(g, {0, 0.25});
+    EXPECT((m.columns == std::vector<std::int64_t>{0, 1, 2, 2, 3, 4}));
+    EXPECT((m.row_pointers == std::vector<std::int64_t>{0, 3, 6}));
+    EXPECT((m.values == std::vector<double>{1, 0, 0, 1, 0, 0}));
+    const auto n = libnurbs::collocation({1, 1}, {2, 2}, {0, 0, 1, 1, 0, 0, 1, 1}, {0.25, 0.5}, {0, 1});
+    EXPECT((n.values == std::vector<double>{-0.75, 0.75, -0.25, 0.25}));
+    const auto e = libnurbs::bezier_extraction(g, 0);
+    EXPECT((e.firsts == std::vector<std::int64_t>{0, 2, 4, 6}) && e.domains[3] == 0.5);
+    EXPECT(e.operators.size() == 36 && e.operators[13] == 1 && e.operators[14] == 0);
+    const auto gradients = libnurbs::eval_adjoint(g, 0, {0}, {1, 2});
+    EXPECT(gradients.points[0] == 1 && gradients.points[1] == 2 && gradients.points[2] == 0);
+    EXPECT(std::abs(gradients.params[0] - 16 * std::sqrt(0.5)) < 16 * eps);
+    auto twice = gradients.points;
+    libnurbs::eval_adjoint(g, 0, {0}, {1, 2}, twice, {}, {}, libnurbs::accumulate);
+    EXPECT(twice[0] == 2 && twice[1] == 4);
+    EXPECT(error_of([&] { (void)libnurbs::eval_adjoint(g, 0, {0}, {1}); }).status() ==
+           libnurbs::Status::size);
+    EXPECT(error_of([&] {
+               (void)libnurbs::rational_collocation(g, {0}, {1, 1});
+           }).status() == libnurbs::Status::size);
+}
+
 static void insertion_keeps_the_circle() {
     const auto params = samples();
     const Spline before = circle(), after = before.insert_knot(0, 0.3, 2);
@@ -155,6 +188,8 @@ static void errors_name_what_is_wrong() {
 
 int main() {
     known_points();
+    single_precision_is_rounded_once();
+    data_derivatives();
     insertion_keeps_the_circle();
     arrays_of_any_layout();
     values_of_a_handle();

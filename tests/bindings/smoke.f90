@@ -11,6 +11,7 @@ program smoke
     call known_points()
     call insertion_keeps_the_circle()
     call surfaces()
+    call data_derivatives()
     call sections_and_copies()
     call inspection()
     call constructors_agree()
@@ -49,9 +50,15 @@ contains
     subroutine known_points()
         type(nurbs_spline) :: g
         real(c_double) :: points(4, 2)
+        real(c_float) :: singles(2, 2)
         call make_circle(g)
         call g%eval([0.0_c_double, 0.25_c_double, 0.5_c_double, 0.75_c_double], points)
         call expect(all(points(:, 1) == [1, 0, -1, 0]) .and. all(points(:, 2) == [0, 1, 0, -1]), 'points')
+        call g%eval_f32([0.1_c_double, 0.2_c_double], singles)
+        call g%eval([0.1_c_double, 0.2_c_double], points(3:4, :))
+        call expect(all(singles == real(points(3:4, :), c_float)), 'single precision')
+        call g%eval_grid_f32([2], [0.1_c_double, 0.2_c_double], singles)
+        call expect(all(singles == real(points(3:4, :), c_float)), 'single precision on a grid')
         call g%eval([0.5_c_double], points(2:2, :))
         call expect(all(points(2, :) == [-1, 0]) .and. points(1, 1) == 1, 'one point in a section')
     end subroutine known_points
@@ -87,6 +94,24 @@ contains
         call g%rational_basis(reshape([0d0, 1d0], [1, 2]), spans, values)
         call expect(all(spans(1, :) == [2, 2]) .and. all(values(1, :) == [0, 1, 0, 0]), 'basis')
     end subroutine surfaces
+
+    ! L = x + 2 y of a point of the circle at t = 0, the first control point.
+    subroutine data_derivatives()
+        type(nurbs_spline) :: g
+        real(c_double), allocatable :: values(:), operators(:, :, :), domains(:, :)
+        integer(c_int64_t), allocatable :: columns(:), rows(:), firsts(:)
+        real(c_double) :: points(9, 2), weights(9), slopes(1, 1)
+        call make_circle(g)
+        call g%rational_collocation(reshape([0d0, 0.25d0], [2, 1]), values, columns, rows)
+        call expect(all(rows == [1, 4, 7]) .and. all(columns == [1, 2, 3, 3, 4, 5]), 'sparse rows')
+        call expect(all(values == [1, 0, 0, 1, 0, 0]), 'collocation')
+        call g%bezier_extraction(1, operators, firsts, domains)
+        call expect(all(firsts == [1, 3, 5, 7]) .and. all(domains(:, 2) == [0.25d0, 0.5d0]), 'spans')
+        call expect(all(operators(:, 2, 3) == [0, 1, 0]), 'extraction')
+        call g%eval_adjoint(0, reshape([0d0], [1, 1]), reshape([1d0, 2d0], [1, 2, 1]), points, weights, slopes)
+        call expect(all(points(1, :) == [1, 2]) .and. all(points(2:, :) == 0) .and. all(weights == 0), 'gradients')
+        call expect(abs(slopes(1, 1) - 2 * 8 * sqrt(0.5d0)) < 1d-14, 'slope')
+    end subroutine data_derivatives
 
     subroutine sections_and_copies()
         type(nurbs_spline) :: g, copied, moved

@@ -55,6 +55,60 @@ class Evaluation(unittest.TestCase):
         np.testing.assert_array_equal(patch().eval_grid_derivs(u, v, order=1), patch().eval_derivs(pairs, order=1))
 
 
+    def test_single_precision_is_rounded_once(self):
+        t, u = np.linspace(0, 1, 99), np.linspace(0, 1, 5)
+        out = np.zeros((2, 99), np.float32).T
+        self.assertIs(circle().eval_f32(t, out=out), out)
+        np.testing.assert_array_equal(out, circle().eval(t).astype(np.float32))
+        np.testing.assert_array_equal(patch().eval_grid_f32(u, u), patch().eval_grid(u, u).astype(np.float32))
+
+
+class Data(unittest.TestCase):
+    def test_matrix_times_points(self):
+        c, t = circle(), np.linspace(0, 1, 33)
+        for orders in (None, [1], [2]):
+            values, columns, rows = nurbs.rational_collocation(c, t, orders)
+            products = np.add.reduceat(values[:, None] * c.points()[columns], rows[:-1])
+            wanted = c.eval_derivs(t, order=2)[:, 0 if orders is None else orders[0]]
+            np.testing.assert_allclose(products, wanted, atol=1e-12)
+        values, columns, rows = nurbs.collocation([1, 2], [patch().knots(0), patch().knots(1)], [[0.25, 0.5]], [0, 1])
+        self.assertEqual((columns.tolist(), rows.tolist()), ([0, 1, 2, 3, 4, 5], [0, 6]))
+        np.testing.assert_array_equal(values, [-0.75, 0, 0.75, -0.25, 0, 0.25])
+
+    def test_bezier_extraction(self):
+        operators, firsts, domains = nurbs.bezier_extraction(circle())
+        np.testing.assert_array_equal(operators, [np.eye(3)] * 4)
+        self.assertEqual((firsts.tolist(), domains[3].tolist()), ([0, 2, 4, 6], [0.75, 1]))
+
+    def test_gradients_are_slopes(self):
+        c, t, h = circle(), np.array([0.1, 0.6]), 1e-6
+        g = np.array([[0.3, -1.0], [2.0, 0.7]])
+        got = nurbs.eval_adjoint(c, t, g)
+        self.assertEqual([a.shape for a in got], [(9, 2), (9,), (2,)])
+        change = np.sin(np.arange(9))
+
+        def loss(points, weights, params):
+            return (c.with_points(points, weights).eval(params) * g).sum()
+
+        p, w = c.points(), c.weights()
+        both = [(loss(p + s * np.outer(change, [1, 2]), w, t), loss(p, w + s * change, t), loss(p, w, t + s))
+                for s in (h, -h)]
+        slopes = (np.array(both[0]) - both[1]) / (2 * h)
+        wanted = [(got.points * np.outer(change, [1, 2])).sum(), got.weights @ change, got.params.sum()]
+        np.testing.assert_allclose(slopes, wanted, rtol=1e-6, atol=1e-8)
+
+    def test_gradients_accumulate_in_place(self):
+        c, t, g = circle(), np.linspace(0, 1, 9), np.ones((9, 2))
+        whole = nurbs.eval_adjoint(c, t, g)
+        points, weights = np.zeros((9, 2), order="F"), np.zeros(18)[::2]
+        for part in (slice(0, 4), slice(4, 9)):
+            nurbs.eval_adjoint(c, t[part], g[part], flags=nurbs.NURBS_ACCUMULATE, points=points, weights=weights)
+        np.testing.assert_array_equal(points, whole.points)
+        np.testing.assert_array_equal(weights, whole.weights)
+        with self.assertRaises(ValueError):
+            nurbs.eval_adjoint(c, t, np.ones((9, 3)))
+
+
 class Arrays(unittest.TestCase):
     def test_strided_output_is_filled_in_place(self):
         t = np.linspace(0, 1, 9)

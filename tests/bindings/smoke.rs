@@ -46,6 +46,35 @@ fn grid_equals_points() -> Result<()> {
     Ok(())
 }
 
+fn single_precision_is_rounded_once() -> Result<()> {
+    let rounded = |points: Vec<f64>| points.iter().map(|&x| x as f32).collect::<Vec<f32>>();
+    assert_eq!(circle()?.eval_f32(&params(), 0)?, rounded(circle()?.eval(&params(), 0)?));
+    let grid: [&[f64]; 2] = [&[0.0, 0.3, 1.0], &[0.1, 0.7]];
+    assert_eq!(patch()?.eval_grid_f32(&grid, 0)?, rounded(patch()?.eval_grid(&grid, 0)?));
+    Ok(())
+}
+
+/// L = x + 2 y of a point of the circle at t = 0, the first control point.
+fn data_derivatives() -> Result<()> {
+    let c = circle()?;
+    let m = c.rational_collocation(&[], &[0.0, 0.25], 0)?;
+    assert_eq!((m.columns, m.row_pointers), (vec![0, 1, 2, 2, 3, 4], vec![0, 3, 6]));
+    assert_eq!(m.values, [1., 0., 0., 1., 0., 0.]);
+    let n = nurbs::collocation(&[1, 1], &[&[0., 0., 1., 1.], &[0., 0., 1., 1.]], &[0, 1], &[0.25, 0.5], 0)?;
+    assert_eq!(n.values, [-0.75, 0.75, -0.25, 0.25]);
+    let e = c.bezier_extraction(0)?;
+    assert_eq!((e.firsts, e.domains[1]), (vec![0, 2, 4, 6], [0.25, 0.5]));
+    assert_eq!(e.operators[9..18], [1., 0., 0., 0., 1., 0., 0., 0., 1.]);
+    let g = c.eval_adjoint(0, &[0.0], &[1.0, 2.0], 0)?;
+    assert!(g.points[..2] == [1.0, 2.0] && g.points[2..].iter().all(|&x| x == 0.0));
+    assert!(g.weights == [0.0; 9] && (g.params[0] - 16.0 * 0.5f64.sqrt()).abs() < 1e-14);
+    let mut twice = g.points.clone();
+    let out = nurbs::GradientsMut { points: Some((&mut twice).into()), ..Default::default() };
+    c.eval_adjoint_into(0, &[0.0], &[1.0, 2.0], out, sys::NURBS_ACCUMULATE)?;
+    assert_eq!(twice[..2], [2.0, 4.0]);
+    Ok(())
+}
+
 fn insertion_keeps_the_circle() -> Result<()> {
     let (before, t) = (circle()?, params());
     let after = before.insert_knot(0, 0.3, 2)?;
@@ -142,6 +171,8 @@ fn threads() -> Result<()> {
 fn main() -> Result<()> {
     known_points()?;
     grid_equals_points()?;
+    single_precision_is_rounded_once()?;
+    data_derivatives()?;
     insertion_keeps_the_circle()?;
     strided_arrays()?;
     inspection()?;

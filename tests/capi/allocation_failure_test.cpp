@@ -19,6 +19,7 @@ struct Inputs {
     nurbs *curve = nullptr, *loop = nullptr, *surface = nullptr, *volume = nullptr, *homogeneous = nullptr;
     nurbs_list *list = nullptr;
     double values[1024];
+    float singles[64];
     int64_t spans[64];
 };
 
@@ -43,6 +44,7 @@ void fill(Inputs &in) {
     in.homogeneous = make_homogeneous();
     CHECK_OK(nurbs_read(file.bytes, file.size, nullptr, &in.list));
     FILL(in.values);
+    FILL(in.singles);
     FILL(in.spans);
 }
 
@@ -107,6 +109,7 @@ nurbs_status periodic_knots(Inputs &in, Output &) {
     return nurbs_knots_periodic(2, 4, breaks, nullptr, 8, in.values);
 }
 
+const double cotangents[64] = {1, 2, 3};
 const int64_t grid_counts[] = {2, 2, 2};
 
 const Case cases[] = {
@@ -193,6 +196,39 @@ const Case cases[] = {
      [](Inputs &in, Output &) {
          return nurbs_eval_grid_derivs(in.volume, 2, grid_counts, params, in.values, 0, 0, 0);
      }},
+    {"eval_f32",
+     [](Inputs &in, Output &) { return nurbs_eval_f32(in.curve, 6, params, 0, 0, in.singles, 0, 0, 0); }},
+    {"eval_grid_f32",
+     [](Inputs &in, Output &) {
+         return nurbs_eval_grid_f32(in.volume, grid_counts, params, in.singles, 0, 0, 0);
+     }},
+    {"collocation",
+     [](Inputs &in, Output &) {
+         const SplineArgs a = trough();
+         const int32_t orders[] = {1, 0};
+         return nurbs_collocation(2, a.degrees, a.counts, a.knots, 12, orders, 3, params, 0, 0, 64, in.values,
+                                  in.spans, nullptr, nullptr, 0);
+     }},
+    {"rational_collocation",
+     [](Inputs &in, Output &) {
+         const int32_t order = 2;
+         return nurbs_rational_collocation(in.curve, &order, 6, params, 0, 0, 64, in.values, in.spans,
+                                           nullptr, nullptr, 0);
+     }},
+    {"bezier_extraction",
+     [](Inputs &in, Output &) {
+         return nurbs_bezier_extraction(in.curve, 0, 4, in.values, nullptr, nullptr, in.spans);
+     }},
+    {"eval_adjoint points",
+     [](Inputs &in, Output &) {
+         return nurbs_eval_adjoint(in.surface, 1, 3, params, 0, 0, cotangents, 0, 0, in.values, 0, 0, nullptr,
+                                   0, nullptr, 0, 0, 0);
+     }},
+    {"eval_adjoint",
+     [](Inputs &in, Output &) {
+         return nurbs_eval_adjoint(in.curve, 0, 6, params, 0, 0, cotangents, 0, 0, in.values, 0, 0,
+                                   in.values + 32, 0, in.values + 64, 0, 0, 0);
+     }},
     {"iso curve", [](Inputs &in, Output &o) { return nurbs_iso(in.surface, 0, 0.3, 0, &o.out); }},
     {"iso surface", [](Inputs &in, Output &o) { return nurbs_iso(in.volume, 1, 0.3, 0, &o.out); }},
     {"insert_knot", [](Inputs &in, Output &o) { return nurbs_insert_knot(in.curve, 0, 0.3, 2, &o.out); }},
@@ -253,6 +289,7 @@ bool attempt(const Case &c, int64_t k, bool on) {
         CHECK(o.out == nullptr || o.out == check_poison());
         CHECK(o.list == nullptr);
         CHECK_UNTOUCHED(in.values);
+        CHECK_UNTOUCHED(in.singles);
         CHECK_UNTOUCHED(in.spans);
         check_intact(in);
         o = {check_poison(), nullptr};
@@ -315,6 +352,19 @@ int64_t grid_cost(const nurbs *g, int axes, int64_t side, int32_t order) {
     });
 }
 
+int64_t linear_cost(const nurbs *g, int axes, int64_t n) {
+    const auto size = static_cast<size_t>(n);
+    std::vector<double> at(size * static_cast<size_t>(axes), 0.3), values(size * 8), to_params(at);
+    std::vector<double> given(size * 40), net(1024), weights(256);
+    std::vector<int64_t> columns(size * 8), rows(size + 1);
+    return repeated_cost([&] {
+        CHECK(nurbs_rational_collocation(g, nullptr, n, at.data(), 0, 0, 8 * n, values.data(), columns.data(),
+                                         rows.data(), nullptr, 0) == NURBS_OK);
+        CHECK(nurbs_eval_adjoint(g, 1, n, at.data(), 0, 0, given.data(), 0, 0, net.data(), 0, 0,
+                                 weights.data(), 0, to_params.data(), 0, 0, 0) == NURBS_OK);
+    });
+}
+
 void evaluation_allocates_nothing_per_point() {
     const SplineArgs shapes[] = {circle(), arch(), loop(), trough(), cube()};
     for (const SplineArgs &a : shapes) {
@@ -326,6 +376,7 @@ void evaluation_allocates_nothing_per_point() {
             CHECK_INT(eval_cost(g, a.axes, 100, order), eval_cost(g, a.axes, 1000, order));
             CHECK_INT(grid_cost(g, a.axes, 10, order), grid_cost(g, a.axes, 20, order));
         }
+        CHECK_INT(linear_cost(g, a.axes, 1), linear_cost(g, a.axes, 1000));
         if (a.axes < 3) {
             CHECK_INT(eval_cost(g, a.axes, 1000, -1), 0);
         }

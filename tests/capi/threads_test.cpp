@@ -118,6 +118,12 @@ private:
                NURBS_OK);
         EXPECT(nurbs_rational_basis(g_, n_, params_.data(), 0, 0, spans.data(), more(n_ * active_), 0, 0,
                                     0) == NURBS_OK);
+        const std::vector<double> given(static_cast<size_t>(n_ * dim_), 0.75);
+        double *to_points = more(total_ * (dim_ + 1));
+        EXPECT(nurbs_eval_adjoint(g_, 0, n_, params_.data(), 0, 0, given.data(), 0, 0, to_points, 0, 0,
+                                  to_points + total_ * dim_, 0, nullptr, 0, 0, 0) == NURBS_OK);
+        EXPECT(nurbs_rational_collocation(g_, nullptr, n_, params_.data(), 0, 0, n_ * active_,
+                                          more(n_ * active_), nullptr, nullptr, nullptr, 0) == NURBS_OK);
         for (const int64_t span : spans) {
             *more(1) = static_cast<double>(span);
         }

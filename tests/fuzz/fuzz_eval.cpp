@@ -81,6 +81,17 @@ struct Grid {
     int64_t total = 1;
 };
 
+// The same points, rounded.
+void single_precision(const nurbs *g, const Batch &b, const std::vector<double> &points, size_t size) {
+    std::vector<float> rounded(size, -7);
+    const bool ok = FUZZ_OK(nurbs_eval_f32(g, b.n, b.params.data(), 0, 0, rounded.data(), 0, 0, b.flags));
+    FUZZ_REQUIRE(size == 0 || ok == !points.empty());
+    for (size_t i = 0; i < size; ++i) {
+        const auto wanted = ok ? static_cast<float>(points[i]) : -7.0F;
+        FUZZ_REQUIRE(rounded[i] == wanted || (std::isnan(rounded[i]) && std::isnan(wanted)));
+    }
+}
+
 Grid any_grid(Input &in, const nurbs *g, int axes, bool inside) {
     Grid grid;
     for (int32_t k = 0; k < axes; ++k) {
@@ -118,6 +129,13 @@ void grids(Input &in, const nurbs *g, const fuzz::Spline &s, int32_t order) {
     FUZZ_REQUIRE(ok == FUZZ_OK(nurbs_eval_grid_derivs(g, order, grid.counts.data(), grid.params.data(),
                                                       derivs.data(), 0, 0, flags)));
     FUZZ_REQUIRE(ok || (!inside && untouched(values) && untouched(derivs)));
+    std::vector<float> rounded(values.size(), -7);
+    FUZZ_REQUIRE(ok == FUZZ_OK(nurbs_eval_grid_f32(g, grid.counts.data(), grid.params.data(), rounded.data(),
+                                                   0, 0, flags)));
+    for (size_t i = 0; i < values.size(); ++i) {
+        const auto wanted = static_cast<float>(values[i]);
+        FUZZ_REQUIRE(rounded[i] == wanted || (std::isnan(rounded[i]) && std::isnan(wanted)));
+    }
     for (size_t i = 0; ok && i < total; ++i) {
         const std::vector<double> param = grid_point(grid, static_cast<int64_t>(i));
         FUZZ_REQUIRE(nurbs_eval_derivs(g, order, 1, param.data(), 0, 0, one.data(), 0, 0, flags) == NURBS_OK);
@@ -190,6 +208,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     const int32_t order = in.below(s.axes() == 3 ? 3 : 6);
     const std::vector<double> values = points(g.get(), s, b);
     derivative_zero_is_the_point(s, b.n, values, derivatives(g.get(), s, b, order));
+    single_precision(g.get(), b, values, static_cast<size_t>(b.n * s.dim));
     grids(in, g.get(), s, order);
     iso(in, g.get(), s);
     bad_sizes(in, g.get(), s);

@@ -350,6 +350,28 @@ module nurbs_c
             integer(c_int64_t), value :: deriv_stride, deriv_component_stride
             integer(c_int32_t) :: r
         end function nurbs_eval_grid_derivs
+        function nurbs_eval_f32(g, n, params, param_stride, param_component_stride, points, point_stride, &
+            point_component_stride, flags) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int64_t), value :: n, param_stride, param_component_stride, point_stride, &
+                point_component_stride
+            real(c_double), intent(in) :: params(*)
+            real(c_float), intent(inout) :: points(*)
+            integer(c_int32_t), value :: flags
+            integer(c_int32_t) :: r
+        end function nurbs_eval_f32
+        function nurbs_eval_grid_f32(g, counts, params, points, point_stride, point_component_stride, flags &
+            ) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int64_t), intent(in) :: counts(*)
+            real(c_double), intent(in) :: params(*)
+            real(c_float), intent(inout) :: points(*)
+            integer(c_int64_t), value :: point_stride, point_component_stride
+            integer(c_int32_t), value :: flags
+            integer(c_int32_t) :: r
+        end function nurbs_eval_grid_f32
         function nurbs_iso(g, axis, param, flags, out) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -366,6 +388,57 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_insert_knot
+        function nurbs_collocation(axes, degrees, counts, knots, knot_count, orders, n, params, param_stride, &
+            param_component_stride, cap, values, columns, row_pointers, entries, flags) bind(c) result(r)
+            import
+            integer(c_int32_t), value :: axes, flags
+            integer(c_int32_t), intent(in) :: degrees(*)
+            integer(c_int64_t), intent(in) :: counts(*)
+            real(c_double), intent(in) :: knots(*), params(*)
+            integer(c_int32_t), intent(in), optional :: orders(*)
+            integer(c_int64_t), value :: knot_count, n, param_stride, param_component_stride, cap
+            real(c_double), intent(inout), optional :: values(*)
+            integer(c_int64_t), intent(inout), optional :: columns(*), row_pointers(*)
+            integer(c_int64_t), intent(inout), optional :: entries
+            integer(c_int32_t) :: r
+        end function nurbs_collocation
+        function nurbs_rational_collocation(g, orders, n, params, param_stride, param_component_stride, cap, &
+            values, columns, row_pointers, entries, flags) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int32_t), intent(in), optional :: orders(*)
+            integer(c_int64_t), value :: n, param_stride, param_component_stride, cap
+            real(c_double), intent(in) :: params(*)
+            real(c_double), intent(inout), optional :: values(*)
+            integer(c_int64_t), intent(inout), optional :: columns(*), row_pointers(*)
+            integer(c_int64_t), intent(inout), optional :: entries
+            integer(c_int32_t), value :: flags
+            integer(c_int32_t) :: r
+        end function nurbs_rational_collocation
+        function nurbs_bezier_extraction(g, axis, cap, operators, firsts, domains, count) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int32_t), value :: axis
+            integer(c_int64_t), value :: cap
+            real(c_double), intent(inout), optional :: operators(*), domains(*)
+            integer(c_int64_t), intent(inout), optional :: firsts(*)
+            integer(c_int64_t), intent(out) :: count
+            integer(c_int32_t) :: r
+        end function nurbs_bezier_extraction
+        function nurbs_eval_adjoint(g, order, n, params, param_stride, param_component_stride, cotangents, &
+            cotangent_stride, cotangent_component_stride, grad_points, grad_point_stride, &
+            grad_point_component_stride, grad_weights, grad_weight_stride, grad_params, grad_param_stride, &
+            grad_param_component_stride, flags) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int32_t), value :: order, flags
+            integer(c_int64_t), value :: n, param_stride, param_component_stride, cotangent_stride, &
+                cotangent_component_stride, grad_point_stride, grad_point_component_stride, &
+                grad_weight_stride, grad_param_stride, grad_param_component_stride
+            real(c_double), intent(in) :: params(*), cotangents(*)
+            real(c_double), intent(inout), optional :: grad_points(*), grad_weights(*), grad_params(*)
+            integer(c_int32_t) :: r
+        end function nurbs_eval_adjoint
         function nurbs_read_options_init(options, struct_size) bind(c) result(r)
             import
             type(nurbs_read_options), intent(out) :: options

@@ -63,6 +63,9 @@ module nurbs_constants
     integer(c_int32_t), parameter :: NURBS_NAN = int(z'10', c_int32_t)
     integer(c_int32_t), parameter :: NURBS_PERIODIC = int(z'01', c_int32_t)
 
+    ! Global flags
+    integer(c_int32_t), parameter :: NURBS_ACCUMULATE = int(z'01000000', c_int32_t)
+
     ! Bits of the form of a knot vector
     integer(c_int32_t), parameter :: NURBS_FORM_CLAMPED_START = int(z'01', c_int32_t)
     integer(c_int32_t), parameter :: NURBS_FORM_CLAMPED_END = int(z'02', c_int32_t)

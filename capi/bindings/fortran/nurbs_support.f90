@@ -85,13 +85,13 @@ contains
 
     !> Stride between the records that are the rows of an array; a single row is simply packed.
     pure integer(c_int64_t) function step(array)
-        real(c_double), intent(in) :: array(..)
+        class(*), intent(in) :: array(..)
         step = merge(1_c_int64_t, 0_c_int64_t, size(array, 1) > 1)
     end function step
 
     !> Stride between the components of such a record.
     pure integer(c_int64_t) function column(array)
-        real(c_double), intent(in) :: array(..)
+        class(*), intent(in) :: array(..)
         column = merge(size(array, 1, c_int64_t), 0_c_int64_t, size(array, 1) > 1)
     end function column
 

@@ -67,9 +67,9 @@ T result_of(F &&f) {
     return result;
 }
 
-template <class F>
-std::vector<double> filled(std::int64_t size, F &&f) {
-    std::vector<double> values(to_size(size));
+template <class T = double, class F>
+std::vector<T> filled(std::int64_t size, F &&f) {
+    std::vector<T> values(to_size(size));
     f(values);
     return values;
 }
@@ -126,7 +126,7 @@ public:
         if (n < 0 || width < 1) {
             return;
         }
-        // In doubles: exact for every size that memory can have, and free of overflow for the others.
+        // In floating point: exact for every size that memory can have, and free of overflow for the others.
         const double component = component_stride_ == 0 ? 1.0 : static_cast<double>(component_stride_);
         const double step =
             stride_ == 0 ? static_cast<double>(width) * component : static_cast<double>(stride_);
@@ -153,6 +153,7 @@ private:
 
 using Input = Records<const double>;
 using Output = Records<double>;
+using FloatOutput = Records<float>; ///< results in single precision; strides count floats
 
 } // namespace libnurbs
 

@@ -236,6 +236,28 @@ public:
         return detail::filled(grid(counts, params) * slots(order) * dimension(),
                               [&](auto &v) { eval_grid_derivs(order, counts, params, v, flags); });
     }
+    /// The points of eval(), rounded once to single precision.
+    void eval_f32(Input params, FloatOutput points, std::uint32_t flags = 0) const {
+        const std::int64_t n = number_of(params);
+        points.require(n, dimension(), "points");
+        detail::check(nurbs_eval_f32(handle_, n, params.data(), params.stride(), params.component_stride(),
+                                     points.data(), points.stride(), points.component_stride(), flags));
+    }
+    [[nodiscard]] std::vector<float> eval_f32(Input params, std::uint32_t flags = 0) const {
+        return detail::filled<float>(number_of(params) * dimension(),
+                                     [&](auto &v) { eval_f32(params, v, flags); });
+    }
+    void eval_grid_f32(View<std::int64_t> counts, View<double> params, FloatOutput points,
+                       std::uint32_t flags = 0) const {
+        points.require(grid(counts, params), dimension(), "points");
+        detail::check(nurbs_eval_grid_f32(handle_, counts.data(), params.data(), points.data(),
+                                          points.stride(), points.component_stride(), flags));
+    }
+    [[nodiscard]] std::vector<float> eval_grid_f32(View<std::int64_t> counts, View<double> params,
+                                                   std::uint32_t flags = 0) const {
+        return detail::filled<float>(grid(counts, params) * dimension(),
+                                     [&](auto &v) { eval_grid_f32(counts, params, v, flags); });
+    }
     /// R_i at each parameter; the spans are [n][axes].
     [[nodiscard]] Basis rational_basis(Input params, std::uint32_t flags = 0) const {
         std::int64_t active = 1;

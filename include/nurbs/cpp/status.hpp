@@ -71,6 +71,9 @@ inline constexpr std::uint32_t wrap = NURBS_WRAP;
 inline constexpr std::uint32_t nan = NURBS_NAN;
 inline constexpr std::uint32_t periodic = NURBS_PERIODIC;
 
+/// Global flags.
+inline constexpr std::uint32_t accumulate = NURBS_ACCUMULATE;
+
 /// Bits of Spline::knot_form().
 inline constexpr std::int32_t form_clamped_start = NURBS_FORM_CLAMPED_START;
 inline constexpr std::int32_t form_clamped_end = NURBS_FORM_CLAMPED_END;

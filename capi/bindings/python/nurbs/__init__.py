@@ -22,4 +22,5 @@ from .constants import *  # noqa: F401,F403 - the names of the header
 from .files import Note, SplineList, read, read_file
 from .knots import (basis, bernstein, find_spans, knots_averaged, knots_bezier, knots_open_uniform,
                     knots_periodic, knots_uniform)
+from .linear import Gradients, bezier_extraction, collocation, eval_adjoint, rational_collocation
 from .spline import Spline, derivative_slots

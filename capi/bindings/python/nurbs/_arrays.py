@@ -5,13 +5,13 @@ import numpy
 
 
 class Records:
-    """n records of `width` doubles in memory that the library can use directly."""
+    """n records of `width` numbers in memory that the library can use directly; strides count those numbers."""
 
     def __init__(self, array, width):
         self.array = array  # keeps the memory alive
         self.n = array.shape[0]
         self.address = array.ctypes.data
-        record, component = (step // 8 for step in array.strides)
+        record, component = (step // array.itemsize for step in array.strides)
         # NumPy leaves the strides of axes of length 1 undefined.
         self.component_stride = component if width > 1 else 1
         self.stride = record if self.n > 1 else width * self.component_stride
@@ -23,16 +23,17 @@ class Records:
         return self.address, self.stride, self.component_stride
 
 
-def _direct(array):
+def _direct(array, dtype=numpy.float64):
     """Whether the library can address a 2-D array: whole positive strides, and no place used twice."""
-    if array.dtype != numpy.float64 or not array.dtype.isnative or not array.flags.aligned:
+    if array.dtype != dtype or not array.dtype.isnative or not array.flags.aligned:
         return False
     if array.size == 0:
         return True
-    if any(size > 1 and (step <= 0 or step % 8) for size, step in zip(array.shape, array.strides)):
+    unit = array.itemsize
+    if any(size > 1 and (step <= 0 or step % unit) for size, step in zip(array.shape, array.strides)):
         return False
     (n, width), (record, component) = array.shape, array.strides
-    return n <= 1 or width <= 1 or record >= (width - 1) * component + 8 or component >= (n - 1) * record + 8
+    return n <= 1 or width <= 1 or record >= (width - 1) * component + unit or component >= (n - 1) * record + unit
 
 
 def records(values, width):
@@ -49,29 +50,29 @@ def vector(values, dtype=numpy.float64):
     return numpy.ascontiguousarray(values, dtype=dtype).reshape(-1)
 
 
-def _as_table(array, width):
+def _as_table(array, width, dtype):
     """The array as (records, width) without a copy, or None."""
     table = array.view()
     try:
         table.shape = (array.size // width if width else 0, width)
     except AttributeError:
         return None
-    return table if _direct(table) else None
+    return table if _direct(table, dtype) else None
 
 
 class Output:
     """An array to be filled: `out` itself where the library can address it, else a packed array copied to it."""
 
-    def __init__(self, out, shape, width):
+    def __init__(self, out, shape, width, dtype=numpy.float64):
         if out is not None and (not isinstance(out, numpy.ndarray) or out.shape != tuple(shape)
-                                or out.dtype != numpy.float64 or not out.flags.writeable):
-            raise ValueError(f"out must be a writeable float64 array of shape {tuple(shape)}")
-        self.result = numpy.empty(shape) if out is None else out
-        table = _as_table(self.result, width)
+                                or out.dtype != dtype or not out.flags.writeable):
+            raise ValueError(f"out must be a writeable {numpy.dtype(dtype)} array of shape {tuple(shape)}")
+        self.result = numpy.empty(shape, dtype) if out is None else out
+        table = _as_table(self.result, width, dtype)
         self._copy = None
         if table is None:
-            self._copy = numpy.empty(shape)
-            table = _as_table(self._copy, width)
+            self._copy = numpy.empty(shape, dtype)
+            table = _as_table(self._copy, width, dtype)
         self.records = Records(table, width)
 
     @property

@@ -215,9 +215,9 @@ class Spline:
             raise ValueError(f"params must have shape (..., {axes})")
         return records(params, axes), shape if axes == 1 else shape[:-1]
 
-    def _batch(self, function, params, tail, width, flags, out):
+    def _batch(self, function, params, tail, width, flags, out, dtype=numpy.float64):
         given, shape = self._params(params)
-        output = Output(out, shape + tail, width)
+        output = Output(out, shape + tail, width, dtype)
         check(function(given.n, *given.layout, *output.layout, flags))
         return output.finish()
 
@@ -233,6 +233,11 @@ class Spline:
         slots = derivative_slots(self.axes, order)
         return self._batch(lambda *rest: lib.nurbs_eval_derivs(self._handle, order, *rest), params,
                            (slots, self.dimension), slots * self.dimension, flags, out)
+
+    def eval_f32(self, params, flags=0, out=None):
+        """Points in single precision: those of eval(), rounded once."""
+        return self._batch(lambda *rest: lib.nurbs_eval_f32(self._handle, *rest), params, (self.dimension,),
+                           self.dimension, flags, out, numpy.float32)
 
     def hull_size(self, params, flags=0, out=None):
         """The `hull` of the accuracy contract at each parameter."""
@@ -270,6 +275,13 @@ class Spline:
         output = Output(out, (*counts, slots, self.dimension), slots * self.dimension)
         check(lib.nurbs_eval_grid_derivs(self._handle, order, counts.ctypes.data, given.ctypes.data, *output.layout,
                                          flags))
+        return output.finish()
+
+    def eval_grid_f32(self, *params, flags=0, out=None):
+        """Points on a grid in single precision: those of eval_grid(), rounded once."""
+        given, counts = self._grid(params)
+        output = Output(out, (*counts, self.dimension), self.dimension, numpy.float32)
+        check(lib.nurbs_eval_grid_f32(self._handle, counts.ctypes.data, given.ctypes.data, *output.layout, flags))
         return output.finish()
 
     # Operations

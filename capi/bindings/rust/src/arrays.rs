@@ -82,22 +82,22 @@ impl<'a, T: AsRef<[f64]> + ?Sized> From<&'a T> for Records<'a> {
     }
 }
 
-/// An output array of records. A mutable slice, array or vector converts to packed records.
-pub struct RecordsMut<'a> {
-    values: &'a mut [f64],
+/// An output array of records, `f64` or `f32`. A mutable slice, array or vector converts to packed records.
+pub struct RecordsMut<'a, T = f64> {
+    values: &'a mut [T],
     layout: Layout,
 }
 
-impl<'a> RecordsMut<'a> {
+impl<'a, T> RecordsMut<'a, T> {
     /// n records; component c of record i is `values[i * stride + c * component_stride]`, 0 means packed.
-    pub fn strided(values: &'a mut [f64], n: usize, stride: usize, component_stride: usize) -> Self {
+    pub fn strided(values: &'a mut [T], n: usize, stride: usize, component_stride: usize) -> Self {
         RecordsMut { values, layout: Layout { count: Some(n), stride, component_stride } }
     }
 
     pub(crate) fn require(&self, n: usize, width: usize, what: &str) -> Result<()> {
         self.layout.require(self.values.len(), n, width, what)
     }
-    pub(crate) fn pointer(&mut self) -> *mut f64 {
+    pub(crate) fn pointer(&mut self) -> *mut T {
         self.values.as_mut_ptr()
     }
     pub(crate) fn stride(&self) -> i64 {
@@ -108,8 +108,8 @@ impl<'a> RecordsMut<'a> {
     }
 }
 
-impl<'a, T: AsMut<[f64]> + ?Sized> From<&'a mut T> for RecordsMut<'a> {
-    fn from(values: &'a mut T) -> Self {
+impl<'a, T, A: AsMut<[T]> + ?Sized> From<&'a mut A> for RecordsMut<'a, T> {
+    fn from(values: &'a mut A) -> Self {
         RecordsMut { values: values.as_mut(), layout: Layout::PACKED }
     }
 }

@@ -158,6 +158,65 @@ impl Spline {
         })
     }
 
+    /// Points in single precision: those of `eval()`, rounded once.
+    pub fn eval_f32<'a>(&self, params: impl Into<Records<'a>>, flags: u32) -> Result<Vec<f32>> {
+        let params = params.into();
+        let mut points = vec![0.0; self.number_of(&params)? * self.width()?];
+        self.eval_f32_into(params, &mut points, flags)?;
+        Ok(points)
+    }
+    pub fn eval_f32_into<'a, 'b>(
+        &self,
+        params: impl Into<Records<'a>>,
+        points: impl Into<RecordsMut<'b, f32>>,
+        flags: u32,
+    ) -> Result<()> {
+        let (p, mut o) = (params.into(), points.into());
+        let n = self.number_of(&p)?;
+        o.require(n, self.width()?, "points")?;
+        check(unsafe {
+            sys::nurbs_eval_f32(
+                self.raw(),
+                n as i64,
+                p.pointer(),
+                p.stride(),
+                p.component_stride(),
+                o.pointer(),
+                o.stride(),
+                o.component_stride(),
+                flags,
+            )
+        })
+    }
+    /// Points on a grid in single precision: those of `eval_grid()`, rounded once.
+    pub fn eval_grid_f32(&self, params: &[&[f64]], flags: u32) -> Result<Vec<f32>> {
+        let (n, _, _) = self.grid(params)?;
+        let mut points = vec![0.0; n.saturating_mul(self.width()?)];
+        self.eval_grid_f32_into(params, &mut points, flags)?;
+        Ok(points)
+    }
+    pub fn eval_grid_f32_into<'b>(
+        &self,
+        params: &[&[f64]],
+        points: impl Into<RecordsMut<'b, f32>>,
+        flags: u32,
+    ) -> Result<()> {
+        let ((n, counts, params), mut o) = (self.grid(params)?, points.into());
+        o.require(n, self.width()?, "points")?;
+        let (stride, component_stride) = (o.stride(), o.component_stride());
+        check(unsafe {
+            sys::nurbs_eval_grid_f32(
+                self.raw(),
+                counts.as_ptr(),
+                params.as_ptr(),
+                o.pointer(),
+                stride,
+                component_stride,
+                flags,
+            )
+        })
+    }
+
     /// The `hull` of the accuracy contract at each parameter.
     pub fn hull_size<'a>(&self, params: impl Into<Records<'a>>, flags: u32) -> Result<Vec<f64>> {
         let p = params.into();

@@ -17,6 +17,7 @@ mod error;
 mod eval;
 mod inspect;
 mod knots;
+mod linear;
 mod list;
 mod spline;
 pub mod sys;
@@ -27,6 +28,7 @@ pub use knots::{
     basis, bernstein, find_spans, knots_averaged, knots_bezier, knots_bezier_breaks, knots_open_uniform,
     knots_periodic, knots_uniform, Basis,
 };
+pub use linear::{collocation, Extraction, Gradients, GradientsMut, SparseMatrix};
 pub use list::{List, Note, ReadOptions};
 pub use spline::{derivative_slots, DistinctKnots, Spline};
 

@@ -85,6 +85,9 @@ pub const NURBS_WRAP: u32 = 0x08;
 pub const NURBS_NAN: u32 = 0x10;
 pub const NURBS_PERIODIC: u32 = 0x01;
 
+// Global flags
+pub const NURBS_ACCUMULATE: u32 = 0x01000000;
+
 // Bits of the form of a knot vector
 pub const NURBS_FORM_CLAMPED_START: i32 = 0x01;
 pub const NURBS_FORM_CLAMPED_END: i32 = 0x02;
@@ -348,6 +351,26 @@ extern "C" {
         deriv_component_stride: i64,
         flags: u32,
     ) -> nurbs_status;
+    pub fn nurbs_eval_f32(
+        g: *const nurbs,
+        n: i64,
+        params: *const f64,
+        param_stride: i64,
+        param_component_stride: i64,
+        points: *mut f32,
+        point_stride: i64,
+        point_component_stride: i64,
+        flags: u32,
+    ) -> nurbs_status;
+    pub fn nurbs_eval_grid_f32(
+        g: *const nurbs,
+        counts: *const i64,
+        params: *const f64,
+        points: *mut f32,
+        point_stride: i64,
+        point_component_stride: i64,
+        flags: u32,
+    ) -> nurbs_status;
     pub fn nurbs_iso(
         g: *const nurbs,
         axis: i32,
@@ -361,6 +384,67 @@ extern "C" {
         knot: f64,
         times: i32,
         out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    pub fn nurbs_collocation(
+        axes: i32,
+        degrees: *const i32,
+        counts: *const i64,
+        knots: *const f64,
+        knot_count: i64,
+        orders: *const i32,
+        n: i64,
+        params: *const f64,
+        param_stride: i64,
+        param_component_stride: i64,
+        cap: i64,
+        values: *mut f64,
+        columns: *mut i64,
+        row_pointers: *mut i64,
+        entries: *mut i64,
+        flags: u32,
+    ) -> nurbs_status;
+    pub fn nurbs_rational_collocation(
+        g: *const nurbs,
+        orders: *const i32,
+        n: i64,
+        params: *const f64,
+        param_stride: i64,
+        param_component_stride: i64,
+        cap: i64,
+        values: *mut f64,
+        columns: *mut i64,
+        row_pointers: *mut i64,
+        entries: *mut i64,
+        flags: u32,
+    ) -> nurbs_status;
+    pub fn nurbs_bezier_extraction(
+        g: *const nurbs,
+        axis: i32,
+        cap: i64,
+        operators: *mut f64,
+        firsts: *mut i64,
+        domains: *mut f64,
+        count: *mut i64,
+    ) -> nurbs_status;
+    pub fn nurbs_eval_adjoint(
+        g: *const nurbs,
+        order: i32,
+        n: i64,
+        params: *const f64,
+        param_stride: i64,
+        param_component_stride: i64,
+        cotangents: *const f64,
+        cotangent_stride: i64,
+        cotangent_component_stride: i64,
+        grad_points: *mut f64,
+        grad_point_stride: i64,
+        grad_point_component_stride: i64,
+        grad_weights: *mut f64,
+        grad_weight_stride: i64,
+        grad_params: *mut f64,
+        grad_param_stride: i64,
+        grad_param_component_stride: i64,
+        flags: u32,
     ) -> nurbs_status;
     pub fn nurbs_read_options_init(options: *mut nurbs_read_options, struct_size: i64) -> nurbs_status;
     pub fn nurbs_read(

@@ -1,0 +1,150 @@
+// Matrices: collocation in compressed sparse rows, and Bezier extraction.
+#include "batch.h"
+#include "guard.h"
+#include "spline_data.h"
+
+#include "base/checked.h"
+#include "eval/collocation.h"
+#include "refine/extraction.h"
+
+using namespace nrb;
+using namespace nrb::capi;
+
+namespace {
+
+Orders checked_orders(const int32_t *orders, int axes) {
+    Orders result{};
+    int64_t total = 0;
+    for (int k = 0; k < axes && orders != nullptr; ++k) {
+        if (orders[k] < 0 || orders[k] > NURBS_MAX_ORDER) {
+            fail(NURBS_ERROR_ORDER, "orders[%d] = %d, expected 0 to %d", k, orders[k], NURBS_MAX_ORDER);
+        }
+        result[static_cast<size_t>(k)] = orders[k];
+        total += orders[k];
+    }
+    if (total > NURBS_MAX_ORDER) {
+        fail(NURBS_ERROR_ORDER, "orders add up to %lld, expected at most %d", static_cast<long long>(total),
+             NURBS_MAX_ORDER);
+    }
+    return result;
+}
+
+// cap: 0, or enough.
+void check_cap(int64_t cap, int64_t needed) {
+    check_length(cap, "cap");
+    if (cap != 0 && cap < needed) {
+        fail(NURBS_ERROR_SIZE, "cap = %lld, expected 0 or at least %lld", static_cast<long long>(cap),
+             static_cast<long long>(needed));
+    }
+}
+
+// The caller's arrays for a sparse matrix.
+class SparseArrays {
+public:
+    SparseArrays(int64_t cap, double *values, int64_t *columns, int64_t *row_pointers, int64_t *entries)
+        : cap_(cap), values_(values), columns_(columns), row_pointers_(row_pointers), entries_(entries) {}
+
+    // Checks lengths and overlap, and returns what is to be filled.
+    [[nodiscard]] SparseRows check(int64_t n, int64_t total, std::initializer_list<Memory> inputs) const {
+        check_cap(cap_, total);
+        const SparseRows rows{cap_ == 0 ? nullptr : values_, cap_ == 0 ? nullptr : columns_, row_pointers_};
+        check_apart({memory("values", rows.values, total), memory("columns", rows.columns, total),
+                     memory("row_pointers", row_pointers_, n + 1), memory("entries", entries_, 1)},
+                    inputs);
+        return rows;
+    }
+    void finish(int64_t total) const noexcept {
+        if (entries_ != nullptr) {
+            *entries_ = total;
+        }
+    }
+
+private:
+    int64_t cap_;
+    double *values_;
+    int64_t *columns_;
+    int64_t *row_pointers_;
+    int64_t *entries_;
+};
+
+Spline::Axes checked_axes(int32_t axes, const int32_t *degrees, const int64_t *counts, const double *knots,
+                          int64_t knot_count) {
+    const AxesData data(axes, degrees, counts, 0);
+    check_size(knot_count, data.knot_total(1), "knot_count");
+    static_cast<void>(data.point_count()); // columns are 64-bit integers
+    require(knots, "knots");
+    return data.make(
+        [knots](const AxisData &axis, int, int64_t offset) {
+            const double *first = knots + offset;
+            return std::pair(std::vector<double>(first, first + axis.count + axis.degree + 1), offset);
+        },
+        1);
+}
+
+} // namespace
+
+nurbs_status nurbs_collocation(int32_t axes, const int32_t *degrees, const int64_t *counts,
+                               const double *knots, int64_t knot_count, const int32_t *orders, int64_t n,
+                               const double *params, int64_t param_stride, int64_t param_component_stride,
+                               int64_t cap, double *values, int64_t *columns, int64_t *row_pointers,
+                               int64_t *entries, uint32_t flags) {
+    return guard([&] {
+        const Spline::Axes vectors = checked_axes(axes, degrees, counts, knots, knot_count);
+        const AxisRules rules = decode_rules(flags, axes);
+        const Orders derivative = checked_orders(orders, axes);
+        check_length(n, "n");
+        const ConstRecords in = input("params", params, n, axes, param_stride, param_component_stride);
+        const int64_t total = checked_product(n, row_length(vectors), "entries");
+        const SparseArrays arrays(cap, values, columns, row_pointers, entries);
+        const SparseRows rows =
+            arrays.check(n, total,
+                         {memory("params", params, in.extent()), memory("knots", knots, knot_count),
+                          memory("degrees", degrees, axes), memory("counts", counts, axes),
+                          memory("orders", orders, axes)});
+        check_parameters(vectors, rules, in);
+        collocation(vectors, rules, derivative, in, rows);
+        arrays.finish(total);
+    });
+}
+
+nurbs_status nurbs_rational_collocation(const nurbs *g, const int32_t *orders, int64_t n,
+                                        const double *params, int64_t param_stride,
+                                        int64_t param_component_stride, int64_t cap, double *values,
+                                        int64_t *columns, int64_t *row_pointers, int64_t *entries,
+                                        uint32_t flags) {
+    return guard([&] {
+        const SplineBatch batch = spline_batch(g, n, params, param_stride, param_component_stride, flags);
+        const Spline &spline = batch.spline;
+        const Orders derivative = checked_orders(orders, spline.axes());
+        const int64_t total = checked_product(n, row_length(spline.knot_vectors()), "entries");
+        const SparseArrays arrays(cap, values, columns, row_pointers, entries);
+        const SparseRows rows = arrays.check(
+            n, total,
+            {memory("params", params, batch.params.extent()), memory("orders", orders, spline.axes())});
+        admit(batch);
+        rational_collocation(spline, batch.rules, derivative, batch.params, rows);
+        arrays.finish(total);
+    });
+}
+
+nurbs_status nurbs_bezier_extraction(const nurbs *g, int32_t axis, int64_t cap, double *operators,
+                                     int64_t *firsts, double *domains, int64_t *count) {
+    return guard([&] {
+        const Spline &spline = spline_of(g);
+        check_axis(spline, axis);
+        require(count, "count");
+        const KnotVector &knots = spline.axis(axis);
+        const int64_t spans = knots.spans().size();
+        check_cap(cap, spans);
+        const int64_t size = int64_t{knots.degree() + 1} * (knots.degree() + 1);
+        const int64_t filled = cap == 0 ? 0 : spans;
+        check_apart({memory("operators", operators, checked_product(filled, size, "operators")),
+                     memory("firsts", firsts, filled), memory("domains", domains, 2 * filled),
+                     memory("count", count, 1)},
+                    {});
+        if (filled > 0) {
+            bezier_extraction(knots, operators, firsts, domains);
+        }
+        *count = spans;
+    });
+}

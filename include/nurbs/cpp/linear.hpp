@@ -1,0 +1,143 @@
+/* SPDX-License-Identifier: MIT */
+/// \file linear.hpp
+/// \brief Derivatives with respect to data: collocation matrices, Bezier extraction, gradients.
+#ifndef NURBS_CPP_LINEAR_HPP
+#define NURBS_CPP_LINEAR_HPP
+
+#include <nurbs/cpp/spline.hpp>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace libnurbs {
+
+/// Compressed sparse rows.
+struct SparseMatrix {
+    std::vector<double> values;
+    std::vector<std::int64_t> columns;
+    std::vector<std::int64_t> row_pointers;
+};
+
+/// Operators [spans][degree + 1][degree + 1], the first control point and the domain [spans][2] of each span.
+struct Extraction {
+    std::vector<double> operators;
+    std::vector<std::int64_t> firsts;
+    std::vector<double> domains;
+};
+
+struct Gradients {
+    std::vector<double> points;
+    std::vector<double> weights;
+    std::vector<double> params;
+};
+
+namespace detail {
+
+// f(cap, values, columns, row_pointers, entries), asked for the size first.
+template <class F>
+SparseMatrix sparse(std::int64_t n, F &&f) {
+    std::int64_t entries = 0;
+    check(f(0, nullptr, nullptr, nullptr, &entries));
+    SparseMatrix m{std::vector<double>(to_size(entries)), std::vector<std::int64_t>(to_size(entries)),
+                   std::vector<std::int64_t>(to_size(n + 1))};
+    check(f(entries, m.values.data(), m.columns.data(), m.row_pointers.data(), nullptr));
+    return m;
+}
+
+inline const std::int32_t *orders_for(View<std::int32_t> orders, std::size_t axes) {
+    if (!orders.empty() && orders.size() != axes) {
+        wrong_size("orders", orders.size(), std::to_string(axes));
+    }
+    return orders.empty() ? nullptr : orders.data();
+}
+
+inline std::int64_t records(Input params, std::int32_t axes) {
+    const std::int64_t n = params.count(axes, "params");
+    params.require(n, axes, "params");
+    return n;
+}
+
+inline double *wanted(Output out, std::int64_t n, std::int64_t width, const char *what) {
+    if (out.empty()) {
+        return nullptr;
+    }
+    out.require(n, width, what);
+    return out.data();
+}
+
+} // namespace detail
+
+/// Matrix of B-spline basis functions or of a derivative of them; without orders, of the functions themselves.
+inline SparseMatrix collocation(View<std::int32_t> degrees, View<std::int64_t> counts, View<double> knots,
+                                Input params, View<std::int32_t> orders = {}, std::uint32_t flags = 0) {
+    if (counts.size() != degrees.size()) {
+        detail::wrong_size("counts", counts.size(), std::to_string(degrees.size()));
+    }
+    const std::int32_t axes = degrees.size() > 3 ? max_axes + 1 : static_cast<std::int32_t>(degrees.size());
+    const std::int32_t *of = detail::orders_for(orders, degrees.size());
+    const std::int64_t n = detail::records(params, axes);
+    return detail::sparse(n, [&](std::int64_t cap, double *values, std::int64_t *columns, std::int64_t *rows,
+                                 std::int64_t *entries) {
+        return nurbs_collocation(axes, degrees.data(), counts.data(), knots.data(), detail::length(knots), of,
+                                 n, params.data(), params.stride(), params.component_stride(), cap, values,
+                                 columns, rows, entries, flags);
+    });
+}
+
+/// Matrix of the rational basis functions of a spline or of a derivative of them.
+inline SparseMatrix rational_collocation(const Spline &g, Input params, View<std::int32_t> orders = {},
+                                         std::uint32_t flags = 0) {
+    const std::int32_t axes = g.axes();
+    const std::int32_t *of = detail::orders_for(orders, detail::to_size(axes));
+    const std::int64_t n = detail::records(params, axes);
+    return detail::sparse(n, [&](std::int64_t cap, double *values, std::int64_t *columns, std::int64_t *rows,
+                                 std::int64_t *entries) {
+        return nurbs_rational_collocation(g.get(), of, n, params.data(), params.stride(),
+                                          params.component_stride(), cap, values, columns, rows, entries,
+                                          flags);
+    });
+}
+
+inline Extraction bezier_extraction(const Spline &g, std::int32_t axis) {
+    auto spans = detail::result_of<std::int64_t>(
+        [&](auto *v) { return nurbs_bezier_extraction(g.get(), axis, 0, nullptr, nullptr, nullptr, v); });
+    const std::int64_t width = g.degree(axis) + 1;
+    Extraction result{std::vector<double>(detail::to_size(spans * width * width)),
+                      std::vector<std::int64_t>(detail::to_size(spans)),
+                      std::vector<double>(detail::to_size(2 * spans))};
+    detail::check(nurbs_bezier_extraction(g.get(), axis, spans, result.operators.data(), result.firsts.data(),
+                                          result.domains.data(), &spans));
+    return result;
+}
+
+/// Gradients of a function of points and derivatives, from its cotangents [n][slots][dim]. An output without
+/// elements is not wanted.
+inline void eval_adjoint(const Spline &g, std::int32_t order, Input params, Input cotangents,
+                         Output grad_points, Output grad_weights, Output grad_params,
+                         std::uint32_t flags = 0) {
+    const std::int32_t axes = g.axes();
+    const std::int64_t n = detail::records(params, axes);
+    cotangents.require(n, derivative_slots(axes, order) * g.dimension(), "cotangents");
+    double *points = detail::wanted(grad_points, g.point_count(), g.dimension(), "grad_points");
+    double *weights = detail::wanted(grad_weights, g.point_count(), 1, "grad_weights");
+    double *to_params = detail::wanted(grad_params, n, axes, "grad_params");
+    detail::check(nurbs_eval_adjoint(g.get(), order, n, params.data(), params.stride(),
+                                     params.component_stride(), cotangents.data(), cotangents.stride(),
+                                     cotangents.component_stride(), points, grad_points.stride(),
+                                     grad_points.component_stride(), weights, grad_weights.stride(),
+                                     to_params, grad_params.stride(), grad_params.component_stride(), flags));
+}
+inline Gradients eval_adjoint(const Spline &g, std::int32_t order, Input params, Input cotangents,
+                              std::uint32_t flags = 0) {
+    const std::int64_t n = detail::records(params, g.axes());
+    Gradients result{std::vector<double>(detail::to_size(g.point_count() * g.dimension())),
+                     std::vector<double>(detail::to_size(g.point_count())),
+                     std::vector<double>(detail::to_size(n * g.axes()))};
+    eval_adjoint(g, order, params, cotangents, result.points, result.weights, result.params, flags);
+    return result;
+}
+
+} // namespace libnurbs
+
+#endif // NURBS_CPP_LINEAR_HPP

@@ -1,0 +1,51 @@
+#include "eval/single_precision.h"
+
+#include "base/checked.h"
+#include "eval/blocks.h"
+#include "eval/evaluate.h"
+
+#include <memory>
+
+namespace nrb {
+
+namespace {
+
+// Points first, first + 1, ... from those of `values`.
+void round_points(ConstRecords values, int64_t first, FloatRecords points) noexcept {
+    for (int64_t i = 0; i < values.count; ++i) {
+        for (int64_t c = 0; c < values.width; ++c) {
+            points(first + i, c) = static_cast<float>(values(i, c));
+        }
+    }
+}
+
+class FloatSink final : public BlockSink {
+public:
+    explicit FloatSink(FloatRecords points) noexcept : points_(points) {}
+    virtual ~FloatSink() = default;
+
+    void operator()(int64_t first, ConstRecords values) noexcept override {
+        round_points(values, first, points_);
+    }
+
+private:
+    FloatRecords points_;
+};
+
+} // namespace
+
+void evaluate_points(const Spline &spline, const AxisRules &rules, ConstRecords params, FloatRecords points) {
+    FloatSink sink(points);
+    evaluate_points(spline, rules, 0, params, sink);
+}
+
+void evaluate_grid(const Spline &spline, const AxisRules &rules,
+                   const std::array<ConstRecords, max_axes> &params, FloatRecords points) {
+    const int64_t width = points.width;
+    const int64_t size = checked_product(points.count, width, "points");
+    const std::unique_ptr<double[]> values(new double[static_cast<size_t>(size)]);
+    evaluate_grid(spline, rules, 0, params, {values.get(), points.count, width, width, 1});
+    round_points({values.get(), points.count, width, width, 1}, 0, points);
+}
+
+} // namespace nrb
