@@ -760,7 +760,7 @@ NURBS_API nurbs_status nurbs_iso(const nurbs *g, int32_t axis, double param, uin
 /** \name Status of a point
  * @{ */
 #define NURBS_FRAME_LIMIT 0x01        /**< tangent of a curve, normal of a surface: a one-sided limit */
-#define NURBS_FRAME_NORMAL_LIMIT 0x02 /**< the curvature of a curve vanishes: its normal is a limit */
+#define NURBS_FRAME_NORMAL_LIMIT 0x02 /**< normal of a curve in space: a one-sided limit */
 #define NURBS_FRAME_RULE 0x04         /**< nothing distinguishes a direction: the function's rule chose it */
 #define NURBS_FRAME_UNDEFINED 0x08    /**< some result does not exist and is NaN */
 /** @} */
