@@ -27,9 +27,11 @@ bool is_zero(const Vector3 &v) noexcept {
     return largest(v) == 0;
 }
 
-// Exactly perpendicular unit vectors again, so that errors do not add up along the sequence.
+// The part across the tangent, made a unit vector; so that errors do not add up along the sequence. The
+// second pass removes what cancellation leaves along the tangent when the two were nearly parallel.
 Vector3 straightened(const Vector3 &normal, const Vector3 &tangent) noexcept {
-    return unit(normal - dot(normal, tangent) * tangent);
+    const Vector3 once = unit(normal - dot(normal, tangent) * tangent);
+    return unit(once - dot(once, tangent) * tangent);
 }
 
 struct Place {

@@ -16,10 +16,12 @@ namespace {
 // Fresh inputs for each attempt, since tables are built at first use; the output array is long enough for
 // all.
 struct Inputs {
-    nurbs *curve = nullptr, *loop = nullptr, *surface = nullptr, *volume = nullptr, *homogeneous = nullptr;
+    nurbs *curve = nullptr, *loop = nullptr, *surface = nullptr, *volume = nullptr, *homogeneous = nullptr,
+          *twist = nullptr;
     nurbs_list *list = nullptr;
     double values[1024];
     int64_t spans[64];
+    int32_t states[64];
 };
 
 const IgesText file = small_file();
@@ -40,10 +42,12 @@ void fill(Inputs &in) {
     in.loop = make(loop());
     in.surface = make(trough());
     in.volume = make(cube());
+    in.twist = make(twist());
     in.homogeneous = make_homogeneous();
     CHECK_OK(nurbs_read(file.bytes, file.size, nullptr, &in.list));
     FILL(in.values);
     FILL(in.spans);
+    FILL(in.states);
 }
 
 void drop(Inputs &in) {
@@ -51,6 +55,7 @@ void drop(Inputs &in) {
     nurbs_destroy(in.loop);
     nurbs_destroy(in.surface);
     nurbs_destroy(in.volume);
+    nurbs_destroy(in.twist);
     nurbs_destroy(in.homogeneous);
     nurbs_list_destroy(in.list);
 }
@@ -193,6 +198,35 @@ const Case cases[] = {
      [](Inputs &in, Output &) {
          return nurbs_eval_grid_derivs(in.volume, 2, grid_counts, params, in.values, 0, 0, 0);
      }},
+    {"surface_eval_frames",
+     [](Inputs &in, Output &) {
+         return nurbs_surface_eval_frames(in.surface, 3, params, 0, 0, in.values, 0, 0, in.values + 9, 0, 0,
+                                          in.values + 18, 0, 0, in.values + 27, 0, 0, in.states, 0);
+     }},
+    {"surface_eval_grid_frames",
+     [](Inputs &in, Output &) {
+         static const int64_t row[] = {1, 3};
+         return nurbs_surface_eval_grid_frames(in.surface, row, params, in.values, 0, 0, nullptr, 0, 0,
+                                               nullptr, 0, 0, in.values + 12, 0, 0, in.states, 0);
+     }},
+    {"surface_eval_curvatures",
+     [](Inputs &in, Output &) {
+         return nurbs_surface_eval_curvatures(in.surface, 3, params, 0, 0, in.values, 0, 0, in.values + 6, 0,
+                                              0, in.values + 24, 0, in.values + 27, 0, in.states, 0);
+     }},
+    {"curve_eval_frames",
+     [](Inputs &in, Output &) {
+         return nurbs_curve_eval_frames(in.curve, 6, params, 0, in.values, 0, 0, in.values + 12, 0, 0,
+                                        in.values + 24, 0, 0, nullptr, 0, 0, in.values + 36, 0, nullptr, 0,
+                                        in.states, 0);
+     }},
+    {"rotation_minimizing_frames",
+     [](Inputs &in, Output &) {
+         static const double first[] = {0, 1, 2};
+         return nurbs_curve_rotation_minimizing_frames(in.twist, 6, params, 0, first, in.values, 0, 0,
+                                                       in.values + 18, 0, 0, in.values + 36, 0, 0,
+                                                       in.values + 54, 0, 0, in.states, 0);
+     }},
     {"iso curve", [](Inputs &in, Output &o) { return nurbs_iso(in.surface, 0, 0.3, 0, &o.out); }},
     {"iso surface", [](Inputs &in, Output &o) { return nurbs_iso(in.volume, 1, 0.3, 0, &o.out); }},
     {"insert_knot", [](Inputs &in, Output &o) { return nurbs_insert_knot(in.curve, 0, 0.3, 2, &o.out); }},
@@ -254,6 +288,7 @@ bool attempt(const Case &c, int64_t k, bool on) {
         CHECK(o.list == nullptr);
         CHECK_UNTOUCHED(in.values);
         CHECK_UNTOUCHED(in.spans);
+        CHECK_UNTOUCHED(in.states);
         check_intact(in);
         o = {check_poison(), nullptr};
     } else {
@@ -313,6 +348,20 @@ int64_t grid_cost(const nurbs *g, int axes, int64_t side, int32_t order) {
                   ? nurbs_eval_grid(g, counts, at.data(), out.data(), 0, 0, 0) == NURBS_OK
                   : nurbs_eval_grid_derivs(g, order, counts, at.data(), out.data(), 0, 0, 0) == NURBS_OK);
     });
+}
+
+int64_t frame_cost(const nurbs *g, int64_t n) {
+    std::vector<double> at(static_cast<size_t>(2 * n), 0.3), out(static_cast<size_t>(n * 3));
+    return repeated_cost([&] {
+        CHECK(nurbs_surface_eval_frames(g, n, at.data(), 0, 0, nullptr, 0, 0, nullptr, 0, 0, nullptr, 0, 0,
+                                        out.data(), 0, 0, nullptr, 0) == NURBS_OK);
+    });
+}
+
+void frames_allocate_nothing_per_point() {
+    nurbs *g = make(trough());
+    CHECK_INT(frame_cost(g, 1), frame_cost(g, 1000));
+    nurbs_destroy(g);
 }
 
 void evaluation_allocates_nothing_per_point() {
@@ -375,6 +424,7 @@ int main() {
     scalars_allocate_nothing();
     every_allocation_fails();
     evaluation_allocates_nothing_per_point();
+    frames_allocate_nothing_per_point();
     for (const int64_t count : {10, 100, 1000, 10000, 100000}) {
         handles_cost_their_data(count, false);
         handles_cost_their_data(count, true);

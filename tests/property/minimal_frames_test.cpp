@@ -129,6 +129,20 @@ TEST(MinimalFrames, the_default_is_across_the_smallest_coordinate) {
     EXPECT_EQ(std::vector<double>(f.normals.begin(), f.normals.begin() + 3), (std::vector<double>{0, 1, 0}));
 }
 
+// A first normal that is nearly the tangent still gives a frame.
+TEST(MinimalFrames, a_slanting_first_normal) {
+    const auto g = create(circle());
+    for (const double slant : {1.0, 1e-4, 1e-8, 1e-12}) {
+        const auto f = minimal_frames(g.get(), {0.1, 0.2}, {{-0.5, 0.3, slant}});
+        const auto t = vector_at(f.tangents, 0);
+        const auto near = minimal_frames(g.get(), {0.1, 0.2},
+                                         {{static_cast<double>(t[0]), static_cast<double>(t[1]), slant}});
+        expect_orthonormal(f, 0);
+        expect_orthonormal(near, 0);
+        EXPECT_NEAR(near.normals[2], 1, 1e-3);
+    }
+}
+
 TEST(MinimalFrames, repeated_parameters_repeat_the_frame) {
     const auto g = create(twisted_cubic());
     const auto once = minimal_frames(g.get(), {0, 0.25, 0.5, 1});
