@@ -29,7 +29,8 @@ void evaluate_points(const Spline &spline, const AxisRules &rules, int order, Co
     double *rows = scratch.take(static_cast<size_t>(width * block_size));
     for (int64_t first = 0; first < params.count; first += block_size) {
         const int64_t count = std::min(block_size, params.count - first);
-        evaluate_points(spline, rules, order, part(params, first, count), {rows, count, width, 1, block_size});
+        evaluate_points(spline, rules, order, part(params, first, count),
+                        {rows, count, width, 1, block_size});
         sink(first, {rows, count, width, 1, block_size});
     }
 }

@@ -40,22 +40,26 @@ public:
         errors_ = derivative_errors(spline, rules, params.count);
     }
 
+    virtual ~CurvatureSink() = default;
+
     void operator()(int64_t first, ConstRecords values) noexcept override {
         for (int64_t i = 0; i < values.count; ++i) {
             const SurfaceDerivatives d = derivatives_at(values.data, i);
-            const int32_t status = status_of(d, first + i);
+            const ShapeOperator w(d);
+            const int32_t status = status_of(d, w, first + i);
             write_status(status, first + i, out_.status);
             if (status == frame_undefined) {
                 write_none(first + i);
             } else {
-                write(shape_operator(d), status == frame_rule, first + i);
+                write(w, status == frame_rule, first + i);
             }
         }
     }
 
 private:
-    [[nodiscard]] int32_t status_of(const SurfaceDerivatives &d, int64_t i) const noexcept {
-        if (regular(d, errors_) && shape_operator(d).spread() > spread_error(d, errors_)) {
+    [[nodiscard]] int32_t status_of(const SurfaceDerivatives &d, const ShapeOperator &w,
+                                    int64_t i) const noexcept {
+        if (regular(d, errors_) && w.spread() > w.spread_error(d, errors_)) {
             return 0;
         }
         const std::array<double, 2> param{params_(i, 0), params_(i, 1)};
@@ -68,18 +72,18 @@ private:
         if (!regular(own, errors)) {
             return frame_undefined;
         }
-        return shape_operator(own).spread() > spread_error(own, errors) ? 0 : frame_rule;
+        const ShapeOperator in_own_units(own);
+        return in_own_units.spread() > in_own_units.spread_error(own, errors) ? 0 : frame_rule;
     }
 
     void write(const ShapeOperator &w, bool umbilic, int64_t i) const noexcept {
-        const double spread = w.spread();
         if (out_.principal.data != nullptr) {
-            out_.principal(i, 0) = w.mean() + spread;
-            out_.principal(i, 1) = w.mean() - spread;
+            out_.principal(i, 0) = w.mean() + w.spread();
+            out_.principal(i, 1) = w.mean() - w.spread();
         }
-        const Vector3 direction = umbilic ? w.e1 : w.direction();
+        const Vector3 direction = umbilic ? w.e1() : w.direction();
         write_vector(direction, i, out_.directions);
-        write_vector(cross(cross(w.e1, w.e2), direction), i, out_.directions, dim);
+        write_vector(cross(w.normal(), direction), i, out_.directions, dim);
         write_value(w.mean(), i, out_.mean);
         write_value(w.gaussian(), i, out_.gaussian);
     }

@@ -3,7 +3,6 @@
 #include "eval/blocks.h"
 #include "eval/curve_limit.h"
 #include "eval/derivative_errors.h"
-#include "eval/normal_kernel.h"
 #include "eval/outputs.h"
 
 namespace nrb {
@@ -16,10 +15,6 @@ struct Derivatives {
     Vector3 second;
     Vector3 third;
 };
-
-bool in_range(double squared) noexcept {
-    return squared > least_square && squared < largest_square;
-}
 
 // Whether the point may be irregular, given bounds of the errors of the derivatives, or so large or small
 // that squares leave the range of double. An infinite bound makes everything doubtful.
@@ -64,6 +59,8 @@ public:
         Jet::prepare(spline);
         errors_ = derivative_errors(spline, rules, params.count);
     }
+
+    virtual ~CurveSink() = default;
 
     void operator()(int64_t first, ConstRecords values) noexcept override {
         write_rows(values.data, first, values.count, out_.points);

@@ -3,7 +3,6 @@
 #include "eval/blocks.h"
 #include "eval/curve_limit.h"
 #include "eval/derivative_errors.h"
-#include "eval/normal_kernel.h"
 #include "eval/outputs.h"
 
 #include <limits>
@@ -19,7 +18,7 @@ constexpr double nan_value = std::numeric_limits<double>::quiet_NaN();
 
 // Reflection in the plane through 0 across v, which may have any length but 0.
 Vector3 reflected(const Vector3 &a, const Vector3 &v) noexcept {
-    const Vector3 w = scaled_to_one(v);
+    const Vector3 w = in_range(dot(v, v)) ? v : scaled_to_one(v);
     return a - (2 * dot(w, a) / dot(w, w)) * w;
 }
 
@@ -67,10 +66,9 @@ public:
 
     [[nodiscard]] CurveTangent operator()(const Vector3 &first, double t) const noexcept {
         const double squared = dot(first, first);
-        const bool in_range = squared > least_square && squared < largest_square;
-        if (!in_range || !(squared > error_ * error_)) {
+        if (!in_range(squared) || !(squared > error_ * error_)) {
             const CurveTangent limit = curve_tangent(spline_, rules_, t);
-            if (!in_range || limit.kind != 1) {
+            if (!in_range(squared) || limit.kind != 1) {
                 return limit;
             }
         }
@@ -100,6 +98,8 @@ public:
                 const std::optional<Vector3> &first_normal, const MinimalFrames &out)
         : tangents_(spline, rules, params.count), noise_(point_noise(spline)), params_(params),
           first_normal_(first_normal), out_(out) {}
+
+    virtual ~MinimalSink() = default;
 
     void operator()(int64_t first, ConstRecords values) noexcept override {
         write_rows(values.data, first, values.count, out_.points);

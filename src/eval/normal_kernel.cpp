@@ -1,6 +1,7 @@
 #include "eval/normal_kernel.h"
 
 #include "eval/blocks.h"
+#include "eval/vector3.h"
 
 #include <cmath>
 

@@ -56,6 +56,8 @@ public:
         }
     }
 
+    virtual ~FrameSink() = default;
+
     void operator()(int64_t first, ConstRecords values) noexcept override {
         const double *du = values.data + dim * block_size;
         const double *dv = du + dim * block_size;
@@ -88,8 +90,7 @@ private:
         switch (normal.kind) {
         case NormalKind::regular: {
             const Vector3 product = cross(du, dv);
-            const double squared = dot(product, product);
-            if (!(squared > least_square && squared < largest_square)) {
+            if (!in_range(dot(product, product))) {
                 replace(i, unit(cross(scaled_to_one(du), scaled_to_one(dv))));
             }
             return;

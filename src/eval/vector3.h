@@ -42,15 +42,27 @@ inline Vector3 scaled_to_one(const Vector3 &a) noexcept {
     return {std::ldexp(a.x, exponent), std::ldexp(a.y, exponent), std::ldexp(a.z, exponent)};
 }
 
+// Squared lengths between these can be used without loss; other vectors are scaled first, which changes no
+// bit of what does not depend on the scale.
+inline constexpr double least_square = 0x1p-900;
+inline constexpr double largest_square = 0x1p900;
+inline bool in_range(double squared) noexcept {
+    return squared > least_square && squared < largest_square;
+}
+
 inline double length(const Vector3 &a) noexcept {
-    return std::hypot(a.x, a.y, a.z);
+    const double squared = dot(a, a);
+    return in_range(squared) ? std::sqrt(squared) : std::hypot(a.x, a.y, a.z);
 }
 
 // a / |a|; NaN for 0.
 inline Vector3 unit(const Vector3 &a) noexcept {
+    const double squared = dot(a, a);
+    if (in_range(squared)) {
+        return (1 / std::sqrt(squared)) * a;
+    }
     const Vector3 b = scaled_to_one(a);
-    const double inverse = 1 / std::sqrt(dot(b, b));
-    return inverse * b;
+    return (1 / std::sqrt(dot(b, b))) * b;
 }
 
 // The coordinate axis i of the smallest |t_i|, the first of several, made perpendicular to the unit vector t.
