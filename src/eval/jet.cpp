@@ -2,6 +2,7 @@
 
 #include "basis/bspline.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -14,13 +15,20 @@ constexpr int orders = max_jet_order + 1;
 constexpr int slots = orders * (orders + 1) / 2;
 
 // The Taylor coefficients of the basis functions of one axis, and the sums of the magnitudes of their terms.
+// Only the orders asked for are filled: clearing all of it would take longer than a low order. At first it is
+// the axis that a curve lacks: the constant function 1.
 struct Series {
+    Series() noexcept {
+        values[0][0] = 1;
+        sizes[0][0] = 1;
+    }
+
     int64_t first = 0;
     int functions = 1;
     double side = 1;
     double unit = 1;
-    double values[orders][max_basis] = {{1}};
-    double sizes[orders][max_basis] = {{1}};
+    double values[orders][max_basis];
+    double sizes[orders][max_basis];
 };
 
 // From the d functions of degree d - 1 to `scale` times the derivatives of the d + 1 functions of degree d
@@ -87,8 +95,13 @@ using Record = std::array<double, max_width>;
 
 // Homogeneous coefficients and the sums of the magnitudes of their terms, in the slots of a surface.
 struct Sums {
-    std::array<Record, slots> values{};
-    std::array<Record, slots> sizes{};
+    explicit Sums(int order) noexcept {
+        std::fill_n(values.begin(), slot_count(2, order), Record{});
+        std::fill_n(sizes.begin(), slot_count(2, order), Record{});
+    }
+
+    std::array<Record, slots> values;
+    std::array<Record, slots> sizes;
 };
 
 void add_scaled(double factor, const Record &from, Record &to) noexcept {
@@ -119,7 +132,7 @@ void add_layer(const Series &u, int i, const Series &v, const double *row, int w
 }
 
 Sums contract(const Spline &spline, const Series &u, const Series &v, int order) noexcept {
-    Sums sums;
+    Sums sums(order);
     const bool surface = spline.axes() == 2;
     const int64_t row_count = surface ? spline.count(1) : 1;
     const double *records = spline.records().data();

@@ -37,7 +37,7 @@ private:
     std::array<double, 2> side_{1, 1};
     std::array<double, 2> unit_{1, 1};
     std::array<Vector3, slots> values_;
-    std::array<double, slots> errors_{};
+    std::array<double, slots> errors_;
 };
 
 // c(p) of the accuracy contract.

@@ -3,6 +3,7 @@
 #include "eval/blocks.h"
 #include "eval/vector3.h"
 
+#include <bit>
 #include <cmath>
 
 namespace nrb {
@@ -20,8 +21,8 @@ double square(const double *rows, int64_t i) noexcept {
 
 // (a + b)^2 <= 2 (a^2 + b^2) spares the roots of |S_u| and |S_v|. No branches and no early end, so that
 // compilers turn the loops into vector instructions; each operation is rounded as in scalar code.
-int64_t unit_normals(const double *du, const double *dv, int64_t count, double error_u, double error_v,
-                     double *__restrict normals, double *__restrict doubtful) noexcept {
+bool unit_normals(const double *du, const double *dv, int64_t count, double error_u, double error_v,
+                  double *__restrict normals, double *__restrict doubtful) noexcept {
     const double factor_u = 2 * error_v * error_v;
     const double factor_v = 2 * error_u * error_u;
     for (int64_t i = 0; i < count; ++i) {
@@ -37,11 +38,11 @@ int64_t unit_normals(const double *du, const double *dv, int64_t count, double e
         const double bound = noise <= least_square ? least_square : noise; // NaN stays
         doubtful[i] = (squared > bound) & (squared < largest_square) ? 0.0 : 1.0;
     }
-    double sum = 0;
+    uint64_t any = 0; // an integer, because doubles are added in their order
     for (int64_t i = 0; i < count; ++i) {
-        sum += doubtful[i];
+        any |= std::bit_cast<uint64_t>(doubtful[i]);
     }
-    return static_cast<int64_t>(sum);
+    return any != 0;
 }
 
 } // namespace nrb

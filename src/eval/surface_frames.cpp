@@ -74,9 +74,9 @@ private:
         if (out_.status != nullptr) {
             std::fill_n(out_.status + first, count, 0);
         }
-        const int64_t doubtful =
+        const bool doubtful =
             unit_normals(du, dv, count, errors_.u, errors_.v, normals_.data(), doubtful_.data());
-        for (int64_t i = 0; doubtful > 0 && i < count; ++i) {
+        for (int64_t i = 0; doubtful && i < count; ++i) {
             if (doubtful_[static_cast<size_t>(i)] != 0) {
                 look_closer(first, i, row_vector(du, dim, i), row_vector(dv, dim, i));
             }
