@@ -746,10 +746,11 @@ NURBS_API nurbs_status nurbs_iso(const nurbs *g, int32_t axis, double param, uin
  *
  * `status` receives for each point a sum of the NURBS_FRAME_ bits, 0 where nothing is special.
  *
- * A vector is taken for zero where its exact value may be zero: where its length is at most the bound of the
- * preamble for its rounding error, first derivatives with 2 (c + 2) eps E_a and products of derivatives with
- * the sum of each factor's length times the other's bound. No other tolerance enters, so that scaling the
- * points or the knots by a power of two changes nothing but the scale of the results.
+ * A vector is taken for zero where its exact value may be zero: where its length is at most the bound of its
+ * rounding error. For a derivative of order k that is 2 (c + 2 k) eps |E_a|, as in the preamble, E_a taken as
+ * a vector; for a product of two it is each factor's length times the other's bound, summed. No other
+ * tolerance enters, so that scaling the points or the knots by a power of two changes nothing but the scale
+ * of the results. One parameter gives the same bits alone, in a batch and on a grid.
  *
  * Limits are taken from the side that the flags name (from above, or from below with NURBS_LEFT), at the ends
  * of the domain from within, outside it from the domain's side. They use derivatives of orders up to 8; what
@@ -916,7 +917,7 @@ NURBS_API nurbs_status nurbs_curve_eval_frames(
  * \param[in] flags evaluation flags of one axis.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DIMENSION, _COUNT, _OVERFLOW, _STRIDE, _OVERLAP, _FLAGS,
  *   _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN; _DIRECTION if first_normal is not finite, zero, or parallel to
- *   the first tangent.
+ *   the first tangent to within 8 eps.
  * \since 0.1 */
 NURBS_API nurbs_status nurbs_curve_rotation_minimizing_frames(
     const nurbs *g, int64_t n, const double *params, int64_t param_stride, const double *first_normal,

@@ -293,6 +293,22 @@ TEST(SurfaceFrames, corners_of_plane_patches) {
     EXPECT_EQ(corner(1).status[0], NURBS_FRAME_UNDEFINED);
 }
 
+// (u + v, 3 u^2 + 4 u v + v^2, 0) has parallel derivatives at the corner and N_z = -2 u - 2 v + ...: second
+// derivatives enter with their factors.
+TEST(SurfaceFrames, a_curved_corner_of_a_plane_patch) {
+    SplineData data = {{2, 2}, {3, 3}, {{0, 0, 0, 1, 1, 1}, {0, 0, 0, 1, 1, 1}}, 3, {}, {}, 0};
+    for (int i = 0; i <= 2; ++i) {
+        for (int j = 0; j <= 2; ++j) {
+            const double y = (i == 2 ? 3 : 0) + i * j + (j == 2 ? 1 : 0);
+            data.points.insert(data.points.end(), {(i + j) / 2.0, y, 0});
+        }
+    }
+    const auto frames = surface_frames(create(data).get(), {0, 0, 0.01, 0.02});
+    EXPECT_EQ(frames.status, (std::vector<int32_t>{NURBS_FRAME_LIMIT, 0}));
+    EXPECT_EQ(frames.normals[2], -1);
+    EXPECT_EQ(frames.normals[5], -1);
+}
+
 // S = (u^2, v^2, 0): S_u x S_v = 4 u v (0, 0, 1). At the inner zero the normal depends on the side.
 TEST(SurfaceFrames, squares_have_one_sided_normals) {
     // (2 u - 1)^2 and v^2 over [0, 1] as Bezier patches.
