@@ -173,6 +173,9 @@ static void first_normals(void) {
     FILL(status);
     for (size_t i = 0; i < sizeof bad / sizeof *bad; ++i) {
         CHECK_FAILS(minimal(g, 2, params, bad[i], o, 0), NURBS_ERROR_DIRECTION, "first_normal");
+        if (i < 5) { /* bad without a tangent too */
+            CHECK_FAILS(minimal(g, 0, NULL, bad[i], o, 0), NURBS_ERROR_DIRECTION, "first_normal");
+        }
     }
     CHECK_FAILS(minimal(g, 2, spoilt, good[0], o, 0), NURBS_ERROR_OUTSIDE_DOMAIN, "params[1]");
     CHECK_UNTOUCHED(out);

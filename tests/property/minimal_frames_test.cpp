@@ -163,6 +163,8 @@ TEST(MinimalFrames, kinks_turn_the_shortest_way) {
     const auto f = minimal_frames(g.get(), {0.5, 1, 1.5, 2, 2.5}, {{0, 0, 1}});
     const auto straight = minimal_frames(g.get(), {0.5, 0.75}, {{0, 1, 0}});
     EXPECT_EQ(vector_at(straight.normals, 1), (Vector{0, 1, 0}));
+    const auto beside = minimal_frames(g.get(), {0.5, std::nextafter(1, 0), 1}, {{0, 1, 0}});
+    EXPECT_LE(norm(minus(vector_at(beside.normals, 2), {-1, 0, 0})), 8 * eps);
     EXPECT_LE(norm(minus(vector_at(f.normals, 2), {0, 0, 1})), 8 * eps);
     EXPECT_LE(norm(minus(vector_at(f.normals, 4), {0, -1, 0})), 8 * eps);
 }
