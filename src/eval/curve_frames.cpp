@@ -44,7 +44,8 @@ CurveFrame space_frame(const Derivatives &d) noexcept {
     const Vector3 product = cross(d.first, d.second);
     const double area = std::sqrt(dot(product, product));
     frame.tangent = (1 / speed) * d.first;
-    frame.binormal = (1 / area) * product;
+    const Vector3 across = (1 / area) * product; // perpendicular to its own rounding only
+    frame.binormal = unit(across - dot(across, frame.tangent) * frame.tangent);
     frame.normal = cross(frame.binormal, frame.tangent);
     frame.curvature = area / speed / speed / speed;
     frame.torsion = dot(frame.binormal, d.third) / area;

@@ -79,7 +79,7 @@ void complete_in_space(const Jet &jet, int order, Orders orders, CurveFrame &fra
         return;
     }
     const Vector3 area = cross(jet.at(orders.m), jet.at(orders.k));
-    const Vector3 turned = unit(area); // the binormal of the curve in s
+    const Vector3 turned = unit_across(area, t); // the binormal of the curve in s
     frame.binormal = jet.side(0) * turned;
     frame.normal = cross(frame.binormal, t);
     frame.curvature = curvature_limit(jet, orders, length(area) / length(jet.at(orders.m)));

@@ -26,13 +26,6 @@ bool is_zero(const Vector3 &v) noexcept {
     return largest(v) == 0;
 }
 
-// The part across the tangent, made a unit vector; so that errors do not add up along the sequence. The
-// second pass removes what cancellation leaves along the tangent when the two were nearly parallel.
-Vector3 straightened(const Vector3 &normal, const Vector3 &tangent) noexcept {
-    const Vector3 once = unit(normal - dot(normal, tangent) * tangent);
-    return unit(once - dot(once, tangent) * tangent);
-}
-
 struct Place {
     Vector3 point;
     Vector3 tangent;
@@ -46,14 +39,15 @@ Vector3 turned_normal(const Place &from, const Vector3 &tangent) noexcept {
     return is_zero(sum) ? from.normal : reflected(from.normal, sum);
 }
 
+// Made perpendicular again each time, so that errors do not add up along the sequence.
 Vector3 next_normal(const Place &from, const Vector3 &point, const Vector3 &tangent, double noise) noexcept {
     const Vector3 chord = point - from.point;
     if (!(length(chord) > noise)) {
-        return straightened(turned_normal(from, tangent), tangent);
+        return unit_across(turned_normal(from, tangent), tangent);
     }
     const Vector3 normal = reflected(from.normal, chord);
     const Vector3 turn = tangent - reflected(from.tangent, chord);
-    return straightened(is_zero(turn) ? normal : reflected(normal, turn), tangent);
+    return unit_across(is_zero(turn) ? normal : reflected(normal, turn), tangent);
 }
 
 // The tangents of all points, the regular ones from the block.
@@ -118,7 +112,7 @@ public:
 private:
     void advance(const Vector3 &point, const Vector3 &tangent) noexcept {
         const Vector3 normal = last_           ? next_normal(*last_, point, tangent, noise_)
-                               : first_normal_ ? straightened(scaled_to_one(*first_normal_), tangent)
+                               : first_normal_ ? unit_across(scaled_to_one(*first_normal_), tangent)
                                                : any_normal(tangent);
         last_ = Place{point, tangent, normal};
     }

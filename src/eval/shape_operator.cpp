@@ -10,6 +10,8 @@ ShapeOperator::ShapeOperator(const SurfaceDerivatives &d) noexcept {
     a_ = length(d.u);
     e1_ = unit(d.u);
     normal_ = unit(product);
+    normal_ =
+        unit(normal_ - dot(normal_, e1_) * e1_); // the product is perpendicular to its own rounding only
     b_ = dot(d.v, e1_) / a_;
     c_ = length(product) / a_;
     l_ = dot(d.uu, normal_);

@@ -65,6 +65,13 @@ inline Vector3 unit(const Vector3 &a) noexcept {
     return (1 / std::sqrt(dot(b, b))) * b;
 }
 
+// The unit vector of the part of a across the unit vector t. The second pass removes what cancellation leaves
+// along t when the two are nearly parallel.
+inline Vector3 unit_across(const Vector3 &a, const Vector3 &t) noexcept {
+    const Vector3 once = unit(a - dot(a, t) * t);
+    return unit(once - dot(once, t) * t);
+}
+
 // The coordinate axis i of the smallest |t_i|, the first of several, made perpendicular to the unit vector t.
 inline Vector3 any_normal(const Vector3 &t) noexcept {
     const double least = std::min({std::fabs(t.x), std::fabs(t.y), std::fabs(t.z)});

@@ -108,6 +108,27 @@ TEST(CurveFrames, regular_frames_in_the_plane_keep_their_bounds) {
     });
 }
 
+// To rounding, however badly the vectors themselves are determined.
+TEST(CurveFrames, frames_are_orthonormal) {
+    for_each_case(750000, 2000, [](Random &random, uint64_t seed) {
+        const auto data = random_spline(random, curve_recipe(random, 3));
+        auto params = random_params(random, data, 3);
+        params.push_back(data.upper(0) + random.magnitude(1, 1e3) * (data.upper(0) - data.lower(0)));
+        const auto f = curve_frames(create(data).get(), params, NURBS_EXTRAPOLATE);
+        for (size_t i = 0; i < params.size(); ++i) {
+            if (f.status[i] != NURBS_FRAME_UNDEFINED) {
+                const Vector t = vector_at(f.tangents, i);
+                const Vector n = vector_at(f.normals, i);
+                const Vector b = vector_at(f.binormals, i);
+                ASSERT_LE(std::fabs(norm(t) - 1) + std::fabs(norm(n) - 1) + std::fabs(norm(b) - 1), 8 * eps)
+                    << where(seed, data) << "at " << hex(params[i]);
+                ASSERT_LE(std::fabs(dot(t, n)) + std::fabs(dot(t, b)), 8 * eps) << where(seed, data);
+                ASSERT_LE(norm(minus(b, cross(t, n))), 8 * eps) << where(seed, data);
+            }
+        }
+    });
+}
+
 TEST(CurveFrames, circles_have_curvature_one_over_r) {
     for (const double r : {1.0, 1e-6, 1e6, 3.7}) {
         for (const double speed : {1.0, 1e-9}) {
