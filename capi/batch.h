@@ -3,6 +3,7 @@
 
 #include "checks.h"
 
+#include "base/checked.h"
 #include "eval/parameters.h"
 
 namespace nrb::capi {
@@ -24,6 +25,52 @@ inline SplineBatch spline_batch(const ::nurbs *g, int64_t n, const double *param
 
 inline void admit(const SplineBatch &batch) {
     check_parameters(batch.spline, batch.rules, batch.params);
+}
+
+// The parameters of a grid, axis by axis, with the caller's arrays.
+struct Grid {
+    std::array<ConstRecords, max_axes> params;
+    int64_t param_count = 0;
+    int64_t point_count = 1;
+    const int64_t *counts = nullptr;
+    int axes = 0;
+};
+
+inline Grid grid_of(const Spline &spline, const int64_t *counts, const double *params) {
+    require(counts, "counts");
+    Grid grid;
+    grid.counts = counts;
+    grid.axes = spline.axes();
+    for (int k = 0; k < spline.axes(); ++k) {
+        if (counts[k] < 0) {
+            fail(NURBS_ERROR_COUNT, "counts[%d] = %lld, expected >= 0", k, static_cast<long long>(counts[k]));
+        }
+        const int64_t first = grid.param_count;
+        grid.param_count = checked_sum(first, counts[k], "params");
+        grid.point_count = checked_product(grid.point_count, counts[k], "grid");
+        grid.params[static_cast<size_t>(k)] = {params == nullptr ? nullptr : params + first, counts[k], 1, 1,
+                                               1};
+    }
+    if (grid.param_count > 0) {
+        require(params, "params");
+    }
+    return grid;
+}
+
+template <class Value>
+void check_overlap(const char *name, RecordView<Value> out, const Grid &grid) {
+    check_overlap(name, out, "params", input("params", grid.params[0].data, grid.param_count, 0));
+    check_overlap(name, out.data, out.extent() * static_cast<int64_t>(sizeof(Value)), "counts", grid.counts,
+                  grid.axes * static_cast<int64_t>(sizeof *grid.counts));
+}
+
+inline void admit(const Spline &spline, const AxisRules &rules, const Grid &grid) {
+    int64_t first = 0;
+    for (int k = 0; k < spline.axes(); ++k) {
+        const auto at = static_cast<size_t>(k);
+        check_axis_parameters(spline.axis(k), rules[at], grid.params[at], first);
+        first += grid.params[at].count;
+    }
 }
 
 struct KnotBatch {

@@ -32,55 +32,16 @@ void evaluate(const SplineBatch &batch, float *points, int64_t stride, int64_t c
     evaluate_points(batch.spline, batch.rules, batch.params, out);
 }
 
-struct Grid {
-    std::array<ConstRecords, max_axes> params;
-    int64_t param_count = 0;
-    int64_t point_count = 1;
-};
-
-Grid checked_grid(const Spline &spline, const int64_t *counts, const double *params) {
-    require(counts, "counts");
-    Grid grid;
-    for (int k = 0; k < spline.axes(); ++k) {
-        if (counts[k] < 0) {
-            fail(NURBS_ERROR_COUNT, "counts[%d] = %lld, expected >= 0", k, static_cast<long long>(counts[k]));
-        }
-        const int64_t first = grid.param_count;
-        grid.param_count = checked_sum(first, counts[k], "params");
-        grid.point_count = checked_product(grid.point_count, counts[k], "grid");
-        grid.params[static_cast<size_t>(k)] = {params == nullptr ? nullptr : params + first, counts[k], 1, 1,
-                                               1};
-    }
-    if (grid.param_count > 0) {
-        require(params, "params");
-    }
-    return grid;
-}
-
-// What comes after all checks of sizes: overlap, then the values.
-template <class Value>
-void admit_grid(const Spline &spline, const AxisRules &rules, const int64_t *counts, const double *params,
-                const Grid &grid, const char *name, RecordView<Value> out) {
-    check_overlap(name, out, "params", input("params", params, grid.param_count, 0));
-    check_overlap(name, out.data, out.extent() * static_cast<int64_t>(sizeof(Value)), "counts", counts,
-                  spline.axes() * static_cast<int64_t>(sizeof *counts));
-    int64_t first = 0;
-    for (int k = 0; k < spline.axes(); ++k) {
-        const auto at = static_cast<size_t>(k);
-        check_axis_parameters(spline.axis(k), rules[at], grid.params[at], first);
-        first += counts[k];
-    }
-}
-
 void evaluate_on_grid(const nurbs *g, int32_t order, const int64_t *counts, const double *params,
                       double *values, int64_t stride, int64_t component_stride, const char *name,
                       uint32_t flags) {
     const Spline &spline = spline_of(g);
     const AxisRules rules = decode_rules(flags, spline.axes());
-    const Grid grid = checked_grid(spline, counts, params);
+    const Grid grid = grid_of(spline, counts, params);
     const int64_t width = checked_product(slot_count(spline.axes(), order), spline.dim(), name);
     const Records out = output(name, values, grid.point_count, width, stride, component_stride);
-    admit_grid(spline, rules, counts, params, grid, name, out);
+    check_overlap(name, out, grid);
+    admit(spline, rules, grid);
     evaluate_grid(spline, rules, order, grid.params, out);
 }
 
@@ -88,10 +49,11 @@ void evaluate_on_grid(const nurbs *g, const int64_t *counts, const double *param
                       int64_t stride, int64_t component_stride, uint32_t flags) {
     const Spline &spline = spline_of(g);
     const AxisRules rules = decode_rules(flags, spline.axes());
-    const Grid grid = checked_grid(spline, counts, params);
+    const Grid grid = grid_of(spline, counts, params);
     const FloatRecords out =
         output("points", points, grid.point_count, spline.dim(), stride, component_stride);
-    admit_grid(spline, rules, counts, params, grid, "points", out);
+    check_overlap("points", out, grid);
+    admit(spline, rules, grid);
     evaluate_grid(spline, rules, grid.params, out);
 }
 

@@ -137,7 +137,7 @@ enum {
     NURBS_ERROR_TOO_FEW_POINTS = 6,    /**< fewer control points than degree + 1 */
     NURBS_ERROR_OVERFLOW = 7,          /**< the sizes asked for do not fit in memory addresses */
     NURBS_ERROR_SIZE = 8,              /**< a stated array length is not the one required */
-    NURBS_ERROR_DIMENSION = 9,         /**< dimension not in [1, 2^31 - 2] */
+    NURBS_ERROR_DIMENSION = 9,         /**< dimension not in [1, 2^31 - 2], or not one allowed here */
     NURBS_ERROR_STRIDE = 10,           /**< negative stride, or neither records nor components lie apart */
     NURBS_ERROR_OVERLAP = 11,          /**< an output array overlaps another array */
     NURBS_ERROR_FLAGS = 12,            /**< unknown flag bits, or flags that exclude each other */
@@ -154,10 +154,11 @@ enum {
     NURBS_ERROR_PARAMETER_NOT_FINITE = 23, /**< a parameter is NaN or infinite */
     NURBS_ERROR_PERIODIC_KNOTS = 24, /**< knots of an axis flagged periodic do not repeat with the period */
     NURBS_ERROR_PERIODIC_POINTS =
-        25,                   /**< points or weights of an axis flagged periodic do not wrap bit for bit */
-    NURBS_ERROR_TIMES = 26,   /**< a number of repetitions is negative */
-    NURBS_ERROR_OPTIONS = 27, /**< an options struct has a wrong size or a value out of range */
-    NURBS_ERROR_INDEX = 28,   /**< an index is outside its list */
+        25,                     /**< points or weights of an axis flagged periodic do not wrap bit for bit */
+    NURBS_ERROR_TIMES = 26,     /**< a number of repetitions is negative */
+    NURBS_ERROR_OPTIONS = 27,   /**< an options struct has a wrong size or a value out of range */
+    NURBS_ERROR_INDEX = 28,     /**< an index is outside its list */
+    NURBS_ERROR_DIRECTION = 29, /**< a direction is zero, not finite, or parallel to another one */
     /* domain */
     NURBS_ERROR_OUTSIDE_DOMAIN = 100, /**< a parameter or knot lies outside the domain */
     /* numeric */
@@ -772,6 +773,193 @@ NURBS_API nurbs_status nurbs_eval_grid_f32(const nurbs *g, const int64_t *counts
  *   positive weights or weights underflow.
  * \since 0.1 */
 NURBS_API nurbs_status nurbs_iso(const nurbs *g, int32_t axis, double param, uint32_t flags, nurbs **out);
+/** @} */
+
+/** \defgroup frames Frames and curvature
+ * What is computed from derivatives, in one pass. Every output may be NULL, which means not wanted; its
+ * strides are then ignored.
+ *
+ * `status` receives for each point a sum of the NURBS_FRAME_ bits, 0 where nothing is special.
+ *
+ * A vector is taken for zero where its exact value may be zero: where its length is at most the bound of its
+ * rounding error. For a derivative of order k that is 2 (c + 2 k) eps |E_a|, as in the preamble, E_a taken as
+ * a vector; for a product of two it is each factor's length times the other's bound, summed. No other
+ * tolerance enters, so that scaling the points or the knots by a power of two changes nothing but the scale
+ * of the results. One parameter gives the same bits alone, in a batch and on a grid.
+ *
+ * Limits are taken from the side that the flags name (from above, or from below with NURBS_LEFT), at the ends
+ * of the domain from within, outside it from the domain's side. They use derivatives of orders up to 8; what
+ * would need higher ones counts as not existing. Where nothing exists NaN is written and NURBS_FRAME_UNDEFINED
+ * is set, also for parameters that give NaN.
+ * @{ */
+
+/** \name Status of a point
+ * @{ */
+#define NURBS_FRAME_LIMIT 0x01        /**< tangent of a curve, normal of a surface: a one-sided limit */
+#define NURBS_FRAME_NORMAL_LIMIT 0x02 /**< normal of a curve in space: a one-sided limit */
+#define NURBS_FRAME_RULE 0x04         /**< nothing distinguishes a direction: the function's rule chose it */
+#define NURBS_FRAME_UNDEFINED 0x08    /**< some result does not exist and is NaN */
+/** @} */
+
+/** \brief Points, first derivatives and unit normals of a surface in space.
+ * The normal is S_u x S_v / |S_u x S_v|. Where S_u x S_v is zero (poles, collapsed edges, parallel
+ * derivatives) it is the limit, if there is one: with S_u x S_v = sum N_ij s^i t^j, where s, t >= 0 run from
+ * the point into the domain, the terms of the lowest order i + j that does not vanish must all have one
+ * direction, which is the normal. The rounding error of a regular normal is at most about (|S_u| b_v + |S_v|
+ * b_u) / |S_u x S_v|, where b_u and b_v bound the errors of the derivatives.
+ * \param[in] g a surface of dimension 3.
+ * \param[in] n number of parameters.
+ * \param[in] params [n][2].
+ * \param[in] param_stride,param_component_stride layout of params, 0 = packed.
+ * \param[out] points [n][3], or NULL.
+ * \param[in] point_stride,point_component_stride layout of points, 0 = packed.
+ * \param[out] du [n][3] derivative along axis 0, or NULL.
+ * \param[in] du_stride,du_component_stride layout of du, 0 = packed.
+ * \param[out] dv [n][3] derivative along axis 1, or NULL.
+ * \param[in] dv_stride,dv_component_stride layout of dv, 0 = packed.
+ * \param[out] normals [n][3] unit normals, or NULL.
+ * \param[in] normal_stride,normal_component_stride layout of normals, 0 = packed.
+ * \param[out] status [n] NURBS_FRAME_LIMIT or _UNDEFINED where the normal is not regular, or NULL.
+ * \param[in] flags evaluation flags per axis.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DIMENSION, _COUNT, _OVERFLOW, _STRIDE, _OVERLAP, _FLAGS,
+ *   _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_surface_eval_frames(
+    const nurbs *g, int64_t n, const double *params, int64_t param_stride, int64_t param_component_stride,
+    double *points, int64_t point_stride, int64_t point_component_stride, double *du, int64_t du_stride,
+    int64_t du_component_stride, double *dv, int64_t dv_stride, int64_t dv_component_stride, double *normals,
+    int64_t normal_stride, int64_t normal_component_stride, int32_t *status, uint32_t flags);
+
+/** \brief The same on the grid of all combinations of a parameter of each axis. The number of grid points is
+ * M = counts[0] * counts[1]; one record for each, axis 1 fastest.
+ * \param[in] g a surface of dimension 3.
+ * \param[in] counts [2] number of parameters on each axis.
+ * \param[in] params [sum of counts] as for nurbs_eval_grid().
+ * \param[out] points [M][3], or NULL.
+ * \param[in] point_stride,point_component_stride layout of points, 0 = packed.
+ * \param[out] du [M][3] derivative along axis 0, or NULL.
+ * \param[in] du_stride,du_component_stride layout of du, 0 = packed.
+ * \param[out] dv [M][3] derivative along axis 1, or NULL.
+ * \param[in] dv_stride,dv_component_stride layout of dv, 0 = packed.
+ * \param[out] normals [M][3] unit normals, or NULL.
+ * \param[in] normal_stride,normal_component_stride layout of normals, 0 = packed.
+ * \param[out] status [M] as for nurbs_surface_eval_frames().
+ * \param[in] flags evaluation flags per axis.
+ * \return as for nurbs_surface_eval_frames(); the index in a message counts along params.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_surface_eval_grid_frames(
+    const nurbs *g, const int64_t *counts, const double *params, double *points, int64_t point_stride,
+    int64_t point_component_stride, double *du, int64_t du_stride, int64_t du_component_stride, double *dv,
+    int64_t dv_stride, int64_t dv_component_stride, double *normals, int64_t normal_stride,
+    int64_t normal_component_stride, int32_t *status, uint32_t flags);
+
+/** \brief Principal curvatures and directions of a surface in space, mean and Gaussian curvature.
+ * Curvature is positive where the surface bends towards its normal N = S_u x S_v / |S_u x S_v|: a sphere
+ * whose normal points outwards has k1 = k2 = -1/r. In an orthonormal basis e1 = S_u / |S_u|, e2 = N x e1 of
+ * the tangent plane the shape operator is the symmetric matrix (w11, w12; w12, w22), and
+ *
+ *     k1, k2 = H +- D,   H = (w11 + w22) / 2,   D = hypot((w11 - w22) / 2, w12),   K = w11 w22 - w12^2.
+ *
+ * Errors are relative to max(|k1|, |k2|), also near umbilics. The first direction d1 belongs to k1 and has
+ * d1 . S_u > 0 (if it is perpendicular to S_u, d1 . S_v > 0); the second is N x d1. Where D may be zero by
+ * its rounding bound (umbilics, planes) the rule d1 = e1 is used and NURBS_FRAME_RULE set. Where S_u x S_v is
+ * zero the results are undefined, also where a limit exists.
+ * \param[in] g a surface of dimension 3.
+ * \param[in] n number of parameters.
+ * \param[in] params [n][2].
+ * \param[in] param_stride,param_component_stride layout of params, 0 = packed.
+ * \param[out] principal [n][2] k1 >= k2, or NULL.
+ * \param[in] principal_stride,principal_component_stride layout of principal, 0 = packed.
+ * \param[out] directions [n][2][3] unit vectors, coordinate c of direction j is component 3 j + c, or NULL.
+ * \param[in] direction_stride,direction_component_stride layout of directions, 0 = packed.
+ * \param[out] mean [n] H, or NULL.
+ * \param[in] mean_stride distance between values of mean, 0 = 1.
+ * \param[out] gaussian [n] K, or NULL.
+ * \param[in] gaussian_stride distance between values of gaussian, 0 = 1.
+ * \param[out] status [n] NURBS_FRAME_RULE or _UNDEFINED, or NULL.
+ * \param[in] flags evaluation flags per axis.
+ * \return as for nurbs_surface_eval_frames().
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_surface_eval_curvatures(
+    const nurbs *g, int64_t n, const double *params, int64_t param_stride, int64_t param_component_stride,
+    double *principal, int64_t principal_stride, int64_t principal_component_stride, double *directions,
+    int64_t direction_stride, int64_t direction_component_stride, double *mean, int64_t mean_stride,
+    double *gaussian, int64_t gaussian_stride, int32_t *status, uint32_t flags);
+
+/** \brief Frenet frames of a curve in the plane or in space.
+ * In space: T = C' / |C'|, B = C' x C'' / |C' x C''|, N = B x T, curvature |C' x C''| / |C'|^3 >= 0, torsion
+ * (C' x C'') . C''' / |C' x C''|^2. In the plane: N is T turned by +90 degrees, curvature (C'_x C''_y - C'_y
+ * C''_x) / |C'|^3 has a sign.
+ *
+ * Where C' is zero T is the limit (the direction of the first derivative that is not, with the sign of the
+ * side), and curvature and torsion are limits too, infinite at most cusps. In space, where C' x C'' is zero, N
+ * is the limit: the part across T of the first derivative that is not parallel to it. On a straight line
+ * there is none; then N is the coordinate axis i of the smallest |T_i| (the first of several), made
+ * perpendicular to T, the torsion is 0, and NURBS_FRAME_RULE is set.
+ * \param[in] g a curve of dimension 2 or 3.
+ * \param[in] n number of parameters.
+ * \param[in] params [n].
+ * \param[in] param_stride distance between parameters, 0 = 1.
+ * \param[out] points [n][dim], or NULL.
+ * \param[in] point_stride,point_component_stride layout of points, 0 = packed.
+ * \param[out] tangents [n][dim] T, or NULL.
+ * \param[in] tangent_stride,tangent_component_stride layout of tangents, 0 = packed.
+ * \param[out] normals [n][dim] N, or NULL.
+ * \param[in] normal_stride,normal_component_stride layout of normals, 0 = packed.
+ * \param[out] binormals [n][3] B, or NULL, which it must be in the plane.
+ * \param[in] binormal_stride,binormal_component_stride layout of binormals, 0 = packed.
+ * \param[out] curvatures [n], or NULL.
+ * \param[in] curvature_stride distance between curvatures, 0 = 1.
+ * \param[out] torsions [n], or NULL, which it must be in the plane.
+ * \param[in] torsion_stride distance between torsions, 0 = 1.
+ * \param[out] status [n] sum of NURBS_FRAME_ bits, or NULL.
+ * \param[in] flags evaluation flags of one axis.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _COUNT, _OVERFLOW, _STRIDE, _OVERLAP, _FLAGS,
+ *   _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN; _DIMENSION if it is not 2 or 3, or is 2 and binormals or torsions
+ *   are wanted.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_curve_eval_frames(
+    const nurbs *g, int64_t n, const double *params, int64_t param_stride, double *points,
+    int64_t point_stride, int64_t point_component_stride, double *tangents, int64_t tangent_stride,
+    int64_t tangent_component_stride, double *normals, int64_t normal_stride, int64_t normal_component_stride,
+    double *binormals, int64_t binormal_stride, int64_t binormal_component_stride, double *curvatures,
+    int64_t curvature_stride, double *torsions, int64_t torsion_stride, int32_t *status, uint32_t flags);
+
+/** \brief Rotation-minimizing frames along a sequence of points of a curve in space, by double reflection
+ * (Wang, Juttler, Zheng & Liu 2008): frames that turn about the tangent as little as possible.
+ * From one point to the next the frame is reflected so that the first point goes to the second, then so that
+ * its tangent goes to the tangent there. The frames at the given parameters differ from the exact ones by
+ * O(h^4), h the largest distance of neighbouring parameters on a smooth curve. The result at a point depends
+ * on those before it. Between two points that agree to within rounding the tangent is turned the shortest
+ * way. On a closed curve the last frame is turned against the first one by atan2(N_last . B_first, N_last .
+ * N_first).
+ * \param[in] g a curve of dimension 3.
+ * \param[in] n number of parameters.
+ * \param[in] params [n] in the order of the sequence.
+ * \param[in] param_stride distance between parameters, 0 = 1.
+ * \param[in] first_normal [3] direction that is made perpendicular to the first tangent and becomes the first
+ *   normal, or NULL: the coordinate axis i of the smallest |T_i| (the first of several).
+ * \param[out] points [n][3], or NULL.
+ * \param[in] point_stride,point_component_stride layout of points, 0 = packed.
+ * \param[out] tangents [n][3] unit tangents T, as of nurbs_curve_eval_frames(), or NULL.
+ * \param[in] tangent_stride,tangent_component_stride layout of tangents, 0 = packed.
+ * \param[out] normals [n][3] N, or NULL.
+ * \param[in] normal_stride,normal_component_stride layout of normals, 0 = packed.
+ * \param[out] binormals [n][3] B = T x N, or NULL.
+ * \param[in] binormal_stride,binormal_component_stride layout of binormals, 0 = packed.
+ * \param[out] status [n] NURBS_FRAME_LIMIT where the tangent is a limit; _UNDEFINED where there is none, and
+ *   the sequence passes over this point; or NULL.
+ * \param[in] flags evaluation flags of one axis.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DIMENSION, _COUNT, _OVERFLOW, _STRIDE, _OVERLAP, _FLAGS,
+ *   _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN; _DIRECTION if first_normal is not finite, zero, or parallel to
+ *   the first tangent to within 8 eps.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_curve_rotation_minimizing_frames(
+    const nurbs *g, int64_t n, const double *params, int64_t param_stride, const double *first_normal,
+    double *points, int64_t point_stride, int64_t point_component_stride, double *tangents,
+    int64_t tangent_stride, int64_t tangent_component_stride, double *normals, int64_t normal_stride,
+    int64_t normal_component_stride, double *binormals, int64_t binormal_stride,
+    int64_t binormal_component_stride, int32_t *status, uint32_t flags);
 /** @} */
 
 /** \defgroup refine Refinement

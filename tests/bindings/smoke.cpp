@@ -169,6 +169,29 @@ static void bases() {
     EXPECT((libnurbs::knots_bezier(1, {0, 2, 3}) == std::vector<double>{0, 0, 2, 3, 3}));
 }
 
+static void frames() {
+    const auto f = libnurbs::surface_frames(patch(), {0, 0, 0.5, 0.25});
+    EXPECT((std::vector(f.normals.begin(), f.normals.begin() + 3) == std::vector<double>{0, 0, 1}));
+    EXPECT((f.status == std::vector<std::int32_t>{0, 0}));
+    EXPECT(libnurbs::surface_grid_frames(patch(), {1, 2}, {0.5, 0, 0.25}).du ==
+           libnurbs::surface_frames(patch(), {0.5, 0, 0.5, 0.25}).du);
+    const auto c = libnurbs::surface_curvatures(patch(), {0, 0});
+    EXPECT(std::abs(c.principal[0] - 1) <= 4 * eps && std::abs(c.gaussian[0] + 1) <= 4 * eps);
+    const auto t = libnurbs::curve_frames(circle(), {0});
+    EXPECT((t.normals == std::vector<double>{-1, 0} && std::abs(t.curvatures[0] - 1) <= 8 * eps));
+    const Spline line = Spline::create_bezier({1}, 3, {0, 0, 0, 1, 0, 0});
+    EXPECT((libnurbs::curve_frames(line, {0.5}).status[0] == libnurbs::frame_rule));
+    EXPECT((libnurbs::rotation_minimizing_frames(line, {0, 1}, {{0, 0, 2}}).normals ==
+            std::vector<double>{0, 0, 1, 0, 0, 1}));
+    EXPECT(error_of([&] {
+               (void)libnurbs::rotation_minimizing_frames(line, {0}, {{1, 0, 0}});
+           }).status() == libnurbs::Status::direction);
+    std::vector<double> only(5);
+    EXPECT(error_of([&] {
+               libnurbs::surface_frames(patch(), {0, 0, 1, 1}, {.points = {}, .du = only});
+           }).status() == libnurbs::Status::size);
+}
+
 static void errors_name_what_is_wrong() {
     std::vector<double> params(20, 0.5), points(40, 7.0);
     params[17] = 1.25;
@@ -196,6 +219,7 @@ int main() {
     inspection();
     constructors_agree();
     bases();
+    frames();
     errors_name_what_is_wrong();
     return failures == 0 ? 0 : 1;
 }

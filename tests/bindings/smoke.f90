@@ -12,6 +12,7 @@ program smoke
     call insertion_keeps_the_circle()
     call surfaces()
     call data_derivatives()
+    call frames()
     call sections_and_copies()
     call inspection()
     call constructors_agree()
@@ -112,6 +113,30 @@ contains
         call expect(all(points(1, :) == [1, 2]) .and. all(points(2:, :) == 0) .and. all(weights == 0), 'gradients')
         call expect(abs(slopes(1, 1) - 2 * 8 * sqrt(0.5d0)) < 1d-14, 'slope')
     end subroutine data_derivatives
+
+    subroutine frames()
+        type(nurbs_spline) :: g, line
+        real(c_double) :: net(4, 3), normals(2, 3), grid(1, 3), principal(1, 2), n(2, 3), curvature(1), at(2, 2)
+        integer(c_int32_t) :: states(2), one(1), code
+        net = reshape([0, 0, 1, 1, 0, 1, 0, 1, 0, 0, 0, 1], [4, 3]) * 1.0_c_double
+        at = reshape([0d0, 0.5d0, 0d0, 0.25d0], [2, 2])
+        call g%create_bezier([1, 1], net)
+        call surface_frames(g, at, normals=normals, states=states)
+        call expect(all(normals(1, :) == [0, 0, 1]) .and. all(states == 0), 'surface frames')
+        call surface_grid_frames(g, [1, 1], [0.5d0, 0.25d0], normals=grid)
+        call expect(all(grid(1, :) == normals(2, :)), 'frames on a grid')
+        call surface_curvatures(g, at(1:1, :), principal)
+        call expect(maxval(abs(principal(1, :) - [1, -1])) <= 4 * eps, 'principal curvatures')
+        call line%create_bezier([1], reshape([0, 1, 0, 0, 0, 0], [2, 3]) * 1.0_c_double)
+        call curve_frames(line, [0.5d0], curvatures=curvature, states=one)
+        call expect(curvature(1) == 0 .and. one(1) == NURBS_FRAME_RULE, 'curve frames')
+        call rotation_minimizing_frames(line, [0d0, 1d0], [0d0, 0d0, 2d0], normals=n)
+        call expect(all(n(1, :) == [0, 0, 1]) .and. all(n(2, :) == [0, 0, 1]), 'rotation-minimizing frames')
+        call rotation_minimizing_frames(line, [0d0, 1d0], [1d0, 0d0, 0d0], normals=n, status=code)
+        call expect(code == NURBS_ERROR_DIRECTION, 'a bad direction')
+        call surface_frames(g, at, normals=grid, status=code)
+        call expect(code == NURBS_ERROR_SIZE, 'a bad shape')
+    end subroutine frames
 
     subroutine sections_and_copies()
         type(nurbs_spline) :: g, copied, moved

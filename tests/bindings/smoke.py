@@ -177,6 +177,27 @@ class Inspection(unittest.TestCase):
     def test_iso_curve(self):
         np.testing.assert_array_equal(patch().iso(0, 0.5).eval([0.0, 1.0]), [[0.5, 0, 0], [0.5, 1, 0.5]])
 
+    def test_frames(self):
+        at = [[[0, 0], [0.5, 0.25]]]
+        frames = nurbs.surface_frames(patch(), at)
+        np.testing.assert_array_equal(frames.normals[0, 0], [0, 0, 1])
+        np.testing.assert_array_equal(frames.status, [[0, 0]])
+        grid = nurbs.surface_grid_frames(patch(), [0, 0.5], [0.25])
+        np.testing.assert_array_equal(grid.normals[1, 0], frames.normals[0, 1])
+        curvatures = nurbs.surface_curvatures(patch(), at)
+        np.testing.assert_allclose(curvatures.principal[0, 0], [1, -1], rtol=4 * EPS)
+        self.assertEqual(curvatures.directions.shape, (1, 2, 2, 3))
+        flat = nurbs.curve_frames(circle(), [0.0, 0.3])
+        np.testing.assert_allclose(flat.curvatures, 1, rtol=64 * EPS)
+        self.assertIsNone(flat.torsions)
+        line = nurbs.Spline.bezier([[0, 0, 0], [1, 0, 0]])
+        self.assertEqual(nurbs.curve_frames(line, 0.5).status, nurbs.NURBS_FRAME_RULE)
+        minimal = nurbs.rotation_minimizing_frames(line, [0, 1], [0, 0, 2])
+        np.testing.assert_array_equal(minimal.normals, [[0, 0, 1], [0, 0, 1]])
+        with self.assertRaises(nurbs.NurbsError) as raised:
+            nurbs.rotation_minimizing_frames(line, [0, 1], [1, 0, 0])
+        self.assertEqual(raised.exception.status, nurbs.NURBS_ERROR_DIRECTION)
+
 
 class Errors(unittest.TestCase):
     def test_outside_the_domain(self):

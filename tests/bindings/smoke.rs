@@ -138,6 +138,23 @@ fn bases() -> Result<()> {
     Ok(())
 }
 
+fn frames() -> Result<()> {
+    let f = patch()?.surface_frames(&[0.0, 0.0, 0.5, 0.25], 0)?;
+    assert_eq!((&f.normals[..3], &f.status[..]), (&[0.0, 0.0, 1.0][..], &[0, 0][..]));
+    assert_eq!(patch()?.surface_grid_frames(&[&[0.5], &[0.25]], 0)?.normals, f.normals[3..]);
+    let c = patch()?.surface_curvatures(&[0.0, 0.0], 0)?;
+    assert!((c.principal[0] - 1.0).abs() <= 4.0 * EPS && (c.gaussian[0] + 1.0).abs() <= 4.0 * EPS);
+    let flat = circle()?.curve_frames(&[0.0], 0)?;
+    assert!(flat.normals == [-1.0, 0.0] && flat.torsions.is_empty());
+    let line = Spline::bezier(&[1], 3, &[0.0, 0.0, 0.0, 1.0, 0.0, 0.0], None)?;
+    assert_eq!(line.curve_frames(&[0.5], 0)?.status, [sys::NURBS_FRAME_RULE]);
+    let minimal = line.rotation_minimizing_frames(&[0.0, 1.0], Some(&[0.0, 0.0, 2.0]), 0)?;
+    assert_eq!(minimal.normals, [0.0, 0.0, 1.0, 0.0, 0.0, 1.0]);
+    let error = line.rotation_minimizing_frames(&[0.0], Some(&[1.0, 0.0, 0.0]), 0).unwrap_err();
+    assert_eq!(error.status, sys::NURBS_ERROR_DIRECTION);
+    Ok(())
+}
+
 fn errors() -> Result<()> {
     let mut t = vec![0.5; 20];
     t[17] = 1.25;
@@ -178,6 +195,7 @@ fn main() -> Result<()> {
     inspection()?;
     constructors_agree()?;
     bases()?;
+    frames()?;
     errors()?;
     threads()
 }

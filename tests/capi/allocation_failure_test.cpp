@@ -16,11 +16,13 @@ namespace {
 // Fresh inputs for each attempt, since tables are built at first use; the output array is long enough for
 // all.
 struct Inputs {
-    nurbs *curve = nullptr, *loop = nullptr, *surface = nullptr, *volume = nullptr, *homogeneous = nullptr;
+    nurbs *curve = nullptr, *loop = nullptr, *surface = nullptr, *volume = nullptr, *homogeneous = nullptr,
+          *twist = nullptr;
     nurbs_list *list = nullptr;
     double values[1024];
     float singles[64];
     int64_t spans[64];
+    int32_t states[64];
 };
 
 const IgesText file = small_file();
@@ -41,11 +43,13 @@ void fill(Inputs &in) {
     in.loop = make(loop());
     in.surface = make(trough());
     in.volume = make(cube());
+    in.twist = make(twist());
     in.homogeneous = make_homogeneous();
     CHECK_OK(nurbs_read(file.bytes, file.size, nullptr, &in.list));
     FILL(in.values);
     FILL(in.singles);
     FILL(in.spans);
+    FILL(in.states);
 }
 
 void drop(Inputs &in) {
@@ -53,6 +57,7 @@ void drop(Inputs &in) {
     nurbs_destroy(in.loop);
     nurbs_destroy(in.surface);
     nurbs_destroy(in.volume);
+    nurbs_destroy(in.twist);
     nurbs_destroy(in.homogeneous);
     nurbs_list_destroy(in.list);
 }
@@ -229,6 +234,34 @@ const Case cases[] = {
          return nurbs_eval_adjoint(in.curve, 0, 6, params, 0, 0, cotangents, 0, 0, in.values, 0, 0,
                                    in.values + 32, 0, in.values + 64, 0, 0, 0);
      }},
+    {"surface_eval_frames",
+     [](Inputs &in, Output &) {
+         return nurbs_surface_eval_frames(in.surface, 3, params, 0, 0, in.values, 0, 0, in.values + 9, 0, 0,
+                                          in.values + 18, 0, 0, in.values + 27, 0, 0, in.states, 0);
+     }},
+    {"surface_eval_grid_frames",
+     [](Inputs &in, Output &) {
+         return nurbs_surface_eval_grid_frames(in.surface, grid_counts, params, in.values, 0, 0, nullptr, 0,
+                                               0, nullptr, 0, 0, in.values + 12, 0, 0, in.states, 0);
+     }},
+    {"surface_eval_curvatures",
+     [](Inputs &in, Output &) {
+         return nurbs_surface_eval_curvatures(in.surface, 3, params, 0, 0, in.values, 0, 0, in.values + 6, 0,
+                                              0, in.values + 24, 0, in.values + 27, 0, in.states, 0);
+     }},
+    {"curve_eval_frames",
+     [](Inputs &in, Output &) {
+         return nurbs_curve_eval_frames(in.curve, 6, params, 0, in.values, 0, 0, in.values + 12, 0, 0,
+                                        in.values + 24, 0, 0, nullptr, 0, 0, in.values + 36, 0, nullptr, 0,
+                                        in.states, 0);
+     }},
+    {"rotation_minimizing_frames",
+     [](Inputs &in, Output &) {
+         static const double first[] = {0, 1, 2};
+         return nurbs_curve_rotation_minimizing_frames(in.twist, 6, params, 0, first, in.values, 0, 0,
+                                                       in.values + 18, 0, 0, in.values + 36, 0, 0,
+                                                       in.values + 54, 0, 0, in.states, 0);
+     }},
     {"iso curve", [](Inputs &in, Output &o) { return nurbs_iso(in.surface, 0, 0.3, 0, &o.out); }},
     {"iso surface", [](Inputs &in, Output &o) { return nurbs_iso(in.volume, 1, 0.3, 0, &o.out); }},
     {"insert_knot", [](Inputs &in, Output &o) { return nurbs_insert_knot(in.curve, 0, 0.3, 2, &o.out); }},
@@ -291,6 +324,7 @@ bool attempt(const Case &c, int64_t k, bool on) {
         CHECK_UNTOUCHED(in.values);
         CHECK_UNTOUCHED(in.singles);
         CHECK_UNTOUCHED(in.spans);
+        CHECK_UNTOUCHED(in.states);
         check_intact(in);
         o = {check_poison(), nullptr};
     } else {
@@ -365,6 +399,20 @@ int64_t linear_cost(const nurbs *g, int axes, int64_t n) {
     });
 }
 
+int64_t frame_cost(const nurbs *g, int64_t n) {
+    std::vector<double> at(static_cast<size_t>(2 * n), 0.3), out(static_cast<size_t>(n * 3));
+    return repeated_cost([&] {
+        CHECK(nurbs_surface_eval_frames(g, n, at.data(), 0, 0, nullptr, 0, 0, nullptr, 0, 0, nullptr, 0, 0,
+                                        out.data(), 0, 0, nullptr, 0) == NURBS_OK);
+    });
+}
+
+void frames_allocate_nothing_per_point() {
+    nurbs *g = make(trough());
+    CHECK_INT(frame_cost(g, 100), frame_cost(g, 1000));
+    nurbs_destroy(g);
+}
+
 void evaluation_allocates_nothing_per_point() {
     const SplineArgs shapes[] = {circle(), arch(), loop(), trough(), cube()};
     for (const SplineArgs &a : shapes) {
@@ -426,6 +474,7 @@ int main() {
     scalars_allocate_nothing();
     every_allocation_fails();
     evaluation_allocates_nothing_per_point();
+    frames_allocate_nothing_per_point();
     for (const int64_t count : {10, 100, 1000, 10000, 100000}) {
         handles_cost_their_data(count, false);
         handles_cost_their_data(count, true);

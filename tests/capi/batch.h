@@ -69,7 +69,6 @@ static inline void batch_refuse(int line, const BatchCase *c, BatchArgs a, nurbs
 static inline void batch_counts(const BatchCase *c) {
     BatchArgs none = {0, NULL, 0, 0, NULL, 0, 0, 0};
     BATCH_REFUSE(c, params, NULL, NURBS_ERROR_NULL, "params");
-    BATCH_REFUSE(c, out, NULL, NURBS_ERROR_NULL, c->output);
     CHECK_OK(batch_call(c, &none));
     none.n = -1;
     batch_refuse(__LINE__, c, none, NURBS_ERROR_COUNT, "n|-1");
@@ -207,7 +206,8 @@ static inline void batch_layouts(const BatchCase *c) {
     }
 }
 
-static inline void batch_checks(const BatchCase *c) {
+/* For an output that may be NULL. */
+static inline void batch_checks_optional(const BatchCase *c) {
     batch_counts(c);
     batch_param_strides(c);
     batch_out_strides(c);
@@ -222,6 +222,11 @@ static inline void batch_checks(const BatchCase *c) {
         none.g = NULL;
         BATCH_REFUSE(&none, flags, 0, NURBS_ERROR_NULL, "g");
     }
+}
+
+static inline void batch_checks(const BatchCase *c) {
+    BATCH_REFUSE(c, out, NULL, NURBS_ERROR_NULL, c->output);
+    batch_checks_optional(c);
 }
 
 #endif

@@ -46,6 +46,7 @@ static void names(void) {
                NAME(NURBS_ERROR_TIMES),
                NAME(NURBS_ERROR_OPTIONS),
                NAME(NURBS_ERROR_INDEX),
+               NAME(NURBS_ERROR_DIRECTION),
                NAME(NURBS_ERROR_OUTSIDE_DOMAIN),
                NAME(NURBS_ERROR_NOT_REPRESENTABLE),
                NAME(NURBS_ERROR_MEMORY),

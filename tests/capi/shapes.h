@@ -47,6 +47,16 @@ static inline SplineArgs arch(void) {
     return a;
 }
 
+/* Cubic Bezier curve in space: C(t) = 3 (t, t^2, t^3). */
+static inline SplineArgs twist(void) {
+    static const int32_t degrees[] = {3};
+    static const int64_t counts[] = {4};
+    static const double knots[] = {0, 0, 0, 0, 1, 1, 1, 1};
+    static const double points[] = {0, 0, 0, 1, 0, 0, 2, 1, 0, 3, 3, 3};
+    SplineArgs a = {1, degrees, counts, knots, 8, 3, points, 0, 0, NULL, 0, 0};
+    return a;
+}
+
 #define HALF_ROOT 0.70710678118654757 /* sqrt(1/2), rounded */
 
 /* The unit circle from nine points of degree 2 (Piegl & Tiller, example 7.1). */

@@ -380,6 +380,82 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_iso
+        function nurbs_surface_eval_frames(g, n, params, param_stride, param_component_stride, points, &
+            point_stride, point_component_stride, du, du_stride, du_component_stride, dv, dv_stride, &
+            dv_component_stride, normals, normal_stride, normal_component_stride, status, flags) bind(c) &
+            result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int64_t), value :: n, param_stride, param_component_stride, point_stride, &
+                point_component_stride, du_stride, du_component_stride, dv_stride, dv_component_stride, &
+                normal_stride, normal_component_stride
+            integer(c_int32_t), value :: flags
+            real(c_double), intent(in) :: params(*)
+            real(c_double), intent(inout), optional :: points(*), du(*), dv(*), normals(*)
+            integer(c_int32_t), intent(inout), optional :: status(*)
+            integer(c_int32_t) :: r
+        end function nurbs_surface_eval_frames
+        function nurbs_surface_eval_grid_frames(g, counts, params, points, point_stride, &
+            point_component_stride, du, du_stride, du_component_stride, dv, dv_stride, dv_component_stride, &
+            normals, normal_stride, normal_component_stride, status, flags) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int64_t), value :: point_stride, point_component_stride, du_stride, &
+                du_component_stride, dv_stride, dv_component_stride, normal_stride, normal_component_stride
+            integer(c_int32_t), value :: flags
+            integer(c_int64_t), intent(in) :: counts(*)
+            real(c_double), intent(in) :: params(*)
+            real(c_double), intent(inout), optional :: points(*), du(*), dv(*), normals(*)
+            integer(c_int32_t), intent(inout), optional :: status(*)
+            integer(c_int32_t) :: r
+        end function nurbs_surface_eval_grid_frames
+        function nurbs_surface_eval_curvatures(g, n, params, param_stride, param_component_stride, &
+            principal, principal_stride, principal_component_stride, directions, direction_stride, &
+            direction_component_stride, mean, mean_stride, gaussian, gaussian_stride, status, flags) &
+            bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int64_t), value :: n, param_stride, param_component_stride, principal_stride, &
+                principal_component_stride, direction_stride, direction_component_stride, mean_stride, &
+                gaussian_stride
+            integer(c_int32_t), value :: flags
+            real(c_double), intent(in) :: params(*)
+            real(c_double), intent(inout), optional :: principal(*), directions(*), mean(*), gaussian(*)
+            integer(c_int32_t), intent(inout), optional :: status(*)
+            integer(c_int32_t) :: r
+        end function nurbs_surface_eval_curvatures
+        function nurbs_curve_eval_frames(g, n, params, param_stride, points, point_stride, &
+            point_component_stride, tangents, tangent_stride, tangent_component_stride, normals, &
+            normal_stride, normal_component_stride, binormals, binormal_stride, binormal_component_stride, &
+            curvatures, curvature_stride, torsions, torsion_stride, status, flags) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int64_t), value :: n, param_stride, point_stride, point_component_stride, &
+                tangent_stride, tangent_component_stride, normal_stride, normal_component_stride, &
+                binormal_stride, binormal_component_stride, curvature_stride, torsion_stride
+            integer(c_int32_t), value :: flags
+            real(c_double), intent(in) :: params(*)
+            real(c_double), intent(inout), optional :: points(*), tangents(*), normals(*), binormals(*), &
+                curvatures(*), torsions(*)
+            integer(c_int32_t), intent(inout), optional :: status(*)
+            integer(c_int32_t) :: r
+        end function nurbs_curve_eval_frames
+        function nurbs_curve_rotation_minimizing_frames(g, n, params, param_stride, first_normal, points, &
+            point_stride, point_component_stride, tangents, tangent_stride, tangent_component_stride, &
+            normals, normal_stride, normal_component_stride, binormals, binormal_stride, &
+            binormal_component_stride, status, flags) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int64_t), value :: n, param_stride, point_stride, point_component_stride, &
+                tangent_stride, tangent_component_stride, normal_stride, normal_component_stride, &
+                binormal_stride, binormal_component_stride
+            integer(c_int32_t), value :: flags
+            real(c_double), intent(in) :: params(*)
+            real(c_double), intent(in), optional :: first_normal(*)
+            real(c_double), intent(inout), optional :: points(*), tangents(*), normals(*), binormals(*)
+            integer(c_int32_t), intent(inout), optional :: status(*)
+            integer(c_int32_t) :: r
+        end function nurbs_curve_rotation_minimizing_frames
         function nurbs_insert_knot(g, axis, knot, times, out) bind(c) result(r)
             import
             type(c_ptr), value :: g

@@ -44,6 +44,7 @@ module nurbs_constants
     integer(c_int32_t), parameter :: NURBS_ERROR_TIMES = 26
     integer(c_int32_t), parameter :: NURBS_ERROR_OPTIONS = 27
     integer(c_int32_t), parameter :: NURBS_ERROR_INDEX = 28
+    integer(c_int32_t), parameter :: NURBS_ERROR_DIRECTION = 29
     integer(c_int32_t), parameter :: NURBS_ERROR_OUTSIDE_DOMAIN = 100
     integer(c_int32_t), parameter :: NURBS_ERROR_NOT_REPRESENTABLE = 200
     integer(c_int32_t), parameter :: NURBS_ERROR_MEMORY = 300
@@ -70,4 +71,10 @@ module nurbs_constants
     integer(c_int32_t), parameter :: NURBS_FORM_CLAMPED_START = int(z'01', c_int32_t)
     integer(c_int32_t), parameter :: NURBS_FORM_CLAMPED_END = int(z'02', c_int32_t)
     integer(c_int32_t), parameter :: NURBS_FORM_PERIODIC = int(z'04', c_int32_t)
+
+    ! Bits of the status of a point of a frame
+    integer(c_int32_t), parameter :: NURBS_FRAME_LIMIT = int(z'01', c_int32_t)
+    integer(c_int32_t), parameter :: NURBS_FRAME_NORMAL_LIMIT = int(z'02', c_int32_t)
+    integer(c_int32_t), parameter :: NURBS_FRAME_RULE = int(z'04', c_int32_t)
+    integer(c_int32_t), parameter :: NURBS_FRAME_UNDEFINED = int(z'08', c_int32_t)
 end module nurbs_constants

@@ -43,6 +43,7 @@ enum class Status : nurbs_status {
     times = NURBS_ERROR_TIMES,
     options = NURBS_ERROR_OPTIONS,
     index = NURBS_ERROR_INDEX,
+    direction = NURBS_ERROR_DIRECTION,
     outside_domain = NURBS_ERROR_OUTSIDE_DOMAIN,
     not_representable = NURBS_ERROR_NOT_REPRESENTABLE,
     memory = NURBS_ERROR_MEMORY,

@@ -15,6 +15,7 @@
 mod arrays;
 mod error;
 mod eval;
+mod frames;
 mod inspect;
 mod knots;
 mod linear;
@@ -24,6 +25,7 @@ pub mod sys;
 
 pub use arrays::{Records, RecordsMut};
 pub use error::{last_error, status_name, version, Error, Result};
+pub use frames::{CurveFrames, Curvatures, MinimalFrames, SurfaceFrames};
 pub use knots::{
     basis, bernstein, find_spans, knots_averaged, knots_bezier, knots_bezier_breaks, knots_open_uniform,
     knots_periodic, knots_uniform, Basis,

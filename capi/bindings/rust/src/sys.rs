@@ -66,6 +66,7 @@ pub const NURBS_ERROR_PERIODIC_POINTS: nurbs_status = 25;
 pub const NURBS_ERROR_TIMES: nurbs_status = 26;
 pub const NURBS_ERROR_OPTIONS: nurbs_status = 27;
 pub const NURBS_ERROR_INDEX: nurbs_status = 28;
+pub const NURBS_ERROR_DIRECTION: nurbs_status = 29;
 pub const NURBS_ERROR_OUTSIDE_DOMAIN: nurbs_status = 100;
 pub const NURBS_ERROR_NOT_REPRESENTABLE: nurbs_status = 200;
 pub const NURBS_ERROR_MEMORY: nurbs_status = 300;
@@ -92,6 +93,12 @@ pub const NURBS_ACCUMULATE: u32 = 0x01000000;
 pub const NURBS_FORM_CLAMPED_START: i32 = 0x01;
 pub const NURBS_FORM_CLAMPED_END: i32 = 0x02;
 pub const NURBS_FORM_PERIODIC: i32 = 0x04;
+
+// Bits of the status of a point of a frame
+pub const NURBS_FRAME_LIMIT: i32 = 0x01;
+pub const NURBS_FRAME_NORMAL_LIMIT: i32 = 0x02;
+pub const NURBS_FRAME_RULE: i32 = 0x04;
+pub const NURBS_FRAME_UNDEFINED: i32 = 0x08;
 
 #[link(name = "nurbs")]
 extern "C" {
@@ -377,6 +384,110 @@ extern "C" {
         param: f64,
         flags: u32,
         out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    pub fn nurbs_surface_eval_frames(
+        g: *const nurbs,
+        n: i64,
+        params: *const f64,
+        param_stride: i64,
+        param_component_stride: i64,
+        points: *mut f64,
+        point_stride: i64,
+        point_component_stride: i64,
+        du: *mut f64,
+        du_stride: i64,
+        du_component_stride: i64,
+        dv: *mut f64,
+        dv_stride: i64,
+        dv_component_stride: i64,
+        normals: *mut f64,
+        normal_stride: i64,
+        normal_component_stride: i64,
+        status: *mut i32,
+        flags: u32,
+    ) -> nurbs_status;
+    pub fn nurbs_surface_eval_grid_frames(
+        g: *const nurbs,
+        counts: *const i64,
+        params: *const f64,
+        points: *mut f64,
+        point_stride: i64,
+        point_component_stride: i64,
+        du: *mut f64,
+        du_stride: i64,
+        du_component_stride: i64,
+        dv: *mut f64,
+        dv_stride: i64,
+        dv_component_stride: i64,
+        normals: *mut f64,
+        normal_stride: i64,
+        normal_component_stride: i64,
+        status: *mut i32,
+        flags: u32,
+    ) -> nurbs_status;
+    pub fn nurbs_surface_eval_curvatures(
+        g: *const nurbs,
+        n: i64,
+        params: *const f64,
+        param_stride: i64,
+        param_component_stride: i64,
+        principal: *mut f64,
+        principal_stride: i64,
+        principal_component_stride: i64,
+        directions: *mut f64,
+        direction_stride: i64,
+        direction_component_stride: i64,
+        mean: *mut f64,
+        mean_stride: i64,
+        gaussian: *mut f64,
+        gaussian_stride: i64,
+        status: *mut i32,
+        flags: u32,
+    ) -> nurbs_status;
+    pub fn nurbs_curve_eval_frames(
+        g: *const nurbs,
+        n: i64,
+        params: *const f64,
+        param_stride: i64,
+        points: *mut f64,
+        point_stride: i64,
+        point_component_stride: i64,
+        tangents: *mut f64,
+        tangent_stride: i64,
+        tangent_component_stride: i64,
+        normals: *mut f64,
+        normal_stride: i64,
+        normal_component_stride: i64,
+        binormals: *mut f64,
+        binormal_stride: i64,
+        binormal_component_stride: i64,
+        curvatures: *mut f64,
+        curvature_stride: i64,
+        torsions: *mut f64,
+        torsion_stride: i64,
+        status: *mut i32,
+        flags: u32,
+    ) -> nurbs_status;
+    pub fn nurbs_curve_rotation_minimizing_frames(
+        g: *const nurbs,
+        n: i64,
+        params: *const f64,
+        param_stride: i64,
+        first_normal: *const f64,
+        points: *mut f64,
+        point_stride: i64,
+        point_component_stride: i64,
+        tangents: *mut f64,
+        tangent_stride: i64,
+        tangent_component_stride: i64,
+        normals: *mut f64,
+        normal_stride: i64,
+        normal_component_stride: i64,
+        binormals: *mut f64,
+        binormal_stride: i64,
+        binormal_component_stride: i64,
+        status: *mut i32,
+        flags: u32,
     ) -> nurbs_status;
     pub fn nurbs_insert_knot(
         g: *const nurbs,

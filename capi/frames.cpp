@@ -1,0 +1,238 @@
+// Frames and curvature.
+#include "batch.h"
+#include "guard.h"
+
+#include "eval/curvature.h"
+#include "eval/curve_frames.h"
+#include "eval/minimal_frames.h"
+#include "eval/surface_frames.h"
+
+#include <cmath>
+
+using namespace nrb;
+using namespace nrb::capi;
+
+namespace {
+
+// An output as the caller describes it. One that is not wanted has data == nullptr, and its strides are
+// ignored.
+struct Wanted {
+    const char *name;
+    double *data;
+    int64_t width;
+    int64_t stride;
+    int64_t component_stride;
+};
+
+// All outputs of a call, checked against each other as they are added; inputs are checked by the caller.
+class Outputs {
+public:
+    Outputs(int64_t count, int32_t *status) : count_(count), status_(status) {
+        checked_product(count, 1, "status");
+    }
+
+    Records add(const Wanted &wanted) {
+        if (wanted.data == nullptr) {
+            return {nullptr, count_, wanted.width, 0, 0};
+        }
+        const Records out =
+            output(wanted.name, wanted.data, count_, wanted.width, wanted.stride, wanted.component_stride);
+        for (size_t i = 0; i < size_; ++i) {
+            check_overlap(wanted.name, out, names_[i], constant(views_[i]));
+        }
+        check_overlap("status", status_, status_bytes(), wanted.name, out.data, bytes(out.extent()));
+        names_[size_] = wanted.name;
+        views_[size_++] = out;
+        return out;
+    }
+
+    void check_inputs(const char *name, ConstRecords input) const {
+        for (size_t i = 0; i < size_; ++i) {
+            check_overlap(names_[i], views_[i], name, input);
+        }
+        check_overlap("status", status_, status_bytes(), name, input.data, bytes(input.extent()));
+    }
+
+    void check_inputs(const Grid &grid) const {
+        check_inputs("params", input("params", grid.params[0].data, grid.param_count, 0));
+        for (size_t i = 0; i < size_; ++i) {
+            check_overlap(names_[i], views_[i], grid);
+        }
+        check_overlap("status", status_, status_bytes(), "counts", grid.counts, bytes(grid.axes));
+    }
+
+private:
+    static constexpr size_t most = 6;
+    static int64_t bytes(int64_t doubles) noexcept { return doubles * static_cast<int64_t>(sizeof(double)); }
+    static ConstRecords constant(const Records &out) noexcept {
+        return {out.data, out.count, out.width, out.stride, out.component_stride};
+    }
+    [[nodiscard]] int64_t status_bytes() const noexcept {
+        return status_ == nullptr ? 0 : count_ * static_cast<int64_t>(sizeof(int32_t));
+    }
+
+    int64_t count_;
+    int32_t *status_;
+    size_t size_ = 0;
+    std::array<const char *, most> names_{};
+    std::array<Records, most> views_{};
+};
+
+void check_kind(const Spline &spline, int axes, int least_dim) {
+    if (spline.axes() != axes) {
+        fail(NURBS_ERROR_AXES, "g has %d axes, expected a %s", spline.axes(),
+             axes == 1 ? "curve" : "surface");
+    }
+    if (spline.dim() < least_dim || spline.dim() > 3) {
+        fail(NURBS_ERROR_DIMENSION, "g has dimension %d, expected %s", spline.dim(),
+             least_dim == 3 ? "3" : "2 or 3");
+    }
+}
+
+const Spline &surface_of(const ::nurbs *g) {
+    const Spline &spline = spline_of(g);
+    check_kind(spline, 2, 3);
+    return spline;
+}
+
+const Spline &curve_of(const ::nurbs *g, int least_dim) {
+    const Spline &spline = spline_of(g);
+    check_kind(spline, 1, least_dim);
+    return spline;
+}
+
+void check_plane(const Spline &spline, const double *values, const char *name) {
+    if (spline.dim() == 2 && values != nullptr) {
+        fail(NURBS_ERROR_DIMENSION, "%s of a curve of dimension 2: expected NULL", name);
+    }
+}
+
+void check_finite(const double *direction, const char *name) {
+    for (int c = 0; c < 3; ++c) {
+        if (!std::isfinite(direction[c])) {
+            fail(NURBS_ERROR_DIRECTION, "%s[%d] = %s is not finite", name, c, Number(direction[c]).text);
+        }
+    }
+}
+
+} // namespace
+
+nurbs_status nurbs_surface_eval_frames(const nurbs *g, int64_t n, const double *params, int64_t param_stride,
+                                       int64_t param_component_stride, double *points, int64_t point_stride,
+                                       int64_t point_component_stride, double *du, int64_t du_stride,
+                                       int64_t du_component_stride, double *dv, int64_t dv_stride,
+                                       int64_t dv_component_stride, double *normals, int64_t normal_stride,
+                                       int64_t normal_component_stride, int32_t *status, uint32_t flags) {
+    return guard([&] {
+        const Spline &spline = surface_of(g);
+        const SplineBatch batch = spline_batch(g, n, params, param_stride, param_component_stride, flags);
+        Outputs outputs(n, status);
+        const SurfaceFrames out{outputs.add({"points", points, 3, point_stride, point_component_stride}),
+                                outputs.add({"du", du, 3, du_stride, du_component_stride}),
+                                outputs.add({"dv", dv, 3, dv_stride, dv_component_stride}),
+                                outputs.add({"normals", normals, 3, normal_stride, normal_component_stride}),
+                                status};
+        outputs.check_inputs("params", batch.params);
+        admit(batch);
+        surface_frames(spline, batch.rules, batch.params, out);
+    });
+}
+
+nurbs_status nurbs_surface_eval_grid_frames(const nurbs *g, const int64_t *counts, const double *params,
+                                            double *points, int64_t point_stride,
+                                            int64_t point_component_stride, double *du, int64_t du_stride,
+                                            int64_t du_component_stride, double *dv, int64_t dv_stride,
+                                            int64_t dv_component_stride, double *normals,
+                                            int64_t normal_stride, int64_t normal_component_stride,
+                                            int32_t *status, uint32_t flags) {
+    return guard([&] {
+        const Spline &spline = surface_of(g);
+        const AxisRules rules = decode_rules(flags, spline.axes());
+        const Grid grid = grid_of(spline, counts, params);
+        Outputs outputs(grid.point_count, status);
+        const SurfaceFrames out{outputs.add({"points", points, 3, point_stride, point_component_stride}),
+                                outputs.add({"du", du, 3, du_stride, du_component_stride}),
+                                outputs.add({"dv", dv, 3, dv_stride, dv_component_stride}),
+                                outputs.add({"normals", normals, 3, normal_stride, normal_component_stride}),
+                                status};
+        outputs.check_inputs(grid);
+        admit(spline, rules, grid);
+        surface_frames(spline, rules, grid.params, out);
+    });
+}
+
+nurbs_status nurbs_surface_eval_curvatures(const nurbs *g, int64_t n, const double *params,
+                                           int64_t param_stride, int64_t param_component_stride,
+                                           double *principal, int64_t principal_stride,
+                                           int64_t principal_component_stride, double *directions,
+                                           int64_t direction_stride, int64_t direction_component_stride,
+                                           double *mean, int64_t mean_stride, double *gaussian,
+                                           int64_t gaussian_stride, int32_t *status, uint32_t flags) {
+    return guard([&] {
+        const Spline &spline = surface_of(g);
+        const SplineBatch batch = spline_batch(g, n, params, param_stride, param_component_stride, flags);
+        Outputs outputs(n, status);
+        const SurfaceCurvatures out{
+            outputs.add({"principal", principal, 2, principal_stride, principal_component_stride}),
+            outputs.add({"directions", directions, 6, direction_stride, direction_component_stride}),
+            outputs.add({"mean", mean, 1, mean_stride, 0}),
+            outputs.add({"gaussian", gaussian, 1, gaussian_stride, 0}), status};
+        outputs.check_inputs("params", batch.params);
+        admit(batch);
+        surface_curvatures(spline, batch.rules, batch.params, out);
+    });
+}
+
+nurbs_status nurbs_curve_eval_frames(const nurbs *g, int64_t n, const double *params, int64_t param_stride,
+                                     double *points, int64_t point_stride, int64_t point_component_stride,
+                                     double *tangents, int64_t tangent_stride,
+                                     int64_t tangent_component_stride, double *normals, int64_t normal_stride,
+                                     int64_t normal_component_stride, double *binormals,
+                                     int64_t binormal_stride, int64_t binormal_component_stride,
+                                     double *curvatures, int64_t curvature_stride, double *torsions,
+                                     int64_t torsion_stride, int32_t *status, uint32_t flags) {
+    return guard([&] {
+        const Spline &spline = curve_of(g, 2);
+        check_plane(spline, binormals, "binormals");
+        check_plane(spline, torsions, "torsions");
+        const SplineBatch batch = spline_batch(g, n, params, param_stride, 0, flags);
+        const int dim = spline.dim();
+        Outputs outputs(n, status);
+        const CurveFrames out{
+            outputs.add({"points", points, dim, point_stride, point_component_stride}),
+            outputs.add({"tangents", tangents, dim, tangent_stride, tangent_component_stride}),
+            outputs.add({"normals", normals, dim, normal_stride, normal_component_stride}),
+            outputs.add({"binormals", binormals, 3, binormal_stride, binormal_component_stride}),
+            outputs.add({"curvatures", curvatures, 1, curvature_stride, 0}),
+            outputs.add({"torsions", torsions, 1, torsion_stride, 0}),
+            status};
+        outputs.check_inputs("params", batch.params);
+        admit(batch);
+        curve_frames(spline, batch.rules, batch.params, out);
+    });
+}
+
+nurbs_status nurbs_curve_rotation_minimizing_frames(
+    const nurbs *g, int64_t n, const double *params, int64_t param_stride, const double *first_normal,
+    double *points, int64_t point_stride, int64_t point_component_stride, double *tangents,
+    int64_t tangent_stride, int64_t tangent_component_stride, double *normals, int64_t normal_stride,
+    int64_t normal_component_stride, double *binormals, int64_t binormal_stride,
+    int64_t binormal_component_stride, int32_t *status, uint32_t flags) {
+    return guard([&] {
+        const Spline &spline = curve_of(g, 3);
+        const SplineBatch batch = spline_batch(g, n, params, param_stride, 0, flags);
+        Outputs outputs(n, status);
+        const MinimalFrames out{
+            outputs.add({"points", points, 3, point_stride, point_component_stride}),
+            outputs.add({"tangents", tangents, 3, tangent_stride, tangent_component_stride}),
+            outputs.add({"normals", normals, 3, normal_stride, normal_component_stride}),
+            outputs.add({"binormals", binormals, 3, binormal_stride, binormal_component_stride}), status};
+        outputs.check_inputs("params", batch.params);
+        if (first_normal != nullptr) {
+            outputs.check_inputs("first_normal", {first_normal, 1, 3, 3, 1});
+            check_finite(first_normal, "first_normal");
+        }
+        admit(batch);
+        minimal_frames(spline, batch.rules, batch.params, first_normal, out);
+    });
+}

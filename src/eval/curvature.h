@@ -1,0 +1,22 @@
+// Principal curvatures and directions of surfaces in space.
+#pragma once
+
+#include "eval/parameters.h"
+
+namespace nrb {
+
+// Arrays that are not wanted have data == nullptr; widths: 2 for principal, 6 for directions, 1 for mean and
+// Gaussian curvature.
+struct SurfaceCurvatures {
+    Records principal;
+    Records directions;
+    Records mean;
+    Records gaussian;
+    int32_t *status = nullptr;
+};
+
+// Precondition: a surface of dimension 3 and admitted parameters; otherwise as evaluate_points().
+void surface_curvatures(const Spline &spline, const AxisRules &rules, ConstRecords params,
+                        const SurfaceCurvatures &out);
+
+} // namespace nrb

@@ -1,0 +1,24 @@
+// Frenet frames, curvature and torsion of curves in the plane and in space.
+#pragma once
+
+#include "eval/parameters.h"
+
+namespace nrb {
+
+// Arrays that are not wanted have data == nullptr; widths: dim for points, tangents and normals, 3 for
+// binormals, 1 for curvatures and torsions.
+struct CurveFrames {
+    Records points;
+    Records tangents;
+    Records normals;
+    Records binormals;
+    Records curvatures;
+    Records torsions;
+    int32_t *status = nullptr;
+};
+
+// Preconditions: a curve of dimension 2 or 3, admitted parameters, and no binormals or torsions in the plane;
+// otherwise as evaluate_points().
+void curve_frames(const Spline &spline, const AxisRules &rules, ConstRecords params, const CurveFrames &out);
+
+} // namespace nrb

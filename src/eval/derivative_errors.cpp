@@ -1,0 +1,101 @@
+#include "eval/derivative_errors.h"
+
+#include "eval/jet.h"
+
+#include <cmath>
+#include <limits>
+
+namespace nrb {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// Sums of the magnitudes of the terms of derivatives 1 and 2 of all basis functions of an axis: each step
+// from degree d - 1 multiplies by at most 2 d / min(t_(i+d) - t_i), the functions of the lowest degree add up
+// to 1.
+struct AxisSizes {
+    double first = 0;
+    double second = 0;
+};
+
+double step_size(const KnotVector &axis, int d) noexcept {
+    const std::span<const double> knots = axis.knots();
+    double least = infinity;
+    for (size_t i = 0; i + static_cast<size_t>(d) < knots.size(); ++i) {
+        const double difference = knots[i + static_cast<size_t>(d)] - knots[i];
+        least = difference > 0 ? std::min(least, difference) : least;
+    }
+    return 2 * d / least;
+}
+
+AxisSizes axis_sizes(const KnotVector &axis) noexcept {
+    const int p = axis.degree();
+    AxisSizes sizes;
+    sizes.first = p >= 1 ? step_size(axis, p) : 0;
+    sizes.second = p >= 2 ? sizes.first * step_size(axis, p - 1) : 0;
+    return sizes;
+}
+
+// The largest length of a record's coordinates, and the range of the weights.
+struct NetSizes {
+    double point = 0;
+    double heaviest = 0; // 0 when polynomial
+    double lightest = 1;
+};
+
+NetSizes net_sizes(const Spline &spline) {
+    NetSizes sizes;
+    const std::span<const double> records = spline.records();
+    const auto dim = static_cast<size_t>(spline.dim());
+    const auto width = static_cast<size_t>(spline.width());
+    sizes.lightest = spline.rational() ? infinity : 1;
+    for (size_t at = 0; at < records.size(); at += width) {
+        for (size_t c = 0; c < dim; ++c) {
+            sizes.point = std::max(sizes.point, std::fabs(records[at + c]));
+        }
+        if (spline.rational()) {
+            sizes.heaviest = std::max(sizes.heaviest, records[at + dim]);
+            sizes.lightest = std::min(sizes.lightest, records[at + dim]);
+        }
+    }
+    sizes.point *= std::sqrt(static_cast<double>(dim));
+    return sizes;
+}
+
+bool extrapolates(const AxisRules &rules) noexcept {
+    return rules[0].outside == Outside::extrapolate || rules[1].outside == Outside::extrapolate;
+}
+
+} // namespace
+
+DerivativeErrors derivative_errors(const Spline &spline, const AxisRules &rules, int64_t points) {
+    const DerivativeErrors none{infinity, infinity, infinity, infinity, infinity};
+    // Bounds of its own cost a point about as much as reading 64 control points.
+    if (spline.point_count() / 64 > points || extrapolates(rules)) {
+        return none;
+    }
+    const NetSizes net = net_sizes(spline);
+    if (!(net.lightest > 0)) {
+        return none;
+    }
+    const AxisSizes u = axis_sizes(spline.axis(0));
+    const bool surface = spline.axes() == 2;
+    const AxisSizes v = surface ? axis_sizes(spline.axis(1)) : AxisSizes{};
+    const double c =
+        accuracy_factor(spline.axis(0).degree()) + (surface ? accuracy_factor(spline.axis(1).degree()) : 0.0);
+    // The quotient rule in magnitudes, E of the header's preamble.
+    const double m = net.point / net.lightest;
+    const double w = net.heaviest / net.lightest;
+    const double e_u = u.first * m * (1 + w);
+    const double e_v = v.first * m * (1 + w);
+    const double e_uu = u.second * m * (1 + w) + 2 * u.first * w * e_u;
+    const double e_uv = u.first * v.first * m * (1 + w) + w * (u.first * e_v + v.first * e_u);
+    const double e_vv = v.second * m * (1 + w) + 2 * v.first * w * e_v;
+    // Twice, for the rounding of the bounds themselves.
+    const double first = 4 * (c + 2) * std::numeric_limits<double>::epsilon();
+    const double second = 4 * (c + 4) * std::numeric_limits<double>::epsilon();
+    return {first * e_u, first * e_v, second * e_uu, second * e_uv, second * e_vv};
+}
+
+} // namespace nrb

@@ -1,0 +1,183 @@
+#include "eval/minimal_frames.h"
+
+#include "eval/blocks.h"
+#include "eval/curve_limit.h"
+#include "eval/derivative_errors.h"
+#include "eval/outputs.h"
+
+#include <limits>
+#include <optional>
+
+namespace nrb {
+
+namespace {
+
+constexpr int dim = 3;
+constexpr double eps = std::numeric_limits<double>::epsilon();
+constexpr double nan_value = std::numeric_limits<double>::quiet_NaN();
+
+// Reflection in the plane through 0 across v, which may have any length but 0.
+Vector3 reflected(const Vector3 &a, const Vector3 &v) noexcept {
+    const Vector3 w = in_range(dot(v, v)) ? v : scaled_to_one(v);
+    return a - (2 * dot(w, a) / dot(w, w)) * w;
+}
+
+bool is_zero(const Vector3 &v) noexcept {
+    return largest(v) == 0;
+}
+
+struct Place {
+    Vector3 point;
+    Vector3 tangent;
+    Vector3 normal;
+};
+
+// The shortest rotation that takes the tangent to the next one: the reflections across a and a + b, the first
+// of which leaves the normal alone. Opposite tangents keep it.
+Vector3 turned_normal(const Place &from, const Vector3 &tangent) noexcept {
+    const Vector3 sum = from.tangent + tangent;
+    return is_zero(sum) ? from.normal : reflected(from.normal, sum);
+}
+
+// Made perpendicular again each time, so that errors do not add up along the sequence.
+Vector3 next_normal(const Place &from, const Vector3 &point, const Vector3 &tangent, double noise) noexcept {
+    const Vector3 chord = point - from.point;
+    if (!(length(chord) > noise)) {
+        return unit_across(turned_normal(from, tangent), tangent);
+    }
+    const Vector3 normal = reflected(from.normal, chord);
+    const Vector3 turn = tangent - reflected(from.tangent, chord);
+    return unit_across(is_zero(turn) ? normal : reflected(normal, turn), tangent);
+}
+
+// The tangents of all points, the regular ones from the block.
+class Tangents {
+public:
+    Tangents(const Spline &spline, const AxisRules &rules, int64_t points) : spline_(spline), rules_(rules) {
+        Jet::prepare(spline);
+        error_ = derivative_errors(spline, rules, points).u;
+    }
+
+    [[nodiscard]] CurveTangent operator()(const Vector3 &first, double t) const noexcept {
+        const double squared = dot(first, first);
+        if (!in_range(squared) || !(squared > error_ * error_)) {
+            const CurveTangent limit = curve_tangent(spline_, rules_, t);
+            if (!in_range(squared) || limit.kind != 1) {
+                return limit;
+            }
+        }
+        return {1, (1 / std::sqrt(squared)) * first};
+    }
+
+private:
+    const Spline &spline_;
+    const AxisRules &rules_;
+    double error_ = 0;
+};
+
+// How far apart two computed points may be that are the same: twice the bound of the header.
+double point_noise(const Spline &spline) noexcept {
+    double hull = 0;
+    for (int64_t i = 0; i < spline.point_count(); ++i) {
+        for (int c = 0; c < dim && spline.weight(i) != 0; ++c) {
+            hull = std::max(hull, std::fabs(spline.coordinate(i, c)));
+        }
+    }
+    return 2 * std::sqrt(3.0) * accuracy_factor(spline.axis(0).degree()) * eps * hull;
+}
+
+class MinimalSink final : public BlockSink {
+public:
+    MinimalSink(const Spline &spline, const AxisRules &rules, ConstRecords params,
+                const std::optional<Vector3> &first_normal, const MinimalFrames &out)
+        : tangents_(spline, rules, params.count), noise_(point_noise(spline)), params_(params),
+          first_normal_(first_normal), out_(out) {}
+
+    virtual ~MinimalSink() = default;
+
+    void operator()(int64_t first, ConstRecords values) noexcept override {
+        write_rows(values.data, first, values.count, out_.points);
+        for (int64_t i = 0; i < values.count; ++i) {
+            const Vector3 derivative = row_vector(values.data + dim * block_size, dim, i);
+            const CurveTangent tangent = tangents_(derivative, params_(first + i, 0));
+            if (tangent.kind > 0) {
+                advance(row_vector(values.data, dim, i), tangent.direction);
+                write(first + i, tangent.kind == 1 ? 0 : frame_limit);
+            } else {
+                write_none(first + i);
+            }
+        }
+    }
+
+private:
+    void advance(const Vector3 &point, const Vector3 &tangent) noexcept {
+        const Vector3 normal = last_           ? next_normal(*last_, point, tangent, noise_)
+                               : first_normal_ ? unit_across(scaled_to_one(*first_normal_), tangent)
+                                               : any_normal(tangent);
+        last_ = Place{point, tangent, normal};
+    }
+
+    void write(int64_t i, int32_t status) const noexcept {
+        write_vector(last_->tangent, i, out_.tangents);
+        write_vector(last_->normal, i, out_.normals);
+        write_vector(cross(last_->tangent, last_->normal), i, out_.binormals);
+        write_status(status, i, out_.status);
+    }
+
+    void write_none(int64_t i) const noexcept {
+        const Vector3 none{nan_value, nan_value, nan_value};
+        write_vector(none, i, out_.tangents);
+        write_vector(none, i, out_.normals);
+        write_vector(none, i, out_.binormals);
+        write_status(frame_undefined, i, out_.status);
+    }
+
+    Tangents tangents_;
+    double noise_;
+    ConstRecords params_;
+    std::optional<Vector3> first_normal_;
+    MinimalFrames out_;
+    std::optional<Place> last_;
+};
+
+// The first tangent of the sequence that exists.
+std::optional<Vector3> first_tangent(const Spline &spline, const AxisRules &rules, ConstRecords params) {
+    Jet::prepare(spline);
+    for (int64_t i = 0; i < params.count; ++i) {
+        const CurveTangent tangent = curve_tangent(spline, rules, params(i, 0));
+        if (tangent.kind > 0) {
+            return tangent.direction;
+        }
+    }
+    return std::nullopt;
+}
+
+// A normal is parallel to the tangent where the part of it across the tangent is the rounding of both.
+std::optional<Vector3> checked_normal(const double *normal, const std::optional<Vector3> &tangent) {
+    if (normal == nullptr) {
+        return std::nullopt;
+    }
+    const Vector3 given{normal[0], normal[1], normal[2]};
+    if (is_zero(given)) {
+        fail(NURBS_ERROR_DIRECTION, "first_normal is zero");
+    }
+    if (tangent && !(length(cross(unit(given), *tangent)) > 8 * eps)) {
+        fail(NURBS_ERROR_DIRECTION, "first_normal = (%s, %s, %s) is parallel to the first tangent",
+             Number(given.x).text, Number(given.y).text, Number(given.z).text);
+    }
+    return given;
+}
+
+} // namespace
+
+void minimal_frames(const Spline &spline, const AxisRules &rules, ConstRecords params,
+                    const double *first_normal, const MinimalFrames &out) {
+    std::optional<Vector3> normal;
+    if (first_normal != nullptr) {
+        normal = checked_normal(first_normal, first_tangent(spline, rules, params));
+    }
+    MinimalSink sink(spline, rules, params, normal, out);
+    evaluate_points(spline, rules, 1, params, sink);
+}
+
+} // namespace nrb

@@ -1,0 +1,137 @@
+#include "eval/surface_frames.h"
+
+#include "eval/blocks.h"
+#include "eval/derivative_errors.h"
+#include "eval/normal_kernel.h"
+#include "eval/outputs.h"
+#include "eval/surface_limit.h"
+
+#include <limits>
+
+namespace nrb {
+
+namespace {
+
+constexpr int dim = 3;
+constexpr double nan_value = std::numeric_limits<double>::quiet_NaN();
+
+// The parameters of point i of a list.
+class ListParameters {
+public:
+    explicit ListParameters(ConstRecords params) : params_(params) {}
+    [[nodiscard]] std::array<double, 2> operator()(int64_t i) const noexcept {
+        return {params_(i, 0), params_(i, 1)};
+    }
+    [[nodiscard]] int64_t count() const noexcept { return params_.count; }
+
+private:
+    ConstRecords params_;
+};
+
+// The parameters of point i of a grid, axis 1 fastest.
+class GridParameters {
+public:
+    explicit GridParameters(const std::array<ConstRecords, max_axes> &params) : params_(params) {}
+    [[nodiscard]] std::array<double, 2> operator()(int64_t i) const noexcept {
+        return {params_[0](i / params_[1].count, 0), params_[1](i % params_[1].count, 0)};
+    }
+    [[nodiscard]] int64_t count() const noexcept { return params_[0].count * params_[1].count; }
+
+private:
+    std::array<ConstRecords, max_axes> params_;
+};
+
+// Nearly all points pass through the kernel only; those whose normal may not be regular are looked at one by
+// one. The normal of a regular point is the kernel's, whichever way it went, so that it does not depend on
+// the batch.
+template <class Parameters>
+class FrameSink final : public BlockSink {
+public:
+    FrameSink(const Spline &spline, const AxisRules &rules, const Parameters &params,
+              const SurfaceFrames &out)
+        : spline_(spline), rules_(rules), params_(params), out_(out) {
+        if (out.normals.data != nullptr || out.status != nullptr) {
+            Jet::prepare(spline);
+            errors_ = derivative_errors(spline, rules, params.count());
+        }
+    }
+
+    virtual ~FrameSink() = default;
+
+    void operator()(int64_t first, ConstRecords values) noexcept override {
+        const double *du = values.data + dim * block_size;
+        const double *dv = du + dim * block_size;
+        write_rows(values.data, first, values.count, out_.points);
+        write_rows(du, first, values.count, out_.du);
+        write_rows(dv, first, values.count, out_.dv);
+        if (out_.normals.data != nullptr || out_.status != nullptr) {
+            normals(first, values.count, du, dv);
+        }
+    }
+
+private:
+    void normals(int64_t first, int64_t count, const double *du, const double *dv) noexcept {
+        if (out_.status != nullptr) {
+            std::fill_n(out_.status + first, count, 0);
+        }
+        const bool doubtful =
+            unit_normals(du, dv, count, errors_.u, errors_.v, normals_.data(), doubtful_.data());
+        for (int64_t i = 0; doubtful && i < count; ++i) {
+            if (doubtful_[static_cast<size_t>(i)] != 0) {
+                look_closer(first, i, row_vector(du, dim, i), row_vector(dv, dim, i));
+            }
+        }
+        write_rows(normals_.data(), first, count, out_.normals);
+    }
+
+    void look_closer(int64_t first, int64_t i, const Vector3 &du, const Vector3 &dv) noexcept {
+        const std::array<double, 2> param = params_(first + i);
+        const SurfaceNormal normal = surface_normal(spline_, rules_, param.data());
+        switch (normal.kind) {
+        case NormalKind::regular: {
+            const Vector3 product = cross(du, dv);
+            if (!in_range(dot(product, product))) {
+                replace(i, unit(cross(scaled_to_one(du), scaled_to_one(dv))));
+            }
+            return;
+        }
+        case NormalKind::limit:
+            replace(i, normal.direction);
+            return write_status(frame_limit, first + i, out_.status);
+        case NormalKind::undefined:
+            replace(i, {nan_value, nan_value, nan_value});
+            return write_status(frame_undefined, first + i, out_.status);
+        }
+    }
+
+    void replace(int64_t i, const Vector3 &normal) noexcept {
+        const auto at = static_cast<size_t>(i);
+        normals_[at] = normal.x;
+        normals_[at + block_size] = normal.y;
+        normals_[at + 2 * block_size] = normal.z;
+    }
+
+    const Spline &spline_;
+    const AxisRules &rules_;
+    Parameters params_;
+    SurfaceFrames out_;
+    DerivativeErrors errors_;
+    std::array<double, dim * block_size> normals_{};
+    std::array<double, block_size> doubtful_{};
+};
+
+} // namespace
+
+void surface_frames(const Spline &spline, const AxisRules &rules, ConstRecords params,
+                    const SurfaceFrames &out) {
+    FrameSink sink(spline, rules, ListParameters(params), out);
+    evaluate_points(spline, rules, 1, params, sink);
+}
+
+void surface_frames(const Spline &spline, const AxisRules &rules,
+                    const std::array<ConstRecords, max_axes> &params, const SurfaceFrames &out) {
+    FrameSink sink(spline, rules, GridParameters(params), out);
+    evaluate_grid(spline, rules, 1, params, sink);
+}
+
+} // namespace nrb

@@ -1,0 +1,23 @@
+// Frames of surfaces in space: points, first derivatives and unit normals.
+#pragma once
+
+#include "eval/parameters.h"
+
+namespace nrb {
+
+// Arrays that are not wanted have data == nullptr; the others have a record of width 3 for each point.
+struct SurfaceFrames {
+    Records points;
+    Records du;
+    Records dv;
+    Records normals;
+    int32_t *status = nullptr;
+};
+
+// Precondition: a surface of dimension 3 and admitted parameters; otherwise as evaluate_points().
+void surface_frames(const Spline &spline, const AxisRules &rules, ConstRecords params,
+                    const SurfaceFrames &out);
+void surface_frames(const Spline &spline, const AxisRules &rules,
+                    const std::array<ConstRecords, max_axes> &params, const SurfaceFrames &out);
+
+} // namespace nrb
