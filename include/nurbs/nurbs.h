@@ -1088,11 +1088,16 @@ NURBS_API nurbs_status nurbs_bezier_extraction(const nurbs *g, int32_t axis, int
  * grad_params is 0. A parameter that gives NaN (NURBS_NAN) adds nothing to grad_points and grad_weights; its
  * grad_params are NaN. Cotangents may have any value and follow the rules of IEEE arithmetic.
  *
- * Contributions are added in the order of the parameters, whatever the machine's load. With NURBS_ACCUMULATE
- * they are added to what the outputs hold, so that a batch that is cut into consecutive calls gives the bits
- * of a single one; without it the outputs are overwritten, all N points of them. Each contribution is within
- * the bound of the derivative it belongs to, with the terms of the sum over s in magnitudes; adding n of them
- * costs n eps / 2 of the sum of their magnitudes.
+ * Contributions are added one after the other in the order of the parameters, so that the same arguments give
+ * the same bits in every call and thread. With NURBS_ACCUMULATE they are added to what the outputs hold, and a
+ * batch that is cut into consecutive calls gives the bits of a single one; without it the outputs are
+ * overwritten, all N points of them. grad_points[i] is within
+ *
+ *     eps * sum_k sum_s (2 (c + 2 |s|) + n) |G[k][s]| E_s[R_i]
+ *
+ * of the exact sum, where E_s[R_i] is the magnitude of the derivative of R_i in the preamble (tested).
+ * grad_weights[i] is within 1 / w_i times twice as much, with n + dim for n, and the magnitudes of the products
+ * R_i P_i and R_i C in place of E_s[R_i]. grad_params are products with the results of nurbs_eval_derivs().
  * \param[in] g a spline.
  * \param[in] order highest order of derivatives in L; less than NURBS_MAX_ORDER if grad_params is wanted.
  * \param[in] n number of parameters.

@@ -61,6 +61,33 @@ static void rational(void) {
     nurbs_destroy(g);
 }
 
+/* The same spline as homogeneous records, and one with a control point at infinity. */
+static void homogeneous(void) {
+    static const int32_t degree = 2;
+    static const int64_t count = 3;
+    static const double knots[] = {0, 0, 0, 1, 1, 1}, net[] = {1, 2, 4}, w[] = {1, 1, 2};
+    static const double records[] = {1, 1, 2, 1, 8, 2}, infinite[] = {1, 1, 2, 0, 8, 2};
+    static const double half = 0.5, cotangents[] = {1, -0.25};
+    double by_point[3], by_weight[3];
+    nurbs *g = NULL;
+    CHECK_OK(nurbs_create_bezier(1, &degree, 1, net, 0, 0, w, 0, &g));
+    CHECK_OK(adjoint(g, 1, 1, &half, cotangents, 0));
+    nurbs_destroy(g);
+    memcpy(by_point, points, sizeof by_point);
+    memcpy(by_weight, weights, sizeof by_weight);
+    CHECK_OK(nurbs_create_homogeneous(1, &degree, &count, knots, 6, 1, records, 0, 0, 0, &g));
+    CHECK_OK(adjoint(g, 1, 1, &half, cotangents, 0));
+    nurbs_destroy(g);
+    CHECK_BITS(points, by_point, sizeof by_point);
+    CHECK_BITS(weights, by_weight, sizeof by_weight);
+    CHECK_OK(nurbs_create_homogeneous(1, &degree, &count, knots, 6, 1, infinite, 0, 0, 0, &g));
+    CHECK_OK(adjoint(g, 1, 1, &half, cotangents, 0));
+    nurbs_destroy(g);
+    CHECK_DOUBLE(points[1], 0);
+    CHECK(isfinite(points[0]) && isfinite(points[2]) && isfinite(weights[0]) && isfinite(weights[2]));
+    CHECK(!isfinite(weights[1]));
+}
+
 /* Finite differences, as a test of signs and factors. */
 static double loss(const nurbs *g, const double *net, const double *w, const double *params,
                    const double *cotangents) {
@@ -245,6 +272,7 @@ int main(void) {
     cubic();
     second_derivative();
     rational();
+    homogeneous();
     slopes_of_the_circle();
     periodic();
     outside();
