@@ -12,7 +12,7 @@ constexpr double nan_value = std::numeric_limits<double>::quiet_NaN();
 
 // The first coefficients that matter, C = C_0 + A_m s^m + ... with A_k the first one that is not parallel to
 // A_m; 0 if there is none.
-struct Orders {
+struct LeadingOrders {
     int m = 0;
     int k = 0;
 };
@@ -21,8 +21,8 @@ double product_error(const Jet &jet, int m, int k) noexcept {
     return length(jet.at(m)) * jet.error(k) + jet.error(m) * (length(jet.at(k)) + jet.error(k));
 }
 
-Orders leading_orders(const Jet &jet, int order) noexcept {
-    Orders found;
+LeadingOrders leading_orders(const Jet &jet, int order) noexcept {
+    LeadingOrders found;
     for (int i = 1; i <= order && found.k == 0; ++i) {
         if (found.m == 0) {
             found.m = length(jet.at(i)) > jet.error(i) ? i : 0;
@@ -40,7 +40,7 @@ double limit_of_power(double factor, int exponent) noexcept {
 
 // The curve s^m A_m + s^k A_k has the curvature k (k - m) |V| / (m |A_m|)^2 s^(k - 2m) + ..., where V is the
 // part of A_k across A_m. `height` is |V|, with a sign in the plane.
-double curvature_limit(const Jet &jet, Orders orders, double height) noexcept {
+double curvature_limit(const Jet &jet, LeadingOrders orders, double height) noexcept {
     const auto [m, k] = orders;
     const double speed = m * length(jet.at(m));
     return limit_of_power(k * (k - m) * (height / speed) / speed, k - 2 * m);
@@ -48,7 +48,7 @@ double curvature_limit(const Jet &jet, Orders orders, double height) noexcept {
 
 // With A_l the first coefficient outside the plane of A_m and A_k, det(C', C'', C''') / |C' x C''|^2 is
 // l (l - m) (l - k) / (m k (k - m)) (A_l . B) / (|A_m| |V|) s^(l - m - k) + ....
-double torsion_limit(const Jet &jet, int order, Orders orders, const Vector3 &binormal) noexcept {
+double torsion_limit(const Jet &jet, int order, LeadingOrders orders, const Vector3 &binormal) noexcept {
     const auto [m, k] = orders;
     const double area = length(cross(jet.at(m), jet.at(k)));
     const double tilt = product_error(jet, m, k) / area;
@@ -62,7 +62,7 @@ double torsion_limit(const Jet &jet, int order, Orders orders, const Vector3 &bi
     return 0;
 }
 
-void complete_in_plane(const Jet &jet, Orders orders, CurveFrame &frame) noexcept {
+void complete_in_plane(const Jet &jet, LeadingOrders orders, CurveFrame &frame) noexcept {
     frame.normal = {-frame.tangent.y, frame.tangent.x, 0};
     if (orders.k > 0) {
         const double height = dot(jet.at(orders.k), frame.normal); // side enters by the normal
@@ -70,7 +70,7 @@ void complete_in_plane(const Jet &jet, Orders orders, CurveFrame &frame) noexcep
     }
 }
 
-void complete_in_space(const Jet &jet, int order, Orders orders, CurveFrame &frame) noexcept {
+void complete_in_space(const Jet &jet, int order, LeadingOrders orders, CurveFrame &frame) noexcept {
     const Vector3 &t = frame.tangent;
     if (orders.k == 0) {
         frame.normal = any_normal(t);
@@ -118,7 +118,7 @@ CurveFrame limit_frame(const Spline &spline, const AxisRules &rules, double t) n
     if (!jet.evaluate(spline, rules, &t, order)) {
         return undefined_frame();
     }
-    const Orders orders = leading_orders(jet, order);
+    const LeadingOrders orders = leading_orders(jet, order);
     if (orders.m == 0) {
         return undefined_frame();
     }
