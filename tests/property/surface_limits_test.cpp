@@ -178,7 +178,7 @@ TEST(SurfaceLimits, a_curved_corner_of_a_plane_patch) {
     const auto frames = surface_frames(create(data).get(), {0, 0, 0.01, 0.02});
     EXPECT_EQ(frames.status, (std::vector<int32_t>{NURBS_FRAME_LIMIT, 0}));
     EXPECT_EQ(frames.normals[2], -1);
-    EXPECT_EQ(frames.normals[5], -1);
+    EXPECT_NEAR(frames.normals[5], -1, 0x1p-52); // of a regular point: the square root of a rounded square
 }
 
 // S = (u^2, v^2, 0): S_u x S_v = 4 u v (0, 0, 1). At the inner zero the normal depends on the side.
