@@ -42,8 +42,8 @@ public:
     // make them worth having, else null. A span without a piece has NaN bounds. Precondition:
     // piece_degree(degree()).
     [[nodiscard]] const PieceArray *pieces_after(int64_t uses) const;
-    // Whether a span can be evaluated from a piece: the degree is one for pieces, and neither the span's length
-    // nor its ratio to its neighbours comes near the limits of double precision.
+    // Whether a span can be evaluated from a piece: the degree is one for pieces, and neither the span's
+    // length nor its ratio to its neighbours comes near the limits of double precision.
     [[nodiscard]] bool has_piece(int64_t span) const noexcept;
     // Index of the span that holds t, as SpanTable::find(), with the table if there is one.
     [[nodiscard]] int64_t find_span(double t, bool left) const noexcept;

@@ -60,9 +60,9 @@ HWY_INLINE AxisPoint axis_values(const AxisSource &source, int order, double t, 
     return special_values(source, order, t, values);
 }
 
-// axis_values() of `count` parameters that are `stride` apart, in two passes: searches, then polynomials. Record
-// i goes to values[i * (order + 1) * lanes]. Returns whether a parameter was special: NaN, or with a function
-// that is alone.
+// axis_values() of `count` parameters that are `stride` apart, in two passes: searches, then polynomials.
+// Record i goes to values[i * (order + 1) * lanes]. Returns whether a parameter was special: NaN, or with a
+// function that is alone.
 template <int kOrders, int kDegree>
 HWY_INLINE bool axis_block(const AxisSource &source, int order, const double *params, int64_t stride,
                            int64_t count, AxisPoint *points, double *values) {

@@ -52,8 +52,8 @@ struct OneComponent {
     }
 };
 
-// The polynomial with coefficients powers[k * stride], k = 0, ..., degree, and its derivatives, at x; `factor`
-// is the derivative of x. kDegree < 0 stands for any degree.
+// The polynomial with coefficients powers[k * stride], k = 0, ..., degree, and its derivatives, at x;
+// `factor` is the derivative of x. kDegree < 0 stands for any degree.
 template <int kOrders, int kDegree, class D, class Load>
 HWY_INLINE void horner_vector(D d, Load load, const double *HWY_RESTRICT powers, int degree, int64_t stride,
                               hn::Vec<D> x, double factor, hn::Vec<D> *HWY_RESTRICT y) {

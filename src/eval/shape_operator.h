@@ -27,8 +27,8 @@ public:
     [[nodiscard]] double gaussian() const noexcept { return w11_ * w22_ - w12_ * w12_; }
     // Half the difference of the principal curvatures.
     [[nodiscard]] double spread() const noexcept { return spread_; }
-    // Bound of its error when the derivatives, which are those of the constructor, have these errors; to first
-    // order.
+    // Bound of its error when the derivatives, which are those of the constructor, have these errors; to
+    // first order.
     [[nodiscard]] double spread_error(const SurfaceDerivatives &d,
                                       const DerivativeErrors &errors) const noexcept;
     // The unit vector of the larger principal curvature, on the side of e1 (of e2, if it is perpendicular).

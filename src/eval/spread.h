@@ -11,8 +11,8 @@ namespace nrb {
 // the steps of evaluation in reverse.
 class Spread {
 public:
-    // `width`: components of a cotangent. The active points must outlive the object and have derivatives up to
-    // `order` on every axis.
+    // `width`: components of a cotangent. The active points must outlive the object and have derivatives up
+    // to `order` on every axis.
     Spread(const ActivePoints &active, int axes, int order, int64_t width)
         : active_(active), axes_(axes), order_(order) {
         lengths_[static_cast<size_t>(axes)] = width;

@@ -12,8 +12,8 @@ namespace nrb {
 // structure is broken; the message names the line), _OPTIONS. What is wrong inside one entity becomes a note
 // and does not touch the others. A unit that the file leaves out is the inch, the default of the standard; a
 // unit that cannot be known (flag 3 with a name that the standard does not list) leaves metres_per_unit 0 and
-// the coordinates as they stand. Cost: O(bytes) time and memory; a count stated in the file is believed only if
-// as many values are there.
+// the coordinates as they stand. Cost: O(bytes) time and memory; a count stated in the file is believed only
+// if as many values are there.
 Document read_iges(std::span<const char> bytes, const ReadSettings &settings);
 
 } // namespace nrb

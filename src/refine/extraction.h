@@ -1,21 +1,21 @@
-// Bezier extraction: M. J. Borden, M. A. Scott, J. A. Evans, T. J. R. Hughes, "Isogeometric finite element data
-// structures based on Bezier extraction of NURBS", International Journal for Numerical Methods in Engineering
-// 87 (2011).
+// Bezier extraction: M. J. Borden, M. A. Scott, J. A. Evans, T. J. R. Hughes, "Isogeometric finite element
+// data structures based on Bezier extraction of NURBS", International Journal for Numerical Methods in
+// Engineering 87 (2011).
 #pragma once
 
 #include "basis/knot_vector.h"
 
 namespace nrb {
 
-// C[j][k], [degree + 1][degree + 1]: N_(span - degree + j) = sum_k C[j][k] B_k over [knots[span], knots[span +
-// 1]]. Column k is the polar form at degree - k times the start and k times the end of the span, as
-// coefficients of the control points (Ramshaw 1989). All factors lie in [0, 1] and all terms are >= 0, so that
-// an entry has a relative error of at most 3 p eps, as in basis_values(). Preconditions: knots[span] <
+// C[j][k], [degree + 1][degree + 1]: N_(span - degree + j) = sum_k C[j][k] B_k over [knots[span], knots[span
+// + 1]]. Column k is the polar form at degree - k times the start and k times the end of the span, as
+// coefficients of the control points (Ramshaw 1989). All factors lie in [0, 1] and all terms are >= 0, so
+// that an entry has a relative error of at most 3 p eps, as in basis_values(). Preconditions: knots[span] <
 // knots[span + 1], degree <= span, and span + degree is a valid index. Cost: O(p^3), p^3 / 6 divisions.
 void bezier_extraction(const double *knots, int degree, int64_t span, double *matrix) noexcept;
 
-// Of all non-empty spans of the domain: the matrices, the first active function, and the ends. Each output may
-// be null.
+// Of all non-empty spans of the domain: the matrices, the first active function, and the ends. Each output
+// may be null.
 void bezier_extraction(const KnotVector &axis, double *matrices, int64_t *firsts, double *domains);
 
 } // namespace nrb

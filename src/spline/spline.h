@@ -71,8 +71,8 @@ public:
     // The pieces of a curve, if they exist or if `uses` evaluations more make them worth having, else null.
     // Component c < width() of a piece is that of the records. A span without a piece has NaN bounds.
     [[nodiscard]] const PieceArray *pieces_after(int64_t uses) const;
-    // The piece of one span without the table, with the same bits; points: [degree + 1][lanes], working memory.
-    // Precondition: has_piece(span).
+    // The piece of one span without the table, with the same bits; points: [degree + 1][lanes], working
+    // memory. Precondition: has_piece(span).
     void curve_piece(int64_t span, double *points, double *piece) const noexcept;
 
 private:
