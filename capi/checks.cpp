@@ -57,7 +57,10 @@ namespace {
 // component covers all records).
 void check_separation(const char *name, int64_t count, int64_t width, int64_t stride,
                       int64_t component_stride) {
-    const bool records_apart = count <= 1 || (stride > 0 && (width - 1) <= (stride - 1) / component_stride);
+    if (count <= 1 || (component_stride == 1 && width <= stride)) { // nearly always
+        return;
+    }
+    const bool records_apart = stride > 0 && (width - 1) <= (stride - 1) / component_stride;
     const bool components_apart =
         stride > 0 && (width == 1 || (count - 1) <= (component_stride - 1) / stride);
     if (!records_apart && !components_apart) {
@@ -89,7 +92,7 @@ RecordView<T> view(const char *name, T *data, int64_t count, int64_t width, int6
     return {data, count, width, stride, component_stride};
 }
 
-bool interleaved(Records out, ConstRecords in) noexcept {
+bool interleaved(const Records &out, const ConstRecords &in) noexcept {
     if (out.stride != in.stride || out.component_stride != 1 || in.component_stride != 1) {
         return false;
     }
@@ -103,7 +106,7 @@ bool interleaved(Records out, ConstRecords in) noexcept {
 }
 
 template <class T>
-int64_t bytes_of(RecordView<T> view) noexcept {
+int64_t bytes_of(const RecordView<T> &view) noexcept {
     return view.extent() * static_cast<int64_t>(sizeof(T));
 }
 
@@ -134,13 +137,14 @@ void check_overlap(const char *out_name, const void *out, int64_t out_bytes, con
     }
 }
 
-void check_overlap(const char *out_name, Records out, const char *in_name, ConstRecords in) {
+void check_overlap(const char *out_name, const Records &out, const char *in_name, const ConstRecords &in) {
     if (out.count > 0 && in.count > 0 && !interleaved(out, in)) {
         check_overlap(out_name, out.data, bytes_of(out), in_name, in.data, bytes_of(in));
     }
 }
 
-void check_overlap(const char *out_name, FloatRecords out, const char *in_name, ConstRecords in) {
+void check_overlap(const char *out_name, const FloatRecords &out, const char *in_name,
+                   const ConstRecords &in) {
     if (out.count > 0 && in.count > 0) {
         check_overlap(out_name, out.data, bytes_of(out), in_name, in.data, bytes_of(in));
     }

@@ -47,8 +47,9 @@ inline ConstRecords read_only(Records out) noexcept {
 
 // Throws NURBS_ERROR_OVERLAP if an element of `out` is an element of `in`. Records of equal stride may
 // interleave.
-void check_overlap(const char *out_name, Records out, const char *in_name, ConstRecords in);
-void check_overlap(const char *out_name, FloatRecords out, const char *in_name, ConstRecords in);
+void check_overlap(const char *out_name, const Records &out, const char *in_name, const ConstRecords &in);
+void check_overlap(const char *out_name, const FloatRecords &out, const char *in_name,
+                   const ConstRecords &in);
 void check_overlap(const char *out_name, const void *out, int64_t out_bytes, const char *in_name,
                    const void *in, int64_t in_bytes);
 

@@ -14,7 +14,8 @@ inline constexpr int64_t max_doubles =
 
 // a * b for a, b >= 0, refused beyond max_doubles. `what` names the array in the message.
 inline int64_t checked_product(int64_t a, int64_t b, const char *what) {
-    if (b != 0 && a > max_doubles / b) {
+    constexpr int64_t surely_small = int64_t{1} << 30; // spares every call the division
+    if ((a | b) >= surely_small && b != 0 && a > max_doubles / b) {
         fail(NURBS_ERROR_OVERFLOW, "%s: %lld * %lld values exceed the address space", what,
              static_cast<long long>(a), static_cast<long long>(b));
     }

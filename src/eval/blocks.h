@@ -13,15 +13,13 @@ inline constexpr int64_t block_size = 64;
 // the first values.count are filled. A point that gives NaN has NaN in all rows.
 class BlockSink {
 public:
+    virtual ~BlockSink() = default;
     virtual void operator()(int64_t first, ConstRecords values) noexcept = 0;
-
-protected:
-    ~BlockSink() = default;
 };
 
 // As evaluate_points() and evaluate_grid(), at most block_size points of one row of the last axis at a time,
 // in any order. May throw only std::bad_alloc, before the sink is called.
-void evaluate_points(const Spline &spline, const AxisRules &rules, int order, ConstRecords params,
+void evaluate_points(const Spline &spline, const AxisRules &rules, int order, const ConstRecords &params,
                      BlockSink &sink);
 void evaluate_grid(const Spline &spline, const AxisRules &rules, int order,
                    const std::array<ConstRecords, max_axes> &params, BlockSink &sink);

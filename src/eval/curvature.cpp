@@ -40,8 +40,6 @@ public:
         errors_ = derivative_errors(spline, rules, params.count);
     }
 
-    virtual ~CurvatureSink() = default;
-
     void operator()(int64_t first, ConstRecords values) noexcept override {
         for (int64_t i = 0; i < values.count; ++i) {
             const SurfaceDerivatives d = derivatives_at(values.data, i);

@@ -61,8 +61,6 @@ public:
         errors_ = derivative_errors(spline, rules, params.count);
     }
 
-    virtual ~CurveSink() = default;
-
     void operator()(int64_t first, ConstRecords values) noexcept override {
         write_rows(values.data, first, values.count, out_.points);
         for (int64_t i = 0; i < values.count; ++i) {

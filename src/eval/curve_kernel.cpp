@@ -61,9 +61,9 @@ HWY_INLINE bool between(const double *block, double lower_bound, double upper_bo
 
 class CurveKernel {
 public:
-    explicit CurveKernel(const CurveJob &job)
-        : job_(job), axis_(job.spline.axis(0)), domain_(axis_.domain()),
-          write_records_(job.shape, job.quotient, job.weights, job.out), write_rows_(job.shape, job.out) {}
+    CurveKernel(const CurveJob &job, const ConstRecords &params, const Records &out)
+        : job_(job), params_(params), out_(out), axis_(job.spline.axis(0)), domain_(axis_.domain()),
+          write_records_(job.shape, job.quotient, job.weights, out), write_rows_(job.shape, out) {}
 
     void run() {
         switch (job_.pieces == nullptr ? -1 : job_.shape.order) {
@@ -95,8 +95,8 @@ private:
     }
 
     void run_without_tables() {
-        for (int64_t i = 0; i < job_.params.count; ++i) {
-            run_specially(job_.params(i, 0), i);
+        for (int64_t i = 0; i < params_.count; ++i) {
+            run_specially(params_(i, 0), i);
         }
     }
 
@@ -105,7 +105,7 @@ private:
     template <int kOrders, int kDegree, bool kQuad, bool kRational>
     HWY_NOINLINE void run_params() {
         const CurveTables tables(job_);
-        const ConstRecords params = job_.params;
+        const ConstRecords &params = params_;
         const double *piece = nullptr;
         double copy[curve_block];
         for (int64_t first = 0; first < params.count; first += curve_block) {
@@ -133,7 +133,8 @@ private:
     }
 
     // A block of parameters side by side; one that is not full repeats its first.
-    static HWY_INLINE const double *block_of(ConstRecords params, int64_t first, int count, double *copy) {
+    static HWY_INLINE const double *block_of(const ConstRecords &params, int64_t first, int count,
+                                             double *copy) {
         const double *start = params.data + first * params.stride;
         if (count == curve_block && params.stride == 1) {
             return start;
@@ -197,7 +198,7 @@ private:
     HWY_INLINE void run_quads(const CurveTables &tables, const double *block, const double *const *pieces,
                               int count, int64_t first) {
         const Quad d;
-        const QuadWriter write(job_.shape, job_.out);
+        const QuadWriter write(job_.shape, out_);
         const int degree = tables.degree;
         const int dim = tables.dim;
         for (int i = 0; i < count; ++i) {
@@ -225,14 +226,14 @@ private:
     HWY_NOINLINE void run_specially(double param, int64_t i) {
         const double t = place(param, job_.rule, domain_);
         if (t != t) {
-            return write_nan(job_.shape.values(), job_.out, i);
+            return write_nan(job_.shape.values(), out_, i);
         }
         const int64_t span = axis_.find_span(t, job_.rule.left);
         evaluate(span, t);
         write_records_(i, 1, job_.records);
         const int sole = sole_function(axis_.knots().data(), degree(), span, t);
         if (sole >= 0) {
-            write_control_point(job_.spline, span - degree() + sole, job_.out, i);
+            write_control_point(job_.spline, span - degree() + sole, out_, i);
         }
     }
 
@@ -265,14 +266,16 @@ private:
     [[nodiscard]] HWY_INLINE int degree() const { return axis_.degree(); }
 
     const CurveJob &job_;
+    const ConstRecords &params_;
+    const Records &out_;
     const KnotVector &axis_;
     Interval domain_;
     RecordWriter write_records_;
     RowWriter write_rows_;
 };
 
-void run_curve(const CurveJob &job) {
-    CurveKernel(job).run();
+void run_curve(const CurveJob &job, const ConstRecords &params, const Records &out) {
+    CurveKernel(job, params, out).run();
 }
 
 } // namespace HWY_NAMESPACE
@@ -284,8 +287,8 @@ namespace nrb {
 
 HWY_EXPORT(run_curve);
 
-void run(const CurveJob &job) noexcept {
-    HWY_DYNAMIC_DISPATCH(run_curve)(job);
+void run(const CurveJob &job, const ConstRecords &params, const Records &out) noexcept {
+    HWY_DYNAMIC_DISPATCH(run_curve)(job, params, out);
 }
 
 } // namespace nrb

@@ -13,18 +13,16 @@ struct CurveJob {
     const QuotientRule *quotient; // null for a polynomial curve
     const SpanTable *spans;       // null with `pieces`
     const PieceArray *pieces;     // null while there is no table: then every piece is made anew
-    ConstRecords params;
-    Records out;
-    double *records; // working memory: [group][slots][lanes], a group being curve_group points
-    double *weights; // [slots]
-    double *piece;   // Piece::size(degree, width)
-    double *values;  // [order + 1][degree + 1]
-    double *window;  // [degree + 1][lanes]
+    double *records;              // working memory: [group][slots][lanes], a group being curve_group points
+    double *weights;              // [slots]
+    double *piece;                // Piece::size(degree, width)
+    double *values;               // [order + 1][degree + 1]
+    double *window;               // [degree + 1][lanes]
 };
 
 inline constexpr int curve_group = 8;
 inline constexpr int curve_block = 16; // parameters treated together, a multiple of curve_group
 
-void run(const CurveJob &job) noexcept;
+void run(const CurveJob &job, const ConstRecords &params, const Records &out) noexcept;
 
 } // namespace nrb

@@ -104,7 +104,7 @@ static HWY_NOINLINE void divide_record(const RecordShape &shape, const QuotientR
 // next slot or point, which is written later; behind the last record nothing is touched.
 class QuadWriter {
 public:
-    QuadWriter(const RecordShape &shape, Records out)
+    QuadWriter(const RecordShape &shape, const Records &out)
         : out_(out.data), stride_(out.stride), component_stride_(out.component_stride),
           packed_count_(shape.dim == 3 && out.component_stride == 1 && out.stride == shape.values()
                             ? out.count - 1
@@ -137,7 +137,7 @@ private:
     int dim_;
 };
 
-HWY_INLINE void write_record(const RecordShape &shape, const double *record, Records out, int64_t i) {
+HWY_INLINE void write_record(const RecordShape &shape, const double *record, const Records &out, int64_t i) {
     double *target = out.record(i);
     for (int64_t s = 0; s < shape.slots; ++s) {
         for (int c = 0; c < shape.dim; ++c) {
@@ -165,7 +165,7 @@ HWY_INLINE void write_three(const RecordShape &shape, const double *record, doub
 // Divides and writes records first, ..., first + count - 1; `records` holds [count][slots][lanes].
 class RecordWriter {
 public:
-    RecordWriter(const RecordShape &shape, const QuotientRule *rule, double *weights, Records out)
+    RecordWriter(const RecordShape &shape, const QuotientRule *rule, double *weights, const Records &out)
         : shape_(shape), rule_(rule), weights_(weights), out_(out),
           packed_(shape.dim == 3 && shape.lanes == 4 && out.component_stride == 1 &&
                   out.stride == shape.values()) {}
@@ -206,7 +206,7 @@ private:
     const RecordShape &shape_;
     const QuotientRule *rule_;
     double *weights_;
-    Records out_;
+    const Records &out_;
     bool packed_;
 };
 

@@ -33,13 +33,13 @@ struct RecordShape {
 };
 
 // The caller's arrays hold stored control points where one is alone, and NaN where nothing was evaluated.
-inline void write_control_point(const Spline &spline, int64_t point, Records out, int64_t i) noexcept {
+inline void write_control_point(const Spline &spline, int64_t point, const Records &out, int64_t i) noexcept {
     for (int c = 0; c < spline.dim(); ++c) {
         out(i, c) = spline.coordinate(point, c);
     }
 }
 
-inline void write_nan(int64_t values, Records out, int64_t i) noexcept {
+inline void write_nan(int64_t values, const Records &out, int64_t i) noexcept {
     for (int64_t c = 0; c < values; ++c) {
         out(i, c) = std::numeric_limits<double>::quiet_NaN();
     }

@@ -42,7 +42,7 @@ public:
 
     // `sink`, if any, is called for every row of the last axis, whose first point is number sink_first of the
     // whole grid and which has sink_stride points there; `out` then holds one row.
-    void write(Records out, BlockSink *sink = nullptr, int64_t sink_first = 0,
+    void write(const Records &out, BlockSink *sink = nullptr, int64_t sink_first = 0,
                int64_t sink_stride = 0) noexcept {
         run(GridJob{spline_,
                     shape_,
@@ -153,7 +153,7 @@ private:
 } // namespace
 
 void evaluate_grid(const Spline &spline, const AxisRules &rules, int order,
-                   const std::array<ConstRecords, max_axes> &params, Records out) {
+                   const std::array<ConstRecords, max_axes> &params, const Records &out) {
     if (out.count == 0) {
         return;
     }

@@ -93,8 +93,6 @@ public:
         : tangents_(spline, rules, params.count), noise_(point_noise(spline)), params_(params),
           first_normal_(first_normal), out_(out) {}
 
-    virtual ~MinimalSink() = default;
-
     void operator()(int64_t first, ConstRecords values) noexcept override {
         write_rows(values.data, first, values.count, out_.points);
         for (int64_t i = 0; i < values.count; ++i) {

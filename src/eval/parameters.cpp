@@ -51,8 +51,8 @@ bool admitted(double t, const AxisRule &rule) noexcept {
 }
 
 // Component k of every record; `format` makes a name from the index, counted from `first_index`, and k.
-void check_column(ConstRecords params, int k, const AxisRule &rule, Interval domain, int64_t first_index,
-                  const char *format) {
+void check_column(const ConstRecords &params, int k, const AxisRule &rule, Interval domain,
+                  int64_t first_index, const char *format) {
     for (int64_t i = 0; i < params.count; ++i) {
         const double t = params(i, k);
         if (!inside(t, domain) && !admitted(t, rule)) {
@@ -76,6 +76,15 @@ double wrap(double t, bool left, Interval domain) noexcept {
         return placed == domain.lower ? domain.upper : placed;
     }
     return placed == domain.upper ? domain.lower : placed;
+}
+
+bool packed_inside(const Spline::Axes &axes, const ConstRecords &params) noexcept {
+    std::array<Interval, max_axes> domains{};
+    for (size_t k = 0; k < axes.size(); ++k) {
+        domains[k] = axes[k]->domain();
+    }
+    const auto count = static_cast<int>(axes.size());
+    return all_inside(params.data, params.count * count, count, domains.data());
 }
 
 } // namespace
@@ -103,14 +112,11 @@ void check_parameter(double t, const AxisRule &rule, Interval domain, const char
          Number(domain.lower).text, Number(domain.upper).text);
 }
 
-void check_parameters(const Spline::Axes &axes, const AxisRules &rules, ConstRecords params) {
-    std::array<Interval, max_axes> domains{};
-    for (size_t k = 0; k < axes.size(); ++k) {
-        domains[k] = axes[k]->domain();
-    }
+void check_parameters(const Spline::Axes &axes, const AxisRules &rules, const ConstRecords &params) {
     const auto count = static_cast<int>(axes.size());
+    constexpr int64_t few = 8; // are not worth a kernel
     const bool packed = params.stride == count && (params.component_stride == 1 || count == 1);
-    if (packed && all_inside(params.data, params.count * count, count, domains.data())) {
+    if (packed && params.count > few && packed_inside(axes, params)) {
         return;
     }
     const char *format = count == 1 ? "params[%lld]" : "params[%lld][%d]";

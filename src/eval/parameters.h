@@ -29,8 +29,8 @@ void check_parameter(double t, const AxisRule &rule, Interval domain, const char
 
 // Checks every parameter of a batch or of one axis of a grid; messages name the array "params" and the index
 // from `first_index` on.
-void check_parameters(const Spline::Axes &axes, const AxisRules &rules, ConstRecords params);
-inline void check_parameters(const Spline &spline, const AxisRules &rules, ConstRecords params) {
+void check_parameters(const Spline::Axes &axes, const AxisRules &rules, const ConstRecords &params);
+inline void check_parameters(const Spline &spline, const AxisRules &rules, const ConstRecords &params) {
     check_parameters(spline.knot_vectors(), rules, params);
 }
 void check_axis_parameters(const KnotVector &axis, const AxisRule &rule, ConstRecords params,

@@ -30,8 +30,6 @@ public:
                                                   quotient_,
                                                   pieces_ != nullptr ? &curve.axis(0).spans() : nullptr,
                                                   pieces_,
-                                                  {},
-                                                  {},
                                                   scratch_.take_aligned(
                                                       static_cast<size_t>(curve_group * shape_.size())),
                                                   scratch_.take(static_cast<size_t>(shape_.slots)),
@@ -39,11 +37,7 @@ public:
                                                   scratch_.take(values_size(curve, shape_)),
                                                   scratch_.take(piece_size(curve, shape_))} {}
 
-    void operator()(ConstRecords params, Records out) noexcept {
-        job_.params = params;
-        job_.out = out;
-        run(job_);
-    }
+    void operator()(const ConstRecords &params, const Records &out) noexcept { run(job_, params, out); }
 
 private:
     static size_t piece_size(const Spline &curve, const RecordShape &shape) noexcept {
@@ -78,9 +72,8 @@ public:
         : shape_(spline, order), sources_(axis_sources(spline, rules, order, {uses, uses, uses})),
           block_(tensor_block(shape_, uses)), scratch_(scratch_size()),
           quotient_(make_rule(rule_, shape_, scratch_)),
-          job_{
-              spline, shape_,  quotient_, sources_.data(), spline.records_after(uses), {}, {}, block_, {}, {},
-              {},     nullptr, nullptr,   nullptr} {
+          job_{spline, shape_,  quotient_, sources_.data(), spline.records_after(uses), block_, {}, {},
+               {},     nullptr, nullptr,   nullptr} {
         job_.records = scratch_.take(static_cast<size_t>(block_ * shape_.size()));
         job_.weights = scratch_.take(static_cast<size_t>(shape_.slots));
         job_.window = scratch_.take(window_size());
@@ -93,11 +86,7 @@ public:
         make_slabs();
     }
 
-    void operator()(ConstRecords params, Records out) noexcept {
-        job_.params = params;
-        job_.out = out;
-        run(job_);
-    }
+    void operator()(const ConstRecords &params, const Records &out) noexcept { run(job_, params, out); }
 
 private:
     static constexpr size_t padding = 4; // records are read as whole vectors
@@ -152,7 +141,7 @@ private:
 
 // Blocks of rows for a sink, one after the other through the same evaluator.
 template <class Evaluator>
-void evaluate_blocks(Evaluator &&evaluate, ConstRecords params, int64_t width, BlockSink &sink) {
+void evaluate_blocks(Evaluator &&evaluate, const ConstRecords &params, int64_t width, BlockSink &sink) {
     const std::unique_ptr<double[]> rows(new double[static_cast<size_t>(width * block_size)]);
     for (int64_t first = 0; first < params.count; first += block_size) {
         const int64_t count = std::min(block_size, params.count - first);
@@ -166,8 +155,8 @@ void evaluate_blocks(Evaluator &&evaluate, ConstRecords params, int64_t width, B
 
 } // namespace
 
-void evaluate_points(const Spline &spline, const AxisRules &rules, int order, ConstRecords params,
-                     Records out) {
+void evaluate_points(const Spline &spline, const AxisRules &rules, int order, const ConstRecords &params,
+                     const Records &out) {
     if (params.count == 0) {
         return;
     }
@@ -178,7 +167,7 @@ void evaluate_points(const Spline &spline, const AxisRules &rules, int order, Co
     }
 }
 
-void evaluate_points(const Spline &spline, const AxisRules &rules, int order, ConstRecords params,
+void evaluate_points(const Spline &spline, const AxisRules &rules, int order, const ConstRecords &params,
                      BlockSink &sink) {
     const int64_t width = slot_count(spline.axes(), order) * spline.dim();
     if (spline.axes() == 1) {

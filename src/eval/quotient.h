@@ -6,6 +6,7 @@
 #include "base/scratch.h"
 #include "eval/slots.h"
 
+#include <array>
 #include <cstdint>
 
 namespace nrb {
@@ -25,40 +26,45 @@ public:
     // Calls visit(term) for the terms of slot s in their fixed order; (i, j, k) are the orders of the slot.
     template <class Visit>
     void for_each_term(int64_t s, int i, int j, int k, Visit &&visit) const noexcept {
-        if (order_ > listed_order) {
-            return derive_terms(i, j, k, visit);
+        if (list_ == nullptr) {
+            const auto binomial = [this](int n, int m) { return binomials_[n * (n + 1) / 2 + m]; };
+            return derive_terms(axes_, {i, j, k}, binomial, visit);
         }
-        for (int64_t t = first_term_[s]; t < first_term_[s + 1]; ++t) {
-            visit(list_[t]);
+        for (int64_t t = list_->first[s]; t < list_->first[s + 1]; ++t) {
+            visit(list_->terms[t]);
         }
     }
 
 private:
-    // Low orders, which are what is asked for again and again, have their terms listed.
+    // Low orders, which are what is asked for again and again, have their terms listed, those of slot s from
+    // first[s] on.
     static constexpr int listed_order = 2;
-    static constexpr int64_t listed_slots = 10;
-    static constexpr int64_t listed_terms = 18; // three axes, order 2: 3 of one, 3 of two, 3 of three terms
+    struct List {
+        static constexpr int64_t most_slots = 10;
+        static constexpr int64_t most_terms = 18; // three axes: 3 slots of one, 3 of two, 3 of three terms
+        QuotientTerm terms[most_terms];
+        int64_t first[most_slots + 1];
+    };
+    static constexpr List list_terms(int axes) noexcept;
+    static const std::array<List, max_axes> lists;
 
-    [[nodiscard]] double binomial(int n, int k) const noexcept { return binomials_[n * (n + 1) / 2 + k]; }
-    void list_terms() noexcept;
-
-    template <class Visit>
-    void derive_terms(int i, int j, int k, Visit &&visit) const noexcept {
+    // Calls visit(term) for 0 < (a, b, c) <= (i, j, k); binomial(n, k) for n <= order.
+    template <class Binomial, class Visit>
+    static constexpr void derive_terms(int axes, const Orders &orders, Binomial &&binomial, Visit &&visit) {
+        const auto [i, j, k] = orders;
         for (int a = 0; a <= i; ++a) {
             for (int b = 0; b <= j; ++b) {
                 for (int c = a + b == 0 ? 1 : 0; c <= k; ++c) {
-                    visit(QuotientTerm{binomial(i, a) * binomial(j, b) * binomial(k, c), slot(axes_, a, b, c),
-                                       slot(axes_, i - a, j - b, k - c)});
+                    visit(QuotientTerm{binomial(i, a) * binomial(j, b) * binomial(k, c), slot(axes, a, b, c),
+                                       slot(axes, i - a, j - b, k - c)});
                 }
             }
         }
     }
 
     int axes_;
-    int order_;
-    double *binomials_; // Pascal's triangle, row n from n (n + 1) / 2 on
-    QuotientTerm list_[listed_terms];
-    int64_t first_term_[listed_slots + 1];
+    const List *list_;  // null above the listed orders
+    double *binomials_; // else Pascal's triangle, row n from n (n + 1) / 2 on
 };
 
 } // namespace nrb

@@ -93,7 +93,7 @@ HWY_INLINE void divide_group(const RecordShape &shape, const QuotientRule &rule,
 // Writes the rows of `count` points to records first, first + 1, ...
 class RowWriter {
 public:
-    RowWriter(const RecordShape &shape, Records out)
+    RowWriter(const RecordShape &shape, const Records &out)
         : shape_(shape), out_(out), separate_(out.stride == 1),
           triples_(shape.dim == 3 && out.component_stride == 1) {}
 
@@ -176,7 +176,7 @@ private:
     }
 
     const RecordShape &shape_;
-    Records out_;
+    const Records &out_;
     bool separate_;
     bool triples_;
 };

@@ -22,7 +22,6 @@ void round_points(ConstRecords values, int64_t first, FloatRecords points) noexc
 class FloatSink final : public BlockSink {
 public:
     explicit FloatSink(FloatRecords points) noexcept : points_(points) {}
-    virtual ~FloatSink() = default;
 
     void operator()(int64_t first, ConstRecords values) noexcept override {
         round_points(values, first, points_);

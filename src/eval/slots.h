@@ -36,7 +36,7 @@ inline int64_t slot(int axes, const Orders &a) noexcept {
 
 // Calls visit(i, j, k) for every slot in increasing order.
 template <class Visit>
-void for_each_slot(int axes, int order, Visit &&visit) {
+constexpr void for_each_slot(int axes, int order, Visit &&visit) {
     for (int total = 0; total <= order; ++total) {
         for (int later = 0; later <= (axes > 1 ? total : 0); ++later) {
             for (int last = 0; last <= (axes > 2 ? later : 0); ++last) {

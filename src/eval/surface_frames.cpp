@@ -56,8 +56,6 @@ public:
         }
     }
 
-    virtual ~FrameSink() = default;
-
     void operator()(int64_t first, ConstRecords values) noexcept override {
         const double *du = values.data + dim * block_size;
         const double *dv = du + dim * block_size;

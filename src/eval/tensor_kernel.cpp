@@ -15,8 +15,9 @@ namespace HWY_NAMESPACE {
 
 class TensorKernel {
 public:
-    explicit TensorKernel(const TensorJob &job)
-        : job_(job), axes_(job.spline.axes()), write_(job.shape, job.quotient, job.weights, job.out) {
+    TensorKernel(const TensorJob &job, const ConstRecords &params, const Records &out)
+        : job_(job), params_(params), out_(out), axes_(job.spline.axes()),
+          write_(job.shape, job.quotient, job.weights, out) {
         int64_t stride = job.shape.width;
         for (int k = axes_ - 1; k >= 0; --k) {
             strides_[k] = stride;
@@ -54,15 +55,15 @@ private:
 
     template <int kOrders, int kDegree>
     HWY_NOINLINE void run_blocks() {
-        for (int64_t first = 0; first < job_.params.count; first += job_.block) {
-            const int64_t count = std::min(job_.block, job_.params.count - first);
+        for (int64_t first = 0; first < params_.count; first += job_.block) {
+            const int64_t count = std::min(job_.block, params_.count - first);
             bool special = false;
             for (int k = 0; k < axes_; ++k) {
                 const auto at = static_cast<size_t>(k);
-                const double *params = job_.params.record(first) + k * job_.params.component_stride;
+                const double *params = params_.record(first) + k * params_.component_stride;
                 special |=
-                    axis_block<kOrders, kDegree>(job_.sources[at], job_.shape.order, params,
-                                                 job_.params.stride, count, job_.points[at], job_.values[at]);
+                    axis_block<kOrders, kDegree>(job_.sources[at], job_.shape.order, params, params_.stride,
+                                                 count, job_.points[at], job_.values[at]);
             }
             if constexpr (kDegree == 3) {
                 contract_quads<kOrders>(first, count, special);
@@ -90,7 +91,7 @@ private:
     // registers to the caller's array.
     template <int kOrders>
     HWY_NOINLINE void contract_surfaces(int64_t first, int64_t count, bool special) {
-        const QuadWriter write(job_.shape, job_.out);
+        const QuadWriter write(job_.shape, out_);
         const AxisSource &u = job_.sources[0];
         const AxisSource &v = job_.sources[1];
         const int width = job_.shape.width;
@@ -122,7 +123,7 @@ private:
     // contract(), a column of the last axis at a time.
     template <int kOrders>
     HWY_INLINE void contract_quads(int64_t first, int64_t count, bool special) {
-        const QuadWriter write(job_.shape, job_.out);
+        const QuadWriter write(job_.shape, out_);
         const bool surface = axes_ == 2;
         const std::array<double *, max_axes> tables = job_.values;
         for (int64_t i = 0; i < count; ++i) {
@@ -328,12 +329,12 @@ private:
     HWY_NOINLINE void mend(int64_t first, int64_t count) const {
         for (int64_t i = 0; i < count; ++i) {
             if (!valid(i)) {
-                write_nan(job_.shape.values(), job_.out, first + i);
+                write_nan(job_.shape.values(), out_, first + i);
                 continue;
             }
             const int64_t sole = sole_point(i);
             if (sole >= 0) {
-                write_control_point(job_.spline, sole, job_.out, first + i);
+                write_control_point(job_.spline, sole, out_, first + i);
             }
         }
     }
@@ -352,13 +353,15 @@ private:
     }
 
     const TensorJob &job_;
+    const ConstRecords &params_;
+    const Records &out_;
     int axes_;
     int64_t strides_[max_axes] = {}; // of the net, between layers of each axis
     RecordWriter write_;
 };
 
-void run_tensor(const TensorJob &job) {
-    TensorKernel(job).run();
+void run_tensor(const TensorJob &job, const ConstRecords &params, const Records &out) {
+    TensorKernel(job, params, out).run();
 }
 
 } // namespace HWY_NAMESPACE
@@ -370,8 +373,8 @@ namespace nrb {
 
 HWY_EXPORT(run_tensor);
 
-void run(const TensorJob &job) noexcept {
-    HWY_DYNAMIC_DISPATCH(run_tensor)(job);
+void run(const TensorJob &job, const ConstRecords &params, const Records &out) noexcept {
+    HWY_DYNAMIC_DISPATCH(run_tensor)(job, params, out);
 }
 
 } // namespace nrb

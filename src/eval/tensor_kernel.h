@@ -17,9 +17,7 @@ struct TensorJob {
     const QuotientRule *quotient; // null for a polynomial spline
     const AxisSource *sources;    // [axes]
     const double *net;            // the records of all control points, or null: then windows are copied
-    ConstRecords params;
-    Records out;
-    int64_t block;                              // points in a block
+    int64_t block;                // points in a block
     std::array<AxisPoint *, max_axes> points{}; // working memory, for each axis [block]
     std::array<double *, max_axes> values{};    // for each axis [block][order + 1][lanes]
     Slabs slabs;                                // of one point
@@ -28,6 +26,6 @@ struct TensorJob {
     double *weights;                            // [slots]
 };
 
-void run(const TensorJob &job) noexcept;
+void run(const TensorJob &job, const ConstRecords &params, const Records &out) noexcept;
 
 } // namespace nrb
