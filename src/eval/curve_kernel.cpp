@@ -46,8 +46,15 @@ struct CurveTables {
     int dim;
 };
 
-// Whether a block of parameters lies strictly between two bounds; NaN does not.
-HWY_INLINE bool between(const double *block, double lower_bound, double upper_bound) {
+// Whether `count` parameters lie strictly between two bounds; NaN does not.
+HWY_INLINE bool between(const double *block, int count, double lower_bound, double upper_bound) {
+    if (count < curve_block) {
+        bool all = true;
+        for (int i = 0; i < count; ++i) {
+            all = all && block[i] > lower_bound && block[i] < upper_bound;
+        }
+        return all;
+    }
     const Wide d;
     const auto lower = hn::Set(d, lower_bound);
     const auto upper = hn::Set(d, upper_bound);
@@ -76,7 +83,7 @@ public:
         case 2:
             return run_order<3>();
         default:
-            return run_params<most_orders, -1, false, false>();
+            return run_params<most_orders, -1, 0, false>();
         }
     }
 
@@ -85,12 +92,14 @@ private:
     template <int kOrders>
     void run_order() {
         const bool rational = job_.quotient != nullptr;
-        if (job_.shape.lanes != 4) {
-            run_params<kOrders, -1, false, false>();
-        } else if (degree() == 3) {
-            rational ? run_params<kOrders, 3, true, true>() : run_params<kOrders, 3, true, false>();
+        if (job_.shape.lanes == 4 && degree() == 3) {
+            rational ? run_params<kOrders, 3, 4, true>() : run_params<kOrders, 3, 4, false>();
+        } else if (job_.shape.lanes == 4) {
+            rational ? run_params<kOrders, -1, 4, true>() : run_params<kOrders, -1, 4, false>();
+        } else if (job_.shape.lanes == 8) {
+            rational ? run_params<kOrders, -1, 8, true>() : run_params<kOrders, -1, 8, false>();
         } else {
-            rational ? run_params<kOrders, -1, true, true>() : run_params<kOrders, -1, true, false>();
+            run_params<kOrders, -1, 0, false>();
         }
     }
 
@@ -102,7 +111,7 @@ private:
 
     // Blocks in one span go by vectors across the parameters, others by vectors across the components, in two
     // passes: the searches of a block do not wait for its divisions.
-    template <int kOrders, int kDegree, bool kQuad, bool kRational>
+    template <int kOrders, int kDegree, int kLanes, bool kRational>
     HWY_NOINLINE void run_params() {
         const CurveTables tables(job_);
         const ConstRecords &params = params_;
@@ -113,34 +122,34 @@ private:
             const double *block = block_of(params, first, count, copy);
             const double *pieces[curve_block];
             if (piece != nullptr && count == curve_block &&
-                between(block, piece[Piece::lower], piece[Piece::upper])) {
+                between(block, count, piece[Piece::lower], piece[Piece::upper])) {
                 run_in_piece<kOrders, kDegree>(block, piece, first);
                 continue;
             }
-            if (!between(block, tables.domain.lower, tables.domain.upper) ||
+            if (!between(block, count, tables.domain.lower, tables.domain.upper) ||
                 !tables.locate(block, count, pieces)) {
                 run_specially(block, count, first);
                 piece = nullptr;
                 continue;
             }
             piece = pieces[count - 1];
-            if constexpr (kQuad) {
-                run_quads<kOrders, kDegree, kRational>(tables, block, pieces, count, first);
+            if constexpr (kLanes > 0) {
+                run_quads<kOrders, kDegree, kLanes, kRational>(tables, block, pieces, count, first);
             } else {
                 run_records<kOrders, kDegree>(tables, block, pieces, count, first);
             }
         }
     }
 
-    // A block of parameters side by side; one that is not full repeats its first.
+    // A block of parameters side by side.
     static HWY_INLINE const double *block_of(const ConstRecords &params, int64_t first, int count,
                                              double *copy) {
         const double *start = params.data + first * params.stride;
-        if (count == curve_block && params.stride == 1) {
+        if (params.stride == 1) {
             return start;
         }
-        for (int i = 0; i < curve_block; ++i) {
-            copy[i] = i < count ? start[i * params.stride] : *start;
+        for (int i = 0; i < count; ++i) {
+            copy[i] = start[i * params.stride];
         }
         return copy;
     }
@@ -193,8 +202,8 @@ private:
         }
     }
 
-    // Records of four lanes, in registers from the coefficients to the caller's array.
-    template <int kOrders, int kDegree, bool kRational>
+    // Records of four or eight lanes, in registers from the coefficients to the caller's array.
+    template <int kOrders, int kDegree, int kLanes, bool kRational>
     HWY_INLINE void run_quads(const CurveTables &tables, const double *block, const double *const *pieces,
                               int count, int64_t first) {
         const Quad d;
@@ -202,13 +211,13 @@ private:
         const int degree = tables.degree;
         const int dim = tables.dim;
         for (int i = 0; i < count; ++i) {
-            QuadRecord<kOrders> record;
+            QuadRecord<kOrders, kLanes> record;
             const double *piece = pieces[i];
             const double scale = piece[Piece::scale];
             const auto x = hn::Set(d, (block[i] - piece[Piece::middle]) * scale);
-            for (int part = 0; part < quad_parts; ++part) {
+            for (int part = 0; part < record.parts; ++part) {
                 horner_vector<kOrders, kDegree>(d, Components(), piece + Piece::head_size + part * quad_lanes,
-                                                degree, 4, x, scale, record.values[part]);
+                                                degree, kLanes, x, scale, record.values[part]);
             }
             if constexpr (kRational) {
                 record.template divide_by_weight<1, kOrders - 1>(dim);

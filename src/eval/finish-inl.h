@@ -38,12 +38,11 @@ HWY_INLINE void divide_record(const RecordShape &shape, double *HWY_RESTRICT rec
     }
 }
 
-inline constexpr int quad_parts = 4 / quad_lanes;
-
-// A record of four lanes in registers.
-template <int kSlots>
+// A record of kLanes lanes in registers.
+template <int kSlots, int kLanes = 4>
 struct QuadRecord {
-    hn::Vec<Quad> values[quad_parts][kSlots];
+    static constexpr int parts = kLanes / quad_lanes;
+    hn::Vec<Quad> values[parts][kSlots];
 
     // Divides by the weight, which is component `dim`.
     template <int kAxes, int kOrder>
@@ -55,22 +54,22 @@ struct QuadRecord {
             weights[s] = hn::Set(d, component(s, dim));
         }
         const auto inverse = hn::Set(d, 1 / component(0, dim));
-        for (int part = 0; part < quad_parts; ++part) {
+        for (int part = 0; part < parts; ++part) {
             divide<kAxes, kOrder>(weights, inverse, values[part]);
         }
     }
 
     [[nodiscard]] HWY_INLINE double component(int slot, int c) const {
-        if (quad_parts == 1 && c == 3) { // the usual dimension, without memory
+        if (parts == 1 && c == 3) { // the usual dimension, without memory
             return hn::ExtractLane(values[0][slot], quad_lanes - 1);
         }
-        HWY_ALIGN double lanes[4];
+        HWY_ALIGN double lanes[kLanes];
         store(slot, lanes);
         return lanes[c];
     }
 
     HWY_INLINE void store(int slot, double *target) const {
-        for (int part = 0; part < quad_parts; ++part) {
+        for (int part = 0; part < parts; ++part) {
             hn::StoreU(values[part][slot], Quad(), target + part * quad_lanes);
         }
     }
@@ -100,28 +99,28 @@ static HWY_NOINLINE void divide_record(const RecordShape &shape, const QuotientR
     });
 }
 
-// Writes records from registers. Packed triples are written as four doubles, of which the fourth falls on the
-// next slot or point, which is written later; behind the last record nothing is touched.
+// Writes records from registers, in rising order. Packed ones are written with their padding and weight, which
+// fall on the next slots and points, which are written later; behind the last record nothing is touched.
 class QuadWriter {
 public:
     QuadWriter(const RecordShape &shape, const Records &out)
         : out_(out.data), stride_(out.stride), component_stride_(out.component_stride),
-          packed_count_(shape.dim == 3 && out.component_stride == 1 && out.stride == shape.values()
-                            ? out.count - 1
+          packed_count_(out.component_stride == 1 && out.stride == shape.values()
+                            ? out.count - (shape.lanes - shape.dim + shape.values() - 1) / shape.values()
                             : 0),
           dim_(shape.dim) {}
 
-    template <int kSlots>
-    HWY_INLINE void operator()(const QuadRecord<kSlots> &record, int64_t i) const {
+    template <int kSlots, int kLanes>
+    HWY_INLINE void operator()(const QuadRecord<kSlots, kLanes> &record, int64_t i) const {
+        double *target = out_ + i * stride_;
         if (i < packed_count_) {
-            for (int s = 0; s < kSlots; ++s) {
-                record.store(s, out_ + 3 * (kSlots * i + s));
+            for (int s = 0; s < kSlots; ++s, target += dim_) {
+                record.store(s, target);
             }
             return;
         }
-        double *target = out_ + i * stride_;
         for (int s = 0; s < kSlots; ++s) {
-            HWY_ALIGN double lanes[4];
+            HWY_ALIGN double lanes[kLanes];
             record.store(s, lanes);
             for (int c = 0; c < dim_; ++c, target += component_stride_) {
                 *target = lanes[c];

@@ -108,7 +108,7 @@ private:
             const double *values = job_.values[1] + i * kOrders * v.lanes;
             for (int a = 0; a < kOrders; ++a) {
                 for (int b = 0; a + b < kOrders; ++b) {
-                    for (int part = 0; part < quad_parts; ++part) {
+                    for (int part = 0; part < record.parts; ++part) {
                         record.values[part][slot(2, a, b)] =
                             contracted<-1>(Quad(), values + b * v.lanes, v.degree + 1,
                                            slab + a * row + part * quad_lanes, width);
@@ -190,7 +190,7 @@ private:
     HWY_INLINE void contract_surface(const QuadWindow &from, const double *const *values,
                                      Record &record) const {
         const Quad d;
-        for (int part = 0; part < quad_parts; ++part) {
+        for (int part = 0; part < record.parts; ++part) {
             for (int j = 0; j <= 3; ++j) {
                 hn::Vec<Quad> sums[kOrders];
                 contract_column<kOrders>(values[0], from.records + j * 4, from.stride, part, sums);
@@ -210,7 +210,7 @@ private:
                                     Record &record) const {
         const Quad d;
         constexpr int kept = static_cast<int>(slot_count(2, kOrders - 1));
-        for (int part = 0; part < quad_parts; ++part) {
+        for (int part = 0; part < record.parts; ++part) {
             for (int k = 0; k <= 3; ++k) {
                 hn::Vec<Quad> planes[kept];
                 contract_plane<kOrders>(from, values, from.records + k * 4, part, planes);
