@@ -186,14 +186,44 @@ private:
         }
     }
 
+    // contract_column() for all four columns of a window.
+    template <int kOrders>
+    HWY_INLINE void contract_columns(const double *HWY_RESTRICT values, const QuadWindow &from, int part,
+                                     hn::Vec<Quad> (*HWY_RESTRICT sums)[kOrders]) const {
+#if HWY_MAX_BYTES >= 64
+        // Two columns in one vector.
+        const Wide d;
+        for (int pair = 0; pair < 2; ++pair) {
+            hn::Vec<Wide> both[kOrders];
+            const double *rows = from.records + pair * 8;
+            for (int i = 0; i <= 3; ++i, rows += from.stride) {
+                const auto row = hn::LoadU(d, rows);
+                for (int a = 0; a < kOrders; ++a) {
+                    const auto value = hn::Set(d, values[a * 4 + i]);
+                    both[a] = i == 0 ? hn::Mul(value, row) : hn::MulAdd(value, row, both[a]);
+                }
+            }
+            for (int a = 0; a < kOrders; ++a) {
+                sums[2 * pair][a] = hn::LowerHalf(both[a]);
+                sums[2 * pair + 1][a] = hn::UpperHalf(Quad(), both[a]);
+            }
+        }
+#else
+        for (int j = 0; j <= 3; ++j) {
+            contract_column<kOrders>(values, from.records + j * 4, from.stride, part, sums[j]);
+        }
+#endif
+    }
+
     template <int kOrders, class Record>
     HWY_INLINE void contract_surface(const QuadWindow &from, const double *const *values,
                                      Record &record) const {
         const Quad d;
         for (int part = 0; part < record.parts; ++part) {
+            hn::Vec<Quad> columns[4][kOrders];
+            contract_columns<kOrders>(values[0], from, part, columns);
             for (int j = 0; j <= 3; ++j) {
-                hn::Vec<Quad> sums[kOrders];
-                contract_column<kOrders>(values[0], from.records + j * 4, from.stride, part, sums);
+                const auto *sums = columns[j];
                 for (int b = 0; b < kOrders; ++b) {
                     const auto value = hn::Set(d, values[1][b * 4 + j]);
                     for (int a = 0; a + b < kOrders; ++a) {
