@@ -32,10 +32,14 @@ SpanTable::SpanTable(int degree, std::span<const double> knots) {
 
 bool SpanTable::fill(size_t buckets) {
     using Bucket = Finder::Bucket;
-    finder_.scale_ = static_cast<double>(buckets) / (breaks_.back() - breaks_.front());
+    const double length = breaks_.back() - breaks_.front();
+    finder_.scale_ = static_cast<double>(buckets) / length;
     if (!std::isfinite(finder_.scale_)) { // a domain too short for the scale gets one bucket
         finder_.scale_ = 0;
         buckets = 1;
+    }
+    while (length * finder_.scale_ >= static_cast<double>(buckets)) { // spares number_inside() a comparison
+        finder_.scale_ = std::nextafter(finder_.scale_, 0.0);
     }
     finder_.last_bucket_ = static_cast<double>(buckets - 1);
     buckets_.assign(buckets + 1, Bucket{std::numeric_limits<double>::infinity(), 0});

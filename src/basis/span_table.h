@@ -28,8 +28,7 @@ public:
         }
         // The same for a parameter inside the domain.
         [[nodiscard]] int64_t number_inside(double t) const noexcept {
-            const double x = (t - lower_) * scale_;
-            return number_in<false>(buckets_ + static_cast<int64_t>(x < last_bucket_ ? x : last_bucket_), t);
+            return number_in<false>(buckets_ + static_cast<int64_t>((t - lower_) * scale_), t);
         }
 
     private:

@@ -60,6 +60,32 @@ HWY_INLINE AxisPoint axis_values(const AxisSource &source, int order, double t, 
     return special_values(source, order, t, values);
 }
 
+// The pieces and first layers of parameters that lie strictly inside the domain and a span with a piece each;
+// false if some does not. Apart from its caller, so that all it needs stays in registers.
+static HWY_NOINLINE bool locate(const AxisSource &source, const double *HWY_RESTRICT params, int64_t stride,
+                                int64_t count, AxisPoint *HWY_RESTRICT points,
+                                const double **HWY_RESTRICT found) {
+    const SpanTable::Finder find = source.spans->finder();
+    const int64_t *spans = source.spans->indices().data();
+    const double *pieces = (*source.pieces)[0];
+    const int64_t piece_size = source.pieces->size();
+    const Interval domain = source.domain;
+    const int degree = source.degree;
+    bool ordinary = true;
+    for (int64_t i = 0; i < count; ++i) {
+        const double t = params[i * stride];
+        if (HWY_UNLIKELY(!(t > domain.lower && t < domain.upper))) {
+            return false;
+        }
+        const int64_t number = find.number_inside(t);
+        const double *piece = pieces + number * piece_size;
+        points[i].first = spans[number] - degree;
+        found[i] = piece;
+        ordinary &= t > piece[Piece::lower];
+    }
+    return ordinary;
+}
+
 // axis_values() of `count` parameters that are `stride` apart, in two passes: searches, then polynomials.
 // Record i goes to values[i * (order + 1) * lanes]. Returns whether a parameter was special: NaN, or with a
 // function that is alone.
@@ -67,38 +93,8 @@ template <int kOrders, int kDegree>
 HWY_INLINE bool axis_block(const AxisSource &source, int order, const double *params, int64_t stride,
                            int64_t count, AxisPoint *points, double *values) {
     const int64_t size = source.values_size(order);
-    if (source.pieces == nullptr) {
-        bool special = false;
-        for (int64_t i = 0; i < count; ++i) {
-            points[i] = special_values(source, order, params[i * stride], values + i * size);
-            special |= points[i].sole >= 0 || !points[i].valid();
-        }
-        return special;
-    }
-    const SpanTable::Finder find = source.spans->finder();
-    const int64_t *spans = source.spans->indices().data();
-    const double *pieces = (*source.pieces)[0];
-    const int64_t piece_size = source.pieces->size();
-    const double lower = source.domain.lower;
-    const double upper = source.domain.upper;
-    const int degree = source.degree;
-    const int lanes = source.lanes;
     const double *found[axis_block_size];
-    bool ordinary = true;
-    for (int64_t i = 0; i < count; ++i) {
-        const double t = params[i * stride];
-        found[i] = nullptr;
-        if (t > lower && t < upper) {
-            const int64_t number = find.number_inside(t);
-            const double *piece = pieces + number * piece_size;
-            points[i] = {spans[number] - degree, -1};
-            found[i] = piece;
-            ordinary &= t > piece[Piece::lower];
-        } else {
-            ordinary = false;
-        }
-    }
-    if (HWY_UNLIKELY(!ordinary)) {
+    if (source.pieces == nullptr || !locate(source, params, stride, count, points, found)) {
         bool special = false;
         for (int64_t i = 0; i < count; ++i) {
             points[i] = axis_values(source, order, params[i * stride], values + i * size);
@@ -107,8 +103,8 @@ HWY_INLINE bool axis_block(const AxisSource &source, int order, const double *pa
         return special;
     }
     for (int64_t i = 0; i < count; ++i) {
-        horner_record<kOrders, kDegree>(order, found[i], degree, kDegree == 3 ? 4 : lanes, params[i * stride],
-                                        values + i * size);
+        horner_record<kOrders, kDegree>(order, found[i], source.degree, kDegree == 3 ? 4 : source.lanes,
+                                        params[i * stride], values + i * size);
     }
     return false;
 }
