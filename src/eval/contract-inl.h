@@ -53,42 +53,48 @@ HWY_INLINE void contract_rows(const double *coefficients, int n, const double *r
     }
 }
 
-// One vector of the sums for kOrders sets of coefficients, `lanes` apart; the sums are `length` apart.
-template <int kOrders, class D>
+// kVectors vectors of the sums for kOrders sets of coefficients, `lanes` apart; the sums are `length` apart.
+template <int kOrders, int kVectors, class D>
 HWY_INLINE void contract_orders(D d, const double *HWY_RESTRICT coefficients, int lanes, int n,
                                 const double *HWY_RESTRICT rows, int64_t stride, int64_t length,
                                 double *HWY_RESTRICT out) {
-    hn::Vec<D> sums[kOrders];
-    const auto first = hn::LoadU(d, rows);
+    constexpr int step = static_cast<int>(hn::MaxLanes(d));
+    hn::Vec<D> sums[kVectors][kOrders];
     for (int a = 0; a < kOrders; ++a) {
-        sums[a] = hn::Mul(hn::Set(d, coefficients[a * lanes]), first);
+        for (int v = 0; v < kVectors; ++v) {
+            sums[v][a] = hn::Mul(hn::Set(d, coefficients[a * lanes]), hn::LoadU(d, rows + v * step));
+        }
     }
     for (int i = 1; i < n; ++i) {
         rows += stride;
-        const auto row = hn::LoadU(d, rows);
         for (int a = 0; a < kOrders; ++a) {
-            sums[a] = hn::MulAdd(hn::Set(d, coefficients[a * lanes + i]), row, sums[a]);
+            const auto coefficient = hn::Set(d, coefficients[a * lanes + i]);
+            for (int v = 0; v < kVectors; ++v) {
+                sums[v][a] = hn::MulAdd(coefficient, hn::LoadU(d, rows + v * step), sums[v][a]);
+            }
         }
     }
-    for (int a = 0; a < kOrders; ++a) {
-        hn::StoreU(sums[a], d, out + a * length);
+    for (int v = 0; v < kVectors; ++v) {
+        for (int a = 0; a < kOrders; ++a) {
+            hn::StoreU(sums[v][a], d, out + v * step + a * length);
+        }
     }
 }
 
-// contract_rows() for the functions and their derivatives below kOrders.
+// contract_rows() for the functions and their derivatives below kOrders. Precondition: the length is a
+// multiple of 4.
 template <int kOrders>
 HWY_INLINE void contract_rows_of_orders(const double *coefficients, int lanes, int n, const double *rows,
                                         int64_t stride, int64_t length, double *out) {
     int64_t l = 0;
+    for (; l + 3 * wide_lanes <= length; l += 3 * wide_lanes) {
+        contract_orders<kOrders, 3>(Wide(), coefficients, lanes, n, rows + l, stride, length, out + l);
+    }
     for (; l + wide_lanes <= length; l += wide_lanes) {
-        contract_orders<kOrders>(Wide(), coefficients, lanes, n, rows + l, stride, length, out + l);
+        contract_orders<kOrders, 1>(Wide(), coefficients, lanes, n, rows + l, stride, length, out + l);
     }
-    for (; l + quad_lanes <= length; l += quad_lanes) {
-        contract_orders<kOrders>(Quad(), coefficients, lanes, n, rows + l, stride, length, out + l);
-    }
-    for (; l < length; ++l) {
-        contract_orders<kOrders>(hn::CappedTag<double, 1>(), coefficients, lanes, n, rows + l, stride, length,
-                                 out + l);
+    for (; l < length; l += quad_lanes) {
+        contract_orders<kOrders, 1>(Quad(), coefficients, lanes, n, rows + l, stride, length, out + l);
     }
 }
 

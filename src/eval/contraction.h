@@ -28,6 +28,11 @@ void for_each_step(int level, int order, Step &&step) {
     });
 }
 
+// The next multiple of 4, the lengths that vectors like.
+constexpr int64_t padded(int64_t length) noexcept {
+    return (length + 3) / 4 * 4;
+}
+
 // What the contraction of each axis but the last leaves: kept[k] arrays of length[k] doubles after axis k.
 // Row r of axis k + 1 is length[k + 1] doubles of such an array; the last length is the width of a record.
 struct Slabs {

@@ -77,26 +77,35 @@ HWY_INLINE void horner_vector(D d, Load load, const double *HWY_RESTRICT powers,
 // Number of orders that a kernel for `order` computes; those above the degree are 0.
 inline constexpr int most_orders = max_piece_degree + 1;
 
+// Components l, l + 1, ... of a piece at x, as many as a vector holds.
+template <int kOrders, int kDegree, class D>
+HWY_INLINE void horner_lanes(D d, int order, const double *HWY_RESTRICT piece, int degree, int lanes, int l,
+                             double x, double *HWY_RESTRICT out) {
+    hn::Vec<D> y[kOrders];
+    horner_vector<kOrders, kDegree>(d, Components(), piece + Piece::head_size + l, degree, lanes,
+                                    hn::Set(d, x), piece[Piece::scale], y);
+    for (int k = 0; k < kOrders; ++k) {
+        if (kOrders < most_orders || k <= order) {
+            hn::StoreU(y[k], d, out + static_cast<int64_t>(k) * lanes + l);
+        }
+    }
+}
+
 // All components of a piece at t. out: [order + 1][lanes].
 template <int kOrders, int kDegree>
 HWY_INLINE void horner_record(int order, const double *HWY_RESTRICT piece, int degree, int lanes, double t,
                               double *HWY_RESTRICT out) {
-    const Quad d;
-    const double scale = piece[Piece::scale];
-    const auto x = hn::Set(d, (t - piece[Piece::middle]) * scale);
-    for (int l = 0; l < lanes; l += quad_lanes) {
-        hn::Vec<Quad> y[kOrders];
-        horner_vector<kOrders, kDegree>(d, Components(), piece + Piece::head_size + l, degree, lanes, x,
-                                        scale, y);
-        for (int k = 0; k < kOrders; ++k) {
-            if (kOrders < most_orders || k <= order) {
-                hn::StoreU(y[k], d, out + static_cast<int64_t>(k) * lanes + l);
-            }
-        }
+    const double x = (t - piece[Piece::middle]) * piece[Piece::scale];
+    int l = 0;
+    for (; l + wide_lanes <= lanes; l += wide_lanes) {
+        horner_lanes<kOrders, kDegree>(Wide(), order, piece, degree, lanes, l, x, out);
     }
-    for (int64_t rest = static_cast<int64_t>(kOrders) * lanes; rest < static_cast<int64_t>(order + 1) * lanes;
-         ++rest) {
-        out[rest] = 0;
+    for (; l < lanes; l += quad_lanes) {
+        horner_lanes<kOrders, kDegree>(Quad(), order, piece, degree, lanes, l, x, out);
+    }
+    if constexpr (kOrders == most_orders) {
+        std::fill_n(out + static_cast<int64_t>(kOrders) * lanes,
+                    static_cast<int64_t>(std::max(order + 1 - kOrders, 0)) * lanes, 0.0);
     }
 }
 

@@ -76,11 +76,11 @@ public:
                {},     nullptr, nullptr,   nullptr} {
         job_.records = scratch_.take(static_cast<size_t>(block_ * shape_.size()));
         job_.weights = scratch_.take(static_cast<size_t>(shape_.slots));
-        job_.window = scratch_.take(window_size());
+        job_.window = take_padded(window_size());
         for (size_t k = 0; k < axes(); ++k) {
             sources_[k].take_work(scratch_);
             job_.values[k] =
-                scratch_.take(static_cast<size_t>(block_ * sources_[k].values_size(shape_.order)));
+                scratch_.take_aligned(static_cast<size_t>(block_ * sources_[k].values_size(shape_.order)));
             job_.points[k] = points_[k];
         }
         make_slabs();
@@ -97,14 +97,19 @@ private:
         job_.slabs.length[axes() - 1] = shape_.width;
         for (size_t k = axes() - 1; k-- > 0;) {
             job_.slabs.length[k] = job_.slabs.length[k + 1] * (sources_[k + 1].degree + 1);
-            const auto size = slab_size(k, job_.slabs.length[k]);
-            job_.slabs.data[k] = scratch_.take(size);
-            std::fill_n(job_.slabs.data[k] + size - padding, padding, 0.0);
+            job_.slabs.data[k] = take_padded(slab_size(k, job_.slabs.length[k]));
         }
     }
 
+    double *take_padded(size_t size) noexcept {
+        double *block = scratch_.take_aligned(size);
+        std::fill_n(block + size - padding, padding, 0.0);
+        return block;
+    }
+
     [[nodiscard]] size_t slab_size(size_t k, int64_t length) const noexcept {
-        return static_cast<size_t>(slot_count(static_cast<int>(k) + 1, shape_.order) * length) + padding;
+        return static_cast<size_t>(slot_count(static_cast<int>(k) + 1, shape_.order) * padded(length)) +
+               padding;
     }
 
     [[nodiscard]] size_t window_size() const noexcept {
@@ -112,11 +117,12 @@ private:
         for (size_t k = 0; k < axes(); ++k) {
             size *= static_cast<size_t>(sources_[k].degree + 1);
         }
-        return size;
+        return size + padding;
     }
 
     [[nodiscard]] size_t scratch_size() const noexcept {
-        size_t size = record_scratch(shape_, block_) + window_size();
+        constexpr size_t aligned_blocks = 2 * max_axes + 1;
+        size_t size = record_scratch(shape_, block_) + window_size() + aligned_blocks * Scratch::line;
         int64_t length = shape_.width;
         for (size_t k = axes(); k-- > 0;) {
             size +=

@@ -46,7 +46,7 @@ private:
         for (int k = 0; k < axes_; ++k) {
             cubic = cubic && job_.sources[k].degree == 3;
         }
-        if (cubic && job_.shape.width == 4 && (axes_ == 2 || kOrders <= 2)) {
+        if (cubic && job_.shape.lanes == 4 && (axes_ == 2 || kOrders <= 2)) {
             run_blocks<kOrders, 3>();
         } else {
             run_blocks<kOrders, -1>();
@@ -66,7 +66,8 @@ private:
                                                  count, job_.points[at], job_.values[at]);
             }
             if constexpr (kDegree == 3) {
-                contract_quads<kOrders>(first, count, special);
+                job_.shape.width == 4 ? contract_quads<kOrders, 4>(first, count, special)
+                                      : contract_quads<kOrders, -1>(first, count, special);
             } else if (kOrders < most_orders && axes_ == 2 && job_.shape.lanes == 4) {
                 contract_surfaces<std::min(kOrders, 3)>(first, count, special);
             } else {
@@ -95,7 +96,7 @@ private:
         const AxisSource &u = job_.sources[0];
         const AxisSource &v = job_.sources[1];
         const int width = job_.shape.width;
-        const int64_t row = job_.slabs.length[0];
+        const int64_t row = padded(job_.slabs.length[0]);
         double *slab = job_.slabs.data[0];
         for (int64_t i = 0; i < count; ++i) {
             if (special && !valid(i)) {
@@ -119,10 +120,10 @@ private:
         }
     }
 
-    // Cubic nets of four components, in registers from the net to the caller's array: the same sums as
+    // Cubic nets of at most four components, in registers from the net to the caller's array: the same sums as
     // contract(), a column of the last axis at a time.
-    template <int kOrders>
-    HWY_INLINE void contract_quads(int64_t first, int64_t count, bool special) {
+    template <int kOrders, int kWidth>
+    HWY_NOINLINE void contract_quads(int64_t first, int64_t count, bool special) {
         const QuadWriter write(job_.shape, out_);
         const bool surface = axes_ == 2;
         const std::array<double *, max_axes> tables = job_.values;
@@ -136,7 +137,7 @@ private:
                                               surface ? nullptr : tables[2] + at};
             if (surface) {
                 QuadRecord<static_cast<int>(slot_count(2, kOrders - 1))> record;
-                contract_surface<kOrders>(from, values, record);
+                contract_surface<kOrders, kWidth>(from, values, record);
                 finish<2, kOrders>(record, write, first + i);
             } else if constexpr (kOrders <= 2) {
                 QuadRecord<static_cast<int>(slot_count(3, kOrders - 1))> record;
@@ -162,13 +163,13 @@ private:
 
     HWY_INLINE QuadWindow quad_window(int64_t i) const {
         const AxisPoint *const *points = job_.points.data();
+        int64_t start = points[0][i].first * strides_[0] + points[1][i].first * strides_[1];
+        start += axes_ == 2 ? 0 : points[2][i].first * strides_[2];
         if (HWY_UNLIKELY(job_.net == nullptr)) {
             copy_window(i);
             return {job_.window, job_.slabs.length[0], job_.slabs.length[1]};
         }
-        const double *records =
-            job_.net + points[0][i].first * strides_[0] + points[1][i].first * strides_[1];
-        return {axes_ == 2 ? records : records + points[2][i].first * strides_[2], strides_[0], strides_[1]};
+        return {job_.net + start, strides_[0], strides_[1]};
     }
 
     // sums[a] = the column from `rows` on, contracted with derivative a of the functions of axis 0.
@@ -186,42 +187,50 @@ private:
         }
     }
 
-    // contract_column() for all four columns of a window.
+#if HWY_MAX_BYTES >= 64
+    // Two columns of four components in one vector.
     template <int kOrders>
+    HWY_INLINE void contract_pair(const double *HWY_RESTRICT values, const double *HWY_RESTRICT rows,
+                                  int64_t stride, hn::Vec<Quad> (*HWY_RESTRICT sums)[kOrders]) const {
+        const Wide d;
+        hn::Vec<Wide> both[kOrders];
+        for (int i = 0; i <= 3; ++i, rows += stride) {
+            const auto row = hn::LoadU(d, rows);
+            for (int a = 0; a < kOrders; ++a) {
+                const auto value = hn::Set(d, values[a * 4 + i]);
+                both[a] = i == 0 ? hn::Mul(value, row) : hn::MulAdd(value, row, both[a]);
+            }
+        }
+        for (int a = 0; a < kOrders; ++a) {
+            sums[0][a] = hn::LowerHalf(both[a]);
+            sums[1][a] = hn::UpperHalf(Quad(), both[a]);
+        }
+    }
+#endif
+
+    // contract_column() for all four columns of a window.
+    template <int kOrders, int kWidth>
     HWY_INLINE void contract_columns(const double *HWY_RESTRICT values, const QuadWindow &from, int part,
                                      hn::Vec<Quad> (*HWY_RESTRICT sums)[kOrders]) const {
 #if HWY_MAX_BYTES >= 64
-        // Two columns in one vector.
-        const Wide d;
-        for (int pair = 0; pair < 2; ++pair) {
-            hn::Vec<Wide> both[kOrders];
-            const double *rows = from.records + pair * 8;
-            for (int i = 0; i <= 3; ++i, rows += from.stride) {
-                const auto row = hn::LoadU(d, rows);
-                for (int a = 0; a < kOrders; ++a) {
-                    const auto value = hn::Set(d, values[a * 4 + i]);
-                    both[a] = i == 0 ? hn::Mul(value, row) : hn::MulAdd(value, row, both[a]);
-                }
-            }
-            for (int a = 0; a < kOrders; ++a) {
-                sums[2 * pair][a] = hn::LowerHalf(both[a]);
-                sums[2 * pair + 1][a] = hn::UpperHalf(Quad(), both[a]);
-            }
-        }
-#else
-        for (int j = 0; j <= 3; ++j) {
-            contract_column<kOrders>(values, from.records + j * 4, from.stride, part, sums[j]);
+        if constexpr (kWidth == 4) {
+            contract_pair<kOrders>(values, from.records, from.stride, sums);
+            contract_pair<kOrders>(values, from.records + 8, from.stride, sums + 2);
+            return;
         }
 #endif
+        for (int j = 0; j <= 3; ++j) {
+            contract_column<kOrders>(values, from.records + j * job_.shape.width, from.stride, part, sums[j]);
+        }
     }
 
-    template <int kOrders, class Record>
+    template <int kOrders, int kWidth, class Record>
     HWY_INLINE void contract_surface(const QuadWindow &from, const double *const *values,
                                      Record &record) const {
         const Quad d;
         for (int part = 0; part < record.parts; ++part) {
             hn::Vec<Quad> columns[4][kOrders];
-            contract_columns<kOrders>(values[0], from, part, columns);
+            contract_columns<kOrders, kWidth>(values[0], from, part, columns);
             for (int j = 0; j <= 3; ++j) {
                 const auto *sums = columns[j];
                 for (int b = 0; b < kOrders; ++b) {
@@ -243,7 +252,7 @@ private:
         for (int part = 0; part < record.parts; ++part) {
             for (int k = 0; k <= 3; ++k) {
                 hn::Vec<Quad> planes[kept];
-                contract_plane<kOrders>(from, values, from.records + k * 4, part, planes);
+                contract_plane<kOrders>(from, values, from.records + k * job_.shape.width, part, planes);
                 for (int c = 0; c < kOrders; ++c) {
                     const auto value = hn::Set(d, values[2][c * 4 + k]);
                     for (int b = 0; b + c < kOrders; ++b) {

@@ -21,7 +21,7 @@ struct TensorJob {
     std::array<AxisPoint *, max_axes> points{}; // working memory, for each axis [block]
     std::array<double *, max_axes> values{};    // for each axis [block][order + 1][lanes]
     Slabs slabs;                                // of one point
-    double *window;                             // the active records of one point
+    double *window;                             // the active records of one point, and padding
     double *records;                            // [block][slots][lanes]
     double *weights;                            // [slots]
 };

@@ -19,10 +19,10 @@ int common_exponent(double largest_weight) noexcept {
 
 } // namespace
 
-Spline::Spline(Axes axes, int dim, Form form, std::vector<double> points,
-               std::vector<double> weights) noexcept
+Spline::Spline(Axes axes, int dim, Form form, std::vector<double> points, std::vector<double> weights)
     : axes_(std::move(axes)), dim_(dim), form_(form), points_(std::move(points)),
       weights_(std::move(weights)) {
+    points_.resize(points_.size() + padding);
     if (rational()) {
         const WeightRange range = weight_range(0, point_count());
         even_weights_ = even(range);
@@ -38,15 +38,17 @@ int64_t Spline::point_count() const noexcept {
 
 std::span<const double> Spline::records() const {
     if (form_ != Form::rational) {
-        return points_;
+        return points();
     }
-    return records_.get([this] {
-        std::vector<double> records(weights_.size() * static_cast<size_t>(width()));
+    const auto size = weights_.size() * static_cast<size_t>(width());
+    const std::vector<double> &padded = records_.get([this, size] {
+        std::vector<double> records(size + padding);
         for (int64_t i = 0; i < std::ssize(weights_); ++i) {
             record_part(i, 0, width(), records.data() + i * width());
         }
         return records;
     });
+    return std::span(padded).first(size);
 }
 
 const double *Spline::records_after(int64_t uses) const {

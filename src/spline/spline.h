@@ -30,7 +30,7 @@ public:
     // Preconditions: sizes agree (points: product of counts times record width; weights: product of counts
     // for Form::rational, else empty) and the values satisfy check_spline(): use make_spline() for data from
     // outside.
-    Spline(Axes axes, int dim, Form form, std::vector<double> points, std::vector<double> weights) noexcept;
+    Spline(Axes axes, int dim, Form form, std::vector<double> points, std::vector<double> weights);
 
     [[nodiscard]] int axes() const noexcept { return static_cast<int>(axes_.size()); }
     [[nodiscard]] const KnotVector &axis(int k) const noexcept { return *axes_[static_cast<size_t>(k)]; }
@@ -42,13 +42,15 @@ public:
     [[nodiscard]] bool rational() const noexcept { return form_ != Form::polynomial; }
 
     // The stored values. Width of a stored point record: dim, or dim + 1 when homogeneous.
-    [[nodiscard]] std::span<const double> points() const noexcept { return points_; }
+    [[nodiscard]] std::span<const double> points() const noexcept {
+        return std::span(points_).first(points_.size() - padding);
+    }
     [[nodiscard]] std::span<const double> weights() const noexcept { return weights_; }
     [[nodiscard]] int stored_width() const noexcept { return form_ == Form::homogeneous ? dim_ + 1 : dim_; }
 
     // The records that kernels contract: (w x, w y, ..., w) when rational, (x, y, ...) when not. For
     // Form::rational they are a derived table, built at first use; all weights may be scaled by one power of
-    // two in it.
+    // two in it. Three doubles behind them may be read, so that vectors of four can begin at any.
     [[nodiscard]] std::span<const double> records() const;
     [[nodiscard]] int width() const noexcept { return rational() ? dim_ + 1 : dim_; }
 
@@ -76,6 +78,7 @@ public:
     void curve_piece(int64_t span, double *points, double *piece) const noexcept;
 
 private:
+    static constexpr size_t padding = 3;
     struct WeightRange {
         double smallest = 1;
         double largest = 1;
@@ -90,7 +93,7 @@ private:
     Axes axes_;
     int dim_;
     Form form_;
-    std::vector<double> points_;
+    std::vector<double> points_; // and padding
     std::vector<double> weights_;
     int weight_exponent_ = 0; // the records hold the weights divided by 2 to this
     bool even_weights_ = true;
