@@ -79,7 +79,7 @@ static HWY_NOINLINE bool locate(const AxisSource &source, const double *HWY_REST
         }
         const int64_t number = find.number_inside(t);
         const double *piece = pieces + number * piece_size;
-        points[i].first = spans[number] - degree;
+        points[i] = {spans[number] - degree, -1};
         found[i] = piece;
         ordinary &= t > piece[Piece::lower];
     }
