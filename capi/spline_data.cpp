@@ -17,7 +17,10 @@ bool decode_periodic(uint32_t flags, int32_t axes, int k) {
 }
 
 std::vector<double> packed(ConstRecords view) {
-    std::vector<double> values(static_cast<size_t>(checked_product(view.count, view.width, "points")));
+    const auto size = static_cast<size_t>(checked_product(view.count, view.width, "points"));
+    std::vector<double> values;
+    values.reserve(size + Spline::padding); // a spline will not have to move them
+    values.resize(size);
     auto next = values.begin();
     for (int64_t i = 0; i < view.count; ++i) {
         for (int64_t c = 0; c < view.width; ++c) {

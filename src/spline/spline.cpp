@@ -22,6 +22,7 @@ int common_exponent(double largest_weight) noexcept {
 Spline::Spline(Axes axes, int dim, Form form, std::vector<double> points, std::vector<double> weights)
     : axes_(std::move(axes)), dim_(dim), form_(form), points_(std::move(points)),
       weights_(std::move(weights)) {
+    points_.reserve(points_.size() + padding); // no more than that
     points_.resize(points_.size() + padding);
     if (rational()) {
         const WeightRange range = weight_range(0, point_count());

@@ -26,6 +26,7 @@ enum class Form {
 class Spline {
 public:
     using Axes = std::vector<KnotVectorPtr>;
+    static constexpr size_t padding = 3; // doubles behind the points and records
 
     // Preconditions: sizes agree (points: product of counts times record width; weights: product of counts
     // for Form::rational, else empty) and the values satisfy check_spline(): use make_spline() for data from
@@ -50,7 +51,7 @@ public:
 
     // The records that kernels contract: (w x, w y, ..., w) when rational, (x, y, ...) when not. For
     // Form::rational they are a derived table, built at first use; all weights may be scaled by one power of
-    // two in it. Three doubles behind them may be read, so that vectors of four can begin at any.
+    // two in it. `padding` doubles behind them may be read, so that vectors of four can begin at any.
     [[nodiscard]] std::span<const double> records() const;
     [[nodiscard]] int width() const noexcept { return rational() ? dim_ + 1 : dim_; }
 
@@ -78,7 +79,6 @@ public:
     void curve_piece(int64_t span, double *points, double *piece) const noexcept;
 
 private:
-    static constexpr size_t padding = 3;
     struct WeightRange {
         double smallest = 1;
         double largest = 1;
