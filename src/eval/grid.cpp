@@ -40,10 +40,13 @@ public:
         make_groups();
     }
 
-    // `sink`, if any, is called for every row of the last axis, whose first point is number sink_first of the
-    // whole grid and which has sink_stride points there; `out` then holds one row.
-    void write(const Records &out, BlockSink *sink = nullptr, int64_t sink_first = 0,
-               int64_t sink_stride = 0) noexcept {
+    void write(const Records &out) noexcept { write(out, 0, tables_[0].size(), nullptr, 0, 0); }
+
+    // The part of parameters [begin, end) of axis 0. `sink`, if any, is called for every row of the last axis,
+    // whose first point is number sink_first of the whole grid and which has sink_stride points there; `out`
+    // then holds one row.
+    void write(const Records &out, int64_t begin, int64_t end, BlockSink *sink, int64_t sink_first,
+               int64_t sink_stride) noexcept {
         run(GridJob{spline_,
                     shape_,
                     quotient_ ? &*quotient_ : nullptr,
@@ -57,6 +60,8 @@ public:
                     slabs_,
                     rows_,
                     out,
+                    begin,
+                    end,
                     sink,
                     sink_first,
                     sink_stride});
@@ -179,10 +184,14 @@ void evaluate_grid(const Spline &spline, const AxisRules &rules, int order,
         part[last].count = std::min(block_size, params[last].count - first);
         strips.push_back(std::make_unique<GridEvaluator>(spline, rules, order, part));
     }
-    for (size_t i = 0; i < strips.size(); ++i) {
-        const int64_t first = static_cast<int64_t>(i) * block_size;
-        const int64_t count = std::min(block_size, params[last].count - first);
-        strips[i]->write({rows.get(), count, width, 1, block_size}, &sink, first, params[last].count);
+    // In the order of the caller's memory.
+    for (int64_t row = 0; row < params[0].count; ++row) {
+        for (size_t i = 0; i < strips.size(); ++i) {
+            const int64_t first = static_cast<int64_t>(i) * block_size;
+            const int64_t count = std::min(block_size, params[last].count - first);
+            strips[i]->write({rows.get(), count, width, 1, block_size}, row, row + 1, &sink, first,
+                             params[last].count);
+        }
     }
 }
 

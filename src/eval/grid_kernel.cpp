@@ -28,7 +28,9 @@ private:
     // `row`: number of the combination of parameters of the axes before `level`.
     void descend(int level, int64_t row) {
         const AxisTable &table = job_.tables[static_cast<size_t>(level)];
-        for (int64_t i = 0; i < table.size(); ++i) {
+        const int64_t begin = level == 0 ? job_.begin : 0;
+        const int64_t end = level == 0 ? job_.end : table.size();
+        for (int64_t i = begin; i < end; ++i) {
             chosen_[level] = table.points[static_cast<size_t>(i)];
             if (chosen_[level].valid()) {
                 contract(level, i);
@@ -121,12 +123,13 @@ private:
         const int functions = job_.sources[1].degree + 1;
         const int64_t size = values_of_group();
         const int64_t length = job_.slabs.length[0];
+        const bool separate = job_.out.stride == 1;
         const bool packed = slots == 1 && job_.out.component_stride == 1 && job_.out.stride == 3;
         const double *values = job_.group_values;
         for (const GridGroup &group : job_.groups) {
             const double *slab = job_.slabs.data[0] + group.first * kWidth;
-            const bool direct = packed && group.consecutive && group.count == group_size;
-            double *target = job_.out.data + (first + group.position[0]) * 3;
+            const int64_t start = first + group.position[0];
+            const bool direct = group.consecutive && (separate || (packed && group.count == group_size));
             for (int i = 0; i < group_size; i += wide_lanes) {
                 V sums[kWidth][slots];
                 contract_slots<kOrders, kWidth>(values + i, functions, slab, length, sums);
@@ -136,13 +139,19 @@ private:
                         divide<2, kOrders - 1>(sums[kWidth - 1], inverse, sums[c]);
                     }
                 }
-                if (direct) {
-                    hn::StoreInterleaved3(sums[0][0], sums[1][0], sums[2][0], d, target + 3 * i);
+                if (direct && packed) {
+                    double *target = job_.out.data + 3 * (start + i);
+                    hn::StoreInterleaved3(sums[0][0], sums[1][0], sums[2][0], d, target);
                     continue;
                 }
                 for (int s = 0; s < slots; ++s) {
                     for (int c = 0; c < 3; ++c) {
-                        hn::Store(sums[c][s], d, job_.rows + (s * kWidth + c) * group_size + i);
+                        if (direct && i < group.count) {
+                            double *target = job_.out.data + start + (s * 3 + c) * job_.out.component_stride;
+                            store_some(sums[c][s], group.count - i, target + i);
+                        } else {
+                            hn::Store(sums[c][s], d, job_.rows + (s * kWidth + c) * group_size + i);
+                        }
                     }
                 }
             }

@@ -48,6 +48,8 @@ struct GridJob {
     Slabs slabs;
     double *rows; // [slots][width][grid_group], aligned
     Records out;
+    int64_t begin; // of the parameters of axis 0
+    int64_t end;
     BlockSink *sink;     // null: `out` is the whole grid
     int64_t sink_first;  // number of the first point of the first row in the whole grid
     int64_t sink_stride; // between the first points of rows there

@@ -17,19 +17,8 @@ enum FrameBits : int32_t {
     frame_undefined = NURBS_FRAME_UNDEFINED,
 };
 
-// Rows first_component, ... of a block, written to records first, ...; nothing if `out` is not wanted.
-inline void write_rows(const double *rows, int64_t first, int64_t count, const Records &out) noexcept {
-    if (out.data == nullptr) {
-        return;
-    }
-    for (int64_t c = 0; c < out.width; ++c) {
-        const double *row = rows + c * block_size;
-        double *target = out.data + first * out.stride + c * out.component_stride;
-        for (int64_t i = 0; i < count; ++i) {
-            target[i * out.stride] = row[i];
-        }
-    }
-}
+// The first out.width rows of a block, written to records first, ...; nothing if `out` is not wanted.
+void write_rows(const double *rows, int64_t first, int64_t count, const Records &out) noexcept;
 
 // The first out.width coordinates of a vector as record i.
 inline void write_vector(const Vector3 &vector, int64_t i, const Records &out,

@@ -11,6 +11,8 @@
 #include "eval/horner-inl.h"
 #include "eval/quotient-inl.h"
 
+#include <utility>
+
 HWY_BEFORE_NAMESPACE();
 namespace nrb {
 namespace HWY_NAMESPACE {
@@ -90,20 +92,62 @@ HWY_INLINE void divide_group(const RecordShape &shape, const QuotientRule &rule,
     }
 }
 
+// The first `count` lanes of a vector.
+HWY_INLINE void store_some(hn::Vec<Wide> values, int count, double *target) {
+    const Wide d;
+    if (count >= wide_lanes) {
+        hn::StoreU(values, d, target);
+    } else {
+        hn::BlendedStore(values, hn::FirstN(d, static_cast<size_t>(count)), d, target);
+    }
+}
+
+// Packed records of at most wide_lanes points, `stride` apart, from rows: next() is the row of the next
+// component. Four components at a time.
+template <class NextRow>
+HWY_INLINE void store_records(NextRow &&next, int64_t components, int count, double *target, int64_t stride) {
+    const Wide d;
+    const Quad quad;
+    HWY_ALIGN double records[4 * wide_lanes];
+    if (components == 3 && stride == 3 && count == wide_lanes) {
+        const auto x = hn::LoadU(d, next());
+        const auto y = hn::LoadU(d, next());
+        return hn::StoreInterleaved3(x, y, hn::LoadU(d, next()), d, target);
+    }
+    int64_t c = 0;
+    for (; c + 4 <= components; c += 4, target += 4) {
+        const auto first = hn::LoadU(d, next());
+        const auto second = hn::LoadU(d, next());
+        const auto third = hn::LoadU(d, next());
+        hn::StoreInterleaved4(first, second, third, hn::LoadU(d, next()), d, records);
+        for (int i = 0; i < count; ++i) {
+            for (int l = 0; l < 4; l += quad_lanes) {
+                hn::StoreU(hn::Load(quad, records + 4 * i + l), quad, target + i * stride + l);
+            }
+        }
+    }
+    for (; c < components; ++c, ++target) {
+        const double *row = next();
+        for (int i = 0; i < count; ++i) {
+            target[i * stride] = row[i];
+        }
+    }
+}
+
 // Writes the rows of `count` points to records first, first + 1, ...
 class RowWriter {
 public:
-    RowWriter(const RecordShape &shape, const Records &out)
-        : shape_(shape), out_(out), separate_(out.stride == 1),
-          triples_(shape.dim == 3 && out.component_stride == 1) {}
+    RowWriter(const RecordShape &shape, const Records &out) : shape_(shape), out_(out) {}
 
     HWY_INLINE void operator()(int64_t first, int count, const double *rows) const {
-        if (count == group_size && separate_) {
-            write_separate(first, rows);
-        } else if (count == group_size && triples_) {
-            write_triples(first, rows);
+        if (out_.stride == 1) {
+            write_separate(first, count, rows);
+        } else if (out_.component_stride == 1) {
+            write_packed(first, count, rows);
         } else {
-            write_any(first, count, rows);
+            for (int i = 0; i < count; ++i) {
+                scatter(first + i, i, rows);
+            }
         }
     }
 
@@ -119,66 +163,47 @@ public:
     }
 
 private:
-    HWY_INLINE void write_separate(int64_t first, const double *rows) const {
-        const Wide d;
+    // The rows of a group in the order of the caller's components, without the weight.
+    class Rows {
+    public:
+        Rows(const RecordShape &shape, const double *rows)
+            : row_(rows), dim_(shape.dim), skipped_(shape.width - shape.dim) {}
+        HWY_INLINE const double *operator()() {
+            if (used_ == dim_) {
+                row_ += static_cast<int64_t>(skipped_) * group_size;
+                used_ = 0;
+            }
+            ++used_;
+            return std::exchange(row_, row_ + group_size);
+        }
+
+    private:
+        const double *row_;
+        int dim_;
+        int skipped_;
+        int used_ = 0;
+    };
+
+    HWY_INLINE void write_separate(int64_t first, int count, const double *rows) const {
         double *target = out_.record(first);
-        for (int64_t s = 0; s < shape_.slots; ++s) {
-            for (int c = 0; c < shape_.dim; ++c, target += out_.component_stride) {
-                const double *row = rows + (s * shape_.width + c) * group_size;
-                for (int i = 0; i < group_size; i += wide_lanes) {
-                    hn::StoreU(hn::Load(d, row + i), d, target + i);
-                }
+        Rows next(shape_, rows);
+        for (int64_t c = 0; c < shape_.values(); ++c, target += out_.component_stride) {
+            const double *row = next();
+            for (int i = 0; i < count; i += wide_lanes) {
+                store_some(hn::Load(Wide(), row + i), count - i, target + i);
             }
         }
     }
 
-    HWY_INLINE void write_triples(int64_t first, const double *rows) const {
-        const Wide d;
-        double *target = out_.record(first);
-        if (shape_.slots == 1 && out_.stride == 3) {
-            for (int i = 0; i < group_size; i += wide_lanes) {
-                const double *x = rows + i;
-                hn::StoreInterleaved3(hn::Load(d, x), hn::Load(d, x + group_size),
-                                      hn::Load(d, x + 2 * group_size), d, target + 3 * i);
-            }
-            return;
-        }
-        for (int64_t s = 0; s < shape_.slots; ++s) {
-            write_slot(rows + s * shape_.width * group_size, target + 3 * s, s + 1 == shape_.slots);
-        }
-    }
-
-    // Four doubles at a time: the fourth falls on the next slot, which is written later.
-    HWY_INLINE void write_slot(const double *x, double *target, bool last) const {
-        const Wide wide;
-        const Quad quad;
-        HWY_ALIGN double records[4 * group_size];
-        for (int i = 0; i < group_size; i += wide_lanes) {
-            hn::StoreInterleaved4(hn::Load(wide, x + i), hn::Load(wide, x + group_size + i),
-                                  hn::Load(wide, x + 2 * group_size + i), hn::Zero(wide), wide,
-                                  records + 4 * i);
-        }
-        for (int i = 0; i < group_size; ++i, target += out_.stride) {
-            if (last) {
-                std::copy_n(records + 4 * i, 3, target);
-                continue;
-            }
-            for (int l = 0; l < 4; l += quad_lanes) {
-                hn::StoreU(hn::Load(quad, records + 4 * i + l), quad, target + l);
-            }
-        }
-    }
-
-    HWY_INLINE void write_any(int64_t first, int count, const double *rows) const {
-        for (int i = 0; i < count; ++i) {
-            scatter(first + i, i, rows);
+    HWY_INLINE void write_packed(int64_t first, int count, const double *rows) const {
+        for (int i = 0; i < count; i += wide_lanes) {
+            store_records(Rows(shape_, rows + i), shape_.values(), std::min(wide_lanes, count - i),
+                          out_.record(first + i), out_.stride);
         }
     }
 
     const RecordShape &shape_;
     const Records &out_;
-    bool separate_;
-    bool triples_;
 };
 
 } // namespace HWY_NAMESPACE

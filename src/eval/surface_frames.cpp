@@ -6,6 +6,7 @@
 #include "eval/outputs.h"
 #include "eval/surface_limit.h"
 
+#include <bit>
 #include <limits>
 
 namespace nrb {
@@ -72,12 +73,10 @@ private:
         if (out_.status != nullptr) {
             std::fill_n(out_.status + first, count, 0);
         }
-        const bool doubtful =
-            unit_normals(du, dv, count, errors_.u, errors_.v, normals_.data(), doubtful_.data());
-        for (int64_t i = 0; doubtful && i < count; ++i) {
-            if (doubtful_[static_cast<size_t>(i)] != 0) {
-                look_closer(first, i, row_vector(du, dim, i), row_vector(dv, dim, i));
-            }
+        uint64_t doubtful = unit_normals(du, dv, count, errors_.u, errors_.v, normals_.data());
+        for (; doubtful != 0; doubtful &= doubtful - 1) {
+            const int64_t i = std::countr_zero(doubtful);
+            look_closer(first, i, row_vector(du, dim, i), row_vector(dv, dim, i));
         }
         write_rows(normals_.data(), first, count, out_.normals);
     }
@@ -115,7 +114,6 @@ private:
     SurfaceFrames out_;
     DerivativeErrors errors_;
     std::array<double, dim * block_size> normals_{};
-    std::array<double, block_size> doubtful_{};
 };
 
 } // namespace
