@@ -207,7 +207,7 @@ private:
     HWY_INLINE void run_quads(const CurveTables &tables, const double *block, const double *const *pieces,
                               int count, int64_t first) {
         const Quad d;
-        const QuadWriter write(job_.shape, out_);
+        QuadWriter write(job_.shape, out_);
         const int degree = tables.degree;
         const int dim = tables.dim;
         for (int i = 0; i < count; ++i) {
@@ -224,6 +224,7 @@ private:
             }
             write(record, first + i);
         }
+        write.template finish<kOrders, kLanes>(first + count - 1);
     }
 
     HWY_NOINLINE void run_specially(const double *params, int count, int64_t first) {

@@ -99,8 +99,20 @@ static HWY_NOINLINE void divide_record(const RecordShape &shape, const QuotientR
     });
 }
 
+// The first `count` lanes of a vector.
+HWY_INLINE void store_some(hn::Vec<Wide> values, int count, double *target) {
+    const Wide d;
+    if (count >= wide_lanes) {
+        hn::StoreU(values, d, target);
+    } else {
+        hn::BlendedStore(values, hn::FirstN(d, static_cast<size_t>(count)), d, target);
+    }
+}
+
 // Writes records from registers, in rising order. Packed ones are written with their padding and weight, which
-// fall on the next slots and points, which are written later; behind the last record nothing is touched.
+// fall on the next slots and points, which are written later; behind the last record nothing is touched. Where
+// components have rows of their own, records wait until there are enough for whole vectors of a row: finish()
+// must follow. A record that was passed over in between is overwritten.
 class QuadWriter {
 public:
     QuadWriter(const RecordShape &shape, const Records &out)
@@ -108,17 +120,33 @@ public:
           packed_count_(out.component_stride == 1 && out.stride == shape.values()
                             ? out.count - (shape.lanes - shape.dim + shape.values() - 1) / shape.values()
                             : 0),
-          dim_(shape.dim) {}
+          dim_(shape.dim), rows_(wide_lanes > 1 && out.stride == 1 && out.component_stride > 1) {}
 
     template <int kSlots, int kLanes>
-    HWY_INLINE void operator()(const QuadRecord<kSlots, kLanes> &record, int64_t i) const {
+    HWY_INLINE void operator()(const QuadRecord<kSlots, kLanes> &record, int64_t i) {
         double *target = out_ + i * stride_;
         if (i < packed_count_) {
             for (int s = 0; s < kSlots; ++s, target += dim_) {
                 record.store(s, target);
             }
-            return;
+        } else if (rows_) {
+            wait(record, i);
+        } else {
+            write_values(record, target);
         }
+    }
+
+    // After the last record, which was at most number `last`.
+    template <int kSlots, int kLanes = 4>
+    HWY_INLINE void finish(int64_t last) {
+        if (waiting_) {
+            write_rows<kSlots, kLanes>(last);
+        }
+    }
+
+private:
+    template <int kSlots, int kLanes>
+    HWY_INLINE void write_values(const QuadRecord<kSlots, kLanes> &record, double *target) const {
         for (int s = 0; s < kSlots; ++s) {
             HWY_ALIGN double lanes[kLanes];
             record.store(s, lanes);
@@ -128,12 +156,51 @@ public:
         }
     }
 
-private:
+    // Quads of records side by side: [slot][quad][wide_lanes][4].
+    template <int kSlots, int kLanes>
+    HWY_INLINE void wait(const QuadRecord<kSlots, kLanes> &record, int64_t i) {
+        static_assert(kSlots * kLanes <= most_waiting);
+        const auto lane = static_cast<int>(i % wide_lanes);
+        for (int s = 0; s < kSlots; ++s) {
+            for (int part = 0; part < record.parts; ++part) {
+                const int l = part * quad_lanes;
+                double *quads = records_ + (s * kLanes + l / 4 * 4) * wide_lanes;
+                hn::Store(record.values[part][s], Quad(), quads + lane * 4 + l % 4);
+            }
+        }
+        waiting_ = true;
+        if (lane + 1 == wide_lanes) {
+            write_rows<kSlots, kLanes>(i);
+        }
+    }
+
+    template <int kSlots, int kLanes>
+    HWY_INLINE void write_rows(int64_t last) {
+        const Wide d;
+        const auto count = static_cast<int>(last % wide_lanes) + 1;
+        double *target = out_ + (last + 1 - count);
+        for (int s = 0; s < kSlots; ++s, target += dim_ * component_stride_) {
+            for (int c = 0; c < dim_; c += 4) {
+                hn::Vec<Wide> rows[4];
+                hn::LoadInterleaved4(d, records_ + (s * kLanes + c) * wide_lanes, rows[0], rows[1], rows[2],
+                                     rows[3]);
+                for (int k = 0; k < std::min(4, dim_ - c); ++k) {
+                    store_some(rows[k], count, target + (c + k) * component_stride_);
+                }
+            }
+        }
+        waiting_ = false;
+    }
+
+    static constexpr int most_waiting = 24; // doubles of a record
     double *out_;
     int64_t stride_;
     int64_t component_stride_;
     int64_t packed_count_;
     int dim_;
+    bool rows_;
+    bool waiting_ = false;
+    HWY_ALIGN double records_[most_waiting * wide_lanes];
 };
 
 HWY_INLINE void write_record(const RecordShape &shape, const double *record, const Records &out, int64_t i) {

@@ -7,9 +7,7 @@
 #define NURBS_EVAL_ROWS_INL_H_
 #endif
 
-#include "eval/finish.h"
-#include "eval/horner-inl.h"
-#include "eval/quotient-inl.h"
+#include "eval/finish-inl.h"
 
 #include <utility>
 
@@ -89,16 +87,6 @@ HWY_INLINE void divide_group(const RecordShape &shape, const QuotientRule &rule,
         return divide_rows<2, 2>(shape, rows);
     default:
         divide_rows(shape, rule, rows);
-    }
-}
-
-// The first `count` lanes of a vector.
-HWY_INLINE void store_some(hn::Vec<Wide> values, int count, double *target) {
-    const Wide d;
-    if (count >= wide_lanes) {
-        hn::StoreU(values, d, target);
-    } else {
-        hn::BlendedStore(values, hn::FirstN(d, static_cast<size_t>(count)), d, target);
     }
 }
 

@@ -5,6 +5,7 @@
 #include "eval/normal_kernel.h"
 #include "eval/outputs.h"
 #include "eval/surface_limit.h"
+#include "eval/triple_stream.h"
 
 #include <bit>
 #include <limits>
@@ -50,7 +51,8 @@ class FrameSink final : public BlockSink {
 public:
     FrameSink(const Spline &spline, const AxisRules &rules, const Parameters &params,
               const SurfaceFrames &out)
-        : spline_(spline), rules_(rules), params_(params), out_(out) {
+        : spline_(spline), rules_(rules), params_(params), out_(out), points_(out_.points, large()),
+          du_(out_.du, large()), dv_(out_.dv, large()), normal_stream_(out_.normals, large()) {
         if (out.normals.data != nullptr || out.status != nullptr) {
             Jet::prepare(spline);
             errors_ = derivative_errors(spline, rules, params.count());
@@ -60,9 +62,9 @@ public:
     void operator()(int64_t first, ConstRecords values) noexcept override {
         const double *du = values.data + dim * block_size;
         const double *dv = du + dim * block_size;
-        write_rows(values.data, first, values.count, out_.points);
-        write_rows(du, first, values.count, out_.du);
-        write_rows(dv, first, values.count, out_.dv);
+        points_.write(values.data, first, values.count);
+        du_.write(du, first, values.count);
+        dv_.write(dv, first, values.count);
         if (out_.normals.data != nullptr || out_.status != nullptr) {
             normals(first, values.count, du, dv);
         }
@@ -78,7 +80,7 @@ private:
             const int64_t i = std::countr_zero(doubtful);
             look_closer(first, i, row_vector(du, dim, i), row_vector(dv, dim, i));
         }
-        write_rows(normals_.data(), first, count, out_.normals);
+        normal_stream_.write(normals_.data(), first, count);
     }
 
     void look_closer(int64_t first, int64_t i, const Vector3 &du, const Vector3 &dv) noexcept {
@@ -108,10 +110,22 @@ private:
         normals_[at + 2 * block_size] = normal.z;
     }
 
+    [[nodiscard]] bool large() const noexcept {
+        int64_t arrays = 0;
+        for (const Records *out : {&out_.points, &out_.du, &out_.dv, &out_.normals}) {
+            arrays += out->data != nullptr ? 1 : 0;
+        }
+        return TripleStream::are_large(arrays * dim * params_.count());
+    }
+
     const Spline &spline_;
     const AxisRules &rules_;
     Parameters params_;
     SurfaceFrames out_;
+    TripleStream points_;
+    TripleStream du_;
+    TripleStream dv_;
+    TripleStream normal_stream_;
     DerivativeErrors errors_;
     std::array<double, dim * block_size> normals_{};
 };

@@ -92,7 +92,7 @@ private:
     // registers to the caller's array.
     template <int kOrders>
     HWY_NOINLINE void contract_surfaces(int64_t first, int64_t count, bool special) {
-        const QuadWriter write(job_.shape, out_);
+        QuadWriter write(job_.shape, out_);
         const AxisSource &u = job_.sources[0];
         const AxisSource &v = job_.sources[1];
         const int width = job_.shape.width;
@@ -118,13 +118,14 @@ private:
             }
             finish<2, kOrders>(record, write, first + i);
         }
+        write.template finish<static_cast<int>(slot_count(2, kOrders - 1))>(first + count - 1);
     }
 
     // Cubic nets of at most four components, in registers from the net to the caller's array: the same sums as
     // contract(), a column of the last axis at a time.
     template <int kOrders, int kWidth>
     HWY_NOINLINE void contract_quads(int64_t first, int64_t count, bool special) {
-        const QuadWriter write(job_.shape, out_);
+        QuadWriter write(job_.shape, out_);
         const bool surface = axes_ == 2;
         const std::array<double *, max_axes> tables = job_.values;
         for (int64_t i = 0; i < count; ++i) {
@@ -145,10 +146,15 @@ private:
                 finish<3, kOrders>(record, write, first + i);
             }
         }
+        if (surface) {
+            write.template finish<static_cast<int>(slot_count(2, kOrders - 1))>(first + count - 1);
+        } else if constexpr (kOrders <= 2) {
+            write.template finish<static_cast<int>(slot_count(3, kOrders - 1))>(first + count - 1);
+        }
     }
 
     template <int kAxes, int kOrders, class Record>
-    HWY_INLINE void finish(Record &record, const QuadWriter &write, int64_t i) const {
+    HWY_INLINE void finish(Record &record, QuadWriter &write, int64_t i) const {
         if (job_.quotient != nullptr) {
             record.template divide_by_weight<kAxes, kOrders - 1>(job_.shape.dim);
         }
