@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-// The memory that calls need for their work: the same for a thousand points and for a million, so that there is
-// no hidden copy of parameters or results; for grids it may follow the number of parameters on an axis, but not
-// that of the grid's points. Two exceptions: grids in single precision hold their points as doubles, and grids of
-// frames make the tables of the first axis anew for every 64 parameters of the last.
+// The memory that calls need for their work: the same for a thousand points and for a million, so that there
+// is no hidden copy of parameters or results; for grids it may follow the number of parameters on an axis,
+// but not that of the grid's points. Two exceptions: grids in single precision hold their points as doubles,
+// and grids of frames make the tables of the first axis anew for every 64 parameters of the last.
 #include "check.h"
 
 #include "allocations.h"

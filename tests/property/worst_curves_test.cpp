@@ -1,5 +1,6 @@
-// The bound for points is for every spline: a search that climbs towards the largest error of one span, moving
-// its knots, control points, weights and the parameter, with rational arithmetic as the judge of every step.
+// The bound for points is for every spline: a search that climbs towards the largest error of one span,
+// moving its knots, control points, weights and the parameter, with rational arithmetic as the judge of every
+// step.
 // worst_points_test.cpp climbs on the basis functions; here products with points and weights, sums and the
 // division take part.
 #include "reference/magnitudes.h"
@@ -157,6 +158,38 @@ TEST(WorstCurves, weights_within_a_ratio_of_4) {
 
 TEST(WorstCurves, weights_just_beyond_a_ratio_of_4) {
     climb_curves("climbing to the worst span of uneven weights, unit eps * hull", 7300000, Balance::beyond_4);
+}
+
+// Steps of none, a few or many units of rounding around a span of `units` of them that starts at 1.
+std::vector<double> knots_in_units(Random &random, int degree, int units) {
+    std::vector<double> knots = {1, 1 + units * static_cast<double>(eps)};
+    const auto step = [&] {
+        const double size = random.chance(60) ? 0 : std::floor(random.magnitude(1, 1e6));
+        return size * static_cast<double>(eps);
+    };
+    for (int i = 0; i < degree; ++i) {
+        knots.insert(knots.begin(), knots.front() - step());
+        knots.push_back(knots.back() + step());
+    }
+    return knots;
+}
+
+// The middle of a span of an odd number of units is half a unit off.
+TEST(WorstCurves, spans_of_few_units_of_rounding) {
+    WorstErrors worst("worst of all parameters of spans of 1 to 200 units of rounding, unit eps * hull");
+    for (int degree = 1; degree <= 10; ++degree) {
+        for_each_case(7500000 + 1000 * static_cast<uint64_t>(degree), 60, [&](Random &random, uint64_t seed) {
+            Trial trial = random_trial(random, {degree}, Balance::polynomial);
+            const int units = random.chance(50) ? random.whole(1, 9) : random.whole(1, 200);
+            trial.data.knots[0] = knots_in_units(random, degree, units);
+            for (int i = 0; i <= units; i += 1 + units / 10) {
+                trial.param[0] = 1 + i * static_cast<double>(eps);
+                measure(trial);
+                worst.add(degree, trial.ratio, trial.ratio * reference::c_of(degree));
+                EXPECT_LT(trial.ratio, 1) << where(seed, trial.data) << "at " << hex(trial.param);
+            }
+        });
+    }
 }
 
 TEST(WorstSurfaces, of_every_balance) {

@@ -92,8 +92,8 @@ std::vector<double> magnitudes(const nrb::KnotVector &axis, int64_t span, const 
     return values;
 }
 
-// A piece's coefficients, tallied: how many that did not come from cancellation are not the exact ones rounded,
-// and the errors of all with their rests.
+// A piece's coefficients, tallied: how many that did not come from cancellation are not the exact ones
+// rounded, and the errors of all with their rests.
 struct Tally {
     int64_t count = 0;
     int64_t other = 0;

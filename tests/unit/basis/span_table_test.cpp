@@ -73,8 +73,8 @@ TEST(SpanTable, AgreesWithTheDefinitionForUnevenAndRepeatedKnots) {
     }
 }
 
-// Knots that repeat, follow at one unit of rounding, at a tiny fraction of the domain, or at a distance: every
-// order of these steps, at the ends too, where the knots outside the domain may or may not repeat.
+// Knots that repeat, follow at one unit of rounding, at a tiny fraction of the domain, or at a distance:
+// every order of these steps, at the ends too, where the knots outside the domain may or may not repeat.
 TEST(SpanTable, AgreesWithTheDefinitionForEveryOrderOfSteps) {
     const auto step = [](double t, size_t kind) {
         return kind == 0 ? t : kind == 1 ? std::nextafter(t, 1e300) : kind == 2 ? t + 1e-9 : t + 1;

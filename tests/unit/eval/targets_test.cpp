@@ -1,6 +1,6 @@
 // Every instruction set that this machine offers, one after the other: each keeps the stated accuracy, and
-// within each a parameter gives the same bits however it is asked for. Handles are made anew for each, because
-// the tables of a handle come from the instruction set that was chosen when they were built.
+// within each a parameter gives the same bits however it is asked for. Handles are made anew for each,
+// because the tables of a handle come from the instruction set that was chosen when they were built.
 #include "unit/targets.h"
 
 #include "basis/pieces.h"
