@@ -39,6 +39,20 @@ void measure(Trial &trial) {
     }
 }
 
+// The same for the derivative of a curve, whose bound has its own magnitudes.
+void measure_derivative(Trial &trial, int order) {
+    const auto values = eval_derivs(create(trial.data).get(), order, trial.param);
+    const double *param = trial.param.data();
+    const auto want = reference::exact_derivatives(trial.data, order, param).back();
+    const auto sizes = reference::magnitudes(trial.data, order, param).back();
+    const long double factor = 2 * (reference::c_of(trial.data) + 2 * order) * eps;
+    trial.ratio = 0;
+    for (size_t c = 0; c < want.size(); ++c) {
+        const double value = values[values.size() - want.size() + c];
+        trial.ratio = std::max(trial.ratio, reference::error_ratio(value, want[c], factor * sizes[c]));
+    }
+}
+
 // Mostly the extremes, whose errors all count in full.
 double random_point(Random &random) {
     const double size = random.chance(50) ? 1 : random.between(random.chance(80) ? 0.5 : 0, 1);
@@ -123,19 +137,21 @@ Trial neighbour(Random &random, Trial trial, Balance balance) {
     return trial;
 }
 
-void climb(const std::vector<int> &degrees, uint64_t seed_base, Balance balance, int seeds, int steps,
-           WorstErrors &worst) {
+// Order 0 is the point.
+void climb(const std::vector<int> &degrees, int order, uint64_t seed_base, Balance balance, int seeds,
+           int steps, WorstErrors &worst) {
     for_each_case(seed_base, seeds, [&](Random &random, uint64_t seed) {
         Trial best;
         for (int i = 0; i < steps; ++i) {
             const bool fresh = i < steps / 5;
             Trial next = fresh ? random_trial(random, degrees, balance) : neighbour(random, best, balance);
-            measure(next);
+            order == 0 ? measure(next) : measure_derivative(next, order);
             if (next.ratio >= best.ratio) {
                 best = std::move(next);
             }
         }
-        worst.add(degrees[0], best.ratio, best.ratio * reference::c_of(best.data));
+        const long double c = reference::c_of(best.data);
+        worst.add(degrees[0], best.ratio, best.ratio * (order == 0 ? c : 2 * (c + 2 * order)));
         EXPECT_LT(best.ratio, 1) << where(seed, best.data) << "at " << hex(best.param);
     });
 }
@@ -143,7 +159,7 @@ void climb(const std::vector<int> &degrees, uint64_t seed_base, Balance balance,
 void climb_curves(const char *title, uint64_t base, Balance balance) {
     WorstErrors worst(title);
     for (const int degree : {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 12, 15}) {
-        climb({degree}, base + 1000 * static_cast<uint64_t>(degree), balance, 4, 700, worst);
+        climb({degree}, 0, base + 1000 * static_cast<uint64_t>(degree), balance, 4, 700, worst);
     }
 }
 
@@ -158,6 +174,19 @@ TEST(WorstCurves, weights_within_a_ratio_of_4) {
 
 TEST(WorstCurves, weights_just_beyond_a_ratio_of_4) {
     climb_curves("climbing to the worst span of uneven weights, unit eps * hull", 7300000, Balance::beyond_4);
+}
+
+TEST(WorstCurves, derivatives) {
+    for (const int order : {1, 2}) {
+        WorstErrors worst("climbing to the worst derivative of order " + std::to_string(order) +
+                          ", unit eps * E");
+        uint64_t base = 7600000 + 100000 * static_cast<uint64_t>(order);
+        for (const int degree : {1, 2, 3, 5, 9, 12}) {
+            for (const Balance balance : {Balance::polynomial, Balance::within_4, Balance::beyond_4}) {
+                climb({degree}, order, base += 1000, balance, 1, 500, worst);
+            }
+        }
+    }
 }
 
 // Steps of none, a few or many units of rounding around a span of `units` of them that starts at 1.
@@ -197,7 +226,7 @@ TEST(WorstSurfaces, of_every_balance) {
     uint64_t base = 7400000;
     for (const auto &degrees : {std::vector{1, 1}, std::vector{2, 3}, std::vector{3, 3}, std::vector{5, 2}}) {
         for (const Balance balance : {Balance::polynomial, Balance::within_4, Balance::beyond_4}) {
-            climb(degrees, base += 1000, balance, 2, 400, worst);
+            climb(degrees, 0, base += 1000, balance, 2, 400, worst);
         }
     }
 }
