@@ -101,10 +101,11 @@ void check_accuracy(Random &random, const SplineData &data) {
         const double *param = params.data() + i * data.degrees.size();
         const auto want = reference::exact_derivatives(data, 2, param);
         const auto sizes = reference::magnitudes(data, 2, param);
+        const long double factor = reference::weight_factor(data, param);
         for (size_t slot = 0; slot < indices.size(); ++slot) {
             const int k = std::accumulate(indices[slot].begin(), indices[slot].end(), 0);
             for (size_t d = 0; d < want[slot].size(); ++d, ++value) {
-                const long double bound = k == 0 ? c * eps * reference::exact_hull(data, param)
+                const long double bound = k == 0 ? c * factor * eps * reference::exact_hull(data, param)
                                                  : 2 * (c + 2 * k) * eps * sizes[slot][d];
                 ASSERT_LE(reference::error_ratio(*value, want[slot][d], bound), 1)
                     << describe(data) << "slot " << slot << " at " << hex({param, param + data.axes()});
