@@ -47,12 +47,14 @@ TEST(Uses, pay_at_once_when_one_call_is_enough) {
 TEST(Uses, of_several_threads_are_all_counted) {
     const nrb::Uses uses;
     std::atomic<int64_t> unpaid{0};
-    at_once(4, [&](int) {
-        for (int i = 0; i < 20000; ++i) {
-            unpaid += uses.pay(1, 50000) ? 0 : 1;
+    at_once(4, [&](int) { // for long enough that the threads meet
+        int64_t own = 0;
+        for (int i = 0; i < 300000; ++i) {
+            own += uses.pay(1, 900000) ? 0 : 1;
         }
+        unpaid += own;
     });
-    EXPECT_EQ(unpaid, 49999);
+    EXPECT_EQ(unpaid, 899999);
 }
 
 // Counts its live objects.
