@@ -57,12 +57,13 @@
  *     c(p)        1   3   4   4   6   6   8   8  12  12    16     24     32
  *
  * This table is tested, not proved: comparison with exact arithmetic, and searches for the worst case, find
- * at most 0.7 of it. The method changes in one place: spans of degree 1 to 9 whose active weights (for
+ * at most 0.95 of it. The method changes in one place: spans of degree 1 to 9 whose active weights (for
  * surfaces and volumes: all weights) are positive and differ by a factor of at most 4 are evaluated as
- * polynomials in a local parameter centred on the span, all others by the Cox-de Boor recurrence, for which
- * 7 p + 2 is proved. No other ratio of weights enters. With signed weights hull is
- * (max|w_i P_i| + |C(t)| max|w_i|) / |w(t)|. At clamped ends (and wherever one basis function is 1 on every
- * axis) the stored control point is returned bit for bit.
+ * polynomials in a local parameter centred on the span, all others (and spans of a few units of rounding) by
+ * the Cox-de Boor recurrence, for which 7 p + 2 is proved. With the polynomials c is multiplied by that
+ * factor, the largest of these weights over the smallest; no other ratio of weights enters. With signed
+ * weights hull is (max|w_i P_i| + |C(t)| max|w_i|) / |w(t)|. At clamped ends (and wherever one basis function
+ * is 1 on every axis) the stored control point is returned bit for bit.
  *
  * A derivative of multi-index a (order k = |a|) of a polynomial spline is within 2 (c + 2 k) * eps * H_a,
  * where H_a is the largest control point of the derivative that is active at the parameter, in magnitudes:

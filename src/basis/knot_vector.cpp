@@ -82,9 +82,14 @@ bool KnotVector::has_piece(int64_t span) const noexcept {
     }
     constexpr double shortest = 0x1p-100;
     constexpr double largest_ratio = 0x1p500;
+    // The middle of a span of a few units of rounding is off by up to half of one, and at an end of the span
+    // powers amplify rounding by 3^p.
+    constexpr double fewest_units = 32 * std::numeric_limits<double>::epsilon();
     const double length = (*this)[span + 1] - (*this)[span];
+    const double position = std::max(std::abs((*this)[span]), std::abs((*this)[span + 1]));
     const double extent = (*this)[span + degree_] - (*this)[span + 1 - degree_];
-    return length >= shortest && extent <= largest_ratio && extent <= largest_ratio * length;
+    return length >= shortest && length >= fewest_units * position && extent <= largest_ratio &&
+           extent <= largest_ratio * length;
 }
 
 int64_t KnotVector::find_span(double t, bool left) const noexcept {

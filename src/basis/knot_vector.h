@@ -43,7 +43,7 @@ public:
     // piece_degree(degree()).
     [[nodiscard]] const PieceArray *pieces_after(int64_t uses) const;
     // Whether a span can be evaluated from a piece: the degree is one for pieces, and neither the span's
-    // length nor its ratio to its neighbours comes near the limits of double precision.
+    // length nor its ratio to its neighbours or to its position comes near the limits of double precision.
     [[nodiscard]] bool has_piece(int64_t span) const noexcept;
     // Index of the span that holds t, as SpanTable::find(), with the table if there is one.
     [[nodiscard]] int64_t find_span(double t, bool left) const noexcept;

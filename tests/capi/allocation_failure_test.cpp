@@ -444,13 +444,13 @@ void handles_cost_their_data(int64_t count, bool rational) {
     CHECK_OK(nurbs_create(1, &degree, &count, knots.data(), knot_count, dim, points.data(), 0, 0,
                           rational ? weights.data() : nullptr, 0, 0, &g));
     const auto data = static_cast<size_t>(knot_count + count * dim + (rational ? count : 0)) * sizeof(double);
-    const size_t bytes = allocations::live_bytes();
+    const size_t bytes = allocations::log.held;
     std::printf("%7lld points, %s: %zu bytes beside %zu of data\n", static_cast<long long>(count),
                 rational ? "rational" : "polynomial", bytes - data, data);
     CHECK(bytes >= data && bytes <= data + 1024);
     nurbs *clone = nullptr;
     CHECK_OK(nurbs_clone(g, &clone));
-    CHECK(allocations::live_bytes() <= bytes + 256);
+    CHECK(allocations::log.held <= bytes + 256);
     nurbs_destroy(clone);
     nurbs_destroy(g);
     CHECK_INT(allocations::log.live, 0);

@@ -42,6 +42,8 @@ struct Log {
     int64_t fail_at = 0;  // number of the allocation that fails, 0: none
     bool fail_on = false; // whether the later ones fail too
     bool failed = false;
+    size_t held = 0; // bytes of the live blocks
+    size_t peak = 0; // the largest `held`
     size_t live = 0;
     std::array<Block, 8192> blocks{};
 };
@@ -68,6 +70,8 @@ inline void *add(void *place, size_t bytes) {
             std::abort();
         }
         log.blocks[log.live++] = {place, bytes};
+        log.held += bytes;
+        log.peak = log.held > log.peak ? log.held : log.peak;
     }
     return place;
 }
@@ -75,23 +79,18 @@ inline void *add(void *place, size_t bytes) {
 inline void remove(const void *place) {
     for (size_t i = log.live; log.tracking && i-- > 0;) {
         if (log.blocks[i].place == place) {
+            log.held -= log.blocks[i].bytes;
             log.blocks[i] = log.blocks[--log.live];
             return;
         }
     }
 }
 
-inline size_t live_bytes() {
-    size_t sum = 0;
-    for (size_t i = 0; i < log.live; ++i) {
-        sum += log.blocks[i].bytes;
-    }
-    return sum;
-}
-
 inline void begin() {
     log.count = 0;
     log.live = 0;
+    log.held = 0;
+    log.peak = 0;
     log.tracking = true;
 }
 

@@ -30,7 +30,8 @@ void check_derivatives(Random &random, uint64_t seed, const Recipe &recipe, int 
             const int k = std::accumulate(indices[slot].begin(), indices[slot].end(), 0);
             for (size_t d = 0; d < want[slot].size(); ++d, ++value) {
                 // Slot 0 is the point and keeps the promise of points.
-                const long double factor = k == 0 ? c : 2 * (c + 2 * k);
+                const long double factor =
+                    k == 0 ? c * reference::weight_factor(data, param) : 2 * (c + 2 * k);
                 const long double unit = k == 0 ? eps * hull : eps * sizes[slot][d];
                 const long double error = reference::error_ratio(*value, want[slot][d], unit);
                 worst.add(k, error / factor, error);

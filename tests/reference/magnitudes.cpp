@@ -137,6 +137,24 @@ bool uneven(const std::vector<Record> &points) {
 
 } // namespace
 
+long double weight_factor(const SplineData &data, const double *param, Sides left) {
+    std::vector<double> weights = data.weights;
+    if (data.rational() && data.axes() == 1) {
+        weights.clear();
+        for (const int64_t i : active_points(data, first_active(data, param, left))) {
+            weights.push_back(data.weight(i));
+        }
+    }
+    const bool centred = std::any_of(data.degrees.begin(), data.degrees.end(),
+                                     [](int degree) { return degree >= 1 && degree <= 9; });
+    if (!centred || weights.empty()) {
+        return 1;
+    }
+    const auto [smallest, largest] = std::minmax_element(weights.begin(), weights.end());
+    const bool even = *smallest > 0 && *largest <= 4 * *smallest;
+    return even ? static_cast<long double>(*largest) / *smallest : 1;
+}
+
 std::vector<std::vector<long double>> magnitudes(const SplineData &data, int order, const double *param,
                                                  Sides left) {
     const auto first = first_active(data, param, left);

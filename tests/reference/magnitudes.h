@@ -11,6 +11,10 @@ inline constexpr long double eps = 0x1p-52L;
 long double c_of(int degree);
 long double c_of(const support::SplineData &data);
 
+// What multiplies c for points: the largest ratio of the active weights (of all weights, with several axes)
+// where they are even enough for centred powers, whose rounding is relative to the largest weight; else 1.
+long double weight_factor(const support::SplineData &data, const double *param, Sides left = {});
+
 // What multiplies 2 (c + 2 |a|) eps in the bound of derivative a of coordinate c: H_a of the preamble for a
 // polynomial spline, E_a for a rational one. All terms are positive, so that long double gives them to a few
 // of its own units. magnitudes[slot][c], slots as in nurbs_eval_derivs().

@@ -24,12 +24,18 @@ int64_t span_by_definition(int degree, const std::vector<double> &knots, double 
     return found;
 }
 
+// With the table and without it, by index and by number.
 void expect_agreement(int degree, const std::vector<double> &knots, const std::vector<double> &params) {
     const SpanTable table(degree, knots);
     for (const double t : params) {
         for (const bool left : {false, true}) {
-            ASSERT_EQ(table.find(t, left), span_by_definition(degree, knots, t, left))
-                << t << (left ? " left" : "");
+            const int64_t span = span_by_definition(degree, knots, t, left);
+            ASSERT_EQ(table.find(t, left), span) << t << (left ? " left" : "");
+            ASSERT_EQ(nrb::find_span(degree, knots, t, left), span) << t << (left ? " left" : "");
+            ASSERT_EQ(table.indices()[static_cast<size_t>(table.number(t, left))], span) << t;
+        }
+        if (t >= table.breaks().front() && t <= table.breaks().back()) {
+            ASSERT_EQ(table.finder().number_inside(t), table.number(t, false)) << t;
         }
     }
 }
@@ -64,6 +70,43 @@ TEST(SpanTable, AgreesWithTheDefinitionForUnevenAndRepeatedKnots) {
                       std::max(knots.back(), std::nextafter(knots[first], 1e300)));
         }
         expect_agreement(degree, knots, probes(knots));
+    }
+}
+
+// Knots that repeat, follow at one unit of rounding, at a tiny fraction of the domain, or at a distance:
+// every order of these steps, at the ends too, where the knots outside the domain may or may not repeat.
+TEST(SpanTable, AgreesWithTheDefinitionForEveryOrderOfSteps) {
+    const auto step = [](double t, size_t kind) {
+        return kind == 0 ? t : kind == 1 ? std::nextafter(t, 1e300) : kind == 2 ? t + 1e-9 : t + 1;
+    };
+    for (int degree = 0; degree <= 2; ++degree) {
+        for (size_t pattern = 0; pattern < 4096; ++pattern) { // 6 steps of 4 kinds
+            std::vector<double> knots{-1.5};
+            for (size_t rest = pattern; knots.size() < 7; rest /= 4) {
+                knots.push_back(step(knots.back(), rest % 4));
+            }
+            if (knots[static_cast<size_t>(degree)] < knots[knots.size() - static_cast<size_t>(degree) - 1]) {
+                expect_agreement(degree, knots, probes(knots));
+            }
+        }
+    }
+}
+
+// Breaks that crowd together share buckets, where a search decides.
+TEST(SpanTable, AgreesWithTheDefinitionWhereBreaksCrowd) {
+    for (const double ratio : {0.5, 0.9, 0.99}) {
+        std::vector<double> knots{1};
+        for (int i = 1; i < 200; ++i) {
+            knots.push_back(knots.back() * ratio);
+        }
+        std::reverse(knots.begin(), knots.end());
+        expect_agreement(3, knots, probes(knots));
+        std::vector<double> mirrored;
+        for (auto knot = knots.rbegin(); knot != knots.rend(); ++knot) {
+            mirrored.push_back(2 - *knot);
+        }
+        mirrored.erase(std::unique(mirrored.begin(), mirrored.end()), mirrored.end());
+        expect_agreement(2, mirrored, probes(mirrored));
     }
 }
 
