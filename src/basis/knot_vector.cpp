@@ -70,7 +70,7 @@ const SpanTable *KnotVector::spans_after(int64_t uses) const {
 }
 
 const PieceArray *KnotVector::pieces_after(int64_t uses) const {
-    if (pieces_.peek() != nullptr || evaluations_.pay(uses, count())) {
+    if (pieces_.peek() != nullptr || evaluations_.pay(uses, count() / 4)) {
         return &pieces_.get([this] { return basis_pieces(*this); });
     }
     return nullptr;

@@ -15,26 +15,31 @@ namespace nrb {
 namespace HWY_NAMESPACE {
 
 using Wide = hn::CappedTag<double, 8>;
-inline constexpr int most = max_piece_degree;
 
-// The functions of several spans, one in each lane, seen from the middles of the spans.
-template <class D>
+// Loops over the functions of low degrees are unrolled, so that their numbers stay in registers.
+
+// The functions of several spans, one in each lane, seen from the middles of the spans. kMost: the largest
+// degree.
+template <int kMost, class D>
 class CentredFunctions {
 public:
     using V = hn::Vec<D>;
     using Number = Twin<V>;
 
     // knots: [2 degree][lanes], those before the middle first; the local parameter is (t - middle) * scale.
-    CentredFunctions(D d, int degree, const double *knots, V middle, V scale) : d_(d) {
-        Number behind[most];
-        Number ahead[most];
+    HWY_INLINE CentredFunctions(D d, int degree, const double *knots, V middle, V scale) : d_(d) {
+        Number behind[kMost];
+        Number ahead[kMost];
         const auto lanes = static_cast<int>(hn::Lanes(d));
+#pragma GCC unroll 4
         for (int i = 0; i < degree; ++i) {
             behind[i] =
                 scaled(exact_sum(middle, hn::Neg(hn::LoadU(d, knots + (degree - 1 - i) * lanes))), scale);
             ahead[i] = scaled(exact_sum(hn::LoadU(d, knots + (degree + i) * lanes), hn::Neg(middle)), scale);
         }
+#pragma GCC unroll 4
         for (int e = 1; e <= degree; ++e) {
+#pragma GCC unroll 4
             for (int r = 0; r < e; ++r) {
                 const Number slope = inverse(behind[e - 1 - r] + ahead[r]);
                 slope_[e - 1][r] = slope;
@@ -47,6 +52,7 @@ public:
     // One step of the Cox-de Boor recurrence at the middle, from degree e - 1 to degree e.
     HWY_INLINE void raise_degree(int e, Number *functions) const {
         Number carried{hn::Zero(d_), hn::Zero(d_)};
+#pragma GCC unroll 4
         for (int r = 0; r < e; ++r) {
             const Number before = functions[r];
             functions[r] = carried + before * ahead_[e - 1][r];
@@ -59,6 +65,7 @@ public:
     // the factor e.
     HWY_INLINE void differentiate(int e, Number *functions) const {
         Number carried{hn::Zero(d_), hn::Zero(d_)};
+#pragma GCC unroll 4
         for (int r = 0; r < e; ++r) {
             const Number slope = functions[r] * slope_[e - 1][r];
             functions[r] = carried - slope;
@@ -73,9 +80,9 @@ private:
     }
 
     D d_;
-    Number slope_[most][most];  // [e - 1][r]: 1 / length of the support of function r of degree e - 1
-    Number behind_[most][most]; // the part of the support before the middle
-    Number ahead_[most][most];
+    Number slope_[kMost][kMost];  // [e - 1][r]: 1 / length of the support of function r of degree e - 1
+    Number behind_[kMost][kMost]; // the part of the support before the middle
+    Number ahead_[kMost][kMost];
 };
 
 double binomial(int n, int k) {
@@ -92,6 +99,7 @@ HWY_INLINE void store_row(D d, const Twin<hn::Vec<D>> *row, int degree, double f
                           int count, double *const *pieces, double *const *rests) {
     HWY_ALIGN double high[8] = {};
     HWY_ALIGN double low[8] = {};
+#pragma GCC unroll 4
     for (int j = 0; j <= degree; ++j) {
         const Twin<hn::Vec<D>> product = exact_product(row[j].high, hn::Set(d, factor));
         const auto rest = hn::MulAdd(row[j].low, hn::Set(d, factor), product.low);
@@ -108,27 +116,31 @@ HWY_INLINE void store_row(D d, const Twin<hn::Vec<D>> *row, int degree, double f
 }
 
 // Coefficients of the pieces of `count` spans, at most one for each lane; the heads are there. knots as for
-// CentredFunctions.
-template <class D>
-HWY_INLINE void fill_pieces(D d, int degree, const double *knots, int count, double *const *pieces,
+// CentredFunctions. kDegree < 0 stands for any degree.
+template <int kDegree, class D>
+HWY_INLINE void fill_pieces(D d, int any_degree, const double *knots, int count, double *const *pieces,
                             double *const *rests) {
     using Number = Twin<hn::Vec<D>>;
+    constexpr int most = kDegree > 0 ? kDegree : max_piece_degree;
+    const int degree = kDegree > 0 ? kDegree : any_degree;
     HWY_ALIGN double middles[8];
     HWY_ALIGN double scales[8];
     for (int l = 0; l < static_cast<int>(hn::Lanes(d)); ++l) {
         middles[l] = pieces[std::min(l, count - 1)][Piece::middle];
         scales[l] = pieces[std::min(l, count - 1)][Piece::scale];
     }
-    const CentredFunctions<D> centred(d, degree, knots, hn::Load(d, middles), hn::Load(d, scales));
+    const CentredFunctions<most, D> centred(d, degree, knots, hn::Load(d, middles), hn::Load(d, scales));
     const int lanes = Piece::lanes(degree + 1);
     Number functions[most + 1];
     functions[0] = {hn::Set(d, 1.0), hn::Zero(d)};
+#pragma GCC unroll 4
     for (int e = 0; e <= degree; ++e) {
         if (e > 0) {
             centred.raise_degree(e, functions);
         }
         Number row[most + 1];
         std::copy_n(functions, e + 1, row);
+#pragma GCC unroll 4
         for (int raised = e + 1; raised <= degree; ++raised) {
             centred.differentiate(raised, row);
         }
@@ -140,9 +152,24 @@ HWY_INLINE void fill_pieces(D d, int degree, const double *knots, int count, dou
     }
 }
 
+template <class D>
+HWY_INLINE void fill_pieces_of(D d, int degree, const double *knots, int count, double *const *pieces,
+                               double *const *rests) {
+    switch (degree) {
+    case 1:
+        return fill_pieces<1>(d, degree, knots, count, pieces, rests);
+    case 2:
+        return fill_pieces<2>(d, degree, knots, count, pieces, rests);
+    case 3:
+        return fill_pieces<3>(d, degree, knots, count, pieces, rests);
+    default:
+        return fill_pieces<-1>(d, degree, knots, count, pieces, rests);
+    }
+}
+
 void make_pieces(const double *knots, int degree, const int64_t *spans, int count, double *const *pieces,
                  double *const *rests) {
-    HWY_ALIGN double local[2 * most * 8];
+    HWY_ALIGN double local[2 * max_piece_degree * 8];
     const int lanes = count == 1 ? 1 : static_cast<int>(hn::Lanes(Wide()));
     for (int i = 0; i < 2 * degree; ++i) {
         for (int l = 0; l < lanes; ++l) {
@@ -150,9 +177,9 @@ void make_pieces(const double *knots, int degree, const int64_t *spans, int coun
         }
     }
     if (count == 1) {
-        fill_pieces(hn::CappedTag<double, 1>(), degree, local, count, pieces, rests);
+        fill_pieces_of(hn::CappedTag<double, 1>(), degree, local, count, pieces, rests);
     } else {
-        fill_pieces(Wide(), degree, local, count, pieces, rests);
+        fill_pieces_of(Wide(), degree, local, count, pieces, rests);
     }
 }
 
@@ -161,20 +188,26 @@ int piece_lanes() {
 }
 
 // Component c of power k: the sum over j of coefficient [k][j] with w_j x_jc, rounded once.
-void combine(const double *HWY_RESTRICT basis, const double *HWY_RESTRICT rests, int degree,
-             const double *HWY_RESTRICT weights, const double *HWY_RESTRICT points, int lanes,
-             double *HWY_RESTRICT powers) {
+template <int kDegree>
+HWY_INLINE void combine_degree(const double *HWY_RESTRICT basis, const double *HWY_RESTRICT rests,
+                               int any_degree, const double *HWY_RESTRICT weights,
+                               const double *HWY_RESTRICT points, int lanes, double *HWY_RESTRICT powers) {
     const hn::CappedTag<double, 4> d;
     using V = hn::Vec<hn::CappedTag<double, 4>>;
+    constexpr int most = kDegree > 0 ? kDegree : max_piece_degree;
+    const int degree = kDegree > 0 ? kDegree : any_degree;
     const int functions = Piece::lanes(degree + 1);
     for (int c = 0; c < lanes; c += static_cast<int>(hn::Lanes(d))) {
         Twin<V> products[most + 1];
+#pragma GCC unroll 4
         for (int j = 0; j <= degree; ++j) {
             products[j] = exact_product(hn::Set(d, weights[j]),
                                         hn::LoadU(d, points + static_cast<int64_t>(j) * lanes + c));
         }
+#pragma GCC unroll 4
         for (int k = 0; k <= degree; ++k) {
             Twin<V> sum{hn::Zero(d), hn::Zero(d)};
+#pragma GCC unroll 4
             for (int j = 0; j <= degree; ++j) {
                 const V coefficient = hn::Set(d, basis[k * functions + j]);
                 const Twin<V> term = exact_product(coefficient, products[j].high);
@@ -186,6 +219,15 @@ void combine(const double *HWY_RESTRICT basis, const double *HWY_RESTRICT rests,
             }
             hn::StoreU(hn::Add(sum.high, sum.low), d, powers + static_cast<int64_t>(k) * lanes + c);
         }
+    }
+}
+
+void combine(const double *basis, const double *rests, int degree, const double *weights,
+             const double *points, int lanes, double *powers) {
+    if (degree == 3) {
+        combine_degree<3>(basis, rests, degree, weights, points, lanes, powers);
+    } else {
+        combine_degree<-1>(basis, rests, degree, weights, points, lanes, powers);
     }
 }
 

@@ -89,7 +89,7 @@ PieceArray Spline::curve_pieces() const {
 }
 
 const PieceArray *Spline::pieces_after(int64_t uses) const {
-    if (pieces_.peek() != nullptr || (piece_degree(axis(0).degree()) && uses_.pay(uses, count(0)))) {
+    if (pieces_.peek() != nullptr || (piece_degree(axis(0).degree()) && uses_.pay(uses, count(0) / 3))) {
         return &pieces_.get([this] { return curve_pieces(); });
     }
     return nullptr;
