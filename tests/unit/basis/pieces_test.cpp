@@ -148,12 +148,13 @@ TEST_P(Pieces, have_heads_that_map_their_span_to_unit_size) {
             const double scale = piece[Piece::scale];
             EXPECT_EQ(piece[Piece::lower], (*axis)[span]);
             EXPECT_EQ(piece[Piece::upper], (*axis)[span + 1]);
+            const double behind = piece[Piece::middle] - piece[Piece::lower];
+            const double ahead = piece[Piece::upper] - piece[Piece::middle];
+            EXPECT_LE(std::fabs(behind - ahead), 0.05 * (behind + ahead));
             int exponent = 0;
             EXPECT_EQ(std::frexp(scale, &exponent), 0.5);
-            const double x = std::max((piece[Piece::upper] - piece[Piece::middle]) * scale,
-                                      (piece[Piece::middle] - piece[Piece::lower]) * scale);
-            EXPECT_LE(x, 1);
-            EXPECT_GE(x, 0.5);
+            EXPECT_LE(std::max(behind, ahead) * scale, 1);
+            EXPECT_GE(std::max(behind, ahead) * scale, 0.5);
         }
     });
 }
