@@ -83,10 +83,11 @@
  *
  * # Speed
  * Batches are what is fast: the cost of a call is that of several points. Handles build tables by themselves
- * once enough parameters have been asked for, about as many as there are spans; they take the memory of the
- * control points some 5 times (curves) and of the knots some 50 times. Sorted parameters
- * are cheaper than random ones, grids cheaper than the list of their points, and outputs that are packed
- * cheaper than outputs with strides.
+ * once enough parameters have been asked for, about a third of the number of control points. For each span
+ * they take dim + 1 doubles rounded up to a multiple of 4, degree + 1 times and once more (curves), or, along
+ * each axis of surfaces and volumes, degree + 1 doubles rounded up so; and about as much as the knots twice.
+ * Sorted parameters are cheaper than random ones, grids cheaper than the list of their points, and packed
+ * outputs cheaper than outputs with strides.
  *
  * # Bindings
  * Signatures use int32_t, int64_t, uint32_t, double, pointers to these and to float, char buffers and opaque
@@ -762,7 +763,7 @@ NURBS_API nurbs_status nurbs_eval_f32(const nurbs *g, int64_t n, const double *p
                                       int64_t point_component_stride, uint32_t flags);
 
 /** \brief Points on a grid in single precision: the results of nurbs_eval_grid(), each rounded once to the
- * nearest float. Needs working memory for the points in double precision.
+ * nearest float.
  * \param[in] g a spline.
  * \param[in] counts [axes] number of parameters on each axis.
  * \param[in] params [sum of counts] as for nurbs_eval_grid().

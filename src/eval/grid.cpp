@@ -23,24 +23,27 @@ void append(std::vector<Stretch> &stretches, Stretch next) {
 // Tables and working memory of one grid.
 class GridEvaluator {
 public:
+    // `tables`: those that are known from another part of the grid.
     GridEvaluator(const Spline &spline, const AxisRules &rules, int order,
-                  const std::array<ConstRecords, max_axes> &params)
+                  const std::array<ConstRecords, max_axes> &params, AxisTables tables = {})
         : spline_(spline), shape_(spline, order), net_(spline.records().data()),
           sources_(axis_sources(spline, rules, order, {params[0].count, params[1].count, params[2].count})),
-          scratch_(scratch_size()) {
+          scratch_(scratch_size()), tables_(std::move(tables)) {
         if (shape_.rational) {
             quotient_.emplace(shape_.axes, order, scratch_);
         }
         for (size_t k = 0; k < axes(); ++k) {
             sources_[k].take_work(scratch_);
-            make_table(k, params[k]);
+            if (tables_[k] == nullptr) {
+                tables_[k] = make_table(k, params[k]);
+            }
         }
         find_stretches();
         make_slabs();
         make_groups();
     }
 
-    void write(const Records &out) noexcept { write(out, 0, tables_[0].size(), nullptr, 0, 0); }
+    void write(const Records &out) noexcept { write(out, 0, tables_[0]->size(), nullptr, 0, 0); }
 
     // The part of parameters [begin, end) of axis 0. `sink`, if any, is called for every row of the last axis,
     // whose first point is number sink_first of the whole grid and which has sink_stride points there; `out`
@@ -67,9 +70,11 @@ public:
                     sink_stride});
     }
 
+    [[nodiscard]] const AxisTables &tables() const noexcept { return tables_; }
+
 private:
     [[nodiscard]] size_t axes() const noexcept { return static_cast<size_t>(shape_.axes); }
-    [[nodiscard]] const AxisTable &last_table() const noexcept { return tables_[axes() - 1]; }
+    [[nodiscard]] const AxisTable &last_table() const noexcept { return *tables_[axes() - 1]; }
     [[nodiscard]] int64_t rows_size() const noexcept { return shape_.slots * shape_.width * grid_group; }
 
     [[nodiscard]] size_t scratch_size() const noexcept {
@@ -81,12 +86,13 @@ private:
         return size;
     }
 
-    void make_table(size_t k, ConstRecords params) {
-        AxisTable &table = tables_[k];
+    [[nodiscard]] std::shared_ptr<const AxisTable> make_table(size_t k, ConstRecords params) const {
+        AxisTable table;
         table.points.resize(static_cast<size_t>(params.count));
         table.values.resize(static_cast<size_t>(
             checked_product(params.count, sources_[k].values_size(shape_.order), "params")));
         tabulate(sources_[k], shape_.order, params, table);
+        return std::make_shared<const AxisTable>(std::move(table));
     }
 
     // From the last axis forward: each needed layer of an axis holds the stretches of the axes behind it.
@@ -94,7 +100,7 @@ private:
         std::vector<Stretch> inner{{0, shape_.width}};
         int64_t length = shape_.width;
         for (size_t k = axes() - 1; k > 0; --k) {
-            const std::vector<int64_t> layers = needed_layers(tables_[k], sources_[k].degree);
+            const std::vector<int64_t> layers = needed_layers(*tables_[k], sources_[k].degree);
             std::vector<Stretch> &joined = stretches_[k - 1];
             joined.reserve(layers.size() * inner.size());
             for (const int64_t layer : layers) {
@@ -144,7 +150,7 @@ private:
     AxisSources sources_;
     Scratch scratch_;
     std::optional<QuotientRule> quotient_;
-    std::array<AxisTable, max_axes> tables_;
+    AxisTables tables_;
     std::array<std::vector<Stretch>, max_axes> stretches_;
     std::array<std::unique_ptr<double[]>, max_axes> storage_;
     std::vector<GridGroup> groups_;
@@ -182,7 +188,9 @@ void evaluate_grid(const Spline &spline, const AxisRules &rules, int order,
         std::array<ConstRecords, max_axes> part = params;
         part[last].data += first * params[last].stride;
         part[last].count = std::min(block_size, params[last].count - first);
-        strips.push_back(std::make_unique<GridEvaluator>(spline, rules, order, part));
+        AxisTables shared = strips.empty() ? AxisTables() : strips.front()->tables();
+        shared[last] = nullptr;
+        strips.push_back(std::make_unique<GridEvaluator>(spline, rules, order, part, std::move(shared)));
     }
     // In the order of the caller's memory.
     for (int64_t row = 0; row < params[0].count; ++row) {

@@ -27,7 +27,7 @@ public:
 private:
     // `row`: number of the combination of parameters of the axes before `level`.
     void descend(int level, int64_t row) {
-        const AxisTable &table = job_.tables[static_cast<size_t>(level)];
+        const AxisTable &table = *job_.tables[static_cast<size_t>(level)];
         const int64_t begin = level == 0 ? job_.begin : 0;
         const int64_t end = level == 0 ? job_.end : table.size();
         for (int64_t i = begin; i < end; ++i) {
@@ -39,7 +39,7 @@ private:
             if (level + 1 < last_) {
                 descend(level + 1, next);
             } else if (job_.sink == nullptr) {
-                write_row(next * job_.tables[static_cast<size_t>(last_)].size());
+                write_row(next * job_.tables[static_cast<size_t>(last_)]->size());
             } else {
                 write_row(0);
                 const Records &rows = job_.out;
@@ -56,7 +56,7 @@ private:
         const int64_t length = job_.slabs.length[at];
         const int64_t before = level == 0 ? 0 : job_.slabs.length[at - 1];
         const double *net = level == 0 ? job_.net : job_.slabs.data[at - 1];
-        const double *values = job_.tables[at].values.data() + i * source.values_size(order);
+        const double *values = job_.tables[at]->values.data() + i * source.values_size(order);
         for_each_step(level, order, [&](int64_t from, int a, int64_t target) HWY_ATTR {
             const double *rows = net + from * before + chosen_[level].first * length;
             for (const Stretch &stretch : job_.stretches[at]) {
@@ -254,14 +254,14 @@ private:
     }
 
     void write_nan_row(int64_t first) const {
-        for (int64_t i = 0; i < job_.tables[static_cast<size_t>(last_)].size(); ++i) {
+        for (int64_t i = 0; i < job_.tables[static_cast<size_t>(last_)]->size(); ++i) {
             write_nan(job_.shape.values(), job_.out, first + i);
         }
     }
 
     // NaN where the parameter gives it, the stored control point where one is alone on every axis.
     void mend(int64_t position, int64_t first) const {
-        const AxisPoint &own = job_.tables[static_cast<size_t>(last_)].points[static_cast<size_t>(position)];
+        const AxisPoint &own = job_.tables[static_cast<size_t>(last_)]->points[static_cast<size_t>(position)];
         if (!own.valid()) {
             return write_nan(job_.shape.values(), job_.out, first + position);
         }

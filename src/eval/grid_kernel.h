@@ -6,6 +6,7 @@
 #include "eval/contraction.h"
 #include "eval/finish.h"
 
+#include <memory>
 #include <vector>
 
 namespace nrb {
@@ -34,13 +35,15 @@ struct AxisTable {
     [[nodiscard]] int64_t size() const noexcept { return std::ssize(points); }
 };
 
+using AxisTables = std::array<std::shared_ptr<const AxisTable>, max_axes>;
+
 struct GridJob {
     const Spline &spline;
     const RecordShape &shape;
     const QuotientRule *quotient; // null for a polynomial spline
     const double *net;            // the records of all control points
     const AxisSources &sources;
-    const std::array<AxisTable, max_axes> &tables;
+    const AxisTables &tables;
     const std::vector<GridGroup> &groups;
     const double *group_values;             // [group][order + 1][degree + 1][grid_group], aligned
     const std::vector<int64_t> &exceptions; // positions on the last axis that are NaN or have a sole function

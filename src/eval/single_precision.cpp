@@ -1,10 +1,7 @@
 #include "eval/single_precision.h"
 
-#include "base/checked.h"
 #include "eval/blocks.h"
 #include "eval/evaluate.h"
-
-#include <memory>
 
 namespace nrb {
 
@@ -40,11 +37,8 @@ void evaluate_points(const Spline &spline, const AxisRules &rules, ConstRecords 
 
 void evaluate_grid(const Spline &spline, const AxisRules &rules,
                    const std::array<ConstRecords, max_axes> &params, FloatRecords points) {
-    const int64_t width = points.width;
-    const int64_t size = checked_product(points.count, width, "points");
-    const std::unique_ptr<double[]> values(new double[static_cast<size_t>(size)]);
-    evaluate_grid(spline, rules, 0, params, {values.get(), points.count, width, width, 1});
-    round_points({values.get(), points.count, width, width, 1}, 0, points);
+    FloatSink sink(points);
+    evaluate_grid(spline, rules, 0, params, sink);
 }
 
 } // namespace nrb

@@ -1,5 +1,4 @@
 // This library, through its C interface, as a user calls it.
-#include "bench/frames.h"
 #include "bench/harness.h"
 #include "support/handle.h"
 
@@ -25,12 +24,27 @@ Work single_calls(const SharedHandle &g, const Case &data, Output &output) {
     };
 }
 
-Work grid(const SharedHandle &g, const Job &job, const Case &data, Output &output) {
-    if (job.normal) {
-        return [g, &data, &output] {
-            require(grid_frames(g.get(), data.grid.data(), data.params.data(), output.values.data()));
+// Points, first derivatives and normals: four arrays of packed vectors.
+Work frames(const SharedHandle &g, const Job &job, const Case &data, Output &output) {
+    const auto size = static_cast<size_t>(3 * data.points());
+    output.places = {{0, 3}, {size, 3}, {2 * size, 3}, {3 * size, 3}};
+    double *const points = output.values.data();
+    double *const du = points + size;
+    double *const dv = du + size;
+    double *const normals = dv + size;
+    if (job.params == Params::grid) {
+        return [=, &data] {
+            require(nurbs_surface_eval_grid_frames(g.get(), data.grid.data(), data.params.data(), points, 0,
+                                                   0, du, 0, 0, dv, 0, 0, normals, 0, 0, nullptr, 0));
         };
     }
+    return [=, &data] {
+        require(nurbs_surface_eval_frames(g.get(), data.points(), data.params.data(), 0, 0, points, 0, 0, du,
+                                          0, 0, dv, 0, 0, normals, 0, 0, nullptr, 0));
+    };
+}
+
+Work grid(const SharedHandle &g, const Case &data, Output &output) {
     return [g, &data, &output] {
         require(
             nurbs_eval_grid(g.get(), data.grid.data(), data.params.data(), output.values.data(), 0, 0, 0));
@@ -39,10 +53,6 @@ Work grid(const SharedHandle &g, const Job &job, const Case &data, Output &outpu
 
 Work scattered(const SharedHandle &g, const Job &job, const Case &data, Output &output) {
     const int64_t n = data.points();
-    if (job.normal) {
-        return
-            [g, n, &data, &output] { require(frames(g.get(), n, data.params.data(), output.values.data())); };
-    }
     if (job.order > 0) {
         return [g, n, order = job.order, &data, &output] {
             require(nurbs_eval_derivs(g.get(), order, n, data.params.data(), 0, 0, output.values.data(), 0, 0,
@@ -60,11 +70,14 @@ bool offers(const Job &) {
 
 Work prepare(const Job &job, const Case &data, Output &output) {
     const SharedHandle g = support::create(data.spline);
+    if (job.normal) {
+        return frames(g, job, data, output);
+    }
     switch (job.params) {
     case Params::single:
         return single_calls(g, data, output);
     case Params::grid:
-        return grid(g, job, data, output);
+        return grid(g, data, output);
     default:
         return scattered(g, job, data, output);
     }
