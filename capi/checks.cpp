@@ -4,15 +4,12 @@
 
 namespace nrb::capi {
 
-void require(const void *pointer, const char *name) {
-    if (pointer == nullptr) {
-        fail(NURBS_ERROR_NULL, "%s is NULL", name);
-    }
+void fail_null(const char *name) {
+    fail(NURBS_ERROR_NULL, "%s is NULL", name);
 }
 
-const Spline &spline_of(const ::nurbs *g) {
-    require(g, "g");
-    return *g->spline;
+void fail_length(int64_t n, const char *name) {
+    fail(NURBS_ERROR_COUNT, "%s = %lld, expected >= 0", name, static_cast<long long>(n));
 }
 
 void check_axes(int32_t axes) {
@@ -30,12 +27,6 @@ void check_axis(const Spline &spline, int32_t axis) {
 void check_order(int32_t order) {
     if (order < 0 || order > NURBS_MAX_ORDER) {
         fail(NURBS_ERROR_ORDER, "order = %d, expected 0 to %d", order, NURBS_MAX_ORDER);
-    }
-}
-
-void check_length(int64_t n, const char *name) {
-    if (n < 0) {
-        fail(NURBS_ERROR_COUNT, "%s = %lld, expected >= 0", name, static_cast<long long>(n));
     }
 }
 

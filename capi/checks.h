@@ -9,21 +9,36 @@
 
 namespace nrb::capi {
 
+[[noreturn]] void fail_null(const char *name);
+[[noreturn]] void fail_length(int64_t n, const char *name);
+
+// Checks of the shortest calls are inline, their messages are not.
 // Throws NURBS_ERROR_NULL naming the argument.
-void require(const void *pointer, const char *name);
+inline void require(const void *pointer, const char *name) {
+    if (pointer == nullptr) {
+        fail_null(name);
+    }
+}
 // As require(), and sets *out to NULL, so that it is NULL whatever fails later.
 template <class Handle>
 void require_out(Handle **out) {
     require(out, "out");
     *out = nullptr;
 }
-const Spline &spline_of(const ::nurbs *g);
+inline const Spline &spline_of(const ::nurbs *g) {
+    require(g, "g");
+    return *g->spline;
+}
 
 void check_axes(int32_t axes);
 void check_axis(const Spline &spline, int32_t axis);
 void check_order(int32_t order);
 // n >= 0, else NURBS_ERROR_COUNT.
-void check_length(int64_t n, const char *name);
+inline void check_length(int64_t n, const char *name) {
+    if (n < 0) {
+        fail_length(n, name);
+    }
+}
 // n == expected, else NURBS_ERROR_SIZE.
 void check_size(int64_t n, int64_t expected, const char *name);
 

@@ -82,6 +82,8 @@ public:
             return run_order<2>();
         case 2:
             return run_order<3>();
+        case 3: // torsion
+            return run_params<4, -1, 0, false>();
         default:
             return run_params<most_orders, -1, 0, false>();
         }

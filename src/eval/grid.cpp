@@ -57,6 +57,7 @@ public:
                     sources_,
                     tables_,
                     groups_,
+                    rising_,
                     group_values_,
                     exceptions_,
                     {stretches_[0], stretches_[1], stretches_[2]},
@@ -129,6 +130,11 @@ private:
     void make_groups() {
         const AxisSource &source = sources_[axes() - 1];
         groups_ = group_by_layers(last_table());
+        int64_t next = 0;
+        for (const GridGroup &group : groups_) {
+            rising_ = rising_ && group.consecutive && group.position[0] >= next;
+            next = group.position[0] + group.count;
+        }
         const int64_t one = static_cast<int64_t>(shape_.order + 1) * (source.degree + 1) * grid_group;
         const auto size = static_cast<size_t>(checked_product(std::ssize(groups_), one, "params"));
         group_memory_.resize(size + Scratch::line);
@@ -154,6 +160,7 @@ private:
     std::array<std::vector<Stretch>, max_axes> stretches_;
     std::array<std::unique_ptr<double[]>, max_axes> storage_;
     std::vector<GridGroup> groups_;
+    bool rising_ = true;
     std::vector<double> group_memory_;
     double *group_values_ = nullptr;
     std::vector<int64_t> exceptions_;

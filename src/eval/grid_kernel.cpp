@@ -129,7 +129,10 @@ private:
         for (const GridGroup &group : job_.groups) {
             const double *slab = job_.slabs.data[0] + group.first * kWidth;
             const int64_t start = first + group.position[0];
-            const bool direct = group.consecutive && (separate || (packed && group.count == group_size));
+            // What a group that is not full writes beyond its own points is written again later.
+            const bool whole =
+                group.count == group_size || (job_.rising && start + group_size <= job_.out.count);
+            const bool direct = group.consecutive && (separate || (packed && whole));
             for (int i = 0; i < group_size; i += wide_lanes) {
                 V sums[kWidth][slots];
                 contract_slots<kOrders, kWidth>(values + i, functions, slab, length, sums);

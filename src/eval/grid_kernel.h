@@ -45,6 +45,7 @@ struct GridJob {
     const AxisSources &sources;
     const AxisTables &tables;
     const std::vector<GridGroup> &groups;
+    bool rising; // whether each group's points are consecutive and follow those of the group before
     const double *group_values;             // [group][order + 1][degree + 1][grid_group], aligned
     const std::vector<int64_t> &exceptions; // positions on the last axis that are NaN or have a sole function
     std::array<std::span<const Stretch>, max_axes> stretches; // of each row of the slab after axis k

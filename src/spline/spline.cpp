@@ -20,8 +20,8 @@ int common_exponent(double largest_weight) noexcept {
 } // namespace
 
 Spline::Spline(Axes axes, int dim, Form form, std::vector<double> points, std::vector<double> weights)
-    : axes_(std::move(axes)), dim_(dim), form_(form), points_(std::move(points)),
-      weights_(std::move(weights)) {
+    : axes_(std::move(axes)), axis_count_(static_cast<int>(axes_.size())), dim_(dim), form_(form),
+      points_(std::move(points)), weights_(std::move(weights)) {
     points_.reserve(points_.size() + padding); // no more than that
     points_.resize(points_.size() + padding);
     if (rational()) {

@@ -33,7 +33,7 @@ public:
     // outside.
     Spline(Axes axes, int dim, Form form, std::vector<double> points, std::vector<double> weights);
 
-    [[nodiscard]] int axes() const noexcept { return static_cast<int>(axes_.size()); }
+    [[nodiscard]] int axes() const noexcept { return axis_count_; }
     [[nodiscard]] const KnotVector &axis(int k) const noexcept { return *axes_[static_cast<size_t>(k)]; }
     [[nodiscard]] const Axes &knot_vectors() const noexcept { return axes_; }
     [[nodiscard]] int64_t count(int k) const noexcept { return axis(k).count(); }
@@ -91,6 +91,7 @@ private:
     [[nodiscard]] double scaled_weight(int64_t i) const noexcept;
 
     Axes axes_;
+    int axis_count_;
     int dim_;
     Form form_;
     std::vector<double> points_; // and padding
