@@ -44,12 +44,12 @@ def job_row(results, job):
     return [job["title"], number(ours), *map(number, peers), ratio, f"{job['target']:g}"]
 
 
-def main_table(results):
+def main_table(results, targets):
     rows = [["ns per point", OURS, *PEERS, "best other / ours", "target"]]
     for job in results["jobs"]:
         if job["group"] == "main" and job["name"] in results["times"]:
             rows.append(job_row(results, job))
-    return table(rows)
+    return table(rows if targets else [row[:-1] for row in rows])
 
 
 def own_table(results, group, title):
@@ -111,16 +111,15 @@ def main():
     parser.add_argument("--readme", action="store_true")
     arguments = parser.parse_args()
     results = json.loads(arguments.results.read_text(encoding="utf-8"))
-    text = main_table(results) + "\n\n" + machine()
     own = [
         own_table(results, "variants", "curve of degree 3, random parameters"),
         own_table(results, "points", "curve of degree 3, random parameters"),
         scaling_tables(results),
     ]
     errors = [f"**error**: {error}" for error in results["errors"]]
-    print("\n\n".join(part for part in (text, *own, *errors) if part))
+    print("\n\n".join(part for part in (main_table(results, True), machine(), *own, *errors) if part))
     if arguments.readme:
-        update_readme(text)
+        update_readme(main_table(results, False) + "\n\n" + machine())
 
 
 if __name__ == "__main__":
