@@ -58,11 +58,14 @@ void TripleStream::write(const double *rows, int64_t first, int64_t count) noexc
     HWY_DYNAMIC_DISPATCH(interleave)(rows, count, staged_ + end_);
     end_ += 3 * count;
     const int64_t whole = end_ / line * line;
-    const int64_t part = begin_ == 0 ? 0 : std::min(line, whole); // of a line that is not all ours
+    if (whole == 0) {
+        return;
+    }
+    const int64_t part = begin_ == 0 ? 0 : line; // of a line that is not all ours
     std::copy(staged_ + begin_, staged_ + part, base_ + begin_);
     HWY_DYNAMIC_DISPATCH(stream)(staged_ + part, whole - part, base_ + part);
     std::copy(staged_ + whole, staged_ + end_, staged_);
-    begin_ = whole > 0 ? 0 : begin_;
+    begin_ = 0;
     base_ += whole;
     end_ -= whole;
 }

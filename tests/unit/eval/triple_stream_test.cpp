@@ -70,6 +70,22 @@ TEST(TripleStream, WritesBlocksThatFollowEachOtherAtAnyAlignment) {
     }
 }
 
+TEST(TripleStream, WritesBlocksShorterThanALineAtAnyAlignment) {
+    for (const int64_t count : {1, 2}) {
+        for (size_t shift = 0; shift < 8; ++shift) {
+            Target target(100, shift);
+            const Records out = target.records();
+            {
+                TripleStream stream(out, true);
+                for (int64_t first = 40; first < 60; first += count) {
+                    stream.write(rows_of(first, count).data(), first, count);
+                }
+            }
+            target.expect(40, 60);
+        }
+    }
+}
+
 TEST(TripleStream, WritesBlocksInAnyOrder) {
     for (size_t shift = 0; shift < 8; ++shift) {
         Target target(200, shift);
