@@ -59,7 +59,8 @@
  * This table is tested, not proved: comparison with exact arithmetic, and searches for the worst case, find
  * at most 0.95 of it. The method changes in one place: spans of degree 1 to 9 whose active weights (for
  * surfaces and volumes: all weights) are positive and differ by a factor of at most 4 are evaluated as
- * polynomials in a local parameter centred on the span, all others (and spans of a few units of rounding) by
+ * polynomials in a local parameter centred on the span, all others (and spans of a few units of rounding,
+ * spans shorter than 2^-100, and those whose knots reach over more than 2^500 or 2^500 times their length) by
  * the Cox-de Boor recurrence, for which 7 p + 2 is proved. With the polynomials c is multiplied by that
  * factor, the largest of these weights over the smallest; no other ratio of weights enters. With signed
  * weights hull is (max|w_i P_i| + |C(t)| max|w_i|) / |w(t)|. At clamped ends (and wherever one basis function
@@ -84,10 +85,10 @@
  * # Speed
  * Batches are what is fast: the cost of a call is that of several points. Handles build tables by themselves
  * once enough parameters have been asked for, about a third of the number of control points. For each span
- * they take dim + 1 doubles rounded up to a multiple of 4, degree + 1 times and once more (curves), or, along
- * each axis of surfaces and volumes, degree + 1 doubles rounded up so; and about as much as the knots twice.
- * Sorted parameters are cheaper than random ones, grids cheaper than the list of their points, and packed
- * outputs cheaper than outputs with strides.
+ * they take 4 doubles and degree + 1 times m doubles, and a few more to find spans; m is, rounded up to a
+ * multiple of 4, the number of components with the weight (curves), or degree + 1 (each axis of surfaces and
+ * volumes). Sorted parameters are cheaper than random ones, grids cheaper than the list of their points, and
+ * packed outputs cheaper than outputs with strides.
  *
  * # Bindings
  * Signatures use int32_t, int64_t, uint32_t, double, pointers to these and to float, char buffers and opaque
@@ -799,8 +800,8 @@ NURBS_API nurbs_status nurbs_iso(const nurbs *g, int32_t axis, double param, uin
  * A vector is taken for zero where its exact value may be zero: where its length is at most the bound of its
  * rounding error. For a derivative of order k that is 2 (c + 2 k) eps |E_a|, as in the preamble, E_a taken as
  * a vector; for a product of two it is each factor's length times the other's bound, summed. No other
- * tolerance enters, so that scaling the points or the knots by a power of two changes nothing but the scale
- * of the results. One parameter gives the same bits alone, in a batch and on a grid.
+ * tolerance enters: scaling the points or the knots by a power of two scales the results, up to rounding.
+ * One parameter gives the same bits alone, in a batch and on a grid.
  *
  * Limits are taken from the side that the flags name (from above, or from below with NURBS_LEFT), at the ends
  * of the domain from within, outside it from the domain's side. They use derivatives of orders up to 8; what
@@ -956,7 +957,7 @@ NURBS_API nurbs_status nurbs_curve_eval_frames(
  *   normal, or NULL: the coordinate axis i of the smallest |T_i| (the first of several).
  * \param[out] points [n][3], or NULL.
  * \param[in] point_stride,point_component_stride layout of points, 0 = packed.
- * \param[out] tangents [n][3] unit tangents T, as of nurbs_curve_eval_frames(), or NULL.
+ * \param[out] tangents [n][3] unit tangents T, to rounding those of nurbs_curve_eval_frames(), or NULL.
  * \param[in] tangent_stride,tangent_component_stride layout of tangents, 0 = packed.
  * \param[out] normals [n][3] N, or NULL.
  * \param[in] normal_stride,normal_component_stride layout of normals, 0 = packed.

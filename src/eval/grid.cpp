@@ -168,6 +168,21 @@ private:
     double *rows_ = nullptr;
 };
 
+// A parameter of the last axis costs the tables of a grid as much as several points of a list, and a row of
+// few points as much as a whole vector.
+bool is_narrow(const Spline &spline, const std::array<ConstRecords, max_axes> &params) noexcept {
+    constexpr int64_t fewest_rows = 16;
+    constexpr int64_t fewest_columns = 4;
+    constexpr int64_t many_columns = 256;
+    const auto last = static_cast<size_t>(spline.axes() - 1);
+    int64_t rows = 1;
+    for (size_t k = 0; k < last; ++k) {
+        rows *= params[k].count;
+    }
+    const int64_t columns = params[last].count;
+    return columns < fewest_columns || (rows < fewest_rows && columns > many_columns);
+}
+
 } // namespace
 
 void evaluate_grid(const Spline &spline, const AxisRules &rules, int order,
@@ -178,6 +193,9 @@ void evaluate_grid(const Spline &spline, const AxisRules &rules, int order,
     if (spline.axes() == 1) {
         return evaluate_points(spline, rules, order, params[0], out);
     }
+    if (is_narrow(spline, params)) {
+        return evaluate_combinations(spline, rules, order, params, out);
+    }
     GridEvaluator(spline, rules, order, params).write(out);
 }
 
@@ -185,6 +203,9 @@ void evaluate_grid(const Spline &spline, const AxisRules &rules, int order,
                    const std::array<ConstRecords, max_axes> &params, BlockSink &sink) {
     if (spline.axes() == 1) {
         return evaluate_points(spline, rules, order, params[0], sink);
+    }
+    if (is_narrow(spline, params)) {
+        return evaluate_combinations(spline, rules, order, params, sink);
     }
     const auto last = static_cast<size_t>(spline.axes() - 1);
     const int64_t width = slot_count(spline.axes(), order) * spline.dim();

@@ -145,16 +145,56 @@ private:
     AxisPoint points_[max_axes][axis_block_size];
 };
 
+// Parts of a list of parameters.
+class ListBlocks {
+public:
+    explicit ListBlocks(const ConstRecords &params) : params_(params) {}
+    [[nodiscard]] int64_t count() const noexcept { return params_.count; }
+    [[nodiscard]] ConstRecords operator()(int64_t first, int64_t count) const noexcept {
+        return {params_.record(first), count, params_.width, params_.stride, params_.component_stride};
+    }
+
+private:
+    const ConstRecords &params_;
+};
+
+// Parts of the list of all combinations of the axes' parameters, last axis fastest.
+class GridBlocks {
+public:
+    GridBlocks(const std::array<ConstRecords, max_axes> &params, int axes) : params_(params), axes_(axes) {}
+    [[nodiscard]] int64_t count() const noexcept {
+        int64_t product = 1;
+        for (size_t k = 0; k < static_cast<size_t>(axes_); ++k) {
+            product *= params_[k].count;
+        }
+        return product;
+    }
+    // Holds until the next call.
+    [[nodiscard]] ConstRecords operator()(int64_t first, int64_t count) noexcept {
+        for (int64_t i = 0; i < count; ++i) {
+            int64_t rest = first + i;
+            for (int k = axes_ - 1; k >= 0; --k) {
+                const ConstRecords &own = params_[static_cast<size_t>(k)];
+                block_[i * axes_ + k] = own(rest % own.count, 0);
+                rest /= own.count;
+            }
+        }
+        return {block_, count, axes_, axes_, 1};
+    }
+
+private:
+    const std::array<ConstRecords, max_axes> &params_;
+    int axes_;
+    double block_[block_size * max_axes];
+};
+
 // Blocks of rows for a sink, one after the other through the same evaluator.
-template <class Evaluator>
-void evaluate_blocks(Evaluator &&evaluate, const ConstRecords &params, int64_t width, BlockSink &sink) {
+template <class Evaluator, class Blocks>
+void evaluate_blocks(Evaluator &&evaluate, Blocks &&blocks, int64_t width, BlockSink &sink) {
     const std::unique_ptr<double[]> rows(new double[static_cast<size_t>(width * block_size)]);
-    for (int64_t first = 0; first < params.count; first += block_size) {
-        const int64_t count = std::min(block_size, params.count - first);
-        ConstRecords part = params;
-        part.data += first * params.stride;
-        part.count = count;
-        evaluate(part, Records{rows.get(), count, width, 1, block_size});
+    for (int64_t first = 0; first < blocks.count(); first += block_size) {
+        const int64_t count = std::min(block_size, blocks.count() - first);
+        evaluate(blocks(first, count), Records{rows.get(), count, width, 1, block_size});
         sink(first, {rows.get(), count, width, 1, block_size});
     }
 }
@@ -177,11 +217,31 @@ void evaluate_points(const Spline &spline, const AxisRules &rules, int order, co
                      BlockSink &sink) {
     const int64_t width = slot_count(spline.axes(), order) * spline.dim();
     if (spline.axes() == 1) {
-        evaluate_blocks(CurveEvaluator(spline, rules[0], order, params.count), params, width, sink);
+        evaluate_blocks(CurveEvaluator(spline, rules[0], order, params.count), ListBlocks(params), width,
+                        sink);
     } else {
-        evaluate_blocks(TensorEvaluator(spline, rules, order, std::max<int64_t>(params.count, 1)), params,
-                        width, sink);
+        evaluate_blocks(TensorEvaluator(spline, rules, order, std::max<int64_t>(params.count, 1)),
+                        ListBlocks(params), width, sink);
     }
+}
+
+void evaluate_combinations(const Spline &spline, const AxisRules &rules, int order,
+                           const std::array<ConstRecords, max_axes> &params, const Records &out) {
+    GridBlocks blocks(params, spline.axes());
+    TensorEvaluator evaluate(spline, rules, order, out.count);
+    for (int64_t first = 0; first < out.count; first += block_size) {
+        const int64_t count = std::min(block_size, out.count - first);
+        const Records part{out.record(first), count, out.width, out.stride, out.component_stride};
+        evaluate(blocks(first, count), part);
+    }
+}
+
+void evaluate_combinations(const Spline &spline, const AxisRules &rules, int order,
+                           const std::array<ConstRecords, max_axes> &params, BlockSink &sink) {
+    GridBlocks blocks(params, spline.axes());
+    const int64_t width = slot_count(spline.axes(), order) * spline.dim();
+    evaluate_blocks(TensorEvaluator(spline, rules, order, std::max<int64_t>(blocks.count(), 1)), blocks,
+                    width, sink);
 }
 
 } // namespace nrb

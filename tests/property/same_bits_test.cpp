@@ -206,6 +206,29 @@ TEST(SameBits, among_parameters_that_give_nan) {
     });
 }
 
+// Too few rows or columns for the grid's own way.
+TEST(SameBits, on_a_narrow_grid) {
+    for_each_case(84500, 40, [](Random &random, uint64_t seed) {
+        const Batch batch = make_batch(random, 1);
+        const size_t axes = batch.data.degrees.size();
+        const auto longest = static_cast<size_t>(random.whole(0, static_cast<int>(axes) - 1));
+        std::vector<std::vector<double>> grid(axes);
+        std::vector<double> params;
+        for (size_t k = 0; k < axes; ++k) {
+            for (int i = k == longest ? 300 : 1; i > 0; --i) {
+                grid[k].push_back(random_param(random, batch.data.knots[k], batch.data.degrees[k]));
+            }
+        }
+        for (size_t i = 0; i < 300; ++i) {
+            for (size_t k = 0; k < axes; ++k) {
+                params.push_back(grid[k][k == longest ? i : 0]);
+            }
+        }
+        ASSERT_TRUE(same_bits(eval_grid(batch.g.get(), grid), eval(batch.g.get(), params)))
+            << where(seed, batch.data);
+    });
+}
+
 TEST(SameBits, on_a_grid) {
     for_each_case(84000, 600, [](Random &random, uint64_t seed) {
         const Batch batch = make_batch(random, 1);
