@@ -112,7 +112,7 @@ HWY_INLINE void store_some(hn::Vec<Wide> values, int count, double *target) {
 // Writes records from registers, in rising order. Packed ones are written with their padding and weight, which
 // fall on the next slots and points, which are written later; behind the last record nothing is touched. Where
 // components have rows of their own, records wait until there are enough for whole vectors of a row: finish()
-// must follow. A record that was passed over in between is overwritten.
+// must follow, and a record that is not there must be skipped; its place is overwritten with anything.
 class QuadWriter {
 public:
     QuadWriter(const RecordShape &shape, const Records &out)
@@ -136,7 +136,15 @@ public:
         }
     }
 
-    // After the last record, which was at most number `last`.
+    // In place of record i.
+    template <int kSlots, int kLanes = 4>
+    HWY_INLINE void skip(int64_t i) {
+        if (waiting_ && i % wide_lanes + 1 == wide_lanes) {
+            write_rows<kSlots, kLanes>(i);
+        }
+    }
+
+    // After the last record, written or skipped, which was number `last`.
     template <int kSlots, int kLanes = 4>
     HWY_INLINE void finish(int64_t last) {
         if (waiting_) {

@@ -98,14 +98,16 @@ private:
         const int width = job_.shape.width;
         const int64_t row = padded(job_.slabs.length[0]);
         double *slab = job_.slabs.data[0];
+        constexpr int slots = static_cast<int>(slot_count(2, kOrders - 1));
         for (int64_t i = 0; i < count; ++i) {
             if (special && !valid(i)) {
+                write.template skip<slots>(first + i);
                 continue;
             }
             const QuadWindow from = quad_window(i);
             contract_rows_of_orders<kOrders>(job_.values[0] + i * kOrders * u.lanes, u.lanes, u.degree + 1,
                                              from.records, from.stride, row, slab);
-            QuadRecord<static_cast<int>(slot_count(2, kOrders - 1))> record;
+            QuadRecord<slots> record;
             const double *values = job_.values[1] + i * kOrders * v.lanes;
             for (int a = 0; a < kOrders; ++a) {
                 for (int b = 0; a + b < kOrders; ++b) {
@@ -118,7 +120,7 @@ private:
             }
             finish<2, kOrders>(record, write, first + i);
         }
-        write.template finish<static_cast<int>(slot_count(2, kOrders - 1))>(first + count - 1);
+        write.template finish<slots>(first + count - 1);
     }
 
     // Cubic nets of at most four components, in registers from the net to the caller's array: the same sums as
@@ -126,10 +128,17 @@ private:
     template <int kOrders, int kWidth>
     HWY_NOINLINE void contract_quads(int64_t first, int64_t count, bool special) {
         QuadWriter write(job_.shape, out_);
+        constexpr int surface_slots = static_cast<int>(slot_count(2, kOrders - 1));
+        constexpr int volume_slots = static_cast<int>(slot_count(3, kOrders - 1));
         const bool surface = axes_ == 2;
         const std::array<double *, max_axes> tables = job_.values;
         for (int64_t i = 0; i < count; ++i) {
             if (special && !valid(i)) {
+                if (surface) {
+                    write.template skip<surface_slots>(first + i);
+                } else if constexpr (kOrders <= 2) {
+                    write.template skip<volume_slots>(first + i);
+                }
                 continue;
             }
             const QuadWindow from = quad_window(i);
@@ -137,19 +146,19 @@ private:
             const double *values[max_axes] = {tables[0] + at, tables[1] + at,
                                               surface ? nullptr : tables[2] + at};
             if (surface) {
-                QuadRecord<static_cast<int>(slot_count(2, kOrders - 1))> record;
+                QuadRecord<surface_slots> record;
                 contract_surface<kOrders, kWidth>(from, values, record);
                 finish<2, kOrders>(record, write, first + i);
             } else if constexpr (kOrders <= 2) {
-                QuadRecord<static_cast<int>(slot_count(3, kOrders - 1))> record;
+                QuadRecord<volume_slots> record;
                 contract_volume<kOrders>(from, values, record);
                 finish<3, kOrders>(record, write, first + i);
             }
         }
         if (surface) {
-            write.template finish<static_cast<int>(slot_count(2, kOrders - 1))>(first + count - 1);
+            write.template finish<surface_slots>(first + count - 1);
         } else if constexpr (kOrders <= 2) {
-            write.template finish<static_cast<int>(slot_count(3, kOrders - 1))>(first + count - 1);
+            write.template finish<volume_slots>(first + count - 1);
         }
     }
 

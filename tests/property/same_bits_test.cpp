@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <gtest/gtest.h>
 #include <numeric>
 #include <thread>
@@ -157,6 +158,51 @@ TEST(SameBits, strides_and_alignment) {
         }
         ASSERT_TRUE(std::all_of(out.begin(), out.end(), [&](double x) { return x == untouched; }))
             << where(seed, batch.data) << "something was written between the records";
+    });
+}
+
+// Parameters that give NaN take nothing from those around them, whichever vectors they share.
+TEST(SameBits, among_parameters_that_give_nan) {
+    for_each_case(86000, 600, [](Random &random, uint64_t seed) {
+        const Batch batch = make_batch(random, random.whole(1, 70));
+        const auto axes = static_cast<int64_t>(batch.data.degrees.size());
+        const auto n = static_cast<int64_t>(batch.n);
+        const auto width = static_cast<int64_t>(batch.width);
+        const auto dim = static_cast<int64_t>(batch.data.dim);
+        std::vector<double> params = batch.params;
+        std::vector<bool> empty(batch.n);
+        for (size_t i = 0; i < batch.n; ++i) {
+            empty[i] = random.chance(25);
+            params[i * static_cast<size_t>(axes)] =
+                empty[i] ? NAN : batch.params[i * static_cast<size_t>(axes)];
+        }
+        const uint32_t flags = NURBS_ON_ALL_AXES(static_cast<uint32_t>(axes), NURBS_NAN);
+        std::vector<double> planes(batch.derivs.size());
+        require_ok(nurbs_eval_derivs(batch.g.get(), batch.order, n, params.data(), 0, 0, planes.data(), 1, n,
+                                     flags));
+        std::vector<double> packed(batch.derivs.size());
+        require_ok(nurbs_eval_derivs(batch.g.get(), batch.order, n, params.data(), 0, 0, packed.data(), 0, 0,
+                                     flags));
+        std::vector<float> single(batch.points.size());
+        require_ok(nurbs_eval_f32(batch.g.get(), n, params.data(), 0, 0, single.data(), 0, 0, flags));
+        for (int64_t i = 0; i < n; ++i) {
+            for (int64_t c = 0; c < width; ++c) {
+                const double expected =
+                    empty[static_cast<size_t>(i)] ? NAN : batch.derivs[static_cast<size_t>(i * width + c)];
+                const double plane = planes[static_cast<size_t>(c * n + i)];
+                const double record = packed[static_cast<size_t>(i * width + c)];
+                ASSERT_TRUE(std::isnan(expected) ? std::isnan(plane) : same_bits(plane, expected))
+                    << where(seed, batch.data) << "parameter " << i << " of " << n;
+                ASSERT_TRUE(std::isnan(expected) ? std::isnan(record) : same_bits(record, expected))
+                    << where(seed, batch.data) << "parameter " << i << " of " << n;
+                if (c < dim) {
+                    const float rounded = single[static_cast<size_t>(i * dim + c)];
+                    ASSERT_TRUE(std::isnan(expected) ? std::isnan(rounded)
+                                                     : rounded == static_cast<float>(expected))
+                        << where(seed, batch.data) << "parameter " << i << " of " << n;
+                }
+            }
+        }
     });
 }
 
