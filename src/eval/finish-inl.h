@@ -104,6 +104,8 @@ HWY_INLINE void store_some(hn::Vec<Wide> values, int count, double *target) {
     const Wide d;
     if (count >= wide_lanes) {
         hn::StoreU(values, d, target);
+    } else if constexpr (wide_lanes <= 2) { // NEON's masked store reads and writes the other lane as well
+        *target = hn::GetLane(values);
     } else {
         hn::BlendedStore(values, hn::FirstN(d, static_cast<size_t>(count)), d, target);
     }
