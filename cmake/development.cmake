@@ -25,6 +25,7 @@ if(NURBS_FUZZ)
 endif()
 
 if(NURBS_SANITIZE)
+    add_compile_definitions(NURBS_SANITIZED)
     add_compile_options(-fsanitize=${NURBS_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
     add_link_options(-fsanitize=${NURBS_SANITIZE} -fno-sanitize-recover=all)
 endif()

@@ -18,7 +18,6 @@ struct RecordView {
         return data[i * stride + c * component_stride];
     }
     [[nodiscard]] T *record(int64_t i) const noexcept { return data + i * stride; }
-    [[nodiscard]] bool contiguous_records() const noexcept { return component_stride == 1; }
     // One past the last element that the view can touch, relative to data.
     [[nodiscard]] int64_t extent() const noexcept {
         return count == 0 ? 0 : (count - 1) * stride + (width - 1) * component_stride + 1;

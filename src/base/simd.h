@@ -5,7 +5,12 @@
 // out, as is NEON without double precision. SSSE3 is no faster for this work than the portable code.
 #pragma once
 
-#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
+#define NURBS_UNUSED_TARGETS (HWY_SSSE3 | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
+#if defined(NURBS_SANITIZED) // where compilers need minutes for each of them, two stand for all
+#define HWY_DISABLED_TARGETS (NURBS_UNUSED_TARGETS | HWY_SSE4 | HWY_AVX3 | HWY_AVX3_DL)
+#else
+#define HWY_DISABLED_TARGETS NURBS_UNUSED_TARGETS
+#endif
 #if defined(__arm__)
 #define HWY_COMPILE_ONLY_SCALAR
 #endif

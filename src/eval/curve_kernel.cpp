@@ -83,9 +83,9 @@ public:
         case 2:
             return run_order<3>();
         case 3: // torsion
-            return run_params<4, -1, 0, false>();
+            return run_params<4, -1, 0>();
         default:
-            return run_params<most_orders, -1, 0, false>();
+            return run_params<most_orders, -1, 0>();
         }
     }
 
@@ -93,15 +93,10 @@ private:
     // The shapes that are evaluated a million times have loops of their own; what they compute is the same.
     template <int kOrders>
     void run_order() {
-        const bool rational = job_.quotient != nullptr;
-        if (job_.shape.lanes == 4 && degree() == 3) {
-            rational ? run_params<kOrders, 3, 4, true>() : run_params<kOrders, 3, 4, false>();
-        } else if (job_.shape.lanes == 4) {
-            rational ? run_params<kOrders, -1, 4, true>() : run_params<kOrders, -1, 4, false>();
-        } else if (job_.shape.lanes == 8) {
-            rational ? run_params<kOrders, -1, 8, true>() : run_params<kOrders, -1, 8, false>();
+        if (job_.shape.lanes == 4) {
+            degree() == 3 ? run_params<kOrders, 3, 4>() : run_params<kOrders, -1, 4>();
         } else {
-            run_params<kOrders, -1, 0, false>();
+            job_.shape.lanes == 8 ? run_params<kOrders, -1, 8>() : run_params<kOrders, -1, 0>();
         }
     }
 
@@ -113,7 +108,7 @@ private:
 
     // Blocks in one span go by vectors across the parameters, others by vectors across the components, in two
     // passes: the searches of a block do not wait for its divisions.
-    template <int kOrders, int kDegree, int kLanes, bool kRational>
+    template <int kOrders, int kDegree, int kLanes>
     HWY_NOINLINE void run_params() {
         const CurveTables tables(job_);
         const ConstRecords &params = params_;
@@ -136,7 +131,7 @@ private:
             }
             piece = pieces[count - 1];
             if constexpr (kLanes > 0) {
-                run_quads<kOrders, kDegree, kLanes, kRational>(tables, block, pieces, count, first);
+                run_quads<kOrders, kDegree, kLanes>(tables, block, pieces, count, first);
             } else {
                 run_records<kOrders, kDegree>(tables, block, pieces, count, first);
             }
@@ -205,13 +200,14 @@ private:
     }
 
     // Records of four or eight lanes, in registers from the coefficients to the caller's array.
-    template <int kOrders, int kDegree, int kLanes, bool kRational>
+    template <int kOrders, int kDegree, int kLanes>
     HWY_INLINE void run_quads(const CurveTables &tables, const double *block, const double *const *pieces,
                               int count, int64_t first) {
         const Quad d;
         QuadWriter write(job_.shape, out_);
         const int degree = tables.degree;
         const int dim = tables.dim;
+        const bool rational = job_.quotient != nullptr;
         for (int i = 0; i < count; ++i) {
             QuadRecord<kOrders, kLanes> record;
             const double *piece = pieces[i];
@@ -221,7 +217,7 @@ private:
                 horner_vector<kOrders, kDegree>(d, Components(), piece + Piece::head_size + part * quad_lanes,
                                                 degree, kLanes, x, scale, record.values[part]);
             }
-            if constexpr (kRational) {
+            if (rational) {
                 record.template divide_by_weight<1, kOrders - 1>(dim);
             }
             write(record, first + i);

@@ -99,16 +99,20 @@ static HWY_NOINLINE void divide_record(const RecordShape &shape, const QuotientR
     });
 }
 
-// The first `count` lanes of a vector.
+// The first `count` lanes of a vector; what lies behind them may be another thread's and is not touched. Where
+// vectors have no masked stores, Highway's blended one reads it and writes it back.
 HWY_INLINE void store_some(hn::Vec<Wide> values, int count, double *target) {
     const Wide d;
     if (count >= wide_lanes) {
-        hn::StoreU(values, d, target);
-    } else if constexpr (wide_lanes <= 2) { // NEON's masked store reads and writes the other lane as well
-        *target = hn::GetLane(values);
-    } else {
-        hn::BlendedStore(values, hn::FirstN(d, static_cast<size_t>(count)), d, target);
+        return hn::StoreU(values, d, target);
     }
+#if HWY_ARCH_X86
+    hn::BlendedStore(values, hn::FirstN(d, static_cast<size_t>(count)), d, target);
+#else
+    HWY_ALIGN double lanes[wide_lanes];
+    hn::Store(values, d, lanes);
+    std::copy_n(lanes, count, target);
+#endif
 }
 
 // Writes records from registers, in rising order. Packed ones are written with their padding and weight, which
