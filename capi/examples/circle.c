@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* A circle is a rational curve: create it, evaluate a batch, insert a knot, and see that the radius did not change.
+/* A circle is a rational curve: create it, evaluate a batch, insert a knot, and see that the radius did not
+ * change.
  *     cc circle.c $(pkg-config --cflags --libs nurbs) -lm -o circle && ./circle */
 #include <nurbs/nurbs.h>
 

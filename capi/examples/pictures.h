@@ -146,7 +146,7 @@ static void svg_dots(svg *s, const char *style, const double *points, int64_t n,
     }
 }
 
-/* Points as dots where the radius is positive, and joined by a line if asked for; with a row in the legend. */
+/* Points as dots where the radius is positive, and joined by a line if asked for; a row in the legend. */
 static void svg_series(svg *s, const char *style, const char *label, const double *points, int64_t n,
                        int line, double radius) {
     const int x = SVG_WIDTH - SVG_LEGEND, y = SVG_TITLE + SVG_MARGIN + 30 * s->rows++;

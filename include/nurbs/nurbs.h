@@ -195,8 +195,8 @@ enum {
 
 /** \name Flags by axis
  * Each axis has eight bits: bits 0-7 for axis 0, 8-15 for axis 1, 16-23 for axis 2; bits 24-31 are global.
- * Combine the constants below with NURBS_ON_AXIS() or NURBS_ON_ALL_AXES(). A set bit
- * that is not defined, or belongs to an axis that the spline lacks, is NURBS_ERROR_FLAGS.
+ * Combine the constants below with NURBS_ON_AXIS() or NURBS_ON_ALL_AXES(). A set bit that is not defined, or
+ * belongs to an axis that the spline lacks, is NURBS_ERROR_FLAGS.
  * @{ */
 /** \brief The bits `flags` moved to those of `axis`. */
 #define NURBS_ON_AXIS(axis, flags) ((uint32_t)(flags) << (8 * (axis)))
@@ -990,9 +990,9 @@ NURBS_API nurbs_status nurbs_curve_rotation_minimizing_frames(
  * \param[in] times how often; 0 gives the same spline.
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN, _TIMES, _OVERFLOW;
- *   _MULTIPLICITY if the knot would occur more than degree + 1 times; _PERIODIC_KNOTS if
- *   its copies on a periodic axis cannot be told from their neighbours; _NOT_REPRESENTABLE if a point
- *   or a knot of the next period overflows, _WEIGHTS_VANISH if weights underflow.
+ *   _MULTIPLICITY if the knot would occur more than degree + 1 times; _PERIODIC_KNOTS if its copies on
+ *   a periodic axis cannot be told from their neighbours; _NOT_REPRESENTABLE if a point or a knot of the
+ *   next period overflows, _WEIGHTS_VANISH if weights underflow.
  * \since 0.1 */
 NURBS_API nurbs_status nurbs_insert_knot(const nurbs *g, int32_t axis, double knot, int32_t times,
                                          nurbs **out);
@@ -1239,8 +1239,8 @@ NURBS_API nurbs_status nurbs_list_note(const nurbs_list *list, int64_t index, in
 
 /** \brief Unit of length of the splines in a list.
  * \param[in] list a list.
- * \param[out] metres metres per unit, model scale included; 0 if the file names a unit that is not
- *   known. A file without any unit is in inches, as IGES has it.
+ * \param[out] metres metres per unit, model scale included; 0 if the file names a unit that is not known.
+ *   A file without any unit is in inches, as IGES has it.
  * \return NURBS_OK, NURBS_ERROR_NULL.
  * \since 0.1 */
 NURBS_API nurbs_status nurbs_list_unit(const nurbs_list *list, double *metres);

@@ -4,22 +4,19 @@
 
 namespace nrb {
 
-namespace {
-
-// One step of the recurrence: from the degree functions of degree d - 1 in `lower` to the d + 1 ones of
-// degree d in `upper`, which may be the same array.
-void raise_degree(const double *knots, int d, int64_t span, double t, const double *lower,
-                  double *upper) noexcept {
+void raise_degree(const double *knots, int d, int64_t span, double t, double *values) noexcept {
     const double *right = knots + span + 1;
     const double *left = right - d;
     double carried = 0;
     for (int r = 0; r < d; ++r) {
-        const auto [alpha, beta] = split(lower[r], left[r], t, right[r]);
-        upper[r] = carried + beta;
+        const auto [alpha, beta] = split(values[r], left[r], t, right[r]);
+        values[r] = carried + beta;
         carried = alpha;
     }
-    upper[d] = carried;
+    values[d] = carried;
 }
+
+namespace {
 
 // From derivatives of order j - 1 of the d functions of degree d - 1 to those of order j of the d + 1
 // functions of degree d: N'_(i,d) = d (N_(i,d-1) / (t_(i+d) - t_i) - N_(i+1,d-1) / (t_(i+d+1) - t_(i+1))), in
@@ -41,7 +38,7 @@ void differentiate(const double *knots, int d, int64_t span, double *values) noe
 void basis_values(const double *knots, int degree, int64_t span, double t, double *values) noexcept {
     values[0] = 1;
     for (int d = 1; d <= degree; ++d) {
-        raise_degree(knots, d, span, t, values, values);
+        raise_degree(knots, d, span, t, values);
     }
 }
 
@@ -54,7 +51,7 @@ void basis_derivs(const double *knots, int degree, int64_t span, double t, int o
     functions[0] = 1;
     for (int d = 0; d <= degree; ++d) {
         if (d > 0) {
-            raise_degree(knots, d, span, t, functions, functions);
+            raise_degree(knots, d, span, t, functions);
         }
         const int k = degree - d;
         if (k <= highest) {

@@ -28,6 +28,10 @@ inline Parts split(double value, double left, double t, double right) noexcept {
     return first_half ? Parts{smaller, larger} : Parts{larger, smaller};
 }
 
+// One step of the Cox-de Boor recurrence at t on span s, in place: from the d functions of degree d - 1 to the
+// d + 1 ones of degree d. With an argument of its own in each step, the polar form of their product.
+void raise_degree(const double *knots, int d, int64_t span, double t, double *values) noexcept;
+
 // N_(s-p), ..., N_s at t on span s, by the Cox-de Boor recurrence (de Boor 1972; Piegl & Tiller A2.2). Inside
 // the span all terms are >= 0 and nothing cancels, so every value has a relative error of at most 3 p eps (6
 // roundings of half an eps for each degree), and a function that is alone at a knot comes out as exactly 1.

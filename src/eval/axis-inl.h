@@ -62,9 +62,10 @@ HWY_INLINE AxisPoint axis_values(const AxisSource &source, int order, double t, 
 
 // The pieces and first layers of parameters that lie strictly inside the domain and a span with a piece each;
 // false if some does not. Apart from its caller, so that all it needs stays in registers.
-static HWY_NOINLINE bool locate(const AxisSource &source, const double *HWY_RESTRICT params, int64_t stride,
-                                int64_t count, AxisPoint *HWY_RESTRICT points,
-                                const double **HWY_RESTRICT found) {
+static HWY_NOINLINE HWY_MAYBE_UNUSED bool locate(const AxisSource &source, const double *HWY_RESTRICT params,
+                                                 int64_t stride, int64_t count,
+                                                 AxisPoint *HWY_RESTRICT points,
+                                                 const double **HWY_RESTRICT found) {
     const SpanTable::Finder find = source.spans->finder();
     const int64_t *spans = source.spans->indices().data();
     const double *pieces = (*source.pieces)[0];

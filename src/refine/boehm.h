@@ -14,9 +14,9 @@ std::vector<double> insert_into_knots(std::span<const double> knots, double knot
 
 // Appends the rows that give the control points over insert_into_knots(knots, knot, times) from those over
 // `knots`: copies, except for at most p - s + times - 1 rows of convex combinations, s the multiplicity of
-// the knot before. All factors lie in [0, 1], so that an
-// entry of a row is accurate to 3 times eps relative to itself (6 roundings for each step). Preconditions:
-// knots[p] <= knot <= knots[count], 0 < times <= p + 1 - s.
+// the knot before. All factors lie in [0, 1], so that an entry of a row is accurate to 3 times eps relative
+// to itself (6 roundings for each step). Preconditions: knots[p] <= knot <= knots[count], 0 < times <=
+// p + 1 - s.
 void append_insertion_rows(int degree, std::span<const double> knots, double knot, int times,
                            LayerTable &table);
 

@@ -6,37 +6,19 @@
 
 namespace nrb {
 
-namespace {
-
-// One step of the Cox-de Boor recurrence, from d coefficients to d + 1, at an argument of its own: the polar
-// form of a product of the arguments so far.
-void append_argument(const double *knots, int d, int64_t span, double t, double *coefficients) noexcept {
-    const double *right = knots + span + 1;
-    const double *left = right - d;
-    double carried = 0;
-    for (int r = 0; r < d; ++r) {
-        const auto [alpha, beta] = split(coefficients[r], left[r], t, right[r]);
-        coefficients[r] = carried + beta;
-        carried = alpha;
-    }
-    coefficients[d] = carried;
-}
-
-} // namespace
-
 void bezier_extraction(const double *knots, int degree, int64_t span, double *matrix) noexcept {
     double starts[max_basis] = {1}; // coefficients at `count` times the start of the span
     for (int count = 0; count <= degree; ++count) {
         double column[max_basis];
         std::copy_n(starts, count + 1, column);
         for (int d = count + 1; d <= degree; ++d) {
-            append_argument(knots, d, span, knots[span + 1], column);
+            raise_degree(knots, d, span, knots[span + 1], column);
         }
         for (int j = 0; j <= degree; ++j) {
             matrix[j * (degree + 1) + degree - count] = column[j];
         }
         if (count < degree) {
-            append_argument(knots, count + 1, span, knots[span], starts);
+            raise_degree(knots, count + 1, span, knots[span], starts);
         }
     }
 }

@@ -175,7 +175,7 @@ TEST(MinimalFrames, cusps_and_parameters_that_give_nan) {
     const auto f = minimal_frames(create(cusp).get(), {0, 7, 0.5, 1}, std::nullopt, NURBS_NAN);
     EXPECT_EQ(f.status, (std::vector<int32_t>{NURBS_FRAME_LIMIT, NURBS_FRAME_UNDEFINED, 0, 0}));
     EXPECT_TRUE(std::isnan(f.normals[3]));
-    for (const size_t i : {0, 2, 3}) {
+    for (const size_t i : {0u, 2u, 3u}) {
         expect_orthonormal(f, i);
     }
 }

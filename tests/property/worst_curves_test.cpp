@@ -1,8 +1,7 @@
 // The bound for points is for every spline: a search that climbs towards the largest error of one span,
 // moving its knots, control points, weights and the parameter, with rational arithmetic as the judge of every
-// step.
-// worst_points_test.cpp climbs on the basis functions; here products with points and weights, sums and the
-// division take part.
+// step. worst_points_test.cpp climbs on the basis functions; here products with points and weights, sums and
+// the division take part.
 #include "reference/magnitudes.h"
 #include "support/cases.h"
 #include "support/handle.h"
