@@ -72,8 +72,8 @@
  * binomial(a, b) H_b[w] E_(a-b)) / w(t) replaces H_a. Where the weights differ by a factor of more than 4
  * the value at the parameter of the spline with these control points takes the place of the largest of them.
  *
- * Inserting a knot moves each homogeneous control point by at most 2 eps * hull for each time (tested), one
- * eps more in all for Cartesian points with weights; where the knots of a periodic axis repeat to rounding
+ * Inserting a knot and raising the degree move each homogeneous control point by at most 2 eps * hull for each
+ * time (tested), one eps more in all for Cartesian points with weights; where the knots of a periodic axis repeat to rounding
  * only, also by what that rounding moves.
  *
  * All bounds hold barring underflow and overflow: a component too large for double precision comes out as an
@@ -995,6 +995,26 @@ NURBS_API nurbs_status nurbs_curve_rotation_minimizing_frames(
  * \since 0.1 */
 NURBS_API nurbs_status nurbs_insert_knot(const nurbs *g, int32_t axis, double knot, int32_t times,
                                          nurbs **out);
+/** @} */
+
+/** \defgroup forms Degree and form
+ * @{ */
+
+/** \brief Raises the degree along an axis without changing the shape (Prautzsch 1984).
+ * Degree p becomes p + times, and every knot occurs `times` more often, so that continuity stays what it was;
+ * beyond the domain of an unclamped axis the knots that no function on the domain needs any more are left
+ * out. The domain stays the same, a periodic axis stays periodic. Control point j of a step is the mean of the
+ * old polar form over the p + 1 subsets of p of its p + 1 inner knots; all combinations are convex.
+ * \param[in] g a spline.
+ * \param[in] axis 0-based axis.
+ * \param[in] times by how much; 0 gives the same spline.
+ * \param[out] out the new handle.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _TIMES, _OVERFLOW; _DEGREE if the degree would exceed
+ *   NURBS_MAX_DEGREE; _PERIODIC_KNOTS if the copies of knots on a periodic axis are not as often equal as the
+ *   knots; _NOT_REPRESENTABLE if a point or a knot of the next period overflows, _WEIGHTS_VANISH if weights
+ *   underflow.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_elevate(const nurbs *g, int32_t axis, int32_t times, nurbs **out);
 /** @} */
 
 /** \defgroup linear Derivatives with respect to data
