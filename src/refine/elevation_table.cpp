@@ -126,8 +126,7 @@ private:
             const double *left = knots_.data() + arguments.first - d;
             double carried = 0;
             for (int r = 0; r < d; ++r) {
-                const auto [alpha, beta] =
-                    split(coefficients[r], left[r], arguments.extra[d - 1], right[r]);
+                const auto [alpha, beta] = split(coefficients[r], left[r], arguments.extra[d - 1], right[r]);
                 coefficients[r] = carried + beta;
                 carried = alpha;
             }
