@@ -5,7 +5,6 @@
 #include "refine/period.h"
 
 #include <algorithm>
-#include <array>
 #include <span>
 
 namespace nrb {
@@ -36,8 +35,8 @@ std::vector<Group> groups_of(std::span<const double> knots) {
 struct Arguments {
     int64_t first;
     int64_t end;
-    int added = 0;
-    std::array<double, max_basis> extra;
+    int added;
+    double extra[max_basis]; // the first `added` are set
 };
 
 // The degree + 1 consecutive raised knots that belong to a control point, by groups.
@@ -66,13 +65,12 @@ public:
         // The lowest old control point that a term reaches.
         const Group &last = group(group_ + size_ - 1);
         const int64_t base = last.first + std::min(copies_[size_ - 1] - 1, last.multiplicity) - 1 - degree_;
-        double row[max_basis] = {};
+        double row[max_basis];
+        std::fill_n(row, degree_ + 2, 0.0);
         for (int dropped = 0; dropped < size_; ++dropped) {
             add_term(dropped, base, row);
         }
-        for (double &entry : row) {
-            entry /= degree_ + 1;
-        }
+        std::transform(row, row + degree_ + 2, row, [n = degree_ + 1](double entry) { return entry / n; });
         table.add_row(base - shift, row, degree_ + 2);
     }
 
@@ -80,47 +78,45 @@ private:
     [[nodiscard]] const Group &group(int64_t i) const noexcept { return groups_[static_cast<size_t>(i)]; }
 
     // All arguments are the same knot.
-    [[nodiscard]] Arguments single(const Group &only) const noexcept {
-        if (only.multiplicity < degree_) {
-            return {only.first, only.first + only.multiplicity, 1, {only.knot}};
-        }
+    void single(const Group &only, Arguments &arguments) const noexcept {
         // Where the curve is cut the first copies end one part and the last ones begin the next.
-        const bool behind = only.multiplicity > degree_ && size_ == 1 && !at_start_;
-        const bool last_part = only.multiplicity > degree_ && size_ > 1 && only.knot == group(group_).knot;
-        const int64_t first = only.first + (behind || last_part ? 1 : 0);
-        return {first, first + degree_, 0, {}};
+        const bool cut = only.multiplicity > degree_;
+        const bool behind = cut && (size_ == 1 ? !at_start_ : only.knot == group(group_).knot);
+        arguments.first = only.first + (behind ? 1 : 0);
+        arguments.end = arguments.first + std::min(only.multiplicity, degree_);
+        arguments.added = degree_ - std::min(only.multiplicity, degree_);
+        std::fill_n(arguments.extra, arguments.added, only.knot);
     }
 
     // The window without one copy of its group `dropped`. Old knots strictly inside it are among the
     // arguments as often as they occur; those at its ends are the ones beside them.
-    [[nodiscard]] Arguments without(int dropped) const noexcept {
-        std::array<int, max_basis> copies = copies_;
-        --copies[dropped];
-        const int low = copies[0] == 0 ? 1 : 0;
-        const int high = size_ - (copies[size_ - 1] == 0 ? 2 : 1);
+    void drop(int dropped, Arguments &arguments) const noexcept {
+        const auto copies = [&](int i) { return copies_[i] - (i == dropped ? 1 : 0); };
+        const int low = copies(0) == 0 ? 1 : 0;
+        const int high = size_ - (copies(size_ - 1) == 0 ? 2 : 1);
         if (low >= high) {
-            return single(group(group_ + std::min(low, size_ - 1)));
+            return single(group(group_ + std::min(low, size_ - 1)), arguments);
         }
         const Group &left = group(group_ + low);
         const Group &right = group(group_ + high);
-        Arguments arguments{left.first + left.multiplicity - std::min(copies[low], left.multiplicity),
-                            right.first + std::min(copies[high], right.multiplicity),
-                            0,
-                            {}};
+        arguments.first = left.first + left.multiplicity - std::min(copies(low), left.multiplicity);
+        arguments.end = right.first + std::min(copies(high), right.multiplicity);
+        arguments.added = 0;
         for (int i = low; i <= high; ++i) {
-            if (copies[i] > group(group_ + i).multiplicity) {
+            if (copies(i) > group(group_ + i).multiplicity) {
                 arguments.extra[arguments.added++] = group(group_ + i).knot;
             }
         }
-        return arguments;
     }
 
     // Adds the coefficients of the polar form, as often as there are copies to drop. With d further arguments
     // it is a combination of d + 1 control points: Cox-de Boor steps over the knots around those that it has
     // (T. Lyche, K. Morken, "Making the Oslo algorithm more efficient", SIAM J. Numer. Anal. 23 (1986)).
     void add_term(int dropped, int64_t base, double *row) const noexcept {
-        const Arguments arguments = without(dropped);
-        double coefficients[max_basis] = {static_cast<double>(copies_[dropped])};
+        Arguments arguments;
+        drop(dropped, arguments);
+        double coefficients[max_basis];
+        coefficients[0] = copies_[dropped];
         for (int d = 1; d <= arguments.added; ++d) {
             const double *right = knots_.data() + arguments.end;
             const double *left = knots_.data() + arguments.first - d;
@@ -144,7 +140,7 @@ private:
     int64_t group_ = 0;
     bool at_start_ = true;
     int size_ = 0;
-    std::array<int, max_basis> copies_{};
+    int copies_[max_basis] = {};
 };
 
 std::vector<double> raised_knots(const std::vector<Group> &groups) {
