@@ -73,8 +73,8 @@
  * binomial(a, b) H_b[w] E_(a-b)) / w(t) replaces H_a. Where the weights differ by a factor of more than 4
  * the value at the parameter of the spline with these control points takes the place of the largest of them.
  *
- * Inserting a knot moves each homogeneous control point by at most 2 eps * hull for each time (tested), one
- * eps more in all for Cartesian points with weights; where the knots of a periodic axis repeat to rounding
+ * Inserting a knot and raising the degree move each homogeneous control point by at most 2 eps * hull for each
+ * time (tested), one eps more in all for Cartesian points with weights; where the knots of a periodic axis repeat to rounding
  * only, also by what that rounding moves.
  *
  * All bounds hold barring underflow and overflow: a component too large for double precision comes out as an
@@ -175,10 +175,13 @@ enum {
     NURBS_ERROR_OPTIONS = 27,   /**< an options struct has a wrong size or a value out of range */
     NURBS_ERROR_INDEX = 28,     /**< an index is outside its list */
     NURBS_ERROR_DIRECTION = 29, /**< a direction is zero, not finite, or parallel to another one */
+    NURBS_ERROR_MATRIX = 32,    /**< an entry of a matrix or translation is NaN or infinite */
+    NURBS_ERROR_RATIONAL = 33,  /**< the spline is rational, which the function is not for */
     /* domain */
     NURBS_ERROR_OUTSIDE_DOMAIN = 100, /**< a parameter or knot lies outside the domain */
     /* numeric */
     NURBS_ERROR_NOT_REPRESENTABLE = 200, /**< a value of the result overflows double precision */
+    NURBS_ERROR_KNOTS_MERGE = 202,       /**< knots that differ would become equal or change their order */
     /* resource */
     NURBS_ERROR_MEMORY = 300,    /**< an allocation failed */
     NURBS_ERROR_FILE = 301,      /**< a file cannot be opened or read */
@@ -225,6 +228,8 @@ enum {
  * @{ */
 /** \brief nurbs_eval_adjoint(): add to what the outputs hold in place of overwriting it. */
 #define NURBS_ACCUMULATE 0x01000000u
+/** \brief nurbs_reverse(): map the domain to itself in place of negating the parameter. */
+#define NURBS_KEEP_DOMAIN 0x02000000u
 /** @} */
 
 /** \name Form of a knot vector, as reported by nurbs_knot_form()
@@ -996,6 +1001,134 @@ NURBS_API nurbs_status nurbs_curve_rotation_minimizing_frames(
  * \since 0.1 */
 NURBS_API nurbs_status nurbs_insert_knot(const nurbs *g, int32_t axis, double knot, int32_t times,
                                          nurbs **out);
+/** @} */
+
+/** \defgroup forms Degree and form
+ * @{ */
+
+/** \brief Raises the degree along an axis without changing the shape (Prautzsch 1984).
+ * Degree p becomes p + times, and every knot occurs `times` more often, so that continuity stays what it was;
+ * beyond the domain of an unclamped axis the knots that no function on the domain needs any more are left
+ * out. The domain stays the same, a periodic axis stays periodic. Control point j of a step is the mean of the
+ * old polar form over the p + 1 subsets of p of its p + 1 inner knots; all combinations are convex.
+ * \param[in] g a spline.
+ * \param[in] axis 0-based axis.
+ * \param[in] times by how much; 0 gives the same spline.
+ * \param[out] out the new handle.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _TIMES, _OVERFLOW; _DEGREE if the degree would exceed
+ *   NURBS_MAX_DEGREE; _PERIODIC_KNOTS if the copies of knots on a periodic axis are not as often equal as the
+ *   knots; _NOT_REPRESENTABLE if a point or a knot of the next period overflows, _WEIGHTS_VANISH if weights
+ *   underflow.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_elevate(const nurbs *g, int32_t axis, int32_t times, nurbs **out);
+
+/** \brief Turns an axis round: the result at -t is g at t, exactly. The layers of control points come in the
+ * opposite order, the knots too and with the opposite sign; reversing twice gives every bit back. At a knot
+ * where g jumps each limit stays on its own side of the knot.
+ * With NURBS_KEEP_DOMAIN the result at lower + upper - t is g at t: its knots are those of the negated domain
+ * taken back to [lower, upper] as by nurbs_reparametrize(), which rounds the knots inside.
+ * \param[in] g a spline.
+ * \param[in] axis 0-based axis.
+ * \param[in] flags 0 or NURBS_KEEP_DOMAIN.
+ * \param[out] out the new handle.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _FLAGS; with NURBS_KEEP_DOMAIN also _KNOTS_MERGE and
+ *   _NOT_REPRESENTABLE as for nurbs_reparametrize().
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_reverse(const nurbs *g, int32_t axis, uint32_t flags, nurbs **out);
+
+/** \brief Puts the axes in another order: axis k of the result is axis permutation[k] of g. Values are copied
+ * bit for bit; {1, 0} exchanges the axes of a surface.
+ * \param[in] g a spline.
+ * \param[in] permutation [axes] each axis of g once.
+ * \param[out] out the new handle.
+ * \return NURBS_OK, NURBS_ERROR_NULL; _AXIS if an entry is not an axis of g or occurs twice.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_transpose(const nurbs *g, const int32_t *permutation, nurbs **out);
+
+/** \brief Moves the domain [a, b] of an axis to [lower, upper] by the affine map
+ * t -> lower + (t - a) (upper - lower) / (b - a). Control points and shape stay; derivatives change by powers
+ * of the factor. The ends come out exactly, each knot inside the domain within 2 eps *
+ * max(|lower|, |upper|, upper - lower). On a periodic axis the knots outside are made copies of those inside.
+ * A map that would make two different knots equal is refused.
+ * \param[in] g a spline.
+ * \param[in] axis 0-based axis.
+ * \param[in] lower,upper the new domain, lower < upper.
+ * \param[out] out the new handle; with the domain that g has already, the same spline.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _PARAMETER_NOT_FINITE; _EMPTY_DOMAIN unless lower < upper;
+ *   _KNOTS_MERGE naming the knots; _NOT_REPRESENTABLE if a knot, or their range, overflows.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_reparametrize(const nurbs *g, int32_t axis, double lower, double upper,
+                                           nurbs **out);
+
+/** \brief The same spline with weights: a polynomial one gets weights of 1; any other is returned as it is.
+ * \param[in] g a spline.
+ * \param[out] out the new handle.
+ * \return NURBS_OK, NURBS_ERROR_NULL.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_make_rational(const nurbs *g, nurbs **out);
+
+/** \brief The homogeneous points (w x, w y, ..., w) of a spline as the points of a polynomial spline of
+ * dimension dim + 1; the weights of a polynomial g are 1. These are the points that
+ * nurbs_homogeneous_points() returns.
+ * \param[in] g a spline.
+ * \param[out] out the new handle.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _OVERFLOW; _DIMENSION if dim + 1 exceeds the limit.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_to_homogeneous(const nurbs *g, nurbs **out);
+
+/** \brief The rational spline of dimension dim - 1 whose homogeneous points are the points of a polynomial
+ * spline, as of nurbs_create_homogeneous(): the last coordinate becomes the weight. Values are copied bit for
+ * bit.
+ * \param[in] g a polynomial spline of dimension 2 or more.
+ * \param[out] out the new handle.
+ * \return NURBS_OK, NURBS_ERROR_NULL; _RATIONAL if g is rational, _DIMENSION if its dimension is 1,
+ *   _WEIGHTS_VANISH if all weights in the support of a span are 0.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_from_homogeneous(const nurbs *g, nurbs **out);
+/** @} */
+
+/** \defgroup transform Transformations
+ * @{ */
+
+/** \brief Applies the affine map x -> A x + b to the control points, and with them to the shape:
+ *
+ *     y_i = A_i0 x_0 + ... + A_i(dim-1) x_(dim-1) + b_i,   0 <= i < out_dim.
+ *
+ * out_dim may differ from the dimension of g, which drops, adds or mixes coordinates. Knots and weights stay
+ * bit for bit. Each coordinate of a control point is within (dim + 1) eps / 2 * (sum_j |A_ij x_j| + |b_i|) of
+ * its exact value; rows of zeros and one entry 1 copy it. Control points that were built homogeneous are
+ * mapped as A (w x) + w b.
+ * \param[in] g a spline.
+ * \param[in] out_dim dimension of the result.
+ * \param[in] matrix [out_dim][dim] A, row by row.
+ * \param[in] translation [out_dim] b, or NULL for 0.
+ * \param[out] out the new handle.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _DIMENSION, _OVERFLOW; _MATRIX if an entry is not finite,
+ *   _NOT_REPRESENTABLE if a coordinate, or its product with the weight, overflows.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_transform(const nurbs *g, int32_t out_dim, const double *matrix,
+                                       const double *translation, nurbs **out);
+
+/** \brief Applies a projective map to the homogeneous control points h = (w x, w y, ..., w):
+ *
+ *     h'_i = M_i0 h_0 + ... + M_i(dim) h_dim,   0 <= i <= out_dim,
+ *
+ * which maps the shape by the quotients of the components by the last one. Knots stay bit for bit, weights
+ * change, a polynomial spline becomes rational. A component is within (dim + 2) eps / 2 * sum_j |M_ij h_j| of
+ * its exact value. If all new weights are positive, or all negative (then every sign is changed), the control
+ * points are stored as Cartesian ones with weights, one division more; otherwise, and if g was built from
+ * homogeneous points, as homogeneous ones: where the image passes through infinity evaluation yields the
+ * infinities and NaNs of the division.
+ * \param[in] g a spline.
+ * \param[in] out_dim dimension of the result.
+ * \param[in] matrix [out_dim + 1][dim + 1] M, row by row.
+ * \param[out] out the new handle.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _DIMENSION, _OVERFLOW; _MATRIX if an entry is not finite,
+ *   _WEIGHTS_VANISH if all new weights in the support of a span are 0, _NOT_REPRESENTABLE if a value
+ *   overflows.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_transform_projective(const nurbs *g, int32_t out_dim, const double *matrix,
+                                                  nurbs **out);
 /** @} */
 
 /** \defgroup linear Derivatives with respect to data

@@ -1,9 +1,9 @@
 #include "refine/periodic.h"
 
 #include "refine/boehm.h"
+#include "refine/period.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace nrb {
 
@@ -29,21 +29,7 @@ struct Extension {
 // New layers and knots of one period depend on old ones at most degree + 1 places away.
 Extension::Extension(const KnotVector &stored)
     : axis(stored), distinct(stored.distinct_layers()), lead(stored.degree() + 1),
-      period(stored.domain().upper - stored.domain().lower),
-      knots(stored.knots().size() + 2 * static_cast<size_t>(lead)) {
-    const auto first = static_cast<size_t>(lead);
-    const auto step = static_cast<size_t>(distinct);
-    const size_t end = first + stored.knots().size();
-    std::copy(stored.knots().begin(), stored.knots().end(), knots.begin() + lead);
-    for (size_t i = first; i-- > 0;) { // equal knots have equal copies, whatever the rounding
-        const bool repeated = knots[i + step] == knots[i + step + 1];
-        knots[i] = repeated ? knots[i + 1] : std::min(knots[i + step] - period, knots[i + 1]);
-    }
-    for (size_t i = end; i < knots.size(); ++i) {
-        const bool repeated = knots[i - step] == knots[i - step - 1];
-        knots[i] = repeated ? knots[i - 1] : std::max(knots[i - step] + period, knots[i - 1]);
-    }
-}
+      period(stored.domain().upper - stored.domain().lower), knots(extended_knots(stored, lead)) {}
 
 double Extension::copy_of(double knot, int64_t k, int64_t at) const noexcept {
     const auto index = static_cast<size_t>(at);
@@ -96,9 +82,6 @@ SplinePtr insert_periodic(const Spline &spline, int axis, double knot, int times
     const int64_t k = stored.spans().find(knot, false);
     const int64_t distinct = extension.distinct;
 
-    if (!std::isfinite(extension.knots.back() - extension.knots.front())) {
-        fail(NURBS_ERROR_NOT_REPRESENTABLE, "knots: those of the periods beside the domain overflow");
-    }
     std::vector<double> knots = extension.knots;
     SplinePtr wide = replaced(spline, axis, knots, false, extension.unroll());
     int64_t before = 0; // copies in front of the domain

@@ -271,6 +271,29 @@ const Case cases[] = {
      [](Inputs &in, Output &o) { return nurbs_insert_knot(in.surface, 1, 1.5, 1, &o.out); }},
     {"insert_knot 0 times",
      [](Inputs &in, Output &o) { return nurbs_insert_knot(in.surface, 1, 1.5, 0, &o.out); }},
+    {"elevate", [](Inputs &in, Output &o) { return nurbs_elevate(in.curve, 0, 2, &o.out); }},
+    {"elevate periodic", [](Inputs &in, Output &o) { return nurbs_elevate(in.loop, 0, 2, &o.out); }},
+    {"elevate homogeneous", [](Inputs &in, Output &o) { return nurbs_elevate(in.homogeneous, 0, 1, &o.out); }},
+    {"reverse", [](Inputs &in, Output &o) { return nurbs_reverse(in.curve, 0, NURBS_KEEP_DOMAIN, &o.out); }},
+    {"transpose",
+     [](Inputs &in, Output &o) {
+         static const int32_t turn[] = {2, 0, 1};
+         return nurbs_transpose(in.volume, turn, &o.out);
+     }},
+    {"reparametrize", [](Inputs &in, Output &o) { return nurbs_reparametrize(in.loop, 0, 0, 1, &o.out); }},
+    {"make_rational", [](Inputs &in, Output &o) { return nurbs_make_rational(in.loop, &o.out); }},
+    {"to_homogeneous", [](Inputs &in, Output &o) { return nurbs_to_homogeneous(in.curve, &o.out); }},
+    {"from_homogeneous", [](Inputs &in, Output &o) { return nurbs_from_homogeneous(in.volume, &o.out); }},
+    {"transform",
+     [](Inputs &in, Output &o) {
+         static const double turn[] = {0, 1, -1, 0};
+         return nurbs_transform(in.curve, 2, turn, turn, &o.out);
+     }},
+    {"transform_projective",
+     [](Inputs &in, Output &o) {
+         static const double map[] = {1, 0, 0, 0, 1, 0, 0, 0, 2};
+         return nurbs_transform_projective(in.curve, 2, map, &o.out);
+     }},
     {"read", [](Inputs &, Output &o) { return nurbs_read(file.bytes, file.size, nullptr, &o.list); }},
     {"read_file", [](Inputs &, Output &o) { return nurbs_read_file(path, nullptr, &o.list); }, true},
     {"list_get", [](Inputs &in, Output &o) { return nurbs_list_get(in.list, 0, &o.out); }},

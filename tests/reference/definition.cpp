@@ -3,6 +3,7 @@
 #include "reference/exact_basis.h"
 
 #include <algorithm>
+#include <map>
 
 namespace reference {
 
@@ -117,8 +118,8 @@ AxisView view_of(const SplineData &data, int axis) {
 }
 
 // The piece of the old spline that a refined control point belongs to: any non-empty span of the domain that
-// meets its support, or the nearest one for a point whose support lies outside the domain.
-int64_t piece_of(const std::vector<double> &knots, int degree, const std::vector<double> &refined,
+// meets its support (of degree `raised`), or the nearest one for a point whose support lies outside the domain.
+int64_t piece_of(const std::vector<double> &knots, int degree, const std::vector<double> &refined, int raised,
                  int64_t j) {
     const auto count = static_cast<int64_t>(knots.size()) - degree - 1;
     if (refined[static_cast<size_t>(j)] >= knots[static_cast<size_t>(count)]) {
@@ -127,7 +128,7 @@ int64_t piece_of(const std::vector<double> &knots, int degree, const std::vector
     for (int64_t s = degree; s < count; ++s) {
         const double low = knots[static_cast<size_t>(s)];
         const double high = knots[static_cast<size_t>(s + 1)];
-        if (low < high && low < refined[static_cast<size_t>(j + degree + 1)] &&
+        if (low < high && low < refined[static_cast<size_t>(j + raised + 1)] &&
             refined[static_cast<size_t>(j)] < high) {
             return s;
         }
@@ -153,7 +154,7 @@ InsertedLayers defined_insertion(const SplineData &data, int axis, double knot, 
     const AxisView view = view_of(data, axis);
     for (int64_t o = 0; o < view.outer; ++o) {
         for (int64_t j = out.first; j <= out.last; ++j) {
-            const int64_t s = piece_of(data.knots[k], degree, out.knots, j);
+            const int64_t s = piece_of(data.knots[k], degree, out.knots, degree, j);
             const auto from = out.knots.begin() + j + 1;
             for (int64_t i = 0; i < view.inner; ++i) {
                 std::vector<Point> local;
@@ -165,6 +166,82 @@ InsertedLayers defined_insertion(const SplineData &data, int axis, double knot, 
         }
     }
     return out;
+}
+
+namespace {
+
+// Sums the polar form over all choices of the arguments still missing out of knots[next], ..., behind those
+// already chosen; equal choices are counted and not computed again.
+class Mean {
+public:
+    Mean(const std::vector<double> &knots, int degree, int64_t span, const std::vector<Point> &points)
+        : knots_(knots), degree_(degree), span_(span), points_(points) {}
+
+    Point operator()(const std::vector<double> &window) {
+        std::map<std::vector<double>, int> choices;
+        std::vector<double> chosen;
+        choose(window, 0, chosen, choices);
+        Point sum(points_.front().size());
+        int total = 0;
+        for (const auto &[arguments, times] : choices) {
+            const Point value = blossom(knots_, degree_, span_, points_, arguments);
+            for (size_t c = 0; c < sum.size(); ++c) {
+                sum[c] += times * value[c];
+            }
+            total += times;
+        }
+        for (Rational &component : sum) {
+            component /= total;
+        }
+        return sum;
+    }
+
+private:
+    void choose(const std::vector<double> &window, size_t next, std::vector<double> &chosen,
+                std::map<std::vector<double>, int> &choices) const {
+        if (chosen.size() == static_cast<size_t>(degree_)) {
+            ++choices[chosen];
+            return;
+        }
+        if (next == window.size()) {
+            return;
+        }
+        chosen.push_back(window[next]);
+        choose(window, next + 1, chosen, choices);
+        chosen.pop_back();
+        choose(window, next + 1, chosen, choices);
+    }
+
+    const std::vector<double> &knots_;
+    int degree_;
+    int64_t span_;
+    const std::vector<Point> &points_;
+};
+
+} // namespace
+
+std::vector<std::vector<Rational>> defined_elevation(const SplineData &data, int axis, int times,
+                                                     const std::vector<double> &knots) {
+    const auto k = static_cast<size_t>(axis);
+    const int degree = data.degrees[k];
+    const int raised = degree + times;
+    const auto count = static_cast<int64_t>(knots.size()) - raised - 1;
+    const AxisView view = view_of(data, axis);
+    std::vector<Point> records;
+    for (int64_t o = 0; o < view.outer; ++o) {
+        for (int64_t j = 0; j < count; ++j) {
+            const int64_t s = piece_of(data.knots[k], degree, knots, raised, j);
+            for (int64_t i = 0; i < view.inner; ++i) {
+                std::vector<Point> local;
+                for (int64_t layer = s - degree; layer <= s; ++layer) {
+                    local.push_back(homogeneous(data, (o * data.counts[k] + layer) * view.inner + i));
+                }
+                const auto from = knots.begin() + j + 1;
+                records.push_back(Mean(data.knots[k], degree, s, local)({from, from + raised}));
+            }
+        }
+    }
+    return records;
 }
 
 } // namespace reference

@@ -29,4 +29,10 @@ struct InsertedLayers {
 };
 InsertedLayers defined_insertion(const support::SplineData &data, int axis, double knot, int times);
 
+// All control points (w x, w y, ..., w) of the spline over `knots` on an axis of degree p + times, packed with
+// the last axis fastest. Each is the mean of the old polar form over all choices of p of the p + times new
+// knots that follow new knot j (Ramshaw 1989).
+std::vector<std::vector<Rational>> defined_elevation(const support::SplineData &data, int axis, int times,
+                                                     const std::vector<double> &knots);
+
 } // namespace reference

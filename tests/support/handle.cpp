@@ -177,6 +177,12 @@ Handle insert(const nurbs *g, int axis, double knot, int times) {
     return Handle(out);
 }
 
+Handle elevate(const nurbs *g, int axis, int times) {
+    nurbs *out = nullptr;
+    require_ok(nurbs_elevate(g, axis, times, &out));
+    return Handle(out);
+}
+
 Handle iso(const nurbs *g, int axis, double param, uint32_t flags) {
     nurbs *out = nullptr;
     require_ok(nurbs_iso(g, axis, param, flags, &out));

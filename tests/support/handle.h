@@ -35,6 +35,7 @@ std::vector<double> eval_grid(const nurbs *g, const std::vector<std::vector<doub
 std::vector<double> eval_grid_derivs(const nurbs *g, int order,
                                      const std::vector<std::vector<double>> &params, uint32_t flags = 0);
 Handle insert(const nurbs *g, int axis, double knot, int times);
+Handle elevate(const nurbs *g, int axis, int times);
 Handle iso(const nurbs *g, int axis, double param, uint32_t flags = 0);
 
 // Equal as 64-bit patterns, so that -0 differs from 0 and a NaN equals itself.

@@ -464,6 +464,70 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_insert_knot
+        function nurbs_elevate(g, axis, times, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int32_t), value :: axis, times
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_elevate
+        function nurbs_reverse(g, axis, flags, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int32_t), value :: axis, flags
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_reverse
+        function nurbs_transpose(g, permutation, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int32_t), intent(in) :: permutation(*)
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_transpose
+        function nurbs_reparametrize(g, axis, lower, upper, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int32_t), value :: axis
+            real(c_double), value :: lower, upper
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_reparametrize
+        function nurbs_make_rational(g, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_make_rational
+        function nurbs_to_homogeneous(g, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_to_homogeneous
+        function nurbs_from_homogeneous(g, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_from_homogeneous
+        function nurbs_transform(g, out_dim, matrix, translation, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int32_t), value :: out_dim
+            real(c_double), intent(in) :: matrix(*)
+            real(c_double), intent(in), optional :: translation(*)
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_transform
+        function nurbs_transform_projective(g, out_dim, matrix, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int32_t), value :: out_dim
+            real(c_double), intent(in) :: matrix(*)
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_transform_projective
         function nurbs_collocation(axes, degrees, counts, knots, knot_count, orders, n, params, param_stride, &
             param_component_stride, cap, values, columns, row_pointers, entries, flags) bind(c) result(r)
             import

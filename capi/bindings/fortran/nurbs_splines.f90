@@ -14,6 +14,8 @@ module nurbs_splines
     contains
         procedure :: create, create_homogeneous, create_short, create_multiplicities, create_bezier
         procedure :: with_points, eval_grid, eval_grid_derivs, rational_basis, iso, insert_knot
+        procedure :: elevate, reverse, transpose_axes, reparametrize, transform, transform_projective
+        procedure :: make_rational, to_homogeneous, from_homogeneous
         procedure, private :: hull_size_1, hull_size_n, eval_1, eval_n, eval_derivs_1, eval_derivs_n
         generic :: hull_size => hull_size_1, hull_size_n
         generic :: eval => eval_1, eval_n
@@ -435,4 +437,129 @@ contains
         call out%replace(made)
         call settle(code, status)
     end subroutine insert_knot
+
+    subroutine elevate(this, axis, times, out, status)
+        class(nurbs_spline), intent(in) :: this
+        integer(c_int32_t), intent(in) :: axis, times
+        type(nurbs_spline), intent(inout) :: out
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        type(c_ptr) :: made
+        code = nurbs_elevate(this%handle, axis - 1, times, made)
+        call out%replace(made)
+        call settle(code, status)
+    end subroutine elevate
+
+    subroutine reverse(this, axis, out, flags, status)
+        class(nurbs_spline), intent(in) :: this
+        integer(c_int32_t), intent(in) :: axis
+        integer(c_int32_t), intent(in), optional :: flags
+        type(nurbs_spline), intent(inout) :: out
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        type(c_ptr) :: made
+        code = nurbs_reverse(this%handle, axis - 1, bits(flags), made)
+        call out%replace(made)
+        call settle(code, status)
+    end subroutine reverse
+
+    !> Axis k of the result is axis permutation(k).
+    subroutine transpose_axes(this, permutation, out, status)
+        class(nurbs_spline), intent(in) :: this
+        integer(c_int32_t), intent(in) :: permutation(:)
+        type(nurbs_spline), intent(inout) :: out
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code, axes
+        type(c_ptr) :: made
+        made = c_null_ptr
+        code = nurbs_axes(this%handle, axes)
+        if (code == NURBS_OK .and. size(permutation) /= axes) code = shape_error
+        if (code == NURBS_OK) code = nurbs_transpose(this%handle, permutation - 1, made)
+        call out%replace(made)
+        call settle(code, status)
+    end subroutine transpose_axes
+
+    subroutine reparametrize(this, axis, lower, upper, out, status)
+        class(nurbs_spline), intent(in) :: this
+        integer(c_int32_t), intent(in) :: axis
+        real(c_double), intent(in) :: lower, upper
+        type(nurbs_spline), intent(inout) :: out
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        type(c_ptr) :: made
+        code = nurbs_reparametrize(this%handle, axis - 1, lower, upper, made)
+        call out%replace(made)
+        call settle(code, status)
+    end subroutine reparametrize
+
+    subroutine make_rational(this, out, status)
+        class(nurbs_spline), intent(in) :: this
+        type(nurbs_spline), intent(inout) :: out
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        type(c_ptr) :: made
+        code = nurbs_make_rational(this%handle, made)
+        call out%replace(made)
+        call settle(code, status)
+    end subroutine make_rational
+
+    subroutine to_homogeneous(this, out, status)
+        class(nurbs_spline), intent(in) :: this
+        type(nurbs_spline), intent(inout) :: out
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        type(c_ptr) :: made
+        code = nurbs_to_homogeneous(this%handle, made)
+        call out%replace(made)
+        call settle(code, status)
+    end subroutine to_homogeneous
+
+    subroutine from_homogeneous(this, out, status)
+        class(nurbs_spline), intent(in) :: this
+        type(nurbs_spline), intent(inout) :: out
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        type(c_ptr) :: made
+        code = nurbs_from_homogeneous(this%handle, made)
+        call out%replace(made)
+        call settle(code, status)
+    end subroutine from_homogeneous
+
+    !> matrix(out_dim, dim), translation(out_dim)
+    subroutine transform(this, matrix, out, translation, status)
+        class(nurbs_spline), intent(in) :: this
+        real(c_double), intent(in) :: matrix(:, :)
+        type(nurbs_spline), intent(inout) :: out
+        real(c_double), intent(in), optional :: translation(:)
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code, dim
+        type(c_ptr) :: made
+        made = c_null_ptr
+        code = nurbs_dimension(this%handle, dim)
+        if (code == NURBS_OK .and. size(matrix, 2) /= dim) code = shape_error
+        if (present(translation)) then
+            if (size(translation) /= size(matrix, 1)) code = shape_error
+        end if
+        if (code == NURBS_OK) code = nurbs_transform(this%handle, size(matrix, 1), transpose(matrix), &
+            translation, made)
+        call out%replace(made)
+        call settle(code, status)
+    end subroutine transform
+
+    !> matrix(out_dim + 1, dim + 1)
+    subroutine transform_projective(this, matrix, out, status)
+        class(nurbs_spline), intent(in) :: this
+        real(c_double), intent(in) :: matrix(:, :)
+        type(nurbs_spline), intent(inout) :: out
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code, dim
+        type(c_ptr) :: made
+        made = c_null_ptr
+        code = nurbs_dimension(this%handle, dim)
+        if (code == NURBS_OK .and. size(matrix, 2) /= dim + 1) code = shape_error
+        if (code == NURBS_OK) code = nurbs_transform_projective(this%handle, size(matrix, 1) - 1, &
+            transpose(matrix), made)
+        call out%replace(made)
+        call settle(code, status)
+    end subroutine transform_projective
 end module nurbs_splines

@@ -281,6 +281,48 @@ public:
     [[nodiscard]] Spline insert_knot(std::int32_t axis, double knot, std::int32_t times = 1) const {
         return made([&](nurbs **out) { return nurbs_insert_knot(handle_, axis, knot, times, out); });
     }
+    [[nodiscard]] Spline elevate(std::int32_t axis, std::int32_t times = 1) const {
+        return made([&](nurbs **out) { return nurbs_elevate(handle_, axis, times, out); });
+    }
+    [[nodiscard]] Spline reverse(std::int32_t axis, std::uint32_t flags = 0) const {
+        return made([&](nurbs **out) { return nurbs_reverse(handle_, axis, flags, out); });
+    }
+    [[nodiscard]] Spline transpose(View<std::int32_t> permutation) const {
+        if (detail::length(permutation) != axes()) {
+            detail::wrong_size("permutation", permutation.size(), std::to_string(axes()));
+        }
+        return made([&](nurbs **out) { return nurbs_transpose(handle_, permutation.data(), out); });
+    }
+    [[nodiscard]] Spline reparametrize(std::int32_t axis, double lower, double upper) const {
+        return made([&](nurbs **out) { return nurbs_reparametrize(handle_, axis, lower, upper, out); });
+    }
+    [[nodiscard]] Spline make_rational() const {
+        return made([&](nurbs **out) { return nurbs_make_rational(handle_, out); });
+    }
+    [[nodiscard]] Spline to_homogeneous() const {
+        return made([&](nurbs **out) { return nurbs_to_homogeneous(handle_, out); });
+    }
+    [[nodiscard]] Spline from_homogeneous() const {
+        return made([&](nurbs **out) { return nurbs_from_homogeneous(handle_, out); });
+    }
+    /// matrix: [out_dim][dim], row by row; translation: [out_dim], or empty for 0.
+    [[nodiscard]] Spline transform(std::int32_t out_dim, View<double> matrix,
+                                   View<double> translation = {}) const {
+        check_matrix(matrix, out_dim, dimension());
+        if (!translation.empty() && detail::length(translation) != out_dim) {
+            detail::wrong_size("translation", translation.size(), std::to_string(out_dim));
+        }
+        return made([&](nurbs **out) {
+            return nurbs_transform(handle_, out_dim, matrix.data(),
+                                   translation.empty() ? nullptr : translation.data(), out);
+        });
+    }
+    /// matrix: [out_dim + 1][dim + 1], row by row.
+    [[nodiscard]] Spline transform_projective(std::int32_t out_dim, View<double> matrix) const {
+        check_matrix(matrix, std::int64_t{out_dim} + 1, std::int64_t{dimension()} + 1);
+        return made(
+            [&](nurbs **out) { return nurbs_transform_projective(handle_, out_dim, matrix.data(), out); });
+    }
 
 private:
     static constexpr std::int32_t max_width = INT32_MAX;
@@ -319,6 +361,12 @@ private:
         if (detail::length(knots) != total || multiplicities.size() != knots.size()) {
             detail::wrong_size("distinct_knots", knots.size(),
                                std::to_string(total) + ", with as many multiplicities");
+        }
+    }
+    static void check_matrix(View<double> matrix, std::int64_t rows, std::int64_t columns) {
+        if (detail::length(matrix) / columns != rows || detail::length(matrix) % columns != 0) {
+            detail::wrong_size("matrix", matrix.size(),
+                               std::to_string(rows) + " rows of " + std::to_string(columns));
         }
     }
     [[nodiscard]] std::int64_t slots(std::int32_t order) const { return derivative_slots(axes(), order); }

@@ -44,8 +44,11 @@ enum class Status : nurbs_status {
     options = NURBS_ERROR_OPTIONS,
     index = NURBS_ERROR_INDEX,
     direction = NURBS_ERROR_DIRECTION,
+    matrix = NURBS_ERROR_MATRIX,
+    rational = NURBS_ERROR_RATIONAL,
     outside_domain = NURBS_ERROR_OUTSIDE_DOMAIN,
     not_representable = NURBS_ERROR_NOT_REPRESENTABLE,
+    knots_merge = NURBS_ERROR_KNOTS_MERGE,
     memory = NURBS_ERROR_MEMORY,
     file = NURBS_ERROR_FILE,
     too_large = NURBS_ERROR_TOO_LARGE,
@@ -74,6 +77,7 @@ inline constexpr std::uint32_t periodic = NURBS_PERIODIC;
 
 /// Global flags.
 inline constexpr std::uint32_t accumulate = NURBS_ACCUMULATE;
+inline constexpr std::uint32_t keep_domain = NURBS_KEEP_DOMAIN;
 
 /// Bits of Spline::knot_form().
 inline constexpr std::int32_t form_clamped_start = NURBS_FORM_CLAMPED_START;

@@ -7,6 +7,7 @@ import numpy
 
 from ._arrays import Output, records, vector
 from ._library import check, get, lib
+from .constants import NURBS_KEEP_DOMAIN
 
 
 def derivative_slots(axes, order):
@@ -21,6 +22,13 @@ def _concatenated(vectors, axes, dtype=numpy.float64):
     if len(vectors) != axes:
         raise ValueError(f"{len(vectors)} vectors for {axes} axes")
     return numpy.concatenate([vector(v, dtype) for v in vectors]), [len(v) for v in vectors]
+
+
+def _matrix(values, columns):
+    matrix = numpy.ascontiguousarray(values, dtype=numpy.float64)
+    if matrix.ndim != 2 or matrix.shape[1] != columns:
+        raise ValueError(f"a matrix of shape {matrix.shape}, expected {columns} columns")
+    return matrix
 
 
 class _Net:
@@ -293,3 +301,48 @@ class Spline:
     def insert_knot(self, knot, *, times=1, axis=0):
         """The same shape with a knot inserted."""
         return self._made(lib.nurbs_insert_knot, self._handle, axis, knot, times)
+
+    def elevate(self, times=1, *, axis=0):
+        """The same shape with a degree raised."""
+        return self._made(lib.nurbs_elevate, self._handle, axis, times)
+
+    def reverse(self, *, axis=0, keep_domain=False):
+        """The axis turned round: t becomes -t, or lower + upper - t."""
+        return self._made(lib.nurbs_reverse, self._handle, axis, NURBS_KEEP_DOMAIN if keep_domain else 0)
+
+    def transpose(self, *permutation):
+        """The axes in another order, as numpy.transpose() does it; without arguments the opposite one."""
+        order = vector(permutation or range(self.axes)[::-1], numpy.int32)
+        if order.size != self.axes:
+            raise ValueError(f"{order.size} axes for {self.axes}")
+        return self._made(lib.nurbs_transpose, self._handle, order.ctypes.data)
+
+    def reparametrize(self, lower, upper, *, axis=0):
+        """The same shape over another domain."""
+        return self._made(lib.nurbs_reparametrize, self._handle, axis, lower, upper)
+
+    def make_rational(self):
+        """The same spline with weights."""
+        return self._made(lib.nurbs_make_rational, self._handle)
+
+    def to_homogeneous(self):
+        """The polynomial spline of the points (w x, w y, ..., w)."""
+        return self._made(lib.nurbs_to_homogeneous, self._handle)
+
+    def from_homogeneous(self):
+        """The rational spline whose homogeneous points these are."""
+        return self._made(lib.nurbs_from_homogeneous, self._handle)
+
+    def transform(self, matrix, translation=None):
+        """The shape under x -> matrix x + translation; matrix is (out_dim, dim)."""
+        matrix = _matrix(matrix, self.dimension)
+        given = None if translation is None else vector(translation)
+        if given is not None and given.size != len(matrix):
+            raise ValueError(f"a translation of {given.size} for a matrix of {len(matrix)} rows")
+        return self._made(lib.nurbs_transform, self._handle, len(matrix), matrix.ctypes.data,
+                          None if given is None else given.ctypes.data)
+
+    def transform_projective(self, matrix):
+        """The shape under a map of homogeneous points; matrix is (out_dim + 1, dim + 1)."""
+        matrix = _matrix(matrix, self.dimension + 1)
+        return self._made(lib.nurbs_transform_projective, self._handle, len(matrix) - 1, matrix.ctypes.data)

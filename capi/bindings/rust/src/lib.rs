@@ -15,6 +15,7 @@
 mod arrays;
 mod error;
 mod eval;
+mod forms;
 mod frames;
 mod inspect;
 mod knots;

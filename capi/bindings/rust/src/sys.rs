@@ -67,8 +67,11 @@ pub const NURBS_ERROR_TIMES: nurbs_status = 26;
 pub const NURBS_ERROR_OPTIONS: nurbs_status = 27;
 pub const NURBS_ERROR_INDEX: nurbs_status = 28;
 pub const NURBS_ERROR_DIRECTION: nurbs_status = 29;
+pub const NURBS_ERROR_MATRIX: nurbs_status = 32;
+pub const NURBS_ERROR_RATIONAL: nurbs_status = 33;
 pub const NURBS_ERROR_OUTSIDE_DOMAIN: nurbs_status = 100;
 pub const NURBS_ERROR_NOT_REPRESENTABLE: nurbs_status = 200;
+pub const NURBS_ERROR_KNOTS_MERGE: nurbs_status = 202;
 pub const NURBS_ERROR_MEMORY: nurbs_status = 300;
 pub const NURBS_ERROR_FILE: nurbs_status = 301;
 pub const NURBS_ERROR_TOO_LARGE: nurbs_status = 302;
@@ -88,6 +91,7 @@ pub const NURBS_PERIODIC: u32 = 0x01;
 
 // Global flags
 pub const NURBS_ACCUMULATE: u32 = 0x01000000;
+pub const NURBS_KEEP_DOMAIN: u32 = 0x02000000;
 
 // Bits of the form of a knot vector
 pub const NURBS_FORM_CLAMPED_START: i32 = 0x01;
@@ -494,6 +498,32 @@ extern "C" {
         axis: i32,
         knot: f64,
         times: i32,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    pub fn nurbs_elevate(g: *const nurbs, axis: i32, times: i32, out: *mut *mut nurbs) -> nurbs_status;
+    pub fn nurbs_reverse(g: *const nurbs, axis: i32, flags: u32, out: *mut *mut nurbs) -> nurbs_status;
+    pub fn nurbs_transpose(g: *const nurbs, permutation: *const i32, out: *mut *mut nurbs) -> nurbs_status;
+    pub fn nurbs_reparametrize(
+        g: *const nurbs,
+        axis: i32,
+        lower: f64,
+        upper: f64,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    pub fn nurbs_make_rational(g: *const nurbs, out: *mut *mut nurbs) -> nurbs_status;
+    pub fn nurbs_to_homogeneous(g: *const nurbs, out: *mut *mut nurbs) -> nurbs_status;
+    pub fn nurbs_from_homogeneous(g: *const nurbs, out: *mut *mut nurbs) -> nurbs_status;
+    pub fn nurbs_transform(
+        g: *const nurbs,
+        out_dim: i32,
+        matrix: *const f64,
+        translation: *const f64,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    pub fn nurbs_transform_projective(
+        g: *const nurbs,
+        out_dim: i32,
+        matrix: *const f64,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
     pub fn nurbs_collocation(

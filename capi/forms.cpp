@@ -1,0 +1,77 @@
+// Degree and form.
+#include "refine/elevate.h"
+#include "refine/homogeneous.h"
+#include "refine/parametrization.h"
+#include "refine/transpose.h"
+
+#include "checks.h"
+#include "guard.h"
+
+using namespace nrb;
+using namespace nrb::capi;
+
+namespace {
+
+void check_reverse_flags(uint32_t flags) {
+    if ((flags & ~NURBS_KEEP_DOMAIN) != 0) {
+        fail(NURBS_ERROR_FLAGS, "flags = 0x%08x, expected 0 or NURBS_KEEP_DOMAIN", flags);
+    }
+}
+
+} // namespace
+
+nurbs_status nurbs_elevate(const nurbs *g, int32_t axis, int32_t times, nurbs **out) {
+    return guard([&] {
+        require_out(out);
+        check_axis(spline_of(g), axis);
+        give(elevate(g->spline, axis, times), out);
+    });
+}
+
+nurbs_status nurbs_reverse(const nurbs *g, int32_t axis, uint32_t flags, nurbs **out) {
+    return guard([&] {
+        require_out(out);
+        check_axis(spline_of(g), axis);
+        check_reverse_flags(flags);
+        give(reverse(*g->spline, axis, flags != 0), out);
+    });
+}
+
+nurbs_status nurbs_transpose(const nurbs *g, const int32_t *permutation, nurbs **out) {
+    return guard([&] {
+        require_out(out);
+        const Spline &spline = spline_of(g);
+        require(permutation, "permutation");
+        give(transpose(spline, permutation), out);
+    });
+}
+
+nurbs_status nurbs_reparametrize(const nurbs *g, int32_t axis, double lower, double upper, nurbs **out) {
+    return guard([&] {
+        require_out(out);
+        check_axis(spline_of(g), axis);
+        give(reparametrize(g->spline, axis, {lower, upper}), out);
+    });
+}
+
+nurbs_status nurbs_make_rational(const nurbs *g, nurbs **out) {
+    return guard([&] {
+        require_out(out);
+        require(g, "g");
+        give(make_rational(g->spline), out);
+    });
+}
+
+nurbs_status nurbs_to_homogeneous(const nurbs *g, nurbs **out) {
+    return guard([&] {
+        require_out(out);
+        give(to_homogeneous(spline_of(g)), out);
+    });
+}
+
+nurbs_status nurbs_from_homogeneous(const nurbs *g, nurbs **out) {
+    return guard([&] {
+        require_out(out);
+        give(from_homogeneous(spline_of(g)), out);
+    });
+}

@@ -1,0 +1,13 @@
+// Degree elevation.
+#pragma once
+
+#include "spline/spline.h"
+
+namespace nrb {
+
+// The same shape with the degree of an axis raised by `times`. The tables of the steps are composed and
+// applied once. Throws NURBS_ERROR_TIMES, _DEGREE beyond NURBS_MAX_DEGREE, _PERIODIC_KNOTS,
+// _NOT_REPRESENTABLE, _WEIGHTS_VANISH, _OVERFLOW. Cost: linear in the number of points.
+SplinePtr elevate(const SplinePtr &spline, int axis, int64_t times);
+
+} // namespace nrb

@@ -1,0 +1,16 @@
+// Changes of the parameter that keep the shape: reversal and affine maps of the domain.
+#pragma once
+
+#include "spline/spline.h"
+
+namespace nrb {
+
+// The axis turned round: t becomes -t, or with keep_domain lower + upper - t. Throws NURBS_ERROR_KNOTS_MERGE
+// and _NOT_REPRESENTABLE, both only with keep_domain. Cost: linear in the number of points.
+SplinePtr reverse(const Spline &spline, int axis, bool keep_domain);
+
+// The axis over another domain. Throws NURBS_ERROR_PARAMETER_NOT_FINITE, _EMPTY_DOMAIN, _KNOTS_MERGE,
+// _NOT_REPRESENTABLE.
+SplinePtr reparametrize(const SplinePtr &spline, int axis, Interval domain);
+
+} // namespace nrb
