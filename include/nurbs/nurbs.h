@@ -1023,7 +1023,7 @@ NURBS_API nurbs_status nurbs_insert_knot(const nurbs *g, int32_t axis, double kn
 NURBS_API nurbs_status nurbs_elevate(const nurbs *g, int32_t axis, int32_t times, nurbs **out);
 
 /** \brief Turns an axis round: the result at -t is g at t, exactly. The layers of control points come in the
- * opposite order, the knots too and with the opposite sign; reversing twice gives every bit back. At a knot
+ * opposite order, the knots too and with the opposite sign (0 becomes -0); reversing twice gives every bit back. At a knot
  * where g jumps each limit stays on its own side of the knot.
  * With NURBS_KEEP_DOMAIN the result at lower + upper - t is g at t: its knots are those of the negated domain
  * taken back to [lower, upper] as by nurbs_reparametrize(), which rounds the knots inside.

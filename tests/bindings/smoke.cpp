@@ -116,6 +116,22 @@ static void insertion_keeps_the_circle() {
     }
 }
 
+static void forms_and_maps() {
+    const Spline g = circle();
+    using Values = std::vector<double>;
+    EXPECT(g.elevate(0, 2).degree(0) == 4);
+    EXPECT(g.reverse(0).reverse(0).points() == circle_points);
+    EXPECT((g.reverse(0, libnurbs::keep_domain).eval({0.25}) == Values{0, -1}));
+    EXPECT((g.reparametrize(0, 1, 5).eval({2}) == Values{0, 1}));
+    EXPECT(g.to_homogeneous().from_homogeneous().weights() == g.weights());
+    EXPECT(g.make_rational().is_rational());
+    EXPECT((g.transform(2, Values{0, 1, 2, 0}, Values{10, 20}).eval({0}) == Values{10, 22}));
+    EXPECT((g.transform_projective(2, Values{1, 0, 0, 0, 1, 0, 0, 0, 2}).eval({0.25}) == Values{0, 0.5}));
+    const std::vector<std::int32_t> bilinear = {1, 1}, swapped = {1, 0};
+    const Spline patch = Spline::create_bezier(bilinear, 1, Values{0, 1, 2, 3});
+    EXPECT((patch.transpose(swapped).points() == Values{0, 2, 1, 3}));
+}
+
 static void arrays_of_any_layout() {
     std::vector<double> columns(8);
     circle().eval({0, 0.25, 0.5, 0.75}, Output(columns, 4, 1, 4));
@@ -214,6 +230,7 @@ int main() {
     single_precision_is_rounded_once();
     data_derivatives();
     insertion_keeps_the_circle();
+    forms_and_maps();
     arrays_of_any_layout();
     values_of_a_handle();
     inspection();

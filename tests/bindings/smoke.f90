@@ -10,6 +10,7 @@ program smoke
 
     call known_points()
     call insertion_keeps_the_circle()
+    call forms_and_maps()
     call surfaces()
     call data_derivatives()
     call frames()
@@ -75,6 +76,46 @@ contains
         call expect(maxval(abs(after - before)) <= 8 * eps, 'the same shape')
         call expect(maxval(abs(hypot(after(:, 1), after(:, 2)) - 1)) <= 8 * eps, 'a circle')
     end subroutine insertion_keeps_the_circle
+
+    subroutine forms_and_maps()
+        type(nurbs_spline) :: g, h, k
+        integer(c_int32_t) :: status
+        real(c_double), allocatable :: points(:, :), again(:, :), weights(:), net(:, :)
+        real(c_double) :: one(1, 2)
+        call make_circle(g)
+        call g%points(points)
+        call g%elevate(1, 2, h)
+        call expect(h%degree(1) == 4, 'degree 4')
+        call g%reverse(1, h)
+        call h%reverse(1, k)
+        call k%points(again)
+        call expect(all(again == points), 'reversed twice')
+        call g%reverse(1, h, flags=NURBS_KEEP_DOMAIN)
+        call h%eval([0.25_c_double], one)
+        call expect(all(one(1, :) == [0, -1]), 'reversed on the same domain')
+        call g%reparametrize(1, 1.0_c_double, 5.0_c_double, h)
+        call h%eval([2.0_c_double], one)
+        call expect(all(one(1, :) == [0, 1]), 'another domain')
+        call g%to_homogeneous(h)
+        call h%from_homogeneous(k)
+        call k%weights(weights)
+        call expect(weights(1) == 1, 'homogeneous and back')
+        call g%make_rational(h)
+        call expect(h%is_rational(), 'rational')
+        call g%transform(reshape([0d0, 2d0, 1d0, 0d0], [2, 2]), h, translation=[10d0, 20d0]) ! (y, 2 x)
+        call h%points(again)
+        call expect(all(again(:, 1) == points(:, 2) + 10) .and. all(again(:, 2) == 2*points(:, 1) + 20), 'affine')
+        call g%transform_projective(reshape([1d0, 0d0, 0d0, 0d0, 1d0, 0d0, 0d0, 0d0, 2d0], [3, 3]), h)
+        call h%points(again)
+        call expect(all(2*again == points), 'projective')
+        call g%transform(reshape([1d0], [1, 1]), h, status=status)
+        call expect(status == NURBS_ERROR_SIZE, 'a matrix of another size')
+        net = reshape([0, 0, 1, 1, 0, 1, 0, 1, 0, 0, 0, 1], [4, 3])*1.0_c_double
+        call g%create_bezier([1, 1], net)
+        call g%transpose_axes([2, 1], h)
+        call h%points(net)
+        call expect(all(net(:, 1) == [0, 1, 0, 1]), 'transposed')
+    end subroutine forms_and_maps
 
     ! z = u v over the unit square.
     subroutine surfaces()

@@ -43,6 +43,20 @@ class Evaluation(unittest.TestCase):
         self.assertLess(np.abs(after.eval(t) - before.eval(t)).max(), 8 * EPS)
         self.assertLess(np.abs(np.hypot(*after.eval(t).T) - 1).max(), 8 * EPS)
 
+    def test_forms_and_maps(self):
+        g, same = circle(), np.testing.assert_array_equal
+        self.assertEqual(g.elevate(2).degrees, (4,))
+        same(g.reverse().reverse().points(), g.points())
+        same(g.reverse(keep_domain=True).eval(0.25), [0, -1])
+        same(g.reparametrize(1, 5).eval(2), [0, 1])
+        same(g.to_homogeneous().from_homogeneous().weights(), g.weights())
+        self.assertTrue(g.make_rational().rational)
+        same(g.transform([[0, 1], [2, 0]], [10, 20]).eval(0), [10, 22])
+        same(g.transform_projective(np.diag([1, 1, 2])).eval(0.25), [0, 0.5])
+        same(patch().transpose().points(), np.swapaxes(patch().points(), 0, 1))
+        with self.assertRaises(ValueError):
+            g.transform([[1]])
+
     def test_derivative_of_a_product(self):
         derivs = patch().eval_derivs([[0.25, 0.5]], order=2)
         self.assertEqual(derivs.shape, (1, 6, 3))

@@ -86,6 +86,24 @@ fn insertion_keeps_the_circle() -> Result<()> {
     Ok(())
 }
 
+fn forms_and_maps() -> Result<()> {
+    let g = circle()?;
+    assert_eq!(g.elevate(0, 2)?.degree(0)?, 4);
+    assert_eq!(g.reverse(0, 0)?.reverse(0, 0)?.points()?, g.points()?);
+    assert_eq!(g.reverse(0, nurbs::sys::NURBS_KEEP_DOMAIN)?.eval(&[0.25], 0)?, [0.0, -1.0]);
+    assert_eq!(g.reparametrize(0, 1.0, 5.0)?.eval(&[2.0], 0)?, [0.0, 1.0]);
+    assert_eq!(g.to_homogeneous()?.from_homogeneous()?.weights()?, g.weights()?);
+    assert!(g.make_rational()?.is_rational()?);
+    let moved = g.transform(2, &[0.0, 1.0, 2.0, 0.0], Some(&[10.0, 20.0]))?;
+    assert_eq!(moved.eval(&[0.0], 0)?, [10.0, 22.0]);
+    let half = g.transform_projective(2, &[1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 2.0])?;
+    assert_eq!(half.eval(&[0.25], 0)?, [0.0, 0.5]);
+    assert_eq!(g.transform(1, &[1.0], None).map(|_| ()).unwrap_err().status, nurbs::sys::NURBS_ERROR_SIZE);
+    let patch = Spline::bezier(&[1, 1], 1, &[0.0, 1.0, 2.0, 3.0], None)?;
+    assert_eq!(patch.transpose(&[1, 0])?.points()?, [0.0, 2.0, 1.0, 3.0]);
+    Ok(())
+}
+
 fn strided_arrays() -> Result<()> {
     let (t, n) = (params(), 1001);
     let expected = circle()?.eval(&t, 0)?;
@@ -191,6 +209,7 @@ fn main() -> Result<()> {
     single_precision_is_rounded_once()?;
     data_derivatives()?;
     insertion_keeps_the_circle()?;
+    forms_and_maps()?;
     strided_arrays()?;
     inspection()?;
     constructors_agree()?;

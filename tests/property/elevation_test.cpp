@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <gtest/gtest.h>
 
 using namespace support;
@@ -158,7 +159,10 @@ TEST(Elevation, commutes_with_evaluation) {
 // The result is one that nurbs_create() accepts as periodic: its layers repeat bit for bit and its knots with
 // the period.
 TEST(Elevation, periodic_axes_stay_periodic) {
-    for_each_case(98000, 999, [](Random &random, uint64_t seed) {
+    int cases = 0;
+    int refused = 0;
+    for_each_case(98000, 999, [&](Random &random, uint64_t seed) {
+        ++cases;
         const int axes = random.whole(1, 3);
         Recipe recipe = random_recipe(random, axes, axes == 1 ? 9 : 3);
         const Elevation elevation{random.whole(0, axes - 1), random.whole(1, 3)};
@@ -168,7 +172,8 @@ TEST(Elevation, periodic_axes_stay_periodic) {
         const nurbs_status status = nurbs_elevate(create(data).get(), elevation.axis, elevation.times, &out);
         const Handle raised(out);
         if (status == NURBS_ERROR_PERIODIC_KNOTS) {
-            return; // knots that rounding makes equal in one period and not in another
+            ++refused; // knots that rounding makes equal in one period and not in another
+            return;
         }
         ASSERT_EQ(status, NURBS_OK) << last_error() << where(seed, data) << text(elevation);
         const auto got = read_back(raised.get());
@@ -176,6 +181,8 @@ TEST(Elevation, periodic_axes_stay_periodic) {
         Handle again;
         ASSERT_EQ(try_create(got, again), NURBS_OK) << last_error() << where(seed, data) << text(elevation);
     });
+    std::printf("%d of %d refused\n", refused, cases);
+    ASSERT_LE(refused, cases / 50);
 }
 
 // Three steps at once and one after the other: one rounding of the control points against three.

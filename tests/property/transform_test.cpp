@@ -75,6 +75,36 @@ TEST(Transform, affine_images_are_exact_to_rounding) {
     });
 }
 
+// Homogeneous control points are mapped as A (w x) + w b and keep their weights, of either sign.
+TEST(Transform, homogeneous_points_keep_their_weights) {
+    for_each_case(119000, 300, [](Random &random, uint64_t seed) {
+        auto recipe = random_recipe(random, random.whole(1, 2), 3);
+        recipe.dim = 3;
+        recipe.weights = Weights::none;
+        const auto data = random_spline(random, recipe);
+        nurbs *out = nullptr;
+        const nurbs_status status = nurbs_from_homogeneous(create(data).get(), &out);
+        const Handle g(out);
+        if (status == NURBS_ERROR_WEIGHTS_VANISH) {
+            return; // zeros in a row
+        }
+        require_ok(status);
+        const std::vector<double> matrix = {0, 2, 4, 0};
+        const std::vector<double> translation = {1, -8};
+        require_ok(nurbs_transform(g.get(), 2, matrix.data(), translation.data(), &out));
+        const Handle image(out);
+        const auto got = homogeneous_points(image.get());
+        for (size_t i = 0; i < got.size(); i += 3) {
+            const double x = data.points[i];
+            const double y = data.points[i + 1];
+            const double w = data.points[i + 2];
+            ASSERT_EQ(got[i], 2 * y + w) << where(seed, data);
+            ASSERT_EQ(got[i + 1], 4 * x - 8 * w) << where(seed, data);
+            ASSERT_TRUE(same_bits(got[i + 2], w)) << where(seed, data);
+        }
+    });
+}
+
 // Components of h' against the exact ones: one rounding for each product w x and each term, and with all
 // weights of one sign a division and a product more, where nurbs_homogeneous_points() multiplies again.
 TEST(Transform, projective_images_are_exact_to_rounding) {
