@@ -181,7 +181,9 @@ nurbs_status nurbs_create(int32_t axes, const int32_t *degrees, const int64_t *c
         require_out(out);
         const AxesData data(axes, degrees, counts, flags);
         const PointsData net{dim, points, point_stride, point_component_stride, weights, weight_stride};
-        give(net.make(full_axes(data, knots, knot_count), data.point_count()), out);
+        const int64_t count =
+            data.point_count(); // refuses counts that no array can have, before knots are read
+        give(net.make(full_axes(data, knots, knot_count), count), out);
     });
 }
 
@@ -193,7 +195,8 @@ nurbs_status nurbs_create_homogeneous(int32_t axes, const int32_t *degrees, cons
         require_out(out);
         const AxesData data(axes, degrees, counts, flags);
         const PointsData net{dim, points, point_stride, point_component_stride, nullptr, 0};
-        give(net.make_homogeneous(full_axes(data, knots, knot_count), data.point_count()), out);
+        const int64_t count = data.point_count();
+        give(net.make_homogeneous(full_axes(data, knots, knot_count), count), out);
     });
 }
 
@@ -205,7 +208,8 @@ nurbs_status nurbs_create_short(int32_t axes, const int32_t *degrees, const int6
         require_out(out);
         const AxesData data(axes, degrees, counts, flags);
         const PointsData net{dim, points, point_stride, point_component_stride, weights, weight_stride};
-        give(net.make(short_axes(data, knots, knot_count), data.point_count()), out);
+        const int64_t count = data.point_count();
+        give(net.make(short_axes(data, knots, knot_count), count), out);
     });
 }
 
@@ -219,9 +223,8 @@ nurbs_status nurbs_create_multiplicities(int32_t axes, const int32_t *degrees, c
         require_out(out);
         const AxesData data(axes, degrees, counts, flags);
         const PointsData net{dim, points, point_stride, point_component_stride, weights, weight_stride};
-        give(net.make(multiplicity_axes(data, distinct_counts, distinct_knots, multiplicities),
-                      data.point_count()),
-             out);
+        const int64_t count = data.point_count();
+        give(net.make(multiplicity_axes(data, distinct_counts, distinct_knots, multiplicities), count), out);
     });
 }
 
