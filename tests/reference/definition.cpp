@@ -167,4 +167,28 @@ InsertedLayers defined_insertion(const SplineData &data, int axis, double knot, 
     return out;
 }
 
+std::vector<Point> defined_refinement(const SplineData &data, int axis, const std::vector<double> &knots) {
+    const auto k = static_cast<size_t>(axis);
+    const int degree = data.degrees[k];
+    const AxisView view = view_of(data, axis);
+    const auto count = static_cast<int64_t>(knots.size()) - degree - 1;
+    std::vector<Point> records;
+    for (int64_t o = 0; o < view.outer; ++o) {
+        for (int64_t j = 0; j < count; ++j) {
+            const auto from = knots.begin() + j + 1;
+            const bool seen = *(from - 1) < data.upper(axis) && *(from + degree) > data.lower(axis);
+            const int64_t s = piece_of(data.knots[k], degree, knots, j);
+            for (int64_t i = 0; i < view.inner; ++i) {
+                std::vector<Point> local;
+                for (int64_t layer = s - degree; layer <= s; ++layer) {
+                    local.push_back(homogeneous(data, (o * data.counts[k] + layer) * view.inner + i));
+                }
+                records.push_back(seen ? blossom(data.knots[k], degree, s, local, {from, from + degree})
+                                       : Point());
+            }
+        }
+    }
+    return records;
+}
+
 } // namespace reference

@@ -29,4 +29,9 @@ struct InsertedLayers {
 };
 InsertedLayers defined_insertion(const support::SplineData &data, int axis, double knot, int times);
 
+// The same for any knots that include the old ones, on an axis that is not periodic: all layers, packed. Points
+// whose functions vanish in the domain are left empty, as the shape does not define them.
+std::vector<std::vector<Rational>> defined_refinement(const support::SplineData &data, int axis,
+                                                      const std::vector<double> &knots);
+
 } // namespace reference
