@@ -130,7 +130,7 @@ nurbs_status nurbs_split_at_knots(const nurbs *g, int32_t axis, int32_t order, n
     });
 }
 
-nurbs_status nurbs_clamp(const nurbs *g, int32_t axis, uint32_t flags, nurbs **out) {
+nurbs_status nurbs_clamp_ends(const nurbs *g, int32_t axis, uint32_t flags, nurbs **out) {
     return guard([&] {
         require_out(out);
         check_axis(spline_of(g), axis);

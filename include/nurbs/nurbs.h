@@ -1121,7 +1121,7 @@ NURBS_API nurbs_status nurbs_split_at_knots(const nurbs *g, int32_t axis, int32_
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _FLAGS; _NOT_REPRESENTABLE, _WEIGHTS_VANISH as for
  *   nurbs_insert_knot().
  * \since 0.1 */
-NURBS_API nurbs_status nurbs_clamp(const nurbs *g, int32_t axis, uint32_t flags, nurbs **out);
+NURBS_API nurbs_status nurbs_clamp_ends(const nurbs *g, int32_t axis, uint32_t flags, nurbs **out);
 
 /** \brief Moves the seam of a periodic axis: the same shape, periodic again, over [param, param + period].
  * The seam becomes a knot if it is none. Control points keep their bits where no knot went in; knots that move

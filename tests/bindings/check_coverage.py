@@ -185,7 +185,7 @@ def check_rust(functions, constants, macros):
     for name in macros:
         expect(f"fn {name[6:].lower()}(" in safe, "Rust lacks", name)
     for name, (result, arguments) in functions.items():
-        match = re.search(rf"pub fn {name}\(([^)]*)\)(?: -> ([^;]+))?;", text)
+        match = re.search(rf"pub fn {name}\(([^)]*)\)(?:\s*-> ([^;]+))?;", text)
         expect(match, "Rust lacks", name)
         pairs = [tuple(pair.strip().split(": ")) for pair in match[1].split(",") if pair.strip()] if match else []
         expect(pairs == [(n, rust_type(t)) for t, n in arguments], "Rust:", name, "has the arguments", pairs)

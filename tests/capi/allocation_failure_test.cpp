@@ -277,7 +277,7 @@ const Case cases[] = {
          return nurbs_refinement_matrix(in.curve, 0, 2, new_knots, 0, nullptr, nullptr, nullptr, in.spans);
      }},
     {"extract", [](Inputs &in, Output &o) { return nurbs_extract(in.curve, new_knots, new_knots + 1, &o.out); }},
-    {"clamp", [](Inputs &in, Output &o) { return nurbs_clamp(in.loop, 0, 3, &o.out); }},
+    {"clamp", [](Inputs &in, Output &o) { return nurbs_clamp_ends(in.loop, 0, 3, &o.out); }},
     {"move_seam", [](Inputs &in, Output &o) { return nurbs_move_seam(in.loop, 0, 2.5, &o.out); }},
     {"join",
      [](Inputs &in, Output &o) {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* nurbs_split(), nurbs_extract(), nurbs_decompose(), nurbs_split_at_knots(), nurbs_clamp() and
+/* nurbs_split(), nurbs_extract(), nurbs_decompose(), nurbs_split_at_knots(), nurbs_clamp_ends() and
  * nurbs_move_seam(). */
 #include "check.h"
 #include "shapes.h"
@@ -111,21 +111,21 @@ static void lists(void) {
 
 static void clamp(void) {
     nurbs *g = make(hill()), *h = NULL;
-    CHECK_OK(nurbs_clamp(g, 0, NURBS_FORM_CLAMPED_START | NURBS_FORM_CLAMPED_END, &h));
+    CHECK_OK(nurbs_clamp_ends(g, 0, NURBS_FORM_CLAMPED_START | NURBS_FORM_CLAMPED_END, &h));
     CHECK_KNOTS(h, 0, VALUES(2, 2, 2, 3, 4, 5, 5, 5));
     CHECK_POINTS(h, VALUES(1, 2, 4, 2, 1));
     nurbs_destroy(h);
-    CHECK_OK(nurbs_clamp(g, 0, NURBS_FORM_CLAMPED_END, &h));
+    CHECK_OK(nurbs_clamp_ends(g, 0, NURBS_FORM_CLAMPED_END, &h));
     CHECK_KNOTS(h, 0, VALUES(0, 1, 2, 3, 4, 5, 5, 5));
     nurbs_destroy(h);
-    CHECK_NO_HANDLE(h, nurbs_clamp(g, 0, 4, &h), NURBS_ERROR_FLAGS, "flags = 0x4");
-    CHECK_NO_HANDLE(h, nurbs_clamp(g, -1, 0, &h), NURBS_ERROR_AXIS, "axis = -1");
-    CHECK_NO_HANDLE(h, nurbs_clamp(NULL, 0, 0, &h), NURBS_ERROR_NULL, "g");
-    CHECK_FAILS(nurbs_clamp(g, 0, 0, NULL), NURBS_ERROR_NULL, "out");
+    CHECK_NO_HANDLE(h, nurbs_clamp_ends(g, 0, 4, &h), NURBS_ERROR_FLAGS, "flags = 0x4");
+    CHECK_NO_HANDLE(h, nurbs_clamp_ends(g, -1, 0, &h), NURBS_ERROR_AXIS, "axis = -1");
+    CHECK_NO_HANDLE(h, nurbs_clamp_ends(NULL, 0, 0, &h), NURBS_ERROR_NULL, "g");
+    CHECK_FAILS(nurbs_clamp_ends(g, 0, 0, NULL), NURBS_ERROR_NULL, "out");
     nurbs_destroy(g);
     g = make(loop());
     int32_t form = -1;
-    CHECK_OK(nurbs_clamp(g, 0, 0, &h));
+    CHECK_OK(nurbs_clamp_ends(g, 0, 0, &h));
     CHECK_OK(nurbs_knot_form(h, 0, &form));
     CHECK_INT(form, 0);
     CHECK_KNOTS(h, 0, loop().knots);

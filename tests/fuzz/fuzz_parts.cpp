@@ -100,7 +100,7 @@ void lists(Input &in, const nurbs *g, const fuzz::Spline &s) {
 void ends(Input &in, const nurbs *g, const fuzz::Spline &s) {
     const int32_t axis = any_axis(in, s);
     nurbs *out = fuzz::poison();
-    const nurbs_status status = nurbs_clamp(g, axis, static_cast<uint32_t>(in.below(5)), &out);
+    const nurbs_status status = nurbs_clamp_ends(g, axis, static_cast<uint32_t>(in.below(5)), &out);
     const fuzz::Handle clamped(FUZZ_MADE(status, out));
     nurbs *moved = fuzz::poison();
     const double t = in.rarely() ? in.anything() : fuzz::any_param(in, g, exists(axis, s) ? axis : 0, true);

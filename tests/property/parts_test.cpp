@@ -242,7 +242,7 @@ TEST(Parts, clamping_keeps_the_shape) {
         const auto flags = static_cast<uint32_t>(random.whole(0, 3));
         const auto g = create(data);
         nurbs *out = nullptr;
-        require_ok(nurbs_clamp(g.get(), axis, flags, &out));
+        require_ok(nurbs_clamp_ends(g.get(), axis, flags, &out));
         const Handle handle(out);
         const auto got = read_back(out);
         ASSERT_FALSE(got.periodic(axis));

@@ -521,13 +521,13 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_split_at_knots
-        function nurbs_clamp(g, axis, flags, out) bind(c) result(r)
+        function nurbs_clamp_ends(g, axis, flags, out) bind(c) result(r)
             import
             type(c_ptr), value :: g
             integer(c_int32_t), value :: axis, flags
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
-        end function nurbs_clamp
+        end function nurbs_clamp_ends
         function nurbs_move_seam(g, axis, param, out) bind(c) result(r)
             import
             type(c_ptr), value :: g

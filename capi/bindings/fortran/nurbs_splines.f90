@@ -528,7 +528,7 @@ contains
         type(c_ptr) :: made
         ends = ior(NURBS_FORM_CLAMPED_START, NURBS_FORM_CLAMPED_END)
         if (present(flags)) ends = flags
-        code = nurbs_clamp(this%handle, axis - 1, ends, made)
+        code = nurbs_clamp_ends(this%handle, axis - 1, ends, made)
         call out%replace(made)
         call settle(code, status)
     end subroutine clamp

@@ -310,7 +310,7 @@ public:
     /// The same shape with clamped ends; flags 0 only open a periodic axis.
     [[nodiscard]] Spline clamp(std::int32_t axis, std::uint32_t flags = NURBS_FORM_CLAMPED_START |
                                                                         NURBS_FORM_CLAMPED_END) const {
-        return made([&](nurbs **out) { return nurbs_clamp(handle_, axis, flags, out); });
+        return made([&](nurbs **out) { return nurbs_clamp_ends(handle_, axis, flags, out); });
     }
     /// The same shape on a periodic axis over [param, param + period].
     [[nodiscard]] Spline move_seam(std::int32_t axis, double param) const {

@@ -94,7 +94,7 @@ PROTOTYPES = {
     "nurbs_extract": "i pppp",
     "nurbs_decompose": "i pp",
     "nurbs_split_at_knots": "i piip",
-    "nurbs_clamp": "i piup",
+    "nurbs_clamp_ends": "i piup",
     "nurbs_move_seam": "i pidp",
     "nurbs_join": "i lpidupp",
     "nurbs_collocation": "i ippplplplllppppu",

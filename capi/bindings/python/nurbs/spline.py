@@ -322,7 +322,7 @@ class Spline:
 
     def clamp(self, flags=NURBS_FORM_CLAMPED_START | NURBS_FORM_CLAMPED_END, *, axis=0):
         """The same shape with clamped ends; 0 only opens a periodic axis."""
-        return self._made(lib.nurbs_clamp, self._handle, axis, flags)
+        return self._made(lib.nurbs_clamp_ends, self._handle, axis, flags)
 
     def move_seam(self, param, *, axis=0):
         """The same shape on a periodic axis over [param, param + period]."""

@@ -76,7 +76,7 @@ impl Spline {
 
     /// The same shape with clamped ends; flags 0 only open a periodic axis.
     pub fn clamp(&self, axis: i32, flags: u32) -> Result<Spline> {
-        Spline::made(|out| unsafe { sys::nurbs_clamp(self.raw(), axis, flags, out) })
+        Spline::made(|out| unsafe { sys::nurbs_clamp_ends(self.raw(), axis, flags, out) })
     }
     /// The same shape on a periodic axis over [param, param + period].
     pub fn move_seam(&self, axis: i32, param: f64) -> Result<Spline> {

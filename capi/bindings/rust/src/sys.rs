@@ -508,12 +508,8 @@ extern "C" {
         knots: *const f64,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
-    pub fn nurbs_refine_uniform(
-        g: *const nurbs,
-        axis: i32,
-        parts: i64,
-        out: *mut *mut nurbs,
-    ) -> nurbs_status;
+    pub fn nurbs_refine_uniform(g: *const nurbs, axis: i32, parts: i64, out: *mut *mut nurbs)
+        -> nurbs_status;
     pub fn nurbs_refinement_matrix(
         g: *const nurbs,
         axis: i32,
@@ -545,7 +541,7 @@ extern "C" {
         order: i32,
         out: *mut *mut nurbs_list,
     ) -> nurbs_status;
-    pub fn nurbs_clamp(g: *const nurbs, axis: i32, flags: u32, out: *mut *mut nurbs) -> nurbs_status;
+    pub fn nurbs_clamp_ends(g: *const nurbs, axis: i32, flags: u32, out: *mut *mut nurbs) -> nurbs_status;
     pub fn nurbs_move_seam(g: *const nurbs, axis: i32, param: f64, out: *mut *mut nurbs) -> nurbs_status;
     pub fn nurbs_join(
         count: i64,
