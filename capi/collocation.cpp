@@ -1,6 +1,7 @@
 // Matrices: collocation in compressed sparse rows, and Bezier extraction.
 #include "batch.h"
 #include "guard.h"
+#include "sparse.h"
 #include "spline_data.h"
 
 #include "base/checked.h"
@@ -28,44 +29,6 @@ Orders checked_orders(const int32_t *orders, int axes) {
     }
     return result;
 }
-
-// cap: 0, or enough.
-void check_cap(int64_t cap, int64_t needed) {
-    check_length(cap, "cap");
-    if (cap != 0 && cap < needed) {
-        fail(NURBS_ERROR_SIZE, "cap = %lld, expected 0 or at least %lld", static_cast<long long>(cap),
-             static_cast<long long>(needed));
-    }
-}
-
-// The caller's arrays for a sparse matrix.
-class SparseArrays {
-public:
-    SparseArrays(int64_t cap, double *values, int64_t *columns, int64_t *row_pointers, int64_t *entries)
-        : cap_(cap), values_(values), columns_(columns), row_pointers_(row_pointers), entries_(entries) {}
-
-    // Checks lengths and overlap, and returns what is to be filled.
-    [[nodiscard]] SparseRows check(int64_t n, int64_t total, std::initializer_list<Memory> inputs) const {
-        check_cap(cap_, total);
-        const SparseRows rows{cap_ == 0 ? nullptr : values_, cap_ == 0 ? nullptr : columns_, row_pointers_};
-        check_apart({memory("values", rows.values, total), memory("columns", rows.columns, total),
-                     memory("row_pointers", row_pointers_, n + 1), memory("entries", entries_, 1)},
-                    inputs);
-        return rows;
-    }
-    void finish(int64_t total) const noexcept {
-        if (entries_ != nullptr) {
-            *entries_ = total;
-        }
-    }
-
-private:
-    int64_t cap_;
-    double *values_;
-    int64_t *columns_;
-    int64_t *row_pointers_;
-    int64_t *entries_;
-};
 
 Spline::Axes checked_axes(int32_t axes, const int32_t *degrees, const int64_t *counts, const double *knots,
                           int64_t knot_count) {

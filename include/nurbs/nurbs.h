@@ -73,9 +73,11 @@
  * binomial(a, b) H_b[w] E_(a-b)) / w(t) replaces H_a. Where the weights differ by a factor of more than 4
  * the value at the parameter of the spline with these control points takes the place of the largest of them.
  *
- * Inserting a knot and raising the degree move each homogeneous control point by at most 2 eps * hull for each
- * time (tested), one eps more in all for Cartesian points with weights; where the knots of a periodic axis repeat to rounding
- * only, also by what that rounding moves.
+ * Inserting a knot and raising the degree move each homogeneous control point by at most 2 eps * hull for
+ * each time (tested), one eps more in all for Cartesian points with weights; where the knots of a periodic
+ * axis repeat to rounding only, also by what that rounding moves. Whatever the number of knots that go in at
+ * once, a control point counts only those new ones among the `degree` knots that it belongs to, at most
+ * `degree`: so too where splines are refined, split, extracted, decomposed and clamped.
  *
  * All bounds hold barring underflow and overflow: a component too large for double precision comes out as an
  * infinity or NaN, without a status. One parameter gives the same bits alone, in a batch of any order and
@@ -135,7 +137,8 @@ extern "C" {
 /** \brief A spline: immutable, reference counted, opaque. */
 typedef struct nurbs nurbs;
 
-/** \brief What a file held: splines with names, and notes on everything that was not turned into one. */
+/** \brief Splines in an order: the parts of one, or what a file held, with names, and notes on everything that
+ * was not turned into one. */
 typedef struct nurbs_list nurbs_list;
 
 /** \brief Result of a call: 0, or one of the NURBS_ERROR_ codes. */
@@ -177,6 +180,10 @@ enum {
     NURBS_ERROR_DIRECTION = 29, /**< a direction is zero, not finite, or parallel to another one */
     NURBS_ERROR_MATRIX = 32,    /**< an entry of a matrix or translation is NaN or infinite */
     NURBS_ERROR_RATIONAL = 33,  /**< the spline is rational, which the function is not for */
+    NURBS_ERROR_INCOMPATIBLE = 40, /**< splines differ in what they have to share */
+    NURBS_ERROR_GAP = 41,          /**< ends that are to be joined lie farther apart than the tolerance */
+    NURBS_ERROR_TOLERANCE = 42,    /**< a tolerance is negative or NaN */
+    NURBS_ERROR_NOT_PERIODIC = 43, /**< an axis that has to be periodic was not declared so */
     /* domain */
     NURBS_ERROR_OUTSIDE_DOMAIN = 100, /**< a parameter or knot lies outside the domain */
     /* numeric */
@@ -230,6 +237,8 @@ enum {
 #define NURBS_ACCUMULATE 0x01000000u
 /** \brief nurbs_reverse(): map the domain to itself in place of negating the parameter. */
 #define NURBS_KEEP_DOMAIN 0x02000000u
+/** \brief nurbs_join(): ends that do not meet become a jump, in place of an error. */
+#define NURBS_KEEP_GAPS 0x04000000u
 /** @} */
 
 /** \name Form of a knot vector, as reported by nurbs_knot_form()
@@ -984,6 +993,10 @@ NURBS_API nurbs_status nurbs_curve_rotation_minimizing_frames(
 /** @} */
 
 /** \defgroup refine Refinement
+ * Exact operations: the shape and its parameters stay, the accuracy is that of inserting knots (see above).
+ * Those along an axis make each new layer of control points from at most degree + 1 old ones by factors in
+ * [0, 1], of homogeneous points when rational; layers that no knot reaches keep their bits. Costs grow
+ * linearly with the number of control points.
  * @{ */
 
 /** \brief Inserts a knot without changing the shape (Boehm 1980).
@@ -1001,6 +1014,157 @@ NURBS_API nurbs_status nurbs_curve_rotation_minimizing_frames(
  * \since 0.1 */
 NURBS_API nurbs_status nurbs_insert_knot(const nurbs *g, int32_t axis, double knot, int32_t times,
                                          nurbs **out);
+
+/** \brief Inserts a list of knots at once without changing the shape. New control point j is the polar form of
+ * the spline at the `degree` knots behind new knot j, found by one step of de Boor's algorithm for each of
+ * them that is not an old knot (Cohen, Lyche & Riesenfeld 1980; Lyche & Morken 1986). On a periodic axis the
+ * copies one period away are inserted too, and the end of the domain is its start.
+ * \param[in] g a spline.
+ * \param[in] axis 0-based axis.
+ * \param[in] count number of knots; 0 gives the same spline.
+ * \param[in] knots [count] in any order, inside the closed domain; each entry is inserted once.
+ * \param[out] out the new handle.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _COUNT, _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN, _OVERFLOW;
+ *   _MULTIPLICITY if a knot would occur more than degree + 1 times; _PERIODIC_KNOTS, _NOT_REPRESENTABLE,
+ *   _WEIGHTS_VANISH as for nurbs_insert_knot().
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_refine(const nurbs *g, int32_t axis, int64_t count, const double *knots,
+                                    nurbs **out);
+
+/** \brief Divides every non-empty span of the domain into equal parts by knots: a + (b - a) i / parts, 0 < i <
+ * parts, in the span [a, b].
+ * \param[in] g a spline.
+ * \param[in] axis 0-based axis.
+ * \param[in] parts parts of each span, at least 1, which gives the same spline.
+ * \param[out] out the new handle.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _COUNT, _OVERFLOW; _NOT_REPRESENTABLE if a span has too few
+ *   doubles for its parts or a point overflows; _PERIODIC_KNOTS, _WEIGHTS_VANISH as for nurbs_insert_knot().
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_refine_uniform(const nurbs *g, int32_t axis, int64_t parts, nurbs **out);
+
+/** \brief The matrix A of nurbs_refine() along one axis, as compressed sparse rows (CSR): new layer i is
+ * sum_j A[i][j] * old layer j, with homogeneous points when rational. It has one row for each of the m =
+ * (count along the axis) + count new layers; entries are > 0, but for a 0 between two of them where one
+ * underflows, at most degree + 1 in a row, those of a row add up to 1, each is within 3 n eps of itself, n
+ * the number of entries of its row less one, and in rising columns. On a periodic axis rows and columns are
+ * those of the stored layers.
+ * \param[in] g a spline.
+ * \param[in] axis 0-based axis.
+ * \param[in] count number of knots.
+ * \param[in] knots [count] as for nurbs_refine().
+ * \param[in] cap length of values and columns: 0, or at least the number of entries.
+ * \param[out] values [cap] receives the entries, or NULL.
+ * \param[out] columns [cap] receives their columns, or NULL.
+ * \param[out] row_pointers [m + 1] receives where each row begins, and the number of entries, or NULL.
+ * \param[out] entries number of entries, or NULL.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _COUNT, _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN, _OVERFLOW,
+ *   _MULTIPLICITY, _OVERLAP, _PERIODIC_KNOTS, _NOT_REPRESENTABLE; _SIZE if cap is neither 0 nor enough.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_refinement_matrix(const nurbs *g, int32_t axis, int64_t count,
+                                               const double *knots, int64_t cap, double *values,
+                                               int64_t *columns, int64_t *row_pointers, int64_t *entries);
+
+/** \brief Splits a spline at a parameter of an axis, for a single Bezier piece by de Casteljau's subdivision.
+ * The parts keep their parameters; both are clamped at the new end, where they have the same control points
+ * bit for bit unless the spline jumps there (multiplicity degree + 1), and neither is periodic along the
+ * axis. The other ends stay as they are, clamped or not.
+ * \param[in] g a spline.
+ * \param[in] axis 0-based axis.
+ * \param[in] param where, inside the open domain.
+ * \param[out] lower the part below the parameter.
+ * \param[out] upper the part above it.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _OVERLAP, _AXIS, _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN;
+ *   _EMPTY_DOMAIN if the parameter is an end of the domain; _NOT_REPRESENTABLE, _WEIGHTS_VANISH as for
+ *   nurbs_insert_knot().
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_split(const nurbs *g, int32_t axis, double param, nurbs **lower, nurbs **upper);
+
+/** \brief The part of a curve, surface or volume over a box in the domain. It keeps its parameters, is clamped
+ * at ends that are new, and left as it is at ends of the domain; an axis of which only a part is taken is not
+ * periodic. To extract across the seam of a periodic axis move that first: nurbs_move_seam().
+ * \param[in] g a spline.
+ * \param[in] lower [axes] where the part begins on each axis.
+ * \param[in] upper [axes] where it ends; more than lower on every axis.
+ * \param[out] out the new handle.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN; _EMPTY_DOMAIN if lower is not
+ *   less than upper; _NOT_REPRESENTABLE, _WEIGHTS_VANISH as for nurbs_insert_knot().
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_extract(const nurbs *g, const double *lower, const double *upper, nurbs **out);
+
+/** \brief Decomposes a spline into its polynomial (rational) pieces, as Bezier splines over their own domains:
+ * each has degree + 1 layers along each axis. They come in the order of their parameters, last axis fastest;
+ * the number along an axis is that of its non-empty spans, see nurbs_bezier_extraction(), and the names are
+ * the indices along the axes, such as "2" or "2,0". Neighbours have common control points bit for bit unless
+ * the spline jumps between them. nurbs_join() puts them together again.
+ * \param[in] g a spline.
+ * \param[out] out the new list.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _OVERFLOW; _NOT_REPRESENTABLE, _WEIGHTS_VANISH as for
+ *   nurbs_insert_knot().
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_decompose(const nurbs *g, nurbs_list **out);
+
+/** \brief Splits a spline at all knots inside the domain of an axis where its order of continuity, degree -
+ * multiplicity, is less than a given one: 0 at jumps, 1 also at kinks (where it is only continuous), `degree`
+ * at every knot. The parts are those of nurbs_split(), in the order of their parameters, named "0", "1" and
+ * so on. Without such a knot the list holds the spline itself.
+ * \param[in] g a spline.
+ * \param[in] axis 0-based axis.
+ * \param[in] order the order of continuity that is to be kept, 0 to NURBS_MAX_ORDER.
+ * \param[out] out the new list.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _ORDER; _NOT_REPRESENTABLE, _WEIGHTS_VANISH as for
+ *   nurbs_insert_knot().
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_split_at_knots(const nurbs *g, int32_t axis, int32_t order, nurbs_list **out);
+
+/** \brief Clamps ends of an axis: knots are inserted until the end of the domain occurs degree + 1 times, and
+ * what lies outside the domain is dropped. The domain stays. A periodic axis is opened: it becomes a plain
+ * one, with flags 0 of the same knots and points.
+ * \param[in] g a spline.
+ * \param[in] axis 0-based axis.
+ * \param[in] flags NURBS_FORM_CLAMPED_START, NURBS_FORM_CLAMPED_END, both or 0.
+ * \param[out] out the new handle.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _FLAGS; _NOT_REPRESENTABLE, _WEIGHTS_VANISH as for
+ *   nurbs_insert_knot().
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_clamp_ends(const nurbs *g, int32_t axis, uint32_t flags, nurbs **out);
+
+/** \brief Moves the seam of a periodic axis: the same shape, periodic again, over [param, param + period].
+ * The seam becomes a knot if it is none. Control points keep their bits where no knot went in; knots that
+ * move by a period are rounded.
+ * \param[in] g a spline.
+ * \param[in] axis 0-based axis, periodic.
+ * \param[in] param the new seam, inside the closed domain; either end, which is the seam there is, gives the
+ *   same spline.
+ * \param[out] out the new handle.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _NOT_PERIODIC, _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN;
+ *   _PERIODIC_KNOTS if rounding would make distinct knots equal or equal ones distinct; _NOT_REPRESENTABLE,
+ *   _WEIGHTS_VANISH as for nurbs_insert_knot().
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_move_seam(const nurbs *g, int32_t axis, double param, nurbs **out);
+
+/** \brief Joins splines end to end along an axis. Each part is moved in the parameter to begin where the one
+ * before ends (not at all if it does already), clamped at the ends that are to be joined, and its weights are
+ * multiplied by one factor that makes its first ones those that precede. The two end layers become one, that
+ * of the earlier part, under a knot of multiplicity degree: of the later part nothing else moves, and it by
+ * at most `gap`. With NURBS_KEEP_GAPS ends that do not meet so both stay, under a knot of multiplicity degree
+ * + 1, and no weight changes there. At degree 0 this is always so, and nothing is measured. Degrees,
+ * dimensions, and along the other axes knots and periodicity, have to be the same; the axis is not periodic
+ * in the result. The parts of nurbs_split() and nurbs_decompose() join without a gap.
+ * \param[in] count number of splines, at least 1.
+ * \param[in] parts [count] the splines in their order.
+ * \param[in] axis 0-based axis.
+ * \param[in] tolerance largest distance of corresponding control points of two ends that meet, >= 0. The
+ *   weights of a curve always agree after scaling; those of two edges or faces must to 4 eps.
+ * \param[in] flags NURBS_KEEP_GAPS or 0.
+ * \param[out] gap largest distance of corresponding control points of two ends, or NULL.
+ * \param[out] out the new handle.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _AXIS, _TOLERANCE, _FLAGS; _INCOMPATIBLE if degrees, axes,
+ *   dimensions or the other axes differ or weights do not agree; _GAP if two ends do not meet;
+ *   _KNOTS_MERGE if knots that are moved would round to one; _NOT_REPRESENTABLE if a value overflows,
+ *   _WEIGHTS_VANISH if weights underflow.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_join(int64_t count, const nurbs *const *parts, int32_t axis, double tolerance,
+                                  uint32_t flags, double *gap, nurbs **out);
 /** @} */
 
 /** \defgroup forms Degree and form
@@ -1009,8 +1173,8 @@ NURBS_API nurbs_status nurbs_insert_knot(const nurbs *g, int32_t axis, double kn
 /** \brief Raises the degree along an axis without changing the shape (Prautzsch 1984).
  * Degree p becomes p + times, and every knot occurs `times` more often, so that continuity stays what it was;
  * beyond the domain of an unclamped axis the knots that no function on the domain needs any more are left
- * out. The domain stays the same, a periodic axis stays periodic. Control point j of a step is the mean of the
- * old polar form over the p + 1 subsets of p of its p + 1 inner knots; all combinations are convex.
+ * out. The domain stays the same, a periodic axis stays periodic. Control point j of a step is the mean of
+ * the old polar form over the p + 1 subsets of p of its p + 1 inner knots; all combinations are convex.
  * \param[in] g a spline.
  * \param[in] axis 0-based axis.
  * \param[in] times by how much; 0 gives the same spline.
@@ -1023,8 +1187,8 @@ NURBS_API nurbs_status nurbs_insert_knot(const nurbs *g, int32_t axis, double kn
 NURBS_API nurbs_status nurbs_elevate(const nurbs *g, int32_t axis, int32_t times, nurbs **out);
 
 /** \brief Turns an axis round: the result at -t is g at t, exactly. The layers of control points come in the
- * opposite order, the knots too and with the opposite sign (0 becomes -0); reversing twice gives every bit back. At a knot
- * where g jumps each limit stays on its own side of the knot.
+ * opposite order, the knots too and with the opposite sign (0 becomes -0); reversing twice gives every bit
+ * back. At a knot where g jumps each limit stays on its own side of the knot.
  * With NURBS_KEEP_DOMAIN the result at lower + upper - t is g at t: its knots are those of the negated domain
  * taken back to [lower, upper] as by nurbs_reparametrize(), which rounds the knots inside.
  * \param[in] g a spline.

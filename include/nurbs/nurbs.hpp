@@ -16,6 +16,7 @@
 #include <nurbs/cpp/knots.hpp>
 #include <nurbs/cpp/linear.hpp>
 #include <nurbs/cpp/list.hpp>
+#include <nurbs/cpp/parts.hpp>
 #include <nurbs/cpp/spline.hpp>
 #include <nurbs/cpp/status.hpp>
 

@@ -1,7 +1,7 @@
 #include "io/iges_spline.h"
 
 #include "base/error.h"
-#include "refine/insert.h"
+#include "refine/cut.h"
 
 #include <algorithm>
 #include <cstring>

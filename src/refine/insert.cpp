@@ -1,27 +1,42 @@
 #include "refine/insert.h"
 
-#include "refine/boehm.h"
-#include "refine/periodic.h"
+#include "base/checked.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 namespace nrb {
 
 namespace {
 
-void check_insertion(const KnotVector &axis, int k, double knot, int64_t times) {
+// "knot", or its place in a list.
+struct KnotName {
+    explicit KnotName(int64_t index) noexcept : text{} {
+        if (index < 0) {
+            static_cast<void>(std::snprintf(text, sizeof text, "knot"));
+        } else {
+            static_cast<void>(std::snprintf(text, sizeof text, "knots[%lld]", static_cast<long long>(index)));
+        }
+    }
+    char text[32];
+};
+
+void check_knot(const KnotVector &axis, int k, double knot, int64_t index) {
     if (!std::isfinite(knot)) {
-        fail(NURBS_ERROR_PARAMETER_NOT_FINITE, "knot = %s is not finite", Number(knot).text);
+        fail(NURBS_ERROR_PARAMETER_NOT_FINITE, "%s = %s is not finite", KnotName(index).text,
+             Number(knot).text);
     }
     const auto [lower, upper] = axis.domain();
     if (knot < lower || knot > upper) {
-        fail(NURBS_ERROR_OUTSIDE_DOMAIN, "knot = %s outside [%s, %s], the domain of axis %d",
-             Number(knot).text, Number(lower).text, Number(upper).text, k);
+        fail(NURBS_ERROR_OUTSIDE_DOMAIN, "%s = %s outside [%s, %s], the domain of axis %d",
+             KnotName(index).text, Number(knot).text, Number(lower).text, Number(upper).text, k);
     }
-    if (times < 0) {
-        fail(NURBS_ERROR_TIMES, "times = %lld, expected >= 0", static_cast<long long>(times));
-    }
+}
+
+// The end of a periodic domain is its start.
+double first_copy(const KnotVector &axis, double knot) noexcept {
+    return axis.periodic() && knot == axis.domain().upper ? axis.domain().lower : knot;
 }
 
 void check_multiplicity(const KnotVector &axis, int k, double knot, int64_t times) {
@@ -33,101 +48,96 @@ void check_multiplicity(const KnotVector &axis, int k, double knot, int64_t time
     }
 }
 
-Spline::Axes with_axis(const Spline &spline, int k, KnotVectorPtr axis) {
-    Spline::Axes axes = spline.knot_vectors();
-    axes[static_cast<size_t>(k)] = std::move(axis);
-    return axes;
-}
-
-SplinePtr insert_plain(const Spline &spline, int k, double knot, int times) {
-    const KnotVector &axis = spline.axis(k);
-    LayerTable table;
-    std::vector<double> knots = insert_into_knots(axis.knots(), knot, times);
-    append_insertion_rows(axis.degree(), axis.knots(), knot, times, table);
-    auto refined = std::make_shared<const KnotVector>(axis.degree(), std::move(knots), axis.periodic());
-    Net net = apply_along(spline, k, table);
-    return make_spline(with_axis(spline, k, std::move(refined)), spline.dim(), spline.form(),
-                       std::move(net.points), std::move(net.weights));
-}
-
-// The same spline with an axis that is no longer declared periodic, which allows to cut it.
-SplinePtr open_axis(const SplinePtr &spline, int k) {
-    const KnotVector &axis = spline->axis(k);
-    if (!axis.periodic()) {
-        return spline;
+// Names the entry of the caller's list that is one too many.
+[[noreturn]] void fail_multiplicity(const KnotVector &axis, int k, std::span<const double> knots, double knot,
+                                    int64_t present) {
+    int64_t room = axis.degree() + 1 - present;
+    size_t i = 0;
+    while (first_copy(axis, knots[i]) != knot || room-- > 0) {
+        ++i;
     }
-    const std::span<const double> knots = axis.knots();
-    auto open =
-        std::make_shared<const KnotVector>(axis.degree(), std::vector<double>(knots.begin(), knots.end()));
-    return std::make_shared<const Spline>(
-        with_axis(*spline, k, std::move(open)), spline->dim(), spline->form(),
-        std::vector<double>(spline->points().begin(), spline->points().end()),
-        std::vector<double>(spline->weights().begin(), spline->weights().end()));
+    fail(NURBS_ERROR_MULTIPLICITY,
+         "knots[%zu] = %s: with the entries before, and %lld on axis %d already, it would occur %d times; "
+         "degree %d allows %d",
+         i, Number(knots[i]).text, static_cast<long long>(present), k, axis.degree() + 2, axis.degree(),
+         axis.degree() + 1);
 }
 
-// Raises the multiplicity of a knot to the degree, where the curve meets its control point.
-SplinePtr saturate(const SplinePtr &spline, int k, double knot) {
-    const KnotVector &axis = spline->axis(k);
-    return insert_knot(spline, k, knot, std::max(0, axis.degree() - multiplicity(axis.knots(), knot)));
-}
-
-// Layers [first, end) of an axis over the given knots.
-SplinePtr slice(const Spline &spline, int k, int64_t first, int64_t end, std::vector<double> knots) {
-    LayerTable table;
-    table.reserve(end - first);
-    for (int64_t layer = first; layer < end; ++layer) {
-        table.add_copy(layer);
+void check_multiplicities(const KnotVector &axis, int k, std::span<const double> knots,
+                          const std::vector<double> &sorted) {
+    const std::span<const double> old = axis.knots();
+    auto from = old.begin();
+    for (auto group = sorted.begin(); group != sorted.end();) {
+        const auto behind = std::upper_bound(group, sorted.end(), *group);
+        const auto [first, last] = std::equal_range(from, old.end(), *group);
+        if ((behind - group) + (last - first) > axis.degree() + 1) {
+            fail_multiplicity(axis, k, knots, *group, last - first);
+        }
+        from = last;
+        group = behind;
     }
-    Net net = apply_along(spline, k, table);
-    return make_spline(with_axis(spline, k, make_knot_vector(spline.axis(k).degree(), std::move(knots))),
-                       spline.dim(), spline.form(), std::move(net.points), std::move(net.weights));
+}
+
+// Counted from the nearer end, so that the parts are symmetric.
+double division(double lower, double upper, int64_t i, int64_t parts) noexcept {
+    const auto n = static_cast<double>(parts);
+    return 2 * i <= parts ? lower + (upper - lower) * (static_cast<double>(i) / n)
+                          : upper - (upper - lower) * (static_cast<double>(parts - i) / n);
 }
 
 } // namespace
 
 SplinePtr insert_knot(const SplinePtr &spline, int axis, double knot, int64_t times) {
     const KnotVector &knots = spline->axis(axis);
-    check_insertion(knots, axis, knot, times);
-    if (knots.periodic() && knot == knots.domain().upper) {
-        knot = knots.domain().lower;
+    check_knot(knots, axis, knot, -1);
+    if (times < 0) {
+        fail(NURBS_ERROR_TIMES, "times = %lld, expected >= 0", static_cast<long long>(times));
     }
+    knot = first_copy(knots, knot);
     check_multiplicity(knots, axis, knot, times);
-    if (times == 0) {
-        return spline;
-    }
-    return knots.periodic() ? insert_periodic(*spline, axis, knot, static_cast<int>(times))
-                            : insert_plain(*spline, axis, knot, static_cast<int>(times));
+    return refine(spline, axis, std::vector<double>(static_cast<size_t>(times), knot));
 }
 
-SplinePtr restrict_axis(const SplinePtr &spline, int axis, double lower, double upper) {
-    const Interval domain = spline->axis(axis).domain();
-    if (lower == domain.lower && upper == domain.upper) {
-        return spline;
+std::vector<double> checked_new_knots(const KnotVector &axis, int k, std::span<const double> knots) {
+    std::vector<double> sorted(knots.begin(), knots.end());
+    for (size_t i = 0; i < sorted.size(); ++i) {
+        check_knot(axis, k, sorted[i], static_cast<int64_t>(i));
+        sorted[i] = first_copy(axis, sorted[i]);
     }
-    const SplinePtr cut = saturate(saturate(open_axis(spline, axis), axis, lower), axis, upper);
-    const std::span<const double> knots = cut->axis(axis).knots();
-    const int p = cut->axis(axis).degree();
-    std::vector<double> kept;
-    int64_t first = 0;
-    int64_t end = cut->axis(axis).count();
-    auto from = knots.begin();
-    auto to = knots.end();
-    if (lower != domain.lower) {
-        const auto last_copy = std::upper_bound(knots.begin(), knots.end(), lower) - 1;
-        first = last_copy - knots.begin() - p;
-        from = last_copy - p + 1;
-        kept.push_back(lower);
+    if (!std::is_sorted(sorted.begin(), sorted.end())) {
+        std::sort(sorted.begin(), sorted.end());
     }
-    if (upper != domain.upper) {
-        const auto first_copy = std::lower_bound(knots.begin(), knots.end(), upper);
-        end = first_copy - knots.begin();
-        to = first_copy + p;
+    check_multiplicities(axis, k, knots, sorted);
+    return sorted;
+}
+
+std::vector<double> uniform_new_knots(const KnotVector &axis, int k, int64_t parts) {
+    if (parts < 1) {
+        fail(NURBS_ERROR_COUNT, "parts = %lld, expected at least 1", static_cast<long long>(parts));
     }
-    kept.insert(kept.end(), from, to);
-    if (upper != domain.upper) {
-        kept.push_back(upper);
+    std::vector<double> knots;
+    knots.reserve(static_cast<size_t>(checked_product(axis.spans().size(), parts - 1, "knots")));
+    for (const int64_t span : axis.spans().indices()) {
+        double last = axis[span];
+        for (int64_t i = 1; i <= parts; ++i) {
+            const double knot = i == parts ? axis[span + 1] : division(axis[span], axis[span + 1], i, parts);
+            if (!(knot > last)) {
+                fail(NURBS_ERROR_NOT_REPRESENTABLE,
+                     "parts = %lld: [%s, %s] on axis %d has too few doubles to be divided so",
+                     static_cast<long long>(parts), Number(axis[span]).text, Number(axis[span + 1]).text, k);
+            }
+            last = knot;
+            if (i < parts) {
+                knots.push_back(knot);
+            }
+        }
     }
-    return slice(*cut, axis, first, end, std::move(kept));
+    return knots;
+}
+
+SplinePtr refine(const SplinePtr &spline, int axis, std::span<const double> sorted_knots) {
+    return sorted_knots.empty() ? spline
+                                : with_axis(*spline, axis, refine_axis(spline->axis(axis), sorted_knots));
 }
 
 } // namespace nrb

@@ -1,17 +1,23 @@
-// Knot insertion, and what follows from it alone.
+// Knot insertion: one knot, a list of knots, all spans in equal parts.
 #pragma once
 
-#include "spline/spline.h"
+#include "refine/axis_table.h"
 
 namespace nrb {
 
-// Inserts `knot` `times` times along an axis (Boehm 1980). Throws Error: NURBS_ERROR_PARAMETER_NOT_FINITE,
-// _OUTSIDE_DOMAIN, _TIMES, _MULTIPLICITY, _OVERFLOW. Cost O(degree * times) for the coefficients and
-// O(points) to copy the rest.
+// Inserts `knot` `times` times along an axis. Throws Error: NURBS_ERROR_PARAMETER_NOT_FINITE,
+// _OUTSIDE_DOMAIN, _TIMES, _MULTIPLICITY, _OVERFLOW, and what refine_axis() and with_axis() throw.
 SplinePtr insert_knot(const SplinePtr &spline, int axis, double knot, int64_t times);
 
-// The part of a spline over [lower, upper] of an axis, clamped at both new ends; an end that is an end of the
-// domain is left as it is. Precondition: domain.lower <= lower < upper <= domain.upper.
-SplinePtr restrict_axis(const SplinePtr &spline, int axis, double lower, double upper);
+// A list of knots to insert, in any order, checked as for insert_knot() with messages that name knots[i]: the
+// sorted list, the end of a periodic domain replaced by its start. k is the axis of messages.
+std::vector<double> checked_new_knots(const KnotVector &axis, int k, std::span<const double> knots);
+
+// The knots that divide every non-empty span of the domain into `parts` equal parts. Throws
+// NURBS_ERROR_COUNT, _OVERFLOW; _NOT_REPRESENTABLE if a span has too few doubles for its parts.
+std::vector<double> uniform_new_knots(const KnotVector &axis, int k, int64_t parts);
+
+// Precondition: checked_new_knots() or uniform_new_knots() made the list.
+SplinePtr refine(const SplinePtr &spline, int axis, std::span<const double> sorted_knots);
 
 } // namespace nrb

@@ -12,8 +12,8 @@ namespace nrb {
 // Preconditions: first + step == last < knots.size().
 void continue_knots(std::vector<double> &knots, size_t first, size_t last, size_t step) noexcept;
 
-// The stored knots with `lead` more on either side, made in the same way. Throws NURBS_ERROR_NOT_REPRESENTABLE
-// when a knot overflows. Precondition: the axis is periodic.
+// The stored knots with `lead` more on either side, made in the same way. Throws
+// NURBS_ERROR_NOT_REPRESENTABLE when a knot overflows. Precondition: the axis is periodic.
 std::vector<double> extended_knots(const KnotVector &axis, int64_t lead);
 
 } // namespace nrb

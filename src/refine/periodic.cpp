@@ -1,6 +1,6 @@
 #include "refine/periodic.h"
 
-#include "refine/boehm.h"
+#include "basis/bspline.h"
 #include "refine/period.h"
 
 #include <algorithm>
@@ -22,8 +22,12 @@ struct Extension {
     // The copy of a new knot that stands behind stored knot k, behind extended knot `at`: where the knot
     // exists its copy does too, and elsewhere the copy stays between its neighbours whatever the rounding.
     [[nodiscard]] double copy_of(double knot, int64_t k, int64_t at) const noexcept;
-    // A table that takes the layers of the extension from those of the spline.
-    [[nodiscard]] LayerTable unroll() const;
+    // The copies of a knot in all periods of the extension, and how many of them stand before its domain.
+    int64_t append_copies(double knot, std::vector<double> &copies) const;
+    // The stored layer from which a band of at most degree + 1 layers that begins at layer i can be read.
+    [[nodiscard]] int64_t stored_layer(int64_t i) const noexcept {
+        return ((i - lead) % distinct + distinct) % distinct;
+    }
 };
 
 // New layers and knots of one period depend on old ones at most degree + 1 places away.
@@ -40,72 +44,58 @@ double Extension::copy_of(double knot, int64_t k, int64_t at) const noexcept {
     return std::clamp(knot + static_cast<double>(periods) * period, knots[index], knots[index + 1]);
 }
 
-LayerTable Extension::unroll() const {
-    LayerTable table;
-    const int64_t rows = axis.count() + 2 * lead;
-    const int64_t shift =
-        (lead / distinct + 1) * distinct - lead; // a multiple of the period brings it above 0
-    table.reserve(rows);
-    for (int64_t i = 0; i < rows; ++i) {
-        table.add_copy((i + shift) % distinct);
+int64_t Extension::append_copies(double knot, std::vector<double> &copies) const {
+    const int p = axis.degree();
+    const int64_t k = axis.spans().find(knot, false);
+    const int64_t lowest = (k + lead - p) % distinct + p;
+    int64_t before = 0;
+    for (int64_t at = lowest; at < axis.count() + 2 * lead; at += distinct) {
+        copies.push_back(copy_of(knot, k, at));
+        before += at < lead + p ? 1 : 0;
     }
-    return table;
-}
-
-SplinePtr replaced(const Spline &spline, int k, std::vector<double> knots, bool periodic,
-                   const LayerTable &table) {
-    Spline::Axes axes = spline.knot_vectors();
-    axes[static_cast<size_t>(k)] =
-        std::make_shared<const KnotVector>(spline.axis(k).degree(), std::move(knots), periodic);
-    Net net = apply_along(spline, k, table);
-    return std::make_shared<const Spline>(std::move(axes), spline.dim(), spline.form(), std::move(net.points),
-                                          std::move(net.weights));
+    return before;
 }
 
 // Knots so close that rounding makes them one a period away would give a copy a multiplicity too high.
-void check_copy(std::span<const double> knots, int degree, double copy, int times) {
-    const int present = multiplicity(knots, copy);
-    if (present + times > degree + 1) {
-        fail(
-            NURBS_ERROR_PERIODIC_KNOTS,
-            "knot: its copy %s, a multiple of the period away, meets %d knots there that rounding made equal",
-            Number(copy).text, present);
+void check_copies(std::span<const double> fine, int degree) {
+    const auto limit = static_cast<size_t>(degree) + 1;
+    for (size_t i = 0; i + limit < fine.size(); ++i) {
+        if (fine[i] == fine[i + limit]) {
+            fail(NURBS_ERROR_PERIODIC_KNOTS,
+                 "knots: copies a multiple of the period away meet at %s, where rounding made more than %zu "
+                 "of them equal",
+                 Number(fine[i]).text, limit);
+        }
     }
 }
 
 } // namespace
 
-SplinePtr insert_periodic(const Spline &spline, int axis, double knot, int times) {
-    const KnotVector &stored = spline.axis(axis);
-    const int p = stored.degree();
-    const Extension extension(stored);
-    const int64_t k = stored.spans().find(knot, false);
-    const int64_t distinct = extension.distinct;
-
-    std::vector<double> knots = extension.knots;
-    SplinePtr wide = replaced(spline, axis, knots, false, extension.unroll());
-    int64_t before = 0; // copies in front of the domain
-    const int64_t lowest = (k + extension.lead - p) % distinct + p;
-    for (int64_t at = lowest; at < stored.count() + 2 * extension.lead; at += distinct) {
-        const double copy = extension.copy_of(knot, k, at);
-        check_copy(knots, p, copy, times);
-        LayerTable table;
-        append_insertion_rows(p, knots, copy, times, table);
-        knots = insert_into_knots(knots, copy, times);
-        wide = replaced(*wide, axis, knots, false, table);
-        before += at < extension.lead + p ? 1 : 0;
+AxisTable refine_periodic(const KnotVector &axis, std::span<const double> knots) {
+    const Extension extension(axis);
+    std::vector<double> copies;
+    int64_t start = extension.lead;
+    for (const double knot : knots) {
+        start += extension.append_copies(knot, copies);
     }
+    std::sort(copies.begin(), copies.end());
+    const std::vector<double> fine = merged(extension.knots, copies);
+    check_copies(fine, axis.degree());
 
-    const int64_t start = extension.lead + before * times;
-    LayerTable window;
-    for (int64_t i = 0; i < distinct + times + p; ++i) {
-        window.add_copy(start + i % (distinct + times));
+    const Refinement refinement(axis.degree(), extension.knots, fine);
+    const int64_t distinct = extension.distinct + std::ssize(knots);
+    LayerTable table;
+    table.reserve(distinct + axis.degree());
+    for (int64_t i = 0; i < distinct + axis.degree(); ++i) {
+        double coefficients[max_basis];
+        const auto [layer, size] = refinement.row(start + i % distinct, coefficients);
+        table.add_row(extension.stored_layer(layer), coefficients, size);
     }
-    const auto first = knots.begin() + start;
-    SplinePtr result =
-        replaced(*wide, axis, {first, first + distinct + times + 2 * int64_t{p} + 1}, true, window);
-    check_spline(*result);
-    return result;
+    const auto first = fine.begin() + start;
+    const int64_t length = distinct + 2 * int64_t{axis.degree()} + 1;
+    return {
+        std::make_shared<const KnotVector>(axis.degree(), std::vector<double>(first, first + length), true),
+        std::move(table)};
 }
 
 } // namespace nrb

@@ -2,13 +2,14 @@
 // period acts on all.
 #pragma once
 
-#include "spline/spline.h"
+#include "refine/axis_table.h"
 
 namespace nrb {
 
-// Inserts a knot and its copies in all periods; the result is periodic over the same domain, its wrapped
-// layers equal bit for bit. Preconditions: the axis is periodic, domain.lower <= knot < domain.upper, 0 <
-// times <= degree + 1 - multiplicity.
-SplinePtr insert_periodic(const Spline &spline, int axis, double knot, int times);
+// Inserts knots and their copies in all periods; the result is periodic over the same domain, its wrapped
+// layers equal bit for bit. Preconditions: the axis is periodic, the knots are sorted, lie in [lower, upper)
+// of the domain and leave all multiplicities within degree + 1. Throws NURBS_ERROR_PERIODIC_KNOTS if copies
+// cannot be told from their neighbours, _NOT_REPRESENTABLE if those of the next period overflow.
+AxisTable refine_periodic(const KnotVector &axis, std::span<const double> knots);
 
 } // namespace nrb

@@ -56,6 +56,11 @@ def plain(c_type):
     return re.sub(r"\s*\*", "*", " ".join(c_type.split()))
 
 
+def bare(c_type):
+    """The type without pointers and qualifiers, of "const nurbs*const*" for an array of handles too."""
+    return re.sub(r"\bconst\b|\*", "", c_type).strip()
+
+
 def header_constants(text):
     enumerated = re.findall(r"(NURBS_\w+)\s*=\s*(\d+)", text)
     defined = re.findall(r"#define (NURBS_[A-Z_]+) (0x[0-9a-fA-F]+|\d+)u?\s", text)
@@ -104,9 +109,9 @@ def fortran_constants(text):
 
 def fortran_type(c_type):
     """Type of a dummy argument, and whether it is passed by value."""
-    base = c_type.replace("const ", "").rstrip("*")
+    base = bare(c_type)
     if base in ("nurbs", "nurbs_list", "void"):
-        return "type(c_ptr)", not c_type.endswith("**")
+        return "type(c_ptr)", c_type.count("*") < 2
     return FORTRAN_TYPES[base], "*" not in c_type
 
 
@@ -163,8 +168,9 @@ def check_python(functions, constants, macros):
 
 
 def rust_type(c_type):
-    base = c_type.replace("const ", "").rstrip("*")
-    stars = {0: "", 1: "*const " if "const" in c_type else "*mut ", 2: "*mut *mut "}[c_type.count("*")]
+    base = bare(c_type)
+    one = "*const " if "const" in c_type else "*mut "
+    stars = one * c_type.count("*")
     return stars + RUST_TYPES.get(base, base)
 
 
@@ -179,7 +185,7 @@ def check_rust(functions, constants, macros):
     for name in macros:
         expect(f"fn {name[6:].lower()}(" in safe, "Rust lacks", name)
     for name, (result, arguments) in functions.items():
-        match = re.search(rf"pub fn {name}\(([^)]*)\)(?: -> ([^;]+))?;", text)
+        match = re.search(rf"pub fn {name}\(([^)]*)\)(?:\s*-> ([^;]+))?;", text)
         expect(match, "Rust lacks", name)
         pairs = [tuple(pair.strip().split(": ")) for pair in match[1].split(",") if pair.strip()] if match else []
         expect(pairs == [(n, rust_type(t)) for t, n in arguments], "Rust:", name, "has the arguments", pairs)

@@ -105,6 +105,22 @@ static void data_derivatives() {
            }).status() == libnurbs::Status::size);
 }
 
+static void parts_of_the_circle() {
+    const Spline g = circle();
+    EXPECT(g.refine(0, std::vector{0.6, 0.3}).count(0) == 11 && g.refine_uniform(0, 2).count(0) == 13);
+    EXPECT(libnurbs::refinement_matrix(g, 0, std::vector{0.1}).row_pointers.size() == 11);
+    const auto [lower, upper] = g.split(0, 0.3);
+    const Spline parts[] = {lower, upper};
+    const auto joined = libnurbs::join(parts, 0);
+    const auto params = samples();
+    EXPECT(joined.gap == 0 && largest_difference(joined.spline.eval(params), g.eval(params)) <= 8 * eps);
+    EXPECT(g.extract(std::vector{0.1}, std::vector{0.2}).count(0) == 3);
+    EXPECT(libnurbs::decompose(g).size() == 4 && libnurbs::split_at_knots(g, 0, 0).size() == 1);
+    EXPECT(g.clamp(0).count(0) == 9);
+    EXPECT(error_of([&] { static_cast<void>(g.move_seam(0, 0.3)); }).status() ==
+           libnurbs::Status::not_periodic);
+}
+
 static void insertion_keeps_the_circle() {
     const auto params = samples();
     const Spline before = circle(), after = before.insert_knot(0, 0.3, 2);
@@ -231,6 +247,7 @@ int main() {
     data_derivatives();
     insertion_keeps_the_circle();
     forms_and_maps();
+    parts_of_the_circle();
     arrays_of_any_layout();
     values_of_a_handle();
     inspection();

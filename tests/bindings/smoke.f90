@@ -11,6 +11,7 @@ program smoke
     call known_points()
     call insertion_keeps_the_circle()
     call forms_and_maps()
+    call parts_of_the_circle()
     call surfaces()
     call data_derivatives()
     call frames()
@@ -116,6 +117,37 @@ contains
         call h%points(net)
         call expect(all(net(:, 1) == [0, 1, 0, 1]), 'transposed')
     end subroutine forms_and_maps
+
+    subroutine parts_of_the_circle()
+        type(nurbs_spline) :: g, made, halves(2)
+        type(nurbs_list) :: pieces
+        real(c_double) :: before(samples, 2), after(samples, 2), gap
+        real(c_double), allocatable :: values(:)
+        integer(c_int64_t), allocatable :: columns(:), rows(:)
+        integer(c_int32_t) :: code
+        call make_circle(g)
+        call g%refine(1, [0.6_c_double, 0.3_c_double], made)
+        call expect(made%count(1) == 11, 'a list of knots')
+        call g%refine_uniform(1, 2, made)
+        call expect(made%count(1) == 13, 'halved spans')
+        call g%refinement_matrix(1, [0.1_c_double], values, columns, rows)
+        call expect(size(rows) == 11 .and. rows(1) == 1, 'a refinement matrix')
+        call g%split(1, 0.3_c_double, halves(1), halves(2))
+        call made%join(halves, 1, gap=gap)
+        call g%eval(params(), before)
+        call made%eval(params(), after)
+        call expect(gap == 0 .and. maxval(abs(after - before)) <= 8 * eps, 'halves joined')
+        call g%extract([0.1_c_double], [0.2_c_double], made)
+        call expect(made%count(1) == 3, 'an extract')
+        call pieces%decompose(g)
+        call expect(pieces%count() == 4, 'Bezier pieces')
+        call pieces%split_at_knots(g, 1, 0)
+        call expect(pieces%count() == 1, 'no jumps')
+        call g%clamp(1, made)
+        call expect(made%count(1) == 9, 'clamped as it was')
+        call g%move_seam(1, 0.3_c_double, made, status=code)
+        call expect(code == NURBS_ERROR_NOT_PERIODIC, 'no seam')
+    end subroutine parts_of_the_circle
 
     ! z = u v over the unit square.
     subroutine surfaces()

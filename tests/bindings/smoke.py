@@ -57,6 +57,22 @@ class Evaluation(unittest.TestCase):
         with self.assertRaises(ValueError):
             g.transform([[1]])
 
+    def test_parts_of_the_circle(self):
+        g, t = circle(), np.linspace(0, 1, 1001)
+        self.assertEqual((g.refine([0.6, 0.3]).count(), g.refine_uniform(2).count()), (11, 13))
+        values, columns, rows = nurbs.refinement_matrix(g, [0.1])
+        self.assertEqual((rows.size, values.size), (11, rows[-1]))
+        joined = nurbs.join(g.split(0.3))
+        self.assertEqual(joined.gap, 0)
+        self.assertLess(np.abs(joined.spline.eval(t) - g.eval(t)).max(), 8 * EPS)
+        self.assertEqual(g.extract([0.1], [0.2]).domain(), (0.1, 0.2))
+        self.assertEqual((len(nurbs.decompose(g)), len(nurbs.split_at_knots(g, 0))), (4, 1))
+        self.assertEqual(nurbs.decompose(patch()).names, ["0,0"])
+        self.assertEqual(g.clamp().count(), 9)
+        with self.assertRaises(nurbs.NurbsError) as raised:
+            g.move_seam(0.3)
+        self.assertEqual(raised.exception.status, nurbs.NURBS_ERROR_NOT_PERIODIC)
+
     def test_derivative_of_a_product(self):
         derivs = patch().eval_derivs([[0.25, 0.5]], order=2)
         self.assertEqual(derivs.shape, (1, 6, 3))

@@ -104,6 +104,22 @@ fn forms_and_maps() -> Result<()> {
     Ok(())
 }
 
+fn parts_of_the_circle() -> Result<()> {
+    let (g, t) = (circle()?, params());
+    assert_eq!(g.refine(0, &[0.6, 0.3])?.count(0)?, 11);
+    assert_eq!(g.refine_uniform(0, 2)?.count(0)?, 13);
+    assert_eq!(g.refinement_matrix(0, &[0.1])?.row_pointers.len(), 11);
+    let (lower, upper) = g.split(0, 0.3)?;
+    let joined = nurbs::join(&[&lower, &upper], 0, 0.0, 0)?;
+    assert_eq!(joined.gap, 0.0);
+    assert!(largest_difference(&joined.spline.eval(&t, 0)?, &g.eval(&t, 0)?) <= 8.0 * EPS);
+    assert_eq!(g.extract(&[0.1], &[0.2])?.count(0)?, 3);
+    assert_eq!((g.decompose()?.len(), g.split_at_knots(0, 0)?.len()), (4, 1));
+    assert_eq!(g.clamp(0, 3)?.count(0)?, 9);
+    assert_eq!(g.move_seam(0, 0.3).err().map(|e| e.status), Some(sys::NURBS_ERROR_NOT_PERIODIC));
+    Ok(())
+}
+
 fn strided_arrays() -> Result<()> {
     let (t, n) = (params(), 1001);
     let expected = circle()?.eval(&t, 0)?;
@@ -210,6 +226,7 @@ fn main() -> Result<()> {
     data_derivatives()?;
     insertion_keeps_the_circle()?;
     forms_and_maps()?;
+    parts_of_the_circle()?;
     strided_arrays()?;
     inspection()?;
     constructors_agree()?;

@@ -27,6 +27,7 @@ struct Inputs {
 
 const IgesText file = small_file();
 constexpr const char *path = "allocation_failure_test.igs";
+const double new_knots[] = {0.3, 0.6};
 const double params[] = {0.1, 0.9, 0.3, 0.7, 0.2, 0.6};
 
 nurbs *make_homogeneous() {
@@ -269,6 +270,29 @@ const Case cases[] = {
      [](Inputs &in, Output &o) { return nurbs_insert_knot(in.loop, 0, 2.5, 2, &o.out); }},
     {"insert_knot surface",
      [](Inputs &in, Output &o) { return nurbs_insert_knot(in.surface, 1, 1.5, 1, &o.out); }},
+    {"refine", [](Inputs &in, Output &o) { return nurbs_refine(in.curve, 0, 2, new_knots, &o.out); }},
+    {"refine_uniform", [](Inputs &in, Output &o) { return nurbs_refine_uniform(in.loop, 0, 3, &o.out); }},
+    {"refinement_matrix",
+     [](Inputs &in, Output &) {
+         return nurbs_refinement_matrix(in.curve, 0, 2, new_knots, 0, nullptr, nullptr, nullptr, in.spans);
+     }},
+    {"extract", [](Inputs &in, Output &o) { return nurbs_extract(in.curve, new_knots, new_knots + 1, &o.out); }},
+    {"clamp", [](Inputs &in, Output &o) { return nurbs_clamp_ends(in.loop, 0, 3, &o.out); }},
+    {"move_seam", [](Inputs &in, Output &o) { return nurbs_move_seam(in.loop, 0, 2.5, &o.out); }},
+    {"join",
+     [](Inputs &in, Output &o) {
+         const nurbs *parts[] = {in.curve, in.curve};
+         return nurbs_join(2, parts, 0, 9, NURBS_KEEP_GAPS, nullptr, &o.out);
+     }},
+    {"decompose", [](Inputs &in, Output &o) { return nurbs_decompose(in.surface, &o.list); }},
+    {"split_at_knots", [](Inputs &in, Output &o) { return nurbs_split_at_knots(in.curve, 0, 1, &o.list); }},
+    {"split",
+     [](Inputs &in, Output &o) {
+         nurbs *other = nullptr;
+         const nurbs_status status = nurbs_split(in.curve, 0, 0.3, &other, &o.out);
+         nurbs_destroy(other);
+         return status;
+     }},
     {"insert_knot 0 times",
      [](Inputs &in, Output &o) { return nurbs_insert_knot(in.surface, 1, 1.5, 0, &o.out); }},
     {"elevate", [](Inputs &in, Output &o) { return nurbs_elevate(in.curve, 0, 2, &o.out); }},

@@ -14,7 +14,7 @@ from dataclasses import dataclass, field
 HANDLES = ("nurbs", "nurbs_list")
 STRUCTS = ("nurbs_read_options",)
 # Pointers to one value that is written; arrays have names in the plural.
-SINGLE_RESULTS = ("axes", "count", "degree", "dim", "entity_type", "entries", "form", "length", "line", "metres",
+SINGLE_RESULTS = ("axes", "count", "degree", "dim", "entity_type", "entries", "form", "gap", "length", "line", "metres",
                   "rational", "reason", "slots")
 
 

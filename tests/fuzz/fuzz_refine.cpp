@@ -1,4 +1,4 @@
-// Knot insertion: the shape, the form and the input stay as they are.
+// Knot insertion and refinement: the shape, the form and the input stay as they are.
 #include "fuzz/harness.h"
 
 using fuzz::Input;
@@ -107,6 +107,46 @@ void insert(Input &in, const nurbs *g, const fuzz::Spline &s, int depth) {
     }
 }
 
+// A list, mostly of places in the domain; what the matrix has in its rows is what the spline gains in layers.
+void refine(Input &in, const nurbs *g, const fuzz::Spline &s) {
+    const int32_t axis = in.rarely() ? in.bad_int() : in.below(s.axes());
+    const bool bad = axis < 0 || axis >= s.axes();
+    std::vector<double> list(static_cast<size_t>(in.below(12)));
+    std::generate(list.begin(), list.end(),
+                  [&] { return in.rarely() ? in.anything() : fuzz::any_param(in, g, bad ? 0 : axis, true); });
+    const auto n = static_cast<int64_t>(list.size());
+    nurbs *out = fuzz::poison();
+    const nurbs_status status = nurbs_refine(g, axis, n, list.data(), &out);
+    const fuzz::Handle h(FUZZ_MADE(status, out));
+    int64_t entries = -1;
+    const bool ok =
+        FUZZ_OK(nurbs_refinement_matrix(g, axis, n, list.data(), 0, nullptr, nullptr, nullptr, &entries));
+    FUZZ_REQUIRE(ok || !h);
+    if (!h) {
+        return;
+    }
+    int64_t before = 0, after = 0;
+    FUZZ_REQUIRE(nurbs_count(g, axis, &before) == NURBS_OK && nurbs_count(h.get(), axis, &after) == NURBS_OK);
+    FUZZ_REQUIRE(after == before + n);
+    std::vector<double> values(static_cast<size_t>(entries));
+    std::vector<int64_t> columns(values.size()), rows(static_cast<size_t>(after + 1));
+    FUZZ_REQUIRE(nurbs_refinement_matrix(g, axis, n, list.data(), entries, values.data(), columns.data(),
+                                         rows.data(), nullptr) == NURBS_OK);
+    FUZZ_REQUIRE(rows.front() == 0 && rows.back() == entries);
+    FUZZ_REQUIRE(std::all_of(values.begin(), values.end(), [](double x) { return x >= 0 && x <= 1; }));
+    FUZZ_REQUIRE(
+        std::all_of(columns.begin(), columns.end(), [&](int64_t c) { return c >= 0 && c < before; }));
+}
+
+void refine_uniform(Input &in, const nurbs *g, const fuzz::Spline &s) {
+    const bool bad = in.rarely();
+    const int64_t parts = bad ? in.bad_size() : 1 + in.below(4);
+    nurbs *out = fuzz::poison();
+    const nurbs_status status = nurbs_refine_uniform(g, in.below(s.axes()), parts, &out);
+    const fuzz::Handle h(FUZZ_MADE(status, out));
+    FUZZ_REQUIRE(!bad || !h);
+}
+
 } // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
@@ -115,6 +155,8 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     const fuzz::Handle g(fuzz::create(s));
     if (g) {
         insert(in, g.get(), s, 3);
+        refine(in, g.get(), s);
+        refine_uniform(in, g.get(), s);
         check_input(g.get(), s);
     }
     return 0;

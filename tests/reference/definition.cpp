@@ -117,6 +117,17 @@ AxisView view_of(const SplineData &data, int axis) {
     return view;
 }
 
+// The records of the degree + 1 layers that are active on a span, at one place of the other axes.
+std::vector<Point> active(const SplineData &data, int axis, int64_t span, int64_t outer, int64_t inside) {
+    const auto k = static_cast<size_t>(axis);
+    std::vector<Point> records;
+    for (int64_t layer = span - data.degrees[k]; layer <= span; ++layer) {
+        records.push_back(
+            homogeneous(data, (outer * data.counts[k] + layer) * view_of(data, axis).inner + inside));
+    }
+    return records;
+}
+
 // The piece of the old spline that a refined control point belongs to: any non-empty span of the domain that
 // meets its support (of degree `raised`), or the nearest one for a point whose support lies outside the domain.
 int64_t piece_of(const std::vector<double> &knots, int degree, const std::vector<double> &refined, int raised,
@@ -157,10 +168,7 @@ InsertedLayers defined_insertion(const SplineData &data, int axis, double knot, 
             const int64_t s = piece_of(data.knots[k], degree, out.knots, degree, j);
             const auto from = out.knots.begin() + j + 1;
             for (int64_t i = 0; i < view.inner; ++i) {
-                std::vector<Point> local;
-                for (int64_t layer = s - degree; layer <= s; ++layer) {
-                    local.push_back(homogeneous(data, (o * data.counts[k] + layer) * view.inner + i));
-                }
+                const std::vector<Point> local = active(data, axis, s, o, i);
                 out.records.push_back(blossom(data.knots[k], degree, s, local, {from, from + degree}));
             }
         }
@@ -232,12 +240,30 @@ std::vector<std::vector<Rational>> defined_elevation(const SplineData &data, int
         for (int64_t j = 0; j < count; ++j) {
             const int64_t s = piece_of(data.knots[k], degree, knots, raised, j);
             for (int64_t i = 0; i < view.inner; ++i) {
-                std::vector<Point> local;
-                for (int64_t layer = s - degree; layer <= s; ++layer) {
-                    local.push_back(homogeneous(data, (o * data.counts[k] + layer) * view.inner + i));
-                }
+                const std::vector<Point> local = active(data, axis, s, o, i);
                 const auto from = knots.begin() + j + 1;
                 records.push_back(Mean(data.knots[k], degree, s, local)({from, from + raised}));
+            }
+        }
+    }
+    return records;
+}
+
+std::vector<Point> defined_refinement(const SplineData &data, int axis, const std::vector<double> &knots) {
+    const auto k = static_cast<size_t>(axis);
+    const int degree = data.degrees[k];
+    const AxisView view = view_of(data, axis);
+    const auto count = static_cast<int64_t>(knots.size()) - degree - 1;
+    std::vector<Point> records;
+    for (int64_t o = 0; o < view.outer; ++o) {
+        for (int64_t j = 0; j < count; ++j) {
+            const auto from = knots.begin() + j + 1;
+            const bool seen = *(from - 1) < data.upper(axis) && *(from + degree) > data.lower(axis);
+            const int64_t s = piece_of(data.knots[k], degree, knots, degree, j);
+            for (int64_t i = 0; i < view.inner; ++i) {
+                const std::vector<Point> local = active(data, axis, s, o, i);
+                records.push_back(seen ? blossom(data.knots[k], degree, s, local, {from, from + degree})
+                                       : Point());
             }
         }
     }

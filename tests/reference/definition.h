@@ -35,4 +35,9 @@ InsertedLayers defined_insertion(const support::SplineData &data, int axis, doub
 std::vector<std::vector<Rational>> defined_elevation(const support::SplineData &data, int axis, int times,
                                                      const std::vector<double> &knots);
 
+// The same for any knots that include the old ones, on an axis that is not periodic: all layers, packed. Points
+// whose functions vanish in the domain are left empty, as the shape does not define them.
+std::vector<std::vector<Rational>> defined_refinement(const support::SplineData &data, int axis,
+                                                      const std::vector<double> &knots);
+
 } // namespace reference

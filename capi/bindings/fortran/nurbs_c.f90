@@ -528,6 +528,88 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_transform_projective
+        function nurbs_refine(g, axis, count, knots, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int32_t), value :: axis
+            integer(c_int64_t), value :: count
+            real(c_double), intent(in) :: knots(*)
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_refine
+        function nurbs_refine_uniform(g, axis, parts, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int32_t), value :: axis
+            integer(c_int64_t), value :: parts
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_refine_uniform
+        function nurbs_refinement_matrix(g, axis, count, knots, cap, values, columns, row_pointers, entries) &
+            bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int32_t), value :: axis
+            integer(c_int64_t), value :: count, cap
+            real(c_double), intent(in) :: knots(*)
+            real(c_double), intent(inout), optional :: values(*)
+            integer(c_int64_t), intent(inout), optional :: columns(*), row_pointers(*)
+            integer(c_int64_t), intent(inout), optional :: entries
+            integer(c_int32_t) :: r
+        end function nurbs_refinement_matrix
+        function nurbs_split(g, axis, param, lower, upper) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int32_t), value :: axis
+            real(c_double), value :: param
+            type(c_ptr), intent(out) :: lower, upper
+            integer(c_int32_t) :: r
+        end function nurbs_split
+        function nurbs_extract(g, lower, upper, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            real(c_double), intent(in) :: lower(*), upper(*)
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_extract
+        function nurbs_decompose(g, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_decompose
+        function nurbs_split_at_knots(g, axis, order, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int32_t), value :: axis, order
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_split_at_knots
+        function nurbs_clamp_ends(g, axis, flags, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int32_t), value :: axis, flags
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_clamp_ends
+        function nurbs_move_seam(g, axis, param, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int32_t), value :: axis
+            real(c_double), value :: param
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_move_seam
+        function nurbs_join(count, parts, axis, tolerance, flags, gap, out) bind(c) result(r)
+            import
+            integer(c_int64_t), value :: count
+            type(c_ptr), intent(in) :: parts(*)
+            integer(c_int32_t), value :: axis, flags
+            real(c_double), value :: tolerance
+            real(c_double), intent(inout), optional :: gap
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_join
         function nurbs_collocation(axes, degrees, counts, knots, knot_count, orders, n, params, param_stride, &
             param_component_stride, cap, values, columns, row_pointers, entries, flags) bind(c) result(r)
             import

@@ -47,6 +47,10 @@ module nurbs_constants
     integer(c_int32_t), parameter :: NURBS_ERROR_DIRECTION = 29
     integer(c_int32_t), parameter :: NURBS_ERROR_MATRIX = 32
     integer(c_int32_t), parameter :: NURBS_ERROR_RATIONAL = 33
+    integer(c_int32_t), parameter :: NURBS_ERROR_INCOMPATIBLE = 40
+    integer(c_int32_t), parameter :: NURBS_ERROR_GAP = 41
+    integer(c_int32_t), parameter :: NURBS_ERROR_TOLERANCE = 42
+    integer(c_int32_t), parameter :: NURBS_ERROR_NOT_PERIODIC = 43
     integer(c_int32_t), parameter :: NURBS_ERROR_OUTSIDE_DOMAIN = 100
     integer(c_int32_t), parameter :: NURBS_ERROR_NOT_REPRESENTABLE = 200
     integer(c_int32_t), parameter :: NURBS_ERROR_KNOTS_MERGE = 202
@@ -70,6 +74,7 @@ module nurbs_constants
     ! Global flags
     integer(c_int32_t), parameter :: NURBS_ACCUMULATE = int(z'01000000', c_int32_t)
     integer(c_int32_t), parameter :: NURBS_KEEP_DOMAIN = int(z'02000000', c_int32_t)
+    integer(c_int32_t), parameter :: NURBS_KEEP_GAPS = int(z'04000000', c_int32_t)
 
     ! Bits of the form of a knot vector
     integer(c_int32_t), parameter :: NURBS_FORM_CLAMPED_START = int(z'01', c_int32_t)

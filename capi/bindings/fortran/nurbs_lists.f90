@@ -9,11 +9,11 @@ module nurbs_lists
     implicit none
     private
 
-    !> Splines with names, and notes on everything that was not turned into one. A list cannot be copied.
+    !> Splines with names: parts of one, or what a file held, with notes on the rest. A list cannot be copied.
     type, public :: nurbs_list
         type(c_ptr) :: handle = c_null_ptr
     contains
-        procedure :: read, read_file, destroy
+        procedure :: read, read_file, decompose, split_at_knots, destroy
         procedure :: count => get_count, get, name, note_count, note, unit
         procedure, private :: refuse_copy
         generic :: assignment(=) => refuse_copy
@@ -48,6 +48,33 @@ contains
         this%handle = made
         call settle(code, status)
     end subroutine read_file
+
+    !> The polynomial pieces of a spline as Bezier splines over their own domains, last axis fastest.
+    subroutine decompose(this, spline, status)
+        class(nurbs_list), intent(inout) :: this
+        class(nurbs_spline), intent(in) :: spline
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        type(c_ptr) :: made
+        code = nurbs_decompose(spline%handle, made)
+        call this%destroy()
+        this%handle = made
+        call settle(code, status)
+    end subroutine decompose
+
+    !> The parts of a spline between the knots at which its order of continuity is less than `order`.
+    subroutine split_at_knots(this, spline, axis, order, status)
+        class(nurbs_list), intent(inout) :: this
+        class(nurbs_spline), intent(in) :: spline
+        integer(c_int32_t), intent(in) :: axis, order
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        type(c_ptr) :: made
+        code = nurbs_split_at_knots(spline%handle, axis - 1, order, made)
+        call this%destroy()
+        this%handle = made
+        call settle(code, status)
+    end subroutine split_at_knots
 
     subroutine destroy(this)
         class(nurbs_list), intent(inout) :: this

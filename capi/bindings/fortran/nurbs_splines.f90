@@ -16,6 +16,7 @@ module nurbs_splines
         procedure :: with_points, eval_grid, eval_grid_derivs, rational_basis, iso, insert_knot
         procedure :: elevate, reverse, transpose_axes, reparametrize, transform, transform_projective
         procedure :: make_rational, to_homogeneous, from_homogeneous
+        procedure :: refine, refine_uniform, refinement_matrix, split, extract, clamp, move_seam, join
         procedure, private :: hull_size_1, hull_size_n, eval_1, eval_n, eval_derivs_1, eval_derivs_n
         generic :: hull_size => hull_size_1, hull_size_n
         generic :: eval => eval_1, eval_n
@@ -562,4 +563,135 @@ contains
         call out%replace(made)
         call settle(code, status)
     end subroutine transform_projective
+
+    subroutine refine(this, axis, knots, out, status)
+        class(nurbs_spline), intent(in) :: this
+        integer(c_int32_t), intent(in) :: axis
+        real(c_double), intent(in) :: knots(:)
+        type(nurbs_spline), intent(inout) :: out
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        type(c_ptr) :: made
+        code = nurbs_refine(this%handle, axis - 1, size(knots, kind=c_int64_t), knots, made)
+        call out%replace(made)
+        call settle(code, status)
+    end subroutine refine
+
+    subroutine refine_uniform(this, axis, parts, out, status)
+        class(nurbs_spline), intent(in) :: this
+        integer(c_int32_t), intent(in) :: axis, parts
+        type(nurbs_spline), intent(inout) :: out
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        type(c_ptr) :: made
+        code = nurbs_refine_uniform(this%handle, axis - 1, int(parts, c_int64_t), made)
+        call out%replace(made)
+        call settle(code, status)
+    end subroutine refine_uniform
+
+    !> Compressed sparse rows of what refine() does along the axis, all indices from 1.
+    subroutine refinement_matrix(this, axis, knots, values, columns, row_pointers, status)
+        class(nurbs_spline), intent(in) :: this
+        integer(c_int32_t), intent(in) :: axis
+        real(c_double), intent(in) :: knots(:)
+        real(c_double), allocatable, intent(inout) :: values(:)
+        integer(c_int64_t), allocatable, intent(inout) :: columns(:), row_pointers(:)
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        integer(c_int64_t) :: n, rows, entries
+        n = size(knots, kind=c_int64_t)
+        code = nurbs_refinement_matrix(this%handle, axis - 1, n, knots, 0_c_int64_t, entries=entries)
+        if (code == NURBS_OK) code = nurbs_count(this%handle, axis - 1, rows)
+        if (code == NURBS_OK) then
+            if (allocated(values)) deallocate (values)
+            if (allocated(columns)) deallocate (columns)
+            if (allocated(row_pointers)) deallocate (row_pointers)
+            allocate (values(entries), columns(entries), row_pointers(rows + n + 1))
+            code = nurbs_refinement_matrix(this%handle, axis - 1, n, knots, entries, values, columns, row_pointers)
+            columns = columns + 1
+            row_pointers = row_pointers + 1
+        end if
+        call settle(code, status)
+    end subroutine refinement_matrix
+
+    subroutine split(this, axis, param, lower, upper, status)
+        class(nurbs_spline), intent(in) :: this
+        integer(c_int32_t), intent(in) :: axis
+        real(c_double), intent(in) :: param
+        type(nurbs_spline), intent(inout) :: lower, upper
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        type(c_ptr) :: below, above
+        code = nurbs_split(this%handle, axis - 1, param, below, above)
+        call lower%replace(below)
+        call upper%replace(above)
+        call settle(code, status)
+    end subroutine split
+
+    !> lower(axes), upper(axes): the ends of the part on each axis.
+    subroutine extract(this, lower, upper, out, status)
+        class(nurbs_spline), intent(in) :: this
+        real(c_double), intent(in) :: lower(:), upper(:)
+        type(nurbs_spline), intent(inout) :: out
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code, axes
+        type(c_ptr) :: made
+        made = c_null_ptr
+        code = nurbs_axes(this%handle, axes)
+        if (code == NURBS_OK .and. (size(lower) /= axes .or. size(upper) /= axes)) code = shape_error
+        if (code == NURBS_OK) code = nurbs_extract(this%handle, lower, upper, made)
+        call out%replace(made)
+        call settle(code, status)
+    end subroutine extract
+
+    !> Without flags both ends are clamped.
+    subroutine clamp(this, axis, out, flags, status)
+        class(nurbs_spline), intent(in) :: this
+        integer(c_int32_t), intent(in) :: axis
+        type(nurbs_spline), intent(inout) :: out
+        integer(c_int32_t), intent(in), optional :: flags
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code, ends
+        type(c_ptr) :: made
+        ends = ior(NURBS_FORM_CLAMPED_START, NURBS_FORM_CLAMPED_END)
+        if (present(flags)) ends = flags
+        code = nurbs_clamp_ends(this%handle, axis - 1, ends, made)
+        call out%replace(made)
+        call settle(code, status)
+    end subroutine clamp
+
+    subroutine move_seam(this, axis, param, out, status)
+        class(nurbs_spline), intent(in) :: this
+        integer(c_int32_t), intent(in) :: axis
+        real(c_double), intent(in) :: param
+        type(nurbs_spline), intent(inout) :: out
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        type(c_ptr) :: made
+        code = nurbs_move_seam(this%handle, axis - 1, param, made)
+        call out%replace(made)
+        call settle(code, status)
+    end subroutine move_seam
+
+    !> This spline becomes the parts joined end to end, of which it is none.
+    subroutine join(this, parts, axis, tolerance, flags, gap, status)
+        class(nurbs_spline), intent(inout) :: this
+        type(nurbs_spline), intent(in) :: parts(:)
+        integer(c_int32_t), intent(in) :: axis
+        real(c_double), intent(in), optional :: tolerance
+        integer(c_int32_t), intent(in), optional :: flags
+        real(c_double), intent(inout), optional :: gap
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code, i
+        real(c_double) :: limit
+        type(c_ptr) :: made, handles(size(parts))
+        limit = 0
+        if (present(tolerance)) limit = tolerance
+        do i = 1, size(parts)
+            handles(i) = parts(i)%handle
+        end do
+        code = nurbs_join(size(parts, kind=c_int64_t), handles, axis - 1, limit, bits(flags), gap, made)
+        call this%replace(made)
+        call settle(code, status)
+    end subroutine join
 end module nurbs_splines

@@ -99,6 +99,16 @@ inline SparseMatrix rational_collocation(const Spline &g, Input params, View<std
     });
 }
 
+/// Matrix that Spline::refine() applies along an axis.
+inline SparseMatrix refinement_matrix(const Spline &g, std::int32_t axis, View<double> knots) {
+    const std::int64_t count = detail::length(knots);
+    return detail::sparse(g.count(axis) + count, [&](std::int64_t cap, double *values, std::int64_t *columns,
+                                                     std::int64_t *rows, std::int64_t *entries) {
+        return nurbs_refinement_matrix(g.get(), axis, count, knots.data(), cap, values, columns, rows,
+                                       entries);
+    });
+}
+
 inline Extraction bezier_extraction(const Spline &g, std::int32_t axis) {
     auto spans = detail::result_of<std::int64_t>(
         [&](auto *v) { return nurbs_bezier_extraction(g.get(), axis, 0, nullptr, nullptr, nullptr, v); });

@@ -323,6 +323,41 @@ public:
         return made(
             [&](nurbs **out) { return nurbs_transform_projective(handle_, out_dim, matrix.data(), out); });
     }
+    /// The same shape with a list of knots inserted, in any order.
+    [[nodiscard]] Spline refine(std::int32_t axis, View<double> knots) const {
+        return made([&](nurbs **out) {
+            return nurbs_refine(handle_, axis, detail::length(knots), knots.data(), out);
+        });
+    }
+    /// The same shape with every non-empty span divided into equal parts.
+    [[nodiscard]] Spline refine_uniform(std::int32_t axis, std::int64_t parts) const {
+        return made([&](nurbs **out) { return nurbs_refine_uniform(handle_, axis, parts, out); });
+    }
+    /// The parts below and above a parameter.
+    [[nodiscard]] std::pair<Spline, Spline> split(std::int32_t axis, double param) const {
+        nurbs *lower = nullptr, *upper = nullptr;
+        detail::check(nurbs_split(handle_, axis, param, &lower, &upper));
+        return {Spline(lower), Spline(upper)};
+    }
+    /// The part over a box in the domain: the ends on each axis.
+    [[nodiscard]] Spline extract(View<double> lower, View<double> upper) const {
+        const auto wanted = static_cast<std::size_t>(axes());
+        if (lower.size() != wanted || upper.size() != wanted) {
+            const bool short_lower = lower.size() != wanted;
+            detail::wrong_size(short_lower ? "lower" : "upper", (short_lower ? lower : upper).size(),
+                               std::to_string(wanted));
+        }
+        return made([&](nurbs **out) { return nurbs_extract(handle_, lower.data(), upper.data(), out); });
+    }
+    /// The same shape with clamped ends; flags 0 only open a periodic axis.
+    [[nodiscard]] Spline clamp(std::int32_t axis, std::uint32_t flags = NURBS_FORM_CLAMPED_START |
+                                                                        NURBS_FORM_CLAMPED_END) const {
+        return made([&](nurbs **out) { return nurbs_clamp_ends(handle_, axis, flags, out); });
+    }
+    /// The same shape on a periodic axis over [param, param + period].
+    [[nodiscard]] Spline move_seam(std::int32_t axis, double param) const {
+        return made([&](nurbs **out) { return nurbs_move_seam(handle_, axis, param, out); });
+    }
 
 private:
     static constexpr std::int32_t max_width = INT32_MAX;

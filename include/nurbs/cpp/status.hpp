@@ -46,6 +46,10 @@ enum class Status : nurbs_status {
     direction = NURBS_ERROR_DIRECTION,
     matrix = NURBS_ERROR_MATRIX,
     rational = NURBS_ERROR_RATIONAL,
+    incompatible = NURBS_ERROR_INCOMPATIBLE,
+    gap = NURBS_ERROR_GAP,
+    tolerance = NURBS_ERROR_TOLERANCE,
+    not_periodic = NURBS_ERROR_NOT_PERIODIC,
     outside_domain = NURBS_ERROR_OUTSIDE_DOMAIN,
     not_representable = NURBS_ERROR_NOT_REPRESENTABLE,
     knots_merge = NURBS_ERROR_KNOTS_MERGE,
@@ -78,6 +82,7 @@ inline constexpr std::uint32_t periodic = NURBS_PERIODIC;
 /// Global flags.
 inline constexpr std::uint32_t accumulate = NURBS_ACCUMULATE;
 inline constexpr std::uint32_t keep_domain = NURBS_KEEP_DOMAIN;
+inline constexpr std::uint32_t keep_gaps = NURBS_KEEP_GAPS;
 
 /// Bits of Spline::knot_form().
 inline constexpr std::int32_t form_clamped_start = NURBS_FORM_CLAMPED_START;

@@ -1,5 +1,6 @@
+#include "basis/bspline.h"
 #include "eval/evaluate.h"
-#include "refine/boehm.h"
+#include "refine/cut.h"
 #include "refine/insert.h"
 
 #include <algorithm>
@@ -35,20 +36,26 @@ SplinePtr random_curve(std::mt19937_64 &random, int degree, std::vector<double> 
     return make_spline({axis}, 2, Form::polynomial, std::move(points));
 }
 
-TEST(Boehm, RowsAreConvexCombinations) {
+// Every knot of the list any number of times, up to multiplicity degree + 1.
+TEST(Refinement, RowsAreConvexCombinations) {
+    std::mt19937_64 random(12);
     const std::vector<double> knots{0, 0.1, 0.2, 0.2, 0.5, 0.500001, 0.7, 1, 1, 1};
-    for (const double knot : {0.2, 0.3, 0.5, 0.5000005, 0.500001, 0.7}) {
-        const int present = nrb::multiplicity(knots, knot);
-        for (int times = 1; times <= 4 - present; ++times) {
-            LayerTable table;
-            nrb::append_insertion_rows(3, knots, knot, times, table);
-            ASSERT_EQ(table.rows(), 6 + times);
-            for (int64_t r = 0; r < table.rows(); ++r) {
-                const LayerTable::Row &row = table.row(r);
-                const double *c = table.coefficients(row);
-                EXPECT_TRUE(std::all_of(c, c + row.size, [](double x) { return x >= 0 && x <= 1; }));
-                EXPECT_TRUE(row.size == 0 || std::abs(std::accumulate(c, c + row.size, 0.0) - 1) <= 4 * eps);
-            }
+    const std::vector<double> places{0.2, 0.3, 0.3 + 1e-12, 0.5, 0.5000005, 0.500001, 0.6, 0.7};
+    for (int trial = 0; trial < 200; ++trial) {
+        std::vector<double> fine = knots;
+        for (const double knot : places) {
+            const auto room = static_cast<uint64_t>(4 - nrb::multiplicity(knots, knot));
+            fine.insert(fine.end(), random() % (room + 1), knot);
+        }
+        std::sort(fine.begin(), fine.end());
+        const nrb::Refinement refinement(3, knots, fine);
+        ASSERT_EQ(refinement.rows(), static_cast<int64_t>(fine.size()) - 4);
+        for (int64_t r = 0; r < refinement.rows(); ++r) {
+            double c[nrb::max_basis];
+            const auto [first, size] = refinement.row(r, c);
+            ASSERT_TRUE(first >= 0 && first + size <= 6);
+            EXPECT_TRUE(std::all_of(c, c + size, [](double x) { return x >= 0 && x <= 1; }));
+            EXPECT_NEAR(std::accumulate(c, c + size, 0.0), 1, 4 * eps);
         }
     }
 }

@@ -24,5 +24,7 @@ from .frames import (CurveFrames, Curvatures, MinimalFrames, SurfaceFrames, curv
                      surface_curvatures, surface_frames, surface_grid_frames)
 from .knots import (basis, bernstein, find_spans, knots_averaged, knots_bezier, knots_open_uniform,
                     knots_periodic, knots_uniform)
-from .linear import Gradients, bezier_extraction, collocation, eval_adjoint, rational_collocation
+from .linear import (Gradients, bezier_extraction, collocation, eval_adjoint, rational_collocation,
+                     refinement_matrix)
+from .parts import Joined, decompose, join, split_at_knots
 from .spline import Spline, derivative_slots

@@ -59,6 +59,13 @@ def rational_collocation(spline, params, orders=None, flags=0):
         spline._handle, _address(orders), given.n, *given.layout, *arrays, flags))
 
 
+def refinement_matrix(spline, knots, axis=0):
+    """The matrix that Spline.refine(knots) applies along an axis: (values, columns, row_pointers)."""
+    knots = vector(knots, numpy.float64)
+    return _sparse(spline.counts[axis] + knots.size, lambda *arrays: lib.nurbs_refinement_matrix(
+        spline._handle, axis, knots.size, knots.ctypes.data, *arrays))
+
+
 def bezier_extraction(spline, axis=0):
     """Operators (spans, degree + 1, degree + 1), first control points (spans,) and domains (spans, 2)."""
     spans = get(ctypes.c_int64, lib.nurbs_bezier_extraction, spline._handle, axis, 0, None, None, None)

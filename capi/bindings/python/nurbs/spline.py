@@ -8,6 +8,7 @@ import numpy
 from ._arrays import Output, records, vector
 from ._library import check, get, lib
 from .constants import NURBS_KEEP_DOMAIN
+from .constants import NURBS_FORM_CLAMPED_END, NURBS_FORM_CLAMPED_START
 
 
 def derivative_slots(axes, order):
@@ -346,3 +347,36 @@ class Spline:
         """The shape under a map of homogeneous points; matrix is (out_dim + 1, dim + 1)."""
         matrix = _matrix(matrix, self.dimension + 1)
         return self._made(lib.nurbs_transform_projective, self._handle, len(matrix) - 1, matrix.ctypes.data)
+
+    def refine(self, knots, *, axis=0):
+        """The same shape with a list of knots inserted, in any order."""
+        knots = vector(knots, numpy.float64)
+        return self._made(lib.nurbs_refine, self._handle, axis, knots.size, knots.ctypes.data)
+
+    def refine_uniform(self, parts, *, axis=0):
+        """The same shape with every non-empty span divided into equal parts."""
+        return self._made(lib.nurbs_refine_uniform, self._handle, axis, parts)
+
+    def split(self, param, *, axis=0):
+        """The parts below and above a parameter."""
+        lower, upper = self.__class__.__new__(self.__class__), self.__class__.__new__(self.__class__)
+        lower._handle = upper._handle = None
+        handle = ctypes.c_void_p()
+        upper._handle = get(ctypes.c_void_p, lib.nurbs_split, self._handle, axis, param, ctypes.byref(handle))
+        lower._handle = handle.value
+        return lower, upper
+
+    def extract(self, lower, upper):
+        """The part over a box in the domain: a number or one for each axis."""
+        lower, upper = vector(lower, numpy.float64), vector(upper, numpy.float64)
+        if not lower.size == upper.size == self.axes:
+            raise ValueError(f"{lower.size} lower and {upper.size} upper ends for {self.axes} axes")
+        return self._made(lib.nurbs_extract, self._handle, lower.ctypes.data, upper.ctypes.data)
+
+    def clamp(self, flags=NURBS_FORM_CLAMPED_START | NURBS_FORM_CLAMPED_END, *, axis=0):
+        """The same shape with clamped ends; 0 only opens a periodic axis."""
+        return self._made(lib.nurbs_clamp_ends, self._handle, axis, flags)
+
+    def move_seam(self, param, *, axis=0):
+        """The same shape on a periodic axis over [param, param + period]."""
+        return self._made(lib.nurbs_move_seam, self._handle, axis, param)

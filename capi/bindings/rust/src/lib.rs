@@ -21,6 +21,7 @@ mod inspect;
 mod knots;
 mod linear;
 mod list;
+mod parts;
 mod spline;
 pub mod sys;
 
@@ -33,6 +34,7 @@ pub use knots::{
 };
 pub use linear::{collocation, Extraction, Gradients, GradientsMut, SparseMatrix};
 pub use list::{List, Note, ReadOptions};
+pub use parts::{join, Joined};
 pub use spline::{derivative_slots, DistinctKnots, Spline};
 
 /// The bits `flags` moved to those of `axis`: the macro `NURBS_ON_AXIS`.

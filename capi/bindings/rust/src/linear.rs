@@ -40,7 +40,7 @@ pub struct Gradients {
 }
 
 /// fill(cap, values, columns, row_pointers, entries), asked for the size first.
-fn sparse(
+pub(crate) fn sparse(
     n: usize,
     fill: impl Fn(i64, *mut f64, *mut i64, *mut i64, *mut i64) -> i32,
 ) -> Result<SparseMatrix> {

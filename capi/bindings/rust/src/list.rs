@@ -44,7 +44,7 @@ pub struct Note {
     pub text: String,
 }
 
-/// What a file held.
+/// Parts of a spline, or what a file held.
 pub struct List {
     handle: NonNull<sys::nurbs_list>,
 }
@@ -73,7 +73,7 @@ fn written(call: impl Fn(*mut c_char, i64, *mut i64) -> i32) -> Result<String> {
 }
 
 impl List {
-    fn made(call: impl FnOnce(*mut *mut sys::nurbs_list) -> i32) -> Result<List> {
+    pub(crate) fn made(call: impl FnOnce(*mut *mut sys::nurbs_list) -> i32) -> Result<List> {
         let mut out = null_mut();
         check(call(&mut out))?;
         let handle = NonNull::new(out).expect("the library returned success without a list");

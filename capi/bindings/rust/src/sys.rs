@@ -69,6 +69,10 @@ pub const NURBS_ERROR_INDEX: nurbs_status = 28;
 pub const NURBS_ERROR_DIRECTION: nurbs_status = 29;
 pub const NURBS_ERROR_MATRIX: nurbs_status = 32;
 pub const NURBS_ERROR_RATIONAL: nurbs_status = 33;
+pub const NURBS_ERROR_INCOMPATIBLE: nurbs_status = 40;
+pub const NURBS_ERROR_GAP: nurbs_status = 41;
+pub const NURBS_ERROR_TOLERANCE: nurbs_status = 42;
+pub const NURBS_ERROR_NOT_PERIODIC: nurbs_status = 43;
 pub const NURBS_ERROR_OUTSIDE_DOMAIN: nurbs_status = 100;
 pub const NURBS_ERROR_NOT_REPRESENTABLE: nurbs_status = 200;
 pub const NURBS_ERROR_KNOTS_MERGE: nurbs_status = 202;
@@ -92,6 +96,7 @@ pub const NURBS_PERIODIC: u32 = 0x01;
 // Global flags
 pub const NURBS_ACCUMULATE: u32 = 0x01000000;
 pub const NURBS_KEEP_DOMAIN: u32 = 0x02000000;
+pub const NURBS_KEEP_GAPS: u32 = 0x04000000;
 
 // Bits of the form of a knot vector
 pub const NURBS_FORM_CLAMPED_START: i32 = 0x01;
@@ -524,6 +529,57 @@ extern "C" {
         g: *const nurbs,
         out_dim: i32,
         matrix: *const f64,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    pub fn nurbs_refine(
+        g: *const nurbs,
+        axis: i32,
+        count: i64,
+        knots: *const f64,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    pub fn nurbs_refine_uniform(g: *const nurbs, axis: i32, parts: i64, out: *mut *mut nurbs)
+        -> nurbs_status;
+    pub fn nurbs_refinement_matrix(
+        g: *const nurbs,
+        axis: i32,
+        count: i64,
+        knots: *const f64,
+        cap: i64,
+        values: *mut f64,
+        columns: *mut i64,
+        row_pointers: *mut i64,
+        entries: *mut i64,
+    ) -> nurbs_status;
+    pub fn nurbs_split(
+        g: *const nurbs,
+        axis: i32,
+        param: f64,
+        lower: *mut *mut nurbs,
+        upper: *mut *mut nurbs,
+    ) -> nurbs_status;
+    pub fn nurbs_extract(
+        g: *const nurbs,
+        lower: *const f64,
+        upper: *const f64,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    pub fn nurbs_decompose(g: *const nurbs, out: *mut *mut nurbs_list) -> nurbs_status;
+    pub fn nurbs_split_at_knots(
+        g: *const nurbs,
+        axis: i32,
+        order: i32,
+        out: *mut *mut nurbs_list,
+    ) -> nurbs_status;
+    pub fn nurbs_clamp_ends(g: *const nurbs, axis: i32, flags: u32, out: *mut *mut nurbs) -> nurbs_status;
+    pub fn nurbs_move_seam(g: *const nurbs, axis: i32, param: f64, out: *mut *mut nurbs) -> nurbs_status;
+    pub fn nurbs_join(
+        count: i64,
+        parts: *const *const nurbs,
+        axis: i32,
+        tolerance: f64,
+        flags: u32,
+        gap: *mut f64,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
     pub fn nurbs_collocation(

@@ -1,0 +1,185 @@
+// Splines cut into parts, and the ends and seams of their axes.
+#include "checks.h"
+#include "guard.h"
+
+#include "refine/cut.h"
+#include "refine/join.h"
+#include "refine/seam.h"
+
+#include <cmath>
+#include <memory>
+#include <string>
+
+using namespace nrb;
+using namespace nrb::capi;
+
+namespace {
+
+void check_place(double t, Interval domain, const char *name, int axis) {
+    if (!std::isfinite(t)) {
+        fail(NURBS_ERROR_PARAMETER_NOT_FINITE, "%s = %s on axis %d is not finite", name, Number(t).text,
+             axis);
+    }
+    if (t < domain.lower || t > domain.upper) {
+        fail(NURBS_ERROR_OUTSIDE_DOMAIN, "%s = %s outside [%s, %s], the domain of axis %d", name,
+             Number(t).text, Number(domain.lower).text, Number(domain.upper).text, axis);
+    }
+}
+
+void check_range(const Spline &spline, int k, double lower, double upper) {
+    const Interval domain = spline.axis(k).domain();
+    check_place(lower, domain, "lower", k);
+    check_place(upper, domain, "upper", k);
+    if (!(lower < upper)) {
+        fail(NURBS_ERROR_EMPTY_DOMAIN, "lower = %s on axis %d, expected less than upper = %s",
+             Number(lower).text, k, Number(upper).text);
+    }
+}
+
+// "2" for a curve, "2,0" for a surface.
+std::string place_name(int64_t index, const std::vector<int64_t> &counts) {
+    std::string name;
+    for (size_t k = counts.size(); k-- > 0; index /= counts[k]) {
+        name = std::to_string(index % counts[k]) + (name.empty() ? "" : ",") + name;
+    }
+    return name;
+}
+
+void give_list(const std::vector<SplinePtr> &pieces, const std::vector<int64_t> &counts, nurbs_list **out) {
+    auto list = std::make_unique<nurbs_list>();
+    list->document.splines.reserve(pieces.size());
+    for (const SplinePtr &piece : pieces) {
+        list->document.splines.push_back({place_name(std::ssize(list->document.splines), counts), piece});
+    }
+    *out = list.release();
+}
+
+// The splines behind an array of handles, all of which have the axis or as many axes as the first.
+std::vector<SplinePtr> splines_of(int64_t count, const nurbs *const *handles, int32_t axis) {
+    std::vector<SplinePtr> splines;
+    for (int64_t i = 0; i < count; ++i) {
+        if (handles[i] == nullptr) {
+            fail(NURBS_ERROR_NULL, "parts[%lld] is NULL", static_cast<long long>(i));
+        }
+        splines.push_back(handles[i]->spline);
+    }
+    check_axis(*splines.front(), axis);
+    return splines;
+}
+
+} // namespace
+
+nurbs_status nurbs_split(const nurbs *g, int32_t axis, double param, nurbs **lower, nurbs **upper) {
+    return guard([&] {
+        require(lower, "lower");
+        *lower = nullptr;
+        require(upper, "upper");
+        *upper = nullptr;
+        if (lower == upper) {
+            fail(NURBS_ERROR_OVERLAP, "output upper overlaps lower");
+        }
+        check_axis(spline_of(g), axis);
+        const Interval domain = g->spline->axis(axis).domain();
+        check_place(param, domain, "param", axis);
+        if (param == domain.lower || param == domain.upper) {
+            fail(NURBS_ERROR_EMPTY_DOMAIN, "param = %s is an end of [%s, %s], the domain of axis %d",
+                 Number(param).text, Number(domain.lower).text, Number(domain.upper).text, axis);
+        }
+        const double breaks[] = {domain.lower, param, domain.upper};
+        std::vector<SplinePtr> parts = split_axis(g->spline, axis, breaks);
+        auto first = std::make_unique<nurbs>(nurbs{std::move(parts[0])});
+        give(std::move(parts[1]), upper);
+        *lower = first.release();
+    });
+}
+
+nurbs_status nurbs_extract(const nurbs *g, const double *lower, const double *upper, nurbs **out) {
+    return guard([&] {
+        require_out(out);
+        const Spline &spline = spline_of(g);
+        require(lower, "lower");
+        require(upper, "upper");
+        for (int k = 0; k < spline.axes(); ++k) {
+            check_range(spline, k, lower[k], upper[k]);
+        }
+        SplinePtr part = g->spline;
+        for (int k = 0; k < spline.axes(); ++k) {
+            part = restrict_axis(part, k, lower[k], upper[k]);
+        }
+        give(std::move(part), out);
+    });
+}
+
+nurbs_status nurbs_decompose(const nurbs *g, nurbs_list **out) {
+    return guard([&] {
+        require_out(out);
+        require(g, "g");
+        const BezierPieces result = bezier_pieces(g->spline);
+        give_list(result.pieces, result.counts, out);
+    });
+}
+
+nurbs_status nurbs_split_at_knots(const nurbs *g, int32_t axis, int32_t order, nurbs_list **out) {
+    return guard([&] {
+        require_out(out);
+        check_axis(spline_of(g), axis);
+        check_order(order);
+        const std::vector<double> breaks = rough_knots(g->spline->axis(axis), order);
+        const std::vector<SplinePtr> parts = split_axis(g->spline, axis, breaks);
+        give_list(parts, {std::ssize(parts)}, out);
+    });
+}
+
+nurbs_status nurbs_clamp_ends(const nurbs *g, int32_t axis, uint32_t flags, nurbs **out) {
+    return guard([&] {
+        require_out(out);
+        check_axis(spline_of(g), axis);
+        constexpr uint32_t start = NURBS_FORM_CLAMPED_START, end = NURBS_FORM_CLAMPED_END;
+        if ((flags & ~(start | end)) != 0) {
+            fail(NURBS_ERROR_FLAGS,
+                 "flags = 0x%x, expected NURBS_FORM_CLAMPED_START, NURBS_FORM_CLAMPED_END, both or 0", flags);
+        }
+        const KnotVector &old = g->spline->axis(axis);
+        const ClampedEnds ends{(flags & start) != 0 && !old.clamped_start(),
+                               (flags & end) != 0 && !old.clamped_end()};
+        const auto [lower, upper] = old.domain();
+        give(ends.lower || ends.upper ? cut_axis(g->spline, axis, lower, upper, ends)
+                                      : open_axis(g->spline, axis),
+             out);
+    });
+}
+
+nurbs_status nurbs_move_seam(const nurbs *g, int32_t axis, double param, nurbs **out) {
+    return guard([&] {
+        require_out(out);
+        check_axis(spline_of(g), axis);
+        const KnotVector &old = g->spline->axis(axis);
+        if (!old.periodic()) {
+            fail(NURBS_ERROR_NOT_PERIODIC, "axis %d is not periodic: it has no seam to be moved", axis);
+        }
+        check_place(param, old.domain(), "param", axis);
+        give(move_seam(g->spline, axis, param), out);
+    });
+}
+
+nurbs_status nurbs_join(int64_t count, const nurbs *const *parts, int32_t axis, double tolerance,
+                        uint32_t flags, double *gap, nurbs **out) {
+    return guard([&] {
+        require_out(out);
+        if (count < 1) {
+            fail(NURBS_ERROR_COUNT, "count = %lld, expected at least 1", static_cast<long long>(count));
+        }
+        require(parts, "parts");
+        if (!(tolerance >= 0)) {
+            fail(NURBS_ERROR_TOLERANCE, "tolerance = %s, expected >= 0", Number(tolerance).text);
+        }
+        if ((flags & ~NURBS_KEEP_GAPS) != 0) {
+            fail(NURBS_ERROR_FLAGS, "flags = 0x%x, expected NURBS_KEEP_GAPS or 0", flags);
+        }
+        const Joined joined = join(splines_of(count, parts, axis), axis, {tolerance, flags != 0});
+        give(joined.spline, out);
+        if (gap != nullptr) {
+            *gap = joined.gap;
+        }
+    });
+}

@@ -1,0 +1,48 @@
+// Arrays in which matrices are handed out, filled in a second call or asked for their length first.
+#pragma once
+
+#include "checks.h"
+
+#include "eval/collocation.h"
+
+namespace nrb::capi {
+
+// cap: 0, or enough.
+inline void check_cap(int64_t cap, int64_t needed) {
+    check_length(cap, "cap");
+    if (cap != 0 && cap < needed) {
+        fail(NURBS_ERROR_SIZE, "cap = %lld, expected 0 or at least %lld", static_cast<long long>(cap),
+             static_cast<long long>(needed));
+    }
+}
+
+// The caller's arrays for a sparse matrix.
+class SparseArrays {
+public:
+    SparseArrays(int64_t cap, double *values, int64_t *columns, int64_t *row_pointers, int64_t *entries)
+        : cap_(cap), values_(values), columns_(columns), row_pointers_(row_pointers), entries_(entries) {}
+
+    // Checks lengths and overlap, and returns what is to be filled.
+    [[nodiscard]] SparseRows check(int64_t n, int64_t total, std::initializer_list<Memory> inputs) const {
+        check_cap(cap_, total);
+        const SparseRows rows{cap_ == 0 ? nullptr : values_, cap_ == 0 ? nullptr : columns_, row_pointers_};
+        check_apart({memory("values", rows.values, total), memory("columns", rows.columns, total),
+                     memory("row_pointers", row_pointers_, n + 1), memory("entries", entries_, 1)},
+                    inputs);
+        return rows;
+    }
+    void finish(int64_t total) const noexcept {
+        if (entries_ != nullptr) {
+            *entries_ = total;
+        }
+    }
+
+private:
+    int64_t cap_;
+    double *values_;
+    int64_t *columns_;
+    int64_t *row_pointers_;
+    int64_t *entries_;
+};
+
+} // namespace nrb::capi

@@ -1,0 +1,33 @@
+// What refinement makes of one axis: its knots, and the table that gives the new layers from the old ones.
+#pragma once
+
+#include "refine/refinement.h"
+#include "spline/layer_table.h"
+
+#include <span>
+#include <vector>
+
+namespace nrb {
+
+struct AxisTable {
+    KnotVectorPtr axis;
+    LayerTable table;
+};
+
+// Rows [first, end) of a refinement.
+LayerTable rows_of(const Refinement &refinement, int64_t first, int64_t end);
+
+// The axis with more knots, sorted ones of its domain. On a periodic axis they lie below the upper end, their
+// copies in all periods come with them, and the wrapped layers are the same rows. Precondition: no knot will
+// occur more than degree + 1 times. Throws NURBS_ERROR_PERIODIC_KNOTS, _NOT_REPRESENTABLE.
+AxisTable refine_axis(const KnotVector &axis, std::span<const double> knots);
+
+// The knots of a sorted list and those of another one.
+std::vector<double> merged(std::span<const double> knots, std::span<const double> more);
+
+// The spline with one axis replaced. Throws what apply_along() and make_spline() throw.
+SplinePtr with_axis(const Spline &spline, int k, const AxisTable &made);
+// The same for a table and an axis that are known to give a valid spline.
+Spline::Axes with_axis(const Spline &spline, int k, KnotVectorPtr axis);
+
+} // namespace nrb

@@ -1,0 +1,42 @@
+// Parts of splines: every cut raises a knot to multiplicity degree + 1, after which layers and knots fall
+// apart without further arithmetic (de Casteljau's subdivision, for a single Bezier piece).
+#pragma once
+
+#include "refine/axis_table.h"
+
+#include <vector>
+
+namespace nrb {
+
+// Which ends of a part are to be clamped although they are ends of the domain; all others are.
+struct ClampedEnds {
+    bool lower;
+    bool upper;
+};
+
+// The part over [lower, upper] of an axis, which is no longer periodic; clamped at both new ends, and where
+// `ends` says so. Precondition: domain.lower <= lower < upper <= domain.upper.
+SplinePtr cut_axis(const SplinePtr &spline, int axis, double lower, double upper, ClampedEnds ends);
+
+// As cut_axis() with the ends of the domain left as they are; the whole domain gives the same spline,
+// periodic if it was.
+SplinePtr restrict_axis(const SplinePtr &spline, int axis, double lower, double upper);
+
+// The parts between consecutive breaks, which are rising, distinct, and begin and end with the ends of the
+// domain.
+std::vector<SplinePtr> split_axis(const SplinePtr &spline, int axis, std::span<const double> breaks);
+
+// The knots of the closed domain at which the order of continuity, degree - multiplicity, is less than
+// `order`, and the two ends of the domain: breaks for split_axis(). On a periodic axis its seam cuts as any
+// end does.
+std::vector<double> rough_knots(const KnotVector &axis, int order);
+
+// The polynomial pieces as Bezier splines over their own domains, last axis fastest, and how many there are
+// on each axis.
+struct BezierPieces {
+    std::vector<int64_t> counts;
+    std::vector<SplinePtr> pieces;
+};
+BezierPieces bezier_pieces(const SplinePtr &spline);
+
+} // namespace nrb
