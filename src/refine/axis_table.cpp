@@ -10,7 +10,7 @@ namespace nrb {
 
 LayerTable rows_of(const Refinement &refinement, int64_t first, int64_t end) {
     LayerTable table;
-    table.reserve(end - first);
+    table.reserve(end - first, refinement.width());
     for (int64_t j = first; j < end; ++j) {
         double coefficients[max_basis];
         const auto [layer, size] = refinement.row(j, coefficients);

@@ -199,7 +199,7 @@ ElevatedAxis elevated_axis(const KnotVector &axis) {
         check_period(axis, result.knots);
     }
     const int64_t rows = kept.end - kept.first - p - 2 - (axis.periodic() ? p + 1 : 0);
-    result.rows.reserve(rows);
+    result.rows.reserve(rows, p + 2);
     Window window(p, knots, groups);
     int64_t group = 0;
     for (int64_t at = kept.first + 1; at <= kept.first + rows; ++at) {
@@ -234,7 +234,7 @@ Shifted shifted(const LayerTable &table, int64_t layer, int64_t period) noexcept
 
 LayerTable composed(const LayerTable &outer, const LayerTable &inner, int64_t period) {
     LayerTable table;
-    table.reserve(outer.rows());
+    table.reserve(outer.rows(), 0);
     std::vector<double> sum;
     for (int64_t r = 0; r < outer.rows(); ++r) {
         const Shifted row = shifted(outer, r, 0);
@@ -258,7 +258,7 @@ LayerTable composed(const LayerTable &outer, const LayerTable &inner, int64_t pe
 
 LayerTable wrapped_rows(const LayerTable &rows, int64_t wrapped, int64_t period) {
     LayerTable table;
-    table.reserve(rows.rows() + wrapped);
+    table.reserve(rows.rows() + wrapped, 0);
     for (int64_t i = 0; i < rows.rows() + wrapped; ++i) {
         const Shifted row = shifted(rows, i % rows.rows(), 0);
         const int64_t layer = row.first % period;

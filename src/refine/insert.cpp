@@ -66,15 +66,22 @@ void check_multiplicity(const KnotVector &axis, int k, double knot, int64_t time
 void check_multiplicities(const KnotVector &axis, int k, std::span<const double> knots,
                           const std::vector<double> &sorted) {
     const std::span<const double> old = axis.knots();
-    auto from = old.begin();
-    for (auto group = sorted.begin(); group != sorted.end();) {
-        const auto behind = std::upper_bound(group, sorted.end(), *group);
-        const auto [first, last] = std::equal_range(from, old.end(), *group);
-        if ((behind - group) + (last - first) > axis.degree() + 1) {
-            fail_multiplicity(axis, k, knots, *group, last - first);
+    size_t at = 0; // the first old knot that is not below
+    for (size_t group = 0, behind = 0; group < sorted.size(); group = behind) {
+        const double knot = sorted[group];
+        while (behind < sorted.size() && sorted[behind] == knot) {
+            ++behind;
         }
-        from = last;
-        group = behind;
+        while (at < old.size() && old[at] < knot) {
+            ++at;
+        }
+        size_t last = at;
+        while (last < old.size() && old[last] == knot) {
+            ++last;
+        }
+        if (behind - group + (last - at) > static_cast<size_t>(axis.degree()) + 1) {
+            fail_multiplicity(axis, k, knots, knot, static_cast<int64_t>(last - at));
+        }
     }
 }
 
@@ -100,9 +107,14 @@ SplinePtr insert_knot(const SplinePtr &spline, int axis, double knot, int64_t ti
 
 std::vector<double> checked_new_knots(const KnotVector &axis, int k, std::span<const double> knots) {
     std::vector<double> sorted(knots.begin(), knots.end());
+    const auto [lower, upper] = axis.domain();
     for (size_t i = 0; i < sorted.size(); ++i) {
-        check_knot(axis, k, sorted[i], static_cast<int64_t>(i));
-        sorted[i] = first_copy(axis, sorted[i]);
+        if (!(lower <= sorted[i] && sorted[i] <= upper)) {
+            check_knot(axis, k, sorted[i], static_cast<int64_t>(i));
+        }
+        if (sorted[i] == upper) {
+            sorted[i] = first_copy(axis, upper);
+        }
     }
     if (!std::is_sorted(sorted.begin(), sorted.end())) {
         std::sort(sorted.begin(), sorted.end());

@@ -85,7 +85,7 @@ AxisTable refine_periodic(const KnotVector &axis, std::span<const double> knots)
     const Refinement refinement(axis.degree(), extension.knots, fine);
     const int64_t distinct = extension.distinct + std::ssize(knots);
     LayerTable table;
-    table.reserve(distinct + axis.degree());
+    table.reserve(distinct + axis.degree(), refinement.width());
     for (int64_t i = 0; i < distinct + axis.degree(); ++i) {
         double coefficients[max_basis];
         const auto [layer, size] = refinement.row(start + i % distinct, coefficients);

@@ -24,6 +24,7 @@ public:
     // coarse[count]].
     Refinement(int degree, std::span<const double> coarse, std::span<const double> fine);
 
+    [[nodiscard]] int width() const noexcept { return degree_ + 1; }
     [[nodiscard]] int64_t rows() const noexcept { return std::ssize(fine_) - degree_ - 1; }
     // The coefficients, at most degree + 1, of new layer j. With n arguments that are not old knots there are
     // n + 1, each accurate to 3 n eps relative to itself; without any the new layer is an old one, and the

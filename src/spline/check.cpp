@@ -1,5 +1,6 @@
 // What a spline's points and weights must satisfy.
 #include "base/checked.h"
+#include "base/finite.h"
 #include "spline/axis_view.h"
 #include "spline/spline.h"
 
@@ -14,7 +15,7 @@ namespace {
 
 void check_points(const Spline &spline) {
     const std::span<const double> points = spline.points();
-    for (size_t i = 0; i < points.size(); ++i) {
+    for (size_t i = all_finite(points) ? points.size() : 0; i < points.size(); ++i) {
         if (!std::isfinite(points[i])) {
             const auto width = static_cast<size_t>(spline.stored_width());
             const bool weight = spline.form() == Form::homogeneous && i % width + 1 == width;
@@ -24,7 +25,24 @@ void check_points(const Spline &spline) {
     }
 }
 
+// What check_weight_values() asks for, in a few passes without a branch.
+bool usable_weights(const Spline &spline) noexcept {
+    const std::span<const double> weights = spline.weights();
+    const auto dim = static_cast<size_t>(spline.dim());
+    double smallest = 0, products = 0;
+    for (size_t i = 0; i < weights.size(); ++i) {
+        smallest = std::min(smallest, weights[i]);
+        for (size_t c = 0; c < dim; ++c) {
+            products += 0 * (weights[i] * spline.points()[i * dim + c]);
+        }
+    }
+    return all_finite(weights) && smallest == 0 && products == 0;
+}
+
 void check_weight_values(const Spline &spline) {
+    if (usable_weights(spline)) {
+        return;
+    }
     const std::span<const double> weights = spline.weights();
     const auto dim = static_cast<size_t>(spline.dim());
     for (size_t i = 0; i < weights.size(); ++i) {
@@ -119,11 +137,20 @@ std::vector<char> merge_layers(const std::vector<char> &carried, const AxisView 
     fail(NURBS_ERROR_WEIGHTS_VANISH, "weights: every weight that is active at parameter (%s) is 0", where);
 }
 
-void check_weight_supports(const Spline &spline) {
+// 1 for every control point that has a weight.
+std::vector<char> carried_points(const Spline &spline) {
+    const bool homogeneous = spline.form() == Form::homogeneous;
+    const auto step = static_cast<size_t>(homogeneous ? spline.dim() + 1 : 1);
+    const double *weight = homogeneous ? spline.points().data() + spline.dim() : spline.weights().data();
     std::vector<char> carried(static_cast<size_t>(spline.point_count()));
     for (size_t i = 0; i < carried.size(); ++i) {
-        carried[i] = spline.weight(static_cast<int64_t>(i)) != 0 ? 1 : 0;
+        carried[i] = weight[i * step] != 0 ? 1 : 0;
     }
+    return carried;
+}
+
+void check_weight_supports(const Spline &spline) {
+    std::vector<char> carried = carried_points(spline);
     if (std::find(carried.begin(), carried.end(), 0) == carried.end()) {
         return;
     }

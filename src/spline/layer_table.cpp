@@ -1,32 +1,16 @@
 #include "spline/layer_table.h"
 
 #include "base/checked.h"
+#include "base/finite.h"
 #include "spline/contract.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace nrb {
 
-void LayerTable::add_row(int64_t first, const double *coefficients, int size) {
-    while (size > 1 && coefficients[size - 1] == 0) {
-        --size;
-    }
-    while (size > 1 && coefficients[0] == 0) {
-        ++first;
-        ++coefficients;
-        --size;
-    }
-    if (size == 1 && coefficients[0] == 1) {
-        return add_copy(first);
-    }
-    rows_.push_back({first, size, coefficients_.size()});
-    coefficients_.insert(coefficients_.end(), coefficients, coefficients + size);
-}
-
 namespace {
 
-// One array of records and its view along the axis.
+// An array of records and its view along the axis.
 struct Layers {
     const double *data;
     AxisView view;
@@ -36,66 +20,85 @@ struct Layers {
     }
 };
 
-void check_representable(const double *values, int64_t n) {
-    if (!std::all_of(values, values + n, [](double x) { return std::isfinite(x); })) {
+void check_representable(std::span<const double> values) {
+    if (!all_finite(values)) {
         fail(NURBS_ERROR_NOT_REPRESENTABLE, "a new control point overflows double precision");
     }
 }
 
-void combine(const LayerTable &table, const LayerTable::Row &row, const Layers &layers, int64_t outer,
-             double *out) {
+inline void combine(const LayerTable &table, const LayerTable::Row &row, const Layers &layers, int64_t outer,
+                    double *out) noexcept {
     const int64_t inner = layers.view.inner;
+    const double *from = layers.at(outer, row.first);
     if (row.size == 0) {
-        std::copy_n(layers.at(outer, row.first), inner, out);
-        return;
+        std::copy_n(from, inner, out);
+    } else {
+        contract(table.coefficients(row), row.size, from, inner, inner, out);
     }
-    contract(table.coefficients(row), row.size, layers.at(outer, row.first), inner, inner, out);
-    check_representable(out, inner);
 }
 
-std::vector<double> combine_all(const LayerTable &table, const Layers &layers) {
-    const int64_t inner = layers.view.inner;
-    const int64_t size = checked_product(layers.view.outer * inner, table.rows(), "points");
-    std::vector<double> result(static_cast<size_t>(size));
-    for (int64_t o = 0; o < layers.view.outer; ++o) {
-        for (int64_t r = 0; r < table.rows(); ++r) {
-            combine(table, table.row(r), layers, o, result.data() + (o * table.rows() + r) * inner);
-        }
-    }
+// Room for the layers of a new spline, which needs its padding too.
+std::vector<double> new_layers(const AxisView &view, int64_t layers) {
+    const int64_t size = checked_product(view.outer * view.inner, layers, "points");
+    std::vector<double> result;
+    result.reserve(static_cast<size_t>(checked_sum(size, static_cast<int64_t>(Spline::padding), "points")));
+    result.resize(static_cast<size_t>(size));
     return result;
 }
 
-// Overwrites one layer of Cartesian points by the quotients of the homogeneous sums, wherever their weight
-// allows.
-void project(const std::vector<double> &sums, int dim, double *points) {
-    const int64_t width = dim + 1;
-    const auto count = static_cast<int64_t>(sums.size()) / width;
+std::vector<double> combine_all(const LayerTable &table, const Layers &layers) {
+    std::vector<double> result = new_layers(layers.view, table.rows());
+    double *out = result.data();
+    for (int64_t o = 0; o < layers.view.outer; ++o) {
+        for (int64_t r = 0; r < table.rows(); ++r, out += layers.view.inner) {
+            combine(table, table.row(r), layers, o, out);
+        }
+    }
+    check_representable(result);
+    return result;
+}
+
+// Whether every homogeneous sum of a layer has a weight.
+bool weighted(const double *sums, int64_t count, int dim) noexcept {
+    bool all = true;
     for (int64_t i = 0; i < count; ++i) {
-        const double *sum = sums.data() + i * width;
-        if (sum[dim] != 0) {
-            std::transform(sum, sum + dim, points + i * dim, [w = sum[dim]](double x) { return x / w; });
+        all = all && sums[i * (dim + 1) + dim] != 0;
+    }
+    return all;
+}
+
+// The quotients of one layer of homogeneous sums, wherever their weight allows.
+void project(const double *sums, int64_t count, int dim, double *points) noexcept {
+    for (int64_t i = 0; i < count; ++i, sums += dim + 1, points += dim) {
+        if (sums[dim] != 0) {
+            std::transform(sums, sums + dim, points, [w = sums[dim]](double x) { return x / w; });
         }
     }
 }
 
 Net apply_rational(const Spline &spline, int axis, const LayerTable &table) {
     const int dim = spline.dim();
-    const Layers records{spline.records().data(), axis_view(spline, axis, dim + 1)};
+    const Layers points{spline.points().data(), axis_view(spline, axis, dim)};
     const Layers weights{spline.weights().data(), axis_view(spline, axis, 1)};
-    Net net{combine_all(table, {spline.points().data(), axis_view(spline, axis, dim)}),
-            combine_all(table, weights)};
+    const Layers records{spline.records().data(), axis_view(spline, axis, dim + 1)};
+    Net net{new_layers(points.view, table.rows()), combine_all(table, weights)};
     std::vector<double> sums(static_cast<size_t>(records.view.inner));
+    double *out = net.points.data();
     for (int64_t o = 0; o < records.view.outer; ++o) {
-        for (int64_t r = 0; r < table.rows(); ++r) {
-            if (table.row(r).size == 0) {
+        for (int64_t r = 0; r < table.rows(); ++r, out += points.view.inner) {
+            const LayerTable::Row &row = table.row(r);
+            if (row.size == 0) {
+                std::copy_n(points.at(o, row.first), points.view.inner, out);
                 continue;
             }
-            combine(table, table.row(r), records, o, sums.data());
-            const int64_t target = (o * table.rows() + r) * weights.view.inner;
-            project(sums, dim, net.points.data() + target * dim);
+            combine(table, row, records, o, sums.data());
+            if (!weighted(sums.data(), weights.view.inner, dim)) {
+                combine(table, row, points, o, out);
+            }
+            project(sums.data(), weights.view.inner, dim, out);
         }
     }
-    check_representable(net.points.data(), static_cast<int64_t>(net.points.size()));
+    check_representable(net.points);
     return net;
 }
 

@@ -18,10 +18,26 @@ public:
         size_t offset;
     };
 
-    void reserve(int64_t rows) { rows_.reserve(static_cast<size_t>(rows)); }
+    // Room for rows of up to `width` coefficients.
+    void reserve(int64_t rows, int width) {
+        rows_.reserve(static_cast<size_t>(rows));
+        coefficients_.reserve(static_cast<size_t>(rows * width));
+    }
     void add_copy(int64_t layer) { rows_.push_back({layer, 0, 0}); }
     // Zeros at both ends are dropped; a single 1 becomes a copy.
-    void add_row(int64_t first, const double *coefficients, int size);
+    void add_row(int64_t first, const double *coefficients, int size) {
+        while (size > 1 && coefficients[size - 1] == 0) {
+            --size;
+        }
+        for (; size > 1 && coefficients[0] == 0; --size, ++first) {
+            ++coefficients;
+        }
+        if (size == 1 && coefficients[0] == 1) {
+            return add_copy(first);
+        }
+        rows_.push_back({first, size, coefficients_.size()});
+        coefficients_.insert(coefficients_.end(), coefficients, coefficients + size);
+    }
 
     [[nodiscard]] int64_t rows() const noexcept { return static_cast<int64_t>(rows_.size()); }
     [[nodiscard]] const Row &row(int64_t r) const noexcept { return rows_[static_cast<size_t>(r)]; }
