@@ -2,16 +2,27 @@
 #pragma once
 
 #include "io/document.h"
+#include "refine/cut.h"
 #include "spline/spline.h"
 
 #include <nurbs/nurbs.h>
+#include <optional>
+#include <string>
 
 struct nurbs {
     nrb::SplinePtr spline;
 };
 
+// Splines with names and notes, or else the parts of one spline, which are made when they are taken.
 struct nurbs_list {
     nrb::Document document;
+    std::optional<nrb::PartedSpline> parts = std::nullopt;
+    bool named_by_axes = false; // parts: by their place on every axis
+
+    [[nodiscard]] int64_t size() const noexcept;
+    // Precondition: 0 <= index < size().
+    [[nodiscard]] nrb::SplinePtr spline(int64_t index) const;
+    [[nodiscard]] std::string name(int64_t index) const;
 };
 
 namespace nrb::capi {

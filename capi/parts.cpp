@@ -8,7 +8,6 @@
 
 #include <cmath>
 #include <memory>
-#include <string>
 
 using namespace nrb;
 using namespace nrb::capi;
@@ -34,24 +33,6 @@ void check_range(const Spline &spline, int k, double lower, double upper) {
         fail(NURBS_ERROR_EMPTY_DOMAIN, "lower = %s on axis %d, expected less than upper = %s",
              Number(lower).text, k, Number(upper).text);
     }
-}
-
-// "2" for a curve, "2,0" for a surface.
-std::string place_name(int64_t index, const std::vector<int64_t> &counts) {
-    std::string name;
-    for (size_t k = counts.size(); k-- > 0; index /= counts[k]) {
-        name = std::to_string(index % counts[k]) + (name.empty() ? "" : ",") + name;
-    }
-    return name;
-}
-
-void give_list(const std::vector<SplinePtr> &pieces, const std::vector<int64_t> &counts, nurbs_list **out) {
-    auto list = std::make_unique<nurbs_list>();
-    list->document.splines.reserve(pieces.size());
-    for (const SplinePtr &piece : pieces) {
-        list->document.splines.push_back({place_name(std::ssize(list->document.splines), counts), piece});
-    }
-    *out = list.release();
 }
 
 // The splines behind an array of handles, all of which have the axis or as many axes as the first.
@@ -86,9 +67,9 @@ nurbs_status nurbs_split(const nurbs *g, int32_t axis, double param, nurbs **low
                  Number(param).text, Number(domain.lower).text, Number(domain.upper).text, axis);
         }
         const double breaks[] = {domain.lower, param, domain.upper};
-        std::vector<SplinePtr> parts = split_axis(g->spline, axis, breaks);
-        auto first = std::make_unique<nurbs>(nurbs{std::move(parts[0])});
-        give(std::move(parts[1]), upper);
+        const PartedSpline parts = split_axis(g->spline, axis, breaks);
+        auto first = std::make_unique<nurbs>(nurbs{parts.part(0)});
+        give(parts.part(1), upper);
         *lower = first.release();
     });
 }
@@ -114,8 +95,7 @@ nurbs_status nurbs_decompose(const nurbs *g, nurbs_list **out) {
     return guard([&] {
         require_out(out);
         require(g, "g");
-        const BezierPieces result = bezier_pieces(g->spline);
-        give_list(result.pieces, result.counts, out);
+        *out = new nurbs_list{{}, bezier_pieces(g->spline), true};
     });
 }
 
@@ -125,8 +105,7 @@ nurbs_status nurbs_split_at_knots(const nurbs *g, int32_t axis, int32_t order, n
         check_axis(spline_of(g), axis);
         check_order(order);
         const std::vector<double> breaks = rough_knots(g->spline->axis(axis), order);
-        const std::vector<SplinePtr> parts = split_axis(g->spline, axis, breaks);
-        give_list(parts, {std::ssize(parts)}, out);
+        *out = new nurbs_list{{}, split_axis(g->spline, axis, breaks)};
     });
 }
 

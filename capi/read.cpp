@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstring>
+
 #include <memory>
 
 using namespace nrb;
@@ -60,45 +60,6 @@ ReadSettings settings_of(const nurbs_read_options *options) {
     return {options->unit, limit};
 }
 
-const Document &document_of(const nurbs_list *list) {
-    require(list, "list");
-    return list->document;
-}
-
-template <class T>
-const T &item_of(const std::vector<T> &items, int64_t index) {
-    if (index < 0 || index >= static_cast<int64_t>(items.size())) {
-        fail(NURBS_ERROR_INDEX, "index = %lld, expected 0 to %lld", static_cast<long long>(index),
-             static_cast<long long>(items.size()) - 1);
-    }
-    return items[static_cast<size_t>(index)];
-}
-
-void check_buffer(const char *buf, int64_t cap) {
-    check_length(cap, "cap");
-    if (cap > 0) {
-        require(buf, "buf");
-    }
-}
-
-void copy_text(const std::string &text, char *buf, int64_t cap, int64_t *length) noexcept {
-    if (cap > 0) {
-        const auto copied = std::min(static_cast<int64_t>(text.size()), cap - 1);
-        std::memcpy(buf, text.data(), static_cast<size_t>(copied));
-        buf[copied] = '\0';
-    }
-    if (length != nullptr) {
-        *length = static_cast<int64_t>(text.size());
-    }
-}
-
-template <class T>
-void store_if(T *target, T value) noexcept {
-    if (target != nullptr) {
-        *target = value;
-    }
-}
-
 } // namespace
 
 nurbs_status nurbs_read_options_init(nurbs_read_options *options, int64_t struct_size) {
@@ -135,59 +96,4 @@ nurbs_status nurbs_read_file(const char *path, const nurbs_read_options *options
         const std::vector<char> bytes = read_whole_file(path, settings.max_bytes);
         *out = new nurbs_list{read_iges(bytes, settings)};
     });
-}
-
-nurbs_status nurbs_list_count(const nurbs_list *list, int64_t *count) {
-    return guard([&] {
-        const Document &document = document_of(list);
-        require(count, "count");
-        *count = static_cast<int64_t>(document.splines.size());
-    });
-}
-
-nurbs_status nurbs_list_get(const nurbs_list *list, int64_t index, nurbs **out) {
-    return guard([&] {
-        require_out(out);
-        give(item_of(document_of(list).splines, index).spline, out);
-    });
-}
-
-nurbs_status nurbs_list_name(const nurbs_list *list, int64_t index, char *buf, int64_t cap, int64_t *length) {
-    return guard([&] {
-        const NamedSpline &item = item_of(document_of(list).splines, index);
-        check_buffer(buf, cap);
-        copy_text(item.name, buf, cap, length);
-    });
-}
-
-nurbs_status nurbs_list_note_count(const nurbs_list *list, int64_t *count) {
-    return guard([&] {
-        const Document &document = document_of(list);
-        require(count, "count");
-        *count = static_cast<int64_t>(document.notes.size());
-    });
-}
-
-nurbs_status nurbs_list_note(const nurbs_list *list, int64_t index, int32_t *entity_type, int64_t *line,
-                             nurbs_status *reason, char *buf, int64_t cap, int64_t *length) {
-    return guard([&] {
-        const Note &note = item_of(document_of(list).notes, index);
-        check_buffer(buf, cap);
-        store_if(entity_type, int32_t{note.entity_type});
-        store_if(line, note.line);
-        store_if(reason, note.reason);
-        copy_text(note.text, buf, cap, length);
-    });
-}
-
-nurbs_status nurbs_list_unit(const nurbs_list *list, double *metres) {
-    return guard([&] {
-        const Document &document = document_of(list);
-        require(metres, "metres");
-        *metres = document.metres_per_unit;
-    });
-}
-
-void nurbs_list_destroy(nurbs_list *list) {
-    delete list;
 }

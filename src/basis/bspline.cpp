@@ -5,15 +5,7 @@
 namespace nrb {
 
 void raise_degree(const double *knots, int d, int64_t span, double t, double *values) noexcept {
-    const double *right = knots + span + 1;
-    const double *left = right - d;
-    double carried = 0;
-    for (int r = 0; r < d; ++r) {
-        const auto [alpha, beta] = split(values[r], left[r], t, right[r]);
-        values[r] = carried + beta;
-        carried = alpha;
-    }
-    values[d] = carried;
+    append_argument(knots + span + 1, knots + span + 1, d, t, values);
 }
 
 namespace {

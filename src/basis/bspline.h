@@ -1,6 +1,8 @@
 // B-spline and Bernstein basis functions at one parameter: the kernels below every evaluation.
 #pragma once
 
+#include <algorithm>
+#include <bit>
 #include <cstdint>
 #include <span>
 
@@ -22,10 +24,28 @@ struct Parts {
 inline Parts split(double value, double left, double t, double right) noexcept {
     const double behind = t - left;
     const double ahead = right - t;
-    const bool first_half = behind < ahead;
-    const double smaller = value * ((first_half ? behind : ahead) / (right - left));
+    const double smaller = value * (std::min(behind, ahead) / (right - left));
     const double larger = value - smaller;
-    return first_half ? Parts{smaller, larger} : Parts{larger, smaller};
+    // A branch here would be mispredicted every other time.
+    const auto difference = std::bit_cast<uint64_t>(smaller) ^ std::bit_cast<uint64_t>(larger);
+    const uint64_t swap = behind < ahead ? difference : 0;
+    return {std::bit_cast<double>(std::bit_cast<uint64_t>(larger) ^ swap),
+            std::bit_cast<double>(std::bit_cast<uint64_t>(smaller) ^ swap)};
+}
+
+// One step of de Boor's algorithm on a row, in place: from the d coefficients that give a polar form with
+// d - 1 arguments besides some of the knots to the d + 1 ones with the argument t as well. left[-1], left[-2],
+// ... and right[0], right[1], ... are the knots on either side that are no arguments.
+inline void append_argument(const double *left, const double *right, int d, double t,
+                            double *coefficients) noexcept {
+    left -= d;
+    double carried = 0;
+    for (int r = 0; r < d; ++r) {
+        const auto [alpha, beta] = split(coefficients[r], left[r], t, right[r]);
+        coefficients[r] = carried + beta;
+        carried = alpha;
+    }
+    coefficients[d] = carried;
 }
 
 // One step of the Cox-de Boor recurrence at t on span s, in place: from the d functions of degree d - 1 to the

@@ -1,6 +1,5 @@
 #include "refine/axis_table.h"
 
-#include "basis/bspline.h"
 #include "refine/periodic.h"
 
 #include <algorithm>
@@ -12,9 +11,12 @@ LayerTable rows_of(const Refinement &refinement, int64_t first, int64_t end) {
     LayerTable table;
     table.reserve(end - first, refinement.width());
     for (int64_t j = first; j < end; ++j) {
-        double coefficients[max_basis];
-        const auto [layer, size] = refinement.row(j, coefficients);
-        table.add_row(layer, coefficients, size);
+        if (j > first && refinement.repeats(j)) {
+            table.repeat_row();
+            continue;
+        }
+        const auto [layer, size] = refinement.row(j, table.room(refinement.width()));
+        table.add_written(layer, size);
     }
     return table;
 }

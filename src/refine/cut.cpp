@@ -7,61 +7,67 @@
 
 namespace nrb {
 
-namespace {
-
-// The knots with all breaks at multiplicity degree + 1.
 std::vector<double> saturated(const KnotVector &axis, std::span<const double> breaks) {
     std::vector<double> missing;
+    missing.reserve(breaks.size() * (static_cast<size_t>(axis.degree()) + 1));
+    int64_t i = 0; // the first knot that is not below
     for (const double knot : breaks) {
-        const int copies = axis.degree() + 1 - multiplicity(axis.knots(), knot);
-        missing.insert(missing.end(), static_cast<size_t>(copies), knot);
+        while (axis[i] < knot) {
+            ++i;
+        }
+        int64_t last = i;
+        while (last < std::ssize(axis.knots()) && axis[last] == knot) {
+            ++last;
+        }
+        missing.insert(missing.end(), static_cast<size_t>(axis.degree() + 1 - (last - i)), knot);
+        i = last;
     }
     return merged(axis.knots(), missing);
 }
 
-// Layers [first, first + axis->count()) of a cut axis.
-struct Part {
-    int64_t first;
-    KnotVectorPtr axis;
-};
+namespace {
 
-// An axis cut at breaks, and its parts between them.
+// An axis cut at breaks: what gives its layers, and where the parts between the breaks begin among them.
 struct CutAxis {
     AxisTable whole;
-    std::vector<Part> parts;
+    std::vector<int64_t> bounds;
 };
 
-// Where the part that begins at `knot` begins, as a layer and as a knot.
-int64_t layer_at(const std::vector<double> &fine, double knot) {
-    return std::lower_bound(fine.begin(), fine.end(), knot) - fine.begin();
+// A part begins at the layer that has the number of its first knot.
+std::vector<int64_t> part_bounds(const std::vector<double> &fine, std::span<const double> breaks) {
+    std::vector<int64_t> bounds;
+    bounds.reserve(breaks.size());
+    int64_t i = 0;
+    for (const double knot : breaks) {
+        while (fine[static_cast<size_t>(i)] < knot) {
+            ++i;
+        }
+        bounds.push_back(i);
+    }
+    return bounds;
 }
 
-Part part_between(const std::vector<double> &fine, int degree, int64_t first, int64_t end) {
+KnotVectorPtr part_axis(std::span<const double> fine, int degree, int64_t first, int64_t end) {
     const auto from = fine.begin() + first;
-    return {first, std::make_shared<const KnotVector>(
-                       degree, std::vector<double>(from, from + (end - first) + degree + 1))};
+    return std::make_shared<const KnotVector>(degree,
+                                              std::vector<double>(from, from + (end - first) + degree + 1));
 }
 
 CutAxis cut_at(const KnotVector &axis, std::span<const double> breaks, ClampedEnds ends) {
     const int p = axis.degree();
-    std::vector<double> fine =
+    const std::vector<double> fine =
         saturated(axis, breaks.subspan(ends.lower ? 0 : 1,
                                        breaks.size() - (ends.lower ? 0 : 1) - (ends.upper ? 0 : 1)));
     const Refinement refinement(p, axis.knots(), fine);
-    CutAxis cut;
-    std::vector<int64_t> bounds;
-    for (const double knot : breaks) {
-        bounds.push_back(layer_at(fine, knot));
+    std::vector<int64_t> bounds = part_bounds(fine, breaks);
+    const int64_t first = ends.lower ? bounds.front() : 0;
+    const int64_t end = ends.upper ? bounds.back() : refinement.rows();
+    bounds.front() = first;
+    bounds.back() = end;
+    for (int64_t &bound : bounds) {
+        bound -= first;
     }
-    bounds.front() = ends.lower ? bounds.front() : 0;
-    bounds.back() = ends.upper ? bounds.back() : refinement.rows();
-    cut.whole.table = rows_of(refinement, bounds.front(), bounds.back());
-    for (size_t i = 0; i + 1 < bounds.size(); ++i) {
-        cut.parts.push_back(part_between(fine, p, bounds[i], bounds[i + 1]));
-        cut.parts.back().first -= bounds.front();
-    }
-    cut.whole.axis = part_between(fine, p, bounds.front(), bounds.back()).axis;
-    return cut;
+    return {{part_axis(fine, p, first, end), rows_of(refinement, first, end)}, std::move(bounds)};
 }
 
 // The net of a spline whose axis was cut, before it falls apart.
@@ -69,49 +75,31 @@ SplinePtr apply(const Spline &spline, int k, const CutAxis &cut) {
     return with_axis(spline, k, cut.whole);
 }
 
+// Layers of one axis that belong to a part.
+struct Range {
+    int64_t first;
+    int64_t count;
+    int64_t total;
+};
+
 // Copies the block of an array that belongs to one part on every axis.
-std::vector<double> block(std::span<const double> values, const Spline &whole, const Part *const *parts,
+std::vector<double> block(std::span<const double> values, const std::array<Range, max_axes> &ranges,
                           int64_t width) {
-    std::array<int64_t, max_axes> first{}, count{1, 1, 1}, total{1, 1, 1};
-    const int axes = whole.axes();
-    for (int k = 0; k < axes; ++k) { // the last axes of the three are those there are
-        const auto at = static_cast<size_t>(max_axes - axes + k);
-        first[at] = parts[k]->first;
-        count[at] = parts[k]->axis->count();
-        total[at] = whole.count(k);
-    }
+    const auto &[i, j, k] = ranges;
     std::vector<double> result;
-    result.reserve(static_cast<size_t>(count[0] * count[1] * count[2] * width));
-    for (int64_t i = first[0]; i < first[0] + count[0]; ++i) {
-        for (int64_t j = first[1]; j < first[1] + count[1]; ++j) {
-            const auto from = values.begin() + ((i * total[1] + j) * total[2] + first[2]) * width;
-            result.insert(result.end(), from, from + count[2] * width);
+    result.reserve(static_cast<size_t>(i.count * j.count * k.count * width) + Spline::padding);
+    for (int64_t outer = i.first; outer < i.first + i.count; ++outer) {
+        for (int64_t middle = j.first; middle < j.first + j.count; ++middle) {
+            const auto from = values.begin() + ((outer * j.total + middle) * k.total + k.first) * width;
+            result.insert(result.end(), from, from + k.count * width);
         }
     }
     return result;
 }
 
-// One part of each axis.
-SplinePtr piece(const Spline &whole, const Part *const *parts) {
-    Spline::Axes axes;
-    axes.reserve(static_cast<size_t>(whole.axes()));
-    for (int k = 0; k < whole.axes(); ++k) {
-        axes.push_back(parts[k]->axis);
-    }
-    std::vector<double> weights;
-    if (whole.form() == Form::rational) {
-        weights = block(whole.weights(), whole, parts, 1);
-    }
-    return make_spline(std::move(axes), whole.dim(), whole.form(),
-                       block(whole.points(), whole, parts, whole.stored_width()), std::move(weights));
-}
-
-Part whole_axis(const KnotVectorPtr &axis) {
-    return {0, axis};
-}
-
 std::vector<double> breaks_of(const KnotVector &axis) {
     std::vector<double> breaks;
+    breaks.reserve(static_cast<size_t>(axis.spans().size()) + 1);
     for (const int64_t span : axis.spans().indices()) {
         breaks.push_back(axis[span]);
     }
@@ -136,24 +124,49 @@ SplinePtr restrict_axis(const SplinePtr &spline, int axis, double lower, double 
                : cut_axis(spline, axis, lower, upper, {false, false});
 }
 
-std::vector<SplinePtr> split_axis(const SplinePtr &spline, int axis, std::span<const double> breaks) {
-    if (breaks.size() == 2) {
-        return {spline};
+PartedSpline::PartedSpline(SplinePtr whole, Bounds bounds)
+    : whole_(std::move(whole)), bounds_(std::move(bounds)), size_(1) {
+    for (int k = 0; k < axes(); ++k) {
+        size_ = checked_product(size_, parts(k), "parts");
     }
-    const CutAxis cut = cut_at(spline->axis(axis), breaks, {false, false});
-    const SplinePtr whole = apply(*spline, axis, cut);
-    std::array<Part, max_axes> others;
-    std::array<const Part *, max_axes> parts{};
+}
+
+SplinePtr PartedSpline::part(int64_t index) const {
+    if (size_ == 1) {
+        return whole_;
+    }
+    std::array<Range, max_axes> ranges{};
+    ranges.fill({0, 1, 1}); // the last axes of the three are those there are
+    Spline::Axes axes = whole_->knot_vectors();
+    for (int k = this->axes(); k-- > 0;) {
+        const auto *bound = &bounds_[static_cast<size_t>(k)][static_cast<size_t>(index % parts(k))];
+        index /= parts(k);
+        ranges[static_cast<size_t>(max_axes - this->axes() + k)] = {bound[0], bound[1] - bound[0],
+                                                                    whole_->count(k)};
+        if (parts(k) > 1) {
+            const KnotVector &axis = whole_->axis(k);
+            axes[static_cast<size_t>(k)] = part_axis(axis.knots(), axis.degree(), bound[0], bound[1]);
+        }
+    }
+    std::vector<double> weights;
+    if (whole_->form() == Form::rational) {
+        weights = block(whole_->weights(), ranges, 1);
+    }
+    return make_spline(std::move(axes), whole_->dim(), whole_->form(),
+                       block(whole_->points(), ranges, whole_->stored_width()), std::move(weights));
+}
+
+PartedSpline split_axis(const SplinePtr &spline, int axis, std::span<const double> breaks) {
+    PartedSpline::Bounds bounds;
     for (int k = 0; k < spline->axes(); ++k) {
-        others[static_cast<size_t>(k)] = whole_axis(whole->knot_vectors()[static_cast<size_t>(k)]);
-        parts[static_cast<size_t>(k)] = &others[static_cast<size_t>(k)];
+        bounds[static_cast<size_t>(k)] = {0, spline->count(k)};
     }
-    std::vector<SplinePtr> result;
-    for (const Part &part : cut.parts) {
-        parts[static_cast<size_t>(axis)] = &part;
-        result.push_back(piece(*whole, parts.data()));
+    if (breaks.size() == 2) {
+        return {spline, bounds};
     }
-    return result;
+    CutAxis cut = cut_at(spline->axis(axis), breaks, {false, false});
+    bounds[static_cast<size_t>(axis)] = std::move(cut.bounds);
+    return {apply(*spline, axis, cut), bounds};
 }
 
 std::vector<double> rough_knots(const KnotVector &axis, int order) {
@@ -168,30 +181,15 @@ std::vector<double> rough_knots(const KnotVector &axis, int order) {
     return breaks;
 }
 
-BezierPieces bezier_pieces(const SplinePtr &spline) {
-    BezierPieces result;
-    std::array<std::vector<Part>, max_axes> parts;
+PartedSpline bezier_pieces(const SplinePtr &spline) {
+    PartedSpline::Bounds bounds;
     SplinePtr whole = spline;
-    int64_t total = 1;
     for (int k = 0; k < spline->axes(); ++k) {
         CutAxis cut = cut_at(spline->axis(k), breaks_of(spline->axis(k)), {true, true});
         whole = apply(*whole, k, cut);
-        result.counts.push_back(std::ssize(cut.parts));
-        total = checked_product(total, std::ssize(cut.parts), "pieces");
-        parts[static_cast<size_t>(k)] = std::move(cut.parts);
+        bounds[static_cast<size_t>(k)] = std::move(cut.bounds);
     }
-    result.pieces.reserve(static_cast<size_t>(total));
-    for (int64_t i = 0; i < total; ++i) {
-        std::array<const Part *, max_axes> chosen{};
-        int64_t rest = i;
-        for (int k = spline->axes(); k-- > 0;) {
-            const auto at = static_cast<size_t>(k);
-            chosen[at] = &parts[at][static_cast<size_t>(rest % result.counts[at])];
-            rest /= result.counts[at];
-        }
-        result.pieces.push_back(piece(*whole, chosen.data()));
-    }
-    return result;
+    return {std::move(whole), std::move(bounds)};
 }
 
 } // namespace nrb

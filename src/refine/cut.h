@@ -4,9 +4,14 @@
 
 #include "refine/axis_table.h"
 
+#include <array>
 #include <vector>
 
 namespace nrb {
+
+// The knots of an axis with all breaks at multiplicity degree + 1. Precondition: the breaks are sorted and lie
+// in the domain.
+std::vector<double> saturated(const KnotVector &axis, std::span<const double> breaks);
 
 // Which ends of a part are to be clamped although they are ends of the domain; all others are.
 struct ClampedEnds {
@@ -22,21 +27,37 @@ SplinePtr cut_axis(const SplinePtr &spline, int axis, double lower, double upper
 // periodic if it was.
 SplinePtr restrict_axis(const SplinePtr &spline, int axis, double lower, double upper);
 
+// A spline whose layers fall apart into parts, which are made when they are asked for.
+class PartedSpline {
+public:
+    // Layers [bounds[i], bounds[i + 1]) belong to part i of an axis; one part: the axis itself.
+    using Bounds = std::array<std::vector<int64_t>, max_axes>;
+    PartedSpline(SplinePtr whole, Bounds bounds);
+
+    [[nodiscard]] int axes() const noexcept { return whole_->axes(); }
+    [[nodiscard]] int64_t parts(int k) const noexcept {
+        return std::ssize(bounds_[static_cast<size_t>(k)]) - 1;
+    }
+    [[nodiscard]] int64_t size() const noexcept { return size_; } // of the product of the axes
+    // Last axis fastest.
+    [[nodiscard]] SplinePtr part(int64_t index) const;
+
+private:
+    SplinePtr whole_;
+    Bounds bounds_;
+    int64_t size_;
+};
+
 // The parts between consecutive breaks, which are rising, distinct, and begin and end with the ends of the
 // domain.
-std::vector<SplinePtr> split_axis(const SplinePtr &spline, int axis, std::span<const double> breaks);
+PartedSpline split_axis(const SplinePtr &spline, int axis, std::span<const double> breaks);
 
 // The knots of the closed domain at which the order of continuity, degree - multiplicity, is less than
 // `order`, and the two ends of the domain: breaks for split_axis(). On a periodic axis its seam cuts as any
 // end does.
 std::vector<double> rough_knots(const KnotVector &axis, int order);
 
-// The polynomial pieces as Bezier splines over their own domains, last axis fastest, and how many there are
-// on each axis.
-struct BezierPieces {
-    std::vector<int64_t> counts;
-    std::vector<SplinePtr> pieces;
-};
-BezierPieces bezier_pieces(const SplinePtr &spline);
+// The polynomial pieces as Bezier splines over their own domains.
+PartedSpline bezier_pieces(const SplinePtr &spline);
 
 } // namespace nrb

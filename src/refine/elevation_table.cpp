@@ -70,7 +70,6 @@ public:
         for (int dropped = 0; dropped < size_; ++dropped) {
             add_term(dropped, base, row);
         }
-        std::transform(row, row + degree_ + 2, row, [n = degree_ + 1](double entry) { return entry / n; });
         table.add_row(base - shift, row, degree_ + 2);
     }
 
@@ -115,20 +114,27 @@ private:
     void add_term(int dropped, int64_t base, double *row) const noexcept {
         Arguments arguments;
         drop(dropped, arguments);
-        double coefficients[max_basis];
-        coefficients[0] = copies_[dropped];
-        for (int d = 1; d <= arguments.added; ++d) {
-            const double *right = knots_.data() + arguments.end;
-            const double *left = knots_.data() + arguments.first - d;
-            double carried = 0;
-            for (int r = 0; r < d; ++r) {
-                const auto [alpha, beta] = split(coefficients[r], left[r], arguments.extra[d - 1], right[r]);
-                coefficients[r] = carried + beta;
-                carried = alpha;
-            }
-            coefficients[d] = carried;
-        }
+        const double *left = knots_.data() + arguments.first;
+        const double *right = knots_.data() + arguments.end;
+        const double share = copies_[dropped] / static_cast<double>(degree_ + 1);
         double *target = row + (arguments.first - 1 - arguments.added - base);
+        if (arguments.added == 0) {
+            target[0] += share;
+        } else if (arguments.added == 1) {
+            const auto [alpha, beta] = split(share, left[-1], arguments.extra[0], right[0]);
+            target[0] += beta;
+            target[1] += alpha;
+        } else {
+            add_steps(arguments, left, right, share, target);
+        }
+    }
+
+    static void add_steps(const Arguments &arguments, const double *left, const double *right, double share,
+                          double *target) noexcept {
+        double coefficients[max_basis] = {share};
+        for (int d = 1; d <= arguments.added; ++d) {
+            append_argument(left, right, d, arguments.extra[d - 1], coefficients);
+        }
         for (int i = 0; i <= arguments.added; ++i) {
             target[i] += coefficients[i];
         }

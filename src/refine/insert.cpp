@@ -63,8 +63,28 @@ void check_multiplicity(const KnotVector &axis, int k, double knot, int64_t time
          axis.degree() + 1);
 }
 
+// Whether rising knots strictly inside the domain meet no old one of multiplicity degree + 1.
+bool rising_inside(const KnotVector &axis, const std::vector<double> &sorted) noexcept {
+    const auto [lower, upper] = axis.domain();
+    bool rising = true;
+    double last = lower;
+    for (const double knot : sorted) {
+        rising = rising & (last < knot);
+        last = knot;
+    }
+    const int64_t p = axis.degree();
+    bool room = p > 0;
+    for (int64_t i = p + 1; i + p < axis.count(); ++i) {
+        room = room & (axis[i] != axis[i + p]);
+    }
+    return rising && room && last < upper;
+}
+
 void check_multiplicities(const KnotVector &axis, int k, std::span<const double> knots,
                           const std::vector<double> &sorted) {
+    if (rising_inside(axis, sorted)) {
+        return;
+    }
     const std::span<const double> old = axis.knots();
     size_t at = 0; // the first old knot that is not below
     for (size_t group = 0, behind = 0; group < sorted.size(); group = behind) {
@@ -109,11 +129,9 @@ std::vector<double> checked_new_knots(const KnotVector &axis, int k, std::span<c
     std::vector<double> sorted(knots.begin(), knots.end());
     const auto [lower, upper] = axis.domain();
     for (size_t i = 0; i < sorted.size(); ++i) {
-        if (!(lower <= sorted[i] && sorted[i] <= upper)) {
+        if (!(lower <= sorted[i] && sorted[i] < upper)) {
             check_knot(axis, k, sorted[i], static_cast<int64_t>(i));
-        }
-        if (sorted[i] == upper) {
-            sorted[i] = first_copy(axis, upper);
+            sorted[i] = first_copy(axis, sorted[i]);
         }
     }
     if (!std::is_sorted(sorted.begin(), sorted.end())) {

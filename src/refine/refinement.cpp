@@ -6,46 +6,49 @@
 
 namespace nrb {
 
+namespace {
+
+size_t at(int64_t i) noexcept {
+    return static_cast<size_t>(i);
+}
+
+} // namespace
+
 Refinement::Refinement(int degree, std::span<const double> coarse, std::span<const double> fine)
-    : degree_(degree), coarse_(coarse), fine_(fine) {
-    old_first_.reserve(fine.size() + 1);
-    old_last_.reserve(fine.size() + 1);
+    : degree_(degree), coarse_(coarse), fine_(fine), old_first_(fine.size() + 1), old_last_(fine.size() + 1) {
     int64_t old = 0;
-    for (size_t begin = 0; begin < fine.size();) {
-        size_t end = begin + 1;
-        while (end < fine.size() && fine[end] == fine[begin]) {
+    const auto rows = std::ssize(fine);
+    for (int64_t begin = 0; begin < rows;) {
+        int64_t end = begin + 1;
+        while (end < rows && fine_[at(end)] == fine_[at(begin)]) {
             ++end;
         }
         int64_t behind = old;
-        while (behind < std::ssize(coarse) && coarse[static_cast<size_t>(behind)] == fine[begin]) {
+        while (behind < std::ssize(coarse) && coarse_[at(behind)] == fine_[at(begin)]) {
             ++behind;
         }
-        const auto total = static_cast<int64_t>(end - begin);
-        for (int64_t i = 0; i < total; ++i) {
-            old_first_.push_back(std::min(old + i, behind));
-            old_last_.push_back(std::max(old, behind - (total - i)));
+        for (int64_t i = begin; i < end; ++i) {
+            old_first_[at(i)] = std::min(old + (i - begin), behind);
+            old_last_[at(i)] = std::max(old, behind - (end - i));
         }
         old = behind;
         begin = end;
     }
-    old_first_.push_back(old);
-    old_last_.push_back(old);
+    old_first_[at(rows)] = old;
+    old_last_[at(rows)] = old;
 }
 
 namespace {
 
-// One step of de Boor's algorithm on rows, from d coefficients to d + 1, at one more argument t. left[-1],
-// left[-2], ... and right[0], right[1], ... are the old knots on either side that are no arguments.
-void append_argument(const double *left, const double *right, int d, double t,
-                     double *coefficients) noexcept {
-    left -= d;
-    double carried = 0;
-    for (int r = 0; r < d; ++r) {
-        const auto [alpha, beta] = split(coefficients[r], left[r], t, right[r]);
-        coefficients[r] = carried + beta;
-        carried = alpha;
+// All of few steps, with the same arithmetic in registers.
+template <int steps>
+void append_arguments(const double *left, const double *right, const double *arguments,
+                      double *coefficients) noexcept {
+    double values[steps + 1] = {1};
+    for (int d = 1; d <= steps; ++d) {
+        append_argument(left, right, d, arguments[d - 1], values);
     }
-    coefficients[d] = carried;
+    std::copy_n(values, steps + 1, coefficients);
 }
 
 } // namespace
@@ -58,6 +61,21 @@ Refinement::Band Refinement::row(int64_t j, double *coefficients) const noexcept
     const double *right = coarse_.data() + shared_end;
     const auto fresh = static_cast<int>(degree_ - (shared_end - shared));
     coefficients[0] = 1;
+    if (fresh == degree_) { // as in all steps of fine refinements
+        switch (fresh) {
+        case 1:
+            append_arguments<1>(left, right, arguments, coefficients);
+            return {shared - 2, 2};
+        case 2:
+            append_arguments<2>(left, right, arguments, coefficients);
+            return {shared - 3, 3};
+        case 3:
+            append_arguments<3>(left, right, arguments, coefficients);
+            return {shared - 4, 4};
+        default:
+            break;
+        }
+    }
     const double *next = left;
     for (int d = 1; d <= fresh; ++arguments) {
         if (next != right && *next == *arguments) {

@@ -26,6 +26,13 @@ public:
 
     [[nodiscard]] int width() const noexcept { return degree_ + 1; }
     [[nodiscard]] int64_t rows() const noexcept { return std::ssize(fine_) - degree_ - 1; }
+    // Whether new layer j is the one before: all arguments of both are the same knot, at which the spline is
+    // not cut.
+    [[nodiscard]] bool repeats(int64_t j) const noexcept {
+        const auto i = static_cast<size_t>(j), behind = i + static_cast<size_t>(degree_);
+        return fine_[i] == fine_[behind] && old_last_[i + 1] == old_last_[i] &&
+               old_first_[behind] == old_first_[behind + 1];
+    }
     // The coefficients, at most degree + 1, of new layer j. With n arguments that are not old knots there are
     // n + 1, each accurate to 3 n eps relative to itself; without any the new layer is an old one, and the
     // coefficient exactly 1. Cost: n (n + 1) / 2 divisions.

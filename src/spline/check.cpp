@@ -25,22 +25,15 @@ void check_points(const Spline &spline) {
     }
 }
 
-// What check_weight_values() asks for, in a few passes without a branch.
-bool usable_weights(const Spline &spline) noexcept {
-    const std::span<const double> weights = spline.weights();
-    const auto dim = static_cast<size_t>(spline.dim());
-    double smallest = 0, products = 0;
-    for (size_t i = 0; i < weights.size(); ++i) {
-        smallest = std::min(smallest, weights[i]);
-        for (size_t c = 0; c < dim; ++c) {
-            products += 0 * (weights[i] * spline.points()[i * dim + c]);
-        }
-    }
-    return all_finite(weights) && smallest == 0 && products == 0;
+// Enough for what check_weight_values() asks for, in passes without a branch.
+bool harmless_weights(const Spline &spline) noexcept {
+    const auto [smallest, largest] = spline.all_weights();
+    return all_finite(spline.weights()) && smallest >= 0 &&
+           std::isfinite(largest * largest_magnitude(spline.points()));
 }
 
 void check_weight_values(const Spline &spline) {
-    if (usable_weights(spline)) {
+    if (harmless_weights(spline)) {
         return;
     }
     const std::span<const double> weights = spline.weights();
@@ -137,22 +130,13 @@ std::vector<char> merge_layers(const std::vector<char> &carried, const AxisView 
     fail(NURBS_ERROR_WEIGHTS_VANISH, "weights: every weight that is active at parameter (%s) is 0", where);
 }
 
-// 1 for every control point that has a weight.
-std::vector<char> carried_points(const Spline &spline) {
-    const bool homogeneous = spline.form() == Form::homogeneous;
-    const auto step = static_cast<size_t>(homogeneous ? spline.dim() + 1 : 1);
-    const double *weight = homogeneous ? spline.points().data() + spline.dim() : spline.weights().data();
+void check_weight_supports(const Spline &spline) {
+    if (spline.all_weights().smallest > 0) {
+        return;
+    }
     std::vector<char> carried(static_cast<size_t>(spline.point_count()));
     for (size_t i = 0; i < carried.size(); ++i) {
-        carried[i] = weight[i * step] != 0 ? 1 : 0;
-    }
-    return carried;
-}
-
-void check_weight_supports(const Spline &spline) {
-    std::vector<char> carried = carried_points(spline);
-    if (std::find(carried.begin(), carried.end(), 0) == carried.end()) {
-        return;
+        carried[i] = spline.weight(static_cast<int64_t>(i)) != 0 ? 1 : 0;
     }
     std::vector<std::vector<Window>> windows;
     AxisView view = axis_view(spline, 0, 1);

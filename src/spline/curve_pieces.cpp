@@ -12,21 +12,26 @@ bool Spline::even(WeightRange range) noexcept {
 }
 
 Spline::WeightRange Spline::weight_range(int64_t first, int64_t count) const noexcept {
-    WeightRange range{weight(first), weight(first)};
-    for (int64_t i = first + 1; i < first + count; ++i) {
-        range.smallest = std::min(range.smallest, weight(i));
-        range.largest = std::max(range.largest, weight(i));
+    if (form_ == Form::polynomial) {
+        return {};
+    }
+    const int64_t step = weight_step();
+    const double *at = weight_data() + first * step;
+    WeightRange range{*at, *at};
+    for (int64_t i = 1; i < count; ++i) {
+        range.smallest = std::min(range.smallest, at[i * step]);
+        range.largest = std::max(range.largest, at[i * step]);
     }
     return range;
 }
 
 bool Spline::has_pieces(int k) const noexcept {
-    return piece_degree(axis(k).degree()) && even_weights_;
+    return piece_degree(axis(k).degree()) && even(all_weights_);
 }
 
 bool Spline::has_piece(int64_t span) const noexcept {
     const int degree = axis(0).degree();
-    return axis(0).has_piece(span) && (even_weights_ || even(weight_range(span - degree, degree + 1)));
+    return axis(0).has_piece(span) && (even(all_weights_) || even(weight_range(span - degree, degree + 1)));
 }
 
 // From the basis of a span, whose points are copied to `points`: [degree + 1][lanes].

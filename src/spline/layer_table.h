@@ -4,6 +4,7 @@
 
 #include "spline/axis_view.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace nrb {
@@ -21,9 +22,11 @@ public:
     // Room for rows of up to `width` coefficients.
     void reserve(int64_t rows, int width) {
         rows_.reserve(static_cast<size_t>(rows));
-        coefficients_.reserve(static_cast<size_t>(rows * width));
+        coefficients_.resize(used_ + static_cast<size_t>(rows * width));
     }
     void add_copy(int64_t layer) { rows_.push_back({layer, 0, 0}); }
+    // Precondition: there is a row.
+    void repeat_row() { rows_.push_back(rows_.back()); }
     // Zeros at both ends are dropped; a single 1 becomes a copy.
     void add_row(int64_t first, const double *coefficients, int size) {
         while (size > 1 && coefficients[size - 1] == 0) {
@@ -32,11 +35,23 @@ public:
         for (; size > 1 && coefficients[0] == 0; --size, ++first) {
             ++coefficients;
         }
-        if (size == 1 && coefficients[0] == 1) {
+        std::copy_n(coefficients, size, room(size));
+        add_written(first, size);
+    }
+    // Where the coefficients of the next row may be written before add_written(), which makes it a row.
+    double *room(int size) {
+        const size_t end = used_ + static_cast<size_t>(size);
+        if (coefficients_.size() < end) {
+            coefficients_.resize(2 * end);
+        }
+        return coefficients_.data() + used_;
+    }
+    void add_written(int64_t first, int size) {
+        if (size == 1 && coefficients_[used_] == 1) {
             return add_copy(first);
         }
-        rows_.push_back({first, size, coefficients_.size()});
-        coefficients_.insert(coefficients_.end(), coefficients, coefficients + size);
+        rows_.push_back({first, size, used_});
+        used_ += static_cast<size_t>(size);
     }
 
     [[nodiscard]] int64_t rows() const noexcept { return static_cast<int64_t>(rows_.size()); }
@@ -47,7 +62,8 @@ public:
 
 private:
     std::vector<Row> rows_;
-    std::vector<double> coefficients_;
+    std::vector<double> coefficients_; // the first used_ are in use
+    size_t used_ = 0;
 };
 
 struct Net {

@@ -25,9 +25,8 @@ Spline::Spline(Axes axes, int dim, Form form, std::vector<double> points, std::v
     points_.reserve(points_.size() + padding); // no more than that
     points_.resize(points_.size() + padding);
     if (rational()) {
-        const WeightRange range = weight_range(0, point_count());
-        even_weights_ = even(range);
-        weight_exponent_ = form_ == Form::rational ? common_exponent(range.largest) : 0;
+        all_weights_ = weight_range(0, point_count());
+        weight_exponent_ = form_ == Form::rational ? common_exponent(all_weights_.largest) : 0;
     }
 }
 
@@ -73,18 +72,6 @@ void Spline::record_part(int64_t i, int first, int size, double *out) const noex
 double Spline::scaled_weight(int64_t i) const noexcept {
     const double stored = weights_[static_cast<size_t>(i)];
     return weight_exponent_ == 0 ? stored : std::ldexp(stored, -weight_exponent_);
-}
-
-double Spline::weight(int64_t i) const noexcept {
-    switch (form_) {
-    case Form::polynomial:
-        return 1;
-    case Form::rational:
-        return weights_[static_cast<size_t>(i)];
-    case Form::homogeneous:
-        break;
-    }
-    return points_[static_cast<size_t>(i * (dim_ + 1) + dim_)];
 }
 
 double Spline::coordinate(int64_t i, int c) const noexcept {

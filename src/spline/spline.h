@@ -53,6 +53,8 @@ public:
     // Form::rational they are a derived table, built at first use; all weights may be scaled by one power of
     // two in it. `padding` doubles behind them may be read, so that vectors of four can begin at any.
     [[nodiscard]] std::span<const double> records() const;
+    // The power of two by which the weights are divided in it.
+    [[nodiscard]] int records_exponent() const noexcept { return weight_exponent_; }
     [[nodiscard]] int width() const noexcept { return rational() ? dim_ + 1 : dim_; }
 
     // Components [first, first + size) of record i, without the table.
@@ -60,7 +62,14 @@ public:
     // The table if it exists or if `uses` evaluations more make it worth having, else null.
     [[nodiscard]] const double *records_after(int64_t uses) const;
 
-    [[nodiscard]] double weight(int64_t i) const noexcept;
+    [[nodiscard]] double weight(int64_t i) const noexcept {
+        return form_ == Form::polynomial ? 1 : weight_data()[i * weight_step()];
+    }
+    struct WeightRange {
+        double smallest = 1;
+        double largest = 1;
+    };
+    [[nodiscard]] WeightRange all_weights() const noexcept { return all_weights_; }
     // Coordinate c of Cartesian control point i; homogeneous points are divided by their weight.
     [[nodiscard]] double coordinate(int64_t i, int c) const noexcept;
 
@@ -79,15 +88,15 @@ public:
     void curve_piece(int64_t span, double *points, double *piece) const noexcept;
 
 private:
-    struct WeightRange {
-        double smallest = 1;
-        double largest = 1;
-    };
     static bool even(WeightRange range) noexcept;
     [[nodiscard]] WeightRange weight_range(int64_t first, int64_t count) const noexcept;
     [[nodiscard]] PieceArray curve_pieces() const;
     void combine(int64_t span, const double *basis, const double *rests, double *points,
                  double *piece) const noexcept;
+    [[nodiscard]] const double *weight_data() const noexcept {
+        return form_ == Form::rational ? weights_.data() : points_.data() + dim_;
+    }
+    [[nodiscard]] int64_t weight_step() const noexcept { return form_ == Form::rational ? 1 : dim_ + 1; }
     [[nodiscard]] double scaled_weight(int64_t i) const noexcept;
 
     Axes axes_;
@@ -96,8 +105,8 @@ private:
     Form form_;
     std::vector<double> points_; // and padding
     std::vector<double> weights_;
-    int weight_exponent_ = 0; // the records hold the weights divided by 2 to this
-    bool even_weights_ = true;
+    int weight_exponent_ = 0;
+    WeightRange all_weights_;
     Lazy<std::vector<double>> records_;
     Lazy<PieceArray> pieces_;
     Uses uses_;
