@@ -22,6 +22,12 @@ LIBRARIES = {
     "bench_gsl": "GSL",
     "bench_scipy.py": "SciPy",
 }
+OPERATIONS = {
+    "bench_operations_nurbs": "libnurbs",
+    "bench_operations_sisl": "SISL",
+    "bench_operations_occt": "Open CASCADE",
+    "bench_operations_snl": "SNL",
+}
 # One thread; freed memory stays in the process, which helps those who return new arrays.
 ENVIRONMENT = {
     **os.environ,
@@ -64,6 +70,7 @@ class Results:
     def __init__(self, jobs):
         self.jobs = jobs
         self.times = {}  # [job][library][route]: a list
+        self.operations = {}  # [name]: {title, points, times: {library: a list, microseconds of process time}}
         self.scaling = {}  # [name]: a list
         self.spans = None
         self.errors = set()
@@ -75,6 +82,15 @@ class Results:
         route = entry["name"].split("/")[1]
         routes = self.times.setdefault(job, {}).setdefault(library, {})
         routes.setdefault(route, []).append(nanoseconds(entry))
+
+    def add_operation(self, library, entry):
+        name = entry["name"].split("/")[0]
+        if entry.get("error_occurred"):
+            self.errors.add(f"{name}, {library}: {entry['error_message']}")
+            return
+        new = {"title": entry.get("label", ""), "points": entry["points"], "times": {}}
+        times = self.operations.setdefault(name, new)["times"]
+        times.setdefault(library, []).append(entry["cpu_time"])
 
     def add_scaling(self, entry):
         if entry.get("error_occurred"):
@@ -98,6 +114,11 @@ def one_pass(results, folder, arguments):
             if job["group"] == "main" or program == "bench_nurbs":
                 for entry in entries(command, [data, *options, f"--benchmark_filter=^{job['name']}/"]):
                     results.add(job["name"], LIBRARIES[program], entry)
+    if re.search(arguments.only, "operations"):
+        for program, library in OPERATIONS.items():
+            if (folder / "operations" / program).exists():
+                for entry in entries([str(folder / "operations" / program)], options):
+                    results.add_operation(library, entry)
     large = ["--large"] if arguments.large else []
     if re.search(arguments.only, "scaling"):
         for entry in entries([str(folder / "bench_scaling"), data, *large], options):
@@ -108,7 +129,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("folder", type=Path, help="where the programs are, and the folder data")
     parser.add_argument("--passes", type=int, default=5)
-    parser.add_argument("--only", default="", metavar="REGEX", help="jobs whose name matches, or scaling")
+    parser.add_argument("--only", default="", metavar="REGEX", help="jobs whose name matches, operations or scaling")
     parser.add_argument("--large", action="store_true", help="also a call with 1e8 points (4 GB)")
     parser.add_argument("--min-time", type=float, default=0.05, help="seconds for each time")
     arguments = parser.parse_args()

@@ -17,6 +17,7 @@ PEERS = {
     "GSL": "libgsl-dev",
     "SciPy": "python3-scipy",
 }
+OPERATION_PEERS = {**{name: PEERS[name] for name in ("SISL", "Open CASCADE")}, "SNL": "libsnl-dev"}
 BEGIN, END = "<!-- speed: written by tests/bench/run --readme -->", "<!-- end of speed -->"
 
 
@@ -50,6 +51,29 @@ def main_table(results, targets):
         if job["group"] == "main" and job["name"] in results["times"]:
             rows.append(job_row(results, job))
     return table(rows if targets else [row[:-1] for row in rows])
+
+
+def operation_row(operation):
+    times = {library: median(values) for library, values in operation["times"].items()}
+    ours, peers = times.get(OURS), [times.get(peer) for peer in OPERATION_PEERS]
+    known = [time for time in peers if time is not None]
+    ratio = f"{min(known) / ours:.1f}" if known and ours else "–"
+    return [operation["title"], number(ours), *map(number, peers), ratio]
+
+
+def operation_table(results):
+    rows = [["microseconds", OURS, *OPERATION_PEERS, "best other / ours"]]
+    rows += [operation_row(operation) for operation in results["operations"].values() if operation["title"]]
+    return table(rows) if len(rows) > 1 else ""
+
+
+def growth_table(results):
+    """Of the operations that are measured for libnurbs alone, with growing numbers of control points."""
+    rows = [["operation and control points", "ns per control point"]]
+    for name, operation in results["operations"].items():
+        if not operation["title"]:
+            rows.append([name, number(1000 * median(operation["times"][OURS]) / operation["points"])])
+    return table(rows) if len(rows) > 1 else ""
 
 
 def own_table(results, group, title):
@@ -95,7 +119,8 @@ def machine():
     cpu, family, model = (first_match(rf"^{key}\s*:(.*)$", info) for key in ("model name", "cpu family", "model"))
     compiler = subprocess.run(["g++", "-dumpfullversion"], capture_output=True, text=True).stdout.strip()
     system = first_match(r'^PRETTY_NAME="(.*)"$', Path("/etc/os-release").read_text(encoding="utf-8"))
-    others = ", ".join(f"{name} {version(package)}" for name, package in PEERS.items() if version(package))
+    packages = {**PEERS, **OPERATION_PEERS}
+    others = ", ".join(f"{name} {version(package)}" for name, package in packages.items() if version(package))
     return f"Measured on {cpu} (family {family}, model {model}), {system}, g++ {compiler}; {others}."
 
 
@@ -114,12 +139,13 @@ def main():
     own = [
         own_table(results, "variants", "curve of degree 3, random parameters"),
         own_table(results, "points", "curve of degree 3, random parameters"),
+        growth_table(results),
         scaling_tables(results),
     ]
     errors = [f"**error**: {error}" for error in results["errors"]]
-    print("\n\n".join(part for part in (main_table(results, True), machine(), *own, *errors) if part))
+    print("\n\n".join(part for part in (main_table(results, True), operation_table(results), machine(), *own, *errors) if part))
     if arguments.readme:
-        update_readme(main_table(results, False) + "\n\n" + machine())
+        update_readme("\n\n".join([main_table(results, False), operation_table(results), machine()]))
 
 
 if __name__ == "__main__":

@@ -14,6 +14,7 @@ namespace {
 using namespace bench;
 using support::SplineData;
 using Curve = std::shared_ptr<SISLCurve>;
+constexpr int polynomial_kind = 1;
 constexpr int rational_kind = 2; // coefficients (w x, w y, w z, w)
 constexpr int copy_arrays = 1;
 
@@ -27,6 +28,14 @@ Curve make_curve(const SplineData &data) {
     std::vector<double> knots = data.knots[0], points = homogeneous(data);
     return {newCurve(static_cast<int>(data.counts[0]), data.degrees[0] + 1, knots.data(), points.data(),
                      rational_kind, data.dim, copy_arrays),
+            freeCurve};
+}
+
+// For functions that know no weights: homogeneous points as a curve in four dimensions.
+Curve make_homogeneous(const SplineData &data) {
+    std::vector<double> knots = data.knots[0], points = homogeneous(data);
+    return {newCurve(static_cast<int>(data.counts[0]), data.degrees[0] + 1, knots.data(), points.data(),
+                     polynomial_kind, data.dim + 1, copy_arrays),
             freeCurve};
 }
 
@@ -44,7 +53,8 @@ SplineData cartesian(int degree, int count, const double *knots, const double *r
 }
 
 SplineData data_of(const Curve &curve) {
-    return cartesian(curve->ik - 1, curve->in, curve->et, curve->rcoef);
+    const double *records = curve->ikind == rational_kind ? curve->rcoef : curve->ecoef;
+    return cartesian(curve->ik - 1, curve->in, curve->et, records);
 }
 
 Curve refined(const Curve &curve, std::vector<double> knots) {
@@ -74,15 +84,14 @@ Curve decomposed(const Curve &curve) {
 Curve reduced(const Curve &curve, double tolerance) {
     SISLCurve *out = nullptr;
     int status = 0;
-    double eps[] = {tolerance, tolerance, tolerance}, error[3];
+    double eps[] = {tolerance, tolerance, tolerance, tolerance}, error[4];
     constexpr int fixed_ends = 1, open = 1, rounds = 10;
     s1940(curve.get(), eps, fixed_ends, fixed_ends, open, rounds, &out, error, &status);
     require(status);
     return {out, freeCurve};
 }
 
-Work unary(const Task &task, const std::function<Curve(const Curve &)> &operation) {
-    const Curve curve = make_curve(task.inputs[0]);
+Work unary(const Curve &curve, const std::function<Curve(const Curve &)> &operation) {
     return {[=] { operation(curve); }, [=] { return std::vector<SplineData>{data_of(operation(curve))}; }};
 }
 
@@ -106,15 +115,10 @@ Common compatible(const std::vector<Curve> &curves) {
     return common;
 }
 
-// s1931 takes curves without weights: homogeneous points as curves in four dimensions.
 Work compatible_work(const Task &task) {
     std::vector<Curve> curves;
     for (const SplineData &data : task.inputs) {
-        std::vector<double> knots = data.knots[0], points = homogeneous(data);
-        constexpr int polynomial_kind = 1;
-        curves.emplace_back(newCurve(static_cast<int>(data.counts[0]), data.degrees[0] + 1, knots.data(),
-                                     points.data(), polynomial_kind, data.dim + 1, copy_arrays),
-                            freeCurve);
+        curves.push_back(make_homogeneous(data));
     }
     return {[=] { compatible(curves); },
             [=] {
@@ -130,15 +134,17 @@ Work compatible_work(const Task &task) {
 }
 
 Work prepare(const Task &task) {
+    const SplineData &data = task.inputs[0];
     switch (task.operation) {
     case Operation::refine:
-        return unary(task, [knots = task.knots](const Curve &curve) { return refined(curve, knots); });
+        return unary(make_curve(data),
+                     [knots = task.knots](const Curve &curve) { return refined(curve, knots); });
     case Operation::elevate:
-        return unary(task, elevated);
+        return unary(make_curve(data), elevated);
     case Operation::decompose:
-        return unary(task, decomposed);
+        return unary(make_curve(data), decomposed);
     case Operation::remove:
-        return unary(task,
+        return unary(make_homogeneous(data),
                      [tolerance = task.tolerance](const Curve &curve) { return reduced(curve, tolerance); });
     case Operation::compatible:
         return compatible_work(task);
