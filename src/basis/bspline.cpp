@@ -4,16 +4,20 @@
 
 namespace nrb {
 
-void raise_degree(const double *knots, int d, int64_t span, double t, double *values) noexcept {
-    const double *right = knots + span + 1;
-    const double *left = right - d;
+void append_argument(const double *left, const double *right, int d, double t,
+                     double *coefficients) noexcept {
+    left -= d;
     double carried = 0;
     for (int r = 0; r < d; ++r) {
-        const auto [alpha, beta] = split(values[r], left[r], t, right[r]);
-        values[r] = carried + beta;
+        const auto [alpha, beta] = split(coefficients[r], left[r], t, right[r]);
+        coefficients[r] = carried + beta;
         carried = alpha;
     }
-    values[d] = carried;
+    coefficients[d] = carried;
+}
+
+void raise_degree(const double *knots, int d, int64_t span, double t, double *values) noexcept {
+    append_argument(knots + span + 1, knots + span + 1, d, t, values);
 }
 
 namespace {

@@ -32,6 +32,11 @@ inline Parts split(double value, double left, double t, double right) noexcept {
 // d + 1 ones of degree d. With an argument of its own in each step, the polar form of their product.
 void raise_degree(const double *knots, int d, int64_t span, double t, double *values) noexcept;
 
+// One step of de Boor's algorithm on a row, in place: from the d coefficients that give a polar form with d - 1
+// arguments besides some of the knots to the d + 1 ones with the argument t as well. left[-1], left[-2], ... and
+// right[0], right[1], ... are the knots on either side that are no arguments.
+void append_argument(const double *left, const double *right, int d, double t, double *coefficients) noexcept;
+
 // N_(s-p), ..., N_s at t on span s, by the Cox-de Boor recurrence (de Boor 1972; Piegl & Tiller A2.2). Inside
 // the span all terms are >= 0 and nothing cancels, so every value has a relative error of at most 3 p eps (6
 // roundings of half an eps for each degree), and a function that is alone at a knot comes out as exactly 1.

@@ -118,15 +118,8 @@ private:
         double coefficients[max_basis];
         coefficients[0] = copies_[dropped];
         for (int d = 1; d <= arguments.added; ++d) {
-            const double *right = knots_.data() + arguments.end;
-            const double *left = knots_.data() + arguments.first - d;
-            double carried = 0;
-            for (int r = 0; r < d; ++r) {
-                const auto [alpha, beta] = split(coefficients[r], left[r], arguments.extra[d - 1], right[r]);
-                coefficients[r] = carried + beta;
-                carried = alpha;
-            }
-            coefficients[d] = carried;
+            append_argument(knots_.data() + arguments.first, knots_.data() + arguments.end, d,
+                            arguments.extra[d - 1], coefficients);
         }
         double *target = row + (arguments.first - 1 - arguments.added - base);
         for (int i = 0; i <= arguments.added; ++i) {
