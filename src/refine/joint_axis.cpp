@@ -4,7 +4,6 @@
 #include "base/sum.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace nrb {
 
@@ -276,36 +275,72 @@ int64_t JointAxis::stored_layer(int member, int64_t layer) const noexcept {
     return period == 0 ? layer : (layer % period + period) % period;
 }
 
+namespace {
+
+// The mean of values of a polar form, as coefficients of consecutive layers.
+class Mean {
+public:
+    void clear() noexcept { rows_.clear(); }
+    void add(const PolarRow &row, double times) {
+        rows_.push_back(row);
+        times_.resize(rows_.size());
+        times_.back() = times;
+    }
+    // Without the zeros before the first coefficient; the result is its layer.
+    int64_t write(double total, std::vector<double> &mean) const {
+        int64_t first = rows_.front().first, end = first;
+        for (const PolarRow &row : rows_) {
+            first = std::min(first, row.first);
+            end = std::max(end, row.first + row.size);
+        }
+        mean.clear();
+        for (int64_t layer = first; layer < end; ++layer) {
+            const double value = coefficient(layer) / total;
+            first += mean.empty() && value == 0 ? 1 : 0;
+            if (!mean.empty() || value != 0) {
+                mean.push_back(value);
+            }
+        }
+        return first;
+    }
+
+private:
+    [[nodiscard]] double coefficient(int64_t layer) const noexcept {
+        CompensatedSum sum;
+        for (size_t i = 0; i < rows_.size(); ++i) {
+            const int64_t at = layer - rows_[i].first;
+            if (at >= 0 && at < rows_[i].size) {
+                sum.add(times_[i] * rows_[i].coefficients[at]);
+            }
+        }
+        return sum.value();
+    }
+
+    std::vector<PolarRow> rows_;
+    std::vector<double> times_;
+};
+
+} // namespace
+
+// Only layers whose functions hold the support of a new one have a part in it: at most p + 1, which are stored in
+// a row.
 LayerTable JointAxis::raising(int member) const {
     const int p = members_[static_cast<size_t>(member)].degree;
     LayerTable table;
     table.reserve(axis_->count());
+    Mean mean;
+    std::vector<double> coefficients;
     for (int64_t layer = 0; layer < axis_->count(); ++layer) {
         const Window window = this->window(layer);
-        std::vector<PolarRow> rows;
-        std::vector<double> ways;
-        int64_t first = std::numeric_limits<int64_t>::max(), end = std::numeric_limits<int64_t>::min();
+        mean.clear();
         for_each_choice(window, p, [&](const int *chosen, double times) {
-            polar_row(member, window, chosen, rows.emplace_back());
-            ways.push_back(times);
-            first = std::min(first, rows.back().first);
-            end = std::max(end, rows.back().first + rows.back().size);
+            PolarRow row;
+            polar_row(member, window, chosen, row);
+            mean.add(row, times);
         });
-        std::vector<CompensatedSum> sums(static_cast<size_t>(end - first));
-        for (size_t i = 0; i < rows.size(); ++i) {
-            for (int k = 0; k < rows[i].size; ++k) {
-                sums[static_cast<size_t>(rows[i].first - first + k)].add(ways[i] * rows[i].coefficients[k]);
-            }
-        }
-        std::vector<double> mean;
-        for (const CompensatedSum &sum : sums) {
-            mean.push_back(sum.value() / binomial(degree_, p));
-        }
-        // Only layers whose functions hold the support have a part: at most p + 1, which are stored in a row.
-        const auto none = [](double x) { return x == 0; };
-        const auto lead = std::find_if_not(mean.begin(), mean.end(), none) - mean.begin();
-        table.add_row(stored_layer(member, first + lead), mean.data() + lead,
-                      static_cast<int>(std::ssize(mean) - lead));
+        const int64_t first = mean.write(binomial(degree_, p), coefficients);
+        table.add_row(stored_layer(member, first), coefficients.data(),
+                      static_cast<int>(coefficients.size()));
     }
     return table;
 }

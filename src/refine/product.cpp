@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <numeric>
 
 namespace nrb {
@@ -237,7 +238,25 @@ Bilinear coordinates_form(int dim_a, int dim_b, ProductKind kind) {
 
 } // namespace
 
+namespace {
+
+bool has_infinite_points(const std::vector<double> &records, size_t width) noexcept {
+    for (size_t i = 0; i < records.size(); i += width) {
+        const auto from = records.begin() + static_cast<std::ptrdiff_t>(i);
+        const auto last = from + static_cast<std::ptrdiff_t>(width - 1);
+        if (*last == 0 && std::any_of(from, last, [](double x) { return x != 0; })) {
+            return true;
+        }
+    }
+    return false;
+}
+
+} // namespace
+
 SplinePtr from_records(Spline::Axes axes, int dim, Form form, std::vector<double> records) {
+    if (form == Form::rational && has_infinite_points(records, static_cast<size_t>(dim) + 1)) {
+        form = Form::homogeneous;
+    }
     if (form != Form::rational) {
         return make_spline(std::move(axes), dim, form, std::move(records));
     }

@@ -17,7 +17,15 @@ struct Common {
     SplinePtr b;
 };
 
+bool same_axis(const KnotVector &a, const KnotVector &b) {
+    return a.degree() == b.degree() && a.periodic() == b.periodic() &&
+           std::ranges::equal(a.knots(), b.knots());
+}
+
 SplinePtr raised(const SplinePtr &spline, int k, const JointAxis &joint, int member) {
+    if (same_axis(spline->axis(k), *joint.axis())) {
+        return spline;
+    }
     return with_axis(*spline, k, {joint.axis(), joint.raising(member)});
 }
 

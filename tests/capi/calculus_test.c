@@ -127,7 +127,19 @@ static void rational_derivatives(void) {
     nurbs_destroy(h);
     CHECK_NO_HANDLE(h, nurbs_derivative(g, 0, 15, &h), NURBS_ERROR_DEGREE, "derivative 15|32|axis 0|31");
     nurbs_destroy(g);
-    SplineArgs a = stairs();
+    SplineArgs a = hill(); /* a weight of 0 sends control points of the derivative to infinity */
+    a.weights = VALUES(1, 1, 0, 1, 1);
+    g = make(a);
+    CHECK_OK(nurbs_derivative(g, 0, 1, &h));
+    for (double t = 2; t <= 5; t += 0.125) {
+        double derivs[2], value;
+        CHECK_OK(nurbs_eval_derivs(g, 1, 1, &t, 0, 0, derivs, 0, 0, 0));
+        CHECK_OK(nurbs_eval(h, 1, &t, 0, 0, &value, 0, 0, 0));
+        CHECK(fabs(value - derivs[1]) < 1e-13);
+    }
+    nurbs_destroy(h);
+    nurbs_destroy(g);
+    a = stairs();
     a.weights = VALUES(1, 2, 3);
     g = make(a);
     CHECK_OK(nurbs_derivative(g, 0, 1, &h));
