@@ -2,6 +2,8 @@
 
 #include "base/checked.h"
 
+#include <cmath>
+
 namespace nrb::capi {
 
 void fail_null(const char *name) {
@@ -27,6 +29,17 @@ void check_axis(const Spline &spline, int32_t axis) {
 void check_order(int32_t order) {
     if (order < 0 || order > NURBS_MAX_ORDER) {
         fail(NURBS_ERROR_ORDER, "order = %d, expected 0 to %d", order, NURBS_MAX_ORDER);
+    }
+}
+
+void check_place(double t, Interval domain, const char *name, int axis) {
+    if (!std::isfinite(t)) {
+        fail(NURBS_ERROR_PARAMETER_NOT_FINITE, "%s = %s on axis %d is not finite", name, Number(t).text,
+             axis);
+    }
+    if (t < domain.lower || t > domain.upper) {
+        fail(NURBS_ERROR_OUTSIDE_DOMAIN, "%s = %s outside [%s, %s], the domain of axis %d", name,
+             Number(t).text, Number(domain.lower).text, Number(domain.upper).text, axis);
     }
 }
 

@@ -33,6 +33,8 @@ inline const Spline &spline_of(const ::nurbs *g) {
 void check_axes(int32_t axes);
 void check_axis(const Spline &spline, int32_t axis);
 void check_order(int32_t order);
+// A parameter of an axis: finite, and inside its domain.
+void check_place(double t, Interval domain, const char *name, int axis);
 // n >= 0, else NURBS_ERROR_COUNT.
 inline void check_length(int64_t n, const char *name) {
     if (n < 0) {

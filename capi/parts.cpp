@@ -14,17 +14,6 @@ using namespace nrb::capi;
 
 namespace {
 
-void check_place(double t, Interval domain, const char *name, int axis) {
-    if (!std::isfinite(t)) {
-        fail(NURBS_ERROR_PARAMETER_NOT_FINITE, "%s = %s on axis %d is not finite", name, Number(t).text,
-             axis);
-    }
-    if (t < domain.lower || t > domain.upper) {
-        fail(NURBS_ERROR_OUTSIDE_DOMAIN, "%s = %s outside [%s, %s], the domain of axis %d", name,
-             Number(t).text, Number(domain.lower).text, Number(domain.upper).text, axis);
-    }
-}
-
 void check_range(const Spline &spline, int k, double lower, double upper) {
     const Interval domain = spline.axis(k).domain();
     check_place(lower, domain, "lower", k);

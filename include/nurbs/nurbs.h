@@ -184,6 +184,8 @@ enum {
     NURBS_ERROR_GAP = 41,          /**< ends that are to be joined lie farther apart than the tolerance */
     NURBS_ERROR_TOLERANCE = 42,    /**< a tolerance is negative or NaN */
     NURBS_ERROR_NOT_PERIODIC = 43, /**< an axis that has to be periodic was not declared so */
+    NURBS_ERROR_END_WEIGHTS = 44,  /**< no one factor makes the weights at the ends of an axis equal */
+    NURBS_ERROR_FACTOR = 45,       /**< a factor is not finite, or not positive where it has to be */
     /* domain */
     NURBS_ERROR_OUTSIDE_DOMAIN = 100, /**< a parameter or knot lies outside the domain */
     /* numeric */
@@ -239,6 +241,10 @@ enum {
 #define NURBS_KEEP_DOMAIN 0x02000000u
 /** \brief nurbs_join(): ends that do not meet become a jump, in place of an error. */
 #define NURBS_KEEP_GAPS 0x04000000u
+/** \brief nurbs_product(): the dot product. */
+#define NURBS_PRODUCT_DOT 0x08000000u
+/** \brief nurbs_product(): the cross product in dimension 3. */
+#define NURBS_PRODUCT_CROSS 0x10000000u
 /** @} */
 
 /** \name Form of a knot vector, as reported by nurbs_knot_form()
@@ -1249,6 +1255,157 @@ NURBS_API nurbs_status nurbs_to_homogeneous(const nurbs *g, nurbs **out);
  *   _WEIGHTS_VANISH if all weights in the support of a span are 0.
  * \since 0.1 */
 NURBS_API nurbs_status nurbs_from_homogeneous(const nurbs *g, nurbs **out);
+
+/** \brief Divides all weights by the one of largest magnitude, which becomes 1; if all are equal they are
+ * dropped, and the result is polynomial. Points stay bit for bit (homogeneous ones are divided as their
+ * weights are), a weight is within eps / 2 of itself.
+ * \param[in] g a spline.
+ * \param[out] out the new handle; the same spline where there is nothing to do.
+ * \return NURBS_OK, NURBS_ERROR_NULL; _NOT_REPRESENTABLE or _POINT_NOT_FINITE if a coordinate overflows,
+ *   _WEIGHTS_VANISH if weights underflow.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_normalize_weights(const nurbs *g, nurbs **out);
+
+/** \brief Changes the parameter of an axis by a rational linear map of its domain [a, b] to itself, which
+ * keeps the shape and changes the weights (Lee & Lucian 1991; Piegl & Tiller 6.4). With rho = ratio^(1/p), t
+ * moves to
+ *
+ *     u = (a rho (b - t) + b (t - a)) / (rho (b - t) + (t - a)),
+ *
+ * and weight i is multiplied by the product of rho (b - a) / (rho (b - t_k) + t_k - a) over k = i + 1, ...,
+ * i + p: the ratio w(b) / w(a) of the weights at the ends of the domain (of the last weight to the first
+ * one, where the axis is clamped) is multiplied by `ratio`. Points stay bit for bit, a polynomial spline
+ * becomes rational; a weight is within 4 p eps of itself for the knots given (beyond the domain, where the
+ * two terms have opposite signs, times the ratio of their magnitudes to their sum), while the new knots are
+ * rounded.
+ * \param[in] g a spline.
+ * \param[in] axis 0-based axis, not periodic, of degree >= 1.
+ * \param[in] ratio positive and finite; 1 gives the same spline.
+ * \param[out] out the new handle.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS; _FACTOR if ratio is not positive and finite, _PERIODIC_KNOTS on
+ *   a periodic axis, whose knots would not repeat, _DEGREE at degree 0, _KNOTS_MERGE if knots would become
+ *   one or lie at or behind the pole of the map (beyond the domain of an unclamped axis), _NOT_REPRESENTABLE
+ *   or _WEIGHT_NOT_FINITE if a value overflows, _WEIGHTS_VANISH if weights underflow.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_reparametrize_moebius(const nurbs *g, int32_t axis, double ratio, nurbs **out);
+
+/** \brief nurbs_reparametrize_moebius() with the ratio w(a) / w(b), so that the weights at both ends of the
+ * domain of an axis are the same to (4 p + 8) eps. On surfaces and volumes the ratio must be the same, to 8
+ * eps, for all control points across the ends.
+ * \param[in] g a spline.
+ * \param[in] axis 0-based axis, not periodic.
+ * \param[out] out the new handle; the same spline if the weights are equal already.
+ * \return as for nurbs_reparametrize_moebius(), without _FACTOR; _END_WEIGHTS if no positive factor makes
+ *   them equal.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_equalize_end_weights(const nurbs *g, int32_t axis, nurbs **out);
+/** @} */
+
+/** \defgroup calculus Calculus
+ * Derivatives, integrals, sums and products of splines are splines. Where bounds speak of control points
+ * they mean their homogeneous components, before a division by the weight that adds eps / 2; the weights of
+ * rational operands count up to one power of two for each (which keeps weights that are all beyond 2^256 or
+ * below 2^-256 in range). Where the knots of a periodic axis repeat to rounding only, that rounding moves
+ * control points as well.
+ * @{ */
+
+/** \brief Values of the polar form (blossom) of a polynomial piece (Ramshaw 1989): the symmetric function of
+ * p arguments, affine in each of them, that at p equal arguments is the spline. For several axes it takes
+ * p_k arguments on axis k; for a rational spline it is that of the homogeneous records (w x, w y, ..., w),
+ * whose last component divides the others. Control point i of an axis is its value at the knots t_(i+1),
+ * ..., t_(i+p), bit for bit for those active on the piece. Each component is within 4 (p + 1) eps, summed
+ * over the axes, of the largest magnitude of it among the active control points while the arguments lie in
+ * the closed span. Elsewhere every coefficient alpha and 1 - alpha of de Boor's algorithm counts by its
+ * magnitude.
+ * \param[in] g a spline.
+ * \param[in] params [axes] a parameter in the span of the piece on each axis.
+ * \param[in] count number of arguments: the sum of the degrees.
+ * \param[in] args [count] finite arguments, p_0 for axis 0, then p_1 for axis 1, ...; may be NULL when count
+ *   is 0.
+ * \param[out] values [dim] for a polynomial spline, [dim + 1] for a rational one.
+ * \param[in] flags evaluation flags for params other than NURBS_NAN: they choose the piece.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _SIZE, _FLAGS, _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN, _OVERLAP.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_blossom(const nurbs *g, const double *params, int64_t count, const double *args,
+                                     double *values, uint32_t flags);
+
+/** \brief The partial derivative of a spline along an axis, as a spline (hodograph).
+ *
+ * Polynomial splines: of degree p - order, over the same knots but one at each end for each order; beyond
+ * the degree zeros of degree 0 over the same breaks. A knot of multiplicity p + 1, where the spline may
+ * jump, keeps one copy for each of the lower degrees + 1: what the jump itself contributes is left out. A
+ * periodic axis stays periodic. Each new control point p (P_(i+1) - P_i) / (t_(i+p+1) - t_(i+1)) is within 2
+ * eps of itself; order k within 2 k eps of H_k, the same differences with sums of magnitudes (see Accuracy).
+ *
+ * Rational splines (A, w): N_n / w^(n+1), n = order, by N_0 = A, N_(n+1) = N_n' w - (n + 1) N_n w' (Piegl &
+ * Tiller 4.3), of degree (n + 1) p on every axis; its weights are the control points of w^(n+1). A jump
+ * keeps its multiplicity of degree + 1. Weights of 0 can bring about control points at infinity; the result
+ * then holds homogeneous points. At degree 0 on the axis it is zeros without weights. Control points of N_1
+ * and w^2 are within 20 (p + 1) eps, p summed over the axes, of p (max |A| max |w|) times 4 over the
+ * shortest t_(i+p) - t_i between neighbours, and of max |w|^2; higher orders so in each step.
+ * \param[in] g a spline.
+ * \param[in] axis 0-based axis.
+ * \param[in] order 0 to NURBS_MAX_ORDER; 0 gives the same spline.
+ * \param[out] out the new handle.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _ORDER; _DEGREE if (order + 1) p exceeds NURBS_MAX_DEGREE on an
+ *   axis of a rational spline; _PERIODIC_KNOTS if the copies of knots on a periodic axis are not as often
+ *   equal as the knots; _NOT_REPRESENTABLE if a value overflows, _WEIGHTS_VANISH if weights underflow,
+ *   _OVERFLOW.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_derivative(const nurbs *g, int32_t axis, int32_t order, nurbs **out);
+
+/** \brief The integral of a polynomial spline along an axis from the lower end a of its domain,
+ *
+ *     out(t) = integral of g from a to t,
+ *
+ * of degree p + 1 over the same knots with the first and the last one once more. It is 0 at a (at a clamped
+ * start exactly); a periodic axis becomes plain, as an integral over a period need not be 0. With S_i = P_i
+ * (t_(i+p+1) - t_i) / (p + 1) its control points are sums of consecutive S_i (de Boor 1978, X), compensated:
+ * point j is within 2 eps of the sum of |S_i|, i < j, and if the start is not clamped within 6 (p + 2) eps
+ * of those active there or before it more, whatever the number of control points up to 10^7.
+ * \param[in] g a polynomial spline.
+ * \param[in] axis 0-based axis.
+ * \param[out] out the new handle.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _OVERFLOW; _RATIONAL if g is rational, _DEGREE if p + 1 exceeds
+ *   NURBS_MAX_DEGREE, _NOT_REPRESENTABLE if a value overflows.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_antiderivative(const nurbs *g, int32_t axis, nurbs **out);
+
+/** \brief The pointwise product of two splines over the same domain on every axis: component by component,
+ * where one of them may have dimension 1 and multiplies all components of the other; or the dot or cross
+ * product. Degrees are added on every axis, weights are multiplied; the product of points of weight 0 stands
+ * at the origin. A knot that occurs m times in a and n times in b occurs max(q + m, p + n) times (terms of a
+ * spline without the knot left out), which is what the continuity asks for, p and q the degrees; an axis is
+ * periodic if it is so in both. Control point j is the mean of f[t_I] g[t_J] over all divisions of its p + q
+ * knots in p and q, f and g the polar forms (Ramshaw 1989; Morken 1991): all combinations are convex. Each
+ * product of two components is within 2 eps for each axis (tested; 4 (p + q + 1) eps is proved) of the
+ * largest magnitudes of these components, multiplied; a dot or cross product of n terms within n eps more.
+ * \param[in] a,b splines with as many axes and the same domains, bit for bit.
+ * \param[in] flags NURBS_PRODUCT_DOT (result of dimension 1) or NURBS_PRODUCT_CROSS (of dimension 3), or 0.
+ * \param[out] out the new handle.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _FLAGS; _INCOMPATIBLE if axes or domains differ, _DIMENSION if the
+ *   dimensions do not suit, _DEGREE if degrees add up to more than NURBS_MAX_DEGREE, _PERIODIC_KNOTS if the
+ *   copies of knots on a periodic axis cannot be told apart, _NOT_REPRESENTABLE if a value overflows,
+ *   _WEIGHTS_VANISH if weights underflow, _OVERFLOW.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_product(const nurbs *a, const nurbs *b, uint32_t flags, nurbs **out);
+
+/** \brief The linear combination alpha a(t) + beta b(t) of two splines over the same domain on every axis.
+ * If neither is rational, both are written over common knots, with the higher degree on each axis and every
+ * knot as often as the continuity asks for; so too two rational ones whose weights then are equal bit for
+ * bit. Any others are added over the product of the denominators, where degrees add up as in
+ * nurbs_product(). An axis is periodic if it is so in both. Control points are within 2 eps for each axis
+ * (tested; 5 (r + 1) eps, r the new degree, is proved) of max |alpha a| + max |beta b|, over a product
+ * (alpha A w_b + beta B w_a) of max |alpha A| max |w_b| + max |beta B| max |w_a|.
+ * \param[in] a,b splines of the same dimension with as many axes and the same domains, bit for bit.
+ * \param[in] alpha,beta finite factors.
+ * \param[out] out the new handle.
+ * \return NURBS_OK, NURBS_ERROR_NULL; _FACTOR if alpha or beta is not finite, _INCOMPATIBLE if axes or
+ *   domains differ, _DIMENSION if dimensions do, _DEGREE if degrees add up to more than NURBS_MAX_DEGREE,
+ *   _PERIODIC_KNOTS as for nurbs_product(), _NOT_REPRESENTABLE if a value overflows, _WEIGHTS_VANISH if
+ *   weights underflow, _OVERFLOW.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_sum(const nurbs *a, double alpha, const nurbs *b, double beta, nurbs **out);
 /** @} */
 
 /** \defgroup transform Transformations

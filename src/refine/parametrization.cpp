@@ -8,6 +8,21 @@
 
 namespace nrb {
 
+void check_distinct(std::span<const double> before, std::span<const double> after, int axis) {
+    if (!std::all_of(after.begin(), after.end(), [](double t) { return std::isfinite(t); }) ||
+        !std::isfinite(after.back() - after.front())) {
+        fail(NURBS_ERROR_NOT_REPRESENTABLE, "knots of axis %d overflow when they are mapped", axis);
+    }
+    for (size_t i = 1; i < before.size(); ++i) {
+        if (before[i - 1] == before[i] ? after[i - 1] > after[i] : after[i - 1] >= after[i]) {
+            fail(NURBS_ERROR_KNOTS_MERGE,
+                 "knots[%zu] = %s and knots[%zu] = %s of axis %d would be mapped to %s and %s", i - 1,
+                 Number(before[i - 1]).text, i, Number(before[i]).text, axis, Number(after[i - 1]).text,
+                 Number(after[i]).text);
+        }
+    }
+}
+
 namespace {
 
 // The affine map of one interval to another. It goes out from the nearer end, so that both ends are exact and
@@ -28,21 +43,6 @@ private:
     Interval to_;
     double factor_;
 };
-
-void check_distinct(std::span<const double> before, std::span<const double> after, int axis) {
-    if (!std::all_of(after.begin(), after.end(), [](double t) { return std::isfinite(t); }) ||
-        !std::isfinite(after.back() - after.front())) {
-        fail(NURBS_ERROR_NOT_REPRESENTABLE, "knots of axis %d overflow when they are mapped", axis);
-    }
-    for (size_t i = 1; i < before.size(); ++i) {
-        if (before[i - 1] == before[i] ? after[i - 1] > after[i] : after[i - 1] >= after[i]) {
-            fail(NURBS_ERROR_KNOTS_MERGE,
-                 "knots[%zu] = %s and knots[%zu] = %s of axis %d would be mapped to %s and %s", i - 1,
-                 Number(before[i - 1]).text, i, Number(before[i]).text, axis, Number(after[i - 1]).text,
-                 Number(after[i]).text);
-        }
-    }
-}
 
 std::vector<double> mapped(const KnotVector &axis, int k, std::span<const double> knots, Interval to) {
     const auto p = static_cast<size_t>(axis.degree());

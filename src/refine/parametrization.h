@@ -3,6 +3,8 @@
 
 #include "spline/spline.h"
 
+#include <span>
+
 namespace nrb {
 
 // The axis turned round: t becomes -t, or with keep_domain lower + upper - t. Throws NURBS_ERROR_KNOTS_MERGE
@@ -12,5 +14,9 @@ SplinePtr reverse(const Spline &spline, int axis, bool keep_domain);
 // The axis over another domain. Throws NURBS_ERROR_PARAMETER_NOT_FINITE, _EMPTY_DOMAIN, _KNOTS_MERGE,
 // _NOT_REPRESENTABLE.
 SplinePtr reparametrize(const SplinePtr &spline, int axis, Interval domain);
+
+// Knots of an axis as a map left them: finite, and distinct ones still distinct and in order. Throws
+// NURBS_ERROR_NOT_REPRESENTABLE, _KNOTS_MERGE.
+void check_distinct(std::span<const double> before, std::span<const double> after, int axis);
 
 } // namespace nrb

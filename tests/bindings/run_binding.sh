@@ -28,7 +28,7 @@ run_fortran() {
     local compiler=${FC:-gfortran} module objects=()
     need "$compiler"
     local flags=(-std=f2018 -O2 -Wall -Wextra -Wno-compare-reals -Werror)
-    for module in nurbs_constants nurbs_c nurbs_support nurbs_handles nurbs_splines nurbs_frames nurbs_lists \
+    for module in nurbs_constants nurbs_c nurbs_support nurbs_handles nurbs_splines nurbs_frames nurbs_calculus nurbs_lists \
         nurbs; do
         "$compiler" "${flags[@]}" -J"$work" -c "$bindings/fortran/$module.f90" -o "$work/$module.o"
         objects+=("$work/$module.o")

@@ -105,6 +105,22 @@ static void data_derivatives() {
            }).status() == libnurbs::Status::size);
 }
 
+static void calculus_and_weights() {
+    const Spline g = circle();
+    const Spline line = patch().iso(0, 0.5); // (0.5, v, 0.5 v)
+    EXPECT((libnurbs::blossom(line, std::vector{0.5}, std::vector{0.25}) == std::vector{0.5, 0.25, 0.125}));
+    EXPECT((libnurbs::derivative(line, 0).eval({0.3}) == std::vector<double>{0, 1, 0.5}));
+    EXPECT((libnurbs::derivative(g, 0).degree(0)) == 4);
+    EXPECT((libnurbs::antiderivative(line, 0).eval({1}) == std::vector<double>{0.5, 0.5, 0.25}));
+    EXPECT((libnurbs::product(line, line, libnurbs::product_dot).eval({1}) == std::vector<double>{1.5}));
+    EXPECT((libnurbs::sum(line, 2, line, 1).eval({1}) == std::vector<double>{1.5, 3, 1.5}));
+    EXPECT(libnurbs::normalize_weights(line.make_rational()).is_rational() == false);
+    const Spline moved = libnurbs::reparametrize_moebius(g, 0, 4);
+    EXPECT(std::abs(moved.weights().back() - 4) < 64 * eps);
+    EXPECT(std::abs(libnurbs::equalize_end_weights(moved, 0).weights().back() - 1) < 64 * eps);
+    EXPECT(error_of([&] { (void)libnurbs::antiderivative(g, 0); }).status() == libnurbs::Status::rational);
+}
+
 static void parts_of_the_circle() {
     const Spline g = circle();
     EXPECT(g.refine(0, std::vector{0.6, 0.3}).count(0) == 11 && g.refine_uniform(0, 2).count(0) == 13);
@@ -247,6 +263,7 @@ int main() {
     data_derivatives();
     insertion_keeps_the_circle();
     forms_and_maps();
+    calculus_and_weights();
     parts_of_the_circle();
     arrays_of_any_layout();
     values_of_a_handle();

@@ -57,6 +57,23 @@ class Evaluation(unittest.TestCase):
         with self.assertRaises(ValueError):
             g.transform([[1]])
 
+    def test_calculus_and_weights(self):
+        g, same = circle(), np.testing.assert_array_equal
+        line = patch().iso(0.5)  # (0.5, v, 0.5 v)
+        same(nurbs.blossom(line, [0.5], [0.25]), [0.5, 0.25, 0.125])
+        same(nurbs.derivative(line).eval(0.3), [0, 1, 0.5])
+        same(nurbs.antiderivative(line).eval(1), [0.5, 0.5, 0.25])
+        same(nurbs.product(line, line, nurbs.NURBS_PRODUCT_DOT).eval(1), [1.5])
+        same(nurbs.sum(line, line, 2).eval(1), [1.5, 3, 1.5])
+        self.assertEqual(nurbs.derivative(g).degrees, (4,))
+        self.assertFalse(nurbs.normalize_weights(line.make_rational()).rational)
+        moved = nurbs.reparametrize_moebius(g, 4)
+        self.assertLess(abs(moved.weights()[-1] - 4), 64 * EPS)
+        self.assertLess(abs(nurbs.equalize_end_weights(moved).weights()[-1] - 1), 64 * EPS)
+        with self.assertRaises(nurbs.NurbsError) as raised:
+            nurbs.antiderivative(g)
+        self.assertEqual(raised.exception.status, nurbs.NURBS_ERROR_RATIONAL)
+
     def test_parts_of_the_circle(self):
         g, t = circle(), np.linspace(0, 1, 1001)
         self.assertEqual((g.refine([0.6, 0.3]).count(), g.refine_uniform(2).count()), (11, 13))

@@ -104,6 +104,23 @@ fn forms_and_maps() -> Result<()> {
     Ok(())
 }
 
+fn calculus_and_weights() -> Result<()> {
+    let g = circle()?;
+    let line = Spline::bezier(&[1], 2, &[0.0, 2.0, 1.0, 4.0], None)?; // (t, 2 + 2 t)
+    assert_eq!(line.blossom(&[0.5], &[0.25], 0)?, [0.25, 2.5]);
+    assert_eq!(line.derivative(0, 1)?.eval(&[0.3], 0)?, [1.0, 2.0]);
+    assert_eq!(line.antiderivative(0)?.eval(&[1.0], 0)?, [0.5, 3.0]);
+    assert_eq!(line.product(&line, sys::NURBS_PRODUCT_DOT)?.eval(&[1.0], 0)?, [17.0]);
+    assert_eq!(line.sum(2.0, &line, 1.0)?.eval(&[1.0], 0)?, [3.0, 12.0]);
+    assert_eq!(g.derivative(0, 1)?.degree(0)?, 4);
+    assert!(!line.make_rational()?.normalize_weights()?.is_rational()?);
+    let moved = g.reparametrize_moebius(0, 4.0)?;
+    assert!((moved.weights()?[8] - 4.0).abs() < 64.0 * EPS);
+    assert!((moved.equalize_end_weights(0)?.weights()?[8] - 1.0).abs() < 64.0 * EPS);
+    assert_eq!(g.antiderivative(0).err().map(|e| e.status), Some(sys::NURBS_ERROR_RATIONAL));
+    Ok(())
+}
+
 fn parts_of_the_circle() -> Result<()> {
     let (g, t) = (circle()?, params());
     assert_eq!(g.refine(0, &[0.6, 0.3])?.count(0)?, 11);
@@ -226,6 +243,7 @@ fn main() -> Result<()> {
     data_derivatives()?;
     insertion_keeps_the_circle()?;
     forms_and_maps()?;
+    calculus_and_weights()?;
     parts_of_the_circle()?;
     strided_arrays()?;
     inspection()?;

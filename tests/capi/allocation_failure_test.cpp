@@ -304,6 +304,29 @@ const Case cases[] = {
          static const int32_t turn[] = {2, 0, 1};
          return nurbs_transpose(in.volume, turn, &o.out);
      }},
+    {"derivative", [](Inputs &in, Output &o) { return nurbs_derivative(in.loop, 0, 1, &o.out); }},
+    {"derivative rational", [](Inputs &in, Output &o) { return nurbs_derivative(in.curve, 0, 2, &o.out); }},
+    {"derivative beyond the degree",
+     [](Inputs &in, Output &o) { return nurbs_derivative(in.loop, 0, 9, &o.out); }},
+    {"antiderivative", [](Inputs &in, Output &o) { return nurbs_antiderivative(in.volume, 1, &o.out); }},
+    {"product", [](Inputs &in, Output &o) { return nurbs_product(in.curve, in.curve, 0, &o.out); }},
+    {"product periodic", [](Inputs &in, Output &o) { return nurbs_product(in.loop, in.loop, 0, &o.out); }},
+    {"product volume",
+     [](Inputs &in, Output &o) { return nurbs_product(in.volume, in.volume, NURBS_PRODUCT_DOT, &o.out); }},
+    {"sum", [](Inputs &in, Output &o) { return nurbs_sum(in.loop, 1, in.loop, 2, &o.out); }},
+    {"sum rational",
+     [](Inputs &in, Output &o) {
+         nurbs *half = nullptr;
+         nurbs_status status = nurbs_reparametrize_moebius(in.curve, 0, 2, &half);
+         if (status == NURBS_OK) {
+             status = nurbs_sum(in.curve, 1, half, 1, &o.out);
+         }
+         nurbs_destroy(half);
+         return status;
+     }},
+    {"normalize_weights", [](Inputs &in, Output &o) { return nurbs_normalize_weights(in.homogeneous, &o.out); }},
+    {"equalize_end_weights",
+     [](Inputs &in, Output &o) { return nurbs_equalize_end_weights(in.curve, 0, &o.out); }},
     {"reparametrize", [](Inputs &in, Output &o) { return nurbs_reparametrize(in.loop, 0, 0, 1, &o.out); }},
     {"make_rational", [](Inputs &in, Output &o) { return nurbs_make_rational(in.loop, &o.out); }},
     {"to_homogeneous", [](Inputs &in, Output &o) { return nurbs_to_homogeneous(in.curve, &o.out); }},

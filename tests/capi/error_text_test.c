@@ -53,6 +53,8 @@ static void names(void) {
                NAME(NURBS_ERROR_GAP),
                NAME(NURBS_ERROR_TOLERANCE),
                NAME(NURBS_ERROR_NOT_PERIODIC),
+               NAME(NURBS_ERROR_END_WEIGHTS),
+               NAME(NURBS_ERROR_FACTOR),
                NAME(NURBS_ERROR_OUTSIDE_DOMAIN),
                NAME(NURBS_ERROR_NOT_REPRESENTABLE),
                NAME(NURBS_ERROR_KNOTS_MERGE),

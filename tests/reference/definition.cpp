@@ -71,13 +71,10 @@ std::vector<Rational> defined_point(const SplineData &data, const double *param,
     return sum;
 }
 
-namespace {
-
 using Point = std::vector<Rational>;
 
-// Blossom of the piece on span s at p arguments, by affine combinations of the p + 1 active points.
-Point blossom(const std::vector<double> &knots, int degree, int64_t s, std::vector<Point> points,
-              const std::vector<double> &arguments) {
+Point defined_blossom(const std::vector<double> &knots, int degree, int64_t s, std::vector<Point> points,
+                      const std::vector<double> &arguments) {
     for (int r = 1; r <= degree; ++r) {
         const Rational t = exact(arguments[static_cast<size_t>(r - 1)]);
         for (int j = degree; j >= r; --j) {
@@ -92,6 +89,8 @@ Point blossom(const std::vector<double> &knots, int degree, int64_t s, std::vect
     }
     return points.back();
 }
+
+namespace {
 
 Point homogeneous(const SplineData &data, int64_t i) {
     Point point;
@@ -169,7 +168,8 @@ InsertedLayers defined_insertion(const SplineData &data, int axis, double knot, 
             const auto from = out.knots.begin() + j + 1;
             for (int64_t i = 0; i < view.inner; ++i) {
                 const std::vector<Point> local = active(data, axis, s, o, i);
-                out.records.push_back(blossom(data.knots[k], degree, s, local, {from, from + degree}));
+                out.records.push_back(
+                    defined_blossom(data.knots[k], degree, s, local, {from, from + degree}));
             }
         }
     }
@@ -192,7 +192,7 @@ public:
         Point sum(points_.front().size());
         int total = 0;
         for (const auto &[arguments, times] : choices) {
-            const Point value = blossom(knots_, degree_, span_, points_, arguments);
+            const Point value = defined_blossom(knots_, degree_, span_, points_, arguments);
             for (size_t c = 0; c < sum.size(); ++c) {
                 sum[c] += times * value[c];
             }
@@ -262,8 +262,8 @@ std::vector<Point> defined_refinement(const SplineData &data, int axis, const st
             const int64_t s = piece_of(data.knots[k], degree, knots, degree, j);
             for (int64_t i = 0; i < view.inner; ++i) {
                 const std::vector<Point> local = active(data, axis, s, o, i);
-                records.push_back(seen ? blossom(data.knots[k], degree, s, local, {from, from + degree})
-                                       : Point());
+                records.push_back(
+                    seen ? defined_blossom(data.knots[k], degree, s, local, {from, from + degree}) : Point());
             }
         }
     }

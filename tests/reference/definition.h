@@ -17,6 +17,11 @@ Rational defined_basis_derivative(const std::vector<double> &knots, int64_t span
 // sum_i R_i(t) P_i over all control points, not only the active ones.
 std::vector<Rational> defined_point(const support::SplineData &data, const double *param, Sides left = {});
 
+// Polar form of the piece on span s at `degree` arguments, by affine combinations of its degree + 1 active points.
+std::vector<Rational> defined_blossom(const std::vector<double> &knots, int degree, int64_t s,
+                                      std::vector<std::vector<Rational>> points,
+                                      const std::vector<double> &arguments);
+
 // Control points (w x, w y, ..., w) after inserting `knot` `times` times on an axis, each by its polar form:
 // point j of the refined spline is the blossom of the old one at the p new knots that follow new knot j
 // (Ramshaw 1989). Only layers first .. last of that axis are computed, packed with the axes in their order.

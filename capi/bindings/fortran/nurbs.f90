@@ -12,13 +12,14 @@
 !>   an operation must be another variable than its operand.
 !>
 !> Order of compilation: nurbs_constants, nurbs_c, nurbs_support, nurbs_handles, nurbs_splines, nurbs_frames,
-!> nurbs_lists, nurbs.
+!> nurbs_calculus, nurbs_lists, nurbs.
 module nurbs
     use nurbs_constants ! statuses, flags and limits
     use nurbs_c         ! the C functions; knot generators, span search and bases are called by these names
     use nurbs_support, only: nurbs_message, nurbs_status_text, nurbs_on_axis, nurbs_on_all_axes
     use nurbs_splines, only: nurbs_spline
     use nurbs_frames
+    use nurbs_calculus
     use nurbs_lists, only: nurbs_list
     implicit none
     public

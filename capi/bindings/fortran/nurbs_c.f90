@@ -511,6 +511,64 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_from_homogeneous
+        function nurbs_normalize_weights(g, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_normalize_weights
+        function nurbs_reparametrize_moebius(g, axis, ratio, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int32_t), value :: axis
+            real(c_double), value :: ratio
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_reparametrize_moebius
+        function nurbs_equalize_end_weights(g, axis, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int32_t), value :: axis
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_equalize_end_weights
+        function nurbs_blossom(g, params, count, args, values, flags) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            real(c_double), intent(in) :: params(*), args(*)
+            integer(c_int64_t), value :: count
+            real(c_double), intent(inout) :: values(*)
+            integer(c_int32_t), value :: flags
+            integer(c_int32_t) :: r
+        end function nurbs_blossom
+        function nurbs_derivative(g, axis, order, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int32_t), value :: axis, order
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_derivative
+        function nurbs_antiderivative(g, axis, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int32_t), value :: axis
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_antiderivative
+        function nurbs_product(a, b, flags, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: a, b
+            integer(c_int32_t), value :: flags
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_product
+        function nurbs_sum(a, alpha, b, beta, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: a, b
+            real(c_double), value :: alpha, beta
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_sum
         function nurbs_transform(g, out_dim, matrix, translation, out) bind(c) result(r)
             import
             type(c_ptr), value :: g

@@ -51,6 +51,8 @@ module nurbs_constants
     integer(c_int32_t), parameter :: NURBS_ERROR_GAP = 41
     integer(c_int32_t), parameter :: NURBS_ERROR_TOLERANCE = 42
     integer(c_int32_t), parameter :: NURBS_ERROR_NOT_PERIODIC = 43
+    integer(c_int32_t), parameter :: NURBS_ERROR_END_WEIGHTS = 44
+    integer(c_int32_t), parameter :: NURBS_ERROR_FACTOR = 45
     integer(c_int32_t), parameter :: NURBS_ERROR_OUTSIDE_DOMAIN = 100
     integer(c_int32_t), parameter :: NURBS_ERROR_NOT_REPRESENTABLE = 200
     integer(c_int32_t), parameter :: NURBS_ERROR_KNOTS_MERGE = 202
@@ -75,6 +77,8 @@ module nurbs_constants
     integer(c_int32_t), parameter :: NURBS_ACCUMULATE = int(z'01000000', c_int32_t)
     integer(c_int32_t), parameter :: NURBS_KEEP_DOMAIN = int(z'02000000', c_int32_t)
     integer(c_int32_t), parameter :: NURBS_KEEP_GAPS = int(z'04000000', c_int32_t)
+    integer(c_int32_t), parameter :: NURBS_PRODUCT_DOT = int(z'08000000', c_int32_t)
+    integer(c_int32_t), parameter :: NURBS_PRODUCT_CROSS = int(z'10000000', c_int32_t)
 
     ! Bits of the form of a knot vector
     integer(c_int32_t), parameter :: NURBS_FORM_CLAMPED_START = int(z'01', c_int32_t)

@@ -50,6 +50,8 @@ enum class Status : nurbs_status {
     gap = NURBS_ERROR_GAP,
     tolerance = NURBS_ERROR_TOLERANCE,
     not_periodic = NURBS_ERROR_NOT_PERIODIC,
+    end_weights = NURBS_ERROR_END_WEIGHTS,
+    factor = NURBS_ERROR_FACTOR,
     outside_domain = NURBS_ERROR_OUTSIDE_DOMAIN,
     not_representable = NURBS_ERROR_NOT_REPRESENTABLE,
     knots_merge = NURBS_ERROR_KNOTS_MERGE,
@@ -83,6 +85,8 @@ inline constexpr std::uint32_t periodic = NURBS_PERIODIC;
 inline constexpr std::uint32_t accumulate = NURBS_ACCUMULATE;
 inline constexpr std::uint32_t keep_domain = NURBS_KEEP_DOMAIN;
 inline constexpr std::uint32_t keep_gaps = NURBS_KEEP_GAPS;
+inline constexpr std::uint32_t product_dot = NURBS_PRODUCT_DOT;
+inline constexpr std::uint32_t product_cross = NURBS_PRODUCT_CROSS;
 
 /// Bits of Spline::knot_form().
 inline constexpr std::int32_t form_clamped_start = NURBS_FORM_CLAMPED_START;

@@ -20,6 +20,8 @@ themselves are attributes of `nurbs.lib`.
 from ._library import NurbsError, last_error, lib, status_name, version
 from .constants import *  # noqa: F401,F403 - the names of the header
 from .files import Note, SplineList, read, read_file
+from .calculus import (antiderivative, blossom, derivative, equalize_end_weights, normalize_weights, product,
+                       reparametrize_moebius, sum)
 from .frames import (CurveFrames, Curvatures, MinimalFrames, SurfaceFrames, curve_frames, rotation_minimizing_frames,
                      surface_curvatures, surface_frames, surface_grid_frames)
 from .knots import (basis, bernstein, find_spans, knots_averaged, knots_bezier, knots_open_uniform,

@@ -13,6 +13,7 @@
 //! ```
 
 mod arrays;
+mod calculus;
 mod error;
 mod eval;
 mod forms;

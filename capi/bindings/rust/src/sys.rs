@@ -73,6 +73,8 @@ pub const NURBS_ERROR_INCOMPATIBLE: nurbs_status = 40;
 pub const NURBS_ERROR_GAP: nurbs_status = 41;
 pub const NURBS_ERROR_TOLERANCE: nurbs_status = 42;
 pub const NURBS_ERROR_NOT_PERIODIC: nurbs_status = 43;
+pub const NURBS_ERROR_END_WEIGHTS: nurbs_status = 44;
+pub const NURBS_ERROR_FACTOR: nurbs_status = 45;
 pub const NURBS_ERROR_OUTSIDE_DOMAIN: nurbs_status = 100;
 pub const NURBS_ERROR_NOT_REPRESENTABLE: nurbs_status = 200;
 pub const NURBS_ERROR_KNOTS_MERGE: nurbs_status = 202;
@@ -97,6 +99,8 @@ pub const NURBS_PERIODIC: u32 = 0x01;
 pub const NURBS_ACCUMULATE: u32 = 0x01000000;
 pub const NURBS_KEEP_DOMAIN: u32 = 0x02000000;
 pub const NURBS_KEEP_GAPS: u32 = 0x04000000;
+pub const NURBS_PRODUCT_DOT: u32 = 0x08000000;
+pub const NURBS_PRODUCT_CROSS: u32 = 0x10000000;
 
 // Bits of the form of a knot vector
 pub const NURBS_FORM_CLAMPED_START: i32 = 0x01;
@@ -518,6 +522,32 @@ extern "C" {
     pub fn nurbs_make_rational(g: *const nurbs, out: *mut *mut nurbs) -> nurbs_status;
     pub fn nurbs_to_homogeneous(g: *const nurbs, out: *mut *mut nurbs) -> nurbs_status;
     pub fn nurbs_from_homogeneous(g: *const nurbs, out: *mut *mut nurbs) -> nurbs_status;
+    pub fn nurbs_normalize_weights(g: *const nurbs, out: *mut *mut nurbs) -> nurbs_status;
+    pub fn nurbs_reparametrize_moebius(
+        g: *const nurbs,
+        axis: i32,
+        ratio: f64,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    pub fn nurbs_equalize_end_weights(g: *const nurbs, axis: i32, out: *mut *mut nurbs) -> nurbs_status;
+    pub fn nurbs_blossom(
+        g: *const nurbs,
+        params: *const f64,
+        count: i64,
+        args: *const f64,
+        values: *mut f64,
+        flags: u32,
+    ) -> nurbs_status;
+    pub fn nurbs_derivative(g: *const nurbs, axis: i32, order: i32, out: *mut *mut nurbs) -> nurbs_status;
+    pub fn nurbs_antiderivative(g: *const nurbs, axis: i32, out: *mut *mut nurbs) -> nurbs_status;
+    pub fn nurbs_product(a: *const nurbs, b: *const nurbs, flags: u32, out: *mut *mut nurbs) -> nurbs_status;
+    pub fn nurbs_sum(
+        a: *const nurbs,
+        alpha: f64,
+        b: *const nurbs,
+        beta: f64,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
     pub fn nurbs_transform(
         g: *const nurbs,
         out_dim: i32,

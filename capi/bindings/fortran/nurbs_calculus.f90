@@ -1,0 +1,125 @@
+! SPDX-License-Identifier: MIT
+!> Derivatives, integrals, sums and products of splines, and changes of their weights. Conventions: see the module
+!> nurbs.
+module nurbs_calculus
+    use, intrinsic :: iso_c_binding
+    use nurbs_constants
+    use nurbs_c
+    use nurbs_support
+    use nurbs_splines
+    implicit none
+    private
+    public :: spline_blossom, spline_derivative, spline_antiderivative, spline_product, spline_sum
+    public :: normalize_weights, reparametrize_moebius, equalize_end_weights
+
+contains
+
+    !> The polar form of the piece at params(axes) at arguments args(sum of the degrees), in values(dim), or
+    !> values(dim + 1) if g is rational.
+    subroutine spline_blossom(g, params, args, values, flags, status)
+        class(nurbs_spline), intent(in) :: g
+        real(c_double), intent(in) :: params(:), args(:)
+        real(c_double), intent(inout) :: values(:)
+        integer(c_int32_t), intent(in), optional :: flags
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code, axes, dim, rational
+        code = nurbs_axes(g%handle, axes)
+        if (code == NURBS_OK) code = nurbs_dimension(g%handle, dim)
+        if (code == NURBS_OK) code = nurbs_is_rational(g%handle, rational)
+        if (code == NURBS_OK .and. (size(params) /= axes .or. size(values) /= dim + rational)) code = shape_error
+        if (code == NURBS_OK) code = nurbs_blossom(g%handle, params, size(args, kind=c_int64_t), args, values, &
+            bits(flags))
+        call settle(code, status)
+    end subroutine spline_blossom
+
+    !> The partial derivative along an axis.
+    subroutine spline_derivative(g, axis, order, out, status)
+        class(nurbs_spline), intent(in) :: g
+        integer(c_int32_t), intent(in) :: axis, order
+        type(nurbs_spline), intent(inout) :: out
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        type(c_ptr) :: made
+        code = nurbs_derivative(g%handle, axis - 1, order, made)
+        call out%replace(made)
+        call settle(code, status)
+    end subroutine spline_derivative
+
+    !> The integral along an axis from the start of its domain.
+    subroutine spline_antiderivative(g, axis, out, status)
+        class(nurbs_spline), intent(in) :: g
+        integer(c_int32_t), intent(in) :: axis
+        type(nurbs_spline), intent(inout) :: out
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        type(c_ptr) :: made
+        code = nurbs_antiderivative(g%handle, axis - 1, made)
+        call out%replace(made)
+        call settle(code, status)
+    end subroutine spline_antiderivative
+
+    !> a(t) b(t); flags 0, NURBS_PRODUCT_DOT or NURBS_PRODUCT_CROSS.
+    subroutine spline_product(a, b, out, flags, status)
+        class(nurbs_spline), intent(in) :: a, b
+        type(nurbs_spline), intent(inout) :: out
+        integer(c_int32_t), intent(in), optional :: flags
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        type(c_ptr) :: made
+        code = nurbs_product(a%handle, b%handle, bits(flags), made)
+        call out%replace(made)
+        call settle(code, status)
+    end subroutine spline_product
+
+    !> alpha a(t) + beta b(t)
+    subroutine spline_sum(a, alpha, b, beta, out, status)
+        class(nurbs_spline), intent(in) :: a, b
+        real(c_double), intent(in) :: alpha, beta
+        type(nurbs_spline), intent(inout) :: out
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        type(c_ptr) :: made
+        code = nurbs_sum(a%handle, alpha, b%handle, beta, made)
+        call out%replace(made)
+        call settle(code, status)
+    end subroutine spline_sum
+
+    !> The largest weight 1; equal weights dropped.
+    subroutine normalize_weights(g, out, status)
+        class(nurbs_spline), intent(in) :: g
+        type(nurbs_spline), intent(inout) :: out
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        type(c_ptr) :: made
+        code = nurbs_normalize_weights(g%handle, made)
+        call out%replace(made)
+        call settle(code, status)
+    end subroutine normalize_weights
+
+    !> The same shape with the ratio of the end weights multiplied.
+    subroutine reparametrize_moebius(g, axis, ratio, out, status)
+        class(nurbs_spline), intent(in) :: g
+        integer(c_int32_t), intent(in) :: axis
+        real(c_double), intent(in) :: ratio
+        type(nurbs_spline), intent(inout) :: out
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        type(c_ptr) :: made
+        code = nurbs_reparametrize_moebius(g%handle, axis - 1, ratio, made)
+        call out%replace(made)
+        call settle(code, status)
+    end subroutine reparametrize_moebius
+
+    !> The same shape with equal weights at the ends of an axis.
+    subroutine equalize_end_weights(g, axis, out, status)
+        class(nurbs_spline), intent(in) :: g
+        integer(c_int32_t), intent(in) :: axis
+        type(nurbs_spline), intent(inout) :: out
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        type(c_ptr) :: made
+        code = nurbs_equalize_end_weights(g%handle, axis - 1, made)
+        call out%replace(made)
+        call settle(code, status)
+    end subroutine equalize_end_weights
+end module nurbs_calculus

@@ -1,0 +1,127 @@
+// Calculus: polar forms, derivatives, integrals, products and sums.
+#include "checks.h"
+#include "guard.h"
+
+#include "eval/parameters.h"
+#include "refine/antiderivative.h"
+#include "refine/blossom.h"
+#include "refine/derivative.h"
+#include "refine/product.h"
+#include "refine/quotient_rule.h"
+#include "refine/sum.h"
+
+#include <array>
+#include <cmath>
+
+using namespace nrb;
+using namespace nrb::capi;
+
+namespace {
+
+int64_t degree_total(const Spline &spline) noexcept {
+    int64_t total = 0;
+    for (const KnotVectorPtr &axis : spline.knot_vectors()) {
+        total += axis->degree();
+    }
+    return total;
+}
+
+void check_finite(const double *values, int64_t n, const char *name) {
+    for (int64_t i = 0; i < n; ++i) {
+        if (!std::isfinite(values[i])) {
+            fail(NURBS_ERROR_PARAMETER_NOT_FINITE, "%s[%lld] = %s is not finite", name,
+                 static_cast<long long>(i), Number(values[i]).text);
+        }
+    }
+}
+
+// The spans in which the parameters lie.
+std::array<int64_t, max_axes> spans_at(const Spline &spline, const double *params, uint32_t flags) {
+    const AxisRules rules = decode_rules(flags, spline.axes());
+    std::array<int64_t, max_axes> spans{};
+    for (size_t k = 0; k < static_cast<size_t>(spline.axes()); ++k) {
+        if (rules[k].nan) {
+            fail(NURBS_ERROR_FLAGS, "flags = 0x%x: NURBS_NAN has no meaning for the choice of a piece",
+                 flags);
+        }
+        const KnotVector &axis = spline.axis(static_cast<int>(k));
+        check_axis_parameters(axis, rules[k], {params + k, 1}, static_cast<int64_t>(k));
+        spans[k] = axis.find_span(place(params[k], rules[k], axis.domain()), rules[k].left);
+    }
+    return spans;
+}
+
+ProductKind kind_of(uint32_t flags) {
+    if ((flags & ~(NURBS_PRODUCT_DOT | NURBS_PRODUCT_CROSS)) != 0 ||
+        flags == (NURBS_PRODUCT_DOT | NURBS_PRODUCT_CROSS)) {
+        fail(NURBS_ERROR_FLAGS, "flags = 0x%x, expected NURBS_PRODUCT_DOT, NURBS_PRODUCT_CROSS or 0", flags);
+    }
+    return flags == NURBS_PRODUCT_DOT     ? ProductKind::dot
+           : flags == NURBS_PRODUCT_CROSS ? ProductKind::cross
+                                          : ProductKind::components;
+}
+
+void check_factor(double factor, const char *name) {
+    if (!std::isfinite(factor)) {
+        fail(NURBS_ERROR_FACTOR, "%s = %s is not finite", name, Number(factor).text);
+    }
+}
+
+} // namespace
+
+nurbs_status nurbs_blossom(const nurbs *g, const double *params, int64_t count, const double *args,
+                           double *values, uint32_t flags) {
+    return guard([&] {
+        const Spline &spline = spline_of(g);
+        require(params, "params");
+        check_size(count, degree_total(spline), "count");
+        if (count > 0) {
+            require(args, "args");
+        }
+        require(values, "values");
+        const auto spans = spans_at(spline, params, flags);
+        check_finite(args, count, "args");
+        check_apart({memory("values", values, spline.width())},
+                    {memory("params", params, spline.axes()), memory("args", args, count)});
+        blossom(spline, spans.data(), {args, static_cast<size_t>(count)}, values);
+    });
+}
+
+nurbs_status nurbs_derivative(const nurbs *g, int32_t axis, int32_t order, nurbs **out) {
+    return guard([&] {
+        require_out(out);
+        check_axis(spline_of(g), axis);
+        check_order(order);
+        give(order > 0 && g->spline->rational() ? rational_derivative(*g->spline, axis, order)
+                                                : polynomial_derivative(g->spline, axis, order),
+             out);
+    });
+}
+
+nurbs_status nurbs_antiderivative(const nurbs *g, int32_t axis, nurbs **out) {
+    return guard([&] {
+        require_out(out);
+        check_axis(spline_of(g), axis);
+        give(antiderivative(*g->spline, axis), out);
+    });
+}
+
+nurbs_status nurbs_product(const nurbs *a, const nurbs *b, uint32_t flags, nurbs **out) {
+    return guard([&] {
+        require_out(out);
+        require(a, "a");
+        require(b, "b");
+        give(product(*a->spline, *b->spline, kind_of(flags)), out);
+    });
+}
+
+nurbs_status nurbs_sum(const nurbs *a, double alpha, const nurbs *b, double beta, nurbs **out) {
+    return guard([&] {
+        require_out(out);
+        require(a, "a");
+        require(b, "b");
+        check_factor(alpha, "alpha");
+        check_factor(beta, "beta");
+        give(sum(a->spline, alpha, b->spline, beta), out);
+    });
+}

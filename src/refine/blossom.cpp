@@ -1,0 +1,110 @@
+#include "refine/blossom.h"
+
+#include "basis/bspline.h"
+#include "spline/axis_view.h"
+
+#include <algorithm>
+#include <array>
+
+namespace nrb {
+
+namespace {
+
+// Coefficients of consecutive control points along each axis.
+struct Rows {
+    std::array<std::array<double, max_basis>, max_axes> coefficients;
+    std::array<int64_t, max_axes> first;
+    std::array<int, max_axes> size;
+};
+
+// Arguments still to be used.
+class Arguments {
+public:
+    explicit Arguments(std::span<const double> values) noexcept : size_(static_cast<int>(values.size())) {
+        std::copy(values.begin(), values.end(), values_.begin());
+    }
+    [[nodiscard]] std::span<const double> values() const noexcept {
+        return std::span(values_).first(static_cast<size_t>(size_));
+    }
+    // Whether a knot was among them; it is used up.
+    bool take(double knot) noexcept {
+        const auto end = values_.begin() + size_;
+        const auto found = std::find(values_.begin(), end, knot);
+        if (found == end) {
+            return false;
+        }
+        std::copy(found + 1, end, found);
+        --size_;
+        return true;
+    }
+
+private:
+    std::array<double, max_basis> values_{};
+    int size_;
+};
+
+// Arguments that are the knots next to the span, without a gap, fix as many parameters of the polar form; the
+// others follow by de Boor's algorithm with the knots around those. So control points come out bit for bit, and
+// factors lie in [0, 1] for arguments between these knots.
+void set_row(const KnotVector &axis, int64_t span, std::span<const double> values, double *coefficients,
+             int64_t &first, int &size) noexcept {
+    Arguments arguments(values);
+    int64_t begin = span + 1, end = span + 1; // knots that are arguments
+    for (bool taken = true; taken;) {
+        const bool below = begin > 0 && arguments.take(axis[begin - 1]);
+        const bool above = end < std::ssize(axis.knots()) && arguments.take(axis[end]);
+        begin -= below ? 1 : 0;
+        end += above ? 1 : 0;
+        taken = below || above;
+    }
+    coefficients[0] = 1;
+    size = 1;
+    for (const double t : arguments.values()) {
+        append_argument(axis.knots().data() + begin, axis.knots().data() + end, size++, t, coefficients);
+    }
+    first = begin - size;
+}
+
+Rows rows_at(const Spline &spline, const int64_t *spans, std::span<const double> arguments) noexcept {
+    Rows rows;
+    for (int k = 0; k < spline.axes(); ++k) {
+        const auto at = static_cast<size_t>(k);
+        const auto degree = static_cast<size_t>(spline.axis(k).degree());
+        set_row(spline.axis(k), spans[k], arguments.first(degree), rows.coefficients[at].data(),
+                rows.first[at], rows.size[at]);
+        arguments = arguments.subspan(degree);
+    }
+    return rows;
+}
+
+// Component c of control point i, multiplied by its weight where it has one.
+double record_value(const Spline &spline, int64_t i, int c) noexcept {
+    const double stored =
+        c < spline.stored_width() ? spline.points()[static_cast<size_t>(i * spline.stored_width() + c)] : 1;
+    return spline.form() == Form::rational ? spline.weight(i) * stored : stored;
+}
+
+// The sum over the axes from k on, of the points that begin at `base`: the last axis first.
+double sum(const Spline &spline, const Rows &rows, int k, int64_t base, int c) noexcept {
+    if (k == spline.axes()) {
+        return record_value(spline, base, c);
+    }
+    const auto at = static_cast<size_t>(k);
+    double result = 0;
+    for (int i = 0; i < rows.size[at]; ++i) {
+        const int64_t next = base * spline.count(k) + rows.first[at] + i;
+        result += rows.coefficients[at][static_cast<size_t>(i)] * sum(spline, rows, k + 1, next, c);
+    }
+    return result;
+}
+
+} // namespace
+
+void blossom(const Spline &spline, const int64_t *spans, std::span<const double> arguments, double *out) {
+    const Rows rows = rows_at(spline, spans, arguments);
+    for (int c = 0; c < spline.width(); ++c) {
+        out[c] = sum(spline, rows, 0, 0, c);
+    }
+}
+
+} // namespace nrb
