@@ -4,6 +4,7 @@
 #include "base/sum.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace nrb {
 
@@ -54,7 +55,8 @@ double copy_of(double knot, int64_t periods, Interval domain) noexcept {
 
 } // namespace
 
-JointAxis::JointAxis(int degree, std::vector<const KnotVector *> members, int extra) : degree_(degree) {
+JointAxis::JointAxis(int degree, const std::vector<const KnotVector *> &members, int extra)
+    : degree_(degree) {
     const bool periodic = std::all_of(members.begin(), members.end(),
                                       [](const KnotVector *member) { return member->periodic(); });
     if (periodic) {
@@ -70,76 +72,81 @@ JointAxis::JointAxis(int degree, std::vector<const KnotVector *> members, int ex
     }
 }
 
-void JointAxis::add_open(std::vector<const KnotVector *> members) {
+// The knots of all members, each with its multiplicities.
+std::vector<JointAxis::Group> JointAxis::merged(const std::vector<std::vector<KnotGroup>> &own) {
     std::vector<double> all;
-    for (const KnotVector *member : members) {
-        members_.push_back({member->degree(), {member->knots().begin(), member->knots().end()}, 0, 0});
-        all.insert(all.end(), member->knots().begin(), member->knots().end());
+    for (const std::vector<KnotGroup> &groups : own) {
+        std::transform(groups.begin(), groups.end(), std::back_inserter(all),
+                       [](const KnotGroup &group) { return group.knot; });
     }
     std::sort(all.begin(), all.end());
-    for (const auto &[knot, times] : distinct_knots(all)) {
-        Group group{knot, 0, 0, {}, {}};
-        for (size_t i = 0; i < members_.size(); ++i) {
-            const std::vector<double> &knots = members_[i].knots;
-            const auto [first, last] = std::equal_range(knots.begin(), knots.end(), knot);
-            group.place[i] = first - knots.begin();
-            group.times[i] = static_cast<int>(last - first);
-        }
-        groups_.push_back(group);
-    }
-}
-
-void JointAxis::add_periodic(std::vector<const KnotVector *> members) {
-    const Interval domain = members.front()->domain();
-    std::vector<Group> period;
-    std::vector<double> all;
-    std::vector<std::vector<KnotGroup>> own;
-    for (const KnotVector *member : members) {
-        own.push_back(one_period(*member));
-        for (const KnotGroup &group : own.back()) {
-            all.push_back(group.knot);
-        }
-        members_.push_back({member->degree(), {}, 0, member->distinct_layers()});
-    }
-    std::sort(all.begin(), all.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    std::vector<Group> result;
     std::vector<size_t> next(own.size(), 0);
-    for (const auto &[knot, times] : distinct_knots(all)) {
+    for (const double knot : all) {
         Group group{knot, 0, 0, {}, {}};
         for (size_t i = 0; i < own.size(); ++i) {
             const bool has = next[i] < own[i].size() && own[i][next[i]].knot == knot;
             group.times[i] = has ? own[i][next[i]++].multiplicity : 0;
         }
-        period.push_back(group);
+        result.push_back(group);
     }
-    // So many periods that each member has 2 r + 2 knots on either side of the domain: r + 1 of them can be
-    // arguments, the others stand around these.
+    return result;
+}
+
+void JointAxis::append(Group group) {
+    for (size_t i = 0; i < members_.size(); ++i) {
+        std::vector<double> &knots = members_[i].knots;
+        group.place[i] = std::ssize(knots);
+        knots.insert(knots.end(), static_cast<size_t>(group.times[i]), group.knot);
+    }
+    groups_.push_back(group);
+}
+
+void JointAxis::add_open(const std::vector<const KnotVector *> &members) {
+    std::vector<std::vector<KnotGroup>> own;
+    for (const KnotVector *member : members) {
+        members_.push_back({member->degree(), {}, 0, 0});
+        own.push_back(distinct_knots(member->knots()));
+    }
+    for (const Group &group : merged(own)) {
+        append(group);
+    }
+}
+
+// So many periods that each member has 2 r + 2 knots on either side of the domain: r + 1 of them can be
+// arguments, the others stand around these.
+void JointAxis::add_periodic(const std::vector<const KnotVector *> &members) {
+    const Interval domain = members.front()->domain();
+    std::vector<std::vector<KnotGroup>> own;
     int64_t fewest = members.front()->distinct_layers();
     for (const KnotVector *member : members) {
+        members_.push_back({member->degree(), {}, 0, member->distinct_layers()});
+        own.push_back(one_period(*member));
         fewest = std::min(fewest, member->distinct_layers());
     }
+    const std::vector<Group> period = merged(own);
     const int64_t periods = (2 * int64_t{degree_} + 1) / fewest + 1;
     for (int64_t turn = -periods; turn <= periods; ++turn) {
         for (Group group : period) {
             group.knot = copy_of(group.knot, turn, domain);
-            if (!groups_.empty() && !(groups_.back().knot < group.knot)) {
-                fail(NURBS_ERROR_PERIODIC_KNOTS,
-                     "knots: copies a multiple of the period away meet at %s, where rounding makes knots "
-                     "equal "
-                     "that differ",
-                     Number(group.knot).text);
-            }
-            for (size_t i = 0; i < members_.size(); ++i) {
-                std::vector<double> &knots = members_[i].knots;
-                group.place[i] = std::ssize(knots);
-                knots.insert(knots.end(), static_cast<size_t>(group.times[i]), group.knot);
-            }
-            groups_.push_back(group);
+            check_rising(group.knot);
+            append(group);
         }
     }
     const Group &lower = groups_[group_of(domain.lower)];
     for (size_t i = 0; i < members_.size(); ++i) {
         const KnotVector &member = *members[i];
         members_[i].shift = lower.place[i] - member.degree() + beside(member.knots(), member.degree()).before;
+    }
+}
+
+void JointAxis::check_rising(double knot) const {
+    if (!groups_.empty() && !(groups_.back().knot < knot)) {
+        fail(NURBS_ERROR_PERIODIC_KNOTS,
+             "knots: copies a multiple of the period away meet at %s, where rounding makes knots equal that "
+             "differ",
+             Number(knot).text);
     }
 }
 
@@ -230,9 +237,24 @@ JointAxis::Window JointAxis::window(int64_t layer) const noexcept {
     return window;
 }
 
+// With no argument at all, at degree 0, those are none behind the last knot that is not above the support.
+JointAxis::Run JointAxis::own_arguments(size_t member, const Group *groups, const int *chosen, int low,
+                                        int high, double start) const noexcept {
+    if (low > high) {
+        const Group &last = groups_[group_of(start)];
+        return {last.place[member] + last.times[member], 0};
+    }
+    if (low == high) {
+        const Group &only = groups[low];
+        const int used = std::min(only.times[member], members_[member].degree);
+        return {only.place[member] + (only.knot == start ? only.times[member] - used : 0), used};
+    }
+    const int64_t first = groups[low].place[member] + std::max(groups[low].times[member] - chosen[low], 0);
+    return {first, groups[high].place[member] + std::min(groups[high].times[member], chosen[high]) - first};
+}
+
 void JointAxis::polar_row(int member, const Window &window, const int *chosen, PolarRow &row) const noexcept {
     const auto m = static_cast<size_t>(member);
-    const Member &own = members_[m];
     const Group *groups = groups_.data() + window.group;
     int low = 0, high = window.size - 1;
     while (low < window.size && chosen[low] == 0) {
@@ -241,33 +263,16 @@ void JointAxis::polar_row(int member, const Window &window, const int *chosen, P
     while (high >= 0 && chosen[high] == 0) {
         --high;
     }
-    // The knots that are arguments: all between the lowest and the highest one, and of these the last and first
-    // copies.
-    int64_t first = 0, end = 0;
-    if (low > high) { // degree 0: the last knot that is not above the support
-        const Group &start = groups_[group_of(window.start)];
-        first = end = start.place[m] + start.times[m];
-    } else if (low == high) {
-        const Group &only = groups[low];
-        const int used = std::min(only.times[m], own.degree);
-        first = only.place[m] + (only.knot == window.start ? only.times[m] - used : 0);
-        end = first + used;
-    } else {
-        first = groups[low].place[m] + std::max(groups[low].times[m] - chosen[low], 0);
-        end = groups[high].place[m] + std::min(groups[high].times[m], chosen[high]);
-    }
+    const Run run = own_arguments(m, groups, chosen, low, high, window.start);
+    const double *first = members_[m].knots.data() + run.first, *end = first + run.size;
     row.coefficients[0] = 1;
-    int d = 0;
+    row.size = 1;
     for (int i = low; i <= high; ++i) {
         for (int extra = chosen[i] - groups[i].times[m]; extra > 0; --extra) {
-            ++d;
-            append_argument(own.knots.data() + first, own.knots.data() + end, d, groups[i].knot,
-                            row.coefficients);
+            append_argument(first, end, row.size++, groups[i].knot, row.coefficients);
         }
     }
-    const int64_t layer = first - 1 - d - own.shift;
-    row.size = d + 1;
-    row.first = layer;
+    row.first = run.first - row.size - members_[m].shift;
 }
 
 int64_t JointAxis::stored_layer(int member, int64_t layer) const noexcept {

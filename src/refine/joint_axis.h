@@ -30,11 +30,10 @@ class JointAxis {
 public:
     static constexpr int max_members = 2;
 
-    // A spline on the axis, with the degree r >= its own that it gets; every knot has at least `extra` more
-    // copies than it needs, up to r + 1. The axis is periodic if all members are, over the same domain bit for
-    // bit. Throws NURBS_ERROR_PERIODIC_KNOTS if copies a period away cannot be told apart, and what
+    // The axis of degree r, not less than those of the members, which have the same domain bit for bit; every
+    // knot has `extra` more copies than it needs, up to r + 1. It is periodic if all members are. Throws NURBS_ERROR_PERIODIC_KNOTS if copies a period away cannot be told apart, and what
     // make_knot_vector() throws.
-    JointAxis(int degree, std::vector<const KnotVector *> members, int extra);
+    JointAxis(int degree, const std::vector<const KnotVector *> &members, int extra);
 
     [[nodiscard]] const KnotVectorPtr &axis() const noexcept { return axis_; }
 
@@ -75,11 +74,23 @@ private:
         int64_t period; // layers of a period; 0: none
     };
 
-    void add_open(std::vector<const KnotVector *> members);
-    void add_periodic(std::vector<const KnotVector *> members);
+    // The knots of a member that are among its arguments: the last copies of the lowest argument, all knots
+    // between, the first copies of the highest one; where it jumps at its only argument, those of one side.
+    struct Run {
+        int64_t first;
+        int64_t size;
+    };
+
+    static std::vector<Group> merged(const std::vector<std::vector<KnotGroup>> &own);
+    void append(Group group);
+    void add_open(const std::vector<const KnotVector *> &members);
+    void add_periodic(const std::vector<const KnotVector *> &members);
+    void check_rising(double knot) const;
     void count_copies(int extra);
     void choose_open(const std::vector<const KnotVector *> &members, int extra);
     void choose_periodic(const std::vector<const KnotVector *> &members);
+    [[nodiscard]] Run own_arguments(size_t member, const Group *groups, const int *chosen, int low, int high,
+                                    double start) const noexcept;
     [[nodiscard]] size_t group_of(double knot) const noexcept;
     [[nodiscard]] size_t group_at(int64_t index) const noexcept;
     [[nodiscard]] std::vector<double> knots_between(int64_t first, int64_t end) const;

@@ -59,12 +59,12 @@ class Evaluation(unittest.TestCase):
 
     def test_calculus_and_weights(self):
         g, same = circle(), np.testing.assert_array_equal
-        line = patch().iso(0.5)  # (0.5, v, 0.5 v)
-        same(nurbs.blossom(line, [0.5], [0.25]), [0.5, 0.25, 0.125])
-        same(nurbs.derivative(line).eval(0.3), [0, 1, 0.5])
-        same(nurbs.antiderivative(line).eval(1), [0.5, 0.5, 0.25])
-        same(nurbs.product(line, line, nurbs.NURBS_PRODUCT_DOT).eval(1), [1.5])
-        same(nurbs.sum(line, line, 2).eval(1), [1.5, 3, 1.5])
+        line = nurbs.Spline(1, [0, 0, 1, 1], [[0, 2], [1, 4]])  # (t, 2 + 2 t)
+        same(nurbs.blossom(line, [0.5], [0.25]), [0.25, 2.5])
+        same(nurbs.derivative(line).eval(0.3), [1, 2])
+        same(nurbs.antiderivative(line).eval(1), [0.5, 3])
+        same(nurbs.product(line, line, nurbs.NURBS_PRODUCT_DOT).eval(1), [17])
+        same(nurbs.sum(line, line, 2).eval(1), [3, 12])
         self.assertEqual(nurbs.derivative(g).degrees, (4,))
         self.assertFalse(nurbs.normalize_weights(line.make_rational()).rational)
         moved = nurbs.reparametrize_moebius(g, 4)

@@ -354,6 +354,32 @@ TEST(Product, keeps_the_continuity) {
     });
 }
 
+// The result is one that nurbs_create() accepts as periodic, whatever the rounding of the knots.
+TEST(Product, periodic_axes_stay_periodic) {
+    int cases = 0, refused = 0;
+    for_each_case(735000, 600, [&](Random &random, uint64_t seed) {
+        ++cases;
+        Recipe recipe = random_recipe(random, 1, 6);
+        recipe.axes[0].form = KnotForm::periodic;
+        const auto data = random_spline(random, recipe);
+        const auto g = create(data);
+        nurbs *out = nullptr;
+        const nurbs_status status = nurbs_product(g.get(), g.get(), 0, &out);
+        const Handle made(out);
+        if (status == NURBS_ERROR_PERIODIC_KNOTS) {
+            ++refused; // knots that rounding makes equal in one period and not in another
+            return;
+        }
+        ASSERT_EQ(status, NURBS_OK) << last_error() << where(seed, data);
+        const auto got = read_back(made.get());
+        ASSERT_EQ(got.flags, data.flags) << where(seed, data);
+        Handle again;
+        ASSERT_EQ(try_create(got, again), NURBS_OK) << last_error() << where(seed, data);
+    });
+    std::printf("%d of %d refused\n", refused, cases);
+    ASSERT_LE(refused, cases / 50);
+}
+
 // One times a spline is the spline with its degree raised: the same knots, and control points to rounding.
 TEST(Product, with_one_is_elevation) {
     for_each_case(740000, 400, [](Random &random, uint64_t seed) {
