@@ -239,6 +239,8 @@ enum {
 #define NURBS_KEEP_DOMAIN 0x02000000u
 /** \brief nurbs_join(): ends that do not meet become a jump, in place of an error. */
 #define NURBS_KEEP_GAPS 0x04000000u
+/** \brief nurbs_make_compatible(): map the domains of all splines to that of the first one. */
+#define NURBS_MAP_DOMAINS 0x40000000u
 /** @} */
 
 /** \name Form of a knot vector, as reported by nurbs_knot_form()
@@ -1165,6 +1167,56 @@ NURBS_API nurbs_status nurbs_move_seam(const nurbs *g, int32_t axis, double para
  * \since 0.1 */
 NURBS_API nurbs_status nurbs_join(int64_t count, const nurbs *const *parts, int32_t axis, double tolerance,
                                   uint32_t flags, double *gap, nurbs **out);
+
+/** \brief Makes near-equal knots of an axis equal; the control points stay. Knots fall into groups that become
+ * one knot. With w = tolerance * (length of the domain), knots at most w away from an end of the domain, on
+ * either side, become that end (the lower end first); any other group begins with the lowest knot that is in
+ * none and holds all that are at most w above it, so that a chain of close knots is cut where it gets longer
+ * than w. It takes the value that occurs most often in it, the lowest of several. On a periodic axis copies
+ * move alike.
+ *
+ * The shape moves by at most `deviation`: with control points P_i, Q_i and weights v_i, w_i of both splines
+ * over the union of their knots, the largest |P_i - Q_i| + |1 - w_i / v_i| r_i, r_i the distance from Q_i to
+ * the farthest control point that is active together with it; and the rounding of these numbers. It is
+ * infinite where weights of different signs, or of 0, leave no such bound.
+ * \param[in] g a spline.
+ * \param[in] axis 0-based axis.
+ * \param[in] tolerance w as a part of the domain's length, >= 0 and < 1; 0 moves nothing.
+ * \param[out] deviation proved bound of the distance of any point to where it was, 0 if no knot moved, or
+ *   NULL.
+ * \param[out] out the new handle.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _TOLERANCE; _MULTIPLICITY if knots that become one would occur
+ *   more than degree + 1 times; _PERIODIC_KNOTS if rounding keeps copies from repeating; _NOT_REPRESENTABLE
+ *   if a value overflows, _WEIGHTS_VANISH if all weights at a knot are 0.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_snap_knots(const nurbs *g, int32_t axis, double tolerance, double *deviation,
+                                        nurbs **out);
+
+/** \brief Brings splines to one degree and one knot vector on every axis, without changing their shapes unless
+ * a tolerance allows it, and all to weights if one of them is rational (and to homogeneous points if one was
+ * built so). Along each axis: the degree is raised to the highest one; an axis that is periodic in some of
+ * the splines only is opened; where knots outside the domain differ, that end is clamped in all; then each
+ * spline gets the knots that others have, as often as any has them. An axis on which all agree already is
+ * left alone.
+ *
+ * With a tolerance > 0 near-equal knots of the splines are first moved together as by nurbs_snap_knots(),
+ * the knots of all splines taken as one list, so that they do not multiply; the value of a group is the one
+ * that occurs most often in all. Whatever no knot is moved for stays exact.
+ * \param[in] count number of splines, at least 1.
+ * \param[in] splines [count] with the same number of axes, of any dimensions.
+ * \param[in] tolerance how far a group of knots may reach, as a part of the domain's length, >= 0 and < 1.
+ * \param[in] flags NURBS_MAP_DOMAINS: domains other than that of splines[0] are mapped to it as by
+ *   nurbs_reparametrize(); 0: they are refused.
+ * \param[out] deviation largest of the splines' bounds, as for nurbs_snap_knots(): 0 if no knot was moved; on
+ *   periodic axes, whose outer knots repeat to rounding only, also what that rounding moves; or NULL.
+ * \param[out] out the new list, the splines in their order, named "0", "1" and so on.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _TOLERANCE, _FLAGS; _INCOMPATIBLE if numbers of axes, or
+ *   domains without NURBS_MAP_DOMAINS, differ; _MULTIPLICITY as for nurbs_snap_knots(), _KNOTS_MERGE as for
+ *   nurbs_reparametrize(), _PERIODIC_KNOTS, _NOT_REPRESENTABLE, _WEIGHTS_VANISH, _OVERFLOW as for
+ *   nurbs_refine().
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_make_compatible(int64_t count, const nurbs *const *splines, double tolerance,
+                                             uint32_t flags, double *deviation, nurbs_list **out);
 /** @} */
 
 /** \defgroup forms Degree and form

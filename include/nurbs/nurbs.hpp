@@ -12,6 +12,7 @@
 #define NURBS_NURBS_HPP
 
 #include <nurbs/cpp/arrays.hpp>
+#include <nurbs/cpp/compatible.hpp>
 #include <nurbs/cpp/frames.hpp>
 #include <nurbs/cpp/knots.hpp>
 #include <nurbs/cpp/linear.hpp>

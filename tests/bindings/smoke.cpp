@@ -121,6 +121,14 @@ static void parts_of_the_circle() {
            libnurbs::Status::not_periodic);
 }
 
+static void circles_made_compatible() {
+    const Spline both[] = {circle(), circle().insert_knot(0, 0.3, 1)};
+    const auto made = libnurbs::make_compatible(both);
+    EXPECT(made.deviation == 0 && made.splines.size() == 2 && made.splines[0].count(0) == 10);
+    const auto snapped = libnurbs::snap_knots(both[1], 0, 0.06);
+    EXPECT(snapped.deviation > 0 && snapped.spline.knots(0)[5] == 0.25);
+}
+
 static void insertion_keeps_the_circle() {
     const auto params = samples();
     const Spline before = circle(), after = before.insert_knot(0, 0.3, 2);
@@ -248,6 +256,7 @@ int main() {
     insertion_keeps_the_circle();
     forms_and_maps();
     parts_of_the_circle();
+    circles_made_compatible();
     arrays_of_any_layout();
     values_of_a_handle();
     inspection();

@@ -12,6 +12,7 @@ program smoke
     call insertion_keeps_the_circle()
     call forms_and_maps()
     call parts_of_the_circle()
+    call circles_made_compatible()
     call surfaces()
     call data_derivatives()
     call frames()
@@ -148,6 +149,20 @@ contains
         call g%move_seam(1, 0.3_c_double, made, status=code)
         call expect(code == NURBS_ERROR_NOT_PERIODIC, 'no seam')
     end subroutine parts_of_the_circle
+
+    subroutine circles_made_compatible()
+        type(nurbs_spline) :: both(2), snapped
+        type(nurbs_list) :: made
+        real(c_double) :: moved
+        call make_circle(both(1))
+        call both(1)%insert_knot(1, 0.3_c_double, 1, both(2))
+        call make_splines_compatible(both, made, deviation=moved)
+        call expect(moved == 0, 'exactly compatible')
+        call expect(made%count() == 2, 'compatible circles')
+        call snap_spline_knots(both(2), 1, 0.06_c_double, snapped, moved)
+        call expect(moved > 0, 'knots snapped together')
+        call expect(snapped%count(1) == 10, 'as many control points')
+    end subroutine circles_made_compatible
 
     ! z = u v over the unit square.
     subroutine surfaces()

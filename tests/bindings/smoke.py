@@ -73,6 +73,13 @@ class Evaluation(unittest.TestCase):
             g.move_seam(0.3)
         self.assertEqual(raised.exception.status, nurbs.NURBS_ERROR_NOT_PERIODIC)
 
+    def test_circles_made_compatible(self):
+        finer = circle().insert_knot(0.3)
+        made = nurbs.make_compatible([circle(), finer])
+        self.assertEqual((made.deviation, made.splines[0].count()), (0, 10))
+        snapped = nurbs.snap_knots(finer, 0.06)
+        self.assertTrue(snapped.deviation > 0 and snapped.spline.knots()[5] == 0.25)
+
     def test_derivative_of_a_product(self):
         derivs = patch().eval_derivs([[0.25, 0.5]], order=2)
         self.assertEqual(derivs.shape, (1, 6, 3))

@@ -120,6 +120,15 @@ fn parts_of_the_circle() -> Result<()> {
     Ok(())
 }
 
+fn circles_made_compatible() -> Result<()> {
+    let (g, finer) = (circle()?, circle()?.insert_knot(0, 0.3, 1)?);
+    let (list, moved) = nurbs::make_compatible(&[&g, &finer], 0.0, 0)?;
+    assert_eq!((list.len(), moved), (2, 0.0));
+    let (snapped, moved) = finer.snap_knots(0, 0.06)?;
+    assert!(moved > 0.0 && snapped.knots(0)?[5] == 0.25);
+    Ok(())
+}
+
 fn strided_arrays() -> Result<()> {
     let (t, n) = (params(), 1001);
     let expected = circle()?.eval(&t, 0)?;
@@ -227,6 +236,7 @@ fn main() -> Result<()> {
     insertion_keeps_the_circle()?;
     forms_and_maps()?;
     parts_of_the_circle()?;
+    circles_made_compatible()?;
     strided_arrays()?;
     inspection()?;
     constructors_agree()?;

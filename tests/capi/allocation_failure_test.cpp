@@ -284,6 +284,13 @@ const Case cases[] = {
          const nurbs *parts[] = {in.curve, in.curve};
          return nurbs_join(2, parts, 0, 9, NURBS_KEEP_GAPS, nullptr, &o.out);
      }},
+    {"snap_knots",
+     [](Inputs &in, Output &o) { return nurbs_snap_knots(in.loop, 0, 0.26, nullptr, &o.out); }},
+    {"make_compatible",
+     [](Inputs &in, Output &o) {
+         const nurbs *splines[] = {in.curve, in.loop};
+         return nurbs_make_compatible(2, splines, 0.01, NURBS_MAP_DOMAINS, nullptr, &o.list);
+     }},
     {"decompose", [](Inputs &in, Output &o) { return nurbs_decompose(in.surface, &o.list); }},
     {"split_at_knots", [](Inputs &in, Output &o) { return nurbs_split_at_knots(in.curve, 0, 1, &o.list); }},
     {"split",

@@ -610,6 +610,25 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_join
+        function nurbs_snap_knots(g, axis, tolerance, deviation, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int32_t), value :: axis
+            real(c_double), value :: tolerance
+            real(c_double), intent(inout), optional :: deviation
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_snap_knots
+        function nurbs_make_compatible(count, splines, tolerance, flags, deviation, out) bind(c) result(r)
+            import
+            integer(c_int64_t), value :: count
+            type(c_ptr), intent(in) :: splines(*)
+            real(c_double), value :: tolerance
+            integer(c_int32_t), value :: flags
+            real(c_double), intent(inout), optional :: deviation
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_make_compatible
         function nurbs_collocation(axes, degrees, counts, knots, knot_count, orders, n, params, param_stride, &
             param_component_stride, cap, values, columns, row_pointers, entries, flags) bind(c) result(r)
             import

@@ -75,6 +75,7 @@ module nurbs_constants
     integer(c_int32_t), parameter :: NURBS_ACCUMULATE = int(z'01000000', c_int32_t)
     integer(c_int32_t), parameter :: NURBS_KEEP_DOMAIN = int(z'02000000', c_int32_t)
     integer(c_int32_t), parameter :: NURBS_KEEP_GAPS = int(z'04000000', c_int32_t)
+    integer(c_int32_t), parameter :: NURBS_MAP_DOMAINS = int(z'40000000', c_int32_t)
 
     ! Bits of the form of a knot vector
     integer(c_int32_t), parameter :: NURBS_FORM_CLAMPED_START = int(z'01', c_int32_t)

@@ -83,6 +83,7 @@ inline constexpr std::uint32_t periodic = NURBS_PERIODIC;
 inline constexpr std::uint32_t accumulate = NURBS_ACCUMULATE;
 inline constexpr std::uint32_t keep_domain = NURBS_KEEP_DOMAIN;
 inline constexpr std::uint32_t keep_gaps = NURBS_KEEP_GAPS;
+inline constexpr std::uint32_t map_domains = NURBS_MAP_DOMAINS;
 
 /// Bits of Spline::knot_form().
 inline constexpr std::int32_t form_clamped_start = NURBS_FORM_CLAMPED_START;

@@ -18,6 +18,7 @@ themselves are attributes of `nurbs.lib`.
 """
 
 from ._library import NurbsError, last_error, lib, status_name, version
+from .compatible import Compatible, Snapped, make_compatible, snap_knots
 from .constants import *  # noqa: F401,F403 - the names of the header
 from .files import Note, SplineList, read, read_file
 from .frames import (CurveFrames, Curvatures, MinimalFrames, SurfaceFrames, curve_frames, rotation_minimizing_frames,

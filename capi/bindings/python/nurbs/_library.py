@@ -106,6 +106,8 @@ PROTOTYPES = {
     "nurbs_clamp_ends": "i piup",
     "nurbs_move_seam": "i pidp",
     "nurbs_join": "i lpidupp",
+    "nurbs_snap_knots": "i pidpp",
+    "nurbs_make_compatible": "i lpdupp",
     "nurbs_collocation": "i ippplplplllppppu",
     "nurbs_rational_collocation": "i pplplllppppu",
     "nurbs_bezier_extraction": "i pilpppp",

@@ -13,6 +13,7 @@
 //! ```
 
 mod arrays;
+mod compatible;
 mod error;
 mod eval;
 mod forms;
@@ -26,6 +27,7 @@ mod spline;
 pub mod sys;
 
 pub use arrays::{Records, RecordsMut};
+pub use compatible::make_compatible;
 pub use error::{last_error, status_name, version, Error, Result};
 pub use frames::{CurveFrames, Curvatures, MinimalFrames, SurfaceFrames};
 pub use knots::{

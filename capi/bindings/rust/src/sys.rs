@@ -97,6 +97,7 @@ pub const NURBS_PERIODIC: u32 = 0x01;
 pub const NURBS_ACCUMULATE: u32 = 0x01000000;
 pub const NURBS_KEEP_DOMAIN: u32 = 0x02000000;
 pub const NURBS_KEEP_GAPS: u32 = 0x04000000;
+pub const NURBS_MAP_DOMAINS: u32 = 0x40000000;
 
 // Bits of the form of a knot vector
 pub const NURBS_FORM_CLAMPED_START: i32 = 0x01;
@@ -573,6 +574,21 @@ extern "C" {
     ) -> nurbs_status;
     pub fn nurbs_clamp_ends(g: *const nurbs, axis: i32, flags: u32, out: *mut *mut nurbs) -> nurbs_status;
     pub fn nurbs_move_seam(g: *const nurbs, axis: i32, param: f64, out: *mut *mut nurbs) -> nurbs_status;
+    pub fn nurbs_snap_knots(
+        g: *const nurbs,
+        axis: i32,
+        tolerance: f64,
+        deviation: *mut f64,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    pub fn nurbs_make_compatible(
+        count: i64,
+        splines: *const *const nurbs,
+        tolerance: f64,
+        flags: u32,
+        deviation: *mut f64,
+        out: *mut *mut nurbs_list,
+    ) -> nurbs_status;
     pub fn nurbs_join(
         count: i64,
         parts: *const *const nurbs,
