@@ -33,6 +33,8 @@ inline const Spline &spline_of(const ::nurbs *g) {
 void check_axes(int32_t axes);
 void check_axis(const Spline &spline, int32_t axis);
 void check_order(int32_t order);
+// Whether an end is the upper one; throws NURBS_ERROR_END for a value that is none.
+bool upper_end(int32_t end, const char *name);
 // n >= 0, else NURBS_ERROR_COUNT.
 inline void check_length(int64_t n, const char *name) {
     if (n < 0) {

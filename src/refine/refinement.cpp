@@ -32,10 +32,6 @@ Refinement::Refinement(int degree, std::span<const double> coarse, std::span<con
     old_last_.push_back(old);
 }
 
-namespace {
-
-// One step of de Boor's algorithm on rows, from d coefficients to d + 1, at one more argument t. left[-1],
-// left[-2], ... and right[0], right[1], ... are the old knots on either side that are no arguments.
 void append_argument(const double *left, const double *right, int d, double t,
                      double *coefficients) noexcept {
     left -= d;
@@ -47,8 +43,6 @@ void append_argument(const double *left, const double *right, int d, double t,
     }
     coefficients[d] = carried;
 }
-
-} // namespace
 
 Refinement::Band Refinement::row(int64_t j, double *coefficients) const noexcept {
     const double *arguments = fine_.data() + j + 1;

@@ -8,6 +8,12 @@
 
 namespace nrb {
 
+// One step of de Boor's algorithm on rows: from the d coefficients of a value of the polar form to the d + 1 of
+// the value at one more argument t. left[-1], left[-2], ... and right[0], right[1], ... are the old knots on
+// either side that are no arguments. All factors lie in [0, 1] if t lies between left[-1] and right[0]; beyond
+// them this is the continuation of the polynomial piece.
+void append_argument(const double *left, const double *right, int d, double t, double *coefficients) noexcept;
+
 // New control point j over the knots `fine` is the polar form of the spline over `coarse` at the arguments
 // fine[j + 1], ..., fine[j + p]. Arguments that are old knots fix as many parameters of the polar form; the
 // others all lie between the nearest old knots around those, so that each of them is one step of de Boor's

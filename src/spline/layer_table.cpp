@@ -56,7 +56,9 @@ void combine(const LayerTable &table, const LayerTable::Row &row, const Layers &
 std::vector<double> combine_all(const LayerTable &table, const Layers &layers) {
     const int64_t inner = layers.view.inner;
     const int64_t size = checked_product(layers.view.outer * inner, table.rows(), "points");
-    std::vector<double> result(static_cast<size_t>(size));
+    std::vector<double> result;
+    result.reserve(static_cast<size_t>(size) + Spline::padding); // what a spline made of them will append
+    result.resize(static_cast<size_t>(size));
     for (int64_t o = 0; o < layers.view.outer; ++o) {
         for (int64_t r = 0; r < table.rows(); ++r) {
             combine(table, table.row(r), layers, o, result.data() + (o * table.rows() + r) * inner);

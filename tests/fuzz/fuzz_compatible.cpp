@@ -56,6 +56,30 @@ void compatible(Input &in, const nurbs *g, const nurbs *other, const fuzz::Splin
     nurbs_list_destroy(list);
 }
 
+void smoothness(Input &in, const nurbs *g, const nurbs *other, const fuzz::Spline &s) {
+    const int32_t axis = in.rarely() ? in.bad_int() : in.below(s.axes());
+    int64_t count = -7;
+    if (!FUZZ_OK(nurbs_continuity(g, axis, any_tolerance(in), any_tolerance(in), any_tolerance(in), 0,
+                                  nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, &count))) {
+        FUZZ_REQUIRE(count == -7);
+        return;
+    }
+    std::vector<int32_t> orders(static_cast<size_t>(count)), knot_orders(static_cast<size_t>(count));
+    const int64_t cap = in.rarely() ? in.bad_size() : count;
+    if (cap >= 0 && cap <= count &&
+        FUZZ_OK(nurbs_continuity(g, axis, 0, 0, 0, cap, nullptr, knot_orders.data(), orders.data(), nullptr,
+                                 nullptr, nullptr, nullptr, nullptr))) {
+        for (const int32_t order : orders) {
+            FUZZ_REQUIRE(order >= -1 && order <= NURBS_MAX_DEGREE);
+        }
+    }
+    if (other != nullptr) {
+        int32_t order = -7;
+        FUZZ_OK(nurbs_continuity_between(g, in.below(3), other, in.below(2), 0, 0, 0, &order, nullptr,
+                                         nullptr, nullptr, nullptr));
+    }
+}
+
 } // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
@@ -65,6 +89,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     if (g && s.total <= 200 && t.total <= 200) {
         snap(in, g.get(), s);
         compatible(in, g.get(), h.get(), s);
+        smoothness(in, g.get(), h.get(), s);
     }
     return 0;
 }

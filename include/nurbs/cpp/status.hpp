@@ -50,6 +50,9 @@ enum class Status : nurbs_status {
     gap = NURBS_ERROR_GAP,
     tolerance = NURBS_ERROR_TOLERANCE,
     not_periodic = NURBS_ERROR_NOT_PERIODIC,
+    periodic = NURBS_ERROR_PERIODIC,
+    end = NURBS_ERROR_END,
+    basis = NURBS_ERROR_BASIS,
     outside_domain = NURBS_ERROR_OUTSIDE_DOMAIN,
     not_representable = NURBS_ERROR_NOT_REPRESENTABLE,
     knots_merge = NURBS_ERROR_KNOTS_MERGE,
@@ -84,6 +87,8 @@ inline constexpr std::uint32_t accumulate = NURBS_ACCUMULATE;
 inline constexpr std::uint32_t keep_domain = NURBS_KEEP_DOMAIN;
 inline constexpr std::uint32_t keep_gaps = NURBS_KEEP_GAPS;
 inline constexpr std::uint32_t map_domains = NURBS_MAP_DOMAINS;
+inline constexpr std::int32_t start_of_axis = NURBS_START;
+inline constexpr std::int32_t end_of_axis = NURBS_END;
 
 /// Bits of Spline::knot_form().
 inline constexpr std::int32_t form_clamped_start = NURBS_FORM_CLAMPED_START;
