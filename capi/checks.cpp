@@ -43,6 +43,13 @@ void check_place(double t, Interval domain, const char *name, int axis) {
     }
 }
 
+bool upper_end(int32_t end, const char *name) {
+    if (end != NURBS_START && end != NURBS_END) {
+        fail(NURBS_ERROR_END, "%s = %d, expected NURBS_START or NURBS_END", name, end);
+    }
+    return end == NURBS_END;
+}
+
 void check_size(int64_t n, int64_t expected, const char *name) {
     if (n != expected) {
         fail(NURBS_ERROR_SIZE, "%s = %lld, expected %lld", name, static_cast<long long>(n),

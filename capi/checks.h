@@ -35,6 +35,8 @@ void check_axis(const Spline &spline, int32_t axis);
 void check_order(int32_t order);
 // A parameter of an axis: finite, and inside its domain.
 void check_place(double t, Interval domain, const char *name, int axis);
+// Whether an end is the upper one; throws NURBS_ERROR_END for a value that is none.
+bool upper_end(int32_t end, const char *name);
 // n >= 0, else NURBS_ERROR_COUNT.
 inline void check_length(int64_t n, const char *name) {
     if (n < 0) {

@@ -1,6 +1,7 @@
 // Splines cut into parts, and the ends and seams of their axes.
 #include "checks.h"
 #include "guard.h"
+#include "lists.h"
 
 #include "refine/cut.h"
 #include "refine/join.h"
@@ -22,19 +23,6 @@ void check_range(const Spline &spline, int k, double lower, double upper) {
         fail(NURBS_ERROR_EMPTY_DOMAIN, "lower = %s on axis %d, expected less than upper = %s",
              Number(lower).text, k, Number(upper).text);
     }
-}
-
-// The splines behind an array of handles, all of which have the axis or as many axes as the first.
-std::vector<SplinePtr> splines_of(int64_t count, const nurbs *const *handles, int32_t axis) {
-    std::vector<SplinePtr> splines;
-    for (int64_t i = 0; i < count; ++i) {
-        if (handles[i] == nullptr) {
-            fail(NURBS_ERROR_NULL, "parts[%lld] is NULL", static_cast<long long>(i));
-        }
-        splines.push_back(handles[i]->spline);
-    }
-    check_axis(*splines.front(), axis);
-    return splines;
 }
 
 } // namespace
@@ -134,17 +122,15 @@ nurbs_status nurbs_join(int64_t count, const nurbs *const *parts, int32_t axis, 
                         uint32_t flags, double *gap, nurbs **out) {
     return guard([&] {
         require_out(out);
-        if (count < 1) {
-            fail(NURBS_ERROR_COUNT, "count = %lld, expected at least 1", static_cast<long long>(count));
-        }
-        require(parts, "parts");
+        const std::vector<SplinePtr> splines = splines_of(count, parts, "parts");
+        check_axis(*splines.front(), axis);
         if (!(tolerance >= 0)) {
             fail(NURBS_ERROR_TOLERANCE, "tolerance = %s, expected >= 0", Number(tolerance).text);
         }
         if ((flags & ~NURBS_KEEP_GAPS) != 0) {
             fail(NURBS_ERROR_FLAGS, "flags = 0x%x, expected NURBS_KEEP_GAPS or 0", flags);
         }
-        const Joined joined = join(splines_of(count, parts, axis), axis, {tolerance, flags != 0});
+        const Joined joined = join(splines, axis, {tolerance, flags != 0});
         give(joined.spline, out);
         if (gap != nullptr) {
             *gap = joined.gap;

@@ -186,6 +186,9 @@ enum {
     NURBS_ERROR_NOT_PERIODIC = 43, /**< an axis that has to be periodic was not declared so */
     NURBS_ERROR_END_WEIGHTS = 44,  /**< no one factor makes the weights at the ends of an axis equal */
     NURBS_ERROR_FACTOR = 45,       /**< a factor is not finite, or not positive where it has to be */
+    NURBS_ERROR_PERIODIC = 48,     /**< an axis is periodic, which the function is not for */
+    NURBS_ERROR_END = 49,          /**< an end is neither NURBS_START nor NURBS_END */
+    NURBS_ERROR_BASIS = 50,        /**< not one of the NURBS_BASIS_ constants */
     /* domain */
     NURBS_ERROR_OUTSIDE_DOMAIN = 100, /**< a parameter or knot lies outside the domain */
     /* numeric */
@@ -245,6 +248,8 @@ enum {
 #define NURBS_PRODUCT_DOT 0x08000000u
 /** \brief nurbs_product(): the cross product in dimension 3. */
 #define NURBS_PRODUCT_CROSS 0x10000000u
+/** \brief nurbs_make_compatible(): map the domains of all splines to that of the first one. */
+#define NURBS_MAP_DOMAINS 0x40000000u
 /** @} */
 
 /** \name Form of a knot vector, as reported by nurbs_knot_form()
@@ -252,6 +257,20 @@ enum {
 #define NURBS_FORM_CLAMPED_START 0x01 /**< the first degree + 1 knots are equal */
 #define NURBS_FORM_CLAMPED_END 0x02   /**< the last degree + 1 knots are equal */
 #define NURBS_FORM_PERIODIC 0x04      /**< the axis was declared periodic */
+/** @} */
+
+/** \name Bases of a polynomial segment, for nurbs_basis_matrix()
+ * @{ */
+#define NURBS_BASIS_POWER 0     /**< 1, t, t^2, ... */
+#define NURBS_BASIS_BERNSTEIN 1 /**< the Bezier points over [0, 1] */
+#define NURBS_BASIS_HERMITE 2   /**< f(0), f'(0), ..., then f(1), f'(1), ...; odd degrees */
+#define NURBS_BASIS_BSPLINE 3   /**< control points over the knots -degree, ..., degree + 1 */
+/** @} */
+
+/** \name Ends of an axis
+ * @{ */
+#define NURBS_START 0 /**< the lower end of the domain */
+#define NURBS_END 1   /**< the upper end of the domain */
 /** @} */
 
 /** \defgroup errors Version and errors
@@ -1171,6 +1190,123 @@ NURBS_API nurbs_status nurbs_move_seam(const nurbs *g, int32_t axis, double para
  * \since 0.1 */
 NURBS_API nurbs_status nurbs_join(int64_t count, const nurbs *const *parts, int32_t axis, double tolerance,
                                   uint32_t flags, double *gap, nurbs **out);
+
+/** \brief Makes near-equal knots of an axis equal; the control points stay. Knots fall into groups that become
+ * one knot. With w = tolerance * (length of the domain), knots at most w away from an end of the domain, on
+ * either side, become that end (the lower end first); any other group begins with the lowest knot that is in
+ * none and holds all that are at most w above it, so that a chain of close knots is cut where it gets longer
+ * than w. It takes the value that occurs most often in it, the lowest of several. On a periodic axis copies
+ * move alike.
+ *
+ * The shape moves by at most `deviation`: with control points P_i, Q_i and weights v_i, w_i of both splines
+ * over the union of their knots, the largest |P_i - Q_i| + |1 - w_i / v_i| r_i, r_i the distance from Q_i to
+ * the farthest control point that is active together with it; and the rounding of these numbers. It is
+ * infinite where weights of different signs, or of 0, leave no such bound.
+ * \param[in] g a spline.
+ * \param[in] axis 0-based axis.
+ * \param[in] tolerance w as a part of the domain's length, >= 0 and < 1; 0 moves nothing.
+ * \param[out] deviation proved bound of the distance of any point to where it was, 0 if no knot moved, or
+ *   NULL.
+ * \param[out] out the new handle.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _TOLERANCE; _MULTIPLICITY if knots that become one would occur
+ *   more than degree + 1 times; _PERIODIC_KNOTS if rounding keeps copies from repeating; _NOT_REPRESENTABLE
+ *   if a value overflows, _WEIGHTS_VANISH if all weights at a knot are 0.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_snap_knots(const nurbs *g, int32_t axis, double tolerance, double *deviation,
+                                        nurbs **out);
+
+/** \brief Brings splines to one degree and one knot vector on every axis, without changing their shapes unless
+ * a tolerance allows it, and all to weights if one of them is rational (and to homogeneous points if one was
+ * built so). Along each axis: the degree is raised to the highest one; an axis that is periodic in some of
+ * the splines only is opened; where knots outside the domain differ, that end is clamped in all; then each
+ * spline gets the knots that others have, as often as any has them. An axis on which all agree already is
+ * left alone.
+ *
+ * With a tolerance > 0 near-equal knots of the splines are first moved together as by nurbs_snap_knots(),
+ * the knots of all splines taken as one list, so that they do not multiply; the value of a group is the one
+ * that occurs most often in all. Whatever no knot is moved for stays exact.
+ * \param[in] count number of splines, at least 1.
+ * \param[in] splines [count] with the same number of axes, of any dimensions.
+ * \param[in] tolerance how far a group of knots may reach, as a part of the domain's length, >= 0 and < 1.
+ * \param[in] flags NURBS_MAP_DOMAINS: domains other than that of splines[0] are mapped to it as by
+ *   nurbs_reparametrize(); 0: they are refused.
+ * \param[out] deviation largest of the splines' bounds, as for nurbs_snap_knots(): 0 if no knot was moved; on
+ *   periodic axes, whose outer knots repeat to rounding only, also what that rounding moves; or NULL.
+ * \param[out] out the new list, the splines in their order, named "0", "1" and so on.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _TOLERANCE, _FLAGS; _INCOMPATIBLE if numbers of axes, or
+ *   domains without NURBS_MAP_DOMAINS, differ; _MULTIPLICITY as for nurbs_snap_knots(), _KNOTS_MERGE as for
+ *   nurbs_reparametrize(), _PERIODIC_KNOTS, _NOT_REPRESENTABLE, _WEIGHTS_VANISH, _OVERFLOW as for
+ *   nurbs_refine().
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_make_compatible(int64_t count, const nurbs *const *splines, double tolerance,
+                                             uint32_t flags, double *deviation, nurbs_list **out);
+
+/** \brief Extends a spline beyond an end of an axis by a length of the parameter. The new part is the Taylor
+ * polynomial of an order k of the piece at that end, in homogeneous coordinates if rational: 0 stays where the
+ * end is, 1 goes on linearly (C^1), 2 with constant second derivative (C^2), and from the degree on it is the
+ * piece itself, which has no end there any more. The old end becomes a knot of multiplicity degree - k; on the
+ * old domain the shape stays, an end that is not clamped is clamped first. With the new end e and the old one b,
+ * the new control points are the polar form of the piece at interior knots, b and e, and values of it at b and e
+ * alone continued as a polynomial of degree k in their number.
+ * Rounding: homogeneous points of the result are within 16 (degree + 1) eps (1 + 2 amount / (last span))^k times
+ * the largest homogeneous coordinate of g and of the result (tested), k at most the degree.
+ * \param[in] g a spline.
+ * \param[in] axis 0-based axis, not periodic.
+ * \param[in] end NURBS_START or NURBS_END.
+ * \param[in] amount by how much the domain grows, > 0.
+ * \param[in] order k, 0 to NURBS_MAX_ORDER.
+ * \param[out] out the new handle.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _END, _ORDER, _PERIODIC, _PARAMETER_NOT_FINITE; _EMPTY_DOMAIN if
+ *   the domain would not grow; _WEIGHT_NEGATIVE, _WEIGHTS_VANISH if the weights do not stay positive (not where
+ *   g was built homogeneous); _NOT_REPRESENTABLE if a value overflows.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_extend(const nurbs *g, int32_t axis, int32_t end, double amount, int32_t order,
+                                    nurbs **out);
+
+/** \brief Unclamps ends of an axis: the end of the domain becomes a single knot, and the knots beyond it repeat
+ * those of the domain with its length as the period, so that even spans go on evenly. Domain and shape stay. The
+ * new control points are the polar form of the end piece at these knots, continued beyond the domain: each
+ * homogeneous coordinate is within 4 (degree + 1) eps of the sum of |coefficient * coordinate|, to which
+ * clamping the end again brings the shape back. Ends that are not clamped, and periodic axes, stay as they are.
+ * \param[in] g a spline.
+ * \param[in] axis 0-based axis.
+ * \param[in] flags NURBS_FORM_CLAMPED_START, NURBS_FORM_CLAMPED_END, both or 0: the ends to be unclamped.
+ * \param[out] out the new handle.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _FLAGS; _WEIGHT_NEGATIVE, _WEIGHTS_VANISH if weights beyond the
+ *   domain do not stay positive (not where g was built homogeneous); _KNOTS_MERGE if knots that differ would be
+ *   rounded to one beyond the domain; _NOT_REPRESENTABLE if a value overflows.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_unclamp(const nurbs *g, int32_t axis, uint32_t flags, nurbs **out);
+
+/** \brief Makes a closed spline periodic along an axis, over the same domain. The seam gets the highest order of
+ * continuity k < degree, and k <= (count - 1) / 2, with which the shape moves by at most the tolerance, under a
+ * knot of multiplicity degree - k; at degree 0 the result is always periodic, with order -1. Ends that meet are
+ * not enough where weights differ: the homogeneous points have to. Control points whose knots lie on one side of
+ * the seam stay bit for bit, those across it are continued from the end that has more of their knots. An axis
+ * that repeats already, in knots and bit for bit in points, is only declared periodic.
+ * \param[in] g a spline.
+ * \param[in] axis 0-based axis.
+ * \param[in] tolerance largest deviation allowed, a distance >= 0; the bound includes its own rounding, so that
+ *   0 is met by splines only that repeat already.
+ * \param[out] deviation proved bound of the distance of any point to where it was, as for nurbs_snap_knots(), or
+ *   NULL.
+ * \param[out] order the order of continuity that the knots give the seam, or NULL.
+ * \param[out] out the new handle.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _TOLERANCE; _GAP naming the deviation if the ends do not meet;
+ *   _PERIODIC_KNOTS if rounding keeps the knots from repeating; _NOT_REPRESENTABLE if a value overflows,
+ *   _WEIGHTS_VANISH if weights become 0. Orders that would take weights below 0 are passed over.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_make_periodic(const nurbs *g, int32_t axis, double tolerance, double *deviation,
+                                           int32_t *order, nurbs **out);
+
+/** \brief Whether an axis is periodic in fact: its knots repeat as NURBS_PERIODIC asks, and so do its points and
+ * weights, bit for bit. nurbs_make_periodic() declares such an axis periodic without moving anything.
+ * \param[in] g a spline.
+ * \param[in] axis 0-based axis.
+ * \param[out] periodic 1 or 0.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_detect_periodic(const nurbs *g, int32_t axis, int32_t *periodic);
 /** @} */
 
 /** \defgroup forms Degree and form
@@ -1406,6 +1542,101 @@ NURBS_API nurbs_status nurbs_product(const nurbs *a, const nurbs *b, uint32_t fl
  *   weights underflow, _OVERFLOW.
  * \since 0.1 */
 NURBS_API nurbs_status nurbs_sum(const nurbs *a, double alpha, const nurbs *b, double beta, nurbs **out);
+
+/** \brief The C^1 piecewise cubic curve through points with given derivatives, as a spline with double knots: its
+ * control points are the Bezier points P_i - h_(i-1) T_i / 3 and P_i + h_i T_i / 3 beside each point, and the
+ * two ends, each within 2 eps of the sum of its terms. nurbs_eval_derivs() at the parameters gives the data back.
+ * \param[in] n number of points, at least 2.
+ * \param[in] params [n] strictly increasing.
+ * \param[in] dim dimension of the points.
+ * \param[in] points [n][dim] P_i.
+ * \param[in] point_stride,point_component_stride layout of points, 0 = packed.
+ * \param[in] tangents [n][dim] T_i, derivatives with respect to the parameter.
+ * \param[in] tangent_stride,tangent_component_stride layout of tangents, 0 = packed.
+ * \param[out] out the new handle.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _DIMENSION, _STRIDE, _OVERFLOW, _PARAMETER_NOT_FINITE,
+ *   _KNOT_NOT_FINITE, _POINT_NOT_FINITE; _KNOTS_DECREASING for parameters that do not increase.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_create_hermite(int64_t n, const double *params, int32_t dim,
+                                            const double *points, int64_t point_stride,
+                                            int64_t point_component_stride, const double *tangents,
+                                            int64_t tangent_stride, int64_t tangent_component_stride,
+                                            nurbs **out);
+
+/** \brief The matrix that takes the coefficients of a polynomial over [0, 1] in one basis to those in another:
+ * coefficient i of `to` is sum_j M_ij * coefficient j of `from`. Every entry is a quotient of two integers,
+ * rounded once.
+ * \param[in] from,to NURBS_BASIS_POWER, NURBS_BASIS_BERNSTEIN, NURBS_BASIS_HERMITE or NURBS_BASIS_BSPLINE.
+ * \param[in] degree 0 to 21, odd if a basis is Hermite.
+ * \param[in] size (degree + 1)^2.
+ * \param[out] matrix [size] M, row by row.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _BASIS, _DEGREE, _SIZE.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_basis_matrix(int32_t from, int32_t to, int32_t degree, int64_t size,
+                                          double *matrix);
+/** @} */
+
+/** \defgroup continuity Continuity
+ * The parametric order k of a place says that the derivatives of orders 0 to k are the same on both sides: -1
+ * is a jump, 0 a kink; it is at most the degree. It holds within tolerances: points may differ by
+ * position_tolerance, the derivatives of order 1 and more by derivative_tolerance times the length of the longer
+ * one, and all of them by the rounding that their computation may have, so that tolerances of 0 ask for what
+ * double precision can tell. The geometric order is 0 where the points agree so, 1 where in addition the angle
+ * between the tangents is at most angle_tolerance, and 2 where their curvature vectors (C'' - (C'' T) T) /
+ * |C'|^2 differ by at most derivative_tolerance times the longer one. Where the first derivative vanishes the
+ * tangent is the limit, given by the first derivative that does not, and the geometric order is at most 1;
+ * where all vanish it is at most 0, and the angle NaN.
+ * @{ */
+
+/** \brief Continuity at the knots of an axis: one row for each distinct knot inside the domain, and one more,
+ * named by the upper end of the domain, for the seam of an axis that is periodic or whose ends meet within
+ * position_tolerance. Of a surface or a volume the row is the worst of samples: degree + 1 places in each span
+ * of every other axis; a surface in space has the angles between its normals, and geometric orders to 1, other
+ * surfaces and volumes have neither angles (NaN) nor geometric orders above 0, and only curves have curvatures.
+ * \param[in] g a spline.
+ * \param[in] axis 0-based axis.
+ * \param[in] position_tolerance,derivative_tolerance,angle_tolerance >= 0, angles in radians; infinite ones
+ *   admit everything.
+ * \param[in] cap length of the outputs: 0, or at least the number of rows.
+ * \param[out] knots [cap] where, or NULL.
+ * \param[out] knot_orders [cap] the order that the knots guarantee, degree - multiplicity; -1 for the seam of
+ *   an axis that is not periodic; or NULL.
+ * \param[out] orders [cap] the parametric order that holds, or NULL.
+ * \param[out] geometric_orders [cap] the geometric order that holds, or NULL.
+ * \param[out] position_gaps [cap] distance of the points, or NULL.
+ * \param[out] angles [cap] angle in radians, NaN where there is none, or NULL.
+ * \param[out] curvature_gaps [cap] length of the difference of the curvature vectors, NaN where there is none,
+ *   or NULL.
+ * \param[out] count number of rows, or NULL.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _TOLERANCE, _COUNT, _OVERLAP; _SIZE if cap is neither 0 nor
+ *   enough; _NOT_REPRESENTABLE if a value overflows.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_continuity(const nurbs *g, int32_t axis, double position_tolerance,
+                                        double derivative_tolerance, double angle_tolerance, int64_t cap,
+                                        double *knots, int32_t *knot_orders, int32_t *orders,
+                                        int32_t *geometric_orders, double *position_gaps, double *angles,
+                                        double *curvature_gaps, int64_t *count);
+
+/** \brief Continuity of two curves at one end of each, on the way along a to its end and from the end of b
+ * along b: a parameter that runs the other way changes its sign. The parameters are compared as they are; a
+ * part of a curve at another speed meets with C^0 and G^2.
+ * \param[in] a the curve that comes first.
+ * \param[in] end_a where it is left, NURBS_END or NURBS_START.
+ * \param[in] b the curve that follows, of the same dimension.
+ * \param[in] end_b where it begins, NURBS_START or NURBS_END.
+ * \param[in] position_tolerance,derivative_tolerance,angle_tolerance as for nurbs_continuity().
+ * \param[out] order the parametric order that holds, at most the higher of the two degrees, or NULL.
+ * \param[out] geometric the geometric order that holds, or NULL.
+ * \param[out] position_gap distance of the points, or NULL.
+ * \param[out] angle angle between the tangents in radians, NaN where there is none, or NULL.
+ * \param[out] curvature_gap length of the difference of the curvature vectors, NaN where there is none, or
+ *   NULL.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _END, _TOLERANCE; _INCOMPATIBLE if the dimensions differ.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_continuity_between(const nurbs *a, int32_t end_a, const nurbs *b, int32_t end_b,
+                                                double position_tolerance, double derivative_tolerance,
+                                                double angle_tolerance, int32_t *order, int32_t *geometric,
+                                                double *position_gap, double *angle, double *curvature_gap);
 /** @} */
 
 /** \defgroup transform Transformations
@@ -1450,6 +1681,49 @@ NURBS_API nurbs_status nurbs_transform(const nurbs *g, int32_t out_dim, const do
  * \since 0.1 */
 NURBS_API nurbs_status nurbs_transform_projective(const nurbs *g, int32_t out_dim, const double *matrix,
                                                   nurbs **out);
+
+/** \brief The mirror image in the plane (in 2D the line, in general the hyperplane) through a point:
+ * x -> x - 2 n (n . (x - point)) / (n . n). An affine map, applied as by nurbs_transform(): its entries are
+ * exact to a few eps, so that coordinates are within 8 (dim + 2) eps of the size of x and point, and exact where
+ * the normal is along an axis and its component of x and twice that of point add up exactly.
+ * \param[in] g a spline.
+ * \param[in] point [dim] a point of the plane.
+ * \param[in] normal [dim] of any length but 0.
+ * \param[out] out the new handle.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _POINT_NOT_FINITE; _DIRECTION if the normal is 0 or not finite,
+ *   _NOT_REPRESENTABLE if a coordinate overflows.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_mirror(const nurbs *g, const double *point, const double *normal, nurbs **out);
+
+/** \brief Projects a spline to the plane (line, hyperplane) through a point, along a direction:
+ * x -> x - d (n . (x - point)) / (n . d). The dimension stays; rounding as for nurbs_mirror(), times
+ * (|n| |d| / |n . d|)^2 where the direction is oblique.
+ * \param[in] g a spline.
+ * \param[in] point [dim] a point of the plane.
+ * \param[in] normal [dim] of any length but 0.
+ * \param[in] direction [dim] d, of any length but 0, or NULL: along the normal.
+ * \param[out] out the new handle.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _POINT_NOT_FINITE; _DIRECTION if the normal or the direction is 0 or not
+ *   finite, or the direction parallel to the plane to rounding; _NOT_REPRESENTABLE if a coordinate overflows.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_project_to_plane(const nurbs *g, const double *point, const double *normal,
+                                              const double *direction, nurbs **out);
+
+/** \brief Projects a spline from an eye to the plane (line, hyperplane) through a point, in perspective:
+ * x -> eye + (x - eye) (n . (point - eye)) / (n . (x - eye)). A projective map, applied as by
+ * nurbs_transform_projective(): the result is rational, its weights are multiplied by n . (x - eye), with n
+ * brought near length 1 by a power of 2. Where control points lie on both sides of the eye weights have both
+ * signs.
+ * \param[in] g a spline.
+ * \param[in] eye [dim] from where.
+ * \param[in] point [dim] a point of the plane.
+ * \param[in] normal [dim] of any length but 0.
+ * \param[out] out the new handle.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _POINT_NOT_FINITE; _DIRECTION if the normal is 0 or not finite, or the eye
+ *   lies in the plane to rounding; _WEIGHTS_VANISH, _NOT_REPRESENTABLE as for nurbs_transform_projective().
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_project_from(const nurbs *g, const double *eye, const double *point,
+                                          const double *normal, nurbs **out);
 /** @} */
 
 /** \defgroup linear Derivatives with respect to data

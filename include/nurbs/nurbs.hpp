@@ -13,11 +13,16 @@
 
 #include <nurbs/cpp/arrays.hpp>
 #include <nurbs/cpp/calculus.hpp>
+#include <nurbs/cpp/compatible.hpp>
+#include <nurbs/cpp/continuation.hpp>
+#include <nurbs/cpp/continuity.hpp>
 #include <nurbs/cpp/frames.hpp>
 #include <nurbs/cpp/knots.hpp>
 #include <nurbs/cpp/linear.hpp>
 #include <nurbs/cpp/list.hpp>
 #include <nurbs/cpp/parts.hpp>
+#include <nurbs/cpp/projections.hpp>
+#include <nurbs/cpp/segments.hpp>
 #include <nurbs/cpp/spline.hpp>
 #include <nurbs/cpp/status.hpp>
 

@@ -35,7 +35,8 @@ inline Parts split(double value, double left, double t, double right) noexcept {
 
 // One step of de Boor's algorithm on a row, in place: from the d coefficients that give a polar form with
 // d - 1 arguments besides some of the knots to the d + 1 ones with the argument t as well. left[-1], left[-2],
-// ... and right[0], right[1], ... are the knots on either side that are no arguments.
+// ... and right[0], right[1], ... are the knots on either side that are no arguments. All factors lie in [0, 1] if
+// t lies between left[-1] and right[0]; beyond them this is the continuation of the polynomial piece.
 inline void append_argument(const double *left, const double *right, int d, double t,
                             double *coefficients) noexcept {
     left -= d;

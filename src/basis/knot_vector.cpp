@@ -136,7 +136,7 @@ void check_knots(int degree, std::span<const double> knots, int axis, int64_t of
     check_multiplicities(degree, knots, axis, offset);
 }
 
-void check_periodic_knots(int degree, std::span<const double> knots, int axis, int64_t offset) {
+int64_t first_not_repeated(int degree, std::span<const double> knots) noexcept {
     const auto p = static_cast<size_t>(degree);
     const size_t count = knots.size() - p - 1;
     const size_t distinct = count - p;
@@ -146,11 +146,22 @@ void check_periodic_knots(int degree, std::span<const double> knots, int axis, i
                             std::max(std::abs(knots.front()), std::abs(knots.back()));
     for (size_t i = 0; i + distinct < knots.size(); ++i) {
         if (!(std::abs(knots[i + distinct] - knots[i] - period) <= rounding)) {
-            fail(NURBS_ERROR_PERIODIC_KNOTS,
-                 "knots[%lld] = %s%s, expected knots[%lld] + period = %s on a periodic axis",
-                 static_cast<long long>(i + distinct) + offset, Number(knots[i + distinct]).text,
-                 AxisText(axis).text, static_cast<long long>(i) + offset, Number(knots[i] + period).text);
+            return static_cast<int64_t>(i);
         }
+    }
+    return -1;
+}
+
+void check_periodic_knots(int degree, std::span<const double> knots, int axis, int64_t offset) {
+    const int64_t wrong = first_not_repeated(degree, knots);
+    if (wrong >= 0) {
+        const auto i = static_cast<size_t>(wrong), p = static_cast<size_t>(degree);
+        const size_t count = knots.size() - p - 1, distinct = count - p;
+        const double period = knots[count] - knots[p];
+        fail(NURBS_ERROR_PERIODIC_KNOTS,
+             "knots[%lld] = %s%s, expected knots[%lld] + period = %s on a periodic axis",
+             static_cast<long long>(i + distinct) + offset, Number(knots[i + distinct]).text,
+             AxisText(axis).text, static_cast<long long>(i) + offset, Number(knots[i] + period).text);
     }
 }
 

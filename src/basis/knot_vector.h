@@ -67,7 +67,10 @@ void check_count(int degree, int64_t count, int axis);
 // knot_count == count + degree + 1, else NURBS_ERROR_SIZE. Precondition: degree and count have been checked.
 void check_knot_total(int64_t knot_count, int degree, int64_t count);
 void check_knots(int degree, std::span<const double> knots, int axis, int64_t offset);
-// Precondition: check_knots() accepts the vector. Throws NURBS_ERROR_PERIODIC_KNOTS.
+// The first knot whose copy a period later is not where it should be, or -1. Precondition: check_knots() accepts
+// the vector.
+int64_t first_not_repeated(int degree, std::span<const double> knots) noexcept;
+// Throws NURBS_ERROR_PERIODIC_KNOTS unless there is none.
 void check_periodic_knots(int degree, std::span<const double> knots, int axis, int64_t offset);
 
 // All checks, then the shared value.

@@ -1,9 +1,13 @@
 // Degree elevation.
 #pragma once
 
-#include "spline/spline.h"
+#include "refine/axis_table.h"
 
 namespace nrb {
+
+// The axis with its degree raised, and the table for all stored layers. Precondition: 0 < times <=
+// NURBS_MAX_DEGREE - degree.
+AxisTable elevate_axis(const KnotVector &axis, int64_t times);
 
 // The same shape with the degree of an axis raised by `times`. The tables of the steps are composed and
 // applied once. Throws NURBS_ERROR_TIMES, _DEGREE beyond NURBS_MAX_DEGREE, _PERIODIC_KNOTS,

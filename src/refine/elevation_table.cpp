@@ -240,7 +240,7 @@ Shifted shifted(const LayerTable &table, int64_t layer, int64_t period) noexcept
 
 LayerTable composed(const LayerTable &outer, const LayerTable &inner, int64_t period) {
     LayerTable table;
-    table.reserve(outer.rows(), 0);
+    table.reserve(outer.rows());
     std::vector<double> sum;
     for (int64_t r = 0; r < outer.rows(); ++r) {
         const Shifted row = shifted(outer, r, 0);
@@ -264,7 +264,7 @@ LayerTable composed(const LayerTable &outer, const LayerTable &inner, int64_t pe
 
 LayerTable wrapped_rows(const LayerTable &rows, int64_t wrapped, int64_t period) {
     LayerTable table;
-    table.reserve(rows.rows() + wrapped, 0);
+    table.reserve(rows.rows() + wrapped);
     for (int64_t i = 0; i < rows.rows() + wrapped; ++i) {
         const Shifted row = shifted(rows, i % rows.rows(), 0);
         const int64_t layer = row.first % period;

@@ -35,6 +35,22 @@ SplinePtr make_rational(const SplinePtr &spline) {
         std::vector<double>(static_cast<size_t>(spline->point_count()), 1.0));
 }
 
+Form common_form(std::span<const SplinePtr> splines) noexcept {
+    Form form = Form::polynomial;
+    for (const SplinePtr &spline : splines) {
+        form = std::max(form, spline->form());
+    }
+    return form;
+}
+
+SplinePtr in_form(const SplinePtr &spline, Form form) {
+    if (form != Form::homogeneous || spline->form() == form) {
+        return form == Form::polynomial ? spline : make_rational(spline);
+    }
+    return std::make_shared<const Spline>(spline->knot_vectors(), spline->dim(), form,
+                                          homogeneous_points(*spline), std::vector<double>());
+}
+
 SplinePtr to_homogeneous(const Spline &spline) {
     constexpr int limit = std::numeric_limits<int32_t>::max() - 1;
     if (spline.dim() == limit) {

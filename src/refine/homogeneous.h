@@ -3,6 +3,8 @@
 
 #include "spline/spline.h"
 
+#include <span>
+
 namespace nrb {
 
 // (w x, w y, ..., w) of every control point, unscaled; w = 1 in a polynomial spline.
@@ -10,6 +12,11 @@ std::vector<double> homogeneous_points(const Spline &spline);
 
 // A polynomial spline with weights of 1, any other as it is.
 SplinePtr make_rational(const SplinePtr &spline);
+
+// The form that can hold all of them: the last in the order of Form.
+Form common_form(std::span<const SplinePtr> splines) noexcept;
+// The same spline in a form that can hold it. Throws NURBS_ERROR_OVERFLOW.
+SplinePtr in_form(const SplinePtr &spline, Form form);
 
 // Throws NURBS_ERROR_DIMENSION, _OVERFLOW.
 SplinePtr to_homogeneous(const Spline &spline);

@@ -1,6 +1,7 @@
 #include "refine/join.h"
 
 #include "refine/cut.h"
+#include "refine/homogeneous.h"
 #include "refine/seam.h"
 #include "spline/axis_view.h"
 
@@ -57,14 +58,6 @@ SplinePtr prepared(const SplinePtr &part, int axis, bool first, bool last) {
     const ClampedEnds ends{!first && !knots.clamped_start(), !last && !knots.clamped_end()};
     const auto [lower, upper] = knots.domain();
     return ends.lower || ends.upper ? cut_axis(part, axis, lower, upper, ends) : open_axis(part, axis);
-}
-
-Form common_form(std::span<const SplinePtr> parts) {
-    Form form = Form::polynomial;
-    for (const SplinePtr &part : parts) {
-        form = std::max(form, part->form());
-    }
-    return form;
 }
 
 // The control points of a part in the form of the result.

@@ -91,7 +91,7 @@ SplinePtr reverse(const Spline &spline, int axis, bool keep_domain) {
         knots = mapped(old, axis, knots, old.domain());
     }
     LayerTable table;
-    table.reserve(old.count(), 0);
+    table.reserve(old.count());
     for (int64_t layer = old.count(); layer-- > 0;) {
         table.add_copy(layer);
     }

@@ -20,7 +20,7 @@ public:
     };
 
     // Room for rows of up to `width` coefficients.
-    void reserve(int64_t rows, int width) {
+    void reserve(int64_t rows, int width = 0) {
         rows_.reserve(static_cast<size_t>(rows));
         coefficients_.resize(used_ + static_cast<size_t>(rows * width));
     }

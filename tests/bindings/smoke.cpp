@@ -137,6 +137,45 @@ static void parts_of_the_circle() {
            libnurbs::Status::not_periodic);
 }
 
+static void circles_made_compatible() {
+    const Spline both[] = {circle(), circle().insert_knot(0, 0.3, 1)};
+    const auto made = libnurbs::make_compatible(both);
+    EXPECT(made.deviation == 0 && made.splines.size() == 2 && made.splines[0].count(0) == 10);
+    const auto snapped = libnurbs::snap_knots(both[1], 0, 0.06);
+    EXPECT(snapped.deviation > 0 && snapped.spline.knots(0)[5] == 0.25);
+}
+
+static void continuity_of_the_circle() {
+    const auto rows = libnurbs::continuity(circle(), 0);
+    EXPECT((rows.orders == std::vector<std::int32_t>{1, 1, 1, 1}) && rows.geometric_orders[3] == 2);
+    const auto [lower, upper] = circle().split(0, 0.3);
+    EXPECT(libnurbs::continuity_between(lower, libnurbs::end_of_axis, upper, libnurbs::start_of_axis).order ==
+           2);
+}
+
+static void beyond_the_ends() {
+    EXPECT(libnurbs::extend(circle(), 0, libnurbs::end_of_axis, 0.1, 1).domain(0)[1] == 1.1);
+    EXPECT(libnurbs::unclamp(circle(), 0).knot_form(0) == 0);
+    const auto loop = libnurbs::make_periodic(circle(), 0, 1e-9);
+    EXPECT(loop.order == 0 && loop.deviation < 1e-9 && libnurbs::detect_periodic(loop.spline, 0));
+}
+
+static void images_in_a_plane() {
+    const std::vector<double> origin = {0, 0}, up = {0, 2}, eye = {0, -4};
+    EXPECT((libnurbs::mirror(circle(), origin, up).eval({0.25}) == std::vector<double>{0, -1}));
+    EXPECT((libnurbs::project_to_plane(circle(), origin, up).eval({0.25}) == std::vector<double>{0, 0}));
+    EXPECT((libnurbs::project_to_plane(circle(), origin, up, up).eval({0}) == std::vector<double>{1, 0}));
+    EXPECT((libnurbs::project_from(circle(), eye, origin, up).eval({0}) == std::vector<double>{1, 0}));
+}
+
+static void segments() {
+    const std::vector<double> params = {0, 1}, points = {0, 0, 1, 1}, tangents = {1, 0, 0, 1};
+    const Spline g = libnurbs::create_hermite(params, 2, points, tangents);
+    EXPECT((g.eval_derivs(1, {0}) == std::vector<double>{0, 0, 1, 0}));
+    EXPECT((libnurbs::basis_matrix(libnurbs::basis_bernstein, libnurbs::basis_power, 1) ==
+            std::vector<double>{1, 0, -1, 1}));
+}
+
 static void insertion_keeps_the_circle() {
     const auto params = samples();
     const Spline before = circle(), after = before.insert_knot(0, 0.3, 2);
@@ -265,6 +304,11 @@ int main() {
     forms_and_maps();
     calculus_and_weights();
     parts_of_the_circle();
+    circles_made_compatible();
+    continuity_of_the_circle();
+    beyond_the_ends();
+    images_in_a_plane();
+    segments();
     arrays_of_any_layout();
     values_of_a_handle();
     inspection();

@@ -13,6 +13,11 @@ program smoke
     call forms_and_maps()
     call calculus_and_weights()
     call parts_of_the_circle()
+    call circles_made_compatible()
+    call continuity_of_the_circle()
+    call beyond_the_ends()
+    call images_in_a_plane()
+    call segments()
     call surfaces()
     call data_derivatives()
     call frames()
@@ -184,6 +189,72 @@ contains
         call g%move_seam(1, 0.3_c_double, made, status=code)
         call expect(code == NURBS_ERROR_NOT_PERIODIC, 'no seam')
     end subroutine parts_of_the_circle
+
+    subroutine circles_made_compatible()
+        type(nurbs_spline) :: both(2), snapped
+        type(nurbs_list) :: made
+        real(c_double) :: moved
+        call make_circle(both(1))
+        call both(1)%insert_knot(1, 0.3_c_double, 1, both(2))
+        call make_splines_compatible(both, made, deviation=moved)
+        call expect(moved == 0, 'exactly compatible')
+        call expect(made%count() == 2, 'compatible circles')
+        call snap_spline_knots(both(2), 1, 0.06_c_double, snapped, moved)
+        call expect(moved > 0, 'knots snapped together')
+        call expect(snapped%count(1) == 10, 'as many control points')
+    end subroutine circles_made_compatible
+
+    subroutine continuity_of_the_circle()
+        type(nurbs_spline) :: g, halves(2)
+        type(spline_continuity), allocatable :: rows(:)
+        type(spline_continuity) :: found
+        real(c_double), allocatable :: knots(:)
+        integer(c_int32_t), allocatable :: orders(:)
+        call make_circle(g)
+        call knot_continuity(g, 1, [0d0, 0d0, 0d0], knots, orders, rows)
+        call expect(size(rows) == 4 .and. knots(1) == 0.25d0 .and. rows(1)%geometric == 2, 'a smooth circle')
+        call g%split(1, 0.3_c_double, halves(1), halves(2))
+        call end_continuity(halves(1), NURBS_END, halves(2), NURBS_START, [0d0, 0d0, 0d0], found)
+        call expect(found%order == 2, 'smooth halves')
+    end subroutine continuity_of_the_circle
+
+    subroutine beyond_the_ends()
+        type(nurbs_spline) :: g, made
+        integer(c_int32_t) :: order
+        call make_circle(g)
+        call extend_spline(g, 1, NURBS_END, 0.5_c_double, 0, made)
+        call expect(made%count(1) == 11, 'an extension')
+        call unclamp_spline(g, 1, made)
+        call expect(made%count(1) == 9, 'unclamped')
+        call make_spline_periodic(g, 1, 1e-9_c_double, made, order=order)
+        call expect(order == 0, 'a loop')
+    end subroutine beyond_the_ends
+
+    subroutine images_in_a_plane()
+        type(nurbs_spline) :: g, made
+        real(c_double) :: one(1, 2)
+        call make_circle(g)
+        call mirror_spline(g, [0d0, 0d0], [0d0, 2d0], made)
+        call made%eval([0.25_c_double], one)
+        call expect(all(one(1, :) == [0, -1]), 'a mirror image')
+        call project_spline_to_plane(g, [0d0, 0d0], [0d0, 2d0], made, direction=[1d0, 1d0])
+        call made%eval([0.25_c_double], one)
+        call expect(all(one(1, :) == [-1, 0]), 'a shadow')
+        call project_spline_from(g, [0d0, -4d0], [0d0, 0d0], [0d0, 1d0], made)
+        call made%eval([0.0_c_double], one)
+        call expect(all(one(1, :) == [1, 0]), 'a perspective')
+    end subroutine images_in_a_plane
+
+    subroutine segments()
+        type(nurbs_spline) :: g
+        real(c_double) :: one(1, 2), m(4)
+        call create_hermite_spline(g, [0d0, 1d0], reshape([0d0, 1d0, 0d0, 1d0], [2, 2]), &
+            reshape([1d0, 0d0, 0d0, 1d0], [2, 2]))
+        call g%eval([1.0_c_double], one)
+        call expect(all(one(1, :) == [1, 1]), 'the end of a Hermite curve')
+        call expect(nurbs_basis_matrix(NURBS_BASIS_BERNSTEIN, NURBS_BASIS_POWER, 1, 4_c_int64_t, m) == NURBS_OK, 'a basis')
+        call expect(all(m == [1, 0, -1, 1]), 'its matrix')
+    end subroutine segments
 
     ! z = u v over the unit square.
     subroutine surfaces()

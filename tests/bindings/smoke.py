@@ -90,6 +90,40 @@ class Evaluation(unittest.TestCase):
             g.move_seam(0.3)
         self.assertEqual(raised.exception.status, nurbs.NURBS_ERROR_NOT_PERIODIC)
 
+    def test_circles_made_compatible(self):
+        finer = circle().insert_knot(0.3)
+        made = nurbs.make_compatible([circle(), finer])
+        self.assertEqual((made.deviation, made.splines[0].count()), (0, 10))
+        snapped = nurbs.snap_knots(finer, 0.06)
+        self.assertTrue(snapped.deviation > 0 and snapped.spline.knots()[5] == 0.25)
+
+    def test_continuity_of_the_circle(self):
+        rows = nurbs.continuity(circle())
+        self.assertEqual((rows.knots[0], rows.orders.tolist(), rows.geometric_orders.tolist()), (0.25, [1] * 4, [2] * 4))
+        halves = circle().split(0.3)
+        found = nurbs.continuity_between(halves[0], nurbs.NURBS_END, halves[1], nurbs.NURBS_START)
+        self.assertEqual((found.order, found.geometric, found.position_gap), (2, 2, 0))
+
+    def test_beyond_the_ends(self):
+        self.assertEqual(nurbs.extend(circle(), 0.5, 1).domain(), (0, 1.5))
+        self.assertEqual(nurbs.unclamp(circle()).count(), 9)
+        loop = nurbs.make_periodic(circle(), 1e-9)
+        self.assertTrue(loop.order == 0 and loop.deviation < 1e-9 and nurbs.detect_periodic(loop.spline))
+
+    def test_images_in_a_plane(self):
+        same = np.testing.assert_array_equal
+        same(nurbs.mirror(circle(), [0, 0], [0, 2]).eval(0.25), [0, -1])
+        same(nurbs.project_to_plane(circle(), [0, 0], [0, 2], [1, 1]).eval(0.25), [-1, 0])
+        same(nurbs.project_from(circle(), [0, -4], [0, 0], [0, 1]).eval(0), [1, 0])
+        with self.assertRaises(ValueError):
+            nurbs.mirror(circle(), [0, 0, 0], [0, 2])
+
+    def test_segments(self):
+        same = np.testing.assert_array_equal
+        g = nurbs.create_hermite([0, 1], [[0, 0], [1, 1]], [[1, 0], [0, 1]])
+        same(g.eval(1), [1, 1])
+        same(nurbs.basis_matrix(nurbs.NURBS_BASIS_BERNSTEIN, nurbs.NURBS_BASIS_POWER, 1), [[1, 0], [-1, 1]])
+
     def test_derivative_of_a_product(self):
         derivs = patch().eval_derivs([[0.25, 0.5]], order=2)
         self.assertEqual(derivs.shape, (1, 6, 3))

@@ -137,6 +137,48 @@ fn parts_of_the_circle() -> Result<()> {
     Ok(())
 }
 
+fn circles_made_compatible() -> Result<()> {
+    let (g, finer) = (circle()?, circle()?.insert_knot(0, 0.3, 1)?);
+    let (list, moved) = nurbs::make_compatible(&[&g, &finer], 0.0, 0)?;
+    assert_eq!((list.len(), moved), (2, 0.0));
+    let (snapped, moved) = finer.snap_knots(0, 0.06)?;
+    assert!(moved > 0.0 && snapped.knots(0)?[5] == 0.25);
+    Ok(())
+}
+
+fn continuity_of_the_circle() -> Result<()> {
+    let rows = circle()?.continuity(0, nurbs::ContinuityTolerances::default())?;
+    assert!(rows.len() == 4 && rows[0].knot == 0.25 && rows[0].found.order == 1);
+    let (lower, upper) = circle()?.split(0, 0.3)?;
+    let (a, b) = ((&lower, sys::NURBS_END), (&upper, sys::NURBS_START));
+    assert_eq!(nurbs::continuity_between(a, b, nurbs::ContinuityTolerances::default())?.geometric, 2);
+    Ok(())
+}
+
+fn beyond_the_ends() -> Result<()> {
+    assert_eq!(circle()?.extend(0, sys::NURBS_END, 0.5, 1)?.domain(0)?[1], 1.5);
+    assert_eq!(circle()?.unclamp(0, 3)?.count(0)?, 9);
+    let looped = circle()?.make_periodic(0, 1e-9)?;
+    assert!(looped.order == 0 && looped.deviation < 1e-9 && looped.spline.detect_periodic(0)?);
+    Ok(())
+}
+
+fn images_in_a_plane() -> Result<()> {
+    let (g, origin, up) = (circle()?, [0.0, 0.0], [0.0, 2.0]);
+    assert_eq!(g.mirror(&origin, &up)?.eval(&[0.25], 0)?, [0.0, -1.0]);
+    assert_eq!(g.project_to_plane(&origin, &up, Some(&[1.0, 1.0]))?.eval(&[0.25], 0)?, [-1.0, 0.0]);
+    assert_eq!(g.project_from(&[0.0, -4.0], &origin, &up)?.eval(&[0.0], 0)?, [1.0, 0.0]);
+    Ok(())
+}
+
+fn segments() -> Result<()> {
+    let g = Spline::hermite(&[0.0, 1.0], 1, &[0.0, 2.0], &[1.0, 1.0])?;
+    assert_eq!(g.eval(&[1.0], 0)?, [2.0]);
+    let matrix = nurbs::basis_matrix(sys::NURBS_BASIS_BERNSTEIN, sys::NURBS_BASIS_POWER, 1)?;
+    assert_eq!(matrix, [1.0, 0.0, -1.0, 1.0]);
+    Ok(())
+}
+
 fn strided_arrays() -> Result<()> {
     let (t, n) = (params(), 1001);
     let expected = circle()?.eval(&t, 0)?;
@@ -245,6 +287,11 @@ fn main() -> Result<()> {
     forms_and_maps()?;
     calculus_and_weights()?;
     parts_of_the_circle()?;
+    circles_made_compatible()?;
+    continuity_of_the_circle()?;
+    beyond_the_ends()?;
+    images_in_a_plane()?;
+    segments()?;
     strided_arrays()?;
     inspection()?;
     constructors_agree()?;

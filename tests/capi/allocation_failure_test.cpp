@@ -284,6 +284,39 @@ const Case cases[] = {
          const nurbs *parts[] = {in.curve, in.curve};
          return nurbs_join(2, parts, 0, 9, NURBS_KEEP_GAPS, nullptr, &o.out);
      }},
+    {"snap_knots",
+     [](Inputs &in, Output &o) { return nurbs_snap_knots(in.loop, 0, 0.26, nullptr, &o.out); }},
+    {"create_hermite",
+     [](Inputs &, Output &o) {
+         return nurbs_create_hermite(2, new_knots, 2, params, 0, 0, params, 0, 0, &o.out);
+     }},
+    {"basis_matrix", [](Inputs &in, Output &) { return nurbs_basis_matrix(0, 3, 3, 16, in.values); }},
+    {"mirror", [](Inputs &in, Output &o) { return nurbs_mirror(in.curve, params, params, &o.out); }},
+    {"project_to_plane",
+     [](Inputs &in, Output &o) { return nurbs_project_to_plane(in.curve, params, params, nullptr, &o.out); }},
+    {"project_from",
+     [](Inputs &in, Output &o) { return nurbs_project_from(in.curve, params + 2, params, params, &o.out); }},
+    {"extend", [](Inputs &in, Output &o) { return nurbs_extend(in.surface, 0, NURBS_START, 1, 1, &o.out); }},
+    {"unclamp", [](Inputs &in, Output &o) { return nurbs_unclamp(in.volume, 2, 3, &o.out); }},
+    {"make_periodic",
+     [](Inputs &in, Output &o) { return nurbs_make_periodic(in.curve, 0, 1, nullptr, nullptr, &o.out); }},
+    {"detect_periodic",
+     [](Inputs &in, Output &) { return nurbs_detect_periodic(in.curve, 0, in.states); }},
+    {"continuity",
+     [](Inputs &in, Output &) {
+         return nurbs_continuity(in.surface, 1, 0, 0, 0, 0, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr,
+                                 nullptr, in.spans);
+     }},
+    {"continuity_between",
+     [](Inputs &in, Output &) {
+         return nurbs_continuity_between(in.curve, NURBS_END, in.curve, NURBS_START, 0, 0, 0, in.states, nullptr,
+                                         nullptr, nullptr, nullptr);
+     }},
+    {"make_compatible",
+     [](Inputs &in, Output &o) {
+         const nurbs *splines[] = {in.curve, in.loop};
+         return nurbs_make_compatible(2, splines, 0.01, NURBS_MAP_DOMAINS, nullptr, &o.list);
+     }},
     {"decompose", [](Inputs &in, Output &o) { return nurbs_decompose(in.surface, &o.list); }},
     {"split_at_knots", [](Inputs &in, Output &o) { return nurbs_split_at_knots(in.curve, 0, 1, &o.list); }},
     {"split",

@@ -14,8 +14,9 @@ from dataclasses import dataclass, field
 HANDLES = ("nurbs", "nurbs_list")
 STRUCTS = ("nurbs_read_options",)
 # Pointers to one value that is written; arrays have names in the plural.
-SINGLE_RESULTS = ("axes", "count", "degree", "dim", "entity_type", "entries", "form", "gap", "length", "line", "metres",
-                  "rational", "reason", "slots")
+SINGLE_RESULTS = ("angle", "axes", "count", "curvature_gap", "degree", "deviation", "dim", "entity_type", "entries",
+                  "form", "gap", "geometric", "length", "line", "metres", "order", "periodic", "position_gap", "rational", "reason",
+                  "slots")
 
 
 @dataclass

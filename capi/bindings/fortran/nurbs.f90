@@ -12,7 +12,8 @@
 !>   an operation must be another variable than its operand.
 !>
 !> Order of compilation: nurbs_constants, nurbs_c, nurbs_support, nurbs_handles, nurbs_splines, nurbs_frames,
-!> nurbs_calculus, nurbs_lists, nurbs.
+!> nurbs_calculus, nurbs_lists, nurbs_compatible, nurbs_continuities,
+!> nurbs_continuation, nurbs_projections, nurbs_segments, nurbs.
 module nurbs
     use nurbs_constants ! statuses, flags and limits
     use nurbs_c         ! the C functions; knot generators, span search and bases are called by these names
@@ -21,6 +22,11 @@ module nurbs
     use nurbs_frames
     use nurbs_calculus
     use nurbs_lists, only: nurbs_list
+    use nurbs_compatible
+    use nurbs_continuities
+    use nurbs_continuation
+    use nurbs_projections
+    use nurbs_segments
     implicit none
     public
 end module nurbs

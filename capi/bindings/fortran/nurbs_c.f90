@@ -668,6 +668,118 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_join
+        function nurbs_snap_knots(g, axis, tolerance, deviation, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int32_t), value :: axis
+            real(c_double), value :: tolerance
+            real(c_double), intent(inout), optional :: deviation
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_snap_knots
+        function nurbs_make_compatible(count, splines, tolerance, flags, deviation, out) bind(c) result(r)
+            import
+            integer(c_int64_t), value :: count
+            type(c_ptr), intent(in) :: splines(*)
+            real(c_double), value :: tolerance
+            integer(c_int32_t), value :: flags
+            real(c_double), intent(inout), optional :: deviation
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_make_compatible
+        function nurbs_create_hermite(n, params, dim, points, point_stride, point_component_stride, tangents, &
+            tangent_stride, tangent_component_stride, out) bind(c) result(r)
+            import
+            integer(c_int64_t), value :: n, point_stride, point_component_stride, tangent_stride
+            integer(c_int64_t), value :: tangent_component_stride
+            real(c_double), intent(in) :: params(*), points(*), tangents(*)
+            integer(c_int32_t), value :: dim
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_create_hermite
+        function nurbs_basis_matrix(from, to, degree, size, matrix) bind(c) result(r)
+            import
+            integer(c_int32_t), value :: from, to, degree
+            integer(c_int64_t), value :: size
+            real(c_double), intent(inout) :: matrix(*)
+            integer(c_int32_t) :: r
+        end function nurbs_basis_matrix
+        function nurbs_mirror(g, point, normal, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            real(c_double), intent(in) :: point(*), normal(*)
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_mirror
+        function nurbs_project_to_plane(g, point, normal, direction, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            real(c_double), intent(in) :: point(*), normal(*)
+            real(c_double), intent(in), optional :: direction(*)
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_project_to_plane
+        function nurbs_project_from(g, eye, point, normal, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            real(c_double), intent(in) :: eye(*), point(*), normal(*)
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_project_from
+        function nurbs_extend(g, axis, end, amount, order, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int32_t), value :: axis, end, order
+            real(c_double), value :: amount
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_extend
+        function nurbs_unclamp(g, axis, flags, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int32_t), value :: axis, flags
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_unclamp
+        function nurbs_make_periodic(g, axis, tolerance, deviation, order, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int32_t), value :: axis
+            real(c_double), value :: tolerance
+            real(c_double), intent(inout), optional :: deviation
+            integer(c_int32_t), intent(inout), optional :: order
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_make_periodic
+        function nurbs_detect_periodic(g, axis, periodic) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int32_t), value :: axis
+            integer(c_int32_t), intent(out) :: periodic
+            integer(c_int32_t) :: r
+        end function nurbs_detect_periodic
+        function nurbs_continuity(g, axis, position_tolerance, derivative_tolerance, angle_tolerance, cap, knots, &
+            knot_orders, orders, geometric_orders, position_gaps, angles, curvature_gaps, count) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int32_t), value :: axis
+            real(c_double), value :: position_tolerance, derivative_tolerance, angle_tolerance
+            integer(c_int64_t), value :: cap
+            real(c_double), intent(inout), optional :: knots(*), position_gaps(*), angles(*), curvature_gaps(*)
+            integer(c_int32_t), intent(inout), optional :: knot_orders(*), orders(*), geometric_orders(*)
+            integer(c_int64_t), intent(inout), optional :: count
+            integer(c_int32_t) :: r
+        end function nurbs_continuity
+        function nurbs_continuity_between(a, end_a, b, end_b, position_tolerance, derivative_tolerance, &
+            angle_tolerance, order, geometric, position_gap, angle, curvature_gap) bind(c) result(r)
+            import
+            type(c_ptr), value :: a, b
+            integer(c_int32_t), value :: end_a, end_b
+            real(c_double), value :: position_tolerance, derivative_tolerance, angle_tolerance
+            integer(c_int32_t), intent(inout), optional :: order, geometric
+            real(c_double), intent(inout), optional :: position_gap, angle, curvature_gap
+            integer(c_int32_t) :: r
+        end function nurbs_continuity_between
         function nurbs_collocation(axes, degrees, counts, knots, knot_count, orders, n, params, param_stride, &
             param_component_stride, cap, values, columns, row_pointers, entries, flags) bind(c) result(r)
             import

@@ -53,6 +53,9 @@ module nurbs_constants
     integer(c_int32_t), parameter :: NURBS_ERROR_NOT_PERIODIC = 43
     integer(c_int32_t), parameter :: NURBS_ERROR_END_WEIGHTS = 44
     integer(c_int32_t), parameter :: NURBS_ERROR_FACTOR = 45
+    integer(c_int32_t), parameter :: NURBS_ERROR_PERIODIC = 48
+    integer(c_int32_t), parameter :: NURBS_ERROR_END = 49
+    integer(c_int32_t), parameter :: NURBS_ERROR_BASIS = 50
     integer(c_int32_t), parameter :: NURBS_ERROR_OUTSIDE_DOMAIN = 100
     integer(c_int32_t), parameter :: NURBS_ERROR_NOT_REPRESENTABLE = 200
     integer(c_int32_t), parameter :: NURBS_ERROR_KNOTS_MERGE = 202
@@ -79,6 +82,17 @@ module nurbs_constants
     integer(c_int32_t), parameter :: NURBS_KEEP_GAPS = int(z'04000000', c_int32_t)
     integer(c_int32_t), parameter :: NURBS_PRODUCT_DOT = int(z'08000000', c_int32_t)
     integer(c_int32_t), parameter :: NURBS_PRODUCT_CROSS = int(z'10000000', c_int32_t)
+    integer(c_int32_t), parameter :: NURBS_MAP_DOMAINS = int(z'40000000', c_int32_t)
+
+    ! Bases of a polynomial segment
+    integer(c_int32_t), parameter :: NURBS_BASIS_POWER = 0
+    integer(c_int32_t), parameter :: NURBS_BASIS_BERNSTEIN = 1
+    integer(c_int32_t), parameter :: NURBS_BASIS_HERMITE = 2
+    integer(c_int32_t), parameter :: NURBS_BASIS_BSPLINE = 3
+
+    ! Ends of an axis
+    integer(c_int32_t), parameter :: NURBS_START = 0
+    integer(c_int32_t), parameter :: NURBS_END = 1
 
     ! Bits of the form of a knot vector
     integer(c_int32_t), parameter :: NURBS_FORM_CLAMPED_START = int(z'01', c_int32_t)

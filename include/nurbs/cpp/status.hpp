@@ -52,6 +52,9 @@ enum class Status : nurbs_status {
     not_periodic = NURBS_ERROR_NOT_PERIODIC,
     end_weights = NURBS_ERROR_END_WEIGHTS,
     factor = NURBS_ERROR_FACTOR,
+    periodic = NURBS_ERROR_PERIODIC,
+    end = NURBS_ERROR_END,
+    basis = NURBS_ERROR_BASIS,
     outside_domain = NURBS_ERROR_OUTSIDE_DOMAIN,
     not_representable = NURBS_ERROR_NOT_REPRESENTABLE,
     knots_merge = NURBS_ERROR_KNOTS_MERGE,
@@ -87,6 +90,9 @@ inline constexpr std::uint32_t keep_domain = NURBS_KEEP_DOMAIN;
 inline constexpr std::uint32_t keep_gaps = NURBS_KEEP_GAPS;
 inline constexpr std::uint32_t product_dot = NURBS_PRODUCT_DOT;
 inline constexpr std::uint32_t product_cross = NURBS_PRODUCT_CROSS;
+inline constexpr std::uint32_t map_domains = NURBS_MAP_DOMAINS;
+inline constexpr std::int32_t start_of_axis = NURBS_START;
+inline constexpr std::int32_t end_of_axis = NURBS_END;
 
 /// Bits of Spline::knot_form().
 inline constexpr std::int32_t form_clamped_start = NURBS_FORM_CLAMPED_START;

@@ -18,6 +18,9 @@ themselves are attributes of `nurbs.lib`.
 """
 
 from ._library import NurbsError, last_error, lib, status_name, version
+from .compatible import Compatible, Snapped, make_compatible, snap_knots
+from .continuation import PeriodicForm, detect_periodic, extend, make_periodic, unclamp
+from .continuity import EndContinuity, KnotContinuity, continuity, continuity_between
 from .constants import *  # noqa: F401,F403 - the names of the header
 from .files import Note, SplineList, read, read_file
 from .calculus import (antiderivative, blossom, derivative, equalize_end_weights, normalize_weights, product,
@@ -29,4 +32,6 @@ from .knots import (basis, bernstein, find_spans, knots_averaged, knots_bezier, 
 from .linear import (Gradients, bezier_extraction, collocation, eval_adjoint, rational_collocation,
                      refinement_matrix)
 from .parts import Joined, decompose, join, split_at_knots
+from .projections import mirror, project_from, project_to_plane
+from .segments import basis_matrix, create_hermite
 from .spline import Spline, derivative_slots

@@ -14,6 +14,9 @@
 
 mod arrays;
 mod calculus;
+mod compatible;
+mod continuation;
+mod continuity;
 mod error;
 mod eval;
 mod forms;
@@ -23,10 +26,15 @@ mod knots;
 mod linear;
 mod list;
 mod parts;
+mod projections;
+mod segments;
 mod spline;
 pub mod sys;
 
 pub use arrays::{Records, RecordsMut};
+pub use compatible::make_compatible;
+pub use continuation::PeriodicForm;
+pub use continuity::{continuity_between, Continuity, ContinuityTolerances, KnotContinuity};
 pub use error::{last_error, status_name, version, Error, Result};
 pub use frames::{CurveFrames, Curvatures, MinimalFrames, SurfaceFrames};
 pub use knots::{
@@ -36,6 +44,7 @@ pub use knots::{
 pub use linear::{collocation, Extraction, Gradients, GradientsMut, SparseMatrix};
 pub use list::{List, Note, ReadOptions};
 pub use parts::{join, Joined};
+pub use segments::basis_matrix;
 pub use spline::{derivative_slots, DistinctKnots, Spline};
 
 /// The bits `flags` moved to those of `axis`: the macro `NURBS_ON_AXIS`.

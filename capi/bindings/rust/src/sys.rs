@@ -75,6 +75,9 @@ pub const NURBS_ERROR_TOLERANCE: nurbs_status = 42;
 pub const NURBS_ERROR_NOT_PERIODIC: nurbs_status = 43;
 pub const NURBS_ERROR_END_WEIGHTS: nurbs_status = 44;
 pub const NURBS_ERROR_FACTOR: nurbs_status = 45;
+pub const NURBS_ERROR_PERIODIC: nurbs_status = 48;
+pub const NURBS_ERROR_END: nurbs_status = 49;
+pub const NURBS_ERROR_BASIS: nurbs_status = 50;
 pub const NURBS_ERROR_OUTSIDE_DOMAIN: nurbs_status = 100;
 pub const NURBS_ERROR_NOT_REPRESENTABLE: nurbs_status = 200;
 pub const NURBS_ERROR_KNOTS_MERGE: nurbs_status = 202;
@@ -101,6 +104,13 @@ pub const NURBS_KEEP_DOMAIN: u32 = 0x02000000;
 pub const NURBS_KEEP_GAPS: u32 = 0x04000000;
 pub const NURBS_PRODUCT_DOT: u32 = 0x08000000;
 pub const NURBS_PRODUCT_CROSS: u32 = 0x10000000;
+pub const NURBS_MAP_DOMAINS: u32 = 0x40000000;
+pub const NURBS_BASIS_POWER: i32 = 0;
+pub const NURBS_BASIS_BERNSTEIN: i32 = 1;
+pub const NURBS_BASIS_HERMITE: i32 = 2;
+pub const NURBS_BASIS_BSPLINE: i32 = 3;
+pub const NURBS_START: i32 = 0;
+pub const NURBS_END: i32 = 1;
 
 // Bits of the form of a knot vector
 pub const NURBS_FORM_CLAMPED_START: i32 = 0x01;
@@ -603,6 +613,102 @@ extern "C" {
     ) -> nurbs_status;
     pub fn nurbs_clamp_ends(g: *const nurbs, axis: i32, flags: u32, out: *mut *mut nurbs) -> nurbs_status;
     pub fn nurbs_move_seam(g: *const nurbs, axis: i32, param: f64, out: *mut *mut nurbs) -> nurbs_status;
+    pub fn nurbs_snap_knots(
+        g: *const nurbs,
+        axis: i32,
+        tolerance: f64,
+        deviation: *mut f64,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    pub fn nurbs_make_compatible(
+        count: i64,
+        splines: *const *const nurbs,
+        tolerance: f64,
+        flags: u32,
+        deviation: *mut f64,
+        out: *mut *mut nurbs_list,
+    ) -> nurbs_status;
+    pub fn nurbs_create_hermite(
+        n: i64,
+        params: *const f64,
+        dim: i32,
+        points: *const f64,
+        point_stride: i64,
+        point_component_stride: i64,
+        tangents: *const f64,
+        tangent_stride: i64,
+        tangent_component_stride: i64,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    pub fn nurbs_basis_matrix(from: i32, to: i32, degree: i32, size: i64, matrix: *mut f64) -> nurbs_status;
+    pub fn nurbs_mirror(
+        g: *const nurbs,
+        point: *const f64,
+        normal: *const f64,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    pub fn nurbs_project_to_plane(
+        g: *const nurbs,
+        point: *const f64,
+        normal: *const f64,
+        direction: *const f64,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    pub fn nurbs_project_from(
+        g: *const nurbs,
+        eye: *const f64,
+        point: *const f64,
+        normal: *const f64,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    pub fn nurbs_extend(
+        g: *const nurbs,
+        axis: i32,
+        end: i32,
+        amount: f64,
+        order: i32,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    pub fn nurbs_unclamp(g: *const nurbs, axis: i32, flags: u32, out: *mut *mut nurbs) -> nurbs_status;
+    pub fn nurbs_make_periodic(
+        g: *const nurbs,
+        axis: i32,
+        tolerance: f64,
+        deviation: *mut f64,
+        order: *mut i32,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    pub fn nurbs_detect_periodic(g: *const nurbs, axis: i32, periodic: *mut i32) -> nurbs_status;
+    pub fn nurbs_continuity(
+        g: *const nurbs,
+        axis: i32,
+        position_tolerance: f64,
+        derivative_tolerance: f64,
+        angle_tolerance: f64,
+        cap: i64,
+        knots: *mut f64,
+        knot_orders: *mut i32,
+        orders: *mut i32,
+        geometric_orders: *mut i32,
+        position_gaps: *mut f64,
+        angles: *mut f64,
+        curvature_gaps: *mut f64,
+        count: *mut i64,
+    ) -> nurbs_status;
+    pub fn nurbs_continuity_between(
+        a: *const nurbs,
+        end_a: i32,
+        b: *const nurbs,
+        end_b: i32,
+        position_tolerance: f64,
+        derivative_tolerance: f64,
+        angle_tolerance: f64,
+        order: *mut i32,
+        geometric: *mut i32,
+        position_gap: *mut f64,
+        angle: *mut f64,
+        curvature_gap: *mut f64,
+    ) -> nurbs_status;
     pub fn nurbs_join(
         count: i64,
         parts: *const *const nurbs,

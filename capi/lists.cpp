@@ -1,9 +1,37 @@
 // Lists of splines: what a file held, or the parts of a spline.
-#include "checks.h"
+#include "lists.h"
+
 #include "guard.h"
-#include "handle.h"
 
 #include <cstring>
+
+namespace nrb::capi {
+
+void give_list(std::vector<SplinePtr> splines, nurbs_list **out) {
+    Document document;
+    document.splines.reserve(splines.size());
+    for (SplinePtr &spline : splines) {
+        document.splines.push_back({std::to_string(document.splines.size()), std::move(spline)});
+    }
+    *out = new nurbs_list{std::move(document)};
+}
+
+std::vector<SplinePtr> splines_of(int64_t count, const nurbs *const *handles, const char *name) {
+    if (count < 1) {
+        fail(NURBS_ERROR_COUNT, "count = %lld, expected at least 1", static_cast<long long>(count));
+    }
+    require(handles, name);
+    std::vector<SplinePtr> splines;
+    for (int64_t i = 0; i < count; ++i) {
+        if (handles[i] == nullptr) {
+            fail(NURBS_ERROR_NULL, "%s[%lld] is NULL", name, static_cast<long long>(i));
+        }
+        splines.push_back(handles[i]->spline);
+    }
+    return splines;
+}
+
+} // namespace nrb::capi
 
 using namespace nrb;
 using namespace nrb::capi;

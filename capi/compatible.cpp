@@ -1,0 +1,45 @@
+// Knots brought together: of one spline, and of a set of splines.
+#include "checks.h"
+#include "guard.h"
+#include "lists.h"
+
+#include "reduce/compatible.h"
+#include "reduce/snap.h"
+
+using namespace nrb;
+using namespace nrb::capi;
+
+namespace {
+
+void give(double value, double *out) noexcept {
+    if (out != nullptr) {
+        *out = value;
+    }
+}
+
+} // namespace
+
+nurbs_status nurbs_snap_knots(const nurbs *g, int32_t axis, double tolerance, double *deviation,
+                              nurbs **out) {
+    return guard([&] {
+        require_out(out);
+        check_axis(spline_of(g), axis);
+        Snapped snapped = snap_knots(g->spline, axis, tolerance);
+        give(std::move(snapped.spline), out);
+        give(snapped.deviation, deviation);
+    });
+}
+
+nurbs_status nurbs_make_compatible(int64_t count, const nurbs *const *splines, double tolerance,
+                                   uint32_t flags, double *deviation, nurbs_list **out) {
+    return guard([&] {
+        require_out(out);
+        const std::vector<SplinePtr> given = splines_of(count, splines, "splines");
+        if ((flags & ~NURBS_MAP_DOMAINS) != 0) {
+            fail(NURBS_ERROR_FLAGS, "flags = 0x%x, expected NURBS_MAP_DOMAINS or 0", flags);
+        }
+        Compatible made = make_compatible(given, tolerance, flags != 0);
+        give_list(std::move(made.splines), out);
+        give(made.deviation, deviation);
+    });
+}

@@ -1,0 +1,57 @@
+// Splines beyond their ends: extension, unclamped and periodic forms.
+#include "checks.h"
+#include "guard.h"
+
+#include "reduce/periodic_form.h"
+#include "refine/continuation.h"
+
+using namespace nrb;
+using namespace nrb::capi;
+
+nurbs_status nurbs_extend(const nurbs *g, int32_t axis, int32_t end, double amount, int32_t order,
+                          nurbs **out) {
+    return guard([&] {
+        require_out(out);
+        check_axis(spline_of(g), axis);
+        const bool upper = upper_end(end, "end");
+        check_order(order);
+        give(extend(g->spline, axis, upper, amount, order), out);
+    });
+}
+
+nurbs_status nurbs_unclamp(const nurbs *g, int32_t axis, uint32_t flags, nurbs **out) {
+    return guard([&] {
+        require_out(out);
+        check_axis(spline_of(g), axis);
+        constexpr uint32_t start = NURBS_FORM_CLAMPED_START, end = NURBS_FORM_CLAMPED_END;
+        if ((flags & ~(start | end)) != 0) {
+            fail(NURBS_ERROR_FLAGS,
+                 "flags = 0x%x, expected NURBS_FORM_CLAMPED_START, NURBS_FORM_CLAMPED_END, both or 0", flags);
+        }
+        give(unclamp(g->spline, axis, {(flags & start) != 0, (flags & end) != 0}), out);
+    });
+}
+
+nurbs_status nurbs_make_periodic(const nurbs *g, int32_t axis, double tolerance, double *deviation,
+                                 int32_t *order, nurbs **out) {
+    return guard([&] {
+        require_out(out);
+        check_axis(spline_of(g), axis);
+        PeriodicForm form = make_periodic(g->spline, axis, tolerance);
+        give(std::move(form.spline), out);
+        if (deviation != nullptr) {
+            *deviation = form.deviation;
+        }
+        if (order != nullptr) {
+            *order = form.order;
+        }
+    });
+}
+
+nurbs_status nurbs_detect_periodic(const nurbs *g, int32_t axis, int32_t *periodic) {
+    return guard([&] {
+        require(periodic, "periodic");
+        check_axis(spline_of(g), axis);
+        *periodic = wraps(*g->spline, axis) ? 1 : 0;
+    });
+}

@@ -1,0 +1,83 @@
+// Continuity at knots and between ends.
+#include "checks.h"
+#include "guard.h"
+
+#include "query/continuity.h"
+
+using namespace nrb;
+using namespace nrb::capi;
+
+namespace {
+
+ContinuityRule checked_rule(double position, double derivative, double angle) {
+    const struct {
+        const char *name;
+        double value;
+    } all[] = {
+        {"position_tolerance", position}, {"derivative_tolerance", derivative}, {"angle_tolerance", angle}};
+    for (const auto &[name, value] : all) {
+        if (!(value >= 0)) {
+            fail(NURBS_ERROR_TOLERANCE, "%s = %s, expected >= 0", name, Number(value).text);
+        }
+    }
+    return {position, derivative, angle};
+}
+
+// Arrays that are null are not filled.
+template <class T>
+void put(T *array, size_t i, T value) noexcept {
+    if (array != nullptr) {
+        array[i] = value;
+    }
+}
+
+} // namespace
+
+nurbs_status nurbs_continuity(const nurbs *g, int32_t axis, double position_tolerance,
+                              double derivative_tolerance, double angle_tolerance, int64_t cap, double *knots,
+                              int32_t *knot_orders, int32_t *orders, int32_t *geometric_orders,
+                              double *position_gaps, double *angles, double *curvature_gaps, int64_t *count) {
+    return guard([&] {
+        check_axis(spline_of(g), axis);
+        const ContinuityRule rule = checked_rule(position_tolerance, derivative_tolerance, angle_tolerance);
+        check_length(cap, "cap");
+        const std::vector<KnotContinuity> rows = continuity(g->spline, axis, rule);
+        if (cap != 0 && cap < std::ssize(rows)) {
+            fail(NURBS_ERROR_SIZE, "cap = %lld, expected 0 or at least %lld", static_cast<long long>(cap),
+                 static_cast<long long>(std::ssize(rows)));
+        }
+        check_apart({memory("knots", knots, cap), memory("knot_orders", knot_orders, cap),
+                     memory("orders", orders, cap), memory("geometric_orders", geometric_orders, cap),
+                     memory("position_gaps", position_gaps, cap), memory("angles", angles, cap),
+                     memory("curvature_gaps", curvature_gaps, cap), memory("count", count, 1)},
+                    {});
+        for (size_t i = 0; cap != 0 && i < rows.size(); ++i) {
+            put(knots, i, rows[i].knot);
+            put(knot_orders, i, int32_t{rows[i].knot_order});
+            put(orders, i, int32_t{rows[i].found.order});
+            put(geometric_orders, i, int32_t{rows[i].found.geometric});
+            put(position_gaps, i, rows[i].found.position_gap);
+            put(angles, i, rows[i].found.angle);
+            put(curvature_gaps, i, rows[i].found.curvature_gap);
+        }
+        put(count, 0, int64_t{std::ssize(rows)});
+    });
+}
+
+nurbs_status nurbs_continuity_between(const nurbs *a, int32_t end_a, const nurbs *b, int32_t end_b,
+                                      double position_tolerance, double derivative_tolerance,
+                                      double angle_tolerance, int32_t *order, int32_t *geometric,
+                                      double *position_gap, double *angle, double *curvature_gap) {
+    return guard([&] {
+        require(a, "a");
+        require(b, "b");
+        const bool upper_a = upper_end(end_a, "end_a"), upper_b = upper_end(end_b, "end_b");
+        const ContinuityRule rule = checked_rule(position_tolerance, derivative_tolerance, angle_tolerance);
+        const Continuity found = continuity_between(*a->spline, upper_a, *b->spline, upper_b, rule);
+        put(order, 0, int32_t{found.order});
+        put(geometric, 0, int32_t{found.geometric});
+        put(position_gap, 0, found.position_gap);
+        put(angle, 0, found.angle);
+        put(curvature_gap, 0, found.curvature_gap);
+    });
+}

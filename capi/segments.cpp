@@ -1,0 +1,106 @@
+// Segments in other bases: Hermite data, and the matrices between bases.
+#include "base/checked.h"
+#include "basis/basis_matrix.h"
+#include "checks.h"
+#include "guard.h"
+
+#include <cmath>
+
+using namespace nrb;
+using namespace nrb::capi;
+
+namespace {
+
+SegmentBasis basis_of(int32_t value, const char *name) {
+    if (value < NURBS_BASIS_POWER || value > NURBS_BASIS_BSPLINE) {
+        fail(NURBS_ERROR_BASIS, "%s = %d, expected one of the NURBS_BASIS_ constants", name, value);
+    }
+    return static_cast<SegmentBasis>(value);
+}
+
+void check_matrix_degree(int32_t degree, SegmentBasis from, SegmentBasis to) {
+    if (degree < 0 || degree > max_matrix_degree) {
+        fail(NURBS_ERROR_DEGREE, "degree = %d, expected 0 to %d", degree, max_matrix_degree);
+    }
+    if (degree % 2 == 0 && (from == SegmentBasis::hermite || to == SegmentBasis::hermite)) {
+        fail(NURBS_ERROR_DEGREE, "degree = %d, expected an odd one for a Hermite basis", degree);
+    }
+}
+
+void check_rising(const double *params, int64_t n) {
+    for (int64_t i = 0; i < n; ++i) {
+        if (!std::isfinite(params[i])) {
+            fail(NURBS_ERROR_PARAMETER_NOT_FINITE, "params[%lld] = %s is not finite",
+                 static_cast<long long>(i), Number(params[i]).text);
+        }
+        if (i > 0 && !(params[i] > params[i - 1])) {
+            fail(NURBS_ERROR_KNOTS_DECREASING, "params[%lld] = %s, expected more than params[%lld] = %s",
+                 static_cast<long long>(i), Number(params[i]).text, static_cast<long long>(i - 1),
+                 Number(params[i - 1]).text);
+        }
+    }
+}
+
+// Both ends four times, the others twice: C^1.
+std::vector<double> hermite_knots(const double *params, int64_t n) {
+    std::vector<double> knots(2, params[0]);
+    for (int64_t i = 0; i < n; ++i) {
+        knots.insert(knots.end(), 2, params[i]);
+    }
+    knots.insert(knots.end(), 2, params[n - 1]);
+    return knots;
+}
+
+// The Bezier points beside each point, P - h T / 3 and P + h T / 3, and the two ends.
+std::vector<double> hermite_points(const double *params, const ConstRecords &points,
+                                   const ConstRecords &tangents) {
+    const int64_t n = points.count, dim = points.width;
+    std::vector<double> result;
+    result.reserve(static_cast<size_t>(2 * n * dim));
+    for (int64_t i = 0; i < n; ++i) {
+        for (const int side : {-1, 1}) {
+            const bool outer = side < 0 ? i == 0 : i == n - 1;
+            const double h = outer ? 0 : side < 0 ? params[i] - params[i - 1] : params[i + 1] - params[i];
+            for (int64_t c = 0; c < dim; ++c) {
+                result.push_back(outer ? points(i, c) : points(i, c) + side * (h * tangents(i, c)) / 3);
+            }
+        }
+    }
+    return result;
+}
+
+} // namespace
+
+nurbs_status nurbs_create_hermite(int64_t n, const double *params, int32_t dim, const double *points,
+                                  int64_t point_stride, int64_t point_component_stride,
+                                  const double *tangents, int64_t tangent_stride,
+                                  int64_t tangent_component_stride, nurbs **out) {
+    return guard([&] {
+        require_out(out);
+        if (n < 2) {
+            fail(NURBS_ERROR_COUNT, "n = %lld, expected at least 2", static_cast<long long>(n));
+        }
+        if (dim < 1) {
+            fail(NURBS_ERROR_DIMENSION, "dim = %d, expected at least 1", dim);
+        }
+        require(params, "params");
+        checked_product(checked_product(n, 2, "points"), dim, "points");
+        const ConstRecords values = input("points", points, n, dim, point_stride, point_component_stride);
+        const ConstRecords slopes =
+            input("tangents", tangents, n, dim, tangent_stride, tangent_component_stride);
+        check_rising(params, n);
+        Spline::Axes axes{make_knot_vector(3, hermite_knots(params, n))};
+        give(make_spline(std::move(axes), dim, Form::polynomial, hermite_points(params, values, slopes)),
+             out);
+    });
+}
+
+nurbs_status nurbs_basis_matrix(int32_t from, int32_t to, int32_t degree, int64_t size, double *matrix) {
+    return guard([&] {
+        const SegmentBasis first = basis_of(from, "from"), second = basis_of(to, "to");
+        check_matrix_degree(degree, first, second);
+        check_size(size, (int64_t{degree} + 1) * (degree + 1), "size");
+        require(matrix, "matrix");
+        basis_matrix(first, second, degree, matrix);
+    });
+}

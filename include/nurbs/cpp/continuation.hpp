@@ -1,0 +1,54 @@
+/* SPDX-License-Identifier: MIT */
+/// \file continuation.hpp
+/// \brief Splines beyond their ends: extension, unclamped and periodic forms.
+#ifndef NURBS_CPP_CONTINUATION_HPP
+#define NURBS_CPP_CONTINUATION_HPP
+
+#include <nurbs/cpp/spline.hpp>
+
+#include <cstdint>
+
+namespace libnurbs {
+
+/// A spline extended beyond an end (NURBS_START or NURBS_END) by a Taylor polynomial.
+inline Spline extend(const Spline &g, std::int32_t axis, std::int32_t end, double amount,
+                     std::int32_t order) {
+    nurbs *out = nullptr;
+    detail::check(nurbs_extend(g.get(), axis, end, amount, order, &out));
+    return Spline(out);
+}
+
+/// The same shape with unclamped ends.
+inline Spline unclamp(const Spline &g, std::int32_t axis,
+                      std::uint32_t flags = NURBS_FORM_CLAMPED_START | NURBS_FORM_CLAMPED_END) {
+    nurbs *out = nullptr;
+    detail::check(nurbs_unclamp(g.get(), axis, flags, &out));
+    return Spline(out);
+}
+
+/// A periodic spline, a proved bound of how far the shape moved, and the order of its seam.
+struct PeriodicForm {
+    Spline spline;
+    double deviation;
+    std::int32_t order;
+};
+
+/// A closed spline made periodic.
+inline PeriodicForm make_periodic(const Spline &g, std::int32_t axis, double tolerance) {
+    nurbs *out = nullptr;
+    double deviation = 0;
+    std::int32_t order = 0;
+    detail::check(nurbs_make_periodic(g.get(), axis, tolerance, &deviation, &order, &out));
+    return {Spline(out), deviation, order};
+}
+
+/// Whether knots and points of an axis repeat.
+inline bool detect_periodic(const Spline &g, std::int32_t axis) {
+    std::int32_t repeats = 0;
+    detail::check(nurbs_detect_periodic(g.get(), axis, &repeats));
+    return repeats != 0;
+}
+
+} // namespace libnurbs
+
+#endif // NURBS_CPP_CONTINUATION_HPP

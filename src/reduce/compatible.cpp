@@ -1,0 +1,328 @@
+#include "reduce/compatible.h"
+
+#include "reduce/deviation.h"
+#include "reduce/knot_clusters.h"
+#include "reduce/snap.h"
+#include "refine/cut.h"
+#include "refine/elevate.h"
+#include "refine/homogeneous.h"
+#include "refine/parametrization.h"
+#include "refine/period.h"
+#include "refine/periodic.h"
+#include "refine/seam.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <functional>
+#include <iterator>
+#include <map>
+
+namespace nrb {
+
+namespace {
+
+// Orders axes by what they are.
+struct AxisLess {
+    bool operator()(const KnotVectorPtr &a, const KnotVectorPtr &b) const noexcept {
+        if (a == b) {
+            return false;
+        }
+        if (a->degree() != b->degree() || a->periodic() != b->periodic()) {
+            return a->degree() != b->degree() ? a->degree() < b->degree() : b->periodic();
+        }
+        return std::lexicographical_compare(a->knots().begin(), a->knots().end(), b->knots().begin(),
+                                            b->knots().end());
+    }
+};
+
+// The distinct axes among those along one direction, each with the splines that have it.
+using Groups = std::map<KnotVectorPtr, std::vector<size_t>, AxisLess>;
+
+class Set {
+public:
+    explicit Set(std::span<const SplinePtr> splines) : splines_(splines.begin(), splines.end()) {
+        const Form form = common_form(splines);
+        for (SplinePtr &spline : splines_) {
+            spline = in_form(spline, form);
+        }
+    }
+
+    [[nodiscard]] Groups groups(int k) const {
+        Groups groups;
+        for (size_t i = 0; i < splines_.size(); ++i) {
+            groups[splines_[i]->knot_vectors()[static_cast<size_t>(k)]].push_back(i);
+        }
+        return groups;
+    }
+    // Applies one table to all splines that have an axis.
+    void apply(int k, const std::vector<size_t> &members, const AxisTable &made) {
+        for (const size_t i : members) {
+            splines_[i] = with_axis(*splines_[i], k, made);
+        }
+    }
+    [[nodiscard]] std::vector<SplinePtr> &splines() noexcept { return splines_; }
+
+private:
+    std::vector<SplinePtr> splines_;
+};
+
+void check_axis_counts(std::span<const SplinePtr> splines) {
+    for (size_t i = 1; i < splines.size(); ++i) {
+        if (splines[i]->axes() != splines[0]->axes()) {
+            fail(NURBS_ERROR_INCOMPATIBLE, "splines[%zu] has %d axes, expected %d as splines[0] has", i,
+                 splines[i]->axes(), splines[0]->axes());
+        }
+    }
+}
+
+void share_domain(Set &set, int k, bool map_domains) {
+    const auto [lower, upper] = set.splines()[0]->axis(k).domain();
+    for (size_t i = 1; i < set.splines().size(); ++i) {
+        SplinePtr &spline = set.splines()[i];
+        const Interval domain = spline->axis(k).domain();
+        if (domain.lower == lower && domain.upper == upper) {
+            continue;
+        }
+        if (!map_domains) {
+            fail(NURBS_ERROR_INCOMPATIBLE,
+                 "splines[%zu]: domain [%s, %s] on axis %d, expected [%s, %s] as in "
+                 "splines[0]",
+                 i, Number(domain.lower).text, Number(domain.upper).text, k, Number(lower).text,
+                 Number(upper).text);
+        }
+        spline = reparametrize(spline, k, {lower, upper});
+    }
+}
+
+// Plain and periodic axes become plain ones.
+void share_periodicity(Set &set, int k) {
+    const auto periodic = [k](const SplinePtr &spline) { return spline->axis(k).periodic(); };
+    std::vector<SplinePtr> &splines = set.splines();
+    if (!std::all_of(splines.begin(), splines.end(), periodic)) {
+        for (SplinePtr &spline : splines) {
+            spline = open_axis(spline, k);
+        }
+    }
+}
+
+void share_degree(Set &set, int k) {
+    const Groups groups = set.groups(k);
+    const int degree = groups.rbegin()->first->degree(); // the order begins with the degree
+    for (const auto &[axis, members] : groups) {
+        if (axis->degree() < degree) {
+            set.apply(k, members, elevate_axis(*axis, degree - axis->degree()));
+        }
+    }
+}
+
+// Knots outside the domain that differ are replaced by clamped ends.
+void share_ends(Set &set, int k) {
+    const Groups groups = set.groups(k);
+    const std::span<const double> first = groups.begin()->first->knots();
+    const auto p = static_cast<size_t>(groups.begin()->first->degree());
+    ClampedEnds ends{false, false};
+    for (const auto &[axis, members] : groups) {
+        const std::span<const double> knots = axis->knots();
+        ends.lower = ends.lower || !std::equal(first.begin(), first.begin() + p, knots.begin());
+        ends.upper = ends.upper || !std::equal(first.end() - p, first.end(), knots.end() - p);
+    }
+    for (SplinePtr &spline : set.splines()) {
+        const KnotVector &axis = spline->axis(k);
+        const ClampedEnds own{ends.lower && !axis.clamped_start(), ends.upper && !axis.clamped_end()};
+        if (own.lower || own.upper) {
+            spline = cut_axis(spline, k, axis.domain().lower, axis.domain().upper, own);
+        }
+    }
+}
+
+// The rows and knots of a periodic axis from layer `shift` on.
+LayerTable rotated(const LayerTable &table, int64_t shift, int64_t period) {
+    LayerTable result;
+    result.reserve(table.rows());
+    for (int64_t i = 0; i < table.rows(); ++i) {
+        const LayerTable::Row &row = table.row((i + shift) % period);
+        if (row.size == 0) {
+            result.add_copy(row.first);
+        } else {
+            result.add_row(row.first, table.coefficients(row), row.size);
+        }
+    }
+    return result;
+}
+
+// How many copies of the lower end stand behind that which begins the domain.
+int64_t copies_behind(const KnotVector &axis) {
+    const auto knots = axis.knots();
+    return std::upper_bound(knots.begin(), knots.end(), axis.domain().lower) - knots.begin() - 1 -
+           axis.degree();
+}
+
+// A periodic axis from one period of its knots: those behind its lower end, which stands at index degree, up
+// to the copies of that at the upper end.
+KnotVectorPtr periodic_axis(int degree, Interval domain, std::span<const double> period, int k) {
+    const auto p = static_cast<size_t>(degree);
+    std::vector<double> knots(period.size() + 2 * p + 1, domain.upper);
+    knots[p] = domain.lower;
+    const auto inside = std::upper_bound(period.begin(), period.end(), domain.lower);
+    std::copy(inside, period.end(), knots.begin() + static_cast<std::ptrdiff_t>(p) + 1);
+    continue_knots(knots, p, p + period.size(), period.size());
+    return make_knot_vector(degree, std::move(knots), true, k);
+}
+
+// The knots of [lower, upper).
+std::span<const double> one_period(const KnotVector &axis) {
+    const auto [lower, upper] = axis.domain();
+    const auto knots = axis.knots();
+    const auto first = std::lower_bound(knots.begin(), knots.end(), lower);
+    return {first, std::lower_bound(first, knots.end(), upper)};
+}
+
+// The knots of all groups in clusters: those inside the domain, and its ends.
+KnotClusters clusters_of(const Groups &groups, double tolerance) {
+    std::map<double, int64_t> pool;
+    const Interval domain = groups.begin()->first->domain();
+    for (const auto &[axis, members] : groups) {
+        for (const double knot : axis->knots()) {
+            pool[knot] += std::ssize(members);
+        }
+    }
+    std::vector<KnotCount> counts;
+    counts.reserve(pool.size());
+    for (const auto &[knot, times] : pool) {
+        counts.push_back({knot, times});
+    }
+    return {counts, domain, tolerance * (domain.upper - domain.lower)};
+}
+
+// Moves near-equal knots of different splines together. Returns the splines that changed.
+void share_values(Set &set, int k, double tolerance, std::vector<char> &moved) {
+    const Groups groups = set.groups(k);
+    if (groups.size() == 1 || tolerance == 0) {
+        return;
+    }
+    const KnotClusters clusters = clusters_of(groups, tolerance);
+    for (const auto &[axis, members] : groups) {
+        char owner[40];
+        static_cast<void>(std::snprintf(owner, sizeof owner, "splines[%zu]: ", members.front()));
+        const KnotVectorPtr snapped = moved_axis(axis, clusters, k, owner);
+        for (const size_t i : members) {
+            if (snapped != axis) {
+                set.splines()[i] = over_axis(*set.splines()[i], k, snapped);
+                moved[i] = 1;
+            }
+        }
+    }
+}
+
+std::vector<double> united(const Groups &groups,
+                           const std::function<std::span<const double>(const KnotVector &)> &part) {
+    std::vector<std::vector<double>> lists;
+    for (const auto &[axis, members] : groups) {
+        const std::span<const double> knots = part(*axis);
+        lists.emplace_back(knots.begin(), knots.end());
+    }
+    while (lists.size() > 1) { // neighbours in pairs, so that no knot is copied more than log2(groups) times
+        for (size_t i = 0; i < lists.size(); i += 2) {
+            std::vector<double> both;
+            if (i + 1 < lists.size()) {
+                both.reserve(lists[i].size() + lists[i + 1].size());
+                std::set_union(lists[i].begin(), lists[i].end(), lists[i + 1].begin(), lists[i + 1].end(),
+                               std::back_inserter(both));
+            } else {
+                both = std::move(lists[i]);
+            }
+            lists[i / 2] = std::move(both);
+        }
+        lists.resize((lists.size() + 1) / 2);
+    }
+    return std::move(lists.front());
+}
+
+std::vector<double> missing(const std::vector<double> &all, std::span<const double> own) {
+    std::vector<double> knots;
+    knots.reserve(all.size());
+    std::set_difference(all.begin(), all.end(), own.begin(), own.end(), std::back_inserter(knots));
+    return knots;
+}
+
+void share_plain_knots(Set &set, int k) {
+    const Groups groups = set.groups(k);
+    const std::vector<double> all = united(groups, [](const KnotVector &axis) { return axis.knots(); });
+    KnotVectorPtr common = std::make_shared<const KnotVector>(groups.begin()->first->degree(), all);
+    for (const auto &[axis, members] : groups) {
+        AxisTable made = refine_axis(*axis, missing(all, axis->knots()));
+        made.axis = common;
+        set.apply(k, members, made);
+    }
+}
+
+// As for plain axes, but the seam of all has to stand at the same one of its copies, and knots outside the
+// domain may differ by rounding, whose effect is bounded then.
+double share_periodic_knots(Set &set, int k) {
+    const Groups groups = set.groups(k);
+    const KnotVector &first = *groups.begin()->first;
+    const std::vector<double> all = united(groups, one_period);
+    const KnotVectorPtr common = periodic_axis(first.degree(), first.domain(), all, k);
+    double deviation = 0;
+    for (const auto &[axis, members] : groups) {
+        AxisTable made = refine_periodic(*axis, missing(all, one_period(*axis)));
+        const int64_t shift = copies_behind(*made.axis), period = std::ssize(all);
+        made.table = rotated(made.table, shift, period);
+        const std::span<const double> kept = made.axis->knots().subspan(static_cast<size_t>(shift));
+        const bool exact = std::equal(kept.begin(), kept.end(), common->knots().begin());
+        made.axis = common;
+        for (const size_t i : members) {
+            const SplinePtr before = set.splines()[i];
+            set.splines()[i] = with_axis(*before, k, made);
+            deviation = exact ? deviation : std::max(deviation, deviation_bound(before, set.splines()[i]));
+        }
+    }
+    return deviation;
+}
+
+double share_knots(Set &set, int k) {
+    const Groups groups = set.groups(k);
+    if (groups.size() == 1) {
+        return 0;
+    }
+    if (groups.begin()->first->periodic()) {
+        return share_periodic_knots(set, k);
+    }
+    share_plain_knots(set, k);
+    return 0;
+}
+
+} // namespace
+
+Compatible make_compatible(std::span<const SplinePtr> splines, double tolerance, bool map_domains) {
+    check_relative_tolerance(tolerance);
+    check_axis_counts(splines);
+    Set set(splines);
+    const int axes = splines[0]->axes();
+    for (int k = 0; k < axes; ++k) {
+        share_domain(set, k, map_domains);
+        share_periodicity(set, k);
+        share_degree(set, k);
+        if (!set.splines()[0]->axis(k).periodic()) {
+            share_ends(set, k);
+        }
+    }
+    const std::vector<SplinePtr> exact = set.splines();
+    std::vector<char> moved(splines.size(), 0);
+    for (int k = 0; k < axes; ++k) {
+        share_values(set, k, tolerance, moved);
+    }
+    double deviation = 0, rounding = 0;
+    for (size_t i = 0; i < splines.size(); ++i) {
+        if (moved[i] != 0) {
+            check_spline(*set.splines()[i]);
+            deviation = std::max(deviation, deviation_bound(exact[i], set.splines()[i]));
+        }
+    }
+    for (int k = 0; k < axes; ++k) {
+        rounding += share_knots(set, k);
+    }
+    return {std::move(set.splines()), deviation + rounding};
+}
+
+} // namespace nrb

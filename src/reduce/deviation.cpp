@@ -1,0 +1,135 @@
+#include "reduce/deviation.h"
+
+#include "refine/axis_table.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <limits>
+
+namespace nrb {
+
+namespace {
+
+// The knots of the closed domain, its ends degree + 1 times.
+std::vector<double> clamped_knots(const KnotVector &axis) {
+    const auto [lower, upper] = axis.domain();
+    const size_t times = static_cast<size_t>(axis.degree()) + 1;
+    std::vector<double> knots(times, lower);
+    std::copy_if(axis.knots().begin(), axis.knots().end(), std::back_inserter(knots),
+                 [&](double t) { return t > lower && t < upper; });
+    knots.insert(knots.end(), times, upper);
+    return knots;
+}
+
+// The axis over clamped knots that hold its own. On a periodic one the stored layers and knots say it all.
+AxisTable clamped_axis(const KnotVector &axis, const std::vector<double> &wanted) {
+    const auto [lower, upper] = axis.domain();
+    std::vector<double> missing;
+    std::set_difference(wanted.begin(), wanted.end(), axis.knots().begin(), axis.knots().end(),
+                        std::back_inserter(missing));
+    const std::vector<double> fine = merged(axis.knots(), missing);
+    const auto layer_at = [&](double t) {
+        return std::lower_bound(fine.begin(), fine.end(), t) - fine.begin();
+    };
+    const Refinement refinement(axis.degree(), axis.knots(), fine);
+    return {std::make_shared<const KnotVector>(axis.degree(), wanted),
+            rows_of(refinement, layer_at(lower), layer_at(upper))};
+}
+
+struct Pair {
+    SplinePtr a;
+    SplinePtr b;
+};
+
+Pair over_common_knots(Pair pair) {
+    for (int k = 0; k < pair.a->axes(); ++k) {
+        const std::vector<double> first = clamped_knots(pair.a->axis(k)),
+                                  second = clamped_knots(pair.b->axis(k));
+        std::vector<double> both;
+        std::set_union(first.begin(), first.end(), second.begin(), second.end(), std::back_inserter(both));
+        pair.a = with_axis(*pair.a, k, clamped_axis(pair.a->axis(k), both));
+        pair.b = with_axis(*pair.b, k, clamped_axis(pair.b->axis(k), both));
+    }
+    return pair;
+}
+
+// 1 or -1 if that is the sign of all weights, else 0.
+int sign_of_weights(const Spline &spline) noexcept {
+    const int sign = spline.weight(0) > 0 ? 1 : -1;
+    for (int64_t i = 0; i < spline.point_count(); ++i) {
+        if (!(sign * spline.weight(i) > 0)) {
+            return 0;
+        }
+    }
+    return sign;
+}
+
+double distance(const Spline &a, int64_t i, const Spline &b, int64_t j) noexcept {
+    double length = 0;
+    for (int c = 0; c < a.dim(); ++c) {
+        length = std::hypot(length, a.coordinate(i, c) - b.coordinate(j, c));
+    }
+    return length;
+}
+
+double size_of(const Spline &spline, int64_t i) noexcept {
+    double length = 0;
+    for (int c = 0; c < spline.dim(); ++c) {
+        length = std::hypot(length, spline.coordinate(i, c));
+    }
+    return length;
+}
+
+// Distance from control point i to the farthest one that is active together with it.
+double reach(const Spline &spline, int64_t i) noexcept {
+    std::array<int64_t, max_axes> first{}, end{1, 1, 1}, stride{};
+    int64_t rest = i, step = 1;
+    for (int k = spline.axes(); k-- > 0;) {
+        const auto at = static_cast<size_t>(k);
+        const int64_t layer = rest % spline.count(k);
+        first[at] = std::max<int64_t>(layer - spline.axis(k).degree(), 0);
+        end[at] = std::min(layer + spline.axis(k).degree() + 1, spline.count(k));
+        stride[at] = step;
+        step *= spline.count(k);
+        rest /= spline.count(k);
+    }
+    double largest = 0;
+    for (int64_t u = first[0]; u < end[0]; ++u) {
+        for (int64_t v = first[1]; v < end[1]; ++v) {
+            for (int64_t w = first[2]; w < end[2]; ++w) {
+                const int64_t j = u * stride[0] + v * stride[1] + w * stride[2];
+                largest = std::max(largest, distance(spline, i, spline, j));
+            }
+        }
+    }
+    return largest;
+}
+
+double rounding(const Spline &a, double largest) noexcept {
+    double steps = 1;
+    for (int k = 0; k < a.axes(); ++k) {
+        steps += 7.0 * a.axis(k).degree() + 2;
+    }
+    return (a.rational() ? 4 : 1) * steps * std::numeric_limits<double>::epsilon() * largest;
+}
+
+} // namespace
+
+double deviation_bound(const SplinePtr &a, const SplinePtr &b) {
+    const auto [p, q] = over_common_knots({a, b});
+    if (p->rational() && (sign_of_weights(*p) == 0 || sign_of_weights(*p) != sign_of_weights(*q))) {
+        return std::numeric_limits<double>::infinity();
+    }
+    double bound = 0, largest = 0;
+    for (int64_t i = 0; i < p->point_count(); ++i) {
+        const double change = std::abs(1 - q->weight(i) / p->weight(i));
+        const double turned = change == 0 ? 0 : change * reach(*q, i);
+        bound = std::max(bound, distance(*p, i, *q, i) + turned);
+        largest = std::max({largest, size_of(*p, i), size_of(*q, i)});
+    }
+    return bound + rounding(*p, largest);
+}
+
+} // namespace nrb

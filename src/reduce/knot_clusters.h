@@ -1,0 +1,43 @@
+// Near-equal knots made equal.
+#pragma once
+
+#include "basis/knot_vector.h"
+
+namespace nrb {
+
+struct KnotCount {
+    double knot;
+    int64_t times;
+};
+
+// The values of a sorted list, and how often each occurs.
+std::vector<KnotCount> counted(std::span<const double> sorted);
+
+// Knots of a domain in groups that become one. A group holds the lowest knot that is in no group yet and all
+// that are at most `width` above it; only the two ends of the domain come first, each with the knots at most
+// `width` away on either side (the lower end first). A chain of close knots is therefore cut where it gets
+// longer than the width. The ends keep their values; any other group becomes that of its knots which occurs
+// most often, the lowest one of several.
+class KnotClusters {
+public:
+    // `knots` are sorted and distinct; those outside the domain join none but an end.
+    KnotClusters(std::span<const KnotCount> knots, Interval domain, double width);
+
+    // What becomes of a knot of the list.
+    [[nodiscard]] double operator()(double knot) const noexcept;
+
+private:
+    struct Cluster {
+        double first;
+        double last;
+        double value;
+    };
+    std::vector<Cluster> clusters_;
+};
+
+// An axis with its knots so moved; those of a periodic one outside the domain are copies of those inside. The
+// same axis if none moves. `owner` begins the message of NURBS_ERROR_MULTIPLICITY, thrown where knots of one
+// group together occur more than degree + 1 times.
+KnotVectorPtr moved_axis(const KnotVectorPtr &axis, const KnotClusters &clusters, int k, const char *owner);
+
+} // namespace nrb

@@ -1,0 +1,140 @@
+#include "reduce/periodic_form.h"
+
+#include "reduce/deviation.h"
+#include "refine/continuation.h"
+#include "refine/cut.h"
+#include "refine/period.h"
+#include "spline/axis_view.h"
+
+#include <algorithm>
+#include <cstring>
+#include <limits>
+#include <optional>
+
+namespace nrb {
+
+namespace {
+
+// `width` values stand for one control point.
+bool layers_repeat(const Spline &spline, int k, std::span<const double> values, int width) noexcept {
+    const AxisView view = axis_view(spline, k, width);
+    const int64_t repeated = int64_t{spline.axis(k).degree()} * view.inner, row = view.count * view.inner;
+    for (int64_t o = 0; o < view.outer; ++o) {
+        const double *first = values.data() + o * row, *copy = first + row - repeated;
+        if (repeated > 0 && std::memcmp(first, copy, static_cast<size_t>(repeated) * sizeof *first) != 0) {
+            return false;
+        }
+    }
+    return true;
+}
+
+SplinePtr declared_periodic(const Spline &spline, int k) {
+    const KnotVector &axis = spline.axis(k);
+    auto knots = make_knot_vector(axis.degree(), {axis.knots().begin(), axis.knots().end()}, true, k);
+    return make_spline(with_axis(spline, k, std::move(knots)), spline.dim(), spline.form(),
+                       {spline.points().begin(), spline.points().end()},
+                       {spline.weights().begin(), spline.weights().end()});
+}
+
+SplinePtr clamped(const SplinePtr &spline, int k) {
+    const KnotVector &axis = spline->axis(k);
+    const ClampedEnds ends{!axis.clamped_start(), !axis.clamped_end()};
+    return ends.lower || ends.upper ? cut_axis(spline, k, axis.domain().lower, axis.domain().upper, ends)
+                                    : spline;
+}
+
+// The knots of the periodic axis with p - order copies of the seam, the last of them at index degree; `axis` is
+// clamped.
+std::vector<double> periodic_knots(const KnotVector &axis, int order) {
+    const auto p = static_cast<size_t>(axis.degree()), n = static_cast<size_t>(axis.count());
+    const auto [lower, upper] = axis.domain();
+    const size_t period = n - 1 - static_cast<size_t>(order); // knots inside, and the seam's
+    std::vector<double> knots(period + 2 * p + 1, upper);
+    knots[p] = lower;
+    std::copy(axis.knots().begin() + axis.degree() + 1, axis.knots().begin() + axis.count(),
+              knots.begin() + axis.degree() + 1);
+    continue_knots(knots, p, p + period, period);
+    return knots;
+}
+
+// Layer `ahead` behind the last one that stands before the seam: its arguments are order - ahead knots before the
+// seam, all copies of that, and `ahead` knots behind it.
+void add_seam_row(const KnotVector &axis, std::span<const double> knots, int order, int ahead,
+                  LayerTable &table) {
+    const int64_t p = axis.degree(), n = axis.count(), copies = p - order;
+    const auto at = static_cast<size_t>(p);
+    const auto fresh = static_cast<size_t>(ahead), behind = static_cast<size_t>(order - ahead);
+    if (2 * ahead <= order) {
+        const size_t upper = knots.size() - 1 - at;
+        add_continued_row(axis, n - order + ahead, n + copies, knots.subspan(upper + 1, fresh), table);
+    } else {
+        const size_t first = at + 1 - static_cast<size_t>(copies) - behind;
+        add_continued_row(axis, p + 1 - copies, p + 1 + ahead, knots.subspan(first, behind), table);
+    }
+}
+
+// Layers of one period: the one whose arguments end with the seam, those across it, and those behind it.
+AxisTable periodic_table(const KnotVector &axis, int order, int k) {
+    std::vector<double> knots = periodic_knots(axis, order);
+    const int64_t n = axis.count(), period = n - 1 - order;
+    LayerTable rows;
+    for (int64_t i = 0; i < period + axis.degree(); ++i) {
+        const int64_t layer = i % period;
+        if (layer == 0 && order > 0) {
+            rows.add_copy(n - 1 - order);
+        } else if (layer < order) {
+            add_seam_row(axis, knots, order, static_cast<int>(layer), rows);
+        } else {
+            rows.add_copy(layer);
+        }
+    }
+    return {make_knot_vector(axis.degree(), std::move(knots), true, k), std::move(rows)};
+}
+
+// None where weights continued beyond an end fall below 0: an order too high.
+std::optional<PeriodicForm> form_of_order(const SplinePtr &spline, const Spline &whole, int k, int order) {
+    const AxisTable made = periodic_table(whole.axis(k), order, k);
+    Net net = apply_along(whole, k, made.table);
+    if (std::any_of(net.weights.begin(), net.weights.end(), [](double w) { return w < 0; })) {
+        return {};
+    }
+    SplinePtr periodic = make_spline(with_axis(whole, k, made.axis), whole.dim(), whole.form(),
+                                     std::move(net.points), std::move(net.weights));
+    const double deviation = deviation_bound(spline, periodic);
+    return PeriodicForm{std::move(periodic), deviation, order};
+}
+
+} // namespace
+
+bool wraps(const Spline &spline, int axis) noexcept {
+    const KnotVector &knots = spline.axis(axis);
+    return first_not_repeated(knots.degree(), knots.knots()) < 0 &&
+           layers_repeat(spline, axis, spline.points(), spline.stored_width()) &&
+           (spline.form() != Form::rational || layers_repeat(spline, axis, spline.weights(), 1));
+}
+
+PeriodicForm make_periodic(const SplinePtr &spline, int k, double tolerance) {
+    const KnotVector &axis = spline->axis(k);
+    const int p = axis.degree();
+    if (!(tolerance >= 0)) {
+        fail(NURBS_ERROR_TOLERANCE, "tolerance = %s, expected >= 0", Number(tolerance).text);
+    }
+    if (axis.periodic() || wraps(*spline, k)) {
+        const int order = p - multiplicity(axis.knots(), axis.domain().lower);
+        return {axis.periodic() ? spline : declared_periodic(*spline, k), 0, order};
+    }
+    const SplinePtr whole = clamped(spline, k);
+    double least = std::numeric_limits<double>::infinity();
+    for (int order = static_cast<int>(std::min<int64_t>(p - 1, (whole->count(k) - 1) / 2)); order >= 0;
+         --order) {
+        std::optional<PeriodicForm> form = form_of_order(spline, *whole, k, order);
+        if (form && form->deviation <= tolerance) {
+            return std::move(*form);
+        }
+        least = form ? std::min(least, form->deviation) : least;
+    }
+    fail(NURBS_ERROR_GAP, "axis %d: to make its ends one moves the shape by up to %s, expected at most %s", k,
+         Number(least).text, Number(tolerance).text);
+}
+
+} // namespace nrb

@@ -1,0 +1,38 @@
+#include "reduce/snap.h"
+
+#include "reduce/deviation.h"
+#include "reduce/knot_clusters.h"
+#include "refine/axis_table.h"
+
+namespace nrb {
+
+void check_relative_tolerance(double tolerance) {
+    if (!(tolerance >= 0 && tolerance < 1)) {
+        fail(NURBS_ERROR_TOLERANCE, "tolerance = %s, a part of the domain's length, expected >= 0 and < 1",
+             Number(tolerance).text);
+    }
+}
+
+SplinePtr over_axis(const Spline &spline, int k, KnotVectorPtr axis) {
+    return std::make_shared<const Spline>(
+        with_axis(spline, k, std::move(axis)), spline.dim(), spline.form(),
+        std::vector<double>(spline.points().begin(), spline.points().end()),
+        std::vector<double>(spline.weights().begin(), spline.weights().end()));
+}
+
+Snapped snap_knots(const SplinePtr &spline, int axis, double tolerance) {
+    check_relative_tolerance(tolerance);
+    const KnotVectorPtr &old = spline->knot_vectors()[static_cast<size_t>(axis)];
+    const Interval domain = old->domain();
+    const KnotClusters clusters(counted(old->knots()), domain, tolerance * (domain.upper - domain.lower));
+    const KnotVectorPtr moved = moved_axis(old, clusters, axis, "");
+    if (moved == old) {
+        return {spline, 0};
+    }
+    SplinePtr snapped = over_axis(*spline, axis, moved);
+    check_spline(*snapped); // a knot that grows may leave a place without weights
+    const double deviation = deviation_bound(spline, snapped);
+    return {std::move(snapped), deviation};
+}
+
+} // namespace nrb

@@ -1,0 +1,24 @@
+// Near-equal knots of one spline snapped together.
+#pragma once
+
+#include "spline/spline.h"
+
+namespace nrb {
+
+struct Snapped {
+    SplinePtr spline;
+    double deviation; // an upper bound, see deviation_bound(); 0 if no knot moved
+};
+
+// Knots in clusters of at most tolerance * (length of the domain), see KnotClusters, become one; control
+// points stay. Throws NURBS_ERROR_TOLERANCE unless 0 <= tolerance < 1, _MULTIPLICITY, and what refining
+// throws.
+Snapped snap_knots(const SplinePtr &spline, int axis, double tolerance);
+
+// Throws NURBS_ERROR_TOLERANCE unless 0 <= tolerance < 1.
+void check_relative_tolerance(double tolerance);
+
+// The same control points over another axis of as many knots.
+SplinePtr over_axis(const Spline &spline, int k, KnotVectorPtr axis);
+
+} // namespace nrb

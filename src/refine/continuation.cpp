@@ -1,0 +1,227 @@
+#include "refine/continuation.h"
+
+#include "basis/bspline.h"
+#include "refine/cut.h"
+#include "refine/parametrization.h"
+#include "refine/period.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nrb {
+
+void add_continued_row(const KnotVector &axis, int64_t shared_first, int64_t shared_end,
+                       std::span<const double> arguments, LayerTable &table) {
+    const double *left = axis.knots().data() + shared_first, *right = axis.knots().data() + shared_end;
+    double coefficients[max_basis] = {1};
+    int d = 1;
+    for (const double t : arguments) {
+        append_argument(left, right, d++, t, coefficients);
+    }
+    table.add_row(shared_first - d, coefficients, d);
+}
+
+namespace {
+
+double binomial(int n, int k) noexcept {
+    double result = 1; // of integers below 2^53: exact
+    for (int i = 1; i <= k; ++i) {
+        result = result * (n - k + i) / i;
+    }
+    return result;
+}
+
+// Control points s of a piece of degree p over [b, e] of which the first order + 1 are known: those of the
+// polynomial of degree `order`, whose higher differences vanish. By Lagrange's formula tau_s = sum (-1)^(order-j)
+// C(s, j) C(s - j - 1, order - j) tau_j.
+void add_taylor_row(const LayerTable &known, int order, int s, int64_t count, LayerTable &table) {
+    std::vector<double> sum(static_cast<size_t>(order) + 1, 0.0); // over layers count - 1 - order, ...
+    for (int j = 0; j <= order; ++j) {
+        const double factor =
+            ((order - j) % 2 == 0 ? 1 : -1) * binomial(s, j) * binomial(s - j - 1, order - j);
+        const LayerTable::Row &row = known.row(j);
+        const auto offset = static_cast<size_t>(row.first - (count - 1 - order));
+        if (row.size == 0) {
+            sum[offset] += factor;
+        }
+        for (int i = 0; i < row.size; ++i) {
+            sum[offset + static_cast<size_t>(i)] += factor * known.coefficients(row)[i];
+        }
+    }
+    table.add_row(count - 1 - order, sum.data(), order + 1);
+}
+
+void check_longer(double amount, Interval domain, double end, int axis) {
+    if (!std::isfinite(amount)) {
+        fail(NURBS_ERROR_PARAMETER_NOT_FINITE, "amount = %s is not finite", Number(amount).text);
+    }
+    if (!(end > domain.upper)) {
+        fail(NURBS_ERROR_EMPTY_DOMAIN,
+             "amount = %s does not make the domain of axis %d longer: its length is %s; expected more than 0 "
+             "and "
+             "its rounding",
+             Number(amount).text, axis, Number(domain.upper - domain.lower).text);
+    }
+    if (!std::isfinite(end - domain.lower)) {
+        fail(NURBS_ERROR_NOT_REPRESENTABLE, "the domain of axis %d, longer by amount = %s, overflows", axis,
+             Number(amount).text);
+    }
+}
+
+void check_plain(const KnotVector &knots, int axis) {
+    if (knots.periodic()) {
+        fail(NURBS_ERROR_PERIODIC, "axis %d is periodic: it has no end that could be extended", axis);
+    }
+}
+
+// As with_axis() where polynomials are continued, which may take weights below 0.
+SplinePtr continued(const Spline &spline, int k, const AxisTable &made) {
+    Net net = apply_along(spline, k, made.table);
+    check_positive_weights(net.weights);
+    return make_spline(with_axis(spline, k, made.axis), spline.dim(), spline.form(), std::move(net.points),
+                       std::move(net.weights));
+}
+
+SplinePtr clamped(const SplinePtr &spline, int axis, ClampedEnds ends) {
+    const KnotVector &knots = spline->axis(axis);
+    ends = {ends.lower && !knots.clamped_start(), ends.upper && !knots.clamped_end()};
+    return ends.lower || ends.upper ? cut_axis(spline, axis, knots.domain().lower, knots.domain().upper, ends)
+                                    : spline;
+}
+
+} // namespace
+
+void check_positive_weights(const std::vector<double> &weights) {
+    for (size_t i = 0; i < weights.size(); ++i) {
+        if (weights[i] < 0) {
+            fail(NURBS_ERROR_WEIGHT_NEGATIVE, "weights[%zu] of the result would be %s, expected >= 0", i,
+                 Number(weights[i]).text);
+        }
+    }
+}
+
+AxisTable extended_axis(const KnotVector &axis, double end, int order) {
+    const int p = axis.degree();
+    const int64_t n = axis.count();
+    const std::vector<double> ends(static_cast<size_t>(p) + 1, end);
+    const std::span<const double> arguments(ends);
+    LayerTable table;
+    table.reserve(n + p - order);
+    for (int64_t j = 0; j < n - order; ++j) {
+        table.add_copy(j);
+    }
+    for (int s = 1; s <= order; ++s) { // interior knots, the old end p - order times, the new one s times
+        add_continued_row(axis, n - order + s, n + p - order, arguments.first(static_cast<size_t>(s)), table);
+    }
+    LayerTable known; // of the piece over [old end, new end]
+    for (int s = 0; s <= order; ++s) {
+        add_continued_row(axis, n, n + p - s, arguments.first(static_cast<size_t>(s)), known);
+    }
+    for (int s = order + 1; s <= p; ++s) {
+        add_taylor_row(known, order, s, n, table);
+    }
+    std::vector<double> knots(axis.knots().begin(), axis.knots().begin() + n + p - order);
+    knots.insert(knots.end(), ends.begin(), ends.end());
+    return {std::make_shared<const KnotVector>(p, std::move(knots)), std::move(table)};
+}
+
+SplinePtr extend(const SplinePtr &spline, int axis, bool upper, double amount, int order) {
+    check_plain(spline->axis(axis), axis);
+    if (!upper) {
+        return reverse(*extend(reverse(*spline, axis, false), axis, true, amount, order), axis, false);
+    }
+    const Interval domain = spline->axis(axis).domain();
+    const double end = domain.upper + amount;
+    check_longer(amount, domain, end, axis);
+    const SplinePtr whole = clamped(spline, axis, {false, true});
+    const KnotVector &knots = whole->axis(axis);
+    return continued(*whole, axis, extended_axis(knots, end, std::min(order, knots.degree())));
+}
+
+namespace {
+
+// The upper end unclamped: control points behind it have the knots `beyond` among their arguments.
+AxisTable unclamped_upper(const KnotVector &axis, std::span<const double> beyond) {
+    const int p = axis.degree();
+    const int64_t n = axis.count();
+    AxisTable made;
+    made.table.reserve(n);
+    for (int64_t j = 0; j < n; ++j) {
+        const auto fresh = static_cast<size_t>(std::max<int64_t>(j - (n - p), 0));
+        if (fresh == 0) {
+            made.table.add_copy(j);
+        } else {
+            add_continued_row(axis, j + 1, n + 1, beyond.first(fresh), made.table);
+        }
+    }
+    std::vector<double> knots(axis.knots().begin(), axis.knots().begin() + n + 1);
+    knots.insert(knots.end(), beyond.begin(), beyond.end());
+    made.axis = make_knot_vector(p, std::move(knots));
+    return made;
+}
+
+SplinePtr unclamp_upper(const SplinePtr &spline, int axis, std::span<const double> beyond) {
+    return continued(*spline, axis, unclamped_upper(spline->axis(axis), beyond));
+}
+
+std::vector<double> negated(std::span<const double> knots) {
+    std::vector<double> result(knots.rbegin(), knots.rend());
+    std::transform(result.begin(), result.end(), result.begin(), [](double t) { return -t; });
+    return result;
+}
+
+// The knots of the domain, its ends once, and `degree` more on either side that repeat them.
+std::vector<double> repeated_knots(const KnotVector &axis) {
+    const auto [lower, upper] = axis.domain();
+    const auto p = static_cast<size_t>(axis.degree());
+    const auto first = std::upper_bound(axis.knots().begin(), axis.knots().end(), lower);
+    const auto last = std::lower_bound(first, axis.knots().end(), upper);
+    const size_t period = static_cast<size_t>(last - first) + 1;
+    std::vector<double> knots(period + 2 * p + 1, upper);
+    knots[p] = lower;
+    std::copy(first, last, knots.begin() + axis.degree() + 1);
+    continue_knots(knots, p, p + period, period);
+    if (!std::isfinite(knots.back() - knots.front())) {
+        fail(NURBS_ERROR_NOT_REPRESENTABLE, "knots: those beyond the domain overflow");
+    }
+    return knots;
+}
+
+// Copies a period away are as distinct as the knots they come from.
+void check_copies(std::span<const double> knots, size_t first, size_t end, size_t step, bool above,
+                  int axis) {
+    for (size_t i = first; i < end; ++i) {
+        const size_t from = above ? i - step : i + step;
+        if (knots[i] == knots[i + 1] && knots[from] != knots[from + 1]) {
+            fail(NURBS_ERROR_KNOTS_MERGE,
+                 "knots %s and %s of axis %d, repeated beyond the domain, would both be %s",
+                 Number(knots[from]).text, Number(knots[from + 1]).text, axis, Number(knots[i]).text);
+        }
+    }
+}
+
+} // namespace
+
+SplinePtr unclamp(const SplinePtr &spline, int axis, UnclampedEnds ends) {
+    const KnotVector &old = spline->axis(axis);
+    const auto p = static_cast<size_t>(old.degree());
+    ends = {ends.lower && old.clamped_start() && p > 0, ends.upper && old.clamped_end() && p > 0};
+    if (old.periodic() || (!ends.lower && !ends.upper)) {
+        return spline;
+    }
+    const std::vector<double> knots = repeated_knots(old);
+    const size_t upper = knots.size() - 1 - p, period = upper - p;
+    SplinePtr result = spline;
+    if (ends.upper) {
+        check_copies(knots, upper, upper + p, period, true, axis);
+        result = unclamp_upper(result, axis, std::span<const double>(knots).last(p));
+    }
+    if (ends.lower) {
+        check_copies(knots, 0, p, period, false, axis);
+        const std::vector<double> below = negated(std::span<const double>(knots).first(p));
+        result = reverse(*unclamp_upper(reverse(*result, axis, false), axis, below), axis, false);
+    }
+    return result;
+}
+
+} // namespace nrb
