@@ -422,8 +422,8 @@ TEST(Derivative, rational_derivatives_are_exact_to_rounding) {
             for (size_t c = 0; c < point.size(); ++c) {
                 const long double error = size_of(rational(point[c]) - rational(want[c]));
                 if (error != 0) {
-                    worst.add(p, error / unit / (20 * order * degrees_and_one(data)), error / unit);
-                    ASSERT_LE(error, 20 * order * degrees_and_one(data) * unit)
+                    worst.add(p, error / unit / (8 * order), error / unit);
+                    ASSERT_LE(error, 8 * order * unit)
                         << where(seed, data) << hex(param) << axis << " " << order;
                 }
             }
