@@ -1477,8 +1477,9 @@ NURBS_API nurbs_status nurbs_blossom(const nurbs *g, const double *params, int64
  * Tiller 4.3), of degree (n + 1) p on every axis; its weights are the control points of w^(n+1). A jump
  * keeps its multiplicity of degree + 1. Weights of 0 can bring about control points at infinity; the result
  * then holds homogeneous points. At degree 0 on the axis it is zeros without weights. Control points of N_1
- * and w^2 are within 20 (p + 1) eps, p summed over the axes, of p (max |A| max |w|) times 4 over the
- * shortest t_(i+p) - t_i between neighbours, and of max |w|^2; higher orders so in each step.
+ * and w^2 are within 8 eps (tested), for each order, of p (max |A| max |w|) times 4 over the shortest
+ * non-empty t_(i+p) - t_i, and of max |w|^2; step j of a higher order multiplies by 4 j p max |w| over the
+ * shortest t_(i+p+1-j) - t_i.
  * \param[in] g a spline.
  * \param[in] axis 0-based axis.
  * \param[in] order 0 to NURBS_MAX_ORDER; 0 gives the same spline.
