@@ -119,7 +119,7 @@ void share_degree(Set &set, int k) {
 void share_ends(Set &set, int k) {
     const Groups groups = set.groups(k);
     const std::span<const double> first = groups.begin()->first->knots();
-    const auto p = static_cast<size_t>(groups.begin()->first->degree());
+    const auto p = std::ptrdiff_t{groups.begin()->first->degree()};
     ClampedEnds ends{false, false};
     for (const auto &[axis, members] : groups) {
         const std::span<const double> knots = axis->knots();

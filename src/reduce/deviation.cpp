@@ -14,7 +14,8 @@ namespace {
 
 // The knots of the closed domain, its ends degree + 1 times.
 std::vector<double> clamped_knots(const KnotVector &axis) {
-    const auto [lower, upper] = axis.domain();
+    const double lower = axis.domain().lower,
+                 upper = axis.domain().upper; // not bindings: a lambda takes them
     const size_t times = static_cast<size_t>(axis.degree()) + 1;
     std::vector<double> knots(times, lower);
     std::copy_if(axis.knots().begin(), axis.knots().end(), std::back_inserter(knots),

@@ -36,7 +36,8 @@ void compatible(Input &in, const nurbs *g, const nurbs *other, const fuzz::Splin
     const nurbs *splines[] = {g, finer ? finer.get() : g, other != nullptr && in.coin() ? other : g};
     nurbs_list *list = nullptr;
     if (!FUZZ_OK(nurbs_make_compatible(in.rarely() ? in.bad_size() < 0 : 3, splines, any_tolerance(in),
-                                       in.coin() ? NURBS_MAP_DOMAINS : in.below(2), nullptr, &list))) {
+                                       in.coin() ? NURBS_MAP_DOMAINS : static_cast<uint32_t>(in.below(2)),
+                                       nullptr, &list))) {
         FUZZ_REQUIRE(list == nullptr);
         return;
     }
