@@ -7,9 +7,6 @@
 
 namespace nrb {
 
-namespace {
-
-// The knots with all breaks at multiplicity degree + 1.
 std::vector<double> saturated(const KnotVector &axis, std::span<const double> breaks) {
     std::vector<double> missing;
     for (const double knot : breaks) {
@@ -18,6 +15,8 @@ std::vector<double> saturated(const KnotVector &axis, std::span<const double> br
     }
     return merged(axis.knots(), missing);
 }
+
+namespace {
 
 // Layers [first, first + axis->count()) of a cut axis.
 struct Part {

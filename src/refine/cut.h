@@ -8,6 +8,10 @@
 
 namespace nrb {
 
+// The knots of an axis with all breaks at multiplicity degree + 1. Precondition: the breaks are sorted and lie
+// in the domain.
+std::vector<double> saturated(const KnotVector &axis, std::span<const double> breaks);
+
 // Which ends of a part are to be clamped although they are ends of the domain; all others are.
 struct ClampedEnds {
     bool lower;

@@ -1,7 +1,6 @@
 #include "refine/elevate.h"
 
 #include "refine/elevation_table.h"
-#include "spline/layer_table.h"
 
 namespace nrb {
 
@@ -23,28 +22,24 @@ KnotVectorPtr raised(const KnotVector &axis, std::vector<double> knots) {
 
 } // namespace
 
+AxisTable elevated(const KnotVector &axis, int64_t times) {
+    ElevatedAxis step = elevated_axis(axis);
+    AxisTable made{raised(axis, std::move(step.knots)), std::move(step.rows)};
+    for (int64_t i = 1; i < times; ++i) {
+        step = elevated_axis(*made.axis);
+        made.axis = raised(*made.axis, std::move(step.knots));
+        made.table = composed(step.rows, made.table, axis.distinct_layers());
+    }
+    if (axis.periodic()) {
+        made.table = wrapped_rows(made.table, made.axis->degree(), axis.distinct_layers());
+    }
+    return made;
+}
+
 SplinePtr elevate(const SplinePtr &spline, int axis, int64_t times) {
     const KnotVector &old = spline->axis(axis);
     check_times(old.degree(), axis, times);
-    if (times == 0) {
-        return spline;
-    }
-    ElevatedAxis step = elevated_axis(old);
-    KnotVectorPtr knots = raised(old, std::move(step.knots));
-    LayerTable table = std::move(step.rows);
-    for (int64_t i = 1; i < times; ++i) {
-        step = elevated_axis(*knots);
-        knots = raised(*knots, std::move(step.knots));
-        table = composed(step.rows, table, old.distinct_layers());
-    }
-    if (old.periodic()) {
-        table = wrapped_rows(table, knots->degree(), old.distinct_layers());
-    }
-    Net net = apply_along(*spline, axis, table);
-    Spline::Axes axes = spline->knot_vectors();
-    axes[static_cast<size_t>(axis)] = std::move(knots);
-    return make_spline(std::move(axes), spline->dim(), spline->form(), std::move(net.points),
-                       std::move(net.weights));
+    return times == 0 ? spline : with_axis(*spline, axis, elevated(old, times));
 }
 
 } // namespace nrb

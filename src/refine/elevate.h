@@ -1,9 +1,13 @@
 // Degree elevation.
 #pragma once
 
-#include "spline/spline.h"
+#include "refine/axis_table.h"
 
 namespace nrb {
+
+// The axis with a degree higher by times >= 1, at most NURBS_MAX_DEGREE, and the rows that give its stored
+// layers from the old ones. Throws NURBS_ERROR_PERIODIC_KNOTS, _NOT_REPRESENTABLE.
+AxisTable elevated(const KnotVector &axis, int64_t times);
 
 // The same shape with the degree of an axis raised by `times`. The tables of the steps are composed and
 // applied once. Throws NURBS_ERROR_TIMES, _DEGREE beyond NURBS_MAX_DEGREE, _PERIODIC_KNOTS,
