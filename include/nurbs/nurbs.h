@@ -1322,7 +1322,7 @@ NURBS_API nurbs_status nurbs_reduce_knots(const nurbs *g, int32_t axis, double t
  * at least once, and its control points raised back to the degree of g are the closest to those of g: least
  * squares of coefficients (Lutterkort, Peters & Reif 1999), homogeneous points when rational, by a banded QR
  * factorisation. The ends of the shape are kept bit for bit, unless the degree becomes 0. Unclamped ends are
- * clamped first, a periodic axis stays periodic. What nurbs_elevate() made comes back to within 4^p * 8 eps *
+ * clamped first, a periodic axis stays periodic. What nurbs_elevate() made comes back to within 2^p * 8 eps *
  * hull, p the degree of the result (tested).
  * \param[in] g a spline.
  * \param[in] axis 0-based axis.

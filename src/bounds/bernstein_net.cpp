@@ -66,8 +66,11 @@ std::vector<double> active_maxima(const std::vector<double> &sizes, const AxisVi
                                   const KnotVector &axis, const std::vector<double> &breaks) {
     const int64_t pieces = std::ssize(breaks) - 1;
     std::vector<double> result(static_cast<size_t>(view.outer * pieces * view.inner), 0.0);
+    int64_t span = axis.degree();
     for (int64_t e = 0; e < pieces; ++e) {
-        const int64_t span = axis.find_span(breaks[static_cast<size_t>(e)], false);
+        while (span + 1 < axis.count() && axis[span + 1] <= breaks[static_cast<size_t>(e)]) {
+            ++span;
+        }
         for (int64_t o = 0; o < view.outer; ++o) {
             double *target = result.data() + (o * pieces + e) * view.inner;
             for (int64_t layer = span - axis.degree(); layer <= span; ++layer) {
@@ -142,7 +145,7 @@ BernsteinNet::BernsteinNet(const Spline &spline, const CentredRecords &records, 
         }
     }
     shape_.width = records.width;
-    values_.assign(net->points().begin(), net->points().end());
+    net_ = std::move(net);
     sizes_ = std::move(sizes);
     error_ = steps * eps;
     const auto width = static_cast<size_t>(records.width);
@@ -169,7 +172,7 @@ void BernsteinNet::copy(int64_t piece, double *coordinates, double *weights) con
     for (int i = 0; i <= shape_.degrees[0]; ++i) {
         for (int j = 0; j <= shape_.degrees[1]; ++j) {
             const double *from =
-                values_.data() + (((first[0] + i) * rows + first[1] + j) * row + first[2]) * shape_.width;
+                net_->points().data() + (((first[0] + i) * rows + first[1] + j) * row + first[2]) * shape_.width;
             for (int k = 0; k <= shape_.degrees[2]; ++k, from += shape_.width, coordinates += dim) {
                 std::copy_n(from, dim, coordinates);
                 if (weighted_) {

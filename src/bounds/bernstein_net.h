@@ -47,7 +47,7 @@ public:
 private:
     BernsteinShape shape_;
     std::array<int64_t, max_axes> counts_{1, 1, 1}; // pieces along each axis
-    std::vector<double> values_;                    // net of count * (degree + 1) layers along each axis
+    SplinePtr net_;                                 // count * (degree + 1) layers along each axis
     std::vector<double> sizes_;
     double error_ = 0;
     bool weighted_ = false;

@@ -233,16 +233,22 @@ void DeviationPieces::fill(int64_t piece, QuotientPiece &out) const {
     Difference(f_, g_, piece).fill(out);
 }
 
-Enclosure DeviationPieces::enclosure() const {
-    return largest_quotient(pieces(), [this](int64_t i, QuotientPiece &out) { fill(i, out); });
+std::vector<double> DeviationPieces::uppers() const {
+    return quotient_uppers(pieces(), [this](int64_t i, QuotientPiece &out) { fill(i, out); });
+}
+
+Enclosure DeviationPieces::enclosure(std::span<const double> uppers) const {
+    return largest_quotient(uppers, [this](int64_t i, QuotientPiece &out) { fill(i, out); });
 }
 
 Enclosure deviation(const Spline &f, const Spline &g) {
-    return DeviationPieces(f, g).enclosure();
+    const DeviationPieces pieces(f, g);
+    return pieces.enclosure(pieces.uppers());
 }
 
 Enclosure deviation(const Spline &f, const Spline &g, int axis, Interval part) {
-    return DeviationPieces(f, g, axis, part).enclosure();
+    const DeviationPieces pieces(f, g, axis, part);
+    return pieces.enclosure(pieces.uppers());
 }
 
 } // namespace nrb

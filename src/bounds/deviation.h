@@ -23,8 +23,10 @@ public:
     [[nodiscard]] const BernsteinNet::Breaks &breaks() const noexcept { return breaks_; }
     // Reuses the memory of `out`.
     void fill(int64_t piece, QuotientPiece &out) const;
+    // A bound for each piece.
+    [[nodiscard]] std::vector<double> uppers() const;
     // Of the largest distance.
-    [[nodiscard]] Enclosure enclosure() const;
+    [[nodiscard]] Enclosure enclosure(std::span<const double> uppers) const;
 
 private:
     struct Setting;

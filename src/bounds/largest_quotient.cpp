@@ -137,22 +137,18 @@ struct Candidate {
     double upper;
     double noise;
     int64_t index;
-    QuotientPiece part; // empty for a piece of the source
+    QuotientPiece part; // empty: the piece of the source, not looked at yet
 
     [[nodiscard]] bool operator<(const Candidate &other) const noexcept { return upper < other.upper; }
 };
 
 class Search {
 public:
-    Search(int64_t count, const PieceSource &source, const SearchLimits &limits)
+    Search(std::span<const double> uppers, const PieceSource &source, const SearchLimits &limits)
         : source_(source), limits_(limits) {
-        QuotientPiece piece;
-        heap_.reserve(static_cast<size_t>(count));
-        for (int64_t i = 0; i < count; ++i) {
-            source_(i, piece);
-            const Enclosure bounds = quotient_bounds(piece);
-            lower_ = std::max(lower_, bounds.lower);
-            heap_.push_back({bounds.upper, piece.quotient_error, i, {}});
+        heap_.reserve(uppers.size());
+        for (size_t i = 0; i < uppers.size(); ++i) {
+            heap_.push_back({uppers[i], 0, static_cast<int64_t>(i), {}});
         }
         std::make_heap(heap_.begin(), heap_.end());
     }
@@ -175,20 +171,20 @@ private:
         return top.upper - top.noise <= (1 + limits_.ratio) * (lower_ + top.noise);
     }
 
-    // Halves the piece with the largest upper bound; false if it has no degree.
+    // Halves the piece with the largest upper bound, of which at first no more than that is known; false if it
+    // has no degree.
     bool refine() {
         std::pop_heap(heap_.begin(), heap_.end());
         Candidate top = std::move(heap_.back());
         heap_.pop_back();
-        QuotientPiece piece;
-        if (top.part.numerators.empty()) {
+        QuotientPiece piece = std::move(top.part);
+        const bool known = !piece.numerators.empty();
+        if (!known) {
             source_(top.index, piece);
-        } else {
-            piece = std::move(top.part);
         }
-        if (next_axis(piece) < 0) {
+        if (!known || next_axis(piece) < 0) {
             push(std::move(piece), top);
-            return false;
+            return !known;
         }
         QuotientPiece lower = halve(piece, top.upper);
         push(std::move(lower), top);
@@ -196,7 +192,7 @@ private:
         return true;
     }
 
-    // A part is never larger than the whole.
+    // A part has no larger values than the whole.
     void push(QuotientPiece &&piece, const Candidate &whole) {
         const Enclosure bounds = quotient_bounds(piece);
         lower_ = std::max(lower_, bounds.lower);
@@ -231,8 +227,20 @@ QuotientPiece halve(QuotientPiece &piece, double upper) {
     return lower;
 }
 
-Enclosure largest_quotient(int64_t count, const PieceSource &source, const SearchLimits &limits) {
-    return Search(count, source, limits).run();
+Enclosure largest_quotient(std::span<const double> uppers, const PieceSource &source,
+                           const SearchLimits &limits) {
+    return Search(uppers, source, limits).run();
+}
+
+std::vector<double> quotient_uppers(int64_t count, const PieceSource &source) {
+    std::vector<double> uppers;
+    uppers.reserve(static_cast<size_t>(count));
+    QuotientPiece piece;
+    for (int64_t i = 0; i < count; ++i) {
+        source(i, piece);
+        uppers.push_back(upper_bound(piece));
+    }
+    return uppers;
 }
 
 } // namespace nrb

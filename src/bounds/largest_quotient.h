@@ -46,7 +46,10 @@ struct SearchLimits {
 // Fills in piece i; may be called more than once for each.
 using PieceSource = std::function<void(int64_t, QuotientPiece &)>;
 
-// Encloses the largest value over pieces 0, ..., count - 1. Both bounds are proven.
-Enclosure largest_quotient(int64_t count, const PieceSource &source, const SearchLimits &limits = {});
+// Encloses the largest value over pieces 0, 1, ..., whose upper bounds are known. Both bounds are proven.
+Enclosure largest_quotient(std::span<const double> uppers, const PieceSource &source,
+                           const SearchLimits &limits = {});
+// The upper bound of each piece.
+std::vector<double> quotient_uppers(int64_t count, const PieceSource &source);
 
 } // namespace nrb

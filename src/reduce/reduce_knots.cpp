@@ -14,19 +14,17 @@ namespace {
 constexpr int max_rounds = 12;
 constexpr int max_attempts = 4;
 
-// A bound for each span of an axis: the largest over all pieces there.
-std::vector<double> span_errors(const DeviationPieces &pieces, int axes, int axis) {
-    int64_t inner = 1;
+// A bound for each span of an axis: the largest of all pieces there.
+std::vector<double> span_errors(const DeviationPieces &pieces, const std::vector<double> &uppers, int axes,
+                                int axis) {
+    size_t inner = 1;
     for (int k = axis + 1; k < axes; ++k) {
-        inner *= std::ssize(pieces.breaks()[static_cast<size_t>(k)]) - 1;
+        inner *= pieces.breaks()[static_cast<size_t>(k)].size() - 1;
     }
-    const int64_t spans = std::ssize(pieces.breaks()[static_cast<size_t>(axis)]) - 1;
-    std::vector<double> errors(static_cast<size_t>(spans), 0.0);
-    QuotientPiece piece;
-    for (int64_t i = 0; i < pieces.pieces(); ++i) {
-        double &error = errors[static_cast<size_t>(i / inner % spans)];
-        pieces.fill(i, piece);
-        error = std::max(error, quotient_bounds(piece).upper);
+    std::vector<double> errors(pieces.breaks()[static_cast<size_t>(axis)].size() - 1, 0.0);
+    for (size_t i = 0; i < uppers.size(); ++i) {
+        double &error = errors[i / inner % errors.size()];
+        error = std::max(error, uppers[i]);
     }
     return errors;
 }
@@ -34,23 +32,25 @@ std::vector<double> span_errors(const DeviationPieces &pieces, int axes, int axi
 struct Certified {
     SplinePtr spline;
     std::optional<DeviationPieces> pieces;
+    std::vector<double> uppers;
 };
 
 // Rounds of removal until one removes nothing or fails to keep the tolerance, by rounding or because weights
 // moved; the last that kept it. The removal itself is held to `aim`.
 Certified thin(const SplinePtr &spline, int axis, double tolerance, double aim) {
-    Certified best{spline, {}};
+    Certified best{spline, {}, {}};
     Thinning thinning(*spline, axis);
     for (int round = 0; round < max_rounds && thinning.run(aim) > 0; ++round) {
         const SplinePtr next = thinning.result();
         DeviationPieces pieces(*spline, *next);
-        const std::vector<double> errors = span_errors(pieces, spline->axes(), axis);
-        const double largest = *std::max_element(errors.begin(), errors.end());
+        std::vector<double> uppers = pieces.uppers();
+        const double largest = *std::max_element(uppers.begin(), uppers.end());
         if (!(largest <= tolerance) || !std::isfinite(largest)) {
             break;
         }
-        thinning.set_errors(pieces.breaks()[static_cast<size_t>(axis)], errors);
-        best = {next, std::move(pieces)};
+        thinning.set_errors(pieces.breaks()[static_cast<size_t>(axis)],
+                            span_errors(pieces, uppers, spline->axes(), axis));
+        best = {next, std::move(pieces), std::move(uppers)};
     }
     return best;
 }
@@ -61,7 +61,7 @@ Reduced reduce_axis(const SplinePtr &spline, int axis, double tolerance) {
     for (int attempt = 0; attempt < max_attempts; ++attempt, aim /= 2) {
         const Certified found = thin(spline, axis, tolerance, aim);
         if (found.pieces.has_value()) {
-            return {found.spline, std::min(tolerance, found.pieces->enclosure().upper)};
+            return {found.spline, std::min(tolerance, found.pieces->enclosure(found.uppers).upper)};
         }
     }
     return {spline, 0};

@@ -4,6 +4,8 @@
 #include "property/same_shape.h"
 #include "reference/exact_basis.h"
 
+#include <limits>
+
 namespace support {
 
 // N_(span-p), ..., N_span at t.
@@ -87,7 +89,20 @@ inline std::vector<Place> dense_places(const SplineData &f, const SplineData &g,
     return places;
 }
 
-// Largest distance over a dense grid of a curve or surface.
+// What the sums of long_point() may be off by.
+inline long double sampling_error(const SplineData &data) {
+    long double size = 0;
+    int degrees = 0;
+    for (const double x : data.points) {
+        size = std::max(size, std::fabs(static_cast<long double>(x)));
+    }
+    for (const int32_t p : data.degrees) {
+        degrees += p + 1;
+    }
+    return size * degrees * 16 * std::numeric_limits<long double>::epsilon() * std::sqrt(static_cast<long double>(data.dim));
+}
+
+// Largest distance over a dense grid of a curve or surface, less that.
 inline long double dense_deviation(const SplineData &f, const SplineData &g, int per_span) {
     std::vector<std::vector<Place>> places;
     for (int k = 0; k < 2; ++k) {
@@ -106,7 +121,7 @@ inline long double dense_deviation(const SplineData &f, const SplineData &g, int
             largest = std::max(largest, std::sqrt(square));
         }
     }
-    return largest;
+    return std::max(0.0L, largest - sampling_error(f) - sampling_error(g));
 }
 
 // Of ratios, printed.
