@@ -26,13 +26,13 @@ void give_reduced(Reduced result, double *bound, nurbs **out) {
 
 } // namespace
 
-nurbs_status nurbs_deviation(const nurbs *f, const nurbs *g, double *lower, double *upper) {
+nurbs_status nurbs_deviation(const nurbs *f, const nurbs *g, double *at_least, double *at_most) {
     return guard([&] {
         require(f, "f");
         require(g, "g");
         const Enclosure found = deviation(*f->spline, *g->spline);
-        put(found.lower, lower);
-        put(found.upper, upper);
+        put(found.lower, at_least);
+        put(found.upper, at_most);
     });
 }
 

@@ -173,15 +173,15 @@ enum {
     NURBS_ERROR_PARAMETER_NOT_FINITE = 23, /**< a parameter is NaN or infinite */
     NURBS_ERROR_PERIODIC_KNOTS = 24, /**< knots of an axis flagged periodic do not repeat with the period */
     NURBS_ERROR_PERIODIC_POINTS =
-        25,                     /**< points or weights of an axis flagged periodic do not wrap bit for bit */
-    NURBS_ERROR_TIMES = 26,     /**< a number of repetitions is negative */
-    NURBS_ERROR_OPTIONS = 27,   /**< an options struct has a wrong size or a value out of range */
-    NURBS_ERROR_INDEX = 28,     /**< an index is outside its list */
-    NURBS_ERROR_DIRECTION = 29, /**< a direction is zero, not finite, or parallel to another one */
-    NURBS_ERROR_END_KNOT = 30,  /**< a knot at an end of the domain, where it cannot be removed */
+        25,                      /**< points or weights of an axis flagged periodic do not wrap bit for bit */
+    NURBS_ERROR_TIMES = 26,      /**< a number of repetitions is negative */
+    NURBS_ERROR_OPTIONS = 27,    /**< an options struct has a wrong size or a value out of range */
+    NURBS_ERROR_INDEX = 28,      /**< an index is outside its list */
+    NURBS_ERROR_DIRECTION = 29,  /**< a direction is zero, not finite, or parallel to another one */
+    NURBS_ERROR_END_KNOT = 30,   /**< a knot at an end of the domain, where it cannot be removed */
     NURBS_ERROR_NOT_A_KNOT = 31, /**< a value that has to be a knot of the axis is none */
-    NURBS_ERROR_MATRIX = 32,    /**< an entry of a matrix or translation is NaN or infinite */
-    NURBS_ERROR_RATIONAL = 33,  /**< the spline is rational, which the function is not for */
+    NURBS_ERROR_MATRIX = 32,     /**< an entry of a matrix or translation is NaN or infinite */
+    NURBS_ERROR_RATIONAL = 33,   /**< the spline is rational, which the function is not for */
     NURBS_ERROR_INCOMPATIBLE = 40, /**< splines differ in what they have to share */
     NURBS_ERROR_GAP = 41,          /**< ends that are to be joined lie farther apart than the tolerance */
     NURBS_ERROR_TOLERANCE = 42,    /**< a tolerance is negative or NaN */
@@ -1265,16 +1265,16 @@ NURBS_API nurbs_status nurbs_from_homogeneous(const nurbs *g, nurbs **out);
 
 /** \brief Encloses the largest distance sup |f(t) - g(t)| of two splines over their domain, both limits at
  * jumps included. Degrees, knots and weights may differ, and either may be periodic or rational; axes,
- * dimension and domains have to agree. lower <= sup <= upper, both proven; upper <= 5/4 lower beside rounding,
- * unless that takes more than 600 subdivisions. Where weights of both signs do not let a denominator be shown
- * to have no zero, upper is infinite.
+ * dimension and domains have to agree. at_least <= sup <= at_most, both proven; at_most <= 5/4 at_least beside
+ * rounding, unless that takes more than 600 subdivisions. Where weights of both signs do not let a denominator
+ * be shown to have no zero, at_most is infinite.
  * \param[in] f,g two splines.
- * \param[out] lower some distance that occurs, or NULL.
- * \param[out] upper no distance is larger, or NULL.
+ * \param[out] at_least a distance that is reached, or NULL.
+ * \param[out] at_most one that is not exceeded, or NULL.
  * \return NURBS_OK, NURBS_ERROR_NULL, _OVERFLOW; _INCOMPATIBLE if axes, dimensions or domains differ,
  *   _NOT_REPRESENTABLE if a coefficient overflows.
  * \since 0.1 */
-NURBS_API nurbs_status nurbs_deviation(const nurbs *f, const nurbs *g, double *lower, double *upper);
+NURBS_API nurbs_status nurbs_deviation(const nurbs *f, const nurbs *g, double *at_least, double *at_most);
 
 /** \brief Removes copies of a knot as long as the shape moves by at most a tolerance (Tiller 1992). Only the
  * degree - multiplicity layers around the knot change; the residual of their equations is spread evenly, and

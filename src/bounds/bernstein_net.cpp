@@ -57,8 +57,8 @@ KnotVectorPtr piece_knots(int degree, const std::vector<double> &breaks) {
 
 SplinePtr applied(const Spline &net, int axis, const LayerTable &table, KnotVectorPtr knots) {
     Net made = apply_along(net, axis, table);
-    return std::make_shared<const Spline>(with_axis(net, axis, std::move(knots)), net.dim(),
-                                          Form::polynomial, std::move(made.points), std::vector<double>());
+    return std::make_shared<const Spline>(with_axis(net, axis, std::move(knots)), net.dim(), Form::polynomial,
+                                          std::move(made.points), std::vector<double>());
 }
 
 // Replaces the layers of an axis by the maxima over those that are active on each piece.
@@ -171,8 +171,8 @@ void BernsteinNet::copy(int64_t piece, double *coordinates, double *weights) con
     const int dim = shape_.width - (weighted_ ? 1 : 0);
     for (int i = 0; i <= shape_.degrees[0]; ++i) {
         for (int j = 0; j <= shape_.degrees[1]; ++j) {
-            const double *from =
-                net_->points().data() + (((first[0] + i) * rows + first[1] + j) * row + first[2]) * shape_.width;
+            const double *from = net_->points().data() +
+                                 (((first[0] + i) * rows + first[1] + j) * row + first[2]) * shape_.width;
             for (int k = 0; k <= shape_.degrees[2]; ++k, from += shape_.width, coordinates += dim) {
                 std::copy_n(from, dim, coordinates);
                 if (weighted_) {

@@ -9,7 +9,7 @@ namespace nrb {
 
 // Homogeneous points about a centre in Cartesian space, as they enter a net.
 struct CentredRecords {
-    int width = 0;              // coordinates, and the weight unless all splines compared are polynomial
+    int width = 0; // coordinates, and the weight unless all splines compared are polynomial
     bool weighted = false;
     bool positive = true;       // all weights >= 0, and none 0 with a point at infinity
     std::vector<double> values; // (w (x - c), ..., w)

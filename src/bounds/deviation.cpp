@@ -138,7 +138,7 @@ public:
         }
         measure();
         fill_products(out);
-        relative && std::isfinite(ratio_) ? add_relative_errors(out) : add_absolute_errors(out);
+        relative &&std::isfinite(ratio_) ? add_relative_errors(out) : add_absolute_errors(out);
     }
 
 private:

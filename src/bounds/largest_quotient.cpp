@@ -41,8 +41,7 @@ double norm(const double *x, int width) noexcept {
 class Denominators {
 public:
     explicit Denominators(const QuotientPiece &piece)
-        : piece_(piece),
-          sign_(piece.denominators.empty() || piece.denominators.front() >= 0 ? 1.0 : -1.0) {}
+        : piece_(piece), sign_(piece.denominators.empty() || piece.denominators.front() >= 0 ? 1.0 : -1.0) {}
 
     [[nodiscard]] double value(int64_t i) const noexcept {
         return piece_.denominators.empty() ? 1.0 : sign_ * piece_.denominators[static_cast<size_t>(i)];

@@ -92,7 +92,8 @@ std::vector<double> refined_layers(const Spline &spline, int axis, const AxisTab
                           : std::vector<double>(spline.points().begin(), spline.points().end());
     const Spline records(spline.knot_vectors(), spline.width(), Form::polynomial, points, {});
     const Net net = apply_along(records, axis, made.table);
-    const Spline refined(with_axis(spline, axis, made.axis), spline.width(), Form::polynomial, net.points, {});
+    const Spline refined(with_axis(spline, axis, made.axis), spline.width(), Form::polynomial, net.points,
+                         {});
     return layer_records(refined, axis);
 }
 
@@ -183,8 +184,7 @@ SplinePtr lower_degree(const SplinePtr &spline, int axis, int times) {
     const SplinePtr source = clamped(spline, axis);
     const KnotVector &old = source->axis(axis);
     const bool periodic = old.periodic();
-    const KnotVectorPtr knots =
-        periodic ? lowered_periodic_axis(old, times) : lowered_open_axis(old, times);
+    const KnotVectorPtr knots = periodic ? lowered_periodic_axis(old, times) : lowered_open_axis(old, times);
     const AxisTable raised = elevated(*knots, times);
     const AxisTable refined = refine_axis(old, missing_knots(*raised.axis, old));
     const int64_t length = layer_length(*source, axis), count = knots->distinct_layers();
@@ -195,8 +195,7 @@ SplinePtr lower_degree(const SplinePtr &spline, int axis, int times) {
         std::copy_n(targets.begin(), length, layers.begin());
         std::copy_n(targets.end() - length, length, layers.end() - length);
     }
-    const int64_t shift =
-        periodic ? seam_copies_before(*raised.axis) - seam_copies_before(*refined.axis) : 0;
+    const int64_t shift = periodic ? seam_copies_before(*raised.axis) - seam_copies_before(*refined.axis) : 0;
     if (!ReductionSystem(raised, count, length, fixed).solve(targets, shift, layers.data())) {
         fail(NURBS_ERROR_NOT_REPRESENTABLE, "the knots of axis %d lie too close for its degree", axis);
     }

@@ -20,7 +20,7 @@ struct RemovalStep {
     int rows;
     int skipped; // the row that the solution does not use
     double alpha[max_basis];
-    double beta[max_basis];         // 1 - alpha
+    double beta[max_basis];           // 1 - alpha
     double functional[max_basis + 2]; // gap = sum functional[i] * layer (r - p - 1 + i), i < rows + 2
 };
 

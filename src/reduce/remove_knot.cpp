@@ -123,10 +123,12 @@ private:
     void check_domain(const std::vector<double> &knots) const {
         const int p = axis_.degree();
         const auto [lower, upper] = axis_.domain();
-        if (knots[static_cast<size_t>(p)] != lower || knots[knots.size() - 1 - static_cast<size_t>(p)] != upper) {
-            fail(NURBS_ERROR_PERIODIC_KNOTS,
-                 "knots: the ends of the periodic domain [%s, %s] have other multiplicities than their copies",
-                 Number(lower).text, Number(upper).text);
+        if (knots[static_cast<size_t>(p)] != lower ||
+            knots[knots.size() - 1 - static_cast<size_t>(p)] != upper) {
+            fail(
+                NURBS_ERROR_PERIODIC_KNOTS,
+                "knots: the ends of the periodic domain [%s, %s] have other multiplicities than their copies",
+                Number(lower).text, Number(upper).text);
         }
         check_periodic_knots(p, knots, -1, 0);
     }

@@ -38,7 +38,8 @@ Thinning::Thinning(const Spline &spline, int axis)
 // On a periodic axis the ring of one period, which begins with the first copy of the seam: that never goes.
 void Thinning::link_knots() {
     const auto [lower, upper] = axis_.domain();
-    const int64_t seam = std::lower_bound(axis_.knots().begin(), axis_.knots().end(), lower) - axis_.knots().begin();
+    const int64_t seam =
+        std::lower_bound(axis_.knots().begin(), axis_.knots().end(), lower) - axis_.knots().begin();
     const int64_t first = axis_.periodic() ? seam : 0;
     const int64_t count = axis_.periodic() ? axis_.distinct_layers() : std::ssize(axis_.knots());
     knots_.reserve(static_cast<size_t>(count));
@@ -307,7 +308,8 @@ void Thinning::set_errors(std::span<const double> breaks, const std::vector<doub
     size_t i = 0;
     do {
         Knot &at = knots_[static_cast<size_t>(knot)];
-        const double end = at.next == head_ ? axis_.domain().upper : knots_[static_cast<size_t>(at.next)].value;
+        const double end =
+            at.next == head_ ? axis_.domain().upper : knots_[static_cast<size_t>(at.next)].value;
         at.error = 0;
         for (; i < errors.size() && breaks[i] < end; ++i) {
             at.error = std::max(at.error, errors[i]);

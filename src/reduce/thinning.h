@@ -61,7 +61,8 @@ private:
         double key;
         int64_t knot;
         [[nodiscard]] bool operator<(const Candidate &other) const noexcept {
-            return key > other.key || (key == other.key && knot > other.knot); // for a heap with the least on top
+            return key > other.key ||
+                   (key == other.key && knot > other.knot); // for a heap with the least on top
         }
     };
 

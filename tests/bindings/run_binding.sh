@@ -29,7 +29,7 @@ run_fortran() {
     need "$compiler"
     local flags=(-std=f2018 -O2 -Wall -Wextra -Wno-compare-reals -Werror)
     for module in nurbs_constants nurbs_c nurbs_support nurbs_handles nurbs_splines nurbs_frames nurbs_lists \
-        nurbs; do
+        nurbs_reduction nurbs; do
         "$compiler" "${flags[@]}" -J"$work" -c "$bindings/fortran/$module.f90" -o "$work/$module.o"
         objects+=("$work/$module.o")
     done

@@ -14,8 +14,8 @@ from dataclasses import dataclass, field
 HANDLES = ("nurbs", "nurbs_list")
 STRUCTS = ("nurbs_read_options",)
 # Pointers to one value that is written; arrays have names in the plural.
-SINGLE_RESULTS = ("axes", "count", "degree", "dim", "entity_type", "entries", "form", "gap", "length", "line", "metres",
-                  "rational", "reason", "slots")
+SINGLE_RESULTS = ("at_least", "at_most", "axes", "bound", "count", "degree", "dim", "entity_type", "entries", "form",
+                  "gap", "length", "line", "metres", "rational", "reason", "removed", "slots")
 
 
 @dataclass

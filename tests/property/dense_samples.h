@@ -99,7 +99,8 @@ inline long double sampling_error(const SplineData &data) {
     for (const int32_t p : data.degrees) {
         degrees += p + 1;
     }
-    return size * degrees * 16 * std::numeric_limits<long double>::epsilon() * std::sqrt(static_cast<long double>(data.dim));
+    return size * degrees * 16 * std::numeric_limits<long double>::epsilon() *
+           std::sqrt(static_cast<long double>(data.dim));
 }
 
 // Largest distance over a dense grid of a curve or surface, less that.

@@ -89,7 +89,8 @@ TEST(Reduction, the_bound_of_degree_reduction_is_one) {
         const int axis = random.whole(0, data.axes() - 1);
         const int degree = data.degrees[static_cast<size_t>(axis)];
         nurbs_status status = NURBS_OK;
-        const Made result = reduce_degree(g.get(), axis, random.whole(std::min(1, degree), std::min(3, degree)), status);
+        const Made result =
+            reduce_degree(g.get(), axis, random.whole(std::min(1, degree), std::min(3, degree)), status);
         if (status == NURBS_ERROR_WEIGHT_SIGN) {
             return;
         }
@@ -134,7 +135,8 @@ TEST(Reduction, elevated_splines_come_back) {
             hull = std::max(hull, std::fabs(want.points[i]));
             error = std::max(error, std::fabs(static_cast<long double>(want.points[i]) - found.points[i]));
         }
-        worst.add(data.degrees[k], error / (eps * hull * 8 * std::pow(2.0L, data.degrees[k])), error / (eps * hull));
+        worst.add(data.degrees[k], error / (eps * hull * 8 * std::pow(2.0L, data.degrees[k])),
+                  error / (eps * hull));
     });
 }
 

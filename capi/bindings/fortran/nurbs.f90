@@ -12,7 +12,7 @@
 !>   an operation must be another variable than its operand.
 !>
 !> Order of compilation: nurbs_constants, nurbs_c, nurbs_support, nurbs_handles, nurbs_splines, nurbs_frames,
-!> nurbs_lists, nurbs.
+!> nurbs_lists, nurbs_reduction, nurbs.
 module nurbs
     use nurbs_constants ! statuses, flags and limits
     use nurbs_c         ! the C functions; knot generators, span search and bases are called by these names
@@ -20,6 +20,7 @@ module nurbs
     use nurbs_splines, only: nurbs_spline
     use nurbs_frames
     use nurbs_lists, only: nurbs_list
+    use nurbs_reduction
     implicit none
     public
 end module nurbs

@@ -27,4 +27,6 @@ from .knots import (basis, bernstein, find_spans, knots_averaged, knots_bezier, 
 from .linear import (Gradients, bezier_extraction, collocation, eval_adjoint, rational_collocation,
                      refinement_matrix)
 from .parts import Joined, decompose, join, split_at_knots
+from .reduce import (Deviation, KnotRemoval, Reduced, deviation, reduce_degree, reduce_knots, remove_knot,
+                     simplify)
 from .spline import Spline, derivative_slots

@@ -22,6 +22,7 @@ mod knots;
 mod linear;
 mod list;
 mod parts;
+mod reduce;
 mod spline;
 pub mod sys;
 
@@ -35,6 +36,7 @@ pub use knots::{
 pub use linear::{collocation, Extraction, Gradients, GradientsMut, SparseMatrix};
 pub use list::{List, Note, ReadOptions};
 pub use parts::{join, Joined};
+pub use reduce::{KnotRemoval, Reduced};
 pub use spline::{derivative_slots, DistinctKnots, Spline};
 
 /// The bits `flags` moved to those of `axis`: the macro `NURBS_ON_AXIS`.
