@@ -1282,8 +1282,8 @@ NURBS_API nurbs_status nurbs_deviation(const nurbs *f, const nurbs *g, double *a
  * Of a knot of multiplicity degree + 1, at which the spline may jump, both sides become their mean. On a
  * periodic axis the copies a period away go too; the last copy of a knot at the seam stays, and so does a
  * knot of an axis with no more than degree - multiplicity + 1 distinct layers. A copy whose removal would give
- * a weight that is negative, or all weights 0, stays. After nurbs_insert_knot() the knot can be removed again
- * by a tolerance of 2^degree * 20 eps * hull, and points return to within as much.
+ * a weight that is negative, or all weights 0, stays. Unless weights differ much, what nurbs_insert_knot() put
+ * in goes again, and points return, within (20 * 2^p + 80 * sum over axes of p_k + 1) eps * hull (tested).
  * \param[in] g a spline.
  * \param[in] axis 0-based axis.
  * \param[in] knot the knot, inside the domain; on a periodic axis its ends too if they occur twice.

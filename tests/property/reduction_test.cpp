@@ -152,4 +152,66 @@ TEST(Reduction, simplified_splines_keep_the_tolerance) {
     });
 }
 
+TEST(Reduction, the_choice_of_knots_is_free_of_scale) {
+    for_each_case(350000, 400, [](Random &random, uint64_t seed) {
+        const auto data = random_case(random, 10);
+        const double tolerance = extent(data) * random.magnitude(1e-3, 10);
+        const double scale = std::ldexp(1.0, random.whole(-40, 40));
+        auto scaled = data;
+        for (double &x : scaled.points) {
+            x *= scale;
+        }
+        const Made one = reduce_knots(create(data).get(), -1, tolerance);
+        const Made other = reduce_knots(create(scaled).get(), -1, tolerance * scale);
+        const auto a = read_back(one.spline.get());
+        auto b = read_back(other.spline.get());
+        ASSERT_TRUE(same_bits(a.all_knots(), b.all_knots())) << where(seed, data) << hex(scale);
+        ASSERT_EQ(one.bound * scale, other.bound) << where(seed, data) << hex(scale);
+        for (double &x : b.points) {
+            x /= scale;
+        }
+        ASSERT_EQ(a.points, b.points) << where(seed, data) << hex(scale);
+    });
+}
+
+// Points of any weights, some of them at infinity or negative.
+TEST(Reduction, bounds_of_homogeneous_splines_are_bounds) {
+    int finite = 0;
+    for_each_case(360000, 600, [&](Random &random, uint64_t seed) {
+        auto data = random_case(random, 0);
+        data.weights.assign(static_cast<size_t>(data.point_count()), 1.0);
+        std::vector<double> records;
+        const int64_t distinct = data.counts[0] - (data.periodic(0) ? data.degrees[0] : 0);
+        for (int64_t i = 0; i < data.point_count(); ++i) {
+            const auto at = static_cast<size_t>(i);
+            data.weights[at] = i >= distinct ? data.weights[at - static_cast<size_t>(distinct)]
+                                             : random.between(random.chance(10) ? -0.2 : 0.3, 1);
+            for (int c = 0; c < data.dim; ++c) {
+                records.push_back(data.weights[at] * data.coordinate(i, c));
+            }
+            records.push_back(data.weights[at]);
+        }
+        nurbs *made = nullptr;
+        require_ok(nurbs_create_homogeneous(1, data.degrees.data(), data.counts.data(), data.knots[0].data(),
+                                            std::ssize(data.knots[0]), data.dim, records.data(), 0, 0,
+                                            data.flags, &made));
+        const Handle g(made);
+        const Made result = reduce_knots(made, 0, extent(data));
+        auto f = homogeneous(made), h = homogeneous(result.spline.get());
+        long double found = 0;
+        for (const Place &place : dense_places(f, h, 0, 8)) {
+            const reference::Sides left{place.left, false, false};
+            const auto a = long_point(f, &place.t, left), b = long_point(h, &place.t, left);
+            long double square = 0;
+            for (size_t c = 0; c + 1 < a.size(); ++c) {
+                square += std::pow(a[c] / a.back() - b[c] / b.back(), 2.0L);
+            }
+            found = std::max(found, std::sqrt(square));
+        }
+        ASSERT_LE(found, result.bound + 1e-12L * extent(data)) << where(seed, data);
+        finite += result.bound > 0 ? 1 : 0;
+    });
+    std::printf("%d splines were reduced\n", finite);
+}
+
 } // namespace

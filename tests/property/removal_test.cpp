@@ -61,4 +61,73 @@ TEST(Removal, the_bound_is_one) {
     EXPECT_LE(median(ratios, "bound / sampled deviation, removal"), 1.5L);
 }
 
+long double largest_move(const nurbs *before, const nurbs *after) {
+    const auto want = homogeneous(before).points, found = homogeneous(after).points;
+    long double move = want.size() == found.size() ? 0 : INFINITY;
+    for (size_t i = 0; i < std::min(want.size(), found.size()); ++i) {
+        move = std::max(move, std::fabs(static_cast<long double>(want[i]) - found[i]));
+    }
+    return move;
+}
+
+double homogeneous_extent(const nurbs *g) {
+    return extent(homogeneous(g));
+}
+
+// Weights that differ much let small ones be lost beside large ones, so that these cases have none of them.
+TEST(Removal, inserted_knots_come_back) {
+    WorstErrors worst("insert -> remove, in eps * hull");
+    for_each_case(301000, 1500, [&](Random &random, uint64_t seed) {
+        const int axes = random.chance(15) ? 2 : 1;
+        Recipe recipe = random_recipe(random, axes, axes == 1 ? 9 : 3);
+        recipe.weights = random.chance(50) ? Weights::none : Weights::moderate;
+        const auto data = random_spline(random, recipe);
+        const int axis = random.whole(0, axes - 1);
+        const auto k = static_cast<size_t>(axis);
+        const double knot = random_new_knot(random, data, axis);
+        const auto present = std::count(data.knots[k].begin(), data.knots[k].end(), knot);
+        if (knot <= data.lower(axis) || knot >= data.upper(axis) || present + 1 > data.degrees[k]) {
+            return;
+        }
+        const int times = random.whole(1, data.degrees[k] - static_cast<int>(present));
+        const auto g = create(data);
+        Handle more;
+        try {
+            more = insert(g.get(), axis, knot, times);
+        } catch (const std::runtime_error &) {
+            return; // copies of the knot beside the seam
+        }
+        const double hull = std::max(extent(data), homogeneous_extent(g.get()));
+        double steps = 20 * std::pow(2.0, data.degrees[k]);
+        for (const int32_t p : data.degrees) {
+            steps += 80 * (p + 1);
+        }
+        const double tolerance = static_cast<double>(steps * eps) * hull;
+        const Removed back = remove_knot(more.get(), axis, knot, times, tolerance);
+        if (!data.periodic(axis) || data.counts[k] > 2 * data.degrees[k] + 1) {
+            ASSERT_EQ(back.times, times) << where(seed, data) << hex(knot);
+            const long double moved = largest_move(g.get(), back.spline.get());
+            ASSERT_LE(moved, tolerance) << where(seed, data) << hex(knot);
+            worst.add(data.degrees[k], moved / tolerance, moved / (eps * hull));
+        }
+    });
+}
+
+TEST(Removal, tolerances_hold) {
+    for_each_case(302000, 1500, [](Random &random, uint64_t seed) {
+        const auto data = random_case(random, 5);
+        const int axis = random.whole(0, data.axes() - 1);
+        const double knot = inner_knot(random, data, axis);
+        if (std::isnan(knot)) {
+            return;
+        }
+        const auto g = create(data);
+        const double tolerance = random.chance(20) ? 0 : extent(data) * random.magnitude(1e-9, 2);
+        const Removed result = remove_knot(g.get(), axis, knot, random.whole(1, 4), tolerance);
+        ASSERT_TRUE(result.bound <= tolerance) << where(seed, data) << hex(knot);
+        ASSERT_TRUE(result.times > 0 || result.bound == 0) << where(seed, data) << hex(knot);
+        ASSERT_LE(dense_deviation(data, read_back(result.spline.get()), 6), tolerance) << where(seed, data);
+    });
+}
+
 } // namespace
