@@ -173,19 +173,22 @@ enum {
     NURBS_ERROR_PARAMETER_NOT_FINITE = 23, /**< a parameter is NaN or infinite */
     NURBS_ERROR_PERIODIC_KNOTS = 24, /**< knots of an axis flagged periodic do not repeat with the period */
     NURBS_ERROR_PERIODIC_POINTS =
-        25,                     /**< points or weights of an axis flagged periodic do not wrap bit for bit */
-    NURBS_ERROR_TIMES = 26,     /**< a number of repetitions is negative */
-    NURBS_ERROR_OPTIONS = 27,   /**< an options struct has a wrong size or a value out of range */
-    NURBS_ERROR_INDEX = 28,     /**< an index is outside its list */
-    NURBS_ERROR_DIRECTION = 29, /**< a direction is zero, not finite, or parallel to another one */
-    NURBS_ERROR_MATRIX = 32,    /**< an entry of a matrix or translation is NaN or infinite */
-    NURBS_ERROR_RATIONAL = 33,  /**< the spline is rational, which the function is not for */
+        25,                      /**< points or weights of an axis flagged periodic do not wrap bit for bit */
+    NURBS_ERROR_TIMES = 26,      /**< a number of repetitions is negative */
+    NURBS_ERROR_OPTIONS = 27,    /**< an options struct has a wrong size or a value out of range */
+    NURBS_ERROR_INDEX = 28,      /**< an index is outside its list */
+    NURBS_ERROR_DIRECTION = 29,  /**< a direction is zero, not finite, or parallel to another one */
+    NURBS_ERROR_END_KNOT = 30,   /**< a knot at an end of the domain, where it cannot be removed */
+    NURBS_ERROR_NOT_A_KNOT = 31, /**< a value that has to be a knot of the axis is none */
+    NURBS_ERROR_MATRIX = 32,     /**< an entry of a matrix or translation is NaN or infinite */
+    NURBS_ERROR_RATIONAL = 33,   /**< the spline is rational, which the function is not for */
     NURBS_ERROR_INCOMPATIBLE = 40, /**< splines differ in what they have to share */
     NURBS_ERROR_GAP = 41,          /**< ends that are to be joined lie farther apart than the tolerance */
     NURBS_ERROR_TOLERANCE = 42,    /**< a tolerance is negative or NaN */
     NURBS_ERROR_NOT_PERIODIC = 43, /**< an axis that has to be periodic was not declared so */
     NURBS_ERROR_END_WEIGHTS = 44,  /**< no one factor makes the weights at the ends of an axis equal */
     NURBS_ERROR_FACTOR = 45,       /**< a factor is not finite, or not positive where it has to be */
+    NURBS_ERROR_WEIGHT_SIGN = 47,  /**< a weight of the result would not be positive */
     NURBS_ERROR_PERIODIC = 48,     /**< an axis is periodic, which the function is not for */
     NURBS_ERROR_END = 49,          /**< an end is neither NURBS_START nor NURBS_END */
     NURBS_ERROR_BASIS = 50,        /**< not one of the NURBS_BASIS_ constants */
@@ -1638,6 +1641,100 @@ NURBS_API nurbs_status nurbs_continuity_between(const nurbs *a, int32_t end_a, c
                                                 double position_tolerance, double derivative_tolerance,
                                                 double angle_tolerance, int32_t *order, int32_t *geometric,
                                                 double *position_gap, double *angle, double *curvature_gap);
+/** @} */
+
+/** \defgroup reduce Reduction
+ * Operations that move the shape. Each returns a bound of the distance to what it was given, in the space of
+ * the points (Cartesian, also when rational), that is proven: it holds at every parameter and includes the
+ * rounding of its own computation, some 30 (degree + 1) eps times the size of the model. A tolerance below
+ * that changes nothing. Distances are taken at equal parameters. Bounds come from Bernstein pieces of the
+ * difference, whose numerators and denominators enclose it, by subdividing the worst one until the largest
+ * distance is known to a factor of 5/4.
+ * @{ */
+
+/** \brief Encloses the largest distance sup |f(t) - g(t)| of two splines over their domain, both limits at
+ * jumps included. Degrees, knots and weights may differ, and either may be periodic or rational; axes,
+ * dimension and domains have to agree. at_least <= sup <= at_most, both proven; at_most <= 5/4 at_least beside
+ * rounding, unless that takes more than 600 subdivisions. Where weights of both signs do not let a denominator
+ * be shown to have no zero, at_most is infinite.
+ * \param[in] f,g two splines.
+ * \param[out] at_least a distance that is reached, or NULL.
+ * \param[out] at_most one that is not exceeded, or NULL.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _OVERFLOW; _INCOMPATIBLE if axes, dimensions or domains differ,
+ *   _NOT_REPRESENTABLE if a coefficient overflows.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_deviation(const nurbs *f, const nurbs *g, double *at_least, double *at_most);
+
+/** \brief Removes copies of a knot as long as the shape moves by at most a tolerance (Tiller 1992). Only the
+ * degree - multiplicity layers around the knot change; the residual of their equations is spread evenly, and
+ * they are solved from the side on which every division is by 1/2 at least, homogeneous points when rational.
+ * Of a knot of multiplicity degree + 1, at which the spline may jump, both sides become their mean. On a
+ * periodic axis the copies a period away go too; the last copy of a knot at the seam stays, and so does a
+ * knot of an axis with no more than degree - multiplicity + 1 distinct layers. A copy whose removal would give
+ * a weight that is negative, or all weights 0, stays. Unless weights differ much, what nurbs_insert_knot() put
+ * in goes again, and points return, within (20 * 2^p + 80 * sum over axes of p_k + 1) eps * hull (tested).
+ * \param[in] g a spline.
+ * \param[in] axis 0-based axis.
+ * \param[in] knot the knot, inside the domain; on a periodic axis its ends too if they occur twice.
+ * \param[in] times how often at most.
+ * \param[in] tolerance largest distance from g, >= 0, may be infinite.
+ * \param[out] removed how often, or NULL.
+ * \param[out] bound proven bound of the distance from g, at most the tolerance, or NULL; 0 if nothing was
+ *   removed.
+ * \param[out] out the new handle.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN, _TIMES, _TOLERANCE,
+ *   _OVERFLOW; _NOT_A_KNOT if there is no such knot, _END_KNOT if it is an end of the domain;
+ *   _PERIODIC_KNOTS as for nurbs_elevate(); _NOT_REPRESENTABLE if a point overflows.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_remove_knot(const nurbs *g, int32_t axis, double knot, int32_t times,
+                                         double tolerance, int32_t *removed, double *bound, nurbs **out);
+
+/** \brief Removes as many knots inside the domain as a tolerance allows (Lyche & Morken 1988; Piegl & Tiller
+ * A9.8): always the one whose removal moves the shape least, with the moves added up span by span. The result
+ * is certified against g, the moves it measures take the place of the sums, and the removal goes on until
+ * nothing more goes. Ends of the domain stay knots, clamped ends keep their points bit for bit, and so do the
+ * derivatives there within the tolerance only. The knots chosen do not change when points and tolerance are
+ * multiplied by a power of two.
+ * \param[in] g a spline.
+ * \param[in] axis 0-based axis, or -1 for every one, in their order, with an even share of the tolerance.
+ * \param[in] tolerance largest distance from g, >= 0, may be infinite.
+ * \param[out] bound proven bound of the distance from g, at most the tolerance, or NULL; 0 if nothing was
+ *   removed.
+ * \param[out] out the new handle.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _TOLERANCE, _OVERFLOW; _PERIODIC_KNOTS as for nurbs_elevate();
+ *   _NOT_REPRESENTABLE if a point overflows.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_reduce_knots(const nurbs *g, int32_t axis, double tolerance, double *bound,
+                                          nurbs **out);
+
+/** \brief Lowers the degree along an axis. The result has the same distinct knots, each `times` less often but
+ * at least once, and its control points raised back to the degree of g are the closest to those of g: least
+ * squares of coefficients (Lutterkort, Peters & Reif 1999), homogeneous points when rational, by a banded QR
+ * factorisation. The ends of the shape are kept bit for bit, unless the degree becomes 0. Unclamped ends are
+ * clamped first, a periodic axis stays periodic. What nurbs_elevate() made comes back to within 2^p * 8 eps *
+ * hull, p the degree of the result (tested).
+ * \param[in] g a spline.
+ * \param[in] axis 0-based axis.
+ * \param[in] times by how much; 0 gives the same spline.
+ * \param[out] bound proven bound of the distance from g, or NULL.
+ * \param[out] out the new handle.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _TIMES, _OVERFLOW; _DEGREE if times exceeds the degree,
+ *   _WEIGHT_SIGN if g has positive weights and the result would not; _PERIODIC_KNOTS as for
+ *   nurbs_elevate(); _NOT_REPRESENTABLE if a point overflows.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_reduce_degree(const nurbs *g, int32_t axis, int32_t times, double *bound,
+                                           nurbs **out);
+
+/** \brief The simplest spline within a tolerance: weights are dropped if they may be, the degree of each axis
+ * is lowered as far as nurbs_reduce_degree() stays within, and knots are removed by nurbs_reduce_knots().
+ * \param[in] g a spline.
+ * \param[in] tolerance largest distance from g, >= 0, may be infinite.
+ * \param[out] bound proven bound of the distance from g, at most the tolerance, or NULL; 0 if nothing changed.
+ * \param[out] out the new handle.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _TOLERANCE, _OVERFLOW; _PERIODIC_KNOTS as for nurbs_elevate();
+ *   _NOT_REPRESENTABLE if a point overflows.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_simplify(const nurbs *g, double tolerance, double *bound, nurbs **out);
 /** @} */
 
 /** \defgroup transform Transformations

@@ -22,6 +22,7 @@
 #include <nurbs/cpp/list.hpp>
 #include <nurbs/cpp/parts.hpp>
 #include <nurbs/cpp/projections.hpp>
+#include <nurbs/cpp/reduce.hpp>
 #include <nurbs/cpp/segments.hpp>
 #include <nurbs/cpp/spline.hpp>
 #include <nurbs/cpp/status.hpp>

@@ -5,6 +5,7 @@
 #include <hwy/foreach_target.h>
 
 #include "base/twin-inl.h"
+#include "basis/binomial.h"
 #include "basis/pieces.h"
 
 #include <algorithm>
@@ -84,14 +85,6 @@ private:
     Number behind_[kMost][kMost]; // the part of the support before the middle
     Number ahead_[kMost][kMost];
 };
-
-double binomial(int n, int k) {
-    double value = 1;
-    for (int i = 0; i < k; ++i) {
-        value = value * (n - i) / (i + 1);
-    }
-    return value;
-}
 
 // Lane l of the coefficients to the pieces of span l.
 template <class D>

@@ -1,5 +1,6 @@
 #include "query/curve_side.h"
 
+#include "basis/binomial.h"
 #include "basis/bspline.h"
 #include "spline/contract.h"
 
@@ -33,14 +34,6 @@ std::vector<double> sizes_of(const KnotVector &axis, int64_t span, int order, do
         sizes[static_cast<size_t>(k)] = *std::max_element(magnitudes, magnitudes + p - k + 1);
     }
     return sizes;
-}
-
-double binomial(int n, int k) noexcept {
-    double result = 1;
-    for (int i = 1; i <= k; ++i) {
-        result = result * (n - k + i) / i;
-    }
-    return result;
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 #include "refine/continuation.h"
 
+#include "basis/binomial.h"
 #include "basis/bspline.h"
 #include "refine/cut.h"
 #include "refine/parametrization.h"
@@ -22,14 +23,6 @@ void add_continued_row(const KnotVector &axis, int64_t shared_first, int64_t sha
 }
 
 namespace {
-
-double binomial(int n, int k) noexcept {
-    double result = 1; // of integers below 2^53: exact
-    for (int i = 1; i <= k; ++i) {
-        result = result * (n - k + i) / i;
-    }
-    return result;
-}
 
 // Control points s of a piece of degree p over [b, e] of which the first order + 1 are known: those of the
 // polynomial of degree `order`, whose higher differences vanish. By Lagrange's formula tau_s = sum (-1)^(order-j)

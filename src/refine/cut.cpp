@@ -8,21 +8,18 @@
 namespace nrb {
 
 std::vector<double> saturated(const KnotVector &axis, std::span<const double> breaks) {
-    std::vector<double> missing;
-    missing.reserve(breaks.size() * (static_cast<size_t>(axis.degree()) + 1));
-    int64_t i = 0; // the first knot that is not below
+    const std::span<const double> knots = axis.knots();
+    std::vector<double> fine;
+    fine.reserve(knots.size() + breaks.size() * (static_cast<size_t>(axis.degree()) + 1));
+    auto from = knots.begin();
     for (const double knot : breaks) {
-        while (axis[i] < knot) {
-            ++i;
-        }
-        int64_t last = i;
-        while (last < std::ssize(axis.knots()) && axis[last] == knot) {
-            ++last;
-        }
-        missing.insert(missing.end(), static_cast<size_t>(axis.degree() + 1 - (last - i)), knot);
-        i = last;
+        const auto first = std::find_if(from, knots.end(), [knot](double t) { return t >= knot; });
+        fine.insert(fine.end(), from, first);
+        fine.insert(fine.end(), static_cast<size_t>(axis.degree()) + 1, knot);
+        from = std::find_if(first, knots.end(), [knot](double t) { return t > knot; });
     }
-    return merged(axis.knots(), missing);
+    fine.insert(fine.end(), from, knots.end());
+    return fine;
 }
 
 namespace {

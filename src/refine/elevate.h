@@ -5,8 +5,8 @@
 
 namespace nrb {
 
-// The axis with its degree raised, and the table for all stored layers. Precondition: 0 < times <=
-// NURBS_MAX_DEGREE - degree.
+// The axis with its degree raised, and the table for all stored layers. Throws NURBS_ERROR_PERIODIC_KNOTS,
+// _NOT_REPRESENTABLE. Precondition: 0 < times <= NURBS_MAX_DEGREE - degree.
 AxisTable elevate_axis(const KnotVector &axis, int64_t times);
 
 // The same shape with the degree of an axis raised by `times`. The tables of the steps are composed and

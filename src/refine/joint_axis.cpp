@@ -8,14 +8,6 @@
 
 namespace nrb {
 
-double binomial(int n, int k) noexcept {
-    double result = 1;
-    for (int i = 1; i <= k; ++i) {
-        result = result * (n - k + i) / i; // exact: a binomial at each step, below 2^53
-    }
-    return result;
-}
-
 namespace {
 
 // Copies of a knot before place `index`, itself one of them, and those behind.

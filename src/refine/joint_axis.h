@@ -10,6 +10,7 @@
 // control points with factors in [0, 1].
 #pragma once
 
+#include "basis/binomial.h"
 #include "basis/bspline.h"
 #include "basis/knot_vector.h"
 #include "spline/layer_table.h"
@@ -106,8 +107,6 @@ private:
 // number of copies of each group, and in how many ways they can be picked.
 template <class Body>
 void for_each_choice(const JointAxis::Window &window, int total, Body &&body);
-
-double binomial(int n, int k) noexcept;
 
 namespace detail {
 

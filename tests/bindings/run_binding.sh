@@ -28,9 +28,9 @@ run_fortran() {
     local compiler=${FC:-gfortran} module objects=()
     need "$compiler"
     local flags=(-std=f2018 -O2 -Wall -Wextra -Wno-compare-reals -Werror)
-    for module in nurbs_constants nurbs_c nurbs_support nurbs_handles nurbs_splines nurbs_frames nurbs_calculus nurbs_lists \
-        nurbs_compatible nurbs_continuities nurbs_continuation \
-        nurbs_projections nurbs_segments nurbs; do
+    for module in nurbs_constants nurbs_c nurbs_support nurbs_handles nurbs_splines nurbs_frames nurbs_calculus \
+        nurbs_reduction nurbs_lists nurbs_compatible nurbs_continuities nurbs_continuation nurbs_projections \
+        nurbs_segments nurbs; do
         "$compiler" "${flags[@]}" -J"$work" -c "$bindings/fortran/$module.f90" -o "$work/$module.o"
         objects+=("$work/$module.o")
     done

@@ -176,6 +176,18 @@ static void segments() {
             std::vector<double>{1, 0, -1, 1}));
 }
 
+static void reduction() {
+    const Spline g = circle();
+    const auto back = libnurbs::remove_knot(g.insert_knot(0, 0.3, 2), 0, 0.3, 5, 1e-12);
+    EXPECT(back.removed == 2 && back.spline.count(0) == 9 && back.bound <= 1e-12);
+    EXPECT(libnurbs::deviation(g, back.spline).upper <= 1e-12);
+    EXPECT(libnurbs::reduce_knots(g.refine_uniform(0, 3), -1, 1e-12).spline.count(0) == 9);
+    EXPECT(libnurbs::reduce_degree(g.elevate(0, 1), 0, 1).spline.count(0) == 9);
+    EXPECT(libnurbs::simplify(g.elevate(0, 1), 1e-12).spline.degree(0) == 2);
+    EXPECT(error_of([&] { (void)libnurbs::remove_knot(g, 0, 0.3, 1, 1); }).status() ==
+           libnurbs::Status::not_a_knot);
+}
+
 static void insertion_keeps_the_circle() {
     const auto params = samples();
     const Spline before = circle(), after = before.insert_knot(0, 0.3, 2);
@@ -309,6 +321,7 @@ int main() {
     beyond_the_ends();
     images_in_a_plane();
     segments();
+    reduction();
     arrays_of_any_layout();
     values_of_a_handle();
     inspection();

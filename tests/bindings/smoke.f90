@@ -18,6 +18,7 @@ program smoke
     call beyond_the_ends()
     call images_in_a_plane()
     call segments()
+    call reduction()
     call surfaces()
     call data_derivatives()
     call frames()
@@ -255,6 +256,29 @@ contains
         call expect(nurbs_basis_matrix(NURBS_BASIS_BERNSTEIN, NURBS_BASIS_POWER, 1, 4_c_int64_t, m) == NURBS_OK, 'a basis')
         call expect(all(m == [1, 0, -1, 1]), 'its matrix')
     end subroutine segments
+
+    subroutine reduction()
+        type(nurbs_spline) :: g, more, made
+        integer(c_int32_t) :: code, removed
+        real(c_double) :: bound, upper
+        call make_circle(g)
+        call g%refine(1, [0.3_c_double, 0.3_c_double], more)
+        call remove_knot(more, 1, 0.3_c_double, 5, 1e-12_c_double, made, removed, bound)
+        call expect(made%count(1) == 9, 'a knot removed')
+        call expect(removed == 2 .and. bound <= 1e-12_c_double, 'twice')
+        call deviation(g, made, at_most=upper)
+        call expect(upper <= 1e-12_c_double, 'as it was')
+        call g%refine_uniform(1, 3, more)
+        call reduce_knots(more, 0, 1e-12_c_double, made)
+        call expect(made%count(1) == 9, 'knots removed')
+        call g%elevate(1, 1, more)
+        call reduce_degree(more, 1, 1, made)
+        call expect(made%count(1) == 9, 'degree lowered')
+        call simplify(more, 1e-12_c_double, made)
+        call expect(made%count(1) == 9, 'simplified')
+        call remove_knot(g, 1, 0.3_c_double, 1, 1.0_c_double, made, status=code)
+        call expect(code == NURBS_ERROR_NOT_A_KNOT, 'no knot')
+    end subroutine reduction
 
     ! z = u v over the unit square.
     subroutine surfaces()

@@ -124,6 +124,18 @@ class Evaluation(unittest.TestCase):
         same(g.eval(1), [1, 1])
         same(nurbs.basis_matrix(nurbs.NURBS_BASIS_BERNSTEIN, nurbs.NURBS_BASIS_POWER, 1), [[1, 0], [-1, 1]])
 
+    def test_reduction(self):
+        g = circle()
+        back = nurbs.remove_knot(g.insert_knot(0.3, times=2), 0.3, times=5, tolerance=1e-12)
+        self.assertEqual((back.removed, back.spline.count()), (2, 9))
+        self.assertLessEqual(nurbs.deviation(g, back.spline).upper, 1e-12)
+        self.assertEqual(nurbs.reduce_knots(g.refine_uniform(3), 1e-12).spline.count(), 9)
+        self.assertEqual(nurbs.reduce_degree(g.elevate(1)).spline.count(), 9)
+        self.assertLessEqual(nurbs.simplify(g.elevate(1), 1e-12).bound, 1e-12)
+        with self.assertRaises(nurbs.NurbsError) as raised:
+            nurbs.remove_knot(g, 0.3)
+        self.assertEqual(raised.exception.status, nurbs.NURBS_ERROR_NOT_A_KNOT)
+
     def test_derivative_of_a_product(self):
         derivs = patch().eval_derivs([[0.25, 0.5]], order=2)
         self.assertEqual(derivs.shape, (1, 6, 3))

@@ -179,6 +179,18 @@ fn segments() -> Result<()> {
     Ok(())
 }
 
+fn reduction() -> Result<()> {
+    let g = circle()?;
+    let back = g.insert_knot(0, 0.3, 2)?.remove_knot(0, 0.3, 5, 1e-12)?;
+    assert_eq!((back.removed, back.spline.count(0)?), (2, 9));
+    assert!(back.bound <= 1e-12 && g.deviation(&back.spline)?.1 <= 1e-12);
+    assert_eq!(g.refine_uniform(0, 3)?.reduce_knots(-1, 1e-12)?.spline.count(0)?, 9);
+    assert_eq!(g.elevate(0, 1)?.reduce_degree(0, 1)?.spline.count(0)?, 9);
+    assert_eq!(g.elevate(0, 1)?.simplify(1e-12)?.spline.degree(0)?, 2);
+    assert_eq!(g.remove_knot(0, 0.3, 1, 1.0).err().map(|e| e.status), Some(sys::NURBS_ERROR_NOT_A_KNOT));
+    Ok(())
+}
+
 fn strided_arrays() -> Result<()> {
     let (t, n) = (params(), 1001);
     let expected = circle()?.eval(&t, 0)?;
@@ -292,6 +304,7 @@ fn main() -> Result<()> {
     beyond_the_ends()?;
     images_in_a_plane()?;
     segments()?;
+    reduction()?;
     strided_arrays()?;
     inspection()?;
     constructors_agree()?;

@@ -317,6 +317,17 @@ const Case cases[] = {
          const nurbs *splines[] = {in.curve, in.loop};
          return nurbs_make_compatible(2, splines, 0.01, NURBS_MAP_DOMAINS, nullptr, &o.list);
      }},
+    {"deviation",
+     [](Inputs &in, Output &) { return nurbs_deviation(in.surface, in.surface, in.values, in.values + 1); }},
+    {"remove_knot",
+     [](Inputs &in, Output &o) {
+         return nurbs_remove_knot(in.curve, 0, 0.5, 1, 9, nullptr, nullptr, &o.out);
+     }},
+    {"remove_knot periodic",
+     [](Inputs &in, Output &o) { return nurbs_remove_knot(in.loop, 0, 3, 1, 9, nullptr, nullptr, &o.out); }},
+    {"reduce_knots", [](Inputs &in, Output &o) { return nurbs_reduce_knots(in.curve, -1, 9, nullptr, &o.out); }},
+    {"reduce_degree", [](Inputs &in, Output &o) { return nurbs_reduce_degree(in.loop, 0, 1, nullptr, &o.out); }},
+    {"simplify", [](Inputs &in, Output &o) { return nurbs_simplify(in.curve, 9, nullptr, &o.out); }},
     {"decompose", [](Inputs &in, Output &o) { return nurbs_decompose(in.surface, &o.list); }},
     {"split_at_knots", [](Inputs &in, Output &o) { return nurbs_split_at_knots(in.curve, 0, 1, &o.list); }},
     {"split",

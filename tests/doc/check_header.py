@@ -14,9 +14,9 @@ from dataclasses import dataclass, field
 HANDLES = ("nurbs", "nurbs_list")
 STRUCTS = ("nurbs_read_options",)
 # Pointers to one value that is written; arrays have names in the plural.
-SINGLE_RESULTS = ("angle", "axes", "count", "curvature_gap", "degree", "deviation", "dim", "entity_type", "entries",
-                  "form", "gap", "geometric", "length", "line", "metres", "order", "periodic", "position_gap", "rational", "reason",
-                  "slots")
+SINGLE_RESULTS = ("angle", "at_least", "at_most", "axes", "bound", "count", "curvature_gap", "degree", "deviation",
+                  "dim", "entity_type", "entries", "form", "gap", "geometric", "length", "line", "metres", "order",
+                  "periodic", "position_gap", "rational", "reason", "removed", "slots")
 
 
 @dataclass

@@ -12,7 +12,7 @@
 !>   an operation must be another variable than its operand.
 !>
 !> Order of compilation: nurbs_constants, nurbs_c, nurbs_support, nurbs_handles, nurbs_splines, nurbs_frames,
-!> nurbs_calculus, nurbs_lists, nurbs_compatible, nurbs_continuities,
+!> nurbs_calculus, nurbs_reduction, nurbs_lists, nurbs_compatible, nurbs_continuities,
 !> nurbs_continuation, nurbs_projections, nurbs_segments, nurbs.
 module nurbs
     use nurbs_constants ! statuses, flags and limits
@@ -27,6 +27,7 @@ module nurbs
     use nurbs_continuation
     use nurbs_projections
     use nurbs_segments
+    use nurbs_reduction
     implicit none
     public
 end module nurbs

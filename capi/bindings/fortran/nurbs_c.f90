@@ -780,6 +780,47 @@ module nurbs_c
             real(c_double), intent(inout), optional :: position_gap, angle, curvature_gap
             integer(c_int32_t) :: r
         end function nurbs_continuity_between
+        function nurbs_deviation(f, g, at_least, at_most) bind(c) result(r)
+            import
+            type(c_ptr), value :: f, g
+            real(c_double), intent(inout), optional :: at_least, at_most
+            integer(c_int32_t) :: r
+        end function nurbs_deviation
+        function nurbs_remove_knot(g, axis, knot, times, tolerance, removed, bound, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int32_t), value :: axis, times
+            real(c_double), value :: knot, tolerance
+            integer(c_int32_t), intent(inout), optional :: removed
+            real(c_double), intent(inout), optional :: bound
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_remove_knot
+        function nurbs_reduce_knots(g, axis, tolerance, bound, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int32_t), value :: axis
+            real(c_double), value :: tolerance
+            real(c_double), intent(inout), optional :: bound
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_reduce_knots
+        function nurbs_reduce_degree(g, axis, times, bound, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int32_t), value :: axis, times
+            real(c_double), intent(inout), optional :: bound
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_reduce_degree
+        function nurbs_simplify(g, tolerance, bound, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            real(c_double), value :: tolerance
+            real(c_double), intent(inout), optional :: bound
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_simplify
         function nurbs_collocation(axes, degrees, counts, knots, knot_count, orders, n, params, param_stride, &
             param_component_stride, cap, values, columns, row_pointers, entries, flags) bind(c) result(r)
             import

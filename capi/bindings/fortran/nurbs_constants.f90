@@ -45,6 +45,8 @@ module nurbs_constants
     integer(c_int32_t), parameter :: NURBS_ERROR_OPTIONS = 27
     integer(c_int32_t), parameter :: NURBS_ERROR_INDEX = 28
     integer(c_int32_t), parameter :: NURBS_ERROR_DIRECTION = 29
+    integer(c_int32_t), parameter :: NURBS_ERROR_END_KNOT = 30
+    integer(c_int32_t), parameter :: NURBS_ERROR_NOT_A_KNOT = 31
     integer(c_int32_t), parameter :: NURBS_ERROR_MATRIX = 32
     integer(c_int32_t), parameter :: NURBS_ERROR_RATIONAL = 33
     integer(c_int32_t), parameter :: NURBS_ERROR_INCOMPATIBLE = 40
@@ -56,6 +58,7 @@ module nurbs_constants
     integer(c_int32_t), parameter :: NURBS_ERROR_PERIODIC = 48
     integer(c_int32_t), parameter :: NURBS_ERROR_END = 49
     integer(c_int32_t), parameter :: NURBS_ERROR_BASIS = 50
+    integer(c_int32_t), parameter :: NURBS_ERROR_WEIGHT_SIGN = 47
     integer(c_int32_t), parameter :: NURBS_ERROR_OUTSIDE_DOMAIN = 100
     integer(c_int32_t), parameter :: NURBS_ERROR_NOT_REPRESENTABLE = 200
     integer(c_int32_t), parameter :: NURBS_ERROR_KNOTS_MERGE = 202

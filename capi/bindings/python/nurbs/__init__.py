@@ -34,4 +34,6 @@ from .linear import (Gradients, bezier_extraction, collocation, eval_adjoint, ra
 from .parts import Joined, decompose, join, split_at_knots
 from .projections import mirror, project_from, project_to_plane
 from .segments import basis_matrix, create_hermite
+from .reduce import (Deviation, KnotRemoval, Reduced, deviation, reduce_degree, reduce_knots, remove_knot,
+                     simplify)
 from .spline import Spline, derivative_slots

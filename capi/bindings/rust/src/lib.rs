@@ -28,6 +28,7 @@ mod list;
 mod parts;
 mod projections;
 mod segments;
+mod reduce;
 mod spline;
 pub mod sys;
 
@@ -45,6 +46,7 @@ pub use linear::{collocation, Extraction, Gradients, GradientsMut, SparseMatrix}
 pub use list::{List, Note, ReadOptions};
 pub use parts::{join, Joined};
 pub use segments::basis_matrix;
+pub use reduce::{KnotRemoval, Reduced};
 pub use spline::{derivative_slots, DistinctKnots, Spline};
 
 /// The bits `flags` moved to those of `axis`: the macro `NURBS_ON_AXIS`.

@@ -67,6 +67,8 @@ pub const NURBS_ERROR_TIMES: nurbs_status = 26;
 pub const NURBS_ERROR_OPTIONS: nurbs_status = 27;
 pub const NURBS_ERROR_INDEX: nurbs_status = 28;
 pub const NURBS_ERROR_DIRECTION: nurbs_status = 29;
+pub const NURBS_ERROR_END_KNOT: nurbs_status = 30;
+pub const NURBS_ERROR_NOT_A_KNOT: nurbs_status = 31;
 pub const NURBS_ERROR_MATRIX: nurbs_status = 32;
 pub const NURBS_ERROR_RATIONAL: nurbs_status = 33;
 pub const NURBS_ERROR_INCOMPATIBLE: nurbs_status = 40;
@@ -78,6 +80,7 @@ pub const NURBS_ERROR_FACTOR: nurbs_status = 45;
 pub const NURBS_ERROR_PERIODIC: nurbs_status = 48;
 pub const NURBS_ERROR_END: nurbs_status = 49;
 pub const NURBS_ERROR_BASIS: nurbs_status = 50;
+pub const NURBS_ERROR_WEIGHT_SIGN: nurbs_status = 47;
 pub const NURBS_ERROR_OUTSIDE_DOMAIN: nurbs_status = 100;
 pub const NURBS_ERROR_NOT_REPRESENTABLE: nurbs_status = 200;
 pub const NURBS_ERROR_KNOTS_MERGE: nurbs_status = 202;
@@ -718,6 +721,38 @@ extern "C" {
         gap: *mut f64,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
+    pub fn nurbs_deviation(
+        f: *const nurbs,
+        g: *const nurbs,
+        at_least: *mut f64,
+        at_most: *mut f64,
+    ) -> nurbs_status;
+    pub fn nurbs_remove_knot(
+        g: *const nurbs,
+        axis: i32,
+        knot: f64,
+        times: i32,
+        tolerance: f64,
+        removed: *mut i32,
+        bound: *mut f64,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    pub fn nurbs_reduce_knots(
+        g: *const nurbs,
+        axis: i32,
+        tolerance: f64,
+        bound: *mut f64,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    pub fn nurbs_reduce_degree(
+        g: *const nurbs,
+        axis: i32,
+        times: i32,
+        bound: *mut f64,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    pub fn nurbs_simplify(g: *const nurbs, tolerance: f64, bound: *mut f64, out: *mut *mut nurbs)
+        -> nurbs_status;
     pub fn nurbs_collocation(
         axes: i32,
         degrees: *const i32,

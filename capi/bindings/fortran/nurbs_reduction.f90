@@ -1,0 +1,81 @@
+! SPDX-License-Identifier: MIT
+!> Operations that move the shape, each with a proven bound. Conventions: see the module nurbs.
+module nurbs_reduction
+    use, intrinsic :: iso_c_binding
+    use nurbs_constants
+    use nurbs_c
+    use nurbs_support
+    use nurbs_splines
+    implicit none
+    private
+    public :: deviation, remove_knot, reduce_knots, reduce_degree, simplify
+
+contains
+
+    !> Proven bounds of the largest distance of two splines over the same domain.
+    subroutine deviation(f, g, at_least, at_most, status)
+        class(nurbs_spline), intent(in) :: f, g
+        real(c_double), intent(inout), optional :: at_least, at_most
+        integer(c_int32_t), intent(out), optional :: status
+        call settle(nurbs_deviation(f%handle, g%handle, at_least, at_most), status)
+    end subroutine deviation
+
+    !> Copies of a knot removed, as many as the tolerance allows.
+    subroutine remove_knot(g, axis, knot, times, tolerance, out, removed, bound, status)
+        class(nurbs_spline), intent(in) :: g
+        integer(c_int32_t), intent(in) :: axis, times
+        real(c_double), intent(in) :: knot, tolerance
+        type(nurbs_spline), intent(inout) :: out
+        integer(c_int32_t), intent(inout), optional :: removed
+        real(c_double), intent(inout), optional :: bound
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        type(c_ptr) :: made
+        code = nurbs_remove_knot(g%handle, axis - 1, knot, times, tolerance, removed, bound, made)
+        call out%replace(made)
+        call settle(code, status)
+    end subroutine remove_knot
+
+    !> As few knots as the tolerance allows, on one axis or on every one (0).
+    subroutine reduce_knots(g, axis, tolerance, out, bound, status)
+        class(nurbs_spline), intent(in) :: g
+        integer(c_int32_t), intent(in) :: axis
+        real(c_double), intent(in) :: tolerance
+        type(nurbs_spline), intent(inout) :: out
+        real(c_double), intent(inout), optional :: bound
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        type(c_ptr) :: made
+        code = nurbs_reduce_knots(g%handle, axis - 1, tolerance, bound, made)
+        call out%replace(made)
+        call settle(code, status)
+    end subroutine reduce_knots
+
+    !> The closest spline of lower degree.
+    subroutine reduce_degree(g, axis, times, out, bound, status)
+        class(nurbs_spline), intent(in) :: g
+        integer(c_int32_t), intent(in) :: axis, times
+        type(nurbs_spline), intent(inout) :: out
+        real(c_double), intent(inout), optional :: bound
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        type(c_ptr) :: made
+        code = nurbs_reduce_degree(g%handle, axis - 1, times, bound, made)
+        call out%replace(made)
+        call settle(code, status)
+    end subroutine reduce_degree
+
+    !> The simplest spline within the tolerance.
+    subroutine simplify(g, tolerance, out, bound, status)
+        class(nurbs_spline), intent(in) :: g
+        real(c_double), intent(in) :: tolerance
+        type(nurbs_spline), intent(inout) :: out
+        real(c_double), intent(inout), optional :: bound
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        type(c_ptr) :: made
+        code = nurbs_simplify(g%handle, tolerance, bound, made)
+        call out%replace(made)
+        call settle(code, status)
+    end subroutine simplify
+end module nurbs_reduction

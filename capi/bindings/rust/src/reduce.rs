@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+//! Operations that move the shape, each with a proven bound.
+
+use crate::error::{check, Result};
+use crate::spline::Spline;
+use crate::sys;
+
+/// A spline within `bound` of the one it was made from.
+pub struct Reduced {
+    pub spline: Spline,
+    pub bound: f64,
+}
+
+/// What knot removal gave, and how often the knot went.
+pub struct KnotRemoval {
+    pub spline: Spline,
+    pub removed: i32,
+    pub bound: f64,
+}
+
+/// Reduction.
+impl Spline {
+    /// Proven bounds (lower, upper) of the largest distance of two splines over the same domain.
+    pub fn deviation(&self, other: &Spline) -> Result<(f64, f64)> {
+        let (mut lower, mut upper) = (0.0, 0.0);
+        check(unsafe { sys::nurbs_deviation(self.raw(), other.raw(), &mut lower, &mut upper) })?;
+        Ok((lower, upper))
+    }
+    /// Copies of a knot removed, as many as the tolerance allows.
+    pub fn remove_knot(&self, axis: i32, knot: f64, times: i32, tolerance: f64) -> Result<KnotRemoval> {
+        let (g, mut removed, mut bound) = (self.raw(), 0, 0.0);
+        let spline = Spline::made(|out| unsafe {
+            sys::nurbs_remove_knot(g, axis, knot, times, tolerance, &mut removed, &mut bound, out)
+        })?;
+        Ok(KnotRemoval { spline, removed, bound })
+    }
+    /// As few knots as the tolerance allows, on one axis or on every one (-1).
+    pub fn reduce_knots(&self, axis: i32, tolerance: f64) -> Result<Reduced> {
+        let mut bound = 0.0;
+        let spline = Spline::made(|out| unsafe {
+            sys::nurbs_reduce_knots(self.raw(), axis, tolerance, &mut bound, out)
+        })?;
+        Ok(Reduced { spline, bound })
+    }
+    /// The closest spline of lower degree.
+    pub fn reduce_degree(&self, axis: i32, times: i32) -> Result<Reduced> {
+        let mut bound = 0.0;
+        let spline = Spline::made(|out| unsafe {
+            sys::nurbs_reduce_degree(self.raw(), axis, times, &mut bound, out)
+        })?;
+        Ok(Reduced { spline, bound })
+    }
+    /// The simplest spline within the tolerance.
+    pub fn simplify(&self, tolerance: f64) -> Result<Reduced> {
+        let mut bound = 0.0;
+        let spline =
+            Spline::made(|out| unsafe { sys::nurbs_simplify(self.raw(), tolerance, &mut bound, out) })?;
+        Ok(Reduced { spline, bound })
+    }
+}

@@ -1,0 +1,76 @@
+// Operations that move the shape by no more than a proven bound.
+#include "checks.h"
+#include "guard.h"
+
+#include "bounds/deviation.h"
+#include "reduce/reduce_degree.h"
+#include "reduce/remove_knot.h"
+#include "reduce/simplify.h"
+
+using namespace nrb;
+using namespace nrb::capi;
+
+namespace {
+
+template <class T>
+void put(T value, T *target) noexcept {
+    if (target != nullptr) {
+        *target = value;
+    }
+}
+
+void give_reduced(Reduced result, double *bound, nurbs **out) {
+    give(std::move(result.spline), out);
+    put(result.bound, bound);
+}
+
+} // namespace
+
+nurbs_status nurbs_deviation(const nurbs *f, const nurbs *g, double *at_least, double *at_most) {
+    return guard([&] {
+        require(f, "f");
+        require(g, "g");
+        const Enclosure found = deviation(*f->spline, *g->spline);
+        put(found.lower, at_least);
+        put(found.upper, at_most);
+    });
+}
+
+nurbs_status nurbs_remove_knot(const nurbs *g, int32_t axis, double knot, int32_t times, double tolerance,
+                               int32_t *removed, double *bound, nurbs **out) {
+    return guard([&] {
+        require_out(out);
+        check_axis(spline_of(g), axis);
+        const KnotRemoval result = remove_knot(g->spline, axis, knot, times, tolerance);
+        give(result.spline, out);
+        put(static_cast<int32_t>(result.removed), removed);
+        put(result.bound, bound);
+    });
+}
+
+nurbs_status nurbs_reduce_knots(const nurbs *g, int32_t axis, double tolerance, double *bound, nurbs **out) {
+    return guard([&] {
+        require_out(out);
+        require(g, "g");
+        if (axis != -1) {
+            check_axis(*g->spline, axis);
+        }
+        give_reduced(reduce_knots(g->spline, axis, tolerance), bound, out);
+    });
+}
+
+nurbs_status nurbs_reduce_degree(const nurbs *g, int32_t axis, int32_t times, double *bound, nurbs **out) {
+    return guard([&] {
+        require_out(out);
+        check_axis(spline_of(g), axis);
+        give_reduced(reduce_degree(g->spline, axis, times), bound, out);
+    });
+}
+
+nurbs_status nurbs_simplify(const nurbs *g, double tolerance, double *bound, nurbs **out) {
+    return guard([&] {
+        require_out(out);
+        require(g, "g");
+        give_reduced(simplify(g->spline, tolerance), bound, out);
+    });
+}

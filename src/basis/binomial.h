@@ -1,0 +1,13 @@
+// Binomial coefficients as the degrees of products need them.
+#pragma once
+
+#include <nurbs/nurbs.h>
+
+namespace nrb {
+
+inline constexpr int max_product_degree = 2 * NURBS_MAX_DEGREE;
+
+// n over k, exact below 2^53, rounded once above. Precondition: 0 <= k <= n <= max_product_degree.
+double binomial(int n, int k) noexcept;
+
+} // namespace nrb

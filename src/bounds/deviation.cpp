@@ -1,0 +1,254 @@
+#include "bounds/deviation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <iterator>
+#include <limits>
+
+namespace nrb {
+
+namespace {
+
+constexpr double eps = std::numeric_limits<double>::epsilon();
+
+void check_comparable(const Spline &f, const Spline &g) {
+    if (f.axes() != g.axes() || f.dim() != g.dim()) {
+        fail(NURBS_ERROR_INCOMPATIBLE, "g: %d axes in dimension %d, expected %d in %d as in f", g.axes(),
+             g.dim(), f.axes(), f.dim());
+    }
+    for (int k = 0; k < f.axes(); ++k) {
+        const Interval a = f.axis(k).domain(), b = g.axis(k).domain();
+        if (a.lower != b.lower || a.upper != b.upper) {
+            fail(NURBS_ERROR_INCOMPATIBLE, "g: domain [%s, %s] of axis %d, expected [%s, %s] as in f",
+                 Number(b.lower).text, Number(b.upper).text, k, Number(a.lower).text, Number(a.upper).text);
+        }
+    }
+}
+
+// The knots of both in an interval, with its ends.
+std::vector<double> common_breaks(const KnotVector &f, const KnotVector &g, Interval part) {
+    std::vector<double> breaks{part.lower, part.upper};
+    const auto inside = [part](double t) { return t > part.lower && t < part.upper; };
+    std::copy_if(f.knots().begin(), f.knots().end(), std::back_inserter(breaks), inside);
+    std::copy_if(g.knots().begin(), g.knots().end(), std::back_inserter(breaks), inside);
+    std::sort(breaks.begin(), breaks.end());
+    breaks.erase(std::unique(breaks.begin(), breaks.end()), breaks.end());
+    return breaks;
+}
+
+// The middle of the control points' box; the origin for points that have no Cartesian place.
+std::vector<double> centre_of(const Spline &f) {
+    const auto dim = static_cast<size_t>(f.dim());
+    std::vector<double> centre(dim);
+    if (f.form() == Form::homogeneous) {
+        return centre;
+    }
+    for (size_t c = 0; c < dim; ++c) {
+        double low = f.points()[c], high = low;
+        for (size_t i = c; i < f.points().size(); i += dim) {
+            low = std::min(low, f.points()[i]);
+            high = std::max(high, f.points()[i]);
+        }
+        centre[c] = low / 2 + high / 2;
+    }
+    return centre;
+}
+
+int weight_exponent(const Spline &spline) {
+    double largest = 0;
+    for (int64_t i = 0; i < spline.point_count(); ++i) {
+        largest = std::max(largest, std::abs(spline.weight(i)));
+    }
+    return std::ilogb(largest);
+}
+
+double largest_magnitude(const double *x, int64_t n) noexcept {
+    double largest = 0;
+    for (int64_t i = 0; i < n; ++i) {
+        largest = std::max(largest, std::abs(x[i]));
+    }
+    return largest;
+}
+
+} // namespace
+
+// What both nets have in common.
+struct DeviationPieces::Setting {
+    BernsteinNet::Breaks breaks;
+    std::array<int, max_axes> degrees{};
+    std::vector<double> centre;
+    bool weighted = false;
+    int f_exponent = 0;
+    int g_exponent = 0;
+
+    Setting(const Spline &f, const Spline &g, int axis, Interval part) : centre(centre_of(f)) {
+        check_comparable(f, g);
+        for (int k = 0; k < f.axes(); ++k) {
+            const auto at = static_cast<size_t>(k);
+            breaks[at] = common_breaks(f.axis(k), g.axis(k), k == axis ? part : f.axis(k).domain());
+            degrees[at] = std::max(f.axis(k).degree(), g.axis(k).degree());
+        }
+        weighted = f.rational() || g.rational();
+        f_exponent = weight_exponent(f);
+        g_exponent = weight_exponent(g);
+        if (std::abs(f_exponent - g_exponent) <= 1) { // so that equal weights stay equal
+            g_exponent = f_exponent;
+        }
+    }
+};
+
+DeviationPieces::DeviationPieces(const Spline &f, const Spline &g, const Setting &setting)
+    : breaks_(setting.breaks), f_(f, centred_records(f, setting.centre, setting.weighted, setting.f_exponent),
+                                  breaks_, setting.degrees),
+      g_(g, centred_records(g, setting.centre, setting.weighted, setting.g_exponent), breaks_,
+         setting.degrees) {}
+
+DeviationPieces::DeviationPieces(const Spline &f, const Spline &g)
+    : DeviationPieces(f, g, Setting(f, g, -1, {})) {}
+
+DeviationPieces::DeviationPieces(const Spline &f, const Spline &g, int axis, Interval part)
+    : DeviationPieces(f, g, Setting(f, g, axis, part)) {}
+
+namespace {
+
+// One piece of both splines, and the sizes that its errors are counted in.
+class Difference {
+public:
+    Difference(const BernsteinNet &f, const BernsteinNet &g, int64_t piece)
+        : f_(f), g_(g), size_(std::max(f.size(piece), g.size(piece))), vector_(f.shape()),
+          scalar_(f.shape()) {
+        vector_.width -= f.weighted() ? 1 : 0;
+        scalar_.width = 1;
+        w_.resize(f.weighted() ? static_cast<size_t>(scalar_.values()) : 0);
+        v_ = w_;
+        a_.resize(static_cast<size_t>(vector_.values()));
+        b_.resize(a_.size());
+        f.copy(piece, a_.data(), w_.data());
+        g.copy(piece, b_.data(), v_.data());
+    }
+
+    void fill(QuotientPiece &out) {
+        for (size_t i = 0; i < a_.size(); ++i) {
+            a_[i] -= b_[i];
+        }
+        const bool relative = f_.positive() && g_.positive();
+        if (w_.empty() || (relative && w_ == v_)) {
+            return fill_alike(out);
+        }
+        measure();
+        fill_products(out);
+        relative &&std::isfinite(ratio_) ? add_relative_errors(out) : add_absolute_errors(out);
+    }
+
+private:
+    // (A - B) / w, where w* and v* may differ by their errors.
+    void fill_alike(QuotientPiece &out) {
+        out.shape = vector_;
+        out.numerators = std::move(a_);
+        out.denominators = std::move(w_);
+        const double gamma = f_.error() + g_.error();
+        out.quotient_error = size_ * gamma * (out.denominators.empty() ? 1.01 : 2.02);
+        out.denominator_factor = out.denominators.empty() ? 0 : f_.error() * 1.01;
+        double largest = 0;
+        for (size_t i = 0; i < out.numerators.size(); ++i) {
+            const double w =
+                out.denominators.empty() ? 1 : out.denominators[i / static_cast<size_t>(vector_.width)];
+            largest = w > 0 ? std::max(largest, std::abs(out.numerators[i]) / w) : largest;
+        }
+        out.quotient_error += eps * largest * std::sqrt(vector_.width);
+    }
+
+    // The largest |A - B| / w, |w - v| / w and v / w; a weight of 0 in one spline only makes them infinite.
+    void measure() {
+        e_.resize(w_.size());
+        for (size_t i = 0; i < w_.size(); ++i) {
+            e_[i] = w_[i] - v_[i];
+            if (w_[i] == 0 && v_[i] == 0) {
+                continue;
+            }
+            const auto width = static_cast<size_t>(vector_.width);
+            const double step = largest_magnitude(a_.data() + i * width, vector_.width);
+            ratio_ = std::max(ratio_, v_[i] / w_[i]);
+            points_apart_ = std::max(points_apart_, step * std::sqrt(vector_.width) / w_[i]);
+            weights_apart_ = std::max(weights_apart_, std::abs(e_[i]) / w_[i]);
+        }
+    }
+
+    void fill_products(QuotientPiece &out) {
+        out.shape = product_shape(vector_, scalar_);
+        out.numerators.resize(static_cast<size_t>(out.shape.values()));
+        out.denominators.resize(static_cast<size_t>(product_shape(scalar_, scalar_).values()));
+        std::vector<double> rest(out.numerators.size());
+        multiply(vector_, a_.data(), scalar_, v_.data(), out.numerators.data());
+        multiply(vector_, b_.data(), scalar_, e_.data(), rest.data());
+        for (size_t i = 0; i < rest.size(); ++i) {
+            out.numerators[i] -= rest[i];
+        }
+        multiply(scalar_, w_.data(), scalar_, v_.data(), out.denominators.data());
+    }
+
+    // Errors of A - B and v, of B and w - v, and of the products, each relative to the sums of w v.
+    void add_relative_errors(QuotientPiece &out) const {
+        const double f = f_.error(), g = g_.error(), product = product_error(vector_, scalar_) + eps;
+        const double entering = 2 * size_ * (f + g * ratio_);
+        const double forming = (g + eps + product) * (points_apart_ + size_ * weights_apart_);
+        out.quotient_error = 1.01 * (entering + forming);
+        out.denominator_factor = 1.01 * (f + g + product);
+        out.numerator_error = out.denominator_error = 0;
+    }
+
+    // The same with the largest of each, for weights of any sign.
+    void add_absolute_errors(QuotientPiece &out) const {
+        const double f = f_.error(), g = g_.error(), product = product_error(vector_, scalar_) + eps;
+        const double w = f_.largest_weight(), v = g_.largest_weight();
+        const double a = largest_record(f_), b = largest_record(g_);
+        const double apart = std::sqrt(vector_.width) * largest_magnitude(a_.data(), std::ssize(a_));
+        const double tilt = largest_magnitude(e_.data(), std::ssize(e_));
+        const double entering = (f * a + g * b) * v + g * b * tilt + b * (f * w + g * v);
+        const double forming = (g + eps + product) * (apart * v + b * tilt);
+        out.numerator_error = 1.01 * (entering + forming);
+        out.denominator_error = 1.01 * (f + g + product) * w * v;
+        out.quotient_error = out.denominator_factor = 0;
+    }
+    double largest_record(const BernsteinNet &net) const noexcept {
+        return std::max(net.largest_record(), size_ * net.largest_weight());
+    }
+
+    const BernsteinNet &f_;
+    const BernsteinNet &g_;
+    double size_;
+    BernsteinShape vector_, scalar_;
+    std::vector<double> a_, b_, w_, v_, e_;
+    double ratio_ = 1;
+    double points_apart_ = 0;
+    double weights_apart_ = 0;
+};
+
+} // namespace
+
+void DeviationPieces::fill(int64_t piece, QuotientPiece &out) const {
+    out.numerator_error = out.quotient_error = out.denominator_error = out.denominator_factor = 0;
+    out.last_axis = -1;
+    Difference(f_, g_, piece).fill(out);
+}
+
+std::vector<double> DeviationPieces::uppers() const {
+    return quotient_uppers(pieces(), [this](int64_t i, QuotientPiece &out) { fill(i, out); });
+}
+
+Enclosure DeviationPieces::enclosure(std::span<const double> uppers) const {
+    return largest_quotient(uppers, [this](int64_t i, QuotientPiece &out) { fill(i, out); });
+}
+
+Enclosure deviation(const Spline &f, const Spline &g) {
+    const DeviationPieces pieces(f, g);
+    return pieces.enclosure(pieces.uppers());
+}
+
+Enclosure deviation(const Spline &f, const Spline &g, int axis, Interval part) {
+    const DeviationPieces pieces(f, g, axis, part);
+    return pieces.enclosure(pieces.uppers());
+}
+
+} // namespace nrb

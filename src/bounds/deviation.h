@@ -1,0 +1,46 @@
+// How far two splines of the same domain are apart, with proof.
+#pragma once
+
+#include "bounds/bernstein_net.h"
+#include "bounds/largest_quotient.h"
+
+namespace nrb {
+
+// The difference of two splines as quotients of Bernstein polynomials, piece by piece. With homogeneous
+// points A, w of f and B, v of g about a common centre
+//     f - g = (A v - B w) / (w v) = ((A - B) v - B (w - v)) / (w v),
+// in which the differences are small where the splines are close, and so is the rounding of the products.
+// Where the weights of a piece agree bit for bit (and in polynomial splines) it is (A - B) / w.
+class DeviationPieces {
+public:
+    // Throws NURBS_ERROR_INCOMPATIBLE unless axes, dimensions and domains agree, _OVERFLOW,
+    // _NOT_REPRESENTABLE.
+    DeviationPieces(const Spline &f, const Spline &g);
+    // Of the pieces in [lower, upper] of one axis only.
+    DeviationPieces(const Spline &f, const Spline &g, int axis, Interval part);
+
+    [[nodiscard]] int64_t pieces() const noexcept { return f_.pieces(); }
+    [[nodiscard]] const BernsteinNet::Breaks &breaks() const noexcept { return breaks_; }
+    // Reuses the memory of `out`.
+    void fill(int64_t piece, QuotientPiece &out) const;
+    // A bound for each piece.
+    [[nodiscard]] std::vector<double> uppers() const;
+    // Of the largest distance.
+    [[nodiscard]] Enclosure enclosure(std::span<const double> uppers) const;
+
+private:
+    struct Setting;
+    DeviationPieces(const Spline &f, const Spline &g, const Setting &setting);
+
+    BernsteinNet::Breaks breaks_;
+    BernsteinNet f_;
+    BernsteinNet g_;
+};
+
+// sup |f(t) - g(t)| over the domain, both limits at jumps included. Rounding is in the bounds, which differ
+// by a factor of 5/4 at most beside it, unless the search ends at its limit of steps; the upper one is
+// infinite where a denominator cannot be shown to have no zero.
+Enclosure deviation(const Spline &f, const Spline &g);
+Enclosure deviation(const Spline &f, const Spline &g, int axis, Interval part);
+
+} // namespace nrb

@@ -1,0 +1,55 @@
+// The largest value of |N(t)| / W(t) over Bernstein pieces, enclosed by branch and bound.
+#pragma once
+
+#include "bounds/bernstein.h"
+
+#include <functional>
+#include <vector>
+
+namespace nrb {
+
+struct Enclosure {
+    double lower;
+    double upper;
+};
+
+// A vector valued polynomial N and a scalar one W of the same degrees, and what rounding may have made of
+// them: with exact coefficients N*, W*,
+//     |N_i - N*_i| <= numerator_error + quotient_error |W_i|,
+//     |W_i - W*_i| <= denominator_error + denominator_factor |W_i|.
+struct QuotientPiece {
+    BernsteinShape shape;
+    std::vector<double> numerators;
+    std::vector<double> denominators; // empty: 1
+    double numerator_error = 0;
+    double quotient_error = 0;
+    double denominator_error = 0;
+    double denominator_factor = 0;
+    int last_axis = -1; // the one that was halved to get this
+};
+
+// |N| / W over one piece: at most the largest quotient of coefficients if all W_i > 0 (the mediant
+// inequality), and at least that at the corners. The Euclidean norm; all rounding is included. The upper
+// bound is infinite where W cannot be shown to be positive or negative throughout.
+Enclosure quotient_bounds(const QuotientPiece &piece);
+
+// The two halves of a piece along the axis next to last_axis that has a degree; `piece` becomes the upper
+// one. `upper` is its upper bound.
+QuotientPiece halve(QuotientPiece &piece, double upper);
+
+// The search ends when the bounds agree to a factor of 1 + ratio, beside rounding, or after `steps` halvings.
+struct SearchLimits {
+    double ratio = 0.25;
+    int steps = 600;
+};
+
+// Fills in piece i; may be called more than once for each.
+using PieceSource = std::function<void(int64_t, QuotientPiece &)>;
+
+// Encloses the largest value over pieces 0, 1, ..., whose upper bounds are known. Both bounds are proven.
+Enclosure largest_quotient(std::span<const double> uppers, const PieceSource &source,
+                           const SearchLimits &limits = {});
+// The upper bound of each piece.
+std::vector<double> quotient_uppers(int64_t count, const PieceSource &source);
+
+} // namespace nrb

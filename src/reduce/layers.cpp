@@ -1,0 +1,76 @@
+#include "reduce/layers.h"
+
+#include "base/checked.h"
+#include "refine/axis_table.h"
+#include "refine/homogeneous.h"
+
+#include <algorithm>
+
+namespace nrb {
+
+namespace {
+
+// One block of a new layer of Form::rational.
+void put_records(const double *records, int64_t count, int dim, double *points, double *weights) {
+    for (int64_t i = 0; i < count; ++i, records += dim + 1, points += dim) {
+        weights[i] = records[dim];
+        std::transform(records, records + dim, points, [w = records[dim]](double x) { return x / w; });
+    }
+}
+
+} // namespace
+
+int64_t layer_length(const Spline &spline, int axis) {
+    const AxisView view = axis_view(spline, axis, spline.width());
+    return checked_product(view.outer, view.inner, "layer");
+}
+
+std::vector<double> layer_records(const Spline &spline, int axis) {
+    const std::vector<double> records =
+        spline.rational() ? homogeneous_points(spline)
+                          : std::vector<double>(spline.points().begin(), spline.points().end());
+    const AxisView view = axis_view(spline, axis, spline.width());
+    if (view.outer == 1) {
+        return records;
+    }
+    std::vector<double> layers;
+    layers.reserve(records.size());
+    for (int64_t l = 0; l < view.count; ++l) {
+        for (int64_t o = 0; o < view.outer; ++o) {
+            const auto from = records.begin() + (o * view.count + l) * view.inner;
+            layers.insert(layers.end(), from, from + view.inner);
+        }
+    }
+    return layers;
+}
+
+SplinePtr spline_of_layers(const Spline &old, int axis, KnotVectorPtr knots,
+                           std::span<const LayerSource> layers) {
+    const AxisView points = axis_view(old, axis, old.stored_width());
+    const AxisView weights = axis_view(old, axis, 1);
+    const bool rational = old.form() == Form::rational;
+    const int64_t count = std::ssize(layers), record = weights.inner * old.width();
+    Net net{std::vector<double>(static_cast<size_t>(points.outer * count * points.inner)),
+            std::vector<double>(rational ? static_cast<size_t>(weights.outer * count * weights.inner) : 0)};
+    for (int64_t l = 0; l < count; ++l) {
+        const auto [stored, records] = layers[static_cast<size_t>(l)];
+        for (int64_t o = 0; o < points.outer; ++o) {
+            const int64_t from = o * points.count + stored, to = o * count + l;
+            double *point = net.points.data() + to * points.inner;
+            double *weight = rational ? net.weights.data() + to * weights.inner : nullptr;
+            if (stored < 0 && rational) {
+                put_records(records + o * record, weights.inner, old.dim(), point, weight);
+            } else if (stored < 0) {
+                std::copy_n(records + o * record, record, point);
+            } else {
+                std::copy_n(old.points().data() + from * points.inner, points.inner, point);
+                std::copy_n(old.weights().data() + (rational ? from * weights.inner : 0),
+                            rational ? weights.inner : 0, weight);
+            }
+        }
+    }
+    return make_spline(with_axis(old, axis, std::move(knots)), old.dim(), old.form(), std::move(net.points),
+                       std::move(net.weights));
+}
+
+} // namespace nrb

@@ -1,0 +1,27 @@
+// Control points layer by layer along an axis, in and out.
+#pragma once
+
+#include "spline/axis_view.h"
+
+#include <vector>
+
+namespace nrb {
+
+// Homogeneous points when rational: all of layer 0, then all of layer 1 and so on, in the order of the other
+// axes.
+std::vector<double> layer_records(const Spline &spline, int axis);
+// Doubles in a layer.
+int64_t layer_length(const Spline &spline, int axis);
+
+// A layer of a new spline: a layer of the old one, bit for bit, or records of its own.
+struct LayerSource {
+    int64_t stored; // -1: none
+    const double *records;
+};
+
+// The spline with another axis, layer by layer. Throws what make_spline() throws. Precondition: new records of
+// Form::rational have weights other than 0.
+SplinePtr spline_of_layers(const Spline &old, int axis, KnotVectorPtr knots,
+                           std::span<const LayerSource> layers);
+
+} // namespace nrb

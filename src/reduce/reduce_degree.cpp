@@ -1,0 +1,223 @@
+#include "reduce/reduce_degree.h"
+
+#include "base/checked.h"
+#include "reduce/banded_least_squares.h"
+#include "reduce/layers.h"
+#include "refine/cut.h"
+#include "refine/elevate.h"
+#include "refine/homogeneous.h"
+#include "refine/period.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nrb {
+
+namespace {
+
+void check_times(int degree, int axis, int64_t times) {
+    if (times < 0) {
+        fail(NURBS_ERROR_TIMES, "times = %lld, expected >= 0", static_cast<long long>(times));
+    }
+    if (times > degree) {
+        fail(NURBS_ERROR_DEGREE, "degree %d of axis %d, lowered by times = %lld, would be less than 0",
+             degree, axis, static_cast<long long>(times));
+    }
+}
+
+int lowered(int multiplicity, int times) noexcept {
+    return std::max(1, multiplicity - times);
+}
+
+// Precondition: both ends are clamped.
+KnotVectorPtr lowered_open_axis(const KnotVector &axis, int times) {
+    std::vector<double> knots;
+    for (const auto &[knot, multiplicity] : distinct_knots(axis.knots())) {
+        knots.insert(knots.end(), static_cast<size_t>(lowered(multiplicity, times)), knot);
+    }
+    return std::make_shared<const KnotVector>(axis.degree() - times, std::move(knots));
+}
+
+// Copies of the seam at stored knots up to the one that starts the domain.
+int64_t seam_copies_before(const KnotVector &axis) noexcept {
+    const auto first = std::lower_bound(axis.knots().begin(), axis.knots().end(), axis.domain().lower);
+    return axis.degree() + 1 - (first - axis.knots().begin());
+}
+
+// nurbs_elevate() puts new copies of the seam behind the one that starts the domain; those go first.
+KnotVectorPtr lowered_periodic_axis(const KnotVector &axis, int times) {
+    const auto [lower, upper] = axis.domain();
+    const auto q = static_cast<size_t>(axis.degree() - times);
+    std::vector<double> knots(q);
+    int64_t ahead = 0;
+    for (const auto &[knot, multiplicity] : distinct_knots(axis.knots())) {
+        if (knot < lower || knot >= upper) {
+            continue;
+        }
+        int64_t copies = lowered(multiplicity, times);
+        if (knot == lower) {
+            const int64_t behind = multiplicity - seam_copies_before(axis);
+            const int64_t kept = std::clamp<int64_t>(behind - times, 0, copies - 1);
+            ahead = copies - 1 - kept;
+            copies = kept + 1;
+        }
+        knots.insert(knots.end(), static_cast<size_t>(copies), knot);
+    }
+    knots.insert(knots.end(), static_cast<size_t>(ahead + 1), upper);
+    const size_t last = knots.size() - 1;
+    knots.resize(knots.size() + q);
+    continue_knots(knots, q, last, last - q);
+    check_periodic_knots(axis.degree() - times, knots, -1, 0);
+    return std::make_shared<const KnotVector>(axis.degree() - times, std::move(knots), true);
+}
+
+// Knots of `fine` in the half-open domain (inside it, if not periodic) that `coarse` has less often.
+std::vector<double> missing_knots(const KnotVector &fine, const KnotVector &coarse) {
+    const auto [lower, upper] = fine.domain();
+    std::vector<double> missing;
+    for (const auto &[knot, copies] : distinct_knots(fine.knots())) {
+        if (knot >= upper || knot < lower || (knot == lower && !fine.periodic())) {
+            continue;
+        }
+        const int more = copies - multiplicity(coarse.knots(), knot);
+        missing.insert(missing.end(), static_cast<size_t>(std::max(more, 0)), knot);
+    }
+    return missing;
+}
+
+// The polynomial spline of the records, with one layer of the axis after the other.
+std::vector<double> refined_layers(const Spline &spline, int axis, const AxisTable &made) {
+    const std::vector<double> points =
+        spline.rational() ? homogeneous_points(spline)
+                          : std::vector<double>(spline.points().begin(), spline.points().end());
+    const Spline records(spline.knot_vectors(), spline.width(), Form::polynomial, points, {});
+    const Net net = apply_along(records, axis, made.table);
+    const Spline refined(with_axis(spline, axis, made.axis), spline.width(), Form::polynomial, net.points,
+                         {});
+    return layer_records(refined, axis);
+}
+
+// Raised layers (of one period) as rows of the unknown ones.
+class ReductionSystem {
+public:
+    // `fixed`: the first and the last unknown layer are known.
+    ReductionSystem(const AxisTable &raised, int64_t unknowns, int64_t length, bool fixed)
+        : table_(raised.table), rows_(raised.axis->distinct_layers()), unknowns_(unknowns), length_(length),
+          lead_(fixed ? 1 : 0), columns_(unknowns - 2 * lead_) {
+        int widest = 1;
+        for (int64_t r = 0; r < rows_; ++r) {
+            widest = std::max(widest, table_.row(r).size);
+        }
+        border_ = raised.axis->periodic() ? std::min<int64_t>(columns_, widest) : 0;
+        bandwidth_ = widest;
+    }
+
+    // Layer r of the right-hand side is targets[(r + shift) mod rows]; x holds the fixed layers already.
+    bool solve(const std::vector<double> &targets, int64_t shift, double *x) {
+        BandedLeastSquares system(columns_, bandwidth_, static_cast<int>(border_), length_);
+        std::vector<double> right(static_cast<size_t>(length_));
+        for (int64_t r = 0; r < rows_; ++r) {
+            const int64_t target = ((r + shift) % rows_ + rows_) % rows_;
+            std::copy_n(targets.data() + target * length_, length_, right.data());
+            add(system, r, right, x);
+        }
+        return system.solve(x + lead_ * length_);
+    }
+
+private:
+    void add(BandedLeastSquares &system, int64_t r, std::vector<double> &right, const double *x) {
+        static constexpr double copied = 1;
+        const LayerTable::Row &row = table_.row(r);
+        const double *entries = row.size == 0 ? &copied : table_.coefficients(row);
+        band_.clear();
+        wrapped_.assign(static_cast<size_t>(border_), 0.0);
+        int64_t first = 0;
+        for (int i = 0; i < std::max(row.size, 1); ++i) {
+            const int64_t layer = (row.first + i) % unknowns_, column = layer - lead_;
+            if (column < 0 || column >= columns_) {
+                const double *known = x + layer * length_;
+                std::transform(right.begin(), right.end(), known, right.begin(),
+                               [f = entries[i]](double a, double b) { return a - f * b; });
+            } else if (column >= columns_ - border_) {
+                wrapped_[static_cast<size_t>(column - columns_ + border_)] += entries[i];
+            } else {
+                first = band_.empty() ? column : first;
+                band_.push_back(entries[i]);
+            }
+        }
+        system.add_row(first, band_, wrapped_, right.data());
+    }
+
+    const LayerTable &table_;
+    int64_t rows_;
+    int64_t unknowns_;
+    int64_t length_;
+    int64_t lead_;
+    int64_t columns_;
+    int64_t border_ = 0;
+    int bandwidth_ = 1;
+    std::vector<double> band_;
+    std::vector<double> wrapped_;
+};
+
+SplinePtr clamped(const SplinePtr &spline, int axis) {
+    const KnotVector &knots = spline->axis(axis);
+    if (knots.periodic() || (knots.clamped_start() && knots.clamped_end())) {
+        return spline;
+    }
+    const auto [lower, upper] = knots.domain();
+    return cut_axis(spline, axis, lower, upper, {!knots.clamped_start(), !knots.clamped_end()});
+}
+
+void check_weights(const Spline &spline, const std::vector<double> &layers) {
+    const auto width = static_cast<size_t>(spline.width());
+    for (size_t i = width - 1; spline.form() == Form::rational && i < layers.size(); i += width) {
+        if (!(layers[i] > 0)) {
+            fail(NURBS_ERROR_WEIGHT_SIGN, "weight %s of the result, expected > 0", Number(layers[i]).text);
+        }
+    }
+}
+
+} // namespace
+
+SplinePtr lower_degree(const SplinePtr &spline, int axis, int times) {
+    const SplinePtr source = clamped(spline, axis);
+    const KnotVector &old = source->axis(axis);
+    const bool periodic = old.periodic();
+    const KnotVectorPtr knots = periodic ? lowered_periodic_axis(old, times) : lowered_open_axis(old, times);
+    const AxisTable raised = elevate_axis(*knots, times);
+    const AxisTable refined = refine_axis(old, missing_knots(*raised.axis, old));
+    const int64_t length = layer_length(*source, axis), count = knots->distinct_layers();
+    const bool fixed = !periodic && knots->degree() > 0;
+    std::vector<double> layers(static_cast<size_t>(checked_product(count, length, "points")));
+    const std::vector<double> targets = refined_layers(*source, axis, refined);
+    if (fixed) {
+        std::copy_n(targets.begin(), length, layers.begin());
+        std::copy_n(targets.end() - length, length, layers.end() - length);
+    }
+    const int64_t shift = periodic ? seam_copies_before(*raised.axis) - seam_copies_before(*refined.axis) : 0;
+    if (!ReductionSystem(raised, count, length, fixed).solve(targets, shift, layers.data())) {
+        fail(NURBS_ERROR_NOT_REPRESENTABLE, "the knots of axis %d lie too close for its degree", axis);
+    }
+    check_weights(*source, layers);
+    std::vector<LayerSource> sources;
+    for (int64_t i = 0; i < knots->count(); ++i) {
+        sources.push_back({-1, layers.data() + i % count * length});
+    }
+    if (fixed) {
+        sources.front().stored = 0;
+        sources.back().stored = old.count() - 1;
+    }
+    return spline_of_layers(*source, axis, knots, sources);
+}
+
+Reduced reduce_degree(const SplinePtr &spline, int axis, int64_t times) {
+    check_times(spline->axis(axis).degree(), axis, times);
+    if (times == 0) {
+        return {spline, 0};
+    }
+    const SplinePtr result = lower_degree(spline, axis, static_cast<int>(times));
+    return {result, deviation(*spline, *result).upper};
+}
+
+} // namespace nrb

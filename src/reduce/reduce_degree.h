@@ -1,0 +1,17 @@
+// Degree reduction by least squares on control points: D. Lutterkort, J. Peters, U. Reif, "Polynomial degree
+// reduction in the L2-norm equals best Euclidean approximation of Bezier coefficients", CAGD 16 (1999).
+#pragma once
+
+#include "reduce/reduce_knots.h"
+
+namespace nrb {
+
+// The closest spline of lower degree, compared after raising it again, over the knots of nurbs_reduce_degree()
+// and with the same clamped ends. Throws NURBS_ERROR_TIMES, _DEGREE, _WEIGHT_SIGN, _PERIODIC_KNOTS,
+// _NOT_REPRESENTABLE.
+Reduced reduce_degree(const SplinePtr &spline, int axis, int64_t times);
+
+// The same without the bound.
+SplinePtr lower_degree(const SplinePtr &spline, int axis, int times);
+
+} // namespace nrb

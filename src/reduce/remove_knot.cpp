@@ -1,0 +1,270 @@
+#include "reduce/remove_knot.h"
+
+#include "reduce/removal_step.h"
+#include "refine/period.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nrb {
+
+namespace {
+
+// The new layers as rows over the window of the old ones.
+struct WindowRows {
+    int size;  // of a row
+    int count; // rows
+    double entries[max_basis][max_basis + 2];
+};
+
+// The rows are what the removal makes of the unit vectors.
+WindowRows window_rows(const double *last, int degree, int multiplicity) noexcept {
+    if (multiplicity > degree) { // the layers on both sides of the jump become their mean
+        return {2, 1, {{0.5, 0.5}}};
+    }
+    const RemovalStep step = removal_step(last, degree, multiplicity);
+    WindowRows units{step.rows + 2, step.rows - 1, {}};
+    double layers[max_basis + 2][max_basis + 2] = {};
+    double *window[max_basis + 2];
+    double gap[max_basis + 2];
+    for (int i = 0; i < units.size; ++i) {
+        layers[i][i] = 1;
+        window[i] = layers[i];
+    }
+    removal_gap(step, window, units.size, gap);
+    remove_layer(step, window, units.size, gap);
+    for (int row = 0; row < units.count; ++row) {
+        std::copy_n(layers[row < step.skipped ? row + 1 : row + 2], units.size, units.entries[row]);
+    }
+    return units;
+}
+
+// Index of the last copy of a knot.
+int64_t last_copy(const KnotVector &axis, double knot) noexcept {
+    return std::upper_bound(axis.knots().begin(), axis.knots().end(), knot) - axis.knots().begin() - 1;
+}
+
+AxisTable without_open_knot(const KnotVector &axis, double knot) {
+    const int64_t last = last_copy(axis, knot);
+    const WindowRows rows =
+        window_rows(axis.knots().data() + last, axis.degree(), multiplicity(axis.knots(), knot));
+    const int64_t first = last - axis.degree() - 1; // of the window
+    AxisTable made;
+    made.table.reserve(axis.count() - 1);
+    const int64_t kept_before = rows.size == 2 && rows.count == 1 ? first : first + 1;
+    for (int64_t i = 0; i < kept_before; ++i) {
+        made.table.add_copy(i);
+    }
+    for (int row = 0; row < rows.count; ++row) {
+        made.table.add_row(first, rows.entries[row], rows.size);
+    }
+    for (int64_t i = kept_before + rows.count + 1; i < axis.count(); ++i) {
+        made.table.add_copy(i);
+    }
+    std::vector<double> knots(axis.knots().begin(), axis.knots().end());
+    knots.erase(knots.begin() + last);
+    made.axis = std::make_shared<const KnotVector>(axis.degree(), std::move(knots));
+    return made;
+}
+
+int64_t modulo(int64_t i, int64_t period) noexcept {
+    return (i % period + period) % period;
+}
+
+// One copy of a knot of a periodic axis and all its copies a period away: indices as in the endless sequence
+// whose stored part begins at 0.
+class PeriodicRemoval {
+public:
+    PeriodicRemoval(const KnotVector &axis, double knot)
+        : axis_(axis), period_(axis.distinct_layers()), lead_(4 * int64_t{axis.degree()} + 4),
+          last_(last_copy(axis, knot)), multiplicity_(multiplicity(axis.knots(), knot)),
+          extended_(extended_knots(axis, lead_)) {}
+
+    [[nodiscard]] bool possible() const noexcept {
+        return period_ > std::max(1, axis_.degree() - multiplicity_ + 1);
+    }
+
+    AxisTable make() {
+        const int p = axis_.degree();
+        collect_kept();
+        const int64_t lower = place(last_ == p ? p - 1 : p); // the copy that is to start the domain
+        const auto first = kept_.begin() + lower - p;
+        std::vector<double> knots(first, first + period_ + 2 * p);
+        check_domain(knots);
+        AxisTable made{std::make_shared<const KnotVector>(p, std::move(knots), true), {}};
+        const std::vector<Row> rows = layers_of_one_period();
+        const int64_t base = place(last_ - 1) - p + (multiplicity_ > p ? 0 : 1);
+        for (int64_t i = 0; i < period_ - 1 + p; ++i) {
+            add(rows[static_cast<size_t>(modulo(lower - p + i - base, period_ - 1))], made.table);
+        }
+        return made;
+    }
+
+private:
+    struct Row {
+        int64_t first; // old layer
+        int size;      // 0: a copy
+        const double *entries;
+    };
+
+    void collect_kept() {
+        for (int64_t i = 0; i < std::ssize(extended_); ++i) {
+            if (modulo(i - lead_ - last_, period_) != 0) {
+                kept_.push_back(extended_[static_cast<size_t>(i)]);
+            }
+        }
+    }
+    // Where a knot that stays is in kept_.
+    [[nodiscard]] int64_t place(int64_t i) const noexcept {
+        const int64_t at = i + lead_, removed = modulo(last_ + lead_, period_);
+        return at - (at > removed ? (at - removed + period_ - 1) / period_ : 0);
+    }
+
+    void check_domain(const std::vector<double> &knots) const {
+        const int p = axis_.degree();
+        const auto [lower, upper] = axis_.domain();
+        if (knots[static_cast<size_t>(p)] != lower ||
+            knots[knots.size() - 1 - static_cast<size_t>(p)] != upper) {
+            fail(
+                NURBS_ERROR_PERIODIC_KNOTS,
+                "knots: the ends of the periodic domain [%s, %s] have other multiplicities than their copies",
+                Number(lower).text, Number(upper).text);
+        }
+        check_periodic_knots(p, knots, -1, 0);
+    }
+
+    // The new layers of the window, and the others as they are.
+    std::vector<Row> layers_of_one_period() {
+        const int p = axis_.degree();
+        window_ = window_rows(extended_.data() + lead_ + last_, p, multiplicity_);
+        std::vector<Row> rows;
+        for (int row = 0; row < window_.count; ++row) {
+            rows.push_back({last_ - p - 1, window_.size, window_.entries[row]});
+        }
+        for (int64_t layer = last_ - multiplicity_ + (multiplicity_ > p ? 2 : 1);
+             std::ssize(rows) < period_ - 1; ++layer) {
+            rows.push_back({layer, 0, nullptr});
+        }
+        return rows;
+    }
+
+    // A band that would reach beyond the stored layers is written with its end at their start.
+    void add(const Row &row, LayerTable &table) const {
+        const int64_t first = modulo(row.first, period_);
+        if (row.size == 0) {
+            table.add_copy(first);
+        } else if (first + row.size <= axis_.count()) {
+            table.add_row(first, row.entries, row.size);
+        } else {
+            std::vector<double> whole(static_cast<size_t>(period_));
+            for (int i = 0; i < row.size; ++i) {
+                whole[static_cast<size_t>(modulo(first + i, period_))] += row.entries[i];
+            }
+            table.add_row(0, whole.data(), static_cast<int>(period_));
+        }
+    }
+
+    const KnotVector &axis_;
+    int64_t period_;
+    int64_t lead_;
+    int64_t last_;
+    int multiplicity_;
+    std::vector<double> extended_;
+    std::vector<double> kept_;
+    WindowRows window_{};
+};
+
+void check_knot(const KnotVector &axis, int k, double knot) {
+    if (!std::isfinite(knot)) {
+        fail(NURBS_ERROR_PARAMETER_NOT_FINITE, "knot = %s is not finite", Number(knot).text);
+    }
+    const auto [lower, upper] = axis.domain();
+    if (knot < lower || knot > upper) {
+        fail(NURBS_ERROR_OUTSIDE_DOMAIN, "knot = %s outside [%s, %s], the domain of axis %d",
+             Number(knot).text, Number(lower).text, Number(upper).text, k);
+    }
+    if (multiplicity(axis.knots(), knot) == 0) {
+        fail(NURBS_ERROR_NOT_A_KNOT, "knot = %s is not a knot of axis %d", Number(knot).text, k);
+    }
+    if ((knot == lower || knot == upper) &&
+        (!axis.periodic() || multiplicity(axis.knots(), axis.domain().lower) == 1)) {
+        fail(NURBS_ERROR_END_KNOT, "knot = %s is an end of [%s, %s], the domain of axis %d%s",
+             Number(knot).text, Number(lower).text, Number(upper).text, k,
+             axis.periodic() ? ": a seam that occurs once can be moved, not removed" : "");
+    }
+}
+
+// How often a knot can be removed.
+int64_t removable_copies(const KnotVector &axis, double knot) {
+    return multiplicity(axis.knots(), knot) - (knot == axis.domain().lower ? 1 : 0);
+}
+
+// Where the removal of copies of a knot moves the spline: one knot more on either side if it was a jump.
+Interval affected(const KnotVector &axis, double knot, int64_t copies) {
+    const int64_t p = axis.degree(), last = last_copy(axis, knot);
+    const int64_t first = last - copies - p;
+    const int64_t end = last - multiplicity(axis.knots(), knot) + p + copies + 1;
+    return {std::max(axis.domain().lower, axis[std::max<int64_t>(first, 0)]),
+            std::min(axis.domain().upper, axis[std::min<int64_t>(end, axis.count() + p)])};
+}
+
+Enclosure deviation_around(const SplinePtr &before, const SplinePtr &after, int k, double knot,
+                           int64_t copies) {
+    const KnotVector &axis = before->axis(k);
+    return axis.periodic() ? deviation(*before, *after)
+                           : deviation(*before, *after, k, affected(axis, knot, copies));
+}
+
+} // namespace
+
+AxisTable without_knot(const KnotVector &axis, double knot) {
+    if (!axis.periodic()) {
+        return without_open_knot(axis, knot);
+    }
+    PeriodicRemoval removal(axis, knot);
+    return removal.possible() ? removal.make() : AxisTable{};
+}
+
+SplinePtr with_axis_if_valid(const Spline &spline, int k, const AxisTable &made) {
+    try {
+        return with_axis(spline, k, made);
+    } catch (const Error &error) {
+        if (error.status() == NURBS_ERROR_WEIGHT_NEGATIVE || error.status() == NURBS_ERROR_WEIGHTS_VANISH) {
+            return nullptr;
+        }
+        throw;
+    }
+}
+
+void check_tolerance(double tolerance) {
+    if (!(tolerance >= 0)) {
+        fail(NURBS_ERROR_TOLERANCE, "tolerance = %s, expected >= 0", Number(tolerance).text);
+    }
+}
+
+KnotRemoval remove_knot(const SplinePtr &spline, int axis, double knot, int64_t times, double tolerance) {
+    const KnotVector &old = spline->axis(axis);
+    check_knot(old, axis, knot);
+    if (times < 0) {
+        fail(NURBS_ERROR_TIMES, "times = %lld, expected >= 0", static_cast<long long>(times));
+    }
+    check_tolerance(tolerance);
+    knot = old.periodic() && knot == old.domain().upper ? old.domain().lower : knot;
+    KnotRemoval result{spline, 0, 0};
+    for (const int64_t most = std::min(times, removable_copies(old, knot)); result.removed < most;) {
+        const AxisTable made = without_knot(result.spline->axis(axis), knot);
+        const SplinePtr next =
+            made.axis == nullptr ? nullptr : with_axis_if_valid(*result.spline, axis, made);
+        if (next == nullptr) {
+            break;
+        }
+        const double bound = deviation_around(spline, next, axis, knot, result.removed + 1).upper;
+        if (!std::isfinite(bound) || bound > tolerance) {
+            break;
+        }
+        result = {next, result.removed + 1, bound};
+    }
+    return result;
+}
+
+} // namespace nrb

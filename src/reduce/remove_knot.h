@@ -1,0 +1,32 @@
+// Knot removal within a tolerance.
+#pragma once
+
+#include "bounds/deviation.h"
+#include "refine/axis_table.h"
+
+namespace nrb {
+
+// The axis with one copy less of a knot (on a periodic axis: of all its copies a period away), and the layers
+// of the closest spline of its local ones; an empty pointer where there is none: on a periodic axis of no
+// more than degree - multiplicity + 1 distinct layers. Preconditions: the knot lies inside the domain, or is
+// the start of a periodic one and occurs there more than once. Throws NURBS_ERROR_PERIODIC_KNOTS.
+AxisTable without_knot(const KnotVector &axis, double knot);
+
+// The spline over the other axis; null where that gives weights that are not allowed. Throws
+// NURBS_ERROR_NOT_REPRESENTABLE, _OVERFLOW.
+SplinePtr with_axis_if_valid(const Spline &spline, int k, const AxisTable &made);
+
+struct KnotRemoval {
+    SplinePtr spline;
+    int64_t removed;
+    double bound; // proven, of the distance to the given spline
+};
+
+// Removes up to `times` copies, as long as the bound is at most the tolerance. Throws
+// NURBS_ERROR_PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN, _NOT_A_KNOT, _END_KNOT, _TIMES, _TOLERANCE.
+KnotRemoval remove_knot(const SplinePtr &spline, int axis, double knot, int64_t times, double tolerance);
+
+// tolerance >= 0, else NURBS_ERROR_TOLERANCE.
+void check_tolerance(double tolerance);
+
+} // namespace nrb

@@ -1,0 +1,11 @@
+// Lowest degrees and fewest knots within a tolerance.
+#pragma once
+
+#include "reduce/reduce_knots.h"
+
+namespace nrb {
+
+// Weights first, then the degree of each axis, then knots. Throws as reduce_knots().
+Reduced simplify(const SplinePtr &spline, double tolerance);
+
+} // namespace nrb

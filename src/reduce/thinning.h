@@ -1,0 +1,105 @@
+// Greedy knot removal along an axis: always the knot whose removal moves the spline least (T. Lyche, K.
+// Morken, "A data-reduction strategy for splines", IMA J. Numer. Anal. 8 (1988); Piegl & Tiller A9.8).
+#pragma once
+
+#include "reduce/removal_step.h"
+#include "spline/spline.h"
+
+#include <vector>
+
+namespace nrb {
+
+// Knots and layers are linked lists, on a periodic axis rings, so that a removal costs O(degree^2) for each
+// control point of a layer, whatever their number. For each span it is known how far the spline may have
+// moved there: a removal moves it by at most the gap of its step, and the moves add up. Where weights move
+// too, the gap is counted in Cartesian space about the points of the window, which is an estimate; certify
+// the result.
+class Thinning {
+public:
+    Thinning(const Spline &spline, int axis);
+
+    // Removes knots as long as the errors of their spans stay within the tolerance; how many. Ends of the
+    // domain stay.
+    int64_t run(double tolerance);
+    // Puts measured errors in the place of those that were added up: errors[i] belongs to [breaks[i],
+    // breaks[i + 1]), breaks being knots of the given spline over its domain.
+    void set_errors(std::span<const double> breaks, const std::vector<double> &errors);
+    // What is left. Layers that were not touched keep their bits.
+    [[nodiscard]] SplinePtr result() const;
+
+private:
+    struct Knot {
+        double value;
+        int64_t next;
+        int64_t previous;
+        int64_t layer; // that with the support that begins here
+        double error;  // of the span behind, up to the next knot that is larger
+        double key;    // what its removal costs
+        bool present;
+        bool movable;
+        bool stale; // the key is of an earlier state
+    };
+    struct Layer {
+        int64_t next;
+        int64_t previous;
+        bool changed;
+        bool present;
+    };
+    // The knots and layers around the last copy of a knot that a removal needs.
+    struct Window {
+        int multiplicity;
+        int behind; // knots from the first affected span to the last copy
+        int ahead;
+        double knots[3 * max_basis]; // last[-degree] on
+        const double *last;
+        int64_t first_knot;
+        int64_t layers[max_basis + 2];
+        double *points[max_basis + 2];
+        RemovalStep step;
+    };
+    struct Candidate {
+        double key;
+        int64_t knot;
+        [[nodiscard]] bool operator<(const Candidate &other) const noexcept {
+            return key > other.key ||
+                   (key == other.key && knot > other.knot); // for a heap with the least on top
+        }
+    };
+
+    void link_knots();
+    void link_layers();
+    [[nodiscard]] bool last_copy(int64_t knot) const noexcept;
+    [[nodiscard]] bool removable(int64_t knot) const noexcept;
+    // False where the window meets itself.
+    bool locate(int64_t knot, Window &window) noexcept;
+    void find_gap(const Window &window) noexcept;
+    double cost(const Window &window) noexcept;
+    double column_cost(const Window &window, int64_t at) const noexcept;
+    double key_of(int64_t knot) noexcept;
+    void push(int64_t knot);
+    template <class Body>
+    void for_each_span(const Window &window, Body &&body);
+    bool remove(int64_t knot, double tolerance);
+    bool solve(const Window &window);
+    void unlink(int64_t knot, const Window &window) noexcept;
+    void queue_all();
+    [[nodiscard]] KnotVectorPtr remaining_axis() const;
+
+    const Spline &spline_;
+    int axis_index_;
+    const KnotVector &axis_;
+    int degree_;
+    int width_;      // of a record
+    int64_t length_; // of a layer
+    double period_;  // 0: none
+    int64_t head_ = 0;
+    int64_t layers_left_;
+    std::vector<Knot> knots_;
+    std::vector<Layer> layers_;
+    std::vector<double> points_; // layer by layer
+    std::vector<double> gap_;
+    std::vector<double> trial_; // layers of a window, solved before they are known to be wanted
+    std::vector<Candidate> heap_;
+};
+
+} // namespace nrb

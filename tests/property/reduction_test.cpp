@@ -1,0 +1,217 @@
+// Fewer knots and lower degrees: bounds hold, tolerances hold, what was refined and elevated comes back.
+#include "property/dense_samples.h"
+
+using namespace support;
+
+namespace {
+
+struct Made {
+    Handle spline;
+    double bound = -1;
+};
+
+Made reduce_knots(const nurbs *g, int axis, double tolerance) {
+    nurbs *out = nullptr;
+    Made made;
+    require_ok(nurbs_reduce_knots(g, axis, tolerance, &made.bound, &out));
+    made.spline.reset(out);
+    return made;
+}
+
+Made reduce_degree(const nurbs *g, int axis, int times, nurbs_status &status) {
+    nurbs *out = nullptr;
+    Made made;
+    status = nurbs_reduce_degree(g, axis, times, &made.bound, &out);
+    made.spline.reset(out);
+    return made;
+}
+
+Made simplify(const nurbs *g, double tolerance) {
+    nurbs *out = nullptr;
+    Made made;
+    require_ok(nurbs_simplify(g, tolerance, &made.bound, &out));
+    made.spline.reset(out);
+    return made;
+}
+
+SplineData random_case(Random &random, int surfaces) {
+    const int axes = random.chance(surfaces) ? 2 : 1;
+    Recipe recipe = random_recipe(random, axes, axes == 1 ? 6 : 3);
+    for (AxisRecipe &axis : recipe.axes) {
+        axis.spans = axes == 1 ? random.whole(1, 12) : axis.spans;
+    }
+    return random_spline(random, recipe);
+}
+
+double extent(const SplineData &data) {
+    double size = 0;
+    for (const double x : data.points) {
+        size = std::max(size, std::fabs(x));
+    }
+    return size;
+}
+
+int64_t knot_total(const SplineData &data) {
+    int64_t total = 0;
+    for (const auto &knots : data.knots) {
+        total += std::ssize(knots);
+    }
+    return total;
+}
+
+TEST(Reduction, the_bound_of_data_reduction_is_one) {
+    std::vector<long double> ratios;
+    int64_t removed = 0;
+    for_each_case(310000, 2500, [&](Random &random, uint64_t seed) {
+        const auto data = random_case(random, 8);
+        const auto g = create(data);
+        const int axis = random.whole(-1, data.axes() - 1);
+        const double tolerance = extent(data) * random.magnitude(1e-4, 10);
+        const Made result = reduce_knots(g.get(), axis, tolerance);
+        ASSERT_LE(result.bound, tolerance) << where(seed, data);
+        const auto fewer = read_back(result.spline.get());
+        removed += knot_total(data) - knot_total(fewer);
+        const long double found = dense_deviation(data, fewer, 8);
+        ASSERT_LE(found, result.bound) << where(seed, data) << " tolerance " << hex(tolerance);
+        if (found > 1e-8 * extent(data)) {
+            ratios.push_back(result.bound / found);
+        }
+    });
+    EXPECT_LE(median(ratios, "bound / sampled deviation, data reduction"), 1.5L);
+    std::printf("%lld knots removed\n", static_cast<long long>(removed));
+}
+
+TEST(Reduction, the_bound_of_degree_reduction_is_one) {
+    std::vector<long double> ratios;
+    for_each_case(320000, 2500, [&](Random &random, uint64_t seed) {
+        const auto data = random_case(random, 8);
+        const auto g = create(data);
+        const int axis = random.whole(0, data.axes() - 1);
+        const int degree = data.degrees[static_cast<size_t>(axis)];
+        nurbs_status status = NURBS_OK;
+        const Made result =
+            reduce_degree(g.get(), axis, random.whole(std::min(1, degree), std::min(3, degree)), status);
+        if (status == NURBS_ERROR_WEIGHT_SIGN) {
+            return;
+        }
+        ASSERT_EQ(status, NURBS_OK) << last_error() << where(seed, data);
+        const long double found = dense_deviation(data, read_back(result.spline.get()), 8);
+        ASSERT_LE(found, result.bound) << where(seed, data);
+        if (found > 1e-8 * extent(data)) {
+            ratios.push_back(result.bound / found);
+        }
+    });
+    EXPECT_LE(median(ratios, "bound / sampled deviation, degree reduction"), 1.5L);
+}
+
+TEST(Reduction, elevated_splines_come_back) {
+    WorstErrors worst("elevate -> reduce, in eps * hull");
+    for_each_case(330000, 1500, [&](Random &random, uint64_t seed) {
+        const auto data = random_case(random, 10);
+        const int axis = random.whole(0, data.axes() - 1);
+        const int times = random.whole(1, 3);
+        const auto g = create(data);
+        Handle high;
+        try {
+            high = elevate(g.get(), axis, times);
+        } catch (const std::runtime_error &) {
+            return;
+        }
+        nurbs_status status = NURBS_OK;
+        const Made back = reduce_degree(high.get(), axis, times, status);
+        if (std::count(data.weights.begin(), data.weights.end(), 0.0) > 0) {
+            return; // their weights come back to within rounding, which may be negative
+        }
+        ASSERT_EQ(status, NURBS_OK) << last_error() << where(seed, data);
+        const auto got = read_back(back.spline.get());
+        const auto want = homogeneous(g.get()), found = homogeneous(back.spline.get());
+        const auto k = static_cast<size_t>(axis);
+        if (data.knots[k] != got.knots[k]) {
+            return;
+        }
+        double hull = 0;
+        long double error = 0;
+        for (size_t i = 0; i < want.points.size(); ++i) {
+            hull = std::max(hull, std::fabs(want.points[i]));
+            error = std::max(error, std::fabs(static_cast<long double>(want.points[i]) - found.points[i]));
+        }
+        worst.add(data.degrees[k], error / (eps * hull * 8 * std::pow(2.0L, data.degrees[k])),
+                  error / (eps * hull));
+    });
+}
+
+TEST(Reduction, simplified_splines_keep_the_tolerance) {
+    for_each_case(340000, 300, [&](Random &random, uint64_t seed) {
+        const auto data = random_case(random, 10);
+        const auto g = create(data);
+        const double tolerance = extent(data) * random.magnitude(1e-6, 1);
+        const Made result = simplify(g.get(), tolerance);
+        ASSERT_LE(result.bound, tolerance) << where(seed, data);
+        const long double found = dense_deviation(data, read_back(result.spline.get()), 8);
+        ASSERT_LE(found, result.bound) << where(seed, data);
+    });
+}
+
+TEST(Reduction, the_choice_of_knots_is_free_of_scale) {
+    for_each_case(350000, 400, [](Random &random, uint64_t seed) {
+        const auto data = random_case(random, 10);
+        const double tolerance = extent(data) * random.magnitude(1e-3, 10);
+        const double scale = std::ldexp(1.0, random.whole(-40, 40));
+        auto scaled = data;
+        for (double &x : scaled.points) {
+            x *= scale;
+        }
+        const Made one = reduce_knots(create(data).get(), -1, tolerance);
+        const Made other = reduce_knots(create(scaled).get(), -1, tolerance * scale);
+        const auto a = read_back(one.spline.get());
+        auto b = read_back(other.spline.get());
+        ASSERT_TRUE(same_bits(a.all_knots(), b.all_knots())) << where(seed, data) << hex(scale);
+        ASSERT_EQ(one.bound * scale, other.bound) << where(seed, data) << hex(scale);
+        for (double &x : b.points) {
+            x /= scale;
+        }
+        ASSERT_EQ(a.points, b.points) << where(seed, data) << hex(scale);
+    });
+}
+
+// Points of any weights, some of them at infinity or negative.
+TEST(Reduction, bounds_of_homogeneous_splines_are_bounds) {
+    int finite = 0;
+    for_each_case(360000, 600, [&](Random &random, uint64_t seed) {
+        auto data = random_case(random, 0);
+        data.weights.assign(static_cast<size_t>(data.point_count()), 1.0);
+        std::vector<double> records;
+        const int64_t distinct = data.counts[0] - (data.periodic(0) ? data.degrees[0] : 0);
+        for (int64_t i = 0; i < data.point_count(); ++i) {
+            const auto at = static_cast<size_t>(i);
+            data.weights[at] = i >= distinct ? data.weights[at - static_cast<size_t>(distinct)]
+                                             : random.between(random.chance(10) ? -0.2 : 0.3, 1);
+            for (int c = 0; c < data.dim; ++c) {
+                records.push_back(data.weights[at] * data.coordinate(i, c));
+            }
+            records.push_back(data.weights[at]);
+        }
+        nurbs *made = nullptr;
+        require_ok(nurbs_create_homogeneous(1, data.degrees.data(), data.counts.data(), data.knots[0].data(),
+                                            std::ssize(data.knots[0]), data.dim, records.data(), 0, 0,
+                                            data.flags, &made));
+        const Handle g(made);
+        const Made result = reduce_knots(made, 0, extent(data));
+        auto f = homogeneous(made), h = homogeneous(result.spline.get());
+        long double found = 0;
+        for (const Place &place : dense_places(f, h, 0, 8)) {
+            const reference::Sides left{place.left, false, false};
+            const auto a = long_point(f, &place.t, left), b = long_point(h, &place.t, left);
+            long double square = 0;
+            for (size_t c = 0; c + 1 < a.size(); ++c) {
+                square += std::pow(a[c] / a.back() - b[c] / b.back(), 2.0L);
+            }
+            found = std::max(found, std::sqrt(square));
+        }
+        ASSERT_LE(found, result.bound + 1e-12L * extent(data)) << where(seed, data);
+        finite += result.bound > 0 ? 1 : 0;
+    });
+    std::printf("%d splines were reduced\n", finite);
+}
+
+} // namespace
