@@ -48,9 +48,35 @@ std::vector<SplineData> items(const List &list) {
     return results;
 }
 
+nurbs *reduced(const nurbs *g, double tolerance) {
+    nurbs *out = nullptr;
+    support::require_ok(nurbs_reduce_knots(g, 0, tolerance, nullptr, &out));
+    return out;
+}
+
+Work list_work(const std::function<List()> &operation) {
+    return {[=] { operation(); }, [=] { return items(operation()); }};
+}
+
 Work decompose_work(const Task &task) {
     const Curve curve = support::create(task.inputs[0]);
-    return {[=] { decomposed(curve.get()); }, [=] { return items(decomposed(curve.get())); }};
+    return list_work([=] { return decomposed(curve.get()); });
+}
+
+Work compatible_work(const Task &task) {
+    std::vector<Curve> curves;
+    for (const SplineData &data : task.inputs) {
+        curves.push_back(support::create(data));
+    }
+    return list_work([=] {
+        std::vector<const nurbs *> handles;
+        for (const Curve &curve : curves) {
+            handles.push_back(curve.get());
+        }
+        nurbs_list *list = nullptr;
+        support::require_ok(nurbs_make_compatible(std::ssize(handles), handles.data(), 0, 0, nullptr, &list));
+        return List(list, nurbs_list_destroy);
+    });
 }
 
 Work prepare(const Task &task) {
@@ -62,8 +88,9 @@ Work prepare(const Task &task) {
     case Operation::decompose:
         return decompose_work(task);
     case Operation::remove:
+        return unary(task, [tolerance = task.tolerance](const nurbs *g) { return reduced(g, tolerance); });
     case Operation::compatible:
-        break;
+        return compatible_work(task);
     }
     return {};
 }
