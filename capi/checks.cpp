@@ -43,6 +43,15 @@ void check_place(double t, Interval domain, const char *name, int axis) {
     }
 }
 
+AxisEnds decode_ends(uint32_t flags) {
+    constexpr uint32_t start = NURBS_FORM_CLAMPED_START, end = NURBS_FORM_CLAMPED_END;
+    if ((flags & ~(start | end)) != 0) {
+        fail(NURBS_ERROR_FLAGS,
+             "flags = 0x%x, expected NURBS_FORM_CLAMPED_START, NURBS_FORM_CLAMPED_END, both or 0", flags);
+    }
+    return {(flags & start) != 0, (flags & end) != 0};
+}
+
 bool upper_end(int32_t end, const char *name) {
     if (end != NURBS_START && end != NURBS_END) {
         fail(NURBS_ERROR_END, "%s = %d, expected NURBS_START or NURBS_END", name, end);

@@ -23,12 +23,7 @@ nurbs_status nurbs_unclamp(const nurbs *g, int32_t axis, uint32_t flags, nurbs *
     return guard([&] {
         require_out(out);
         check_axis(spline_of(g), axis);
-        constexpr uint32_t start = NURBS_FORM_CLAMPED_START, end = NURBS_FORM_CLAMPED_END;
-        if ((flags & ~(start | end)) != 0) {
-            fail(NURBS_ERROR_FLAGS,
-                 "flags = 0x%x, expected NURBS_FORM_CLAMPED_START, NURBS_FORM_CLAMPED_END, both or 0", flags);
-        }
-        give(unclamp(g->spline, axis, {(flags & start) != 0, (flags & end) != 0}), out);
+        give(unclamp(g->spline, axis, decode_ends(flags)), out);
     });
 }
 

@@ -90,14 +90,9 @@ nurbs_status nurbs_clamp_ends(const nurbs *g, int32_t axis, uint32_t flags, nurb
     return guard([&] {
         require_out(out);
         check_axis(spline_of(g), axis);
-        constexpr uint32_t start = NURBS_FORM_CLAMPED_START, end = NURBS_FORM_CLAMPED_END;
-        if ((flags & ~(start | end)) != 0) {
-            fail(NURBS_ERROR_FLAGS,
-                 "flags = 0x%x, expected NURBS_FORM_CLAMPED_START, NURBS_FORM_CLAMPED_END, both or 0", flags);
-        }
+        const AxisEnds wanted = decode_ends(flags);
         const KnotVector &old = g->spline->axis(axis);
-        const ClampedEnds ends{(flags & start) != 0 && !old.clamped_start(),
-                               (flags & end) != 0 && !old.clamped_end()};
+        const AxisEnds ends{wanted.lower && !old.clamped_start(), wanted.upper && !old.clamped_end()};
         const auto [lower, upper] = old.domain();
         give(ends.lower || ends.upper ? cut_axis(g->spline, axis, lower, upper, ends)
                                       : open_axis(g->spline, axis),

@@ -120,7 +120,7 @@ void share_ends(Set &set, int k) {
     const Groups groups = set.groups(k);
     const std::span<const double> first = groups.begin()->first->knots();
     const auto p = std::ptrdiff_t{groups.begin()->first->degree()};
-    ClampedEnds ends{false, false};
+    AxisEnds ends{false, false};
     for (const auto &[axis, members] : groups) {
         const std::span<const double> knots = axis->knots();
         ends.lower = ends.lower || !std::equal(first.begin(), first.begin() + p, knots.begin());
@@ -128,7 +128,7 @@ void share_ends(Set &set, int k) {
     }
     for (SplinePtr &spline : set.splines()) {
         const KnotVector &axis = spline->axis(k);
-        const ClampedEnds own{ends.lower && !axis.clamped_start(), ends.upper && !axis.clamped_end()};
+        const AxisEnds own{ends.lower && !axis.clamped_start(), ends.upper && !axis.clamped_end()};
         if (own.lower || own.upper) {
             spline = cut_axis(spline, k, axis.domain().lower, axis.domain().upper, own);
         }

@@ -38,7 +38,7 @@ SplinePtr declared_periodic(const Spline &spline, int k) {
 
 SplinePtr clamped(const SplinePtr &spline, int k) {
     const KnotVector &axis = spline->axis(k);
-    const ClampedEnds ends{!axis.clamped_start(), !axis.clamped_end()};
+    const AxisEnds ends{!axis.clamped_start(), !axis.clamped_end()};
     return ends.lower || ends.upper ? cut_axis(spline, k, axis.domain().lower, axis.domain().upper, ends)
                                     : spline;
 }

@@ -75,7 +75,7 @@ SplinePtr continued(const Spline &spline, int k, const AxisTable &made) {
                        std::move(net.weights));
 }
 
-SplinePtr clamped(const SplinePtr &spline, int axis, ClampedEnds ends) {
+SplinePtr clamped(const SplinePtr &spline, int axis, AxisEnds ends) {
     const KnotVector &knots = spline->axis(axis);
     ends = {ends.lower && !knots.clamped_start(), ends.upper && !knots.clamped_end()};
     return ends.lower || ends.upper ? cut_axis(spline, axis, knots.domain().lower, knots.domain().upper, ends)
@@ -195,7 +195,7 @@ void check_copies(std::span<const double> knots, size_t first, size_t end, size_
 
 } // namespace
 
-SplinePtr unclamp(const SplinePtr &spline, int axis, UnclampedEnds ends) {
+SplinePtr unclamp(const SplinePtr &spline, int axis, AxisEnds ends) {
     const KnotVector &old = spline->axis(axis);
     const auto p = static_cast<size_t>(old.degree());
     ends = {ends.lower && old.clamped_start() && p > 0, ends.upper && old.clamped_end() && p > 0};

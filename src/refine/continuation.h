@@ -2,7 +2,7 @@
 // splines.
 #pragma once
 
-#include "refine/axis_table.h"
+#include "refine/cut.h"
 
 namespace nrb {
 
@@ -27,11 +27,7 @@ SplinePtr extend(const SplinePtr &spline, int axis, bool upper, double amount, i
 
 // The clamped ends asked for are unclamped: the knots beyond them repeat those of the domain with its length as
 // the period. Other ends stay. Throws as extend() does, and NURBS_ERROR_KNOTS_MERGE.
-struct UnclampedEnds {
-    bool lower;
-    bool upper;
-};
-SplinePtr unclamp(const SplinePtr &spline, int axis, UnclampedEnds ends);
+SplinePtr unclamp(const SplinePtr &spline, int axis, AxisEnds ends);
 
 // Throws NURBS_ERROR_WEIGHT_NEGATIVE unless the weights of a spline built from Cartesian points are positive
 // where those of the layers it came from were.

@@ -50,7 +50,7 @@ KnotVectorPtr part_axis(std::span<const double> fine, int degree, int64_t first,
                                               std::vector<double>(from, from + (end - first) + degree + 1));
 }
 
-CutAxis cut_at(const KnotVector &axis, std::span<const double> breaks, ClampedEnds ends) {
+CutAxis cut_at(const KnotVector &axis, std::span<const double> breaks, AxisEnds ends) {
     const int p = axis.degree();
     const std::vector<double> fine =
         saturated(axis, breaks.subspan(ends.lower ? 0 : 1,
@@ -106,7 +106,7 @@ std::vector<double> breaks_of(const KnotVector &axis) {
 
 } // namespace
 
-SplinePtr cut_axis(const SplinePtr &spline, int axis, double lower, double upper, ClampedEnds ends) {
+SplinePtr cut_axis(const SplinePtr &spline, int axis, double lower, double upper, AxisEnds ends) {
     const Interval domain = spline->axis(axis).domain();
     const double breaks[] = {lower, upper};
     return apply(*spline, axis,

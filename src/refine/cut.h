@@ -13,15 +13,16 @@ namespace nrb {
 // in the domain.
 std::vector<double> saturated(const KnotVector &axis, std::span<const double> breaks);
 
-// Which ends of a part are to be clamped although they are ends of the domain; all others are.
-struct ClampedEnds {
+// The ends of an axis that are chosen: of a part, those ends of the domain that are to be clamped as all others
+// are.
+struct AxisEnds {
     bool lower;
     bool upper;
 };
 
 // The part over [lower, upper] of an axis, which is no longer periodic; clamped at both new ends, and where
 // `ends` says so. Precondition: domain.lower <= lower < upper <= domain.upper.
-SplinePtr cut_axis(const SplinePtr &spline, int axis, double lower, double upper, ClampedEnds ends);
+SplinePtr cut_axis(const SplinePtr &spline, int axis, double lower, double upper, AxisEnds ends);
 
 // As cut_axis() with the ends of the domain left as they are; the whole domain gives the same spline,
 // periodic if it was.

@@ -55,7 +55,7 @@ void check_compatible(std::span<const SplinePtr> parts, int axis) {
 // A part as it will be joined: open, clamped at inner ends.
 SplinePtr prepared(const SplinePtr &part, int axis, bool first, bool last) {
     const KnotVector &knots = part->axis(axis);
-    const ClampedEnds ends{!first && !knots.clamped_start(), !last && !knots.clamped_end()};
+    const AxisEnds ends{!first && !knots.clamped_start(), !last && !knots.clamped_end()};
     const auto [lower, upper] = knots.domain();
     return ends.lower || ends.upper ? cut_axis(part, axis, lower, upper, ends) : open_axis(part, axis);
 }
