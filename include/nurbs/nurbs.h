@@ -1421,7 +1421,7 @@ NURBS_API nurbs_status nurbs_normalize_weights(const nurbs *g, nurbs **out);
  * \param[in] axis 0-based axis, not periodic, of degree >= 1.
  * \param[in] ratio positive and finite; 1 gives the same spline.
  * \param[out] out the new handle.
- * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS; _FACTOR if ratio is not positive and finite, _PERIODIC_KNOTS on
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS; _FACTOR if ratio is not positive and finite, _PERIODIC on
  *   a periodic axis, whose knots would not repeat, _DEGREE at degree 0, _KNOTS_MERGE if knots would become
  *   one or lie at or behind the pole of the map (beyond the domain of an unclamped axis), _NOT_REPRESENTABLE
  *   or _WEIGHT_NOT_FINITE if a value overflows, _WEIGHTS_VANISH if weights underflow.
@@ -1726,7 +1726,8 @@ NURBS_API nurbs_status nurbs_reduce_degree(const nurbs *g, int32_t axis, int32_t
                                            nurbs **out);
 
 /** \brief The simplest spline within a tolerance: weights are dropped if they may be, the degree of each axis
- * is lowered as far as nurbs_reduce_degree() stays within, and knots are removed by nurbs_reduce_knots().
+ * is lowered by nurbs_reduce_degree() as long as that stays within and leaves no more control points (but not
+ * below 1, where steps would begin), and knots are removed by nurbs_reduce_knots(). The ends stay.
  * \param[in] g a spline.
  * \param[in] tolerance largest distance from g, >= 0, may be infinite.
  * \param[out] bound proven bound of the distance from g, at most the tolerance, or NULL; 0 if nothing changed.

@@ -28,9 +28,9 @@ SplinePtr without_weights(const Spline &spline) {
     return make_spline(spline.knot_vectors(), spline.dim(), Form::polynomial, std::move(points));
 }
 
-// One degree less, null where the weights do not allow it.
+// One degree less, null where the weights do not allow it or steps would be all that is left.
 SplinePtr one_degree_less(const SplinePtr &spline, int axis) {
-    if (spline->axis(axis).degree() == 0) {
+    if (spline->axis(axis).degree() <= 1) {
         return nullptr;
     }
     try {
@@ -56,21 +56,35 @@ bool accept(const SplinePtr &original, const SplinePtr &candidate, double tolera
     return true;
 }
 
-} // namespace
-
-Reduced simplify(const SplinePtr &spline, double tolerance) {
-    check_tolerance(tolerance);
-    Reduced result{spline, 0};
-    accept(spline, without_weights(*spline), tolerance, result);
-    for (int k = 0; k < spline->axes(); ++k) {
-        while (accept(spline, one_degree_less(result.spline, k), tolerance, result)) {
-        }
-    }
-    const Reduced thinned = reduce_knots(result.spline, -1, tolerance - result.bound);
-    if (thinned.spline != result.spline && !accept(spline, thinned.spline, tolerance, result)) {
-        result = {thinned.spline, result.bound + thinned.bound};
+// With as few knots as what is left of the tolerance allows.
+Reduced thinned(const SplinePtr &original, const Reduced &state, double tolerance) {
+    const Reduced fewer = reduce_knots(state.spline, -1, tolerance - state.bound);
+    Reduced result = state;
+    if (fewer.spline != state.spline && !accept(original, fewer.spline, tolerance, result)) {
+        result = {fewer.spline, state.bound + fewer.bound};
     }
     return result;
+}
+
+} // namespace
+
+// A lower degree may need more knots than the higher one: it is kept only if it does not.
+Reduced simplify(const SplinePtr &spline, double tolerance) {
+    check_tolerance(tolerance);
+    Reduced state{spline, 0};
+    accept(spline, without_weights(*spline), tolerance, state);
+    Reduced best = thinned(spline, state, tolerance);
+    for (int k = 0; k < spline->axes(); ++k) {
+        for (Reduced lower = state; accept(spline, one_degree_less(lower.spline, k), tolerance, lower);
+             state = lower) {
+            Reduced candidate = thinned(spline, lower, tolerance);
+            if (candidate.spline->point_count() > best.spline->point_count()) {
+                break;
+            }
+            best = std::move(candidate);
+        }
+    }
+    return best;
 }
 
 } // namespace nrb

@@ -119,7 +119,7 @@ void check_moebius(const KnotVector &axis, int k, double ratio) {
         fail(NURBS_ERROR_FACTOR, "ratio = %s, expected positive and finite", Number(ratio).text);
     }
     if (axis.periodic()) {
-        fail(NURBS_ERROR_PERIODIC_KNOTS, "axis %d is periodic, and no period survives a map with a pole", k);
+        fail(NURBS_ERROR_PERIODIC, "axis %d is periodic, and no period survives a map with a pole", k);
     }
     if (axis.degree() == 0 && ratio != 1) {
         fail(NURBS_ERROR_DEGREE, "degree 0 of axis %d: a Moebius map changes no weight there", k);

@@ -12,7 +12,7 @@ SplinePtr normalize_weights(const SplinePtr &spline);
 // ratio^(1/p): homogeneous control point i is multiplied by the product over its knots t_(i+1), ..., t_(i+p)
 // of rho (b - a) / (rho (b - t) + t - a), the value of a linear factor whose p-th power makes the polar form
 // of a spline in u from that in t (Piegl & Tiller 6.4; Lee & Lucian 1991). Throws NURBS_ERROR_FACTOR, _DEGREE
-// (degree 0), _PERIODIC_KNOTS, _KNOTS_MERGE, _NOT_REPRESENTABLE.
+// (degree 0), _PERIODIC, _KNOTS_MERGE, _NOT_REPRESENTABLE.
 SplinePtr reparametrize_moebius(const SplinePtr &spline, int axis, double ratio);
 
 // The same with the ratio that makes the weights at the two ends of the domain equal. Throws
