@@ -3,7 +3,10 @@
 #include "basis/basis_matrix.h"
 #include "checks.h"
 #include "guard.h"
+#include "refine/hermite.h"
+#include "sparse.h"
 
+#include <algorithm>
 #include <cmath>
 
 using namespace nrb;
@@ -69,6 +72,18 @@ std::vector<double> hermite_points(const double *params, const ConstRecords &poi
     return result;
 }
 
+void check_curve(const Spline &spline) {
+    if (spline.axes() != 1) {
+        fail(NURBS_ERROR_AXES, "g has %d axes, expected a curve", spline.axes());
+    }
+}
+
+void copy_to(const std::vector<double> &values, double *out) {
+    if (out != nullptr) {
+        std::copy(values.begin(), values.end(), out);
+    }
+}
+
 } // namespace
 
 nurbs_status nurbs_create_hermite(int64_t n, const double *params, int32_t dim, const double *points,
@@ -92,6 +107,29 @@ nurbs_status nurbs_create_hermite(int64_t n, const double *params, int32_t dim, 
         Spline::Axes axes{make_knot_vector(3, hermite_knots(params, n))};
         give(make_spline(std::move(axes), dim, Form::polynomial, hermite_points(params, values, slopes)),
              out);
+    });
+}
+
+nurbs_status nurbs_to_hermite(const nurbs *g, int64_t cap, double *params, double *points, double *tangents,
+                              int64_t *count) {
+    return guard([&] {
+        const Spline &curve = spline_of(g);
+        check_curve(curve);
+        const int64_t n = curve.axis(0).spans().size() + 1;
+        check_cap(cap, n);
+        const int64_t filled = cap == 0 ? 0 : n, values = checked_product(filled, curve.dim(), "points");
+        check_apart({memory("params", params, filled), memory("points", points, values),
+                     memory("tangents", tangents, values), memory("count", count, 1)},
+                    {});
+        const HermiteData data = hermite_data(g->spline); // refuses what has none, whatever is asked for
+        if (cap != 0) {
+            copy_to(data.params, params);
+            copy_to(data.points, points);
+            copy_to(data.tangents, tangents);
+        }
+        if (count != nullptr) {
+            *count = n;
+        }
     });
 }
 

@@ -16,6 +16,8 @@ bool decode_periodic(uint32_t flags, int32_t axes, int k) {
     return (flags & NURBS_ON_AXIS(k, NURBS_PERIODIC)) != 0;
 }
 
+} // namespace
+
 std::vector<double> packed(ConstRecords view) {
     const auto size = static_cast<size_t>(checked_product(view.count, view.width, "points"));
     std::vector<double> values;
@@ -37,8 +39,6 @@ void check_dimension(int32_t dim) {
         fail(NURBS_ERROR_DIMENSION, "dim = %d, expected 1 to %d", dim, largest);
     }
 }
-
-} // namespace
 
 AxesData::AxesData(int32_t axes, const int32_t *degrees, const int64_t *counts, uint32_t flags)
     : size_(axes) {

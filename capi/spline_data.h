@@ -50,6 +50,11 @@ private:
     std::array<AxisData, max_axes> axes_{};
 };
 
+// The records one after the other, with room behind them for the padding of a spline.
+std::vector<double> packed(ConstRecords view);
+// 1 <= dim, and a homogeneous record still has a width; else NURBS_ERROR_DIMENSION.
+void check_dimension(int32_t dim);
+
 struct PointsData {
     int32_t dim;
     const double *points;

@@ -188,6 +188,7 @@ enum {
     NURBS_ERROR_NOT_PERIODIC = 43, /**< an axis that has to be periodic was not declared so */
     NURBS_ERROR_END_WEIGHTS = 44,  /**< no one factor makes the weights at the ends of an axis equal */
     NURBS_ERROR_FACTOR = 45,       /**< a factor is not finite, or not positive where it has to be */
+    NURBS_ERROR_CONTINUITY = 46,   /**< a knot is less smooth than the function needs */
     NURBS_ERROR_WEIGHT_SIGN = 47,  /**< a weight of the result would not be positive */
     NURBS_ERROR_PERIODIC = 48,     /**< an axis is periodic, which the function is not for */
     NURBS_ERROR_END = 49,          /**< an end is neither NURBS_START nor NURBS_END */
@@ -251,6 +252,8 @@ enum {
 #define NURBS_PRODUCT_DOT 0x08000000u
 /** \brief nurbs_product(): the cross product in dimension 3. */
 #define NURBS_PRODUCT_CROSS 0x10000000u
+/** \brief nurbs_create_power(): homogeneous records (w x, w y, ..., w). */
+#define NURBS_HOMOGENEOUS 0x20000000u
 /** \brief nurbs_make_compatible(): map the domains of all splines to that of the first one. */
 #define NURBS_MAP_DOMAINS 0x40000000u
 /** @} */
@@ -1566,6 +1569,78 @@ NURBS_API nurbs_status nurbs_create_hermite(int64_t n, const double *params, int
                                             int64_t point_component_stride, const double *tangents,
                                             int64_t tangent_stride, int64_t tangent_component_stride,
                                             nurbs **out);
+
+/** \brief The points and derivatives of a C^1 piecewise cubic at the ends of its non-empty spans, from which
+ * nurbs_create_hermite() makes the same curve: clamped, with double knots. A curve of degree p < 3 has them too.
+ * Whether it is C^1 is told by the knots alone: none inside the domain may occur more than p - 1 times
+ * (nurbs_simplify() takes superfluous ones away). Points are those of nurbs_decompose(), within 2 eps of the
+ * largest magnitude M of a control point that is active beside them, ends of a clamped curve exactly; tangents
+ * are within 14 p eps M / h of the derivative, h the longer one of the two spans beside the point (both tested).
+ * \param[in] g a polynomial curve of degree 0 to 3.
+ * \param[in] cap length of the arrays in points; 0 asks for the number only.
+ * \param[out] params [cap] receives the distinct knots of the domain, rising; may be NULL.
+ * \param[out] points [cap][dim] receives the points, packed; may be NULL.
+ * \param[out] tangents [cap][dim] receives the derivatives with respect to the parameter, packed; may be NULL.
+ * \param[out] count number of points, one more than there are non-empty spans; may be NULL.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _COUNT, _OVERFLOW, _OVERLAP; _SIZE if cap is neither 0 nor enough,
+ *   _RATIONAL if g is rational, _DEGREE above 3, _CONTINUITY naming a knot at which g may have a kink,
+ *   _NOT_REPRESENTABLE if a tangent overflows.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_to_hermite(const nurbs *g, int64_t cap, double *params, double *points,
+                                        double *tangents, int64_t *count);
+
+/** \brief The power basis of every polynomial piece of a spline: on the piece over the span [a, b] of each axis
+ *
+ *     g(t) = sum_k c_k (t_0 - a_0)^k_0 (t_1 - a_1)^k_1 ...,   0 <= k_i <= p_i,
+ *
+ * of the homogeneous points (w x, w y, ..., w) if g is rational. They are made from the Bezier points by
+ * forward differences on every axis, c_k = binomial(p, k) Delta^k b_0 / h^k with h = b - a, and are within
+ *
+ *     (sum_i (2 + 2 k_i)) eps M prod_i 2^k_i binomial(p_i, k_i) / h_i^k_i
+ *
+ * (tested; 4 p_i + 3 in place of 2 is proved) of their exact values, M the largest magnitude of that component
+ * in a control point that is active on the piece, and unless they underflow. The power basis is ill
+ * conditioned at the far end of a span; the Bezier pieces of nurbs_decompose() are not.
+ * \param[in] g a spline, of width W = dim, or dim + 1 if it is rational.
+ * \param[in] cap length of coefficients in values: 0 asks for the numbers only, or at least count.
+ * \param[out] coefficients [pieces][p_0 + 1]...[W] c_k, pieces in the order of nurbs_decompose(), last axis
+ *   fastest in pieces and powers; may be NULL. Written, as breaks, if cap is not 0.
+ * \param[out] breaks [sum of piece_counts[k] + 1] the distinct knots of the domain of every axis, one axis after
+ *   the other; may be NULL.
+ * \param[out] piece_counts [axes] receives the number of pieces along each axis; may be NULL.
+ * \param[out] count number of values of all coefficients; may be NULL.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERFLOW, _OVERLAP; _SIZE if cap is neither 0 nor enough,
+ *   _NOT_REPRESENTABLE if a value overflows.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_to_power(const nurbs *g, int64_t cap, double *coefficients, double *breaks,
+                                      int64_t *piece_counts, int64_t *count);
+
+/** \brief A spline from the power basis of its pieces, as nurbs_to_power() gives it. All breaks are knots of
+ * multiplicity degree + 1, so that the pieces need not meet, and the Bezier points of every piece are its control
+ * points: on one axis b_i = sum_k binomial(i, k) / binomial(p, k) c_k h^k, each within (3 p + 1) / 2 eps of the
+ * sum of the magnitudes of its terms, on several the sum of that over them. nurbs_simplify() or
+ * nurbs_reduce_knots() take the knots away that pieces do not need which fit.
+ * \param[in] axes 1 to 3.
+ * \param[in] degrees [axes] degrees.
+ * \param[in] piece_counts [axes] number of pieces along each axis, at least 1.
+ * \param[in] breaks [break_count] the ends of the pieces along each axis, piece_counts[k] + 1 strictly
+ *   increasing ones, one axis after the other.
+ * \param[in] break_count length of breaks: sum of piece_counts[k] + 1.
+ * \param[in] dim dimension of the points.
+ * \param[in] coefficients [pieces][p_0 + 1]...[W] as for nurbs_to_power(), W = dim, or dim + 1 with
+ *   NURBS_HOMOGENEOUS.
+ * \param[in] coefficient_stride,coefficient_component_stride layout of the records of W values, 0 = packed.
+ * \param[in] flags NURBS_HOMOGENEOUS: the coefficients are those of (w x, w y, ..., w), and the spline is
+ *   rational as from nurbs_create_homogeneous(); or 0: polynomial.
+ * \param[out] out the new handle.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DEGREE, _COUNT, _OVERFLOW, _SIZE, _DIMENSION, _STRIDE, _FLAGS,
+ *   _KNOT_NOT_FINITE, _POINT_NOT_FINITE, _WEIGHT_NOT_FINITE, _WEIGHTS_VANISH; _KNOTS_DECREASING for breaks that
+ *   do not increase, _NOT_REPRESENTABLE if a control point overflows.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_create_power(int32_t axes, const int32_t *degrees, const int64_t *piece_counts,
+                                          const double *breaks, int64_t break_count, int32_t dim,
+                                          const double *coefficients, int64_t coefficient_stride,
+                                          int64_t coefficient_component_stride, uint32_t flags, nurbs **out);
 
 /** \brief The matrix that takes the coefficients of a polynomial over [0, 1] in one basis to those in another:
  * coefficient i of `to` is sum_j M_ij * coefficient j of `from`. Every entry is a quotient of two integers,

@@ -35,6 +35,8 @@ public:
     using Bounds = std::array<std::vector<int64_t>, max_axes>;
     PartedSpline(SplinePtr whole, Bounds bounds);
 
+    // All parts in one net, not yet apart.
+    [[nodiscard]] const Spline &whole() const noexcept { return *whole_; }
     [[nodiscard]] int axes() const noexcept { return whole_->axes(); }
     [[nodiscard]] int64_t parts(int k) const noexcept {
         return std::ssize(bounds_[static_cast<size_t>(k)]) - 1;

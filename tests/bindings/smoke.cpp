@@ -169,9 +169,14 @@ static void images_in_a_plane() {
 }
 
 static void segments() {
-    const std::vector<double> params = {0, 1}, points = {0, 0, 1, 1}, tangents = {1, 0, 0, 1};
+    const std::vector<double> params = {0, 1}, points = {0, 0, 1, 1}, tangents = {3, 0, 0, 3};
     const Spline g = libnurbs::create_hermite(params, 2, points, tangents);
-    EXPECT((g.eval_derivs(1, {0}) == std::vector<double>{0, 0, 1, 0}));
+    EXPECT((g.eval_derivs(1, {0}) == std::vector<double>{0, 0, 3, 0}));
+    EXPECT((libnurbs::to_hermite(g).tangents == tangents));
+    const libnurbs::PowerForm form = libnurbs::to_power(g);
+    EXPECT((form.coefficients == std::vector<double>{0, 0, 3, 0, -3, 0, 1, 1}));
+    EXPECT((libnurbs::create_power(std::vector<std::int32_t>{3}, 2, form).eval({1}) ==
+            std::vector<double>{1, 1}));
     EXPECT((libnurbs::basis_matrix(libnurbs::basis_bernstein, libnurbs::basis_power, 1) ==
             std::vector<double>{1, 0, -1, 1}));
 }

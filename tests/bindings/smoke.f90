@@ -249,10 +249,19 @@ contains
     subroutine segments()
         type(nurbs_spline) :: g
         real(c_double) :: one(1, 2), m(4)
+        real(c_double), allocatable :: params(:), points(:, :), tangents(:, :), coefficients(:, :), breaks(:)
+        integer(c_int64_t), allocatable :: pieces(:)
         call create_hermite_spline(g, [0d0, 1d0], reshape([0d0, 1d0, 0d0, 1d0], [2, 2]), &
-            reshape([1d0, 0d0, 0d0, 1d0], [2, 2]))
+            reshape([3d0, 0d0, 0d0, 3d0], [2, 2]))
         call g%eval([1.0_c_double], one)
         call expect(all(one(1, :) == [1, 1]), 'the end of a Hermite curve')
+        call hermite_data(g, params, points, tangents)
+        call expect(all(tangents == reshape([3d0, 0d0, 0d0, 3d0], [2, 2])), 'the tangents of a Hermite curve')
+        call power_form(g, coefficients, breaks, pieces)
+        call expect(all(coefficients == reshape([0, 0, 3, 0, -3, 0, 1, 1], [2, 4])), 'the power basis')
+        call create_power_spline(g, [3_c_int32_t], pieces, breaks, coefficients)
+        call g%eval([1.0_c_double], one)
+        call expect(all(one(1, :) == [1, 1]), 'a spline of the power basis')
         call expect(nurbs_basis_matrix(NURBS_BASIS_BERNSTEIN, NURBS_BASIS_POWER, 1, 4_c_int64_t, m) == NURBS_OK, 'a basis')
         call expect(all(m == [1, 0, -1, 1]), 'its matrix')
     end subroutine segments

@@ -120,8 +120,14 @@ class Evaluation(unittest.TestCase):
 
     def test_segments(self):
         same = np.testing.assert_array_equal
-        g = nurbs.create_hermite([0, 1], [[0, 0], [1, 1]], [[1, 0], [0, 1]])
+        g = nurbs.create_hermite([0, 1], [[0, 0], [1, 1]], [[3, 0], [0, 3]])
         same(g.eval(1), [1, 1])
+        same(nurbs.to_hermite(g).tangents, [[3, 0], [0, 3]])
+        form = nurbs.to_power(g)
+        same(form.coefficients, [[[0, 0], [3, 0], [-3, 0], [1, 1]]])
+        same(nurbs.create_power(*form).eval(1), [1, 1])
+        round_form = nurbs.to_power(circle())
+        np.testing.assert_allclose(nurbs.create_power(*round_form, homogeneous=True).eval(0.25), [0, 1], atol=1e-15)
         same(nurbs.basis_matrix(nurbs.NURBS_BASIS_BERNSTEIN, nurbs.NURBS_BASIS_POWER, 1), [[1, 0], [-1, 1]])
 
     def test_reduction(self):

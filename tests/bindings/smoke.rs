@@ -172,8 +172,12 @@ fn images_in_a_plane() -> Result<()> {
 }
 
 fn segments() -> Result<()> {
-    let g = Spline::hermite(&[0.0, 1.0], 1, &[0.0, 2.0], &[1.0, 1.0])?;
+    let g = Spline::hermite(&[0.0, 1.0], 1, &[0.0, 2.0], &[3.0, 3.0])?;
     assert_eq!(g.eval(&[1.0], 0)?, [2.0]);
+    assert_eq!(g.to_hermite()?.points, [0.0, 2.0]);
+    let form = g.to_power()?;
+    assert_eq!(form.coefficients, [0.0, 3.0, -3.0, 2.0]);
+    assert_eq!(Spline::power(&[3], 1, &form, 0)?.eval(&[1.0], 0)?, [2.0]);
     let matrix = nurbs::basis_matrix(sys::NURBS_BASIS_BERNSTEIN, sys::NURBS_BASIS_POWER, 1)?;
     assert_eq!(matrix, [1.0, 0.0, -1.0, 1.0]);
     Ok(())

@@ -290,6 +290,19 @@ const Case cases[] = {
      [](Inputs &, Output &o) {
          return nurbs_create_hermite(2, new_knots, 2, params, 0, 0, params, 0, 0, &o.out);
      }},
+    {"to_hermite",
+     [](Inputs &in, Output &) {
+         return nurbs_to_hermite(in.twist, 2, in.values, in.values + 2, in.values + 8, nullptr);
+     }},
+    {"to_power",
+     [](Inputs &in, Output &) { return nurbs_to_power(in.curve, 64, in.values, nullptr, in.spans, nullptr); }},
+    {"create_power",
+     [](Inputs &, Output &o) {
+         static const int32_t degrees[] = {1, 0};
+         static const int64_t pieces[] = {1, 1};
+         static const double breaks[] = {0, 1, 0, 1};
+         return nurbs_create_power(2, degrees, pieces, breaks, 4, 2, params, 0, 0, 0, &o.out);
+     }},
     {"basis_matrix", [](Inputs &in, Output &) { return nurbs_basis_matrix(0, 3, 3, 16, in.values); }},
     {"mirror", [](Inputs &in, Output &o) { return nurbs_mirror(in.curve, params, params, &o.out); }},
     {"project_to_plane",

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* nurbs_create_hermite() and nurbs_basis_matrix(). */
+/* nurbs_create_hermite(), nurbs_to_hermite() and nurbs_basis_matrix(). */
 #include "check.h"
 #include "shapes.h"
 
@@ -46,7 +46,78 @@ static void hermite(void) {
     double derivs[12];
     CHECK_OK(nurbs_eval_derivs(h, 1, 3, VALUES(0, 1, 3), 0, 0, derivs, 0, 0, 0));
     CHECK_DOUBLES(derivs, VALUES(0, 0, 3, 0, 3, 1, 0, 3, 3, 4, -3, 0), 12);
+    double params[3], back[6], slopes[6];
+    int64_t count = 0;
+    CHECK_OK(nurbs_to_hermite(h, 0, NULL, NULL, NULL, &count));
+    CHECK_INT(count, 3);
+    CHECK_OK(nurbs_to_hermite(h, 3, params, back, slopes, &count));
+    CHECK_DOUBLES(params, VALUES(0, 1, 3), 3);
+    CHECK_DOUBLES(back, points, 6);
+    CHECK_DOUBLES(slopes, tangents, 6);
+    FILL(back);
+    CHECK_OK(nurbs_to_hermite(h, 9, NULL, NULL, slopes, NULL));
+    CHECK_OK(nurbs_to_hermite(h, 0, params, back, slopes, NULL));
+    CHECK_UNTOUCHED(back);
     nurbs_destroy(h);
+}
+
+/* A parabola of degree 2, unclamped: C' = 2, 0, ... are the differences of its points. */
+static void lower_degrees(void) {
+    double params[5], points[10], tangents[10];
+    nurbs *g = make(hill());
+    CHECK_OK(nurbs_to_hermite(g, 4, params, points, tangents, NULL));
+    CHECK_DOUBLES(params, VALUES(2, 3, 4, 5), 4);
+    CHECK_DOUBLES(points, VALUES(1, 3, 3, 1), 4);
+    CHECK_DOUBLES(tangents, VALUES(2, 2, -2, -2), 4);
+    nurbs_destroy(g);
+    g = make(loop());
+    CHECK_OK(nurbs_to_hermite(g, 5, params, points, tangents, NULL));
+    CHECK_DOUBLES(points, VALUES(0, 1, -1, 0, 0, -1, 1, 0, 0, 1), 10);
+    CHECK_DOUBLES(tangents, VALUES(-2, 0, 0, -2, 2, 0, 0, 2, -2, 0), 10);
+    nurbs_destroy(g);
+}
+
+static void no_hermite(SplineArgs a, nurbs_status status, const char *words) {
+    double x[8];
+    int64_t count;
+    FILL(x);
+    memset(&count, 0x5a, sizeof count);
+    nurbs *g = make(a);
+    CHECK_FAILS(nurbs_to_hermite(g, 0, x, x + 2, x + 4, &count), status, words);
+    CHECK_UNTOUCHED(x);
+    check_untouched(__FILE__, __LINE__, &count, sizeof count);
+    nurbs_destroy(g);
+}
+
+static void hermite_refusals(void) {
+    static const int32_t four = 4;
+    static const int64_t five = 5;
+    static const double knots[] = {0, 0, 0, 0, 0, 1, 1, 1, 1, 1}, values[] = {0, 1, 2, 3, 4};
+    const SplineArgs quartic = {1, &four, &five, knots, 10, 1, values, 0, 0, NULL, 0, 0};
+    no_hermite(patch(), NURBS_ERROR_AXES, "2 axes");
+    no_hermite(circle(), NURBS_ERROR_RATIONAL, "g");
+    no_hermite(quartic, NURBS_ERROR_DEGREE, "degree 4|3");
+    no_hermite(jump(), NURBS_ERROR_CONTINUITY, "knot 1|2 times|at most 0|degree 1");
+    no_hermite(stairs(), NURBS_ERROR_CONTINUITY, "knot 1|1 times|at most 0");
+    double x[8];
+    int64_t count;
+    FILL(x);
+    memset(&count, 0x5a, sizeof count);
+    nurbs *g = make(arch());
+    CHECK_FAILS(nurbs_to_hermite(NULL, 2, x, x + 2, x + 4, &count), NURBS_ERROR_NULL, "g");
+    CHECK_FAILS(nurbs_to_hermite(g, 1, x, x + 2, x + 4, &count), NURBS_ERROR_SIZE, "cap = 1|2");
+    CHECK_FAILS(nurbs_to_hermite(g, -1, x, NULL, NULL, &count), NURBS_ERROR_COUNT, "cap = -1");
+    CHECK_FAILS(nurbs_to_hermite(g, 2, x, x + 1, x + 4, &count), NURBS_ERROR_OVERLAP, "points|params");
+    CHECK_UNTOUCHED(x);
+    check_untouched(__FILE__, __LINE__, &count, sizeof count);
+    nurbs_destroy(g);
+    static const double steep[] = {0, 0, 1e-300, 1e-300}, far[] = {-1e10, 1e10};
+    static const int32_t one = 1;
+    static const int64_t two = 2;
+    CHECK_OK(nurbs_create(1, &one, &two, steep, 4, 1, far, 0, 0, NULL, 0, 0, &g));
+    CHECK_FAILS(nurbs_to_hermite(g, 2, x, x + 2, x + 4, NULL), NURBS_ERROR_NOT_REPRESENTABLE, "tangent");
+    CHECK_UNTOUCHED(x);
+    nurbs_destroy(g);
 }
 
 static void refusals(void) {
@@ -81,6 +152,8 @@ static void refusals(void) {
 int main(void) {
     matrices();
     hermite();
+    lower_degrees();
+    hermite_refusals();
     refusals();
     return check_summary("segments");
 }

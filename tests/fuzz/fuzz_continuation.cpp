@@ -92,6 +92,50 @@ void segments(Input &in) {
     }
 }
 
+// Pieces out, and in again: the same breaks, and the same numbers of points as the coefficients have.
+void power(Input &in, const nurbs *g, const fuzz::Spline &s) {
+    int64_t pieces[3] = {-7, -7, -7}, count = -7, total = 0;
+    const bool ok = FUZZ_OK(nurbs_to_power(g, 0, nullptr, nullptr, pieces, &count));
+    FUZZ_REQUIRE(ok && count > 0);
+    if (count > 4000) {
+        return;
+    }
+    for (int k = 0; k < s.axes(); ++k) {
+        total += pieces[k] + 1;
+    }
+    std::vector<double> coefficients(static_cast<size_t>(count)), breaks(static_cast<size_t>(total));
+    if (!FUZZ_OK(nurbs_to_power(g, count, coefficients.data(), breaks.data(), nullptr, nullptr))) {
+        return;
+    }
+    int32_t rational = 0;
+    FUZZ_REQUIRE(nurbs_is_rational(g, &rational) == NURBS_OK);
+    if (in.rarely()) {
+        breaks[static_cast<size_t>(in.below(static_cast<int>(std::min<int64_t>(total, 255))))] =
+            in.anything();
+    }
+    nurbs *out = fuzz::poison();
+    const nurbs_status status =
+        nurbs_create_power(s.axes32(), s.degrees.data(), pieces, breaks.data(), total, s.dim,
+                           coefficients.data(), 0, 0, rational != 0 ? NURBS_HOMOGENEOUS : 0, &out);
+    const fuzz::Handle h(FUZZ_MADE(status, out));
+}
+
+void hermite(const nurbs *g, const fuzz::Spline &s) {
+    int64_t n = -7;
+    if (!FUZZ_OK(nurbs_to_hermite(g, 0, nullptr, nullptr, nullptr, &n))) {
+        FUZZ_REQUIRE(n == -7);
+        return;
+    }
+    std::vector<double> params(static_cast<size_t>(n)), points(params.size() * static_cast<size_t>(s.dim));
+    std::vector<double> tangents(points.size());
+    if (FUZZ_OK(nurbs_to_hermite(g, n, params.data(), points.data(), tangents.data(), nullptr))) {
+        nurbs *out = fuzz::poison();
+        const nurbs_status status =
+            nurbs_create_hermite(n, params.data(), s.dim, points.data(), 0, 0, tangents.data(), 0, 0, &out);
+        const fuzz::Handle h(FUZZ_MADE(status, out));
+    }
+}
+
 } // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
@@ -104,6 +148,8 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
         unclamp(in, g.get(), s);
         periodic(in, g.get(), s);
         project(in, g.get(), s);
+        power(in, g.get(), s);
+        hermite(g.get(), s);
     }
     return 0;
 }

@@ -697,6 +697,34 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_create_hermite
+        function nurbs_to_hermite(g, cap, params, points, tangents, count) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int64_t), value :: cap
+            real(c_double), intent(inout), optional :: params(*), points(*), tangents(*)
+            integer(c_int64_t), intent(inout), optional :: count
+            integer(c_int32_t) :: r
+        end function nurbs_to_hermite
+        function nurbs_to_power(g, cap, coefficients, breaks, piece_counts, count) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int64_t), value :: cap
+            real(c_double), intent(inout), optional :: coefficients(*), breaks(*)
+            integer(c_int64_t), intent(inout), optional :: piece_counts(*)
+            integer(c_int64_t), intent(inout), optional :: count
+            integer(c_int32_t) :: r
+        end function nurbs_to_power
+        function nurbs_create_power(axes, degrees, piece_counts, breaks, break_count, dim, coefficients, &
+            coefficient_stride, coefficient_component_stride, flags, out) bind(c) result(r)
+            import
+            integer(c_int32_t), value :: axes, dim, flags
+            integer(c_int32_t), intent(in) :: degrees(*)
+            integer(c_int64_t), intent(in) :: piece_counts(*)
+            real(c_double), intent(in) :: breaks(*), coefficients(*)
+            integer(c_int64_t), value :: break_count, coefficient_stride, coefficient_component_stride
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_create_power
         function nurbs_basis_matrix(from, to, degree, size, matrix) bind(c) result(r)
             import
             integer(c_int32_t), value :: from, to, degree

@@ -58,6 +58,7 @@ module nurbs_constants
     integer(c_int32_t), parameter :: NURBS_ERROR_PERIODIC = 48
     integer(c_int32_t), parameter :: NURBS_ERROR_END = 49
     integer(c_int32_t), parameter :: NURBS_ERROR_BASIS = 50
+    integer(c_int32_t), parameter :: NURBS_ERROR_CONTINUITY = 46
     integer(c_int32_t), parameter :: NURBS_ERROR_WEIGHT_SIGN = 47
     integer(c_int32_t), parameter :: NURBS_ERROR_OUTSIDE_DOMAIN = 100
     integer(c_int32_t), parameter :: NURBS_ERROR_NOT_REPRESENTABLE = 200
@@ -85,6 +86,7 @@ module nurbs_constants
     integer(c_int32_t), parameter :: NURBS_KEEP_GAPS = int(z'04000000', c_int32_t)
     integer(c_int32_t), parameter :: NURBS_PRODUCT_DOT = int(z'08000000', c_int32_t)
     integer(c_int32_t), parameter :: NURBS_PRODUCT_CROSS = int(z'10000000', c_int32_t)
+    integer(c_int32_t), parameter :: NURBS_HOMOGENEOUS = int(z'20000000', c_int32_t)
     integer(c_int32_t), parameter :: NURBS_MAP_DOMAINS = int(z'40000000', c_int32_t)
 
     ! Bases of a polynomial segment

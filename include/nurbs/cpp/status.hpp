@@ -57,6 +57,7 @@ enum class Status : nurbs_status {
     periodic = NURBS_ERROR_PERIODIC,
     end = NURBS_ERROR_END,
     basis = NURBS_ERROR_BASIS,
+    continuity = NURBS_ERROR_CONTINUITY,
     weight_sign = NURBS_ERROR_WEIGHT_SIGN,
     outside_domain = NURBS_ERROR_OUTSIDE_DOMAIN,
     not_representable = NURBS_ERROR_NOT_REPRESENTABLE,
@@ -93,6 +94,7 @@ inline constexpr std::uint32_t keep_domain = NURBS_KEEP_DOMAIN;
 inline constexpr std::uint32_t keep_gaps = NURBS_KEEP_GAPS;
 inline constexpr std::uint32_t product_dot = NURBS_PRODUCT_DOT;
 inline constexpr std::uint32_t product_cross = NURBS_PRODUCT_CROSS;
+inline constexpr std::uint32_t homogeneous_records = NURBS_HOMOGENEOUS;
 inline constexpr std::uint32_t map_domains = NURBS_MAP_DOMAINS;
 inline constexpr std::int32_t start_of_axis = NURBS_START;
 inline constexpr std::int32_t end_of_axis = NURBS_END;

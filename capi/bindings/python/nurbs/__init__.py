@@ -33,7 +33,7 @@ from .linear import (Gradients, bezier_extraction, collocation, eval_adjoint, ra
                      refinement_matrix)
 from .parts import Joined, decompose, join, split_at_knots
 from .projections import mirror, project_from, project_to_plane
-from .segments import basis_matrix, create_hermite
+from .segments import Hermite, PowerForm, basis_matrix, create_hermite, create_power, to_hermite, to_power
 from .reduce import (Deviation, KnotRemoval, Reduced, deviation, reduce_degree, reduce_knots, remove_knot,
                      simplify)
 from .spline import Spline, derivative_slots

@@ -45,7 +45,7 @@ pub use knots::{
 pub use linear::{collocation, Extraction, Gradients, GradientsMut, SparseMatrix};
 pub use list::{List, Note, ReadOptions};
 pub use parts::{join, Joined};
-pub use segments::basis_matrix;
+pub use segments::{basis_matrix, Hermite, PowerForm};
 pub use reduce::{KnotRemoval, Reduced};
 pub use spline::{derivative_slots, DistinctKnots, Spline};
 

@@ -80,6 +80,7 @@ pub const NURBS_ERROR_FACTOR: nurbs_status = 45;
 pub const NURBS_ERROR_PERIODIC: nurbs_status = 48;
 pub const NURBS_ERROR_END: nurbs_status = 49;
 pub const NURBS_ERROR_BASIS: nurbs_status = 50;
+pub const NURBS_ERROR_CONTINUITY: nurbs_status = 46;
 pub const NURBS_ERROR_WEIGHT_SIGN: nurbs_status = 47;
 pub const NURBS_ERROR_OUTSIDE_DOMAIN: nurbs_status = 100;
 pub const NURBS_ERROR_NOT_REPRESENTABLE: nurbs_status = 200;
@@ -107,6 +108,7 @@ pub const NURBS_KEEP_DOMAIN: u32 = 0x02000000;
 pub const NURBS_KEEP_GAPS: u32 = 0x04000000;
 pub const NURBS_PRODUCT_DOT: u32 = 0x08000000;
 pub const NURBS_PRODUCT_CROSS: u32 = 0x10000000;
+pub const NURBS_HOMOGENEOUS: u32 = 0x20000000;
 pub const NURBS_MAP_DOMAINS: u32 = 0x40000000;
 pub const NURBS_BASIS_POWER: i32 = 0;
 pub const NURBS_BASIS_BERNSTEIN: i32 = 1;
@@ -641,6 +643,35 @@ extern "C" {
         tangents: *const f64,
         tangent_stride: i64,
         tangent_component_stride: i64,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    pub fn nurbs_to_hermite(
+        g: *const nurbs,
+        cap: i64,
+        params: *mut f64,
+        points: *mut f64,
+        tangents: *mut f64,
+        count: *mut i64,
+    ) -> nurbs_status;
+    pub fn nurbs_to_power(
+        g: *const nurbs,
+        cap: i64,
+        coefficients: *mut f64,
+        breaks: *mut f64,
+        piece_counts: *mut i64,
+        count: *mut i64,
+    ) -> nurbs_status;
+    pub fn nurbs_create_power(
+        axes: i32,
+        degrees: *const i32,
+        piece_counts: *const i64,
+        breaks: *const f64,
+        break_count: i64,
+        dim: i32,
+        coefficients: *const f64,
+        coefficient_stride: i64,
+        coefficient_component_stride: i64,
+        flags: u32,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
     pub fn nurbs_basis_matrix(from: i32, to: i32, degree: i32, size: i64, matrix: *mut f64) -> nurbs_status;

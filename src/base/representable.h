@@ -1,0 +1,22 @@
+// Refusal of results that overflow.
+#pragma once
+
+#include "base/error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+namespace nrb {
+
+// Throws NURBS_ERROR_NOT_REPRESENTABLE unless all values are finite; `what` names them in the message.
+inline void require_representable(std::span<const double> values, const char *what) {
+    const auto bad =
+        std::find_if_not(values.begin(), values.end(), [](double x) { return std::isfinite(x); });
+    if (bad != values.end()) {
+        fail(NURBS_ERROR_NOT_REPRESENTABLE, "%s: value %lld of the result overflows", what,
+             static_cast<long long>(bad - values.begin()));
+    }
+}
+
+} // namespace nrb
