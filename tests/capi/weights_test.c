@@ -75,8 +75,7 @@ static void mapped(void) {
     CHECK_FAILS(nurbs_reparametrize_moebius(g, 0, 2, NULL), NURBS_ERROR_NULL, "out is NULL");
     nurbs_destroy(g);
     g = make(loop());
-    CHECK_NO_HANDLE(h, nurbs_reparametrize_moebius(g, 0, 2, &h), NURBS_ERROR_PERIODIC,
-                    "axis 0 is periodic");
+    CHECK_NO_HANDLE(h, nurbs_reparametrize_moebius(g, 0, 2, &h), NURBS_ERROR_PERIODIC, "axis 0 is periodic");
     nurbs_destroy(g);
     g = make(stairs());
     CHECK_NO_HANDLE(h, nurbs_reparametrize_moebius(g, 0, 2, &h), NURBS_ERROR_DEGREE, "degree 0");
