@@ -1,6 +1,7 @@
 #include "refine/axis_table.h"
 
 #include "refine/periodic.h"
+#include "refine/row_batches.h"
 
 #include <algorithm>
 #include <iterator>
@@ -8,16 +9,33 @@
 namespace nrb {
 
 LayerTable rows_of(const Refinement &refinement, int64_t first, int64_t end) {
+    constexpr int64_t many = row_lanes / 2; // for which it pays that they are alike
+    const int degree = refinement.width() - 1;
     LayerTable table;
-    table.reserve(end - first, refinement.width());
+    table.reserve(end - first, refinement.width(), row_lanes);
+    RowBatches batches(degree);
+    double room[max_basis];
     for (int64_t j = first; j < end; ++j) {
         if (j > first && refinement.repeats(j)) {
             table.repeat_row();
             continue;
         }
-        const auto [layer, size] = refinement.row(j, table.room(refinement.width()));
-        table.add_written(layer, size);
+        const auto [layer, steps, left, right, arguments] = refinement.polar(j, room);
+        if (steps == 0) {
+            table.add_copy(layer);
+            continue;
+        }
+        const int64_t alike = steps == degree ? std::min(refinement.alike(j), end - j) : 1;
+        if (alike >= many) {
+            polar_rows(degree, left, right, arguments, alike, table.room(0));
+            const LayerTable::Row row{layer, degree + 1, 0};
+            table.add_pattern({&row, 1}, alike, 0, degree + 1);
+            j += alike - 1;
+        } else {
+            batches.add(steps, left, right, arguments, table.add_later(layer, steps + 1));
+        }
     }
+    batches.finish();
     return table;
 }
 

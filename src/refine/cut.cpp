@@ -1,6 +1,7 @@
 #include "refine/cut.h"
 
 #include "base/checked.h"
+#include "refine/bezier_rows.h"
 
 #include <algorithm>
 #include <array>
@@ -94,16 +95,6 @@ std::vector<double> block(std::span<const double> values, const std::array<Range
     return result;
 }
 
-std::vector<double> breaks_of(const KnotVector &axis) {
-    std::vector<double> breaks;
-    breaks.reserve(static_cast<size_t>(axis.spans().size()) + 1);
-    for (const int64_t span : axis.spans().indices()) {
-        breaks.push_back(axis[span]);
-    }
-    breaks.push_back(axis.domain().upper);
-    return breaks;
-}
-
 } // namespace
 
 SplinePtr cut_axis(const SplinePtr &spline, int axis, double lower, double upper, AxisEnds ends) {
@@ -182,9 +173,13 @@ PartedSpline bezier_pieces(const SplinePtr &spline) {
     PartedSpline::Bounds bounds;
     SplinePtr whole = spline;
     for (int k = 0; k < spline->axes(); ++k) {
-        CutAxis cut = cut_at(spline->axis(k), breaks_of(spline->axis(k)), {true, true});
-        whole = apply(*whole, k, cut);
-        bounds[static_cast<size_t>(k)] = std::move(cut.bounds);
+        const KnotVector &axis = spline->axis(k);
+        const std::vector<double> breaks = breaks_of(axis);
+        whole = with_axis(*whole, k, {bezier_knots(axis.degree(), breaks), bezier_rows(axis)});
+        std::vector<int64_t> &bound = bounds[static_cast<size_t>(k)];
+        for (size_t e = 0; e < breaks.size(); ++e) {
+            bound.push_back(static_cast<int64_t>(e) * (axis.degree() + 1));
+        }
     }
     return {std::move(whole), std::move(bounds)};
 }

@@ -1,6 +1,7 @@
 #include "refine/elevate.h"
 
 #include "refine/elevation_table.h"
+#include "refine/period_rows.h"
 
 namespace nrb {
 
@@ -32,7 +33,7 @@ AxisTable elevate_axis(const KnotVector &axis, int64_t times) {
         table = composed(step.rows, table, axis.distinct_layers());
     }
     if (axis.periodic()) {
-        table = wrapped_rows(table, knots->degree(), axis.distinct_layers());
+        table = wrapped_rows(table, 0, knots->degree(), axis.distinct_layers());
     }
     return {std::move(knots), std::move(table)};
 }

@@ -1,8 +1,8 @@
 #include "refine/elevation_table.h"
 
 #include "base/error.h"
-#include "basis/bspline.h"
 #include "refine/period.h"
+#include "refine/polar_rows.h"
 
 #include <algorithm>
 #include <span>
@@ -31,12 +31,26 @@ std::vector<Group> groups_of(std::span<const double> knots) {
 }
 
 // Old knots first, ..., end - 1, all of which a polar form has among its arguments, and the ones it has
-// beside them.
+// beside them, as places of old knots.
 struct Arguments {
     int64_t first;
     int64_t end;
     int added;
-    double extra[max_basis]; // the first `added` are set
+    int64_t extra[max_basis]; // the first `added` are set
+};
+
+// What makes a row: coefficients `first`, ..., first + width - 1 are sums of terms.
+struct RowShape {
+    int64_t first;
+    int width;
+    int terms;
+    PolarTerm term[max_basis];
+
+    // Whether all the shares go to one control point.
+    [[nodiscard]] bool copies() const noexcept { return width == 1; }
+    [[nodiscard]] std::span<const PolarTerm> all() const noexcept {
+        return {term, static_cast<size_t>(terms)};
+    }
 };
 
 // The degree + 1 consecutive raised knots that belong to a control point, by groups.
@@ -61,16 +75,22 @@ public:
         return this->group(group).first + group; // one more of each group before
     }
 
-    void append_row(int64_t shift, LayerTable &table) const {
-        // The lowest old control point that a term reaches.
-        const Group &last = group(group_ + size_ - 1);
-        const int64_t base = last.first + std::min(copies_[size_ - 1] - 1, last.multiplicity) - 1 - degree_;
-        double row[max_basis];
-        std::fill_n(row, degree_ + 2, 0.0);
+    // The average over the windows without one of the knots: one term for each group, as often as there are
+    // copies to drop.
+    void shape(RowShape &shape) const noexcept {
+        shape.terms = size_;
+        int64_t layers[max_basis];
+        int64_t first = std::ssize(knots_), end = 0;
         for (int dropped = 0; dropped < size_; ++dropped) {
-            add_term(dropped, base, row);
+            layers[dropped] = make_term(dropped, shape.term[dropped]);
+            first = std::min(first, layers[dropped]);
+            end = std::max(end, layers[dropped] + shape.term[dropped].steps + 1);
         }
-        table.add_row(base - shift, row, degree_ + 2);
+        for (int dropped = 0; dropped < size_; ++dropped) {
+            shape.term[dropped].target = static_cast<int>(layers[dropped] - first);
+        }
+        shape.first = first;
+        shape.width = static_cast<int>(end - first);
     }
 
 private:
@@ -84,7 +104,7 @@ private:
         arguments.first = only.first + (behind ? 1 : 0);
         arguments.end = arguments.first + std::min(only.multiplicity, degree_);
         arguments.added = degree_ - std::min(only.multiplicity, degree_);
-        std::fill_n(arguments.extra, arguments.added, only.knot);
+        std::fill_n(arguments.extra, arguments.added, only.first);
     }
 
     // The window without one copy of its group `dropped`. Old knots strictly inside it are among the
@@ -103,41 +123,26 @@ private:
         arguments.added = 0;
         for (int i = low; i <= high; ++i) {
             if (copies(i) > group(group_ + i).multiplicity) {
-                arguments.extra[arguments.added++] = group(group_ + i).knot;
+                arguments.extra[arguments.added++] = group(group_ + i).first;
             }
         }
     }
 
-    // Adds the coefficients of the polar form, as often as there are copies to drop. With d further arguments
-    // it is a combination of d + 1 control points: Cox-de Boor steps over the knots around those that it has
-    // (T. Lyche, K. Morken, "Making the Oslo algorithm more efficient", SIAM J. Numer. Anal. 23 (1986)).
-    void add_term(int dropped, int64_t base, double *row) const noexcept {
+    // With d further arguments a polar form is a combination of d + 1 control points: Cox-de Boor steps over
+    // the knots around those that it has (T. Lyche, K. Morken, "Making the Oslo algorithm more efficient",
+    // SIAM J. Numer. Anal. 23 (1986)). Returns the first control point.
+    int64_t make_term(int dropped, PolarTerm &term) const noexcept {
         Arguments arguments;
         drop(dropped, arguments);
-        const double *left = knots_.data() + arguments.first;
-        const double *right = knots_.data() + arguments.end;
-        const double share = copies_[dropped] / static_cast<double>(degree_ + 1);
-        double *target = row + (arguments.first - 1 - arguments.added - base);
-        if (arguments.added == 0) {
-            target[0] += share;
-        } else if (arguments.added == 1) {
-            const auto [alpha, beta] = split(share, left[-1], arguments.extra[0], right[0]);
-            target[0] += beta;
-            target[1] += alpha;
-        } else {
-            add_steps(arguments, left, right, share, target);
+        term.steps = arguments.added;
+        term.share = copies_[dropped] / static_cast<double>(degree_ + 1);
+        term.left = knots_.data() + arguments.first;
+        term.right = knots_.data() + arguments.end;
+        term.pitch = 1;
+        for (int i = 0; i < arguments.added; ++i) {
+            term.arguments[i] = knots_.data() + arguments.extra[i];
         }
-    }
-
-    static void add_steps(const Arguments &arguments, const double *left, const double *right, double share,
-                          double *target) noexcept {
-        double coefficients[max_basis] = {share};
-        for (int d = 1; d <= arguments.added; ++d) {
-            append_argument(left, right, d, arguments.extra[d - 1], coefficients);
-        }
-        for (int i = 0; i <= arguments.added; ++i) {
-            target[i] += coefficients[i];
-        }
+        return arguments.first - 1 - arguments.added;
     }
 
     int degree_;
@@ -147,6 +152,92 @@ private:
     bool at_start_ = true;
     int size_ = 0;
     int copies_[max_basis] = {};
+};
+
+// The rows of windows one after another, into a table whose layers begin at `shift`.
+class RowMaker {
+public:
+    RowMaker(const KnotVector &axis, std::span<const double> knots, const std::vector<Group> &groups,
+             int64_t shift, LayerTable &table)
+        : degree_(axis.degree()), groups_(groups), shift_(shift), table_(table),
+          window_(degree_, knots, groups) {}
+
+    void make(int64_t at, int64_t end) {
+        for (int64_t group = 0; at < end;) {
+            while (group + 1 < std::ssize(groups_) && window_.raised_first(group + 1) <= at) {
+                ++group;
+            }
+            const int64_t blocks = at == window_.raised_first(group) ? alike(at, group, end) : 0;
+            at += blocks > 0 ? make_rows(at, group, blocks) : make_row(at, group);
+        }
+    }
+
+private:
+    [[nodiscard]] int multiplicity(int64_t group) const noexcept {
+        return groups_[static_cast<size_t>(group)].multiplicity;
+    }
+
+    // How many of the next groups, a multiple of row_lanes, have windows that see knots of one multiplicity
+    // only: none reaches further than degree + 1 groups before the first and twice as many behind the last.
+    int64_t alike(int64_t at, int64_t group, int64_t end) {
+        if (group >= run_end_) {
+            run_first_ = group;
+            run_end_ = group + 1;
+            while (run_end_ < std::ssize(groups_) && multiplicity(run_end_) == multiplicity(group)) {
+                ++run_end_;
+            }
+        }
+        const int64_t reach = degree_ + 1;
+        const int64_t groups = std::min(run_end_ - 2 * reach - group, (end - at) / (multiplicity(group) + 1));
+        return group - reach < run_first_ || groups < row_lanes ? 0 : groups - groups % row_lanes;
+    }
+
+    int64_t make_row(int64_t at, int64_t group) {
+        RowShape shape;
+        window_.place(at, group);
+        window_.shape(shape);
+        if (shape.copies()) {
+            table_.add_copy(shape.first - shift_);
+        } else {
+            double row[max_basis];
+            polar_row(shape.all(), shape.width, row);
+            table_.add_row(shape.first - shift_, row, shape.width);
+        }
+        return 1;
+    }
+
+    // The windows that begin in `count` groups, of which those with the same place in their group are alike.
+    int64_t make_rows(int64_t at, int64_t group, int64_t count) {
+        const int m = multiplicity(group);
+        LayerTable::Row pattern[max_basis + 1];
+        RowShape shape;
+        int64_t pitch = 0;
+        for (int place = 0; place <= m; ++place) {
+            window_.place(at + place, group);
+            window_.shape(shape);
+            pattern[place] = {shape.first - shift_, shape.copies() ? 0 : shape.width,
+                              static_cast<size_t>(pitch)};
+            pitch += pattern[place].size;
+        }
+        double *rows = table_.room(count * pitch);
+        for (int place = 0; place <= m; ++place) {
+            window_.place(at + place, group);
+            window_.shape(shape);
+            if (!shape.copies()) {
+                polar_rows(shape.all(), m, count, shape.width, pitch, rows + pattern[place].offset);
+            }
+        }
+        table_.add_pattern({pattern, static_cast<size_t>(m) + 1}, count, m, pitch);
+        return count * (m + 1);
+    }
+
+    int degree_;
+    const std::vector<Group> &groups_;
+    int64_t shift_;
+    LayerTable &table_;
+    Window window_;
+    int64_t run_first_ = 0; // the groups of one multiplicity around the present one
+    int64_t run_end_ = 0;
 };
 
 std::vector<double> raised_knots(const std::vector<Group> &groups) {
@@ -206,71 +297,8 @@ ElevatedAxis elevated_axis(const KnotVector &axis) {
     }
     const int64_t rows = kept.end - kept.first - p - 2 - (axis.periodic() ? p + 1 : 0);
     result.rows.reserve(rows, p + 2);
-    Window window(p, knots, groups);
-    int64_t group = 0;
-    for (int64_t at = kept.first + 1; at <= kept.first + rows; ++at) {
-        while (group + 1 < std::ssize(groups) && window.raised_first(group + 1) <= at) {
-            ++group;
-        }
-        window.place(at, group);
-        window.append_row(lead, result.rows);
-    }
+    RowMaker(axis, knots, groups, lead, result.rows).make(kept.first + 1, kept.first + 1 + rows);
     return result;
-}
-
-namespace {
-
-// A row of a period of rows, `periods` further on.
-struct Shifted {
-    const double *coefficients;
-    int64_t first;
-    int size;
-};
-
-Shifted shifted(const LayerTable &table, int64_t layer, int64_t period) noexcept {
-    static constexpr double copied = 1;
-    const int64_t behind = layer % table.rows();
-    const int64_t place = behind < 0 ? behind + table.rows() : behind;
-    const LayerTable::Row &row = table.row(place);
-    const int64_t first = row.first + (layer - place) / table.rows() * period;
-    return row.size == 0 ? Shifted{&copied, first, 1} : Shifted{table.coefficients(row), first, row.size};
-}
-
-} // namespace
-
-LayerTable composed(const LayerTable &outer, const LayerTable &inner, int64_t period) {
-    LayerTable table;
-    table.reserve(outer.rows());
-    std::vector<double> sum;
-    for (int64_t r = 0; r < outer.rows(); ++r) {
-        const Shifted row = shifted(outer, r, 0);
-        int64_t first = shifted(inner, row.first, period).first;
-        for (int i = 1; i < row.size; ++i) {
-            first = std::min(first, shifted(inner, row.first + i, period).first);
-        }
-        sum.clear();
-        for (int i = 0; i < row.size; ++i) {
-            const Shifted part = shifted(inner, row.first + i, period);
-            const auto offset = static_cast<size_t>(part.first - first);
-            sum.resize(std::max(sum.size(), offset + static_cast<size_t>(part.size)));
-            for (int k = 0; k < part.size; ++k) {
-                sum[offset + static_cast<size_t>(k)] += row.coefficients[i] * part.coefficients[k];
-            }
-        }
-        table.add_row(first, sum.data(), static_cast<int>(sum.size()));
-    }
-    return table;
-}
-
-LayerTable wrapped_rows(const LayerTable &rows, int64_t wrapped, int64_t period) {
-    LayerTable table;
-    table.reserve(rows.rows() + wrapped);
-    for (int64_t i = 0; i < rows.rows() + wrapped; ++i) {
-        const Shifted row = shifted(rows, i % rows.rows(), 0);
-        const int64_t layer = row.first % period;
-        table.add_row(layer < 0 ? layer + period : layer, row.coefficients, row.size);
-    }
-    return table;
 }
 
 } // namespace nrb

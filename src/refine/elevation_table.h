@@ -27,12 +27,4 @@ struct ElevatedAxis {
 // NURBS_MAX_DEGREE. Cost: O(degree^3) for each control point, O(degree) with simple knots up to degree 3.
 ElevatedAxis elevated_axis(const KnotVector &axis);
 
-// The rows of `outer` over the layers of which `inner` gives one period, in terms of the layers of `inner`,
-// whose own period is `period` layers. Without a period no row of `outer` leaves those of `inner`.
-LayerTable composed(const LayerTable &outer, const LayerTable &inner, int64_t period);
-
-// The rows of one period and, again, the first `wrapped` of them, over the stored layers of a period of
-// `period` layers.
-LayerTable wrapped_rows(const LayerTable &rows, int64_t wrapped, int64_t period);
-
 } // namespace nrb

@@ -63,28 +63,25 @@ void check_multiplicity(const KnotVector &axis, int k, double knot, int64_t time
          axis.degree() + 1);
 }
 
-// Whether rising knots strictly inside the domain meet no old one of multiplicity degree + 1.
-bool rising_inside(const KnotVector &axis, const std::vector<double> &sorted) noexcept {
+// Whether knots rise strictly inside the domain and meet no old one of multiplicity degree + 1.
+bool rising_inside(const KnotVector &axis, std::span<const double> knots) noexcept {
     const auto [lower, upper] = axis.domain();
+    if (knots.empty() || !(lower < knots.front() && knots.back() < upper) || axis.degree() == 0) {
+        return false;
+    }
     bool rising = true;
-    double last = lower;
-    for (const double knot : sorted) {
-        rising = rising & (last < knot);
-        last = knot;
+    for (size_t i = 1; i < knots.size(); ++i) {
+        rising = rising & (knots[i - 1] < knots[i]);
     }
     const int64_t p = axis.degree();
-    bool room = p > 0;
     for (int64_t i = p + 1; i + p < axis.count(); ++i) {
-        room = room & (axis[i] != axis[i + p]);
+        rising = rising & (axis[i] != axis[i + p]);
     }
-    return rising && room && last < upper;
+    return rising;
 }
 
 void check_multiplicities(const KnotVector &axis, int k, std::span<const double> knots,
                           const std::vector<double> &sorted) {
-    if (rising_inside(axis, sorted)) {
-        return;
-    }
     const std::span<const double> old = axis.knots();
     size_t at = 0; // the first old knot that is not below
     for (size_t group = 0, behind = 0; group < sorted.size(); group = behind) {
@@ -127,6 +124,9 @@ SplinePtr insert_knot(const SplinePtr &spline, int axis, double knot, int64_t ti
 
 std::vector<double> checked_new_knots(const KnotVector &axis, int k, std::span<const double> knots) {
     std::vector<double> sorted(knots.begin(), knots.end());
+    if (rising_inside(axis, knots)) { // as most lists
+        return sorted;
+    }
     const auto [lower, upper] = axis.domain();
     for (size_t i = 0; i < sorted.size(); ++i) {
         if (!(lower <= sorted[i] && sorted[i] < upper)) {

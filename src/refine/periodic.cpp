@@ -2,6 +2,7 @@
 
 #include "basis/bspline.h"
 #include "refine/period.h"
+#include "refine/period_rows.h"
 
 #include <algorithm>
 
@@ -24,10 +25,6 @@ struct Extension {
     [[nodiscard]] double copy_of(double knot, int64_t k, int64_t at) const noexcept;
     // The copies of a knot in all periods of the extension, and how many of them stand before its domain.
     int64_t append_copies(double knot, std::vector<double> &copies) const;
-    // The stored layer from which a band of at most degree + 1 layers that begins at layer i can be read.
-    [[nodiscard]] int64_t stored_layer(int64_t i) const noexcept {
-        return ((i - lead) % distinct + distinct) % distinct;
-    }
 };
 
 // New layers and knots of one period depend on old ones at most degree + 1 places away.
@@ -84,13 +81,8 @@ AxisTable refine_periodic(const KnotVector &axis, std::span<const double> knots)
 
     const Refinement refinement(axis.degree(), extension.knots, fine);
     const int64_t distinct = extension.distinct + std::ssize(knots);
-    LayerTable table;
-    table.reserve(distinct + axis.degree(), refinement.width());
-    for (int64_t i = 0; i < distinct + axis.degree(); ++i) {
-        double coefficients[max_basis];
-        const auto [layer, size] = refinement.row(start + i % distinct, coefficients);
-        table.add_row(extension.stored_layer(layer), coefficients, size);
-    }
+    LayerTable table = wrapped_rows(rows_of(refinement, start, start + distinct), -extension.lead,
+                                    axis.degree(), extension.distinct);
     const auto first = fine.begin() + start;
     const int64_t length = distinct + 2 * int64_t{axis.degree()} + 1;
     return {

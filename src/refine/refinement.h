@@ -14,9 +14,14 @@ namespace nrb {
 // algorithm with factors in [0, 1]. A row depends neither on how the others were found nor on their number.
 class Refinement {
 public:
-    struct Band {
-        int64_t first; // old layer
-        int size;
+    // What makes a row: de Boor's steps with the arguments that are not old knots, over the old knots around
+    // those that are; see append_argument(). The coefficients belong to old layers first, ..., first + steps.
+    struct Polar {
+        int64_t first;
+        int steps;
+        const double *left;
+        const double *right;
+        const double *arguments;
     };
 
     // Both vectors must outlive this. Preconditions: they are sorted; fine holds every knot of coarse at
@@ -33,10 +38,41 @@ public:
         return fine_[i] == fine_[behind] && old_last_[i + 1] == old_last_[i] &&
                old_first_[behind] == old_first_[behind + 1];
     }
-    // The coefficients, at most degree + 1, of new layer j. With n arguments that are not old knots there are
-    // n + 1, each accurate to 3 n eps relative to itself; without any the new layer is an old one, and the
-    // coefficient exactly 1. Cost: n (n + 1) / 2 divisions.
-    Band row(int64_t j, double *coefficients) const noexcept;
+    // With n arguments that are not old knots new layer j has n + 1 coefficients, each accurate to 3 n eps
+    // relative to itself; without any it is an old layer. Arguments that are not all of a row's are copied to
+    // `room`, for up to `degree` of them.
+    Polar polar(int64_t j, double *room) const noexcept {
+        const double *arguments = fine_.data() + j + 1;
+        const int64_t shared = old_last_[static_cast<size_t>(j + 1)];
+        const int64_t shared_end = old_first_[static_cast<size_t>(j + degree_ + 1)];
+        const double *left = coarse_.data() + shared;
+        const double *right = coarse_.data() + shared_end;
+        const auto steps = static_cast<int>(degree_ - (shared_end - shared));
+        if (steps == degree_) { // as for most rows of fine refinements
+            return {shared - 1 - steps, steps, left, right, arguments};
+        }
+        const double *old = left;
+        for (int d = 0; d < steps; ++arguments) {
+            if (old != right && *old == *arguments) {
+                ++old;
+            } else {
+                room[d++] = *arguments;
+            }
+        }
+        return {shared - 1 - steps, steps, left, right, room};
+    }
+
+    // How many new layers from j on have no old knot among their arguments, which all lie between the same old
+    // ones. Precondition: layer j has no old knot among them.
+    int64_t alike(int64_t j) const noexcept {
+        const size_t reach = static_cast<size_t>(degree_) + 1;
+        auto behind = static_cast<size_t>(j) + reach;
+        const int64_t old = old_first_[behind];
+        while (behind < old_first_.size() && old_first_[behind] == old) {
+            ++behind;
+        }
+        return static_cast<int64_t>(behind - reach) - j;
+    }
 
 private:
     int degree_;

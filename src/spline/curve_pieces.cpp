@@ -1,4 +1,5 @@
 // Which spans have polynomial pieces, and the pieces of a curve.
+#include "base/finite.h"
 #include "spline/spline.h"
 
 #include <algorithm>
@@ -14,6 +15,11 @@ bool Spline::even(WeightRange range) noexcept {
 Spline::WeightRange Spline::weight_range(int64_t first, int64_t count) const noexcept {
     if (form_ == Form::polynomial) {
         return {};
+    }
+    if (form_ == Form::rational) {
+        const auto [smallest, largest] =
+            extremes(weights().subspan(static_cast<size_t>(first), static_cast<size_t>(count)));
+        return {smallest, largest};
     }
     const int64_t step = weight_step();
     const double *at = weight_data() + first * step;

@@ -5,6 +5,8 @@
 #include "spline/axis_view.h"
 
 #include <algorithm>
+#include <memory>
+#include <span>
 #include <vector>
 
 namespace nrb {
@@ -17,12 +19,17 @@ public:
         int64_t first;
         int size; // 0: a copy of layer `first`
         size_t offset;
+
+        // Whether both have the same coefficients. Precondition: they are no copies.
+        [[nodiscard]] bool repeats(const Row &other) const noexcept {
+            return offset == other.offset && other.size != 0;
+        }
     };
 
-    // Room for rows of up to `width` coefficients.
-    void reserve(int64_t rows, int width = 0) {
+    // Room for rows of up to `width` coefficients, and for the coefficients of `more` rows.
+    void reserve(int64_t rows, int width = 0, int64_t more = 0) {
         rows_.reserve(static_cast<size_t>(rows));
-        coefficients_.resize(used_ + static_cast<size_t>(rows * width));
+        room((rows + more) * width);
     }
     void add_copy(int64_t layer) { rows_.push_back({layer, 0, 0}); }
     // Precondition: there is a row.
@@ -39,12 +46,12 @@ public:
         add_written(first, size);
     }
     // Where the coefficients of the next row may be written before add_written(), which makes it a row.
-    double *room(int size) {
+    double *room(int64_t size) {
         const size_t end = used_ + static_cast<size_t>(size);
-        if (coefficients_.size() < end) {
-            coefficients_.resize(2 * end);
+        if (capacity_ < end) {
+            grow(used_ == 0 ? end : 2 * end);
         }
-        return coefficients_.data() + used_;
+        return coefficients_.get() + used_;
     }
     void add_written(int64_t first, int size) {
         if (size == 1 && coefficients_[used_] == 1) {
@@ -54,16 +61,49 @@ public:
         used_ += static_cast<size_t>(size);
     }
 
+    // A row whose coefficients are written where this points before the next room() and the use of the table.
+    // Precondition: reserve() made room for it.
+    double *add_later(int64_t first, int size) {
+        rows_.push_back({first, size, used_});
+        used_ += static_cast<size_t>(size);
+        return coefficients_.get() + rows_.back().offset;
+    }
+    // Rows that repeat `count` times, `stride` layers and `pitch` coefficients further on each time. Their
+    // offsets count from room(), where the coefficients have been written; copies have none.
+    void add_pattern(std::span<const Row> pattern, int64_t count, int64_t stride, int64_t pitch) {
+        const size_t rows = rows_.size();
+        rows_.resize(rows + static_cast<size_t>(count) * pattern.size());
+        Row *row = rows_.data() + rows;
+        for (int64_t i = 0; i < count; ++i) {
+            for (const Row &next : pattern) {
+                *row++ = {next.first + i * stride, next.size,
+                          used_ + static_cast<size_t>(i * pitch) + next.offset};
+            }
+        }
+        used_ += static_cast<size_t>(count * pitch);
+    }
+
     [[nodiscard]] int64_t rows() const noexcept { return static_cast<int64_t>(rows_.size()); }
     [[nodiscard]] const Row &row(int64_t r) const noexcept { return rows_[static_cast<size_t>(r)]; }
+    [[nodiscard]] std::span<const Row> all() const noexcept { return rows_; }
+    // All of them, to which the offsets refer.
+    [[nodiscard]] const double *coefficients() const noexcept { return coefficients_.get(); }
     [[nodiscard]] const double *coefficients(const Row &row) const noexcept {
-        return coefficients_.data() + row.offset;
+        return coefficients_.get() + row.offset;
     }
 
 private:
+    void grow(size_t capacity) {
+        auto grown = std::make_unique_for_overwrite<double[]>(capacity);
+        std::copy_n(coefficients_.get(), used_, grown.get());
+        coefficients_ = std::move(grown);
+        capacity_ = capacity;
+    }
+
     std::vector<Row> rows_;
-    std::vector<double> coefficients_; // the first used_ are in use
+    std::unique_ptr<double[]> coefficients_; // the first used_ are in use
     size_t used_ = 0;
+    size_t capacity_ = 0;
 };
 
 struct Net {

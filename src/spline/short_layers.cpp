@@ -22,17 +22,24 @@ struct Sum {
     hn::Vec<Lanes> values[parts];
 
     HWY_INLINE Sum(const double *coefficients, int size, const double *layers, int64_t width) {
-        const Lanes d;
-        auto factor = hn::Set(d, coefficients[0]);
+        const auto factor = hn::Set(Lanes(), coefficients[0]);
         for (int part = 0; part < parts; ++part) {
-            values[part] = hn::Mul(factor, hn::LoadU(d, layers + part * lanes));
+            values[part] = hn::Mul(factor, hn::LoadU(Lanes(), layers + part * lanes));
         }
-        for (int i = 1; i < size; ++i) {
-            layers += width;
-            factor = hn::Set(d, coefficients[i]);
-            for (int part = 0; part < parts; ++part) {
-                values[part] = hn::Add(values[part], hn::Mul(factor, hn::LoadU(d, layers + part * lanes)));
-            }
+        int i = 1;
+        for (; i + 2 < size; i += 3) { // as in cubics
+            add(coefficients[i], layers + i * width);
+            add(coefficients[i + 1], layers + (i + 1) * width);
+            add(coefficients[i + 2], layers + (i + 2) * width);
+        }
+        for (; i < size; ++i) {
+            add(coefficients[i], layers + i * width);
+        }
+    }
+    HWY_INLINE void add(double coefficient, const double *layer) {
+        const auto factor = hn::Set(Lanes(), coefficient);
+        for (int part = 0; part < parts; ++part) {
+            values[part] = hn::Add(values[part], hn::Mul(factor, hn::LoadU(Lanes(), layer + part * lanes)));
         }
     }
     HWY_INLINE void store(double *out) const {
@@ -55,33 +62,42 @@ struct Sum {
 
 // What is written behind a row is overwritten by the next one.
 void combine_plain(const LayerTable &table, const double *layers, int width, double *HWY_RESTRICT out) {
-    for (int64_t r = 0; r < table.rows(); ++r, out += width) {
-        const LayerTable::Row &row = table.row(r);
+    const double *coefficients = table.coefficients();
+    for (const LayerTable::Row &row : table.all()) {
         const double *from = layers + row.first * width;
         if (row.size == 0) {
             std::copy_n(from, width, out);
         } else {
-            Sum(table.coefficients(row), row.size, from, width).store(out);
+            Sum(coefficients + row.offset, row.size, from, width).store(out);
         }
+        out += width;
     }
 }
 
 template <int kDim>
 bool combine_rational(const LayerTable &table, const ShortNet &net, double *HWY_RESTRICT points,
                       double *HWY_RESTRICT weights) {
+    const ShortNet from = net; // kept in registers, as are the coefficients
+    const double *coefficients = table.coefficients();
+    const LayerTable::Row *last = nullptr;
     bool weighted = true;
-    for (int64_t r = 0; r < table.rows(); ++r, points += kDim) {
-        const LayerTable::Row &row = table.row(r);
+    for (const LayerTable::Row &row : table.all()) {
         if (row.size == 0) {
-            std::copy_n(net.points + row.first * kDim, kDim, points);
-            weights[r] = net.weights[row.first];
-            continue;
+            std::copy_n(from.points + row.first * kDim, kDim, points);
+            *weights = from.weights[row.first];
+        } else if (last != nullptr && row.repeats(*last)) {
+            std::copy_n(points - kDim, kDim, points);
+            *weights = weights[-1];
+        } else {
+            Sum sum(coefficients + row.offset, row.size, from.records + row.first * (kDim + 1), kDim + 1);
+            *weights = sum.component(kDim);
+            weighted = weighted & (*weights != 0);
+            sum.divide_by(*weights);
+            sum.store(points);
         }
-        Sum sum(table.coefficients(row), row.size, net.records + row.first * (kDim + 1), kDim + 1);
-        weights[r] = sum.component(kDim);
-        weighted = weighted && weights[r] != 0;
-        sum.divide_by(weights[r]);
-        sum.store(points);
+        last = &row;
+        points += kDim;
+        ++weights;
     }
     return weighted;
 }

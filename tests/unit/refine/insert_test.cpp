@@ -1,5 +1,6 @@
 #include "basis/bspline.h"
 #include "eval/evaluate.h"
+#include "refine/axis_table.h"
 #include "refine/cut.h"
 #include "refine/insert.h"
 
@@ -50,10 +51,12 @@ TEST(Refinement, RowsAreConvexCombinations) {
         std::sort(fine.begin(), fine.end());
         const nrb::Refinement refinement(3, knots, fine);
         ASSERT_EQ(refinement.rows(), static_cast<int64_t>(fine.size()) - 4);
-        for (int64_t r = 0; r < refinement.rows(); ++r) {
-            double c[nrb::max_basis];
-            const auto [first, size] = refinement.row(r, c);
-            ASSERT_TRUE(first >= 0 && first + size <= 6);
+        const LayerTable table = nrb::rows_of(refinement, 0, refinement.rows());
+        for (const LayerTable::Row &row : table.all()) {
+            const double copy = 1;
+            const double *c = row.size == 0 ? &copy : table.coefficients(row);
+            const int size = std::max(row.size, 1);
+            ASSERT_TRUE(row.first >= 0 && row.first + size <= 6);
             EXPECT_TRUE(std::all_of(c, c + size, [](double x) { return x >= 0 && x <= 1; }));
             EXPECT_NEAR(std::accumulate(c, c + size, 0.0), 1, 4 * eps);
         }

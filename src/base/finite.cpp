@@ -1,0 +1,118 @@
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "base/finite.cpp"
+#include "base/simd.h"
+
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "base/finite.h"
+
+#include <algorithm>
+#include <cmath>
+
+HWY_BEFORE_NAMESPACE();
+namespace nrb {
+namespace HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+using Doubles = hn::ScalableTag<double>;
+using Vector = hn::Vec<Doubles>;
+
+// Comparisons with NaN are false.
+HWY_INLINE Vector larger(Vector known, Vector value) {
+    return hn::IfThenElse(hn::Lt(known, value), value, known);
+}
+
+HWY_INLINE Vector smaller(Vector known, Vector value) {
+    return hn::IfThenElse(hn::Lt(value, known), value, known);
+}
+
+// Results that run side by side.
+inline constexpr size_t strands = 4;
+
+// Hands vectors to `more`, with the strand of each, and the values behind them to `rest`.
+template <class More, class Rest>
+HWY_INLINE void visit(std::span<const double> values, const More &more, const Rest &rest) {
+    const Doubles d;
+    const size_t lanes = hn::Lanes(d);
+    size_t i = 0;
+    for (; i + strands * lanes <= values.size(); i += strands * lanes) {
+        for (size_t k = 0; k < strands; ++k) {
+            more(hn::LoadU(d, values.data() + i + k * lanes), k);
+        }
+    }
+    for (; i < values.size(); ++i) {
+        rest(values[i]);
+    }
+}
+
+// 0 x is +0 or -0 for finite x and NaN for others, whose bits stay NaN when those of zeros are added.
+bool find_finite(std::span<const double> values) {
+    const Doubles d;
+    const auto zero = hn::Zero(d);
+    Vector products[strands] = {zero, zero, zero, zero};
+    double last = 0;
+    visit(
+        values, [&](Vector v, size_t k) HWY_ATTR { products[k] = hn::Or(products[k], hn::Mul(zero, v)); },
+        [&](double x) { last += 0 * x; });
+    const auto all = hn::Or(hn::Or(products[0], products[1]), hn::Or(products[2], products[3]));
+    return hn::AllTrue(d, hn::Eq(all, zero)) && last == 0;
+}
+
+double find_largest(std::span<const double> values) {
+    const Doubles d;
+    Vector found[strands] = {hn::Zero(d), hn::Zero(d), hn::Zero(d), hn::Zero(d)};
+    double last = 0;
+    visit(
+        values, [&](Vector v, size_t k) HWY_ATTR { found[k] = larger(found[k], hn::Abs(v)); },
+        [&](double x) { last = std::max(last, std::abs(x)); });
+    const auto all = hn::Max(hn::Max(found[0], found[1]), hn::Max(found[2], found[3]));
+    return std::max(last, hn::GetLane(hn::MaxOfLanes(d, all)));
+}
+
+Extremes find_extremes(std::span<const double> values) {
+    const Doubles d;
+    const auto first = hn::Set(d, values[0]);
+    Vector low[strands] = {first, first, first, first};
+    Vector high[strands] = {first, first, first, first};
+    Extremes last{values[0], values[0]};
+    visit(
+        values,
+        [&](Vector v, size_t k) HWY_ATTR {
+            low[k] = smaller(low[k], v);
+            high[k] = larger(high[k], v);
+        },
+        [&](double x) {
+            last = {std::min(last.smallest, x), std::max(last.largest, x)};
+        });
+    const auto lowest = hn::Min(hn::Min(low[0], low[1]), hn::Min(low[2], low[3]));
+    const auto highest = hn::Max(hn::Max(high[0], high[1]), hn::Max(high[2], high[3]));
+    return {std::min(last.smallest, hn::GetLane(hn::MinOfLanes(d, lowest))),
+            std::max(last.largest, hn::GetLane(hn::MaxOfLanes(d, highest)))};
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace nrb
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace nrb {
+
+HWY_EXPORT(find_finite);
+HWY_EXPORT(find_largest);
+HWY_EXPORT(find_extremes);
+
+bool all_finite(std::span<const double> values) noexcept {
+    return HWY_DYNAMIC_DISPATCH(find_finite)(values);
+}
+
+double largest_magnitude(std::span<const double> values) noexcept {
+    return HWY_DYNAMIC_DISPATCH(find_largest)(values);
+}
+
+Extremes extremes(std::span<const double> values) noexcept {
+    return HWY_DYNAMIC_DISPATCH(find_extremes)(values);
+}
+
+} // namespace nrb
+#endif

@@ -1,0 +1,23 @@
+// The Bezier points of every piece of an axis as rows of coefficients.
+#pragma once
+
+#include "basis/knot_vector.h"
+#include "spline/layer_table.h"
+
+#include <span>
+#include <vector>
+
+namespace nrb {
+
+// Row e (p + 1) + i gives Bezier point i of non-empty span e of the domain: the polar form at p - i times the
+// start of the span and i times its end. Ends of the span that are knots so often already cost nothing, the
+// others are de Boor's steps, as in Refinement::row() and with its bits.
+LayerTable bezier_rows(const KnotVector &axis);
+
+// The ends of the spans of the domain.
+std::vector<double> breaks_of(const KnotVector &axis);
+
+// Every break degree + 1 times: the knots of that many pieces, less one, side by side.
+KnotVectorPtr bezier_knots(int degree, std::span<const double> breaks);
+
+} // namespace nrb
