@@ -225,13 +225,20 @@ void make_single_rows(const PolarTerm &term, int64_t count, double *const *rows)
     }
 }
 
-void make_rows_between(PolarTerm term, const double *arguments, int64_t count, double *rows) {
-    const int steps = term.steps;
-    double last[lanes + max_basis] = {}; // behind the arguments there may be nothing to read
+void make_rows_between(int steps, const double *left, const double *right, const double *arguments,
+                       int64_t count, double *rows) {
+    PolarTerm term; // of which the other arguments are not used
+    term.steps = steps;
+    term.target = 0;
+    term.share = 1;
+    term.left = left;
+    term.right = right;
+    term.pitch = 1;
+    double last[lanes + max_basis]; // behind the arguments there may be nothing to read
     for (int64_t first = 0; first < count; first += lanes) {
         const double *from = arguments + first;
         if (first + lanes > count) {
-            std::copy_n(from, count - first + steps - 1, last);
+            std::fill(std::copy_n(from, count - first + steps - 1, last), last + lanes + steps - 1, *from);
             from = last;
         }
         for (int i = 0; i < steps; ++i) {
@@ -284,14 +291,7 @@ void polar_rows(const PolarTerm &term, int64_t count, double *const *rows) noexc
 
 void polar_rows(int steps, const double *left, const double *right, const double *arguments, int64_t count,
                 double *rows) noexcept {
-    PolarTerm term;
-    term.steps = steps;
-    term.target = 0;
-    term.share = 1;
-    term.left = left;
-    term.right = right;
-    term.pitch = 1;
-    HWY_DYNAMIC_DISPATCH(make_rows_between)(term, arguments, count, rows);
+    HWY_DYNAMIC_DISPATCH(make_rows_between)(steps, left, right, arguments, count, rows);
 }
 
 } // namespace nrb
