@@ -250,9 +250,7 @@ void share_plain_knots(Set &set, int k) {
     const std::vector<double> all = united(groups, [](const KnotVector &axis) { return axis.knots(); });
     KnotVectorPtr common = std::make_shared<const KnotVector>(groups.begin()->first->degree(), all);
     for (const auto &[axis, members] : groups) {
-        AxisTable made = refine_axis(*axis, missing(all, axis->knots()));
-        made.axis = common;
-        set.apply(k, members, made);
+        set.apply(k, members, {common, rows_over(*axis, all)});
     }
 }
 

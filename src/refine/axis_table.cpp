@@ -39,6 +39,11 @@ LayerTable rows_of(const Refinement &refinement, int64_t first, int64_t end) {
     return table;
 }
 
+LayerTable rows_over(const KnotVector &axis, std::span<const double> fine) {
+    const Refinement refinement(axis.degree(), axis.knots(), fine);
+    return rows_of(refinement, 0, refinement.rows());
+}
+
 std::vector<double> merged(std::span<const double> knots, std::span<const double> more) {
     std::vector<double> result;
     result.reserve(knots.size() + more.size());
@@ -51,8 +56,7 @@ AxisTable refine_axis(const KnotVector &axis, std::span<const double> knots) {
         return refine_periodic(axis, knots);
     }
     std::vector<double> fine = merged(axis.knots(), knots);
-    const Refinement refinement(axis.degree(), axis.knots(), fine);
-    LayerTable table = rows_of(refinement, 0, refinement.rows());
+    LayerTable table = rows_over(axis, fine);
     return {std::make_shared<const KnotVector>(axis.degree(), std::move(fine)), std::move(table)};
 }
 

@@ -17,6 +17,9 @@ struct AxisTable {
 // Rows [first, end) of a refinement.
 LayerTable rows_of(const Refinement &refinement, int64_t first, int64_t end);
 
+// The layers over knots that hold all those of the axis, which is taken as a plain one.
+LayerTable rows_over(const KnotVector &axis, std::span<const double> fine);
+
 // The axis with more knots, sorted ones of its domain. On a periodic axis they lie below the upper end, their
 // copies in all periods come with them, and the wrapped layers are the same rows. Precondition: no knot will
 // occur more than degree + 1 times. Throws NURBS_ERROR_PERIODIC_KNOTS, _NOT_REPRESENTABLE.

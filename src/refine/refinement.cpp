@@ -13,7 +13,9 @@ size_t at(int64_t i) noexcept {
 } // namespace
 
 Refinement::Refinement(int degree, std::span<const double> coarse, std::span<const double> fine)
-    : degree_(degree), coarse_(coarse), fine_(fine), old_first_(fine.size() + 1), old_last_(fine.size() + 1) {
+    : degree_(degree), coarse_(coarse), fine_(fine),
+      old_first_(std::make_unique_for_overwrite<int64_t[]>(fine.size() + 1)),
+      old_last_(std::make_unique_for_overwrite<int64_t[]>(fine.size() + 1)) {
     int64_t old = 0, begin = 0;
     const auto rows = std::ssize(fine);
     while (old < std::ssize(coarse)) {
@@ -36,8 +38,8 @@ Refinement::Refinement(int degree, std::span<const double> coarse, std::span<con
         }
         old = behind;
     }
-    std::fill(old_first_.begin() + begin, old_first_.end(), old);
-    std::fill(old_last_.begin() + begin, old_last_.end(), old);
+    std::fill(old_first_.get() + begin, old_first_.get() + rows + 1, old);
+    std::fill(old_last_.get() + begin, old_last_.get() + rows + 1, old);
 }
 
 } // namespace nrb

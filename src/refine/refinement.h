@@ -3,8 +3,8 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
-#include <vector>
 
 namespace nrb {
 
@@ -68,7 +68,7 @@ public:
         const size_t reach = static_cast<size_t>(degree_) + 1;
         auto behind = static_cast<size_t>(j) + reach;
         const int64_t old = old_first_[behind];
-        while (behind < old_first_.size() && old_first_[behind] == old) {
+        while (behind <= fine_.size() && old_first_[behind] == old) {
             ++behind;
         }
         return static_cast<int64_t>(behind - reach) - j;
@@ -79,8 +79,8 @@ private:
     std::span<const double> coarse_;
     std::span<const double> fine_;
     // How many of the first i fine knots are old, if among equal knots the old ones come first, or last.
-    std::vector<int64_t> old_first_;
-    std::vector<int64_t> old_last_;
+    std::unique_ptr<int64_t[]> old_first_;
+    std::unique_ptr<int64_t[]> old_last_;
 };
 
 } // namespace nrb

@@ -80,7 +80,7 @@ bool combine_rational(const LayerTable &table, const ShortNet &net, double *HWY_
     const ShortNet from = net; // kept in registers, as are the coefficients
     const double *coefficients = table.coefficients();
     const LayerTable::Row *last = nullptr;
-    bool weighted = true;
+    auto least = hn::Set(Lanes(), 1.0); // of the magnitudes of sums, up to 1
     for (const LayerTable::Row &row : table.all()) {
         if (row.size == 0) {
             std::copy_n(from.points + row.first * kDim, kDim, points);
@@ -91,7 +91,7 @@ bool combine_rational(const LayerTable &table, const ShortNet &net, double *HWY_
         } else {
             Sum sum(coefficients + row.offset, row.size, from.records + row.first * (kDim + 1), kDim + 1);
             *weights = sum.component(kDim);
-            weighted = weighted & (*weights != 0);
+            least = hn::Min(least, hn::Abs(sum.values[kDim / lanes]));
             sum.divide_by(*weights);
             sum.store(points);
         }
@@ -99,7 +99,9 @@ bool combine_rational(const LayerTable &table, const ShortNet &net, double *HWY_
         points += kDim;
         ++weights;
     }
-    return weighted;
+    HWY_ALIGN double magnitudes[lanes];
+    hn::Store(least, Lanes(), magnitudes);
+    return magnitudes[kDim % lanes] != 0;
 }
 
 bool combine_quotients(const LayerTable &table, const ShortNet &net, double *points, double *weights) {
