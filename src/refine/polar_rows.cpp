@@ -45,8 +45,8 @@ struct Spread {
 
 // or with the same sides.
 struct Between {
-    [[nodiscard]] HWY_INLINE Vector side(KnotLanes knots) const { return hn::Set(Doubles(), *knots); }
-    [[nodiscard]] HWY_INLINE Vector argument(KnotLanes knots) const { return hn::LoadU(Doubles(), knots); }
+    [[nodiscard]] static HWY_INLINE Vector side(KnotLanes knots) { return hn::Set(Doubles(), *knots); }
+    [[nodiscard]] static HWY_INLINE Vector argument(KnotLanes knots) { return hn::LoadU(Doubles(), knots); }
 };
 
 struct Halves {

@@ -4,14 +4,14 @@ namespace nrb {
 
 // Lanes that never get a row are divided too, so that they need sides that differ.
 void RowBatches::open(Batch &batch, int steps) {
-    const auto side = static_cast<size_t>(steps) * batch_rows;
-    batch.knots.assign(3 * side, 0);
-    std::fill_n(batch.knots.begin() + static_cast<std::ptrdiff_t>(side), side, 1.0);
+    const int64_t side = steps * batch_rows;
+    batch.knots.assign(static_cast<size_t>(3 * side), 0);
+    std::fill_n(batch.knots.begin() + side, side, 1.0);
 }
 
 void RowBatches::make(Batch &batch, int steps) {
     const double *knots = batch.knots.data();
-    const int64_t side = int64_t{steps} * batch_rows;
+    const int64_t side = steps * batch_rows;
     PolarTerm term{steps, 0, 1, knots + side, knots + side, batch_rows, {}};
     for (int i = 0; i < steps; ++i) {
         term.arguments[i] = knots + 2 * side + i * batch_rows;

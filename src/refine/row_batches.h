@@ -10,7 +10,7 @@ namespace nrb {
 
 class RowBatches {
 public:
-    static constexpr int batch_rows = 8 * row_lanes;
+    static constexpr int64_t batch_rows = int64_t{8} * row_lanes;
 
     // For up to `steps` steps.
     explicit RowBatches(int steps) : batches_(static_cast<size_t>(steps) + 1) {}
@@ -46,7 +46,7 @@ public:
 
 private:
     struct Batch {
-        int size = 0;
+        int64_t size = 0;
         double *rows[batch_rows] = {};
         std::vector<double> knots; // [left sides from the farthest on, right sides, arguments][batch_rows]
     };

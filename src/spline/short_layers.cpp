@@ -15,15 +15,15 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 using Lanes = hn::CappedTag<double, 4>;
-inline constexpr int lanes = static_cast<int>(hn::MaxLanes(Lanes()));
-inline constexpr int parts = 4 / lanes;
+inline constexpr auto lanes = static_cast<int64_t>(hn::MaxLanes(Lanes()));
+inline constexpr int64_t parts = 4 / lanes;
 
 struct Sum {
     hn::Vec<Lanes> values[parts];
 
     HWY_INLINE Sum(const double *coefficients, int size, const double *layers, int64_t width) {
         const auto factor = hn::Set(Lanes(), coefficients[0]);
-        for (int part = 0; part < parts; ++part) {
+        for (int64_t part = 0; part < parts; ++part) {
             values[part] = hn::Mul(factor, hn::LoadU(Lanes(), layers + part * lanes));
         }
         int i = 1;
@@ -38,18 +38,18 @@ struct Sum {
     }
     HWY_INLINE void add(double coefficient, const double *layer) {
         const auto factor = hn::Set(Lanes(), coefficient);
-        for (int part = 0; part < parts; ++part) {
+        for (int64_t part = 0; part < parts; ++part) {
             values[part] = hn::Add(values[part], hn::Mul(factor, hn::LoadU(Lanes(), layer + part * lanes)));
         }
     }
     HWY_INLINE void store(double *out) const {
-        for (int part = 0; part < parts; ++part) {
+        for (int64_t part = 0; part < parts; ++part) {
             hn::StoreU(values[part], Lanes(), out + part * lanes);
         }
     }
     HWY_INLINE void divide_by(double weight) {
         const auto divisor = hn::Set(Lanes(), weight);
-        for (int part = 0; part < parts; ++part) {
+        for (int64_t part = 0; part < parts; ++part) {
             values[part] = hn::Div(values[part], divisor);
         }
     }
