@@ -90,13 +90,7 @@ nurbs_status nurbs_clamp_ends(const nurbs *g, int32_t axis, uint32_t flags, nurb
     return guard([&] {
         require_out(out);
         check_axis(spline_of(g), axis);
-        const AxisEnds wanted = decode_ends(flags);
-        const KnotVector &old = g->spline->axis(axis);
-        const AxisEnds ends{wanted.lower && !old.clamped_start(), wanted.upper && !old.clamped_end()};
-        const auto [lower, upper] = old.domain();
-        give(ends.lower || ends.upper ? cut_axis(g->spline, axis, lower, upper, ends)
-                                      : open_axis(g->spline, axis),
-             out);
+        give(clamp_ends(g->spline, axis, decode_ends(flags)), out);
     });
 }
 

@@ -127,11 +127,7 @@ void share_ends(Set &set, int k) {
         ends.upper = ends.upper || !std::equal(first.end() - p, first.end(), knots.end() - p);
     }
     for (SplinePtr &spline : set.splines()) {
-        const KnotVector &axis = spline->axis(k);
-        const AxisEnds own{ends.lower && !axis.clamped_start(), ends.upper && !axis.clamped_end()};
-        if (own.lower || own.upper) {
-            spline = cut_axis(spline, k, axis.domain().lower, axis.domain().upper, own);
-        }
+        spline = clamp_ends(spline, k, ends);
     }
 }
 

@@ -36,13 +36,6 @@ SplinePtr declared_periodic(const Spline &spline, int k) {
                        {spline.weights().begin(), spline.weights().end()});
 }
 
-SplinePtr clamped(const SplinePtr &spline, int k) {
-    const KnotVector &axis = spline->axis(k);
-    const AxisEnds ends{!axis.clamped_start(), !axis.clamped_end()};
-    return ends.lower || ends.upper ? cut_axis(spline, k, axis.domain().lower, axis.domain().upper, ends)
-                                    : spline;
-}
-
 // The knots of the periodic axis with p - order copies of the seam, the last of them at index degree; `axis` is
 // clamped.
 std::vector<double> periodic_knots(const KnotVector &axis, int order) {
@@ -123,7 +116,7 @@ PeriodicForm make_periodic(const SplinePtr &spline, int k, double tolerance) {
         const int order = p - multiplicity(axis.knots(), axis.domain().lower);
         return {axis.periodic() ? spline : declared_periodic(*spline, k), 0, order};
     }
-    const SplinePtr whole = clamped(spline, k);
+    const SplinePtr whole = clamp_ends(spline, k);
     double least = std::numeric_limits<double>::infinity();
     for (int order = static_cast<int>(std::min<int64_t>(p - 1, (whole->count(k) - 1) / 2)); order >= 0;
          --order) {

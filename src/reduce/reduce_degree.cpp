@@ -160,15 +160,6 @@ private:
     std::vector<double> wrapped_;
 };
 
-SplinePtr clamped(const SplinePtr &spline, int axis) {
-    const KnotVector &knots = spline->axis(axis);
-    if (knots.periodic() || (knots.clamped_start() && knots.clamped_end())) {
-        return spline;
-    }
-    const auto [lower, upper] = knots.domain();
-    return cut_axis(spline, axis, lower, upper, {!knots.clamped_start(), !knots.clamped_end()});
-}
-
 void check_weights(const Spline &spline, const std::vector<double> &layers) {
     const auto width = static_cast<size_t>(spline.width());
     for (size_t i = width - 1; spline.form() == Form::rational && i < layers.size(); i += width) {
@@ -181,9 +172,9 @@ void check_weights(const Spline &spline, const std::vector<double> &layers) {
 } // namespace
 
 SplinePtr lower_degree(const SplinePtr &spline, int axis, int times) {
-    const SplinePtr source = clamped(spline, axis);
+    const bool periodic = spline->axis(axis).periodic();
+    const SplinePtr source = periodic ? spline : clamp_ends(spline, axis);
     const KnotVector &old = source->axis(axis);
-    const bool periodic = old.periodic();
     const KnotVectorPtr knots = periodic ? lowered_periodic_axis(old, times) : lowered_open_axis(old, times);
     const AxisTable raised = elevate_axis(*knots, times);
     const AxisTable refined = refine_axis(old, missing_knots(*raised.axis, old));

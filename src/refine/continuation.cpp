@@ -75,13 +75,6 @@ SplinePtr continued(const Spline &spline, int k, const AxisTable &made) {
                        std::move(net.weights));
 }
 
-SplinePtr clamped(const SplinePtr &spline, int axis, AxisEnds ends) {
-    const KnotVector &knots = spline->axis(axis);
-    ends = {ends.lower && !knots.clamped_start(), ends.upper && !knots.clamped_end()};
-    return ends.lower || ends.upper ? cut_axis(spline, axis, knots.domain().lower, knots.domain().upper, ends)
-                                    : spline;
-}
-
 } // namespace
 
 void check_positive_weights(const std::vector<double> &weights) {
@@ -126,7 +119,7 @@ SplinePtr extend(const SplinePtr &spline, int axis, bool upper, double amount, i
     const Interval domain = spline->axis(axis).domain();
     const double end = domain.upper + amount;
     check_longer(amount, domain, end, axis);
-    const SplinePtr whole = clamped(spline, axis, {false, true});
+    const SplinePtr whole = clamp_ends(spline, axis, {false, true});
     const KnotVector &knots = whole->axis(axis);
     return continued(*whole, axis, extended_axis(knots, end, std::min(order, knots.degree())));
 }

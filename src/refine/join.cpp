@@ -2,7 +2,6 @@
 
 #include "refine/cut.h"
 #include "refine/homogeneous.h"
-#include "refine/seam.h"
 #include "spline/axis_view.h"
 
 #include <algorithm>
@@ -50,14 +49,6 @@ void check_compatible(std::span<const SplinePtr> parts, int axis) {
             }
         }
     }
-}
-
-// A part as it will be joined: open, clamped at inner ends.
-SplinePtr prepared(const SplinePtr &part, int axis, bool first, bool last) {
-    const KnotVector &knots = part->axis(axis);
-    const AxisEnds ends{!first && !knots.clamped_start(), !last && !knots.clamped_end()};
-    const auto [lower, upper] = knots.domain();
-    return ends.lower || ends.upper ? cut_axis(part, axis, lower, upper, ends) : open_axis(part, axis);
 }
 
 // The control points of a part in the form of the result.
@@ -240,7 +231,7 @@ Joined join(std::span<const SplinePtr> parts, int axis, JoinRule rule) {
     std::vector<double> knots;
     double gap = 0;
     for (size_t i = 0; i < parts.size(); ++i) {
-        const SplinePtr part = prepared(parts[i], axis, i == 0, i + 1 == parts.size());
+        const SplinePtr part = clamp_ends(parts[i], axis, {i > 0, i + 1 < parts.size()}); // at inner ends
         nets.push_back(points_in(*part, axis, form));
         const KnotVector &own = part->axis(axis);
         if (i == 0) {
