@@ -3,6 +3,7 @@
 #include "guard.h"
 #include "lists.h"
 
+#include "base/tolerance.h"
 #include "refine/cut.h"
 #include "refine/join.h"
 #include "refine/seam.h"
@@ -113,9 +114,7 @@ nurbs_status nurbs_join(int64_t count, const nurbs *const *parts, int32_t axis, 
         require_out(out);
         const std::vector<SplinePtr> splines = splines_of(count, parts, "parts");
         check_axis(*splines.front(), axis);
-        if (!(tolerance >= 0)) {
-            fail(NURBS_ERROR_TOLERANCE, "tolerance = %s, expected >= 0", Number(tolerance).text);
-        }
+        check_tolerance(tolerance);
         if ((flags & ~NURBS_KEEP_GAPS) != 0) {
             fail(NURBS_ERROR_FLAGS, "flags = 0x%x, expected NURBS_KEEP_GAPS or 0", flags);
         }

@@ -1,5 +1,6 @@
 #include "reduce/periodic_form.h"
 
+#include "base/tolerance.h"
 #include "reduce/deviation.h"
 #include "refine/continuation.h"
 #include "refine/cut.h"
@@ -109,9 +110,7 @@ bool wraps(const Spline &spline, int axis) noexcept {
 PeriodicForm make_periodic(const SplinePtr &spline, int k, double tolerance) {
     const KnotVector &axis = spline->axis(k);
     const int p = axis.degree();
-    if (!(tolerance >= 0)) {
-        fail(NURBS_ERROR_TOLERANCE, "tolerance = %s, expected >= 0", Number(tolerance).text);
-    }
+    check_tolerance(tolerance);
     if (axis.periodic() || wraps(*spline, k)) {
         const int order = p - multiplicity(axis.knots(), axis.domain().lower);
         return {axis.periodic() ? spline : declared_periodic(*spline, k), 0, order};

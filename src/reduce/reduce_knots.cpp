@@ -1,6 +1,6 @@
 #include "reduce/reduce_knots.h"
 
-#include "reduce/remove_knot.h"
+#include "base/tolerance.h"
 #include "reduce/thinning.h"
 
 #include <algorithm>

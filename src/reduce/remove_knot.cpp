@@ -1,5 +1,6 @@
 #include "reduce/remove_knot.h"
 
+#include "base/tolerance.h"
 #include "reduce/removal_step.h"
 #include "refine/period.h"
 
@@ -233,12 +234,6 @@ SplinePtr with_axis_if_valid(const Spline &spline, int k, const AxisTable &made)
             return nullptr;
         }
         throw;
-    }
-}
-
-void check_tolerance(double tolerance) {
-    if (!(tolerance >= 0)) {
-        fail(NURBS_ERROR_TOLERANCE, "tolerance = %s, expected >= 0", Number(tolerance).text);
     }
 }
 

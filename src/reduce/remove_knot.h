@@ -26,7 +26,4 @@ struct KnotRemoval {
 // NURBS_ERROR_PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN, _NOT_A_KNOT, _END_KNOT, _TIMES, _TOLERANCE.
 KnotRemoval remove_knot(const SplinePtr &spline, int axis, double knot, int64_t times, double tolerance);
 
-// tolerance >= 0, else NURBS_ERROR_TOLERANCE.
-void check_tolerance(double tolerance);
-
 } // namespace nrb
