@@ -1,9 +1,10 @@
 #include "bounds/largest_quotient.h"
 
+#include "base/finite.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 namespace nrb {
 
@@ -102,11 +103,6 @@ double lower_bound(const QuotientPiece &piece) noexcept {
     }
     const double factor = 1 + 2 * piece.denominator_factor + rounding(piece);
     return std::max(0.0, largest / factor - piece.quotient_error * factor);
-}
-
-double largest_magnitude(const std::vector<double> &values) noexcept {
-    return std::accumulate(values.begin(), values.end(), 0.0,
-                           [](double size, double x) { return std::max(size, std::abs(x)); });
 }
 
 int next_axis(const QuotientPiece &piece) noexcept {
