@@ -2,6 +2,7 @@
 
 #include "base/tolerance.h"
 #include "reduce/removal_step.h"
+#include "refine/insert.h"
 #include "refine/period.h"
 
 #include <algorithm>
@@ -175,15 +176,9 @@ private:
     WindowRows window_{};
 };
 
-void check_knot(const KnotVector &axis, int k, double knot) {
-    if (!std::isfinite(knot)) {
-        fail(NURBS_ERROR_PARAMETER_NOT_FINITE, "knot = %s is not finite", Number(knot).text);
-    }
+void check_removable(const KnotVector &axis, int k, double knot) {
+    check_knot(axis, k, knot);
     const auto [lower, upper] = axis.domain();
-    if (knot < lower || knot > upper) {
-        fail(NURBS_ERROR_OUTSIDE_DOMAIN, "knot = %s outside [%s, %s], the domain of axis %d",
-             Number(knot).text, Number(lower).text, Number(upper).text, k);
-    }
     if (multiplicity(axis.knots(), knot) == 0) {
         fail(NURBS_ERROR_NOT_A_KNOT, "knot = %s is not a knot of axis %d", Number(knot).text, k);
     }
@@ -239,7 +234,7 @@ SplinePtr with_axis_if_valid(const Spline &spline, int k, const AxisTable &made)
 
 KnotRemoval remove_knot(const SplinePtr &spline, int axis, double knot, int64_t times, double tolerance) {
     const KnotVector &old = spline->axis(axis);
-    check_knot(old, axis, knot);
+    check_removable(old, axis, knot);
     if (times < 0) {
         fail(NURBS_ERROR_TIMES, "times = %lld, expected >= 0", static_cast<long long>(times));
     }
