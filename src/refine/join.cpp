@@ -51,7 +51,7 @@ void check_compatible(std::span<const SplinePtr> parts, int axis) {
     }
 }
 
-// The control points of a part in the form of the result.
+// The control points of a part.
 struct Points {
     std::vector<double> points;
     std::vector<double> weights;
@@ -64,28 +64,13 @@ struct Points {
     }
 };
 
-Points points_in(const Spline &part, int axis, Form form) {
+Points points_of(const Spline &part, int axis) {
     const AxisView view = axis_view(part, axis, 1);
-    Points result{{part.points().begin(), part.points().end()},
-                  {part.weights().begin(), part.weights().end()},
-                  view.count,
-                  view.outer,
-                  view.inner};
-    const auto count = static_cast<size_t>(part.point_count());
-    const auto dim = static_cast<size_t>(part.dim());
-    if (form == Form::rational && part.form() == Form::polynomial) {
-        result.weights.assign(count, 1.0);
-    } else if (form == Form::homogeneous && part.form() != Form::homogeneous) {
-        result.points.resize(count * (dim + 1));
-        result.weights.clear();
-        for (size_t i = 0; i < count; ++i) {
-            const double w = part.weight(static_cast<int64_t>(i));
-            for (size_t c = 0; c <= dim; ++c) {
-                result.points[i * (dim + 1) + c] = c == dim ? w : w * part.points()[i * dim + c];
-            }
-        }
-    }
-    return result;
+    return {{part.points().begin(), part.points().end()},
+            {part.weights().begin(), part.weights().end()},
+            view.count,
+            view.outer,
+            view.inner};
 }
 
 // The end of one part and the start of the next.
@@ -231,8 +216,9 @@ Joined join(std::span<const SplinePtr> parts, int axis, JoinRule rule) {
     std::vector<double> knots;
     double gap = 0;
     for (size_t i = 0; i < parts.size(); ++i) {
-        const SplinePtr part = clamp_ends(parts[i], axis, {i > 0, i + 1 < parts.size()}); // at inner ends
-        nets.push_back(points_in(*part, axis, form));
+        const AxisEnds inner{i > 0, i + 1 < parts.size()};
+        const SplinePtr part = in_form(clamp_ends(parts[i], axis, inner), form);
+        nets.push_back(points_of(*part, axis));
         const KnotVector &own = part->axis(axis);
         if (i == 0) {
             knots.assign(own.knots().begin(), own.knots().end());
