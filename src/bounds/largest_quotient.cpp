@@ -1,6 +1,7 @@
 #include "bounds/largest_quotient.h"
 
 #include "base/finite.h"
+#include "base/norm.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,31 +13,6 @@ namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 constexpr double infinite = std::numeric_limits<double>::infinity();
-
-// Within (width / 2 + 2) eps of itself at any size.
-double norm(const double *x, int width) noexcept {
-    double sum = 0;
-    for (int c = 0; c < width; ++c) {
-        sum += x[c] * x[c];
-    }
-    if (sum > 1e-280 && sum < 1e300) {
-        return std::sqrt(sum);
-    }
-    double largest = 0;
-    for (int c = 0; c < width; ++c) {
-        largest = std::max(largest, std::abs(x[c]));
-    }
-    if (!(largest > 0) || !std::isfinite(largest)) {
-        return std::isnan(sum) ? infinite : largest;
-    }
-    const double scale = std::ldexp(1.0, -std::ilogb(largest) / 2);
-    sum = 0;
-    for (int c = 0; c < width; ++c) {
-        const double y = x[c] * scale * scale;
-        sum += y * y;
-    }
-    return std::sqrt(sum) / scale / scale;
-}
 
 // The denominators with one sign, and what they are at least and at most.
 class Denominators {
@@ -60,7 +36,8 @@ private:
 };
 
 double norm_at(const QuotientPiece &piece, int64_t i) noexcept {
-    return norm(piece.numerators.data() + i * piece.shape.width, piece.shape.width);
+    const double length = norm(piece.numerators.data() + i * piece.shape.width, piece.shape.width);
+    return std::isnan(length) ? infinite : length;
 }
 
 double rounding(const QuotientPiece &piece) noexcept {

@@ -1,5 +1,6 @@
 #include "reduce/deviation.h"
 
+#include "base/norm.h"
 #include "refine/axis_table.h"
 
 #include <algorithm>
@@ -68,19 +69,11 @@ int sign_of_weights(const Spline &spline) noexcept {
 }
 
 double distance(const Spline &a, int64_t i, const Spline &b, int64_t j) noexcept {
-    double length = 0;
-    for (int c = 0; c < a.dim(); ++c) {
-        length = std::hypot(length, a.coordinate(i, c) - b.coordinate(j, c));
-    }
-    return length;
+    return norm_of(a.dim(), [&](int c) { return a.coordinate(i, c) - b.coordinate(j, c); });
 }
 
 double size_of(const Spline &spline, int64_t i) noexcept {
-    double length = 0;
-    for (int c = 0; c < spline.dim(); ++c) {
-        length = std::hypot(length, spline.coordinate(i, c));
-    }
-    return length;
+    return norm_of(spline.dim(), [&](int c) { return spline.coordinate(i, c); });
 }
 
 // Distance from control point i to the farthest one that is active together with it.

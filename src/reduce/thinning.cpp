@@ -1,5 +1,6 @@
 #include "reduce/thinning.h"
 
+#include "base/norm.h"
 #include "reduce/layers.h"
 #include "refine/period.h"
 
@@ -12,14 +13,6 @@ namespace nrb {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-
-double norm(const double *x, int width) noexcept {
-    double sum = 0;
-    for (int c = 0; c < width; ++c) {
-        sum += x[c] * x[c];
-    }
-    return std::sqrt(sum);
-}
 
 } // namespace
 

@@ -1,5 +1,6 @@
 #include "refine/join.h"
 
+#include "base/norm.h"
 #include "refine/cut.h"
 #include "refine/homogeneous.h"
 #include "spline/axis_view.h"
@@ -127,16 +128,14 @@ private:
         const bool homogeneous = form_ == Form::homogeneous;
         const size_t width = homogeneous ? dim_ + 1 : dim_;
         const double wa = homogeneous ? weight(before_, a) : 1, wb = homogeneous ? weight(after_, b) : 1;
-        double length = 0;
-        for (size_t c = 0; c < dim_; ++c) {
+        return norm_of(static_cast<int>(dim_), [&](int k) {
+            const auto c = static_cast<size_t>(k);
             const double x = before_.points[a * width + c], y = after_.points[b * width + c];
             if (wa == 0 || wb == 0) { // a point at infinity is close to nothing but itself
-                length = x == factor * y ? length : std::numeric_limits<double>::infinity();
-            } else {
-                length = std::hypot(length, x / wa - y / wb);
+                return x == factor * y ? 0 : std::numeric_limits<double>::infinity();
             }
-        }
-        return length;
+            return x / wa - y / wb;
+        });
     }
 
     const Points &before_;
