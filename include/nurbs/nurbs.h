@@ -1250,10 +1250,13 @@ NURBS_API nurbs_status nurbs_make_compatible(int64_t count, const nurbs *const *
 /** \brief Extends a spline beyond an end of an axis by a length of the parameter. The new part is the Taylor
  * polynomial of an order k of the piece at that end, in homogeneous coordinates if rational: 0 stays where the
  * end is, 1 goes on linearly (C^1), 2 with constant second derivative (C^2), and from the degree on it is the
- * piece itself, which has no end there any more. The old end becomes a knot of multiplicity degree - k; on the
- * old domain the shape stays, an end that is not clamped is clamped first. With the new end e and the old one b,
- * the new control points are the polar form of the piece at interior knots, b and e, and values of it at b and e
- * alone continued as a polynomial of degree k in their number.
+ * piece itself. The old end becomes a knot of multiplicity degree - j, where j is k at the most and the largest
+ * for which (1 + 2 amount / (last span))^j <= 256: j control points that act on the old domain too are moved,
+ * and get larger by up to that factor, which they hand on to the rounding of an evaluation there; all others
+ * keep their bits. So the old domain stays as it is to 2^8 times the rounding of g, however short its last span
+ * is. An end that is not clamped is clamped first. With the new end e and the old one b, the new control points
+ * are the polar form of the piece at interior knots, b and e, and values of it at b and e alone continued as a
+ * polynomial of degree k in their number.
  * Rounding: homogeneous points of the result are within 16 (degree + 1) eps (1 + 2 amount / (last span))^k times
  * the largest homogeneous coordinate of g and of the result (tested), k at most the degree.
  * \param[in] g a spline.
@@ -1562,7 +1565,8 @@ NURBS_API nurbs_status nurbs_sum(const nurbs *a, double alpha, const nurbs *b, d
  * \param[in] tangent_stride,tangent_component_stride layout of tangents, 0 = packed.
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _DIMENSION, _STRIDE, _OVERFLOW, _PARAMETER_NOT_FINITE,
- *   _KNOT_NOT_FINITE, _POINT_NOT_FINITE; _KNOTS_DECREASING for parameters that do not increase.
+ *   _KNOT_NOT_FINITE; _POINT_NOT_FINITE for a point or derivative, _NOT_REPRESENTABLE if a control point
+ *   overflows, _KNOTS_DECREASING for parameters that do not increase.
  * \since 0.1 */
 NURBS_API nurbs_status nurbs_create_hermite(int64_t n, const double *params, int32_t dim,
                                             const double *points, int64_t point_stride,

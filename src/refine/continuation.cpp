@@ -86,27 +86,50 @@ void check_positive_weights(const std::vector<double> &weights) {
     }
 }
 
+namespace {
+
+// Control points that have knots on both sides of the old end among their arguments, s of them the new end, are up
+// to (1 + 2 amount / last span)^s times as large as the others, and so is the rounding of an evaluation that
+// meets them, on the old domain too. The largest s for which that is at most 2^8; the old end then stays a knot of
+// multiplicity degree - s, and the control points before it keep their bits.
+int shared_order(const KnotVector &axis, double end, int order) {
+    constexpr double limit = 256;
+    const int64_t n = axis.count();
+    const double growth = 1 + 2 * ((end - axis[n]) / (axis[n] - axis[n - 1]));
+    int shared = 0;
+    for (double size = growth; shared < order && size <= limit; size *= growth) {
+        ++shared;
+    }
+    return shared;
+}
+
+} // namespace
+
 AxisTable extended_axis(const KnotVector &axis, double end, int order) {
-    const int p = axis.degree();
+    const int p = axis.degree(), shared = shared_order(axis, end, order);
     const int64_t n = axis.count();
     const std::vector<double> ends(static_cast<size_t>(p) + 1, end);
     const std::span<const double> arguments(ends);
     LayerTable table;
-    table.reserve(n + p - order);
-    for (int64_t j = 0; j < n - order; ++j) {
+    table.reserve(n + p - shared);
+    for (int64_t j = 0; j < n - shared; ++j) {
         table.add_copy(j);
     }
-    for (int s = 1; s <= order; ++s) { // interior knots, the old end p - order times, the new one s times
-        add_continued_row(axis, n - order + s, n + p - order, arguments.first(static_cast<size_t>(s)), table);
+    for (int s = 1; s <= shared; ++s) { // interior knots, the old end p - shared times, the new one s times
+        add_continued_row(axis, n - shared + s, n + p - shared, arguments.first(static_cast<size_t>(s)),
+                          table);
     }
-    LayerTable known; // of the piece over [old end, new end]
-    for (int s = 0; s <= order; ++s) {
+    for (int s = shared + 1; s <= order; ++s) { // of the piece over [old end, new end]
+        add_continued_row(axis, n, n + p - s, arguments.first(static_cast<size_t>(s)), table);
+    }
+    LayerTable known; // of that piece
+    for (int s = 0; s <= order && order < p; ++s) {
         add_continued_row(axis, n, n + p - s, arguments.first(static_cast<size_t>(s)), known);
     }
     for (int s = order + 1; s <= p; ++s) {
         add_taylor_row(known, order, s, n, table);
     }
-    std::vector<double> knots(axis.knots().begin(), axis.knots().begin() + n + p - order);
+    std::vector<double> knots(axis.knots().begin(), axis.knots().begin() + n + p - shared);
     knots.insert(knots.end(), ends.begin(), ends.end());
     return {std::make_shared<const KnotVector>(p, std::move(knots)), std::move(table)};
 }

@@ -14,10 +14,10 @@ void add_continued_row(const KnotVector &axis, int64_t shared_first, int64_t sha
                        std::span<const double> arguments, LayerTable &table);
 
 // The axis, clamped at its upper end, over a longer domain: up to `end` it is the Taylor polynomial of an order of
-// the last piece at its end (C^order means that the polar forms
-// agree at all arguments of which degree - order are that knot, Ramshaw 1989). The old end stays as a knot of
-// multiplicity
-// degree - order. Preconditions: 0 <= order <= degree, end > domain.upper.
+// the last piece at its end (C^order means that the polar forms agree at all arguments of which degree - order
+// are that knot, Ramshaw 1989). The old end stays as a knot of multiplicity degree - order, or a higher one where
+// the control points that reach across it would become much larger than those of the old domain, which then
+// would be evaluated with the rounding of the large ones. Preconditions: 0 <= order <= degree, end > domain.upper.
 AxisTable extended_axis(const KnotVector &axis, double end, int order);
 
 // The upper end, or with upper false the lower one, extended by a length of the parameter. Orders from the
