@@ -36,6 +36,7 @@ CurveSide::CurveSide(const Spline &curve, double t, bool left, int order, double
     const KnotVector &axis = curve.axis(0);
     const int p = axis.degree(), width = curve.width();
     const int64_t span = axis.find_span(t, left);
+    span_ = axis[span + 1] - axis[span];
     std::vector<double> basis(static_cast<size_t>((order + 1) * (p + 1)));
     basis_derivs(axis.knots().data(), p, span, t, order, basis.data());
     std::vector<double> points(static_cast<size_t>((p + 1) * width)),
