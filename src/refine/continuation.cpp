@@ -88,25 +88,19 @@ void check_positive_weights(const std::vector<double> &weights) {
 
 namespace {
 
-// Control points that have knots on both sides of the old end among their arguments, s of them the new end, are up
-// to (1 + 2 amount / last span)^s times as large as the others, and so is the rounding of an evaluation that
-// meets them, on the old domain too. The largest s for which that is at most 2^8; the old end then stays a knot of
-// multiplicity degree - s, and the control points before it keep their bits.
-int shared_order(const KnotVector &axis, double end, int order) {
+// How many control points have knots on both sides of the old end among their arguments. They are up to (1 + 2
+// amount / last span)^order times as large as the others, and so is the rounding of an evaluation that meets them,
+// on the old domain too: beyond 2^8 there are none, and the old end keeps multiplicity degree.
+int across(const KnotVector &axis, double end, int order) {
     constexpr double limit = 256;
     const int64_t n = axis.count();
-    const double growth = 1 + 2 * ((end - axis[n]) / (axis[n] - axis[n - 1]));
-    int shared = 0;
-    for (double size = growth; shared < order && size <= limit; size *= growth) {
-        ++shared;
-    }
-    return shared;
+    return std::pow(1 + 2 * ((end - axis[n]) / (axis[n] - axis[n - 1])), order) <= limit ? order : 0;
 }
 
 } // namespace
 
 AxisTable extended_axis(const KnotVector &axis, double end, int order) {
-    const int p = axis.degree(), shared = shared_order(axis, end, order);
+    const int p = axis.degree(), shared = across(axis, end, order);
     const int64_t n = axis.count();
     const std::vector<double> ends(static_cast<size_t>(p) + 1, end);
     const std::span<const double> arguments(ends);
