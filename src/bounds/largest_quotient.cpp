@@ -92,11 +92,26 @@ int next_axis(const QuotientPiece &piece) noexcept {
     return -1;
 }
 
-// What the means of a subdivision add. Where the denominators are positive, conv(|N|) <= upper * conv(W).
-void add_rounding(QuotientPiece &piece, int degree, double upper) {
-    const double share = eps * degree;
-    if (std::isfinite(upper)) {
-        piece.quotient_error += share * upper;
+// The largest quotient of coefficients, which no mean of numerators exceeds relative to that of the denominators:
+// those have one sign, and where one is 0 so is the numerator. Infinite where that is not so.
+double ratio_bound(const QuotientPiece &piece) noexcept {
+    const Denominators denominators(piece);
+    double largest = 0;
+    for (int64_t i = 0; i < piece.shape.coefficients(); ++i) {
+        const double size = norm_at(piece, i), w = denominators.value(i);
+        if (w < 0 || !(size == 0 || w > 0)) {
+            return infinite;
+        }
+        largest = size == 0 ? largest : std::max(largest, size / w);
+    }
+    return largest;
+}
+
+// What the means of a subdivision add.
+void add_rounding(QuotientPiece &piece, int degree) {
+    const double share = eps * degree, ratio = ratio_bound(piece);
+    if (std::isfinite(ratio)) {
+        piece.quotient_error += share * ratio;
         piece.denominator_factor += piece.denominators.empty() ? 0 : share;
         return;
     }
@@ -158,7 +173,7 @@ private:
             push(std::move(piece), top);
             return !known;
         }
-        QuotientPiece lower = halve(piece, top.upper);
+        QuotientPiece lower = halve(piece);
         push(std::move(lower), top);
         push(std::move(piece), top);
         return true;
@@ -185,9 +200,9 @@ Enclosure quotient_bounds(const QuotientPiece &piece) {
     return {lower_bound(piece), upper_bound(piece)};
 }
 
-QuotientPiece halve(QuotientPiece &piece, double upper) {
+QuotientPiece halve(QuotientPiece &piece) {
     const int axis = next_axis(piece);
-    add_rounding(piece, piece.shape.degrees[static_cast<size_t>(axis)], upper);
+    add_rounding(piece, piece.shape.degrees[static_cast<size_t>(axis)]);
     piece.last_axis = axis;
     QuotientPiece lower = piece;
     halve(piece.shape, axis, piece.numerators.data(), lower.numerators.data());
@@ -205,12 +220,20 @@ Enclosure largest_quotient(std::span<const double> uppers, const PieceSource &so
 }
 
 std::vector<double> quotient_uppers(int64_t count, const PieceSource &source) {
+    constexpr SearchLimits few{.ratio = 1, .steps = 64};
     std::vector<double> uppers;
     uppers.reserve(static_cast<size_t>(count));
     QuotientPiece piece;
+    bool bounded = true; // one that is not is enough
     for (int64_t i = 0; i < count; ++i) {
         source(i, piece);
-        uppers.push_back(upper_bound(piece));
+        double upper = upper_bound(piece);
+        if (bounded && std::isinf(upper)) { // a coefficient of 0 is none of the parts
+            const PieceSource itself = [&piece](int64_t, QuotientPiece &out) { out = piece; };
+            upper = largest_quotient({&upper, 1}, itself, few).upper;
+            bounded = std::isfinite(upper);
+        }
+        uppers.push_back(upper);
     }
     return uppers;
 }
