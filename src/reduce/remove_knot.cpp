@@ -4,9 +4,11 @@
 #include "reduce/removal_step.h"
 #include "refine/insert.h"
 #include "refine/period.h"
+#include "spline/axis_view.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace nrb {
 
@@ -221,9 +223,39 @@ AxisTable without_knot(const KnotVector &axis, double knot) {
     return removal.possible() ? removal.make() : AxisTable{};
 }
 
+namespace {
+
+// Weights below 0 by no more than the rounding of their sums become 0, with their points at the origin.
+void settle_negative(const Spline &spline, int k, const LayerTable &table, Net &net) {
+    constexpr double rounding = 32 * std::numeric_limits<double>::epsilon();
+    const AxisView view = axis_view(spline, k, 1);
+    const auto dim = static_cast<size_t>(spline.dim());
+    for (size_t i = 0; i < net.weights.size(); ++i) {
+        if (net.weights[i] < 0) {
+            const auto place = static_cast<int64_t>(i);
+            const int64_t inner = place % view.inner, outer = place / view.inner / table.rows();
+            const LayerTable::Row &row = table.row(place / view.inner % table.rows());
+            double sum = 0;
+            for (int j = 0; j < row.size; ++j) {
+                const int64_t from = (outer * view.count + row.first + j) * view.inner + inner;
+                sum += std::abs(table.coefficients(row)[j] * spline.weight(from));
+            }
+            if (-net.weights[i] <= rounding * sum) {
+                net.weights[i] = 0;
+                std::fill_n(net.points.begin() + static_cast<std::ptrdiff_t>(i * dim), dim, 0.0);
+            }
+        }
+    }
+}
+
+} // namespace
+
 SplinePtr with_axis_if_valid(const Spline &spline, int k, const AxisTable &made) {
     try {
-        return with_axis(spline, k, made);
+        Net net = apply_along(spline, k, made.table);
+        settle_negative(spline, k, made.table, net);
+        return make_spline(with_axis(spline, k, made.axis), spline.dim(), spline.form(),
+                           std::move(net.points), std::move(net.weights));
     } catch (const Error &error) {
         if (error.status() == NURBS_ERROR_WEIGHT_NEGATIVE || error.status() == NURBS_ERROR_WEIGHTS_VANISH) {
             return nullptr;
