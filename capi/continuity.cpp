@@ -2,6 +2,7 @@
 #include "checks.h"
 #include "guard.h"
 
+#include "base/tolerance.h"
 #include "query/continuity.h"
 
 using namespace nrb;
@@ -16,9 +17,7 @@ ContinuityRule checked_rule(double position, double derivative, double angle) {
     } all[] = {
         {"position_tolerance", position}, {"derivative_tolerance", derivative}, {"angle_tolerance", angle}};
     for (const auto &[name, value] : all) {
-        if (!(value >= 0)) {
-            fail(NURBS_ERROR_TOLERANCE, "%s = %s, expected >= 0", name, Number(value).text);
-        }
+        check_tolerance(value, name);
     }
     return {position, derivative, angle};
 }

@@ -3,6 +3,7 @@
 #include "guard.h"
 #include "lists.h"
 
+#include "base/tolerance.h"
 #include "refine/cut.h"
 #include "refine/join.h"
 #include "refine/seam.h"
@@ -90,13 +91,7 @@ nurbs_status nurbs_clamp_ends(const nurbs *g, int32_t axis, uint32_t flags, nurb
     return guard([&] {
         require_out(out);
         check_axis(spline_of(g), axis);
-        const AxisEnds wanted = decode_ends(flags);
-        const KnotVector &old = g->spline->axis(axis);
-        const AxisEnds ends{wanted.lower && !old.clamped_start(), wanted.upper && !old.clamped_end()};
-        const auto [lower, upper] = old.domain();
-        give(ends.lower || ends.upper ? cut_axis(g->spline, axis, lower, upper, ends)
-                                      : open_axis(g->spline, axis),
-             out);
+        give(clamp_ends(g->spline, axis, decode_ends(flags)), out);
     });
 }
 
@@ -119,9 +114,7 @@ nurbs_status nurbs_join(int64_t count, const nurbs *const *parts, int32_t axis, 
         require_out(out);
         const std::vector<SplinePtr> splines = splines_of(count, parts, "parts");
         check_axis(*splines.front(), axis);
-        if (!(tolerance >= 0)) {
-            fail(NURBS_ERROR_TOLERANCE, "tolerance = %s, expected >= 0", Number(tolerance).text);
-        }
+        check_tolerance(tolerance);
         if ((flags & ~NURBS_KEEP_GAPS) != 0) {
             fail(NURBS_ERROR_FLAGS, "flags = 0x%x, expected NURBS_KEEP_GAPS or 0", flags);
         }

@@ -54,7 +54,32 @@ std::vector<double> hermite_knots(const double *params, int64_t n) {
     return knots;
 }
 
-// The Bezier points beside each point, P - h T / 3 and P + h T / 3, and the two ends.
+void check_finite(const ConstRecords &records, const char *name) {
+    for (int64_t i = 0; i < records.count; ++i) {
+        for (int64_t c = 0; c < records.width; ++c) {
+            if (!std::isfinite(records(i, c))) {
+                fail(NURBS_ERROR_POINT_NOT_FINITE, "%s[%lld][%lld] = %s is not finite", name,
+                     static_cast<long long>(i), static_cast<long long>(c), Number(records(i, c)).text);
+            }
+        }
+    }
+}
+
+// P - h T / 3 or P + h T / 3.
+double beside(const ConstRecords &points, const ConstRecords &tangents, int64_t i, int64_t c, double h,
+              int side) {
+    const double result = points(i, c) + side * (h * tangents(i, c)) / 3;
+    if (!std::isfinite(result)) {
+        const auto at = static_cast<long long>(i), in = static_cast<long long>(c);
+        fail(NURBS_ERROR_NOT_REPRESENTABLE,
+             "points[%lld][%lld] %c tangents[%lld][%lld] * %s / 3 = %s %c %s * %s / 3 overflows", at, in,
+             side < 0 ? '-' : '+', at, in, Number(h).text, Number(points(i, c)).text, side < 0 ? '-' : '+',
+             Number(tangents(i, c)).text, Number(h).text);
+    }
+    return result;
+}
+
+// The Bezier points beside each point, and the two ends.
 std::vector<double> hermite_points(const double *params, const ConstRecords &points,
                                    const ConstRecords &tangents) {
     const int64_t n = points.count, dim = points.width;
@@ -65,7 +90,7 @@ std::vector<double> hermite_points(const double *params, const ConstRecords &poi
             const bool outer = side < 0 ? i == 0 : i == n - 1;
             const double h = outer ? 0 : side < 0 ? params[i] - params[i - 1] : params[i + 1] - params[i];
             for (int64_t c = 0; c < dim; ++c) {
-                result.push_back(outer ? points(i, c) : points(i, c) + side * (h * tangents(i, c)) / 3);
+                result.push_back(outer ? points(i, c) : beside(points, tangents, i, c, h, side));
             }
         }
     }
@@ -104,6 +129,8 @@ nurbs_status nurbs_create_hermite(int64_t n, const double *params, int32_t dim, 
         const ConstRecords slopes =
             input("tangents", tangents, n, dim, tangent_stride, tangent_component_stride);
         check_rising(params, n);
+        check_finite(values, "points");
+        check_finite(slopes, "tangents");
         Spline::Axes axes{make_knot_vector(3, hermite_knots(params, n))};
         give(make_spline(std::move(axes), dim, Form::polynomial, hermite_points(params, values, slopes)),
              out);

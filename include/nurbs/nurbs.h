@@ -1197,26 +1197,28 @@ NURBS_API nurbs_status nurbs_move_seam(const nurbs *g, int32_t axis, double para
 NURBS_API nurbs_status nurbs_join(int64_t count, const nurbs *const *parts, int32_t axis, double tolerance,
                                   uint32_t flags, double *gap, nurbs **out);
 
-/** \brief Makes near-equal knots of an axis equal; the control points stay. Knots fall into groups that become
+/** \brief Makes near-equal knots of an axis equal; control points stay. Knots fall into groups that become
  * one knot. With w = tolerance * (length of the domain), knots at most w away from an end of the domain, on
  * either side, become that end (the lower end first); any other group begins with the lowest knot that is in
  * none and holds all that are at most w above it, so that a chain of close knots is cut where it gets longer
  * than w. It takes the value that occurs most often in it, the lowest of several. On a periodic axis copies
- * move alike.
+ * move alike. Where more than degree + 1 knots become an end of a plain axis, the others go, and as many
+ * control points: of a clamped end those next to it, so that it keeps its place, unless the degree is 0.
  *
  * The shape moves by at most `deviation`: with control points P_i, Q_i and weights v_i, w_i of both splines
  * over the union of their knots, the largest |P_i - Q_i| + |1 - w_i / v_i| r_i, r_i the distance from Q_i to
- * the farthest control point that is active together with it; and the rounding of these numbers. It is
- * infinite where weights of different signs, or of 0, leave no such bound.
+ * the farthest control point that is active together with it; and the rounding of these numbers, none where
+ * control points are compared as they are. Where not all weights have one sign, or some are 0, it is what
+ * nurbs_deviation() gives as at_most.
  * \param[in] g a spline.
  * \param[in] axis 0-based axis.
  * \param[in] tolerance w as a part of the domain's length, >= 0 and < 1; 0 moves nothing.
  * \param[out] deviation proved bound of the distance of any point to where it was, 0 if no knot moved, or
  *   NULL.
  * \param[out] out the new handle.
- * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _TOLERANCE; _MULTIPLICITY if knots that become one would occur
- *   more than degree + 1 times; _PERIODIC_KNOTS if rounding keeps copies from repeating; _NOT_REPRESENTABLE
- *   if a value overflows, _WEIGHTS_VANISH if all weights at a knot are 0.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _TOLERANCE; _MULTIPLICITY if knots that become one, other than
+ *   an end of a plain axis, would occur more than degree + 1 times; _PERIODIC_KNOTS if rounding keeps copies
+ *   from repeating; _NOT_REPRESENTABLE if a value overflows, _WEIGHTS_VANISH if all weights at a knot are 0.
  * \since 0.1 */
 NURBS_API nurbs_status nurbs_snap_knots(const nurbs *g, int32_t axis, double tolerance, double *deviation,
                                         nurbs **out);
@@ -1230,12 +1232,14 @@ NURBS_API nurbs_status nurbs_snap_knots(const nurbs *g, int32_t axis, double tol
  *
  * With a tolerance > 0 near-equal knots of the splines are first moved together as by nurbs_snap_knots(),
  * the knots of all splines taken as one list, so that they do not multiply; the value of a group is the one
- * that occurs most often in all. Whatever no knot is moved for stays exact.
+ * that occurs most often in all. Whatever no knot is moved for stays exact. A domain whose ends are at most
+ * tolerance times the length of that of splines[0] away from its ends is mapped to it even without
+ * NURBS_MAP_DOMAINS; how far that moves parameters is no part of the deviation.
  * \param[in] count number of splines, at least 1.
  * \param[in] splines [count] with the same number of axes, of any dimensions.
  * \param[in] tolerance how far a group of knots may reach, as a part of the domain's length, >= 0 and < 1.
  * \param[in] flags NURBS_MAP_DOMAINS: domains other than that of splines[0] are mapped to it as by
- *   nurbs_reparametrize(); 0: they are refused.
+ *   nurbs_reparametrize(); 0: they are refused, unless they are that close.
  * \param[out] deviation largest of the splines' bounds, as for nurbs_snap_knots(): 0 if no knot was moved; on
  *   periodic axes, whose outer knots repeat to rounding only, also what that rounding moves; or NULL.
  * \param[out] out the new list, the splines in their order, named "0", "1" and so on.
@@ -1250,12 +1254,15 @@ NURBS_API nurbs_status nurbs_make_compatible(int64_t count, const nurbs *const *
 /** \brief Extends a spline beyond an end of an axis by a length of the parameter. The new part is the Taylor
  * polynomial of an order k of the piece at that end, in homogeneous coordinates if rational: 0 stays where the
  * end is, 1 goes on linearly (C^1), 2 with constant second derivative (C^2), and from the degree on it is the
- * piece itself, which has no end there any more. The old end becomes a knot of multiplicity degree - k; on the
- * old domain the shape stays, an end that is not clamped is clamped first. With the new end e and the old one b,
- * the new control points are the polar form of the piece at interior knots, b and e, and values of it at b and e
- * alone continued as a polynomial of degree k in their number.
- * Rounding: homogeneous points of the result are within 16 (degree + 1) eps (1 + 2 amount / (last span))^k times
- * the largest homogeneous coordinate of g and of the result (tested), k at most the degree.
+ * piece itself. The old end becomes a knot of multiplicity degree - k, and k control points that act on the
+ * old domain too are moved and get larger, by up to G = (1 + 2 amount / (last span))^k, which they hand on to
+ * the rounding of an evaluation there. Where G > 256 that knot has multiplicity degree instead and all control
+ * points of g keep their bits. So the old domain stays as it is to 2^8 times the rounding of g, however short
+ * its last span is. An end that is not clamped is clamped first. With the new end e and the old one b, the new
+ * control points are the polar form of the piece at interior knots, b and e, and values of it at b and e alone
+ * continued as a polynomial of degree k in their number.
+ * Rounding: homogeneous points of the result are within 16 (degree + 1) eps G times the largest homogeneous
+ * coordinate of g and of the result (tested), k at most the degree.
  * \param[in] g a spline.
  * \param[in] axis 0-based axis, not periodic.
  * \param[in] end NURBS_START or NURBS_END.
@@ -1292,8 +1299,8 @@ NURBS_API nurbs_status nurbs_unclamp(const nurbs *g, int32_t axis, uint32_t flag
  * that repeats already, in knots and bit for bit in points, is only declared periodic.
  * \param[in] g a spline.
  * \param[in] axis 0-based axis.
- * \param[in] tolerance largest deviation allowed, a distance >= 0; the bound includes its own rounding, so that
- *   0 is met by splines only that repeat already.
+ * \param[in] tolerance largest deviation allowed, a distance >= 0; the bound includes the rounding of control
+ *   points that are moved: 0 is met where none is, such as of a circle that closes bit for bit.
  * \param[out] deviation proved bound of the distance of any point to where it was, as for nurbs_snap_knots(), or
  *   NULL.
  * \param[out] order the order of continuity that the knots give the seam, or NULL.
@@ -1562,7 +1569,8 @@ NURBS_API nurbs_status nurbs_sum(const nurbs *a, double alpha, const nurbs *b, d
  * \param[in] tangent_stride,tangent_component_stride layout of tangents, 0 = packed.
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _DIMENSION, _STRIDE, _OVERFLOW, _PARAMETER_NOT_FINITE,
- *   _KNOT_NOT_FINITE, _POINT_NOT_FINITE; _KNOTS_DECREASING for parameters that do not increase.
+ *   _KNOT_NOT_FINITE; _POINT_NOT_FINITE for a point or derivative, _NOT_REPRESENTABLE if a control point
+ *   overflows, _KNOTS_DECREASING for parameters that do not increase.
  * \since 0.1 */
 NURBS_API nurbs_status nurbs_create_hermite(int64_t n, const double *params, int32_t dim,
                                             const double *points, int64_t point_stride,
@@ -1662,9 +1670,10 @@ NURBS_API nurbs_status nurbs_basis_matrix(int32_t from, int32_t to, int32_t degr
  * one, and all of them by the rounding that their computation may have, so that tolerances of 0 ask for what
  * double precision can tell. The geometric order is 0 where the points agree so, 1 where in addition the angle
  * between the tangents is at most angle_tolerance, and 2 where their curvature vectors (C'' - (C'' T) T) /
- * |C'|^2 differ by at most derivative_tolerance times the longer one. Where the first derivative vanishes the
- * tangent is the limit, given by the first derivative that does not, and the geometric order is at most 1;
- * where all vanish it is at most 0, and the angle NaN.
+ * |C'|^2 differ by at most derivative_tolerance times the longer one, or times 1 / l, l the length |C'| h of the
+ * longer one of the two spans [t, t + h]: along l a gap d turns the tangent by d l, so that no rounding breaks a
+ * straight line. Where the first derivative vanishes the tangent is the limit, given by the first derivative that
+ * does not, and the geometric order is at most 1; where all vanish it is at most 0, and the angle NaN.
  * @{ */
 
 /** \brief Continuity at the knots of an axis: one row for each distinct knot inside the domain, and one more,
@@ -1730,8 +1739,8 @@ NURBS_API nurbs_status nurbs_continuity_between(const nurbs *a, int32_t end_a, c
 /** \brief Encloses the largest distance sup |f(t) - g(t)| of two splines over their domain, both limits at
  * jumps included. Degrees, knots and weights may differ, and either may be periodic or rational; axes,
  * dimension and domains have to agree. at_least <= sup <= at_most, both proven; at_most <= 5/4 at_least beside
- * rounding, unless that takes more than 600 subdivisions. Where weights of both signs do not let a denominator
- * be shown to have no zero, at_most is infinite.
+ * rounding, unless that takes more than 600 subdivisions. Weights may be 0; where the weights do not let a
+ * denominator be shown to have no zero, at_most is infinite.
  * \param[in] f,g two splines.
  * \param[out] at_least a distance that is reached, or NULL.
  * \param[out] at_most one that is not exceeded, or NULL.
@@ -1786,7 +1795,8 @@ NURBS_API nurbs_status nurbs_reduce_knots(const nurbs *g, int32_t axis, double t
  * at least once, and its control points raised back to the degree of g are the closest to those of g: least
  * squares of coefficients (Lutterkort, Peters & Reif 1999), homogeneous points when rational, by a banded QR
  * factorisation. The ends of the shape are kept bit for bit, unless the degree becomes 0. Unclamped ends are
- * clamped first, a periodic axis stays periodic. What nurbs_elevate() made comes back to within 2^p * 8 eps *
+ * clamped first, a periodic axis stays periodic. Weights that are 0 to rounding become 0, their control points
+ * the origin; one that has to lie at infinity makes the result homogeneous. What nurbs_elevate() made comes back to within 2^p * 8 eps *
  * hull, p the degree of the result (tested).
  * \param[in] g a spline.
  * \param[in] axis 0-based axis.
@@ -1794,7 +1804,7 @@ NURBS_API nurbs_status nurbs_reduce_knots(const nurbs *g, int32_t axis, double t
  * \param[out] bound proven bound of the distance from g, or NULL.
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _TIMES, _OVERFLOW; _DEGREE if times exceeds the degree,
- *   _WEIGHT_SIGN if g has positive weights and the result would not; _PERIODIC_KNOTS as for
+ *   _WEIGHT_SIGN if g has weights >= 0 and the result would not; _PERIODIC_KNOTS as for
  *   nurbs_elevate(); _NOT_REPRESENTABLE if a point overflows.
  * \since 0.1 */
 NURBS_API nurbs_status nurbs_reduce_degree(const nurbs *g, int32_t axis, int32_t times, double *bound,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/error.h"
+#include "base/finite.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,9 +12,9 @@ namespace nrb {
 
 // Throws NURBS_ERROR_NOT_REPRESENTABLE unless all values are finite; `what` names them in the message.
 inline void require_representable(std::span<const double> values, const char *what) {
-    const auto bad =
-        std::find_if_not(values.begin(), values.end(), [](double x) { return std::isfinite(x); });
-    if (bad != values.end()) {
+    if (!all_finite(values)) {
+        const auto bad =
+            std::find_if_not(values.begin(), values.end(), [](double x) { return std::isfinite(x); });
         fail(NURBS_ERROR_NOT_REPRESENTABLE, "%s: value %lld of the result overflows", what,
              static_cast<long long>(bad - values.begin()));
     }

@@ -26,9 +26,13 @@ BinomialTable make_binomials() noexcept {
 
 } // namespace
 
-double binomial(int n, int k) noexcept {
+const double *binomials(int n) noexcept {
     static const BinomialTable table = make_binomials();
-    return table[static_cast<size_t>(n)][static_cast<size_t>(k)];
+    return table[static_cast<size_t>(n)].data();
+}
+
+double binomial(int n, int k) noexcept {
+    return binomials(n)[k];
 }
 
 } // namespace nrb

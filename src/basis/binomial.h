@@ -9,5 +9,7 @@ inline constexpr int max_product_degree = 2 * NURBS_MAX_DEGREE;
 
 // n over k, exact below 2^53, rounded once above. Precondition: 0 <= k <= n <= max_product_degree.
 double binomial(int n, int k) noexcept;
+// C(n, 0), ..., C(n, n).
+const double *binomials(int n) noexcept;
 
 } // namespace nrb

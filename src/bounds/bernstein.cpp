@@ -10,32 +10,25 @@ namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
-double tensor_binomial(const BernsteinShape &shape, int i, int j, int k) noexcept {
-    const auto &[a, b, c] = shape.degrees;
-    return binomial(a, i) * binomial(b, j) * binomial(c, k);
-}
-
+// Calls body with the product of the binomials that belong to a coefficient.
 template <class Body>
-void for_each_coefficient(const BernsteinShape &shape, Body &&body) {
-    for (int i = 0; i <= shape.degrees[0]; ++i) {
-        for (int j = 0; j <= shape.degrees[1]; ++j) {
-            for (int k = 0; k <= shape.degrees[2]; ++k) {
-                body(i, j, k);
+void for_each_binomial(const BernsteinShape &shape, Body &&body) {
+    const auto &[a, b, c] = shape.degrees;
+    const double *first = binomials(a), *second = binomials(b), *third = binomials(c);
+    for (int i = 0; i <= a; ++i) {
+        for (int j = 0; j <= b; ++j) {
+            for (int k = 0; k <= c; ++k) {
+                body(first[i] * second[j] * third[k]);
             }
         }
     }
-}
-
-int64_t place(const BernsteinShape &shape, int i, int j, int k) noexcept {
-    return (int64_t{i} * (shape.degrees[1] + 1) + j) * (shape.degrees[2] + 1) + k;
 }
 
 // Times (or divided by) the binomials, after which products are convolutions.
 std::vector<double> weighted(const BernsteinShape &shape, const double *values) {
     std::vector<double> result(values, values + shape.values());
     double *at = result.data();
-    for_each_coefficient(shape, [&](int i, int j, int k) {
-        const double factor = tensor_binomial(shape, i, j, k);
+    for_each_binomial(shape, [&](double factor) {
         std::for_each_n(at, shape.width, [factor](double &x) { x *= factor; });
         at += shape.width;
     });
@@ -43,11 +36,25 @@ std::vector<double> weighted(const BernsteinShape &shape, const double *values) 
 }
 
 void unweight(const BernsteinShape &shape, double *values) {
-    for_each_coefficient(shape, [&](int i, int j, int k) {
-        const double factor = tensor_binomial(shape, i, j, k);
+    for_each_binomial(shape, [&](double factor) {
         std::for_each_n(values, shape.width, [factor](double &x) { x /= factor; });
         values += shape.width;
     });
+}
+
+// Adds a, times one coefficient of the other factor, to a part of the product, in which rows along the last
+// axis and planes of the last two lie so far apart.
+void add_scaled(const BernsteinShape &a, const double *from, double factor, double *out, int64_t row,
+                int64_t plane) noexcept {
+    const int64_t length = int64_t{a.degrees[2] + 1} * a.width;
+    for (int i = 0; i <= a.degrees[0]; ++i) {
+        for (int j = 0; j <= a.degrees[1]; ++j, from += length) {
+            double *target = out + i * plane + j * row;
+            for (int64_t c = 0; c < length; ++c) {
+                target[c] += factor * from[c];
+            }
+        }
+    }
 }
 
 } // namespace
@@ -75,17 +82,15 @@ void multiply(const BernsteinShape &a, const double *left, const BernsteinShape 
     const BernsteinShape product = product_shape(a, b);
     const std::vector<double> l = weighted(a, left), r = weighted(b, right);
     std::fill_n(out, product.values(), 0.0);
-    const double *from = l.data();
-    for_each_coefficient(a, [&](int i, int j, int k) {
-        const double *factor = r.data();
-        for_each_coefficient(b, [&](int x, int y, int z) {
-            double *target = out + place(product, i + x, j + y, k + z) * a.width;
-            std::transform(from, from + a.width, target, target,
-                           [f = *factor](double value, double sum) { return sum + f * value; });
-            ++factor;
-        });
-        from += a.width;
-    });
+    const int64_t row = int64_t{product.degrees[2] + 1} * a.width, plane = (product.degrees[1] + 1) * row;
+    const double *factor = r.data();
+    for (int i = 0; i <= b.degrees[0]; ++i) {
+        for (int j = 0; j <= b.degrees[1]; ++j) {
+            for (int k = 0; k <= b.degrees[2]; ++k) {
+                add_scaled(a, l.data(), *factor++, out + i * plane + j * row + k * a.width, row, plane);
+            }
+        }
+    }
     unweight(product, out);
 }
 

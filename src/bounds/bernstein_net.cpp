@@ -1,6 +1,7 @@
 #include "bounds/bernstein_net.h"
 
 #include "refine/axis_table.h"
+#include "refine/bezier_rows.h"
 #include "refine/cut.h"
 
 #include <algorithm>
@@ -43,16 +44,6 @@ LayerTable elevation_rows(int low, int high, int64_t pieces) {
         }
     }
     return table;
-}
-
-// Knots under which a net of as many layers is a spline of Bezier pieces.
-KnotVectorPtr piece_knots(int degree, const std::vector<double> &breaks) {
-    std::vector<double> knots;
-    knots.reserve(breaks.size() * (static_cast<size_t>(degree) + 1));
-    for (const double knot : breaks) {
-        knots.insert(knots.end(), static_cast<size_t>(degree) + 1, knot);
-    }
-    return std::make_shared<const KnotVector>(degree, std::move(knots));
 }
 
 SplinePtr applied(const Spline &net, int axis, const LayerTable &table, KnotVectorPtr knots) {
@@ -137,10 +128,10 @@ BernsteinNet::BernsteinNet(const Spline &spline, const CentredRecords &records, 
         if (k + 1 < spline.axes()) {
             view = {view.outer * counts_[padded], spline.count(k + 1), view.inner / spline.count(k + 1)};
         }
-        net = applied(*net, k, piece_rows(axis, breaks[at]), piece_knots(p, breaks[at]));
+        net = applied(*net, k, piece_rows(axis, breaks[at]), bezier_knots(p, breaks[at]));
         steps += 4 * p + 2; // coefficients 3 p, sums (p + 2) / 2
         if (n > p) {
-            net = applied(*net, k, elevation_rows(p, n, counts_[padded]), piece_knots(n, breaks[at]));
+            net = applied(*net, k, elevation_rows(p, n, counts_[padded]), bezier_knots(n, breaks[at]));
             steps += n + 4;
         }
     }

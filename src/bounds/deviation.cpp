@@ -1,5 +1,7 @@
 #include "bounds/deviation.h"
 
+#include "base/finite.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -61,14 +63,6 @@ int weight_exponent(const Spline &spline) {
         largest = std::max(largest, std::abs(spline.weight(i)));
     }
     return std::ilogb(largest);
-}
-
-double largest_magnitude(const double *x, int64_t n) noexcept {
-    double largest = 0;
-    for (int64_t i = 0; i < n; ++i) {
-        largest = std::max(largest, std::abs(x[i]));
-    }
-    return largest;
 }
 
 } // namespace
@@ -168,7 +162,7 @@ private:
                 continue;
             }
             const auto width = static_cast<size_t>(vector_.width);
-            const double step = largest_magnitude(a_.data() + i * width, vector_.width);
+            const double step = largest_magnitude({a_.data() + i * width, width});
             ratio_ = std::max(ratio_, v_[i] / w_[i]);
             points_apart_ = std::max(points_apart_, step * std::sqrt(vector_.width) / w_[i]);
             weights_apart_ = std::max(weights_apart_, std::abs(e_[i]) / w_[i]);
@@ -203,8 +197,8 @@ private:
         const double f = f_.error(), g = g_.error(), product = product_error(vector_, scalar_) + eps;
         const double w = f_.largest_weight(), v = g_.largest_weight();
         const double a = largest_record(f_), b = largest_record(g_);
-        const double apart = std::sqrt(vector_.width) * largest_magnitude(a_.data(), std::ssize(a_));
-        const double tilt = largest_magnitude(e_.data(), std::ssize(e_));
+        const double apart = std::sqrt(vector_.width) * largest_magnitude(a_);
+        const double tilt = largest_magnitude(e_);
         const double entering = (f * a + g * b) * v + g * b * tilt + b * (f * w + g * v);
         const double forming = (g + eps + product) * (apart * v + b * tilt);
         out.numerator_error = 1.01 * (entering + forming);

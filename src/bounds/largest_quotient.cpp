@@ -1,9 +1,11 @@
 #include "bounds/largest_quotient.h"
 
+#include "base/finite.h"
+#include "base/norm.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 namespace nrb {
 
@@ -11,31 +13,6 @@ namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 constexpr double infinite = std::numeric_limits<double>::infinity();
-
-// Within (width / 2 + 2) eps of itself at any size.
-double norm(const double *x, int width) noexcept {
-    double sum = 0;
-    for (int c = 0; c < width; ++c) {
-        sum += x[c] * x[c];
-    }
-    if (sum > 1e-280 && sum < 1e300) {
-        return std::sqrt(sum);
-    }
-    double largest = 0;
-    for (int c = 0; c < width; ++c) {
-        largest = std::max(largest, std::abs(x[c]));
-    }
-    if (!(largest > 0) || !std::isfinite(largest)) {
-        return std::isnan(sum) ? infinite : largest;
-    }
-    const double scale = std::ldexp(1.0, -std::ilogb(largest) / 2);
-    sum = 0;
-    for (int c = 0; c < width; ++c) {
-        const double y = x[c] * scale * scale;
-        sum += y * y;
-    }
-    return std::sqrt(sum) / scale / scale;
-}
 
 // The denominators with one sign, and what they are at least and at most.
 class Denominators {
@@ -59,7 +36,8 @@ private:
 };
 
 double norm_at(const QuotientPiece &piece, int64_t i) noexcept {
-    return norm(piece.numerators.data() + i * piece.shape.width, piece.shape.width);
+    const double length = norm(piece.numerators.data() + i * piece.shape.width, piece.shape.width);
+    return std::isnan(length) ? infinite : length;
 }
 
 double rounding(const QuotientPiece &piece) noexcept {
@@ -104,11 +82,6 @@ double lower_bound(const QuotientPiece &piece) noexcept {
     return std::max(0.0, largest / factor - piece.quotient_error * factor);
 }
 
-double largest_magnitude(const std::vector<double> &values) noexcept {
-    return std::accumulate(values.begin(), values.end(), 0.0,
-                           [](double size, double x) { return std::max(size, std::abs(x)); });
-}
-
 int next_axis(const QuotientPiece &piece) noexcept {
     for (int step = 1; step <= max_axes; ++step) {
         const int k = (piece.last_axis + step) % max_axes;
@@ -119,11 +92,26 @@ int next_axis(const QuotientPiece &piece) noexcept {
     return -1;
 }
 
-// What the means of a subdivision add. Where the denominators are positive, conv(|N|) <= upper * conv(W).
-void add_rounding(QuotientPiece &piece, int degree, double upper) {
-    const double share = eps * degree;
-    if (std::isfinite(upper)) {
-        piece.quotient_error += share * upper;
+// The largest quotient of coefficients, which no mean of numerators exceeds relative to that of the denominators:
+// those have one sign, and where one is 0 so is the numerator. Infinite where that is not so.
+double ratio_bound(const QuotientPiece &piece) noexcept {
+    const Denominators denominators(piece);
+    double largest = 0;
+    for (int64_t i = 0; i < piece.shape.coefficients(); ++i) {
+        const double size = norm_at(piece, i), w = denominators.value(i);
+        if (w < 0 || !(size == 0 || w > 0)) {
+            return infinite;
+        }
+        largest = size == 0 ? largest : std::max(largest, size / w);
+    }
+    return largest;
+}
+
+// What the means of a subdivision add.
+void add_rounding(QuotientPiece &piece, int degree) {
+    const double share = eps * degree, ratio = ratio_bound(piece);
+    if (std::isfinite(ratio)) {
+        piece.quotient_error += share * ratio;
         piece.denominator_factor += piece.denominators.empty() ? 0 : share;
         return;
     }
@@ -185,7 +173,7 @@ private:
             push(std::move(piece), top);
             return !known;
         }
-        QuotientPiece lower = halve(piece, top.upper);
+        QuotientPiece lower = halve(piece);
         push(std::move(lower), top);
         push(std::move(piece), top);
         return true;
@@ -212,9 +200,9 @@ Enclosure quotient_bounds(const QuotientPiece &piece) {
     return {lower_bound(piece), upper_bound(piece)};
 }
 
-QuotientPiece halve(QuotientPiece &piece, double upper) {
+QuotientPiece halve(QuotientPiece &piece) {
     const int axis = next_axis(piece);
-    add_rounding(piece, piece.shape.degrees[static_cast<size_t>(axis)], upper);
+    add_rounding(piece, piece.shape.degrees[static_cast<size_t>(axis)]);
     piece.last_axis = axis;
     QuotientPiece lower = piece;
     halve(piece.shape, axis, piece.numerators.data(), lower.numerators.data());
@@ -232,12 +220,20 @@ Enclosure largest_quotient(std::span<const double> uppers, const PieceSource &so
 }
 
 std::vector<double> quotient_uppers(int64_t count, const PieceSource &source) {
+    constexpr SearchLimits few{.ratio = 1, .steps = 64};
     std::vector<double> uppers;
     uppers.reserve(static_cast<size_t>(count));
     QuotientPiece piece;
+    bool bounded = true; // one that is not is enough
     for (int64_t i = 0; i < count; ++i) {
         source(i, piece);
-        uppers.push_back(upper_bound(piece));
+        double upper = upper_bound(piece);
+        if (bounded && std::isinf(upper)) { // a coefficient of 0 is none of the parts
+            const PieceSource itself = [&piece](int64_t, QuotientPiece &out) { out = piece; };
+            upper = largest_quotient({&upper, 1}, itself, few).upper;
+            bounded = std::isfinite(upper);
+        }
+        uppers.push_back(upper);
     }
     return uppers;
 }

@@ -33,9 +33,8 @@ struct QuotientPiece {
 // bound is infinite where W cannot be shown to be positive or negative throughout.
 Enclosure quotient_bounds(const QuotientPiece &piece);
 
-// The two halves of a piece along the axis next to last_axis that has a degree; `piece` becomes the upper
-// one. `upper` is its upper bound.
-QuotientPiece halve(QuotientPiece &piece, double upper);
+// The two halves of a piece along the axis next to last_axis that has a degree; `piece` becomes the upper one.
+QuotientPiece halve(QuotientPiece &piece);
 
 // The search ends when the bounds agree to a factor of 1 + ratio, beside rounding, or after `steps` halvings.
 struct SearchLimits {
@@ -49,7 +48,7 @@ using PieceSource = std::function<void(int64_t, QuotientPiece &)>;
 // Encloses the largest value over pieces 0, 1, ..., whose upper bounds are known. Both bounds are proven.
 Enclosure largest_quotient(std::span<const double> uppers, const PieceSource &source,
                            const SearchLimits &limits = {});
-// The upper bound of each piece.
+// An upper bound of each piece, from its parts where its own coefficients give none.
 std::vector<double> quotient_uppers(int64_t count, const PieceSource &source);
 
 } // namespace nrb

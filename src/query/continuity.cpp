@@ -1,5 +1,6 @@
 #include "query/continuity.h"
 
+#include "base/norm.h"
 #include "eval/jet.h"
 #include "refine/iso.h"
 
@@ -14,14 +15,6 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double eps = std::numeric_limits<double>::epsilon();
-
-double distance(const double *a, const double *b, int n) noexcept {
-    double length = 0;
-    for (int c = 0; c < n; ++c) {
-        length = std::hypot(length, a[c] - b[c]);
-    }
-    return length;
-}
 
 double dot(const double *a, const double *b, int n) noexcept {
     double sum = 0;
@@ -39,12 +32,10 @@ std::vector<double> scaled(const double *x, int n, double factor) {
 
 // Between unit vectors, accurate for small angles and for those near pi (W. Kahan).
 double angle_between(const std::vector<double> &a, const std::vector<double> &b) noexcept {
-    double apart = 0, along = 0;
-    for (size_t c = 0; c < a.size(); ++c) {
-        apart = std::hypot(apart, a[c] - b[c]);
-        along = std::hypot(along, a[c] + b[c]);
-    }
-    return 2 * std::atan2(apart, along);
+    const int n = static_cast<int>(a.size());
+    const double along =
+        norm_of(n, [&](int c) { return a[static_cast<size_t>(c)] + b[static_cast<size_t>(c)]; });
+    return 2 * std::atan2(distance(a.data(), b.data(), n), along);
 }
 
 int parametric_order(const CurveSide &before, const CurveSide &after, const ContinuityRule &rule) {
@@ -97,16 +88,17 @@ Curvature curvature_of(const CurveSide &side, const Tangent &tangent) {
     return {std::move(vector), error};
 }
 
-// G2 of two curves with regular tangents that agree.
+// G2 of two curves with regular tangents that agree. Along a length l the gap d turns the tangent by d l at the
+// most, and a curvature k by k l: against the longer span a gap counts as none where it is less than the tolerance
+// of the turn, or of 1. So rounding does not break a straight line, at any scale.
 void compare_curvatures(const CurveSide &before, const Tangent &tangent_before, const CurveSide &after,
                         const Tangent &tangent_after, const ContinuityRule &rule, Continuity &found) {
     const Curvature a = curvature_of(before, tangent_before), b = curvature_of(after, tangent_after);
     const int n = before.dim();
     found.curvature_gap = distance(a.vector.data(), b.vector.data(), n);
-    const std::vector<double> zero(a.vector.size(), 0);
-    const double larger =
-        std::max(distance(a.vector.data(), zero.data(), n), distance(b.vector.data(), zero.data(), n));
-    if (found.geometric == 1 && found.curvature_gap <= rule.derivative * larger + a.error + b.error) {
+    const double longer = std::max(before.span_length(), after.span_length());
+    const double scale = std::max({norm(a.vector.data(), n), norm(b.vector.data(), n), 1 / longer});
+    if (found.geometric == 1 && found.curvature_gap <= rule.derivative * scale + a.error + b.error) {
         found.geometric = 2;
     }
 }

@@ -6,9 +6,10 @@
 namespace nrb {
 
 struct ContinuityRule {
-    double position;   // largest distance that counts as none
-    double derivative; // largest difference of derivatives and curvatures, relative to the larger of the two
-    double angle;      // largest angle that counts as none
+    double position; // largest distance that counts as none
+    double
+        derivative; // largest difference of derivatives, relative to the larger of the two, and of curvatures
+    double angle;   // largest angle that counts as none
 };
 
 // -1: a jump. Gaps that are not defined are NaN.

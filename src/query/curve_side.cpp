@@ -1,5 +1,6 @@
 #include "query/curve_side.h"
 
+#include "base/norm.h"
 #include "basis/binomial.h"
 #include "basis/bspline.h"
 #include "spline/contract.h"
@@ -11,14 +12,6 @@
 namespace nrb {
 
 namespace {
-
-double norm(const double *x, int n) noexcept {
-    double length = 0;
-    for (int c = 0; c < n; ++c) {
-        length = std::hypot(length, x[c]);
-    }
-    return length;
-}
 
 // H_0, H_1, ...: the largest active control points of the derivatives in magnitudes, from those of the curve.
 std::vector<double> sizes_of(const KnotVector &axis, int64_t span, int order, double *magnitudes) {
@@ -43,6 +36,7 @@ CurveSide::CurveSide(const Spline &curve, double t, bool left, int order, double
     const KnotVector &axis = curve.axis(0);
     const int p = axis.degree(), width = curve.width();
     const int64_t span = axis.find_span(t, left);
+    span_ = axis[span + 1] - axis[span];
     std::vector<double> basis(static_cast<size_t>((order + 1) * (p + 1)));
     basis_derivs(axis.knots().data(), p, span, t, order, basis.data());
     std::vector<double> points(static_cast<size_t>((p + 1) * width)),

@@ -20,6 +20,8 @@ public:
     [[nodiscard]] const double *at(int k) const noexcept { return derivs_.data() + k * dim_; }
     [[nodiscard]] double error(int k) const noexcept { return errors_[static_cast<size_t>(k)]; }
     [[nodiscard]] double length(int k) const noexcept;
+    // How long the span would be at the speed that the curve has here.
+    [[nodiscard]] double span_length() const noexcept { return length(1) * span_; }
     // Whether derivative k is more than its rounding.
     [[nodiscard]] bool vanishes(int k) const noexcept { return !(length(k) > error(k)); }
     // As the curve is run through in the other direction: the parameter changes its sign.
@@ -30,6 +32,7 @@ private:
                 const std::vector<double> &weight_sizes);
 
     int dim_;
+    double span_ = 0; // of the parameter
     std::vector<double> derivs_;
     std::vector<double> errors_;
 };

@@ -75,19 +75,21 @@ void check_axis_counts(std::span<const SplinePtr> splines) {
     }
 }
 
-void share_domain(Set &set, int k, bool map_domains) {
+// Maps domains to the first one: any, or those whose ends are within a part `tolerance` of its length.
+void share_domain(Set &set, int k, bool any, double tolerance) {
     const auto [lower, upper] = set.splines()[0]->axis(k).domain();
+    const double width = tolerance * (upper - lower);
     for (size_t i = 1; i < set.splines().size(); ++i) {
         SplinePtr &spline = set.splines()[i];
         const Interval domain = spline->axis(k).domain();
         if (domain.lower == lower && domain.upper == upper) {
             continue;
         }
-        if (!map_domains) {
+        const bool near = std::abs(domain.lower - lower) <= width && std::abs(domain.upper - upper) <= width;
+        if (!any && !near) {
             fail(NURBS_ERROR_INCOMPATIBLE,
-                 "splines[%zu]: domain [%s, %s] on axis %d, expected [%s, %s] as in "
-                 "splines[0]",
-                 i, Number(domain.lower).text, Number(domain.upper).text, k, Number(lower).text,
+                 "splines[%zu]: domain [%s, %s] on axis %d, expected [%s, %s] as in splines[0]", i,
+                 Number(domain.lower).text, Number(domain.upper).text, k, Number(lower).text,
                  Number(upper).text);
         }
         spline = reparametrize(spline, k, {lower, upper});
@@ -127,11 +129,7 @@ void share_ends(Set &set, int k) {
         ends.upper = ends.upper || !std::equal(first.end() - p, first.end(), knots.end() - p);
     }
     for (SplinePtr &spline : set.splines()) {
-        const KnotVector &axis = spline->axis(k);
-        const AxisEnds own{ends.lower && !axis.clamped_start(), ends.upper && !axis.clamped_end()};
-        if (own.lower || own.upper) {
-            spline = cut_axis(spline, k, axis.domain().lower, axis.domain().upper, own);
-        }
+        spline = clamp_ends(spline, k, ends);
     }
 }
 
@@ -204,9 +202,9 @@ void share_values(Set &set, int k, double tolerance, std::vector<char> &moved) {
     for (const auto &[axis, members] : groups) {
         char owner[40];
         static_cast<void>(std::snprintf(owner, sizeof owner, "splines[%zu]: ", members.front()));
-        const KnotVectorPtr snapped = moved_axis(axis, clusters, k, owner);
+        const AxisTable snapped = moved_axis(axis, clusters, k, owner);
         for (const size_t i : members) {
-            if (snapped != axis) {
+            if (snapped.axis != axis) {
                 set.splines()[i] = over_axis(*set.splines()[i], k, snapped);
                 moved[i] = 1;
             }
@@ -298,7 +296,7 @@ Compatible make_compatible(std::span<const SplinePtr> splines, double tolerance,
     Set set(splines);
     const int axes = splines[0]->axes();
     for (int k = 0; k < axes; ++k) {
-        share_domain(set, k, map_domains);
+        share_domain(set, k, map_domains, tolerance);
         share_periodicity(set, k);
         share_degree(set, k);
         if (!set.splines()[0]->axis(k).periodic()) {

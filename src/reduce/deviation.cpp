@@ -1,5 +1,7 @@
 #include "reduce/deviation.h"
 
+#include "base/norm.h"
+#include "bounds/deviation.h"
 #include "refine/axis_table.h"
 
 #include <algorithm>
@@ -11,6 +13,8 @@
 namespace nrb {
 
 namespace {
+
+constexpr double eps = std::numeric_limits<double>::epsilon();
 
 // The knots of the closed domain, its ends degree + 1 times.
 std::vector<double> clamped_knots(const KnotVector &axis) {
@@ -42,16 +46,20 @@ AxisTable clamped_axis(const KnotVector &axis, const std::vector<double> &wanted
 struct Pair {
     SplinePtr a;
     SplinePtr b;
+    double steps = 0; // of rounding, on axes whose layers are not copies
 };
 
-Pair over_common_knots(Pair pair) {
-    for (int k = 0; k < pair.a->axes(); ++k) {
-        const std::vector<double> first = clamped_knots(pair.a->axis(k)),
-                                  second = clamped_knots(pair.b->axis(k));
+Pair over_common_knots(const SplinePtr &a, const SplinePtr &b) {
+    Pair pair{a, b};
+    for (int k = 0; k < a->axes(); ++k) {
+        const std::vector<double> first = clamped_knots(a->axis(k)), second = clamped_knots(b->axis(k));
         std::vector<double> both;
         std::set_union(first.begin(), first.end(), second.begin(), second.end(), std::back_inserter(both));
-        pair.a = with_axis(*pair.a, k, clamped_axis(pair.a->axis(k), both));
-        pair.b = with_axis(*pair.b, k, clamped_axis(pair.b->axis(k), both));
+        const AxisTable of_a = clamped_axis(a->axis(k), both), of_b = clamped_axis(b->axis(k), both);
+        pair.a = with_axis(*pair.a, k, of_a);
+        pair.b = with_axis(*pair.b, k, of_b);
+        pair.steps +=
+            of_a.table.copies_only() && of_b.table.copies_only() ? 0 : 7.0 * a->axis(k).degree() + 2;
     }
     return pair;
 }
@@ -68,19 +76,11 @@ int sign_of_weights(const Spline &spline) noexcept {
 }
 
 double distance(const Spline &a, int64_t i, const Spline &b, int64_t j) noexcept {
-    double length = 0;
-    for (int c = 0; c < a.dim(); ++c) {
-        length = std::hypot(length, a.coordinate(i, c) - b.coordinate(j, c));
-    }
-    return length;
+    return norm_of(a.dim(), [&](int c) { return a.coordinate(i, c) - b.coordinate(j, c); });
 }
 
 double size_of(const Spline &spline, int64_t i) noexcept {
-    double length = 0;
-    for (int c = 0; c < spline.dim(); ++c) {
-        length = std::hypot(length, spline.coordinate(i, c));
-    }
-    return length;
+    return norm_of(spline.dim(), [&](int c) { return spline.coordinate(i, c); });
 }
 
 // Distance from control point i to the farthest one that is active together with it.
@@ -108,20 +108,12 @@ double reach(const Spline &spline, int64_t i) noexcept {
     return largest;
 }
 
-double rounding(const Spline &a, double largest) noexcept {
-    double steps = 1;
-    for (int k = 0; k < a.axes(); ++k) {
-        steps += 7.0 * a.axis(k).degree() + 2;
-    }
-    return (a.rational() ? 4 : 1) * steps * std::numeric_limits<double>::epsilon() * largest;
-}
-
 } // namespace
 
 double deviation_bound(const SplinePtr &a, const SplinePtr &b) {
-    const auto [p, q] = over_common_knots({a, b});
+    const auto [p, q, steps] = over_common_knots(a, b);
     if (p->rational() && (sign_of_weights(*p) == 0 || sign_of_weights(*p) != sign_of_weights(*q))) {
-        return std::numeric_limits<double>::infinity();
+        return deviation(*a, *b).upper;
     }
     double bound = 0, largest = 0;
     for (int64_t i = 0; i < p->point_count(); ++i) {
@@ -130,7 +122,8 @@ double deviation_bound(const SplinePtr &a, const SplinePtr &b) {
         bound = std::max(bound, distance(*p, i, *q, i) + turned);
         largest = std::max({largest, size_of(*p, i), size_of(*q, i)});
     }
-    return bound + rounding(*p, largest);
+    const double rounding = (p->rational() ? 4 : 1) * steps * eps * largest;
+    return bound * (1 + (p->dim() + 8) * eps) + rounding;
 }
 
 } // namespace nrb

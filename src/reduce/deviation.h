@@ -13,10 +13,12 @@ namespace nrb {
 //
 // so that the largest |P_i - Q_i| + |1 - w_i / v_i| r_i is a bound, r_i the distance from Q_i to the farthest
 // control point of b that is active together with it: b lies in their hull wherever N_i > 0. The rounding of
-// the refinement is added: a row of n + 1 coefficients that are within 3 n eps of themselves, n <= degree,
-// gives a point within (3.5 n + 1) eps of the largest one, on each axis and for both splines, twice that
-// where weights divide. Infinite unless all weights of either are positive, or all negative. Preconditions:
-// same number of axes, degrees, dimension and form, and the same domain on every axis.
+// the refinement is added, but on axes whose layers are copied: a row of n + 1 coefficients that are within 3
+// n eps of themselves, n <= degree, gives a point within (3.5 n + 1) eps of the largest one, on each axis and
+// for both splines, twice that where weights divide. Unless all weights of either are positive, or all
+// negative, it is the upper bound of deviation() of bounds/deviation.h, which costs more, and has rounding
+// even where nothing moved. Preconditions: same number of axes, degrees, dimension and form, and the same
+// domain on every axis.
 double deviation_bound(const SplinePtr &a, const SplinePtr &b);
 
 } // namespace nrb

@@ -4,6 +4,7 @@
 #include "refine/period.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace nrb {
 
@@ -62,26 +63,50 @@ void check_multiplicities(int degree, std::span<const double> knots, int k, cons
     }
 }
 
+// The knots of a plain axis and which of the old layers they have.
+struct Kept {
+    std::vector<double> knots;
+    std::vector<int64_t> layers;
+};
+
+// Takes the copies of an end beyond degree + 1 away, and as many layers.
+void drop_excess(int degree, double end, Kept &kept) {
+    const auto [first, last] = std::equal_range(kept.knots.begin(), kept.knots.end(), end);
+    const int64_t excess = (last - first) - (degree + 1);
+    if (excess > 0) {
+        const int64_t start = first - kept.knots.begin();
+        const int64_t stays = degree == 0 ? 0 : start == 0 ? 1 : last == kept.knots.end() ? -1 : 0;
+        const auto gone = kept.layers.begin() + start + stays;
+        kept.layers.erase(gone, gone + excess);
+        kept.knots.erase(first, first + excess);
+    }
+}
+
 } // namespace
 
-KnotVectorPtr moved_axis(const KnotVectorPtr &axis, const KnotClusters &clusters, int k, const char *owner) {
+AxisTable moved_axis(const KnotVectorPtr &axis, const KnotClusters &clusters, int k, const char *owner) {
     const auto p = static_cast<size_t>(axis->degree());
     const auto count = static_cast<size_t>(axis->count());
-    std::vector<double> knots(axis->knots().begin(), axis->knots().end());
+    Kept kept{{axis->knots().begin(), axis->knots().end()}, std::vector<int64_t>(count)};
+    std::iota(kept.layers.begin(), kept.layers.end(), int64_t{0});
+    std::vector<double> &knots = kept.knots;
     const size_t first = axis->periodic() ? p : 0, end = axis->periodic() ? count + 1 : knots.size();
-    bool same = true;
-    for (size_t i = first; i < end; ++i) {
-        knots[i] = clusters(knots[i]);
-        same = same && knots[i] == (*axis)[static_cast<int64_t>(i)];
+    std::transform(knots.begin() + static_cast<std::ptrdiff_t>(first),
+                   knots.begin() + static_cast<std::ptrdiff_t>(end),
+                   knots.begin() + static_cast<std::ptrdiff_t>(first), clusters);
+    AxisTable made{axis, {}};
+    if (!std::equal(knots.begin(), knots.end(), axis->knots().begin())) {
+        if (axis->periodic()) {
+            continue_knots(knots, p, count, count - p);
+        } else {
+            drop_excess(axis->degree(), axis->domain().lower, kept);
+            drop_excess(axis->degree(), axis->domain().upper, kept);
+        }
+        check_multiplicities(axis->degree(), knots, k, owner);
+        made.axis = make_knot_vector(axis->degree(), std::move(knots), axis->periodic(), k);
     }
-    if (same) {
-        return axis;
-    }
-    if (axis->periodic()) {
-        continue_knots(knots, p, count, count - p);
-    }
-    check_multiplicities(axis->degree(), knots, k, owner);
-    return make_knot_vector(axis->degree(), std::move(knots), axis->periodic(), k);
+    std::for_each(kept.layers.begin(), kept.layers.end(), [&](int64_t i) { made.table.add_copy(i); });
+    return made;
 }
 
 } // namespace nrb

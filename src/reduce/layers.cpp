@@ -1,6 +1,7 @@
 #include "reduce/layers.h"
 
 #include "base/checked.h"
+#include "base/finite.h"
 #include "refine/axis_table.h"
 #include "refine/homogeneous.h"
 
@@ -14,11 +15,25 @@ namespace {
 void put_records(const double *records, int64_t count, int dim, double *points, double *weights) {
     for (int64_t i = 0; i < count; ++i, records += dim + 1, points += dim) {
         weights[i] = records[dim];
-        std::transform(records, records + dim, points, [w = records[dim]](double x) { return x / w; });
+        std::transform(records, records + dim, points,
+                       [w = records[dim]](double x) { return w == 0 ? 0 : x / w; });
     }
 }
 
 } // namespace
+
+Weight settle(double *record, int dim, const RecordRounding &rounding) noexcept {
+    double &weight = record[dim];
+    if (std::abs(weight) > rounding.weight) {
+        return weight > 0 ? Weight::positive : Weight::negative;
+    }
+    weight = 0;
+    if (largest_magnitude({record, static_cast<size_t>(dim)}) > rounding.coordinate) {
+        return Weight::infinite;
+    }
+    std::fill_n(record, dim, 0.0);
+    return Weight::zero;
+}
 
 int64_t layer_length(const Spline &spline, int axis) {
     const AxisView view = axis_view(spline, axis, spline.width());

@@ -13,14 +13,26 @@ std::vector<double> layer_records(const Spline &spline, int axis);
 // Doubles in a layer.
 int64_t layer_length(const Spline &spline, int axis);
 
+// What a computed record is whose weight may be 0.
+enum class Weight { positive, zero, infinite, negative };
+// Weights and coordinates at most so large are rounding: eps times the largest ones that were computed with.
+struct RecordRounding {
+    double weight;
+    double coordinate;
+};
+// Sets what is no more than rounding to 0: the weight, and the record of Weight::zero. With coordinates it is
+// a point at infinity.
+Weight settle(double *record, int dim, const RecordRounding &rounding) noexcept;
+
 // A layer of a new spline: a layer of the old one, bit for bit, or records of its own.
 struct LayerSource {
     int64_t stored; // -1: none
     const double *records;
 };
 
-// The spline with another axis, layer by layer. Throws what make_spline() throws. Precondition: new records of
-// Form::rational have weights other than 0.
+// The spline with another axis, layer by layer. Throws what make_spline() throws. Precondition: new records
+// of Form::rational have weights other than 0, or are 0: control points that have no effect, put at the
+// origin.
 SplinePtr spline_of_layers(const Spline &old, int axis, KnotVectorPtr knots,
                            std::span<const LayerSource> layers);
 

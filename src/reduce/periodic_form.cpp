@@ -1,5 +1,6 @@
 #include "reduce/periodic_form.h"
 
+#include "base/tolerance.h"
 #include "reduce/deviation.h"
 #include "refine/continuation.h"
 #include "refine/cut.h"
@@ -34,13 +35,6 @@ SplinePtr declared_periodic(const Spline &spline, int k) {
     return make_spline(with_axis(spline, k, std::move(knots)), spline.dim(), spline.form(),
                        {spline.points().begin(), spline.points().end()},
                        {spline.weights().begin(), spline.weights().end()});
-}
-
-SplinePtr clamped(const SplinePtr &spline, int k) {
-    const KnotVector &axis = spline->axis(k);
-    const AxisEnds ends{!axis.clamped_start(), !axis.clamped_end()};
-    return ends.lower || ends.upper ? cut_axis(spline, k, axis.domain().lower, axis.domain().upper, ends)
-                                    : spline;
 }
 
 // The knots of the periodic axis with p - order copies of the seam, the last of them at index degree; `axis` is
@@ -116,14 +110,12 @@ bool wraps(const Spline &spline, int axis) noexcept {
 PeriodicForm make_periodic(const SplinePtr &spline, int k, double tolerance) {
     const KnotVector &axis = spline->axis(k);
     const int p = axis.degree();
-    if (!(tolerance >= 0)) {
-        fail(NURBS_ERROR_TOLERANCE, "tolerance = %s, expected >= 0", Number(tolerance).text);
-    }
+    check_tolerance(tolerance);
     if (axis.periodic() || wraps(*spline, k)) {
         const int order = p - multiplicity(axis.knots(), axis.domain().lower);
         return {axis.periodic() ? spline : declared_periodic(*spline, k), 0, order};
     }
-    const SplinePtr whole = clamped(spline, k);
+    const SplinePtr whole = clamp_ends(spline, k);
     double least = std::numeric_limits<double>::infinity();
     for (int order = static_cast<int>(std::min<int64_t>(p - 1, (whole->count(k) - 1) / 2)); order >= 0;
          --order) {

@@ -1,6 +1,7 @@
 #include "reduce/reduce_degree.h"
 
 #include "base/checked.h"
+#include "base/finite.h"
 #include "reduce/banded_least_squares.h"
 #include "reduce/layers.h"
 #include "refine/cut.h"
@@ -10,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace nrb {
 
@@ -160,30 +162,48 @@ private:
     std::vector<double> wrapped_;
 };
 
-SplinePtr clamped(const SplinePtr &spline, int axis) {
-    const KnotVector &knots = spline->axis(axis);
-    if (knots.periodic() || (knots.clamped_start() && knots.clamped_end())) {
-        return spline;
+// The largest weight and coordinate at one place of layers [first, end).
+RecordRounding largest_around(const std::vector<double> &layers, int64_t length, int64_t at, int dim,
+                              int64_t first, int64_t end) noexcept {
+    RecordRounding largest{0, 0};
+    for (int64_t layer = first; layer < end; ++layer) {
+        const double *record = layers.data() + layer * length + at;
+        largest.weight = std::max(largest.weight, std::abs(record[dim]));
+        largest.coordinate =
+            std::max(largest.coordinate, largest_magnitude({record, static_cast<size_t>(dim)}));
     }
-    const auto [lower, upper] = knots.domain();
-    return cut_axis(spline, axis, lower, upper, {!knots.clamped_start(), !knots.clamped_end()});
+    return largest;
 }
 
-void check_weights(const Spline &spline, const std::vector<double> &layers) {
-    const auto width = static_cast<size_t>(spline.width());
-    for (size_t i = width - 1; spline.form() == Form::rational && i < layers.size(); i += width) {
-        if (!(layers[i] > 0)) {
-            fail(NURBS_ERROR_WEIGHT_SIGN, "weight %s of the result, expected > 0", Number(layers[i]).text);
+// Weights of Form::rational that are 0 to the rounding of the solution, 32 (degree + 1) eps of those near by,
+// become 0. Whether one is left at a point at infinity.
+bool settle_weights(const Spline &spline, int degree, int64_t length, std::vector<double> &layers) {
+    const double rounding = 32.0 * (degree + 1) * std::numeric_limits<double>::epsilon();
+    const int64_t count = std::ssize(layers) / length;
+    bool infinite = false;
+    for (int64_t i = 0; spline.form() == Form::rational && i < count * length; i += spline.width()) {
+        const int64_t layer = i / length;
+        const RecordRounding around =
+            largest_around(layers, length, i % length, spline.dim(), std::max<int64_t>(layer - degree - 1, 0),
+                           std::min(layer + degree + 2, count));
+        double *record = layers.data() + i;
+        const double weight = record[spline.dim()];
+        const Weight kind =
+            settle(record, spline.dim(), {rounding * around.weight, rounding * around.coordinate});
+        infinite = infinite || kind == Weight::infinite;
+        if (kind == Weight::negative) {
+            fail(NURBS_ERROR_WEIGHT_SIGN, "weight %s of the result, expected >= 0", Number(weight).text);
         }
     }
+    return infinite;
 }
 
 } // namespace
 
 SplinePtr lower_degree(const SplinePtr &spline, int axis, int times) {
-    const SplinePtr source = clamped(spline, axis);
+    const bool periodic = spline->axis(axis).periodic();
+    const SplinePtr source = periodic ? spline : clamp_ends(spline, axis);
     const KnotVector &old = source->axis(axis);
-    const bool periodic = old.periodic();
     const KnotVectorPtr knots = periodic ? lowered_periodic_axis(old, times) : lowered_open_axis(old, times);
     const AxisTable raised = elevate_axis(*knots, times);
     const AxisTable refined = refine_axis(old, missing_knots(*raised.axis, old));
@@ -199,7 +219,8 @@ SplinePtr lower_degree(const SplinePtr &spline, int axis, int times) {
     if (!ReductionSystem(raised, count, length, fixed).solve(targets, shift, layers.data())) {
         fail(NURBS_ERROR_NOT_REPRESENTABLE, "the knots of axis %d lie too close for its degree", axis);
     }
-    check_weights(*source, layers);
+    const bool infinite = settle_weights(*source, knots->degree(), length, layers);
+    const SplinePtr base = infinite ? in_form(source, Form::homogeneous) : source;
     std::vector<LayerSource> sources;
     for (int64_t i = 0; i < knots->count(); ++i) {
         sources.push_back({-1, layers.data() + i % count * length});
@@ -208,7 +229,7 @@ SplinePtr lower_degree(const SplinePtr &spline, int axis, int times) {
         sources.front().stored = 0;
         sources.back().stored = old.count() - 1;
     }
-    return spline_of_layers(*source, axis, knots, sources);
+    return spline_of_layers(*base, axis, knots, sources);
 }
 
 Reduced reduce_degree(const SplinePtr &spline, int axis, int64_t times) {

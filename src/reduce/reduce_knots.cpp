@@ -1,6 +1,6 @@
 #include "reduce/reduce_knots.h"
 
-#include "reduce/remove_knot.h"
+#include "base/tolerance.h"
 #include "reduce/thinning.h"
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace nrb {
 namespace {
 
 constexpr int max_rounds = 12;
-constexpr int max_attempts = 4;
+constexpr int max_attempts = 5;
 
 // A bound for each span of an axis: the largest of all pieces there.
 std::vector<double> span_errors(const DeviationPieces &pieces, const std::vector<double> &uppers, int axes,
@@ -37,9 +37,9 @@ struct Certified {
 
 // Rounds of removal until one removes nothing or fails to keep the tolerance, by rounding or because weights
 // moved; the last that kept it. The removal itself is held to `aim`.
-Certified thin(const SplinePtr &spline, int axis, double tolerance, double aim) {
+Certified thin(const SplinePtr &spline, int axis, double tolerance, double aim, bool forgive_rounding) {
     Certified best{spline, {}, {}};
-    Thinning thinning(*spline, axis);
+    Thinning thinning(*spline, axis, forgive_rounding);
     for (int round = 0; round < max_rounds && thinning.run(aim) > 0; ++round) {
         const SplinePtr next = thinning.result();
         DeviationPieces pieces(*spline, *next);
@@ -55,11 +55,13 @@ Certified thin(const SplinePtr &spline, int axis, double tolerance, double aim) 
     return best;
 }
 
-// Half the tolerance and less where certificates fail.
+// Weights that differ much make rounding larger than it is in any place: it is forgiven at first. Then half the
+// tolerance and less, where certificates fail.
 Reduced reduce_axis(const SplinePtr &spline, int axis, double tolerance) {
     double aim = tolerance;
-    for (int attempt = 0; attempt < max_attempts; ++attempt, aim /= 2) {
-        const Certified found = thin(spline, axis, tolerance, aim);
+    bool forgive = spline->rational();
+    for (int attempt = 0; attempt < max_attempts; ++attempt, aim /= forgive ? 1 : 2, forgive = false) {
+        const Certified found = thin(spline, axis, tolerance, aim, forgive);
         if (found.pieces.has_value()) {
             return {found.spline, std::min(tolerance, found.pieces->enclosure(found.uppers).upper)};
         }

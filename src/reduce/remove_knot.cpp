@@ -1,10 +1,14 @@
 #include "reduce/remove_knot.h"
 
+#include "base/tolerance.h"
 #include "reduce/removal_step.h"
+#include "refine/insert.h"
 #include "refine/period.h"
+#include "spline/axis_view.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace nrb {
 
@@ -174,15 +178,9 @@ private:
     WindowRows window_{};
 };
 
-void check_knot(const KnotVector &axis, int k, double knot) {
-    if (!std::isfinite(knot)) {
-        fail(NURBS_ERROR_PARAMETER_NOT_FINITE, "knot = %s is not finite", Number(knot).text);
-    }
+void check_removable(const KnotVector &axis, int k, double knot) {
+    check_knot(axis, k, knot);
     const auto [lower, upper] = axis.domain();
-    if (knot < lower || knot > upper) {
-        fail(NURBS_ERROR_OUTSIDE_DOMAIN, "knot = %s outside [%s, %s], the domain of axis %d",
-             Number(knot).text, Number(lower).text, Number(upper).text, k);
-    }
     if (multiplicity(axis.knots(), knot) == 0) {
         fail(NURBS_ERROR_NOT_A_KNOT, "knot = %s is not a knot of axis %d", Number(knot).text, k);
     }
@@ -225,9 +223,39 @@ AxisTable without_knot(const KnotVector &axis, double knot) {
     return removal.possible() ? removal.make() : AxisTable{};
 }
 
+namespace {
+
+// Weights below 0 by no more than the rounding of their sums become 0, with their points at the origin.
+void settle_negative(const Spline &spline, int k, const LayerTable &table, Net &net) {
+    constexpr double rounding = 32 * std::numeric_limits<double>::epsilon();
+    const AxisView view = axis_view(spline, k, 1);
+    const auto dim = static_cast<size_t>(spline.dim());
+    for (size_t i = 0; i < net.weights.size(); ++i) {
+        if (net.weights[i] < 0) {
+            const auto place = static_cast<int64_t>(i);
+            const int64_t inner = place % view.inner, outer = place / view.inner / table.rows();
+            const LayerTable::Row &row = table.row(place / view.inner % table.rows());
+            double sum = 0;
+            for (int j = 0; j < row.size; ++j) {
+                const int64_t from = (outer * view.count + row.first + j) * view.inner + inner;
+                sum += std::abs(table.coefficients(row)[j] * spline.weight(from));
+            }
+            if (-net.weights[i] <= rounding * sum) {
+                net.weights[i] = 0;
+                std::fill_n(net.points.begin() + static_cast<std::ptrdiff_t>(i * dim), dim, 0.0);
+            }
+        }
+    }
+}
+
+} // namespace
+
 SplinePtr with_axis_if_valid(const Spline &spline, int k, const AxisTable &made) {
     try {
-        return with_axis(spline, k, made);
+        Net net = apply_along(spline, k, made.table);
+        settle_negative(spline, k, made.table, net);
+        return make_spline(with_axis(spline, k, made.axis), spline.dim(), spline.form(),
+                           std::move(net.points), std::move(net.weights));
     } catch (const Error &error) {
         if (error.status() == NURBS_ERROR_WEIGHT_NEGATIVE || error.status() == NURBS_ERROR_WEIGHTS_VANISH) {
             return nullptr;
@@ -236,15 +264,9 @@ SplinePtr with_axis_if_valid(const Spline &spline, int k, const AxisTable &made)
     }
 }
 
-void check_tolerance(double tolerance) {
-    if (!(tolerance >= 0)) {
-        fail(NURBS_ERROR_TOLERANCE, "tolerance = %s, expected >= 0", Number(tolerance).text);
-    }
-}
-
 KnotRemoval remove_knot(const SplinePtr &spline, int axis, double knot, int64_t times, double tolerance) {
     const KnotVector &old = spline->axis(axis);
-    check_knot(old, axis, knot);
+    check_removable(old, axis, knot);
     if (times < 0) {
         fail(NURBS_ERROR_TIMES, "times = %lld, expected >= 0", static_cast<long long>(times));
     }

@@ -12,8 +12,8 @@ namespace nrb {
 // the start of a periodic one and occurs there more than once. Throws NURBS_ERROR_PERIODIC_KNOTS.
 AxisTable without_knot(const KnotVector &axis, double knot);
 
-// The spline over the other axis; null where that gives weights that are not allowed. Throws
-// NURBS_ERROR_NOT_REPRESENTABLE, _OVERFLOW.
+// The spline over the other axis, with 0 for weights that are 0 to rounding; null where weights are not
+// allowed. Throws NURBS_ERROR_NOT_REPRESENTABLE, _OVERFLOW.
 SplinePtr with_axis_if_valid(const Spline &spline, int k, const AxisTable &made);
 
 struct KnotRemoval {
@@ -25,8 +25,5 @@ struct KnotRemoval {
 // Removes up to `times` copies, as long as the bound is at most the tolerance. Throws
 // NURBS_ERROR_PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN, _NOT_A_KNOT, _END_KNOT, _TIMES, _TOLERANCE.
 KnotRemoval remove_knot(const SplinePtr &spline, int axis, double knot, int64_t times, double tolerance);
-
-// tolerance >= 0, else NURBS_ERROR_TOLERANCE.
-void check_tolerance(double tolerance);
 
 } // namespace nrb

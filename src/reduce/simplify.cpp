@@ -1,9 +1,10 @@
 #include "reduce/simplify.h"
 
+#include "base/finite.h"
+#include "base/tolerance.h"
 #include "reduce/reduce_degree.h"
-#include "reduce/remove_knot.h"
+#include "refine/homogeneous.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace nrb {
@@ -12,20 +13,13 @@ namespace {
 
 // The polynomial spline of the Cartesian points; null where there are none, or for a polynomial one.
 SplinePtr without_weights(const Spline &spline) {
-    const int64_t count = spline.point_count();
     if (!spline.rational()) {
         return nullptr;
     }
-    std::vector<double> points;
-    for (int64_t i = 0; i < count; ++i) {
-        for (int c = 0; c < spline.dim(); ++c) {
-            points.push_back(spline.coordinate(i, c));
-        }
-    }
-    if (!std::all_of(points.begin(), points.end(), [](double x) { return std::isfinite(x); })) {
-        return nullptr;
-    }
-    return make_spline(spline.knot_vectors(), spline.dim(), Form::polynomial, std::move(points));
+    std::vector<double> points = cartesian_points(spline);
+    return all_finite(points)
+               ? make_spline(spline.knot_vectors(), spline.dim(), Form::polynomial, std::move(points))
+               : nullptr;
 }
 
 // One degree less, null where the weights do not allow it or steps would be all that is left.

@@ -2,7 +2,6 @@
 
 #include "reduce/deviation.h"
 #include "reduce/knot_clusters.h"
-#include "refine/axis_table.h"
 
 namespace nrb {
 
@@ -13,11 +12,10 @@ void check_relative_tolerance(double tolerance) {
     }
 }
 
-SplinePtr over_axis(const Spline &spline, int k, KnotVectorPtr axis) {
-    return std::make_shared<const Spline>(
-        with_axis(spline, k, std::move(axis)), spline.dim(), spline.form(),
-        std::vector<double>(spline.points().begin(), spline.points().end()),
-        std::vector<double>(spline.weights().begin(), spline.weights().end()));
+SplinePtr over_axis(const Spline &spline, int k, const AxisTable &moved) {
+    Net net = apply_along(spline, k, moved.table);
+    return std::make_shared<const Spline>(with_axis(spline, k, moved.axis), spline.dim(), spline.form(),
+                                          std::move(net.points), std::move(net.weights));
 }
 
 Snapped snap_knots(const SplinePtr &spline, int axis, double tolerance) {
@@ -25,8 +23,8 @@ Snapped snap_knots(const SplinePtr &spline, int axis, double tolerance) {
     const KnotVectorPtr &old = spline->knot_vectors()[static_cast<size_t>(axis)];
     const Interval domain = old->domain();
     const KnotClusters clusters(counted(old->knots()), domain, tolerance * (domain.upper - domain.lower));
-    const KnotVectorPtr moved = moved_axis(old, clusters, axis, "");
-    if (moved == old) {
+    const AxisTable moved = moved_axis(old, clusters, axis, "");
+    if (moved.axis == old) {
         return {spline, 0};
     }
     SplinePtr snapped = over_axis(*spline, axis, moved);

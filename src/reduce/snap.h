@@ -1,7 +1,7 @@
 // Near-equal knots of one spline snapped together.
 #pragma once
 
-#include "spline/spline.h"
+#include "refine/axis_table.h"
 
 namespace nrb {
 
@@ -11,14 +11,14 @@ struct Snapped {
 };
 
 // Knots in clusters of at most tolerance * (length of the domain), see KnotClusters, become one; control
-// points stay. Throws NURBS_ERROR_TOLERANCE unless 0 <= tolerance < 1, _MULTIPLICITY, and what refining
-// throws.
+// points stay, but for those that moved_axis() drops. Throws NURBS_ERROR_TOLERANCE unless 0 <= tolerance < 1,
+// _MULTIPLICITY, and what refining throws.
 Snapped snap_knots(const SplinePtr &spline, int axis, double tolerance);
 
 // Throws NURBS_ERROR_TOLERANCE unless 0 <= tolerance < 1.
 void check_relative_tolerance(double tolerance);
 
-// The same control points over another axis of as many knots.
-SplinePtr over_axis(const Spline &spline, int k, KnotVectorPtr axis);
+// The layers of a moved axis over it; check_spline() is left to the caller.
+SplinePtr over_axis(const Spline &spline, int k, const AxisTable &moved);
 
 } // namespace nrb

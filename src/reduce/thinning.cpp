@@ -1,5 +1,7 @@
 #include "reduce/thinning.h"
 
+#include "base/finite.h"
+#include "base/norm.h"
 #include "reduce/layers.h"
 #include "refine/period.h"
 
@@ -12,20 +14,55 @@ namespace nrb {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-
-double norm(const double *x, int width) noexcept {
-    double sum = 0;
-    for (int c = 0; c < width; ++c) {
-        sum += x[c] * x[c];
-    }
-    return std::sqrt(sum);
-}
+constexpr double eps = std::numeric_limits<double>::epsilon();
+constexpr double rounding = 32 * eps; // of what a few operations of 2 eps each have made
 
 } // namespace
 
-Thinning::Thinning(const Spline &spline, int axis)
+// The homogeneous points of one place of the layers of a window.
+class Thinning::Column {
+public:
+    Column(double *const *layers, int size, int64_t at, int dim) noexcept
+        : layers_(layers), size_(size), at_(at), dim_(dim) {
+        for (int i = 1; i < size; ++i) {
+            heaviest_ = weight(i) > weight(heaviest_) ? i : heaviest_;
+        }
+    }
+    [[nodiscard]] const double *record(int i) const noexcept { return layers_[i] + at_; }
+    [[nodiscard]] double weight(int i) const noexcept { return record(i)[dim_]; }
+    // The point of the largest weight.
+    [[nodiscard]] double centre(int c) const noexcept { return record(heaviest_)[c] / weight(heaviest_); }
+    // From there to any other that has a place.
+    [[nodiscard]] double radius() const noexcept {
+        double largest = 0;
+        for (int i = 0; i < size_; ++i) {
+            const double apart = norm_of(dim_, [&](int c) { return record(i)[c] / weight(i) - centre(c); });
+            largest = weight(i) > 0 ? std::max(largest, apart) : largest;
+        }
+        return largest;
+    }
+    // What the denominator is at the least: where a weight is 0, about the mean with both its neighbours.
+    [[nodiscard]] double least_weight() const noexcept {
+        double least = infinite, mean = infinite;
+        for (int i = 0; i < size_; ++i) {
+            const double before = weight(std::max(i - 1, 0)), behind = weight(std::min(i + 1, size_ - 1));
+            least = std::min(least, weight(i));
+            mean = std::min(mean, before / 4 + weight(i) / 2 + behind / 4);
+        }
+        return least > 0 ? least : mean;
+    }
+
+private:
+    double *const *layers_;
+    int size_;
+    int64_t at_;
+    int dim_;
+    int heaviest_ = 0;
+};
+
+Thinning::Thinning(const Spline &spline, int axis, bool forgive_rounding)
     : spline_(spline), axis_index_(axis), axis_(spline.axis(axis)), degree_(axis_.degree()),
-      width_(spline.width()), length_(layer_length(spline, axis)),
+      width_(spline.width()), length_(layer_length(spline, axis)), forgive_rounding_(forgive_rounding),
       period_(axis_.periodic() ? axis_.domain().upper - axis_.domain().lower : 0),
       layers_left_(axis_.distinct_layers()), points_(layer_records(spline, axis)) {
     link_knots();
@@ -102,14 +139,14 @@ bool Thinning::locate(int64_t knot, Window &window) noexcept {
         shift += front == head_ ? period_ : 0;
         last[i] = at(front).value + shift;
     }
-    const int size = window.multiplicity > degree_ ? 2 : degree_ - window.multiplicity + 3;
+    window.size = window.multiplicity > degree_ ? 2 : degree_ - window.multiplicity + 3;
     layer = layers_[static_cast<size_t>(layer)].previous;
-    for (int i = 0; i < size; ++i) {
+    for (int i = 0; i < window.size; ++i) {
         window.layers[i] = layer;
         window.points[i] = points_.data() + layer * length_;
         layer = layers_[static_cast<size_t>(layer)].next;
     }
-    if (period_ != 0 && layers_left_ < size) {
+    if (period_ != 0 && layers_left_ < window.size) {
         return false;
     }
     if (window.multiplicity <= degree_) {
@@ -126,29 +163,31 @@ void Thinning::find_gap(const Window &window) noexcept {
                    [](double a, double b) { return a / 2 - b / 2; });
 }
 
-// |D - f E| / v for the moves D of the points and E of the weights, about the point in the middle.
+// What the gap of weights may be by their rounding alone.
+double Thinning::gap_rounding(const Window &window, const Column &column) const noexcept {
+    double sum = 0;
+    for (int i = 0; i < window.size; ++i) {
+        sum += (window.multiplicity > degree_ ? 0.5 : std::abs(window.step.functional[i])) * column.weight(i);
+    }
+    return rounding * sum;
+}
+
+// |D - f E| / v for the moves D of the points and E of the weights, about a point f.
 double Thinning::column_cost(const Window &window, int64_t at) const noexcept {
     const int dim = width_ - 1;
-    const int size = window.multiplicity > degree_ ? 2 : window.step.rows + 2;
-    const double *middle = window.points[size / 2] + at;
-    double radius = 0, least = infinite, away = 0;
-    for (int i = 0; i < size; ++i) {
-        const double *point = window.points[i] + at;
-        double square = 0;
-        for (int c = 0; c < dim; ++c) {
-            const double apart = point[c] / point[dim] - middle[c] / middle[dim];
-            square += apart * apart;
-        }
-        radius = std::max(radius, square);
-        least = std::min(least, point[dim]);
-    }
+    const Column column(window.points, window.size, at, dim);
     const double *gap = gap_.data() + at;
-    for (int c = 0; c < dim; ++c) {
-        const double move = gap[c] - middle[c] / middle[dim] * gap[dim];
-        away += move * move;
+    const double radius = column.radius();
+    double away = norm_of(dim, [&](int c) { return gap[c] - column.centre(c) * gap[dim]; });
+    double turned = std::abs(gap[dim]);
+    if (forgive_rounding_) {
+        const double none = gap_rounding(window, column);
+        const double size = radius + 2 * norm_of(dim, [&](int c) { return column.centre(c); });
+        away = std::max(away - none * size, 0.0);
+        turned = std::max(turned - none, 0.0);
     }
-    const double weight = least - std::abs(gap[dim]);
-    const double result = (std::sqrt(away) + std::sqrt(radius) * std::abs(gap[dim])) / weight;
+    const double weight = column.least_weight() - turned;
+    const double result = (away + radius * turned) / weight;
     return weight > 0 && !std::isnan(result) ? result : infinite;
 }
 
@@ -240,9 +279,28 @@ bool Thinning::remove(int64_t knot, double tolerance) {
     return true;
 }
 
-// The layers of the window, unless a weight would not be positive.
+// Whether all weights of a new layer are positive; those that are 0 but for rounding become 0.
+bool Thinning::settle_layer(const Window &window, double *layer) const noexcept {
+    for (int64_t at = 0; at < length_; at += width_) {
+        RecordRounding largest{0, 0};
+        for (int i = 0; i < window.size; ++i) {
+            const double *record = window.points[i] + at;
+            largest.weight = std::max(largest.weight, record[width_ - 1]);
+            largest.coordinate =
+                std::max(largest.coordinate, largest_magnitude({record, static_cast<size_t>(width_) - 1}));
+        }
+        const Weight kind =
+            settle(layer + at, width_ - 1, {rounding * largest.weight, rounding * largest.coordinate});
+        if (kind == Weight::negative || (kind == Weight::infinite && spline_.form() == Form::rational)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+// The layers of the window, unless a weight would be negative.
 bool Thinning::solve(const Window &window) {
-    const int size = window.multiplicity > degree_ ? 2 : window.step.rows + 2;
+    const int size = window.size;
     double *layers[max_basis + 2];
     for (int i = 0; i < size; ++i) {
         layers[i] = trial_.data() + i * length_;
@@ -257,10 +315,8 @@ bool Thinning::solve(const Window &window) {
         skipped = window.step.skipped + 1;
     }
     for (int i = 0; i < size && spline_.rational(); ++i) {
-        for (int64_t at = width_ - 1; at < length_; at += width_) {
-            if (i != skipped && !(layers[i][at] > 0)) {
-                return false;
-            }
+        if (i != skipped && !settle_layer(window, layers[i])) {
+            return false;
         }
     }
     const int first = window.multiplicity > degree_ ? 0 : 1;

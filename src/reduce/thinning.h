@@ -16,7 +16,9 @@ namespace nrb {
 // the result.
 class Thinning {
 public:
-    Thinning(const Spline &spline, int axis);
+    // Gaps of rational splines that may be no more than the rounding of their control points can count as
+    // none.
+    Thinning(const Spline &spline, int axis, bool forgive_rounding);
 
     // Removes knots as long as the errors of their spans stay within the tolerance; how many. Ends of the
     // domain stay.
@@ -48,6 +50,7 @@ private:
     // The knots and layers around the last copy of a knot that a removal needs.
     struct Window {
         int multiplicity;
+        int size;   // layers
         int behind; // knots from the first affected span to the last copy
         int ahead;
         double knots[3 * max_basis]; // last[-degree] on
@@ -57,6 +60,7 @@ private:
         double *points[max_basis + 2];
         RemovalStep step;
     };
+    class Column;
     struct Candidate {
         double key;
         int64_t knot;
@@ -75,12 +79,14 @@ private:
     void find_gap(const Window &window) noexcept;
     double cost(const Window &window) noexcept;
     double column_cost(const Window &window, int64_t at) const noexcept;
+    double gap_rounding(const Window &window, const Column &column) const noexcept;
     double key_of(int64_t knot) noexcept;
     void push(int64_t knot);
     template <class Body>
     void for_each_span(const Window &window, Body &&body);
     bool remove(int64_t knot, double tolerance);
     bool solve(const Window &window);
+    bool settle_layer(const Window &window, double *layer) const noexcept;
     void unlink(int64_t knot, const Window &window) noexcept;
     void queue_all();
     [[nodiscard]] KnotVectorPtr remaining_axis() const;
@@ -91,7 +97,8 @@ private:
     int degree_;
     int width_;      // of a record
     int64_t length_; // of a layer
-    double period_;  // 0: none
+    bool forgive_rounding_;
+    double period_; // 0: none
     int64_t head_ = 0;
     int64_t layers_left_;
     std::vector<Knot> knots_;

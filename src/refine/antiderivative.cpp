@@ -1,12 +1,11 @@
 #include "refine/antiderivative.h"
 
 #include "base/checked.h"
+#include "base/representable.h"
 #include "base/sum.h"
 #include "basis/bspline.h"
 #include "refine/axis_table.h"
 #include "spline/axis_view.h"
-
-#include <cmath>
 
 namespace nrb {
 
@@ -56,22 +55,15 @@ public:
                 sum.add(-coefficients_[i] * (lengths_[i] * points[static_cast<int64_t>(i) * stride]));
             }
         }
-        put(sum, out);
+        *out = sum.value();
         for (const double length : lengths_) {
             sum.add(length * *points);
             points += stride;
-            put(sum, out += stride);
+            *(out += stride) = sum.value();
         }
     }
 
 private:
-    static void put(const CompensatedSum &sum, double *out) {
-        *out = sum.value();
-        if (!std::isfinite(*out)) {
-            fail(NURBS_ERROR_NOT_REPRESENTABLE, "a control point of the integral overflows double precision");
-        }
-    }
-
     KnotVectorPtr made_;
     std::vector<double> coefficients_;
     std::vector<double> lengths_;
@@ -97,6 +89,7 @@ SplinePtr antiderivative(const Spline &spline, int axis) {
                          points.data() + o * (view.count + 1) * view.inner + i);
         }
     }
+    require_representable(points, "control points of the integral");
     return make_spline(with_axis(spline, axis, integral.axis()), spline.dim(), Form::polynomial,
                        std::move(points));
 }

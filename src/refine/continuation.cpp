@@ -75,13 +75,6 @@ SplinePtr continued(const Spline &spline, int k, const AxisTable &made) {
                        std::move(net.weights));
 }
 
-SplinePtr clamped(const SplinePtr &spline, int axis, AxisEnds ends) {
-    const KnotVector &knots = spline->axis(axis);
-    ends = {ends.lower && !knots.clamped_start(), ends.upper && !knots.clamped_end()};
-    return ends.lower || ends.upper ? cut_axis(spline, axis, knots.domain().lower, knots.domain().upper, ends)
-                                    : spline;
-}
-
 } // namespace
 
 void check_positive_weights(const std::vector<double> &weights) {
@@ -93,27 +86,44 @@ void check_positive_weights(const std::vector<double> &weights) {
     }
 }
 
+namespace {
+
+// How many control points have knots on both sides of the old end among their arguments. They are up to (1 + 2
+// amount / last span)^order times as large as the others, and so is the rounding of an evaluation that meets them,
+// on the old domain too: beyond 2^8 there are none, and the old end keeps multiplicity degree.
+int across(const KnotVector &axis, double end, int order) {
+    constexpr double limit = 256;
+    const int64_t n = axis.count();
+    return std::pow(1 + 2 * ((end - axis[n]) / (axis[n] - axis[n - 1])), order) <= limit ? order : 0;
+}
+
+} // namespace
+
 AxisTable extended_axis(const KnotVector &axis, double end, int order) {
-    const int p = axis.degree();
+    const int p = axis.degree(), shared = across(axis, end, order);
     const int64_t n = axis.count();
     const std::vector<double> ends(static_cast<size_t>(p) + 1, end);
     const std::span<const double> arguments(ends);
     LayerTable table;
-    table.reserve(n + p - order);
-    for (int64_t j = 0; j < n - order; ++j) {
+    table.reserve(n + p - shared);
+    for (int64_t j = 0; j < n - shared; ++j) {
         table.add_copy(j);
     }
-    for (int s = 1; s <= order; ++s) { // interior knots, the old end p - order times, the new one s times
-        add_continued_row(axis, n - order + s, n + p - order, arguments.first(static_cast<size_t>(s)), table);
+    for (int s = 1; s <= shared; ++s) { // interior knots, the old end p - shared times, the new one s times
+        add_continued_row(axis, n - shared + s, n + p - shared, arguments.first(static_cast<size_t>(s)),
+                          table);
     }
-    LayerTable known; // of the piece over [old end, new end]
-    for (int s = 0; s <= order; ++s) {
+    for (int s = shared + 1; s <= order; ++s) { // of the piece over [old end, new end]
+        add_continued_row(axis, n, n + p - s, arguments.first(static_cast<size_t>(s)), table);
+    }
+    LayerTable known; // of that piece
+    for (int s = 0; s <= order && order < p; ++s) {
         add_continued_row(axis, n, n + p - s, arguments.first(static_cast<size_t>(s)), known);
     }
     for (int s = order + 1; s <= p; ++s) {
         add_taylor_row(known, order, s, n, table);
     }
-    std::vector<double> knots(axis.knots().begin(), axis.knots().begin() + n + p - order);
+    std::vector<double> knots(axis.knots().begin(), axis.knots().begin() + n + p - shared);
     knots.insert(knots.end(), ends.begin(), ends.end());
     return {std::make_shared<const KnotVector>(p, std::move(knots)), std::move(table)};
 }
@@ -126,7 +136,7 @@ SplinePtr extend(const SplinePtr &spline, int axis, bool upper, double amount, i
     const Interval domain = spline->axis(axis).domain();
     const double end = domain.upper + amount;
     check_longer(amount, domain, end, axis);
-    const SplinePtr whole = clamped(spline, axis, {false, true});
+    const SplinePtr whole = clamp_ends(spline, axis, {false, true});
     const KnotVector &knots = whole->axis(axis);
     return continued(*whole, axis, extended_axis(knots, end, std::min(order, knots.degree())));
 }

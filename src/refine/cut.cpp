@@ -2,6 +2,7 @@
 
 #include "base/checked.h"
 #include "refine/bezier_rows.h"
+#include "refine/seam.h"
 
 #include <algorithm>
 #include <array>
@@ -103,6 +104,13 @@ SplinePtr cut_axis(const SplinePtr &spline, int axis, double lower, double upper
     return apply(*spline, axis,
                  cut_at(spline->axis(axis), breaks,
                         {ends.lower || lower != domain.lower, ends.upper || upper != domain.upper}));
+}
+
+SplinePtr clamp_ends(const SplinePtr &spline, int axis, AxisEnds ends) {
+    const KnotVector &knots = spline->axis(axis);
+    ends = {ends.lower && !knots.clamped_start(), ends.upper && !knots.clamped_end()};
+    const auto [lower, upper] = knots.domain();
+    return ends.lower || ends.upper ? cut_axis(spline, axis, lower, upper, ends) : open_axis(spline, axis);
 }
 
 SplinePtr restrict_axis(const SplinePtr &spline, int axis, double lower, double upper) {

@@ -24,6 +24,10 @@ struct AxisEnds {
 // `ends` says so. Precondition: domain.lower <= lower < upper <= domain.upper.
 SplinePtr cut_axis(const SplinePtr &spline, int axis, double lower, double upper, AxisEnds ends);
 
+// The ends of the domain that are chosen clamped, those that are so already as they are; an axis that was
+// periodic is a plain one afterwards.
+SplinePtr clamp_ends(const SplinePtr &spline, int axis, AxisEnds ends = {true, true});
+
 // As cut_axis() with the ends of the domain left as they are; the whole domain gives the same spline,
 // periodic if it was.
 SplinePtr restrict_axis(const SplinePtr &spline, int axis, double lower, double upper);

@@ -1,12 +1,12 @@
 #include "refine/derivative.h"
 
 #include "base/checked.h"
+#include "base/representable.h"
 #include "refine/axis_table.h"
 #include "refine/period.h"
 #include "spline/axis_view.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace nrb {
 
@@ -92,14 +92,6 @@ DerivedAxis derived_periodic(const KnotVector &axis) {
     return result;
 }
 
-double difference_quotient(double factor, double above, double below, double length) {
-    const double quotient = factor * ((above - below) / length);
-    if (!std::isfinite(quotient)) {
-        fail(NURBS_ERROR_NOT_REPRESENTABLE, "a control point of the derivative overflows double precision");
-    }
-    return quotient;
-}
-
 SplinePtr derived(const SplinePtr &spline, int axis) {
     const KnotVector &old = spline->axis(axis);
     DerivedAxis made = old.periodic() ? derived_periodic(old) : derived_open(old);
@@ -110,10 +102,11 @@ SplinePtr derived(const SplinePtr &spline, int axis) {
         for (const auto &[below, length] : made.layers) {
             const double *low = spline->points().data() + (o * view.count + below) * view.inner;
             for (int64_t i = 0; i < view.inner; ++i) {
-                points.push_back(difference_quotient(old.degree(), low[view.inner + i], low[i], length));
+                points.push_back(old.degree() * ((low[view.inner + i] - low[i]) / length));
             }
         }
     }
+    require_representable(points, "control points of the derivative");
     return make_spline(with_axis(*spline, axis, std::move(made.axis)), spline->dim(), Form::polynomial,
                        std::move(points));
 }

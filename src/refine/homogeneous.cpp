@@ -25,6 +25,20 @@ std::vector<double> homogeneous_points(const Spline &spline) {
     return records;
 }
 
+std::vector<double> cartesian_points(const Spline &spline) {
+    if (spline.form() != Form::homogeneous) {
+        return {spline.points().begin(), spline.points().end()};
+    }
+    std::vector<double> points;
+    points.reserve(static_cast<size_t>(spline.point_count() * spline.dim()));
+    for (int64_t i = 0; i < spline.point_count(); ++i) {
+        for (int c = 0; c < spline.dim(); ++c) {
+            points.push_back(spline.coordinate(i, c));
+        }
+    }
+    return points;
+}
+
 SplinePtr make_rational(const SplinePtr &spline) {
     if (spline->rational()) {
         return spline;

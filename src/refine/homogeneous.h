@@ -10,6 +10,9 @@ namespace nrb {
 // (w x, w y, ..., w) of every control point, unscaled; w = 1 in a polynomial spline.
 std::vector<double> homogeneous_points(const Spline &spline);
 
+// The Cartesian places of the control points; not finite where a homogeneous one has none or overflows.
+std::vector<double> cartesian_points(const Spline &spline);
+
 // A polynomial spline with weights of 1, any other as it is.
 SplinePtr make_rational(const SplinePtr &spline);
 

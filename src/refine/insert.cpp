@@ -22,6 +22,8 @@ struct KnotName {
     char text[32];
 };
 
+} // namespace
+
 void check_knot(const KnotVector &axis, int k, double knot, int64_t index) {
     if (!std::isfinite(knot)) {
         fail(NURBS_ERROR_PARAMETER_NOT_FINITE, "%s = %s is not finite", KnotName(index).text,
@@ -33,6 +35,8 @@ void check_knot(const KnotVector &axis, int k, double knot, int64_t index) {
              KnotName(index).text, Number(knot).text, Number(lower).text, Number(upper).text, k);
     }
 }
+
+namespace {
 
 // The end of a periodic domain is its start.
 double first_copy(const KnotVector &axis, double knot) noexcept {

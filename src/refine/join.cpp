@@ -1,8 +1,8 @@
 #include "refine/join.h"
 
+#include "base/norm.h"
 #include "refine/cut.h"
 #include "refine/homogeneous.h"
-#include "refine/seam.h"
 #include "spline/axis_view.h"
 
 #include <algorithm>
@@ -52,15 +52,7 @@ void check_compatible(std::span<const SplinePtr> parts, int axis) {
     }
 }
 
-// A part as it will be joined: open, clamped at inner ends.
-SplinePtr prepared(const SplinePtr &part, int axis, bool first, bool last) {
-    const KnotVector &knots = part->axis(axis);
-    const AxisEnds ends{!first && !knots.clamped_start(), !last && !knots.clamped_end()};
-    const auto [lower, upper] = knots.domain();
-    return ends.lower || ends.upper ? cut_axis(part, axis, lower, upper, ends) : open_axis(part, axis);
-}
-
-// The control points of a part in the form of the result.
+// The control points of a part.
 struct Points {
     std::vector<double> points;
     std::vector<double> weights;
@@ -73,28 +65,13 @@ struct Points {
     }
 };
 
-Points points_in(const Spline &part, int axis, Form form) {
+Points points_of(const Spline &part, int axis) {
     const AxisView view = axis_view(part, axis, 1);
-    Points result{{part.points().begin(), part.points().end()},
-                  {part.weights().begin(), part.weights().end()},
-                  view.count,
-                  view.outer,
-                  view.inner};
-    const auto count = static_cast<size_t>(part.point_count());
-    const auto dim = static_cast<size_t>(part.dim());
-    if (form == Form::rational && part.form() == Form::polynomial) {
-        result.weights.assign(count, 1.0);
-    } else if (form == Form::homogeneous && part.form() != Form::homogeneous) {
-        result.points.resize(count * (dim + 1));
-        result.weights.clear();
-        for (size_t i = 0; i < count; ++i) {
-            const double w = part.weight(static_cast<int64_t>(i));
-            for (size_t c = 0; c <= dim; ++c) {
-                result.points[i * (dim + 1) + c] = c == dim ? w : w * part.points()[i * dim + c];
-            }
-        }
-    }
-    return result;
+    return {{part.points().begin(), part.points().end()},
+            {part.weights().begin(), part.weights().end()},
+            view.count,
+            view.outer,
+            view.inner};
 }
 
 // The end of one part and the start of the next.
@@ -151,16 +128,14 @@ private:
         const bool homogeneous = form_ == Form::homogeneous;
         const size_t width = homogeneous ? dim_ + 1 : dim_;
         const double wa = homogeneous ? weight(before_, a) : 1, wb = homogeneous ? weight(after_, b) : 1;
-        double length = 0;
-        for (size_t c = 0; c < dim_; ++c) {
+        return norm_of(static_cast<int>(dim_), [&](int k) {
+            const auto c = static_cast<size_t>(k);
             const double x = before_.points[a * width + c], y = after_.points[b * width + c];
             if (wa == 0 || wb == 0) { // a point at infinity is close to nothing but itself
-                length = x == factor * y ? length : std::numeric_limits<double>::infinity();
-            } else {
-                length = std::hypot(length, x / wa - y / wb);
+                return x == factor * y ? 0 : std::numeric_limits<double>::infinity();
             }
-        }
-        return length;
+            return x / wa - y / wb;
+        });
     }
 
     const Points &before_;
@@ -240,8 +215,9 @@ Joined join(std::span<const SplinePtr> parts, int axis, JoinRule rule) {
     std::vector<double> knots;
     double gap = 0;
     for (size_t i = 0; i < parts.size(); ++i) {
-        const SplinePtr part = prepared(parts[i], axis, i == 0, i + 1 == parts.size());
-        nets.push_back(points_in(*part, axis, form));
+        const AxisEnds inner{i > 0, i + 1 < parts.size()};
+        const SplinePtr part = in_form(clamp_ends(parts[i], axis, inner), form);
+        nets.push_back(points_of(*part, axis));
         const KnotVector &own = part->axis(axis);
         if (i == 0) {
             knots.assign(own.knots().begin(), own.knots().end());

@@ -1,6 +1,7 @@
 #include "refine/product.h"
 
 #include "base/checked.h"
+#include "base/representable.h"
 #include "base/sum.h"
 #include "spline/contract.h"
 
@@ -104,10 +105,8 @@ public:
         std::vector<double> result(sums_.size());
         for (size_t i = 0; i < sums_.size(); ++i) {
             result[i] = sums_[i].value() / total_;
-            if (!std::isfinite(result[i])) {
-                fail(NURBS_ERROR_NOT_REPRESENTABLE, "a product of control points overflows double precision");
-            }
         }
+        require_representable(result, "products of control points");
         return result;
     }
 
@@ -268,12 +267,10 @@ SplinePtr from_records(Spline::Axes axes, int dim, Form form, std::vector<double
         const double w = records[i + width - 1];
         for (size_t c = 0; c + 1 < width; ++c) {
             points.push_back(w == 0 ? 0 : records[i + c] / w);
-            if (!std::isfinite(points.back())) {
-                fail(NURBS_ERROR_NOT_REPRESENTABLE, "a coordinate of a new control point overflows");
-            }
         }
         weights.push_back(w);
     }
+    require_representable(points, "control points of the product");
     return make_spline(std::move(axes), dim, form, std::move(points), std::move(weights));
 }
 

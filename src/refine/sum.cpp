@@ -1,11 +1,11 @@
 #include "refine/sum.h"
 
+#include "base/representable.h"
 #include "refine/axis_table.h"
 #include "refine/homogeneous.h"
 #include "refine/product.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace nrb {
 
@@ -39,23 +39,16 @@ Common common(SplinePtr a, SplinePtr b) {
     return {std::move(a), std::move(b)};
 }
 
-double combined(double alpha, double x, double beta, double y) {
-    const double value = alpha * x + beta * y;
-    if (!std::isfinite(value)) {
-        fail(NURBS_ERROR_NOT_REPRESENTABLE, "a control point of the sum overflows double precision");
-    }
-    return value;
-}
-
 // Stored points are combined; where the last component of a record is the weight it stays.
 SplinePtr combined(const Spline &a, double alpha, const Spline &b, double beta) {
     std::vector<double> points(a.points().begin(), a.points().end());
     const auto width = static_cast<size_t>(a.stored_width()), dim = static_cast<size_t>(a.dim());
     for (size_t i = 0; i < points.size(); ++i) {
         if (i % width < dim) {
-            points[i] = combined(alpha, a.points()[i], beta, b.points()[i]);
+            points[i] = alpha * a.points()[i] + beta * b.points()[i];
         }
     }
+    require_representable(points, "control points of the sum");
     return make_spline(a.knot_vectors(), a.dim(), a.form(), std::move(points),
                        {a.weights().begin(), a.weights().end()});
 }

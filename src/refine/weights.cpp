@@ -33,17 +33,6 @@ bool equal_weights(const Spline &spline) noexcept {
     return equal;
 }
 
-SplinePtr without_weights(const Spline &spline) {
-    std::vector<double> points;
-    points.reserve(static_cast<size_t>(spline.point_count() * spline.dim()));
-    for (int64_t i = 0; i < spline.point_count(); ++i) {
-        for (int c = 0; c < spline.dim(); ++c) {
-            points.push_back(spline.coordinate(i, c));
-        }
-    }
-    return make_spline(spline.knot_vectors(), spline.dim(), Form::polynomial, std::move(points));
-}
-
 // The stored values with control point i multiplied by factor(i); Cartesian points stay.
 template <class Map>
 SplinePtr with_weights(const Spline &spline, Spline::Axes axes, Map &&map) {
@@ -176,7 +165,8 @@ SplinePtr normalize_weights(const SplinePtr &spline) {
         return spline;
     }
     if (equal_weights(*spline)) {
-        return without_weights(*spline);
+        return make_spline(spline->knot_vectors(), spline->dim(), Form::polynomial,
+                           cartesian_points(*spline));
     }
     const double dominant = dominant_weight(*spline);
     return dominant == 1 ? spline

@@ -1,7 +1,7 @@
 #include "spline/layer_table.h"
 
 #include "base/checked.h"
-#include "base/finite.h"
+#include "base/representable.h"
 #include "spline/contract.h"
 #include "spline/short_layers.h"
 
@@ -21,12 +21,6 @@ struct Layers {
         return data + (outer * view.count + layer) * view.inner;
     }
 };
-
-void check_representable(std::span<const double> values) {
-    if (!all_finite(values)) {
-        fail(NURBS_ERROR_NOT_REPRESENTABLE, "a new control point overflows double precision");
-    }
-}
 
 inline void combine(const LayerTable &table, const LayerTable::Row &row, const Layers &layers, int64_t outer,
                     double *out) noexcept {
@@ -49,7 +43,7 @@ std::vector<double> new_layers(const AxisView &view, int64_t layers) {
 // The same without the padding, once the layers are made.
 std::vector<double> finished(std::vector<double> layers) {
     layers.resize(layers.size() - Spline::padding);
-    check_representable(layers);
+    require_representable(layers, "control points");
     return layers;
 }
 

@@ -83,6 +83,10 @@ public:
         used_ += static_cast<size_t>(count * pitch);
     }
 
+    // Whether every row is a copy, so that no value is computed.
+    [[nodiscard]] bool copies_only() const noexcept {
+        return std::all_of(rows_.begin(), rows_.end(), [](const Row &row) { return row.size == 0; });
+    }
     [[nodiscard]] int64_t rows() const noexcept { return static_cast<int64_t>(rows_.size()); }
     [[nodiscard]] const Row &row(int64_t r) const noexcept { return rows_[static_cast<size_t>(r)]; }
     [[nodiscard]] std::span<const Row> all() const noexcept { return rows_; }

@@ -39,7 +39,6 @@ static void snapped(void) {
     CHECK_KNOTS(h, 0, knots);
     CHECK_DOUBLE(deviation, 0);
     nurbs_destroy(h);
-    CHECK_NO_HANDLE(h, nurbs_snap_knots(g, 0, 0.3, NULL, &h), NURBS_ERROR_MULTIPLICITY, "0|axis 0|2 times");
     CHECK_NO_HANDLE(h, nurbs_snap_knots(g, 0, -1, NULL, &h), NURBS_ERROR_TOLERANCE, "tolerance = -1");
     CHECK_NO_HANDLE(h, nurbs_snap_knots(g, 0, 1, NULL, &h), NURBS_ERROR_TOLERANCE, "tolerance = 1");
     CHECK_NO_HANDLE(h, nurbs_snap_knots(g, 0, NAN, NULL, &h), NURBS_ERROR_TOLERANCE, "tolerance = nan");
@@ -60,6 +59,54 @@ static void ends(void) {
     CHECK_KNOTS(h, 0, VALUES(0, 0, 1, 1.5));
     nurbs_destroy(h);
     nurbs_destroy(g);
+}
+
+/* Knots close to clamped ends are merged into them; the ends keep their points. */
+static void slivers(void) {
+    static const int32_t degree = 2;
+    static const int64_t count = 6;
+    static const double knots[] = {0, 0, 0, 0.0625, 0.5, 0.9375, 1, 1, 1}, points[] = {0, 1, 2, 3, 4, 5};
+    nurbs *g = NULL, *plain = NULL, *h = NULL;
+    nurbs_list *list = NULL;
+    double deviation = -1, at_least = -1;
+    CHECK_OK(nurbs_create(1, &degree, &count, knots, 9, 1, points, 0, 0, NULL, 0, 0, &g));
+    CHECK_OK(nurbs_snap_knots(g, 0, 0.0625, &deviation, &h));
+    CHECK_KNOTS(h, 0, VALUES(0, 0, 0, 0.5, 1, 1, 1));
+    CHECK_POINTS(h, VALUES(0, 2, 3, 5));
+    CHECK_OK(nurbs_deviation(g, h, &at_least, NULL));
+    CHECK(at_least > 0.5 && deviation >= at_least && deviation <= 1 + 1e-12);
+    const nurbs *splines[] = {h, g};
+    CHECK_OK(nurbs_make_compatible(2, splines, 0.0625, 0, NULL, &list));
+    plain = entry(list, 1);
+    CHECK_KNOTS(plain, 0, VALUES(0, 0, 0, 0.5, 1, 1, 1));
+    CHECK_POINTS(plain, VALUES(0, 2, 3, 5));
+    nurbs_destroy(plain);
+    nurbs_list_destroy(list);
+    nurbs_destroy(h);
+    nurbs_destroy(g);
+}
+
+/* Domains that agree but for rounding. */
+static void near_domains(void) {
+    static const int32_t degree = 1;
+    static const int64_t count = 3;
+    const double end = 1 + 0x1p-40, knots[] = {0, 0, end / 2, end, end}, points[] = {0, 1, 4};
+    nurbs *a = tent(0.5, 0, 1, 0), *b = NULL, *h = NULL;
+    nurbs_list *list = NULL;
+    double deviation = -1;
+    CHECK_OK(nurbs_create(1, &degree, &count, knots, 5, 1, points, 0, 0, NULL, 0, 0, &b));
+    const nurbs *splines[] = {a, b};
+    CHECK_FAILS(nurbs_make_compatible(2, splines, 0x1p-41, 0, NULL, &list), NURBS_ERROR_INCOMPATIBLE,
+                "splines[1]|[0, 1]");
+    CHECK_OK(nurbs_make_compatible(2, splines, 0x1p-39, 0, &deviation, &list));
+    CHECK_DOUBLE(deviation, 0);
+    h = entry(list, 1);
+    CHECK_KNOTS(h, 0, VALUES(0, 0, 0.5, 1, 1));
+    CHECK_POINTS(h, points);
+    nurbs_destroy(h);
+    nurbs_list_destroy(list);
+    nurbs_destroy(a);
+    nurbs_destroy(b);
 }
 
 static void compatible(void) {
@@ -140,10 +187,16 @@ static void refusals(void) {
     CHECK_FAILS(nurbs_make_compatible(1, splines, 0, 1, NULL, &list), NURBS_ERROR_FLAGS, "flags = 0x1");
     CHECK_FAILS(nurbs_make_compatible(1, splines, 0, 0, NULL, NULL), NURBS_ERROR_NULL, "out");
     nurbs_destroy(b);
-    b = tent(0.0625, 0, 1, 0); /* its knot would be a third one at the end */
-    splines[1] = b;
+    static const int32_t degree = 1;
+    static const int64_t count = 5;
+    static const double crowd[] = {0, 0, 0.375, 0.4375, 0.4375, 1, 1}, points[] = {0, 1, 2, 3, 4};
+    CHECK_OK(nurbs_create(1, &degree, &count, crowd, 7, 1, points, 0, 0, NULL, 0, 0, &b));
+    nurbs *h = NULL;
+    CHECK_NO_HANDLE(h, nurbs_snap_knots(b, 0, 0.125, NULL, &h), NURBS_ERROR_MULTIPLICITY,
+                    "0.4375|axis 0|2 times");
+    splines[1] = b; /* its knots would be one that occurs three times */
     CHECK_FAILS(nurbs_make_compatible(2, splines, 0.125, 0, NULL, &list), NURBS_ERROR_MULTIPLICITY,
-                "splines[1]|0|axis 0");
+                "splines[1]|0.4375|axis 0");
     nurbs_destroy(a);
     nurbs_destroy(b);
     nurbs_destroy(p);
@@ -152,6 +205,8 @@ static void refusals(void) {
 int main(void) {
     snapped();
     ends();
+    slivers();
+    near_domains();
     compatible();
     forms();
     refusals();

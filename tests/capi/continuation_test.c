@@ -117,6 +117,10 @@ static void periodic(void) {
     CHECK_OK(nurbs_make_periodic(g, 0, 1e-9, NULL, &order, &h)); /* knots of the circle are double: C^0 */
     CHECK_INT(order, 0);
     nurbs_destroy(h);
+    CHECK_OK(nurbs_make_periodic(g, 0, 0, &deviation, &order, &h)); /* its ends are the same point */
+    CHECK_DOUBLE(deviation, 0);
+    CHECK_INT(order, 0);
+    nurbs_destroy(h);
     nurbs_destroy(g);
     g = make(arch());
     CHECK_NO_HANDLE(h, nurbs_make_periodic(g, 0, 0.5, &deviation, &order, &h), NURBS_ERROR_GAP, "axis 0|0.5");

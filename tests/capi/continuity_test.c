@@ -57,6 +57,34 @@ static void curves(void) {
     nurbs_destroy(g);
 }
 
+/* A straight line with a control point 1e-13 beside it, at any scale of points and knots: no break of curvature. */
+static void nearly_straight(void) {
+    static const int32_t degree = 3;
+    static const int64_t count = 7;
+    static const double line[] = {0, 0, 1, 0, 2, 0, 3, 0, 4, 1e-13, 5, 0, 6, 0};
+    static const double params[] = {0, 0, 0, 0, 0.5, 0.5, 0.5, 1, 1, 1, 1};
+    for (int i = 0; i < 9; ++i) {
+        const double size = i % 3 == 0 ? 1e-6 : i % 3 == 1 ? 1 : 1e6, speed = i < 3 ? 1e-9 : i < 6 ? 1 : 1e3;
+        double points[14], knots[11];
+        nurbs *g = NULL;
+        int32_t geometric = -1;
+        for (int k = 0; k < 14; ++k) {
+            points[k] = size * line[k];
+        }
+        for (int k = 0; k < 11; ++k) {
+            knots[k] = speed * params[k];
+        }
+        for (int bent = 0; bent < 2; ++bent) { /* by 1e-3 of its length it is one */
+            points[11] = bent * 1e-3 * size;
+            CHECK_OK(nurbs_create(1, &degree, &count, knots, 11, 2, points, 0, 0, NULL, 0, 0, &g));
+            CHECK_OK(nurbs_continuity(g, 0, 1e-9 * size, 1e-9, 1e-9, 1, NULL, NULL, NULL, &geometric, NULL,
+                                      NULL, NULL, NULL));
+            CHECK_INT(geometric, bent == 0 ? 2 : 1);
+            nurbs_destroy(g);
+        }
+    }
+}
+
 /* A corner of 90 degrees, and a curve that stops and goes on. */
 static void degenerate(void) {
     static const int32_t degree = 2;
@@ -172,6 +200,7 @@ static void bad_arguments(void) {
 
 int main(void) {
     curves();
+    nearly_straight();
     degenerate();
     surfaces();
     between();

@@ -148,7 +148,53 @@ static void weights_of_no_sign(void) {
     static const double weights[] = {1, 0.01, 0.01, 1};
     nurbs *g = NULL, *h = NULL;
     CHECK_OK(nurbs_create(1, &degree, &count, knots, 8, 1, points, 0, 0, weights, 0, 0, &g));
-    CHECK_NO_HANDLE(h, nurbs_reduce_degree(g, 0, 1, NULL, &h), NURBS_ERROR_WEIGHT_SIGN, "weight -|> 0");
+    CHECK_NO_HANDLE(h, nurbs_reduce_degree(g, 0, 1, NULL, &h), NURBS_ERROR_WEIGHT_SIGN, "weight -|>= 0");
+    nurbs_destroy(g);
+}
+
+/* A control point without effect. */
+static void weights_of_zero(void) {
+    static const int32_t degree = 2;
+    static const double points[] = {1, 0, 1, 1, 0, 1}, weights[] = {1, 0, 1};
+    nurbs *g = NULL, *other = NULL, *h = NULL;
+    double bound = -1, found[3];
+    int32_t removed = 0;
+    CHECK_OK(nurbs_create_bezier(1, &degree, 2, points, 0, 0, weights, 0, &g));
+    CHECK_OK(nurbs_elevate(g, 0, 1, &other));
+    CHECK_OK(nurbs_reduce_degree(other, 0, 1, &bound, &h));
+    CHECK(bound >= 0 && bound <= 1e-13);
+    CHECK_OK(nurbs_weights(h, 3, found, 0));
+    CHECK_DOUBLES(found, weights, 3);
+    nurbs_destroy(h);
+    nurbs_destroy(other);
+    CHECK_OK(nurbs_insert_knot(g, 0, 0.3, 1, &other));
+    CHECK_OK(nurbs_deviation(g, other, NULL, &bound));
+    CHECK(bound <= 1e-13);
+    CHECK_OK(nurbs_reduce_knots(other, 0, 1e-12, &bound, &h));
+    CHECK_KNOTS(h, 0, ((const double[]){0, 0, 0, 1, 1, 1}));
+    nurbs_destroy(h);
+    CHECK_OK(nurbs_remove_knot(other, 0, 0.3, 1, 1e-12, &removed, &bound, &h));
+    CHECK_INT(removed, 1);
+    nurbs_destroy(h);
+    nurbs_destroy(other);
+    nurbs_destroy(g);
+}
+
+/* Half a circle, of degree 2 with the point at infinity where its end tangents meet: (1 - s^2, 2 s) / (1 + s^2). */
+static void points_at_infinity(void) {
+    static const int32_t degree = 3;
+    static const double points[] = {0, -1, 2, -1, 2, 1, 0, 1}, weights[] = {3, 1, 1, 3};
+    static const double middle = 0.5, top[] = {1, 0};
+    nurbs *g = NULL, *h = NULL;
+    double bound = -1, found[3];
+    CHECK_OK(nurbs_create_bezier(1, &degree, 2, points, 0, 0, weights, 0, &g));
+    CHECK_OK(nurbs_reduce_degree(g, 0, 1, &bound, &h));
+    CHECK(bound >= 0 && bound <= 1e-12);
+    CHECK_OK(nurbs_weights(h, 3, found, 0));
+    CHECK_DOUBLES(found, ((const double[]){3, 0, 3}), 3);
+    CHECK_OK(nurbs_eval(h, 1, &middle, 0, 0, found, 0, 0, 0));
+    CHECK_NEAR(found, top, 2, 1e-15);
+    nurbs_destroy(h);
     nurbs_destroy(g);
 }
 
@@ -187,6 +233,8 @@ int main(void) {
     data_reduction();
     degree_reduction();
     weights_of_no_sign();
+    weights_of_zero();
+    points_at_infinity();
     simplification();
     return check_summary("reduce");
 }

@@ -136,7 +136,12 @@ static void refusals(void) {
     CHECK_NO_HANDLE(h, nurbs_create_hermite(2, VALUES(NAN, 1), 1, x, 0, 0, x, 0, 0, &h),
                     NURBS_ERROR_PARAMETER_NOT_FINITE, "params[0] = nan");
     CHECK_NO_HANDLE(h, nurbs_create_hermite(2, x, 1, VALUES(0, INFINITY), 0, 0, x, 0, 0, &h),
-                    NURBS_ERROR_POINT_NOT_FINITE, "inf");
+                    NURBS_ERROR_POINT_NOT_FINITE, "points[1][0] = inf");
+    CHECK_NO_HANDLE(h, nurbs_create_hermite(2, x, 1, x, 0, 0, VALUES(0, 5, NAN), 2, 0, &h),
+                    NURBS_ERROR_POINT_NOT_FINITE, "tangents[1][0] = nan");
+    CHECK_NO_HANDLE(h,
+                    nurbs_create_hermite(3, VALUES(0, 1, 1e300), 1, x, 0, 0, VALUES(0, -1e10, 1), 0, 0, &h),
+                    NURBS_ERROR_NOT_REPRESENTABLE, "points[1][0] + tangents[1][0]|1 + -1e+10 * 1e+300 / 3");
     CHECK_NO_HANDLE(h, nurbs_create_hermite(INT64_MAX, x, 1, x, 0, 0, x, 0, 0, &h), NURBS_ERROR_OVERFLOW,
                     "points");
     CHECK_FAILS(nurbs_create_hermite(2, x, 1, x, 0, 0, x, 0, 0, NULL), NURBS_ERROR_NULL, "out");

@@ -240,11 +240,30 @@ TEST(Compatible, near_knots_do_not_multiply_and_the_bound_holds) {
     EXPECT_LE(ratios[ratios.size() / 2], 4);
 }
 
+// The layers of axis 0 of the one are among those of the other, in their order; clamped ends stay.
+bool layers_are_kept(const SplineData &old, const SplineData &kept) {
+    const auto length = std::ssize(old.points) / old.counts[0];
+    auto at = old.points.begin();
+    for (auto layer = kept.points.begin(); layer != kept.points.end(); layer += length, at += length) {
+        while (at != old.points.end() && !std::equal(layer, layer + length, at)) {
+            at += length;
+        }
+        if (at == old.points.end()) {
+            return false;
+        }
+    }
+    const auto &knots = old.knots[0];
+    const bool start = old.degrees[0] > 0 && knots.front() == old.lower(0);
+    const bool end = old.degrees[0] > 0 && knots.back() == old.upper(0);
+    return (!start || std::equal(old.points.begin(), old.points.begin() + length, kept.points.begin())) &&
+           (!end || std::equal(old.points.end() - length, old.points.end(), kept.points.end() - length));
+}
+
 TEST(SnapKnots, the_bound_holds_for_every_form) {
-    for_each_case(303000, 400, [](Random &random, uint64_t seed) {
+    int merged = 0;
+    for_each_case(303000, 400, [&](Random &random, uint64_t seed) {
         const int axes = random.whole(1, 2);
         Recipe recipe = random_recipe(random, axes, axes == 1 ? 6 : 3);
-        recipe.weights = recipe.weights == Weights::some_zero ? Weights::extreme : recipe.weights;
         const SplineData data = random_spline(random, recipe);
         const double tolerance = random.magnitude(1e-12, 0.2);
         const Handle g = create(data);
@@ -257,12 +276,17 @@ TEST(SnapKnots, the_bound_holds_for_every_form) {
             ASSERT_EQ(deviation, -1) << place;
             return;
         }
+        if (status == NURBS_ERROR_WEIGHTS_VANISH && recipe.weights == Weights::some_zero) {
+            return;
+        }
         ASSERT_EQ(status, NURBS_OK) << place << last_error();
         const SplineData result = read_back(out);
         ASSERT_TRUE(result.lower(0) == data.lower(0) && result.upper(0) == data.upper(0)) << place;
         ASSERT_EQ(result.flags, data.flags) << place;
         ASSERT_EQ(deviation == 0, same_bits(result.knots[0], data.knots[0])) << place;
-        ASSERT_TRUE(same_bits(result.points, data.points)) << place;
+        ASSERT_EQ(std::ssize(data.knots[0]) - std::ssize(result.knots[0]), data.counts[0] - result.counts[0]);
+        ASSERT_TRUE(layers_are_kept(data, result)) << place;
+        merged += result.counts[0] < data.counts[0] ? 1 : 0;
         auto params = telling(random, data, result);
         if (axes == 2) {
             std::vector<double> pairs;
@@ -273,6 +297,8 @@ TEST(SnapKnots, the_bound_holds_for_every_form) {
         }
         ASSERT_LE(exact_distance(data, result, params), deviation) << place;
     });
+    std::printf("%d lost knots at their ends\n", merged);
+    ASSERT_GT(merged, 10);
 }
 
 } // namespace

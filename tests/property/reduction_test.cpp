@@ -119,10 +119,10 @@ TEST(Reduction, elevated_splines_come_back) {
         }
         nurbs_status status = NURBS_OK;
         const Made back = reduce_degree(high.get(), axis, times, status);
-        if (std::count(data.weights.begin(), data.weights.end(), 0.0) > 0) {
-            return; // their weights come back to within rounding, which may be negative
-        }
         ASSERT_EQ(status, NURBS_OK) << last_error() << where(seed, data);
+        if (std::count(data.weights.begin(), data.weights.end(), 0.0) > 0) {
+            return; // weights come back to within rounding, points of those that are small do not
+        }
         const auto got = read_back(back.spline.get());
         const auto want = homogeneous(g.get()), found = homogeneous(back.spline.get());
         const auto k = static_cast<size_t>(axis);
@@ -138,6 +138,47 @@ TEST(Reduction, elevated_splines_come_back) {
         worst.add(data.degrees[k], error / (eps * hull * 8 * std::pow(2.0L, data.degrees[k])),
                   error / (eps * hull));
     });
+}
+
+// Weights over eight orders of magnitude, and some of 0: what was inserted goes again, in one list or one by one.
+TEST(Reduction, inserted_knots_go_whatever_the_weights) {
+    int64_t inserted = 0, by_list = 0, one_by_one = 0;
+    for_each_case(365000, 400, [&](Random &random, uint64_t seed) {
+        Recipe recipe = open_recipe(random, 1, 4);
+        recipe.weights = Weights::ones;
+        SplineData data = random_spline(random, recipe);
+        for (double &w : data.weights) {
+            w = random.chance(10) ? 0 : random.magnitude(1e-4, 1e4);
+        }
+        Handle g;
+        if (try_create(data, g) != NURBS_OK) {
+            return; // no weight somewhere
+        }
+        Handle fine = insert(g.get(), 0, data.lower(0), 0);
+        std::vector<double> knots;
+        for (int i = 0; i < 3; ++i) {
+            const double t = data.lower(0) + (data.upper(0) - data.lower(0)) * random.unit();
+            if (std::count(data.knots[0].begin(), data.knots[0].end(), t) == 0 && t > data.lower(0)) {
+                fine = insert(fine.get(), 0, t, 1);
+                knots.push_back(t);
+            }
+        }
+        const double tolerance = 1e-9 * extent(data);
+        const Made fewer = reduce_knots(fine.get(), 0, tolerance);
+        ASSERT_LE(dense_deviation(data, read_back(fewer.spline.get()), 8), tolerance) << where(seed, data);
+        inserted += std::ssize(knots);
+        by_list += std::max<int64_t>(0, knot_total(read_back(fewer.spline.get())) - knot_total(data));
+        for (const double t : knots) {
+            nurbs *out = nullptr;
+            require_ok(nurbs_remove_knot(fine.get(), 0, t, 1, tolerance, nullptr, nullptr, &out));
+            fine.reset(out);
+        }
+        one_by_one += knot_total(read_back(fine.get())) - knot_total(data);
+    });
+    std::printf("%lld inserted, %lld and %lld left\n", static_cast<long long>(inserted),
+                static_cast<long long>(by_list), static_cast<long long>(one_by_one));
+    ASSERT_LE(by_list * 100, inserted);
+    ASSERT_LE(one_by_one * 100, inserted);
 }
 
 TEST(Reduction, simplified_splines_keep_the_tolerance) {

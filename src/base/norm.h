@@ -1,0 +1,46 @@
+// Euclidean lengths that neither overflow nor underflow on the way.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace nrb {
+
+// The length of a vector whose component c is x(c), within (n / 2 + 2) eps of itself at any size; not finite if
+// a component is not. Cost: one square root, and a second pass for sizes whose squares are not safe.
+template <class Component>
+double norm_of(int n, Component &&x) noexcept {
+    double sum = 0;
+    for (int c = 0; c < n; ++c) {
+        sum += x(c) * x(c);
+    }
+    if (sum > 1e-280 && sum < 1e300) {
+        return std::sqrt(sum);
+    }
+    double largest = 0;
+    for (int c = 0; c < n; ++c) {
+        largest = std::max(largest, std::abs(x(c)));
+    }
+    if (!(largest > 0) || !std::isfinite(largest)) {
+        return std::isnan(sum) ? sum : largest;
+    }
+    const double scale =
+        std::ldexp(1.0, -std::ilogb(largest) / 2); // applied twice, since its square may overflow
+    sum = 0;
+    for (int c = 0; c < n; ++c) {
+        const double y = x(c) * scale * scale;
+        sum += y * y;
+    }
+    return std::sqrt(sum) / scale / scale;
+}
+
+inline double norm(const double *x, int n) noexcept {
+    return norm_of(n, [x](int c) { return x[c]; });
+}
+
+inline double distance(const double *a, const double *b, int n) noexcept {
+    return norm_of(n, [a, b](int c) { return a[c] - b[c]; });
+}
+
+} // namespace nrb

@@ -1,0 +1,15 @@
+// The tolerance of an approximate operation.
+#pragma once
+
+#include "base/error.h"
+
+namespace nrb {
+
+// tolerance >= 0, else NURBS_ERROR_TOLERANCE.
+inline void check_tolerance(double tolerance, const char *name = "tolerance") {
+    if (!(tolerance >= 0)) {
+        fail(NURBS_ERROR_TOLERANCE, "%s = %s, expected >= 0", name, Number(tolerance).text);
+    }
+}
+
+} // namespace nrb
