@@ -40,7 +40,7 @@ private:
 
 } // namespace
 
-PolarRow polar_row(const KnotVector &axis, int64_t span, std::span<const double> values) noexcept {
+PolarRow blossom_row(const KnotVector &axis, int64_t span, std::span<const double> values) noexcept {
     Arguments arguments(values);
     int64_t begin = span + 1, end = span + 1; // knots that are arguments
     for (bool taken = true; taken;) {
@@ -68,7 +68,7 @@ Rows rows_at(const Spline &spline, const int64_t *spans, std::span<const double>
     for (int k = 0; k < spline.axes(); ++k) {
         const auto at = static_cast<size_t>(k);
         const auto degree = static_cast<size_t>(spline.axis(k).degree());
-        rows[at] = polar_row(spline.axis(k), spans[k], arguments.first(degree));
+        rows[at] = blossom_row(spline.axis(k), spans[k], arguments.first(degree));
         arguments = arguments.subspan(degree);
     }
     return rows;

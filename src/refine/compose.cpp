@@ -381,7 +381,7 @@ private:
         const int p = g_.axis(k).degree();
         const int64_t span = cell_->spans[at], length = lengths_[at];
         const PolarRow row =
-            polar_row(g_.axis(k), span, std::span(arguments_[at]).first(static_cast<size_t>(p)));
+            blossom_row(g_.axis(k), span, std::span(arguments_[at]).first(static_cast<size_t>(p)));
         contract(row.coefficients, row.size, points + (row.first - span + p) * length, length, length,
                  parts_[at].data());
     }

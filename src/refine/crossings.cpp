@@ -36,7 +36,7 @@ Coefficients CurvePiece::coefficients_between(int k, double from, double to) con
 }
 
 double CurvePiece::polar_value(int k, std::span<const double> arguments) const noexcept {
-    const PolarRow row = polar_row(curve_->axis(0), span_, arguments);
+    const PolarRow row = blossom_row(curve_->axis(0), span_, arguments);
     const double *points = curve_->points().data() + row.first * curve_->dim() + k;
     double value = 0;
     for (int i = 0; i < row.size; ++i) {

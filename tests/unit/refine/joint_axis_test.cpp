@@ -3,6 +3,7 @@
 #include "refine/blossom.h"
 #include "refine/joint_axis.h"
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
@@ -50,20 +51,20 @@ TEST(JointAxis, RaisingIsConvex) {
     }
 }
 
-TEST(PolarRow, OfKnotsIsAControlPoint) {
+TEST(BlossomRow, OfKnotsIsAControlPoint) {
     const KnotVector axis(3, {0, 1, 2, 3, 4, 5, 6, 7});
     const double arguments[] = {3, 5, 4};
-    const PolarRow row = polar_row(axis, 3, arguments);
+    const PolarRow row = blossom_row(axis, 3, arguments);
     EXPECT_EQ(row.size, 1);
     EXPECT_EQ(row.first, 2);
     EXPECT_EQ(row.coefficients[0], 1);
 }
 
-TEST(PolarRow, IsSymmetricAndAffine) {
+TEST(BlossomRow, IsSymmetricAndAffine) {
     const KnotVector axis(2, {0, 0, 0, 1, 3, 3, 3});
     const double ab[] = {1.25, 2}, ba[] = {2, 1.25}, low[] = {1.25, 1}, high[] = {1.25, 3};
-    const PolarRow row = polar_row(axis, 3, ab), turned = polar_row(axis, 3, ba);
-    const PolarRow at_low = polar_row(axis, 3, low), at_high = polar_row(axis, 3, high);
+    const PolarRow row = blossom_row(axis, 3, ab), turned = blossom_row(axis, 3, ba);
+    const PolarRow at_low = blossom_row(axis, 3, low), at_high = blossom_row(axis, 3, high);
     const auto coefficient = [](const PolarRow &r, int64_t layer) {
         return layer < r.first || layer >= r.first + r.size ? 0 : r.coefficients[layer - r.first];
     };
