@@ -5,6 +5,7 @@
 #include "eval/parameters.h"
 #include "refine/antiderivative.h"
 #include "refine/blossom.h"
+#include "refine/compose.h"
 #include "refine/derivative.h"
 #include "refine/product.h"
 #include "refine/quotient_rule.h"
@@ -112,6 +113,15 @@ nurbs_status nurbs_product(const nurbs *a, const nurbs *b, uint32_t flags, nurbs
         require(a, "a");
         require(b, "b");
         give(product(*a->spline, *b->spline, kind_of(flags)), out);
+    });
+}
+
+nurbs_status nurbs_compose(const nurbs *g, const nurbs *f, nurbs **out) {
+    return guard([&] {
+        require_out(out);
+        require(g, "g");
+        require(f, "f");
+        give(compose(g->spline, f->spline), out);
     });
 }
 

@@ -193,6 +193,7 @@ enum {
     NURBS_ERROR_PERIODIC = 48,     /**< an axis is periodic, which the function is not for */
     NURBS_ERROR_END = 49,          /**< an end is neither NURBS_START nor NURBS_END */
     NURBS_ERROR_BASIS = 50,        /**< not one of the NURBS_BASIS_ constants */
+    NURBS_ERROR_NOT_MONOTONE = 51, /**< a function neither increases nor decreases strictly */
     /* domain */
     NURBS_ERROR_OUTSIDE_DOMAIN = 100, /**< a parameter or knot lies outside the domain */
     /* numeric */
@@ -1539,6 +1540,42 @@ NURBS_API nurbs_status nurbs_antiderivative(const nurbs *g, int32_t axis, nurbs 
  *   _WEIGHTS_VANISH if weights underflow, _OVERFLOW.
  * \since 0.1 */
 NURBS_API nurbs_status nurbs_product(const nurbs *a, const nurbs *b, uint32_t flags, nurbs **out);
+
+/** \brief The curve g(f(t)): a curve g over another parameter, or the curve in space that a curve f in the
+ * parameter space of a surface or volume g traces on it. Its degree d is q (p_0 + p_1 + ...), q that of f and
+ * p_k those of g, and its domain that of f. Knots of f of multiplicity m occur d - q + m times, those at
+ * which f crosses one of g d - p_k + m times. It is clamped, even where f is periodic. Where f runs along a
+ * knot of g the side above it counts. Weights of the result can be 0 or negative though no weight of g is; it
+ * then holds homogeneous points.
+ *
+ * For a curve g, f has to be strictly monotone, which is decided by the signs of the Bernstein coefficients
+ * of f'; jumps of f have to lead the same way. All values of f must lie in the domain of g, except on
+ * periodic axes of g, which f may run around up to 65536 times. Both are decided to within the uncertainty
+ *
+ *     u = 4 (q + 1) eps max |F| + eps max |t| max |f'|
+ *
+ * of the values of f on a span: F are its active control points, f' counts by its control points; and where f
+ * differs from a knot of g by at most u it counts as that knot.
+ *
+ * A control point is the mean of values of the polar form of g at values of that of f (DeRose, Goldman, Hagen
+ * & Mann 1993). Parameters at which f crosses knots of g are rounded; the pieces on both sides share that
+ * parameter, and there f counts as the knot itself. So what f adds to the error is what moving its values by
+ * u does: control points move by u_0 D_0 + u_1 D_1 + ..., D_k the largest control points of the derivatives
+ * of g. Beyond that every component is within 2 eps for each axis (tested; ((q + 6) p_k + 3) eps is proved)
+ * of its largest magnitude among the active control points of g. Both bounds hold if polar values of f on
+ * each piece stay between those knots of g around them, as on short pieces of f; else every coefficient of de
+ * Boor's algorithm counts by its magnitude. Cost: for each polynomial piece of the result the product over
+ * the axes of binomial(p_k + q, q) polar values of g.
+ * \param[in] g a spline, rational or not.
+ * \param[in] f a polynomial curve whose dimension is the number of axes of g.
+ * \param[out] out the new handle.
+ * \return NURBS_OK, NURBS_ERROR_NULL; _AXES if f is no curve, _RATIONAL if f is rational, _DIMENSION if its
+ *   dimension does not suit, _DEGREE if the new degree exceeds NURBS_MAX_DEGREE, _NOT_MONOTONE,
+ *   _OUTSIDE_DOMAIN naming a span on which f leaves the domain of g, _PERIODIC_KNOTS if copies of knots of g
+ *   cannot be told apart, _NOT_REPRESENTABLE if a value overflows, _WEIGHTS_VANISH if weights underflow,
+ *   _OVERFLOW.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_compose(const nurbs *g, const nurbs *f, nurbs **out);
 
 /** \brief The linear combination alpha a(t) + beta b(t) of two splines over the same domain on every axis.
  * If neither is rational, both are written over common knots, with the higher degree on each axis and every

@@ -10,12 +10,7 @@ namespace nrb {
 
 namespace {
 
-// Coefficients of consecutive control points along each axis.
-struct Rows {
-    std::array<std::array<double, max_basis>, max_axes> coefficients;
-    std::array<int64_t, max_axes> first;
-    std::array<int, max_axes> size;
-};
+using Rows = std::array<PolarRow, max_axes>;
 
 // Arguments still to be used.
 class Arguments {
@@ -43,11 +38,9 @@ private:
     int size_;
 };
 
-// Arguments that are the knots next to the span, without a gap, fix as many parameters of the polar form; the
-// others follow by de Boor's algorithm with the knots around those. So control points come out bit for bit, and
-// factors lie in [0, 1] for arguments between these knots.
-void set_row(const KnotVector &axis, int64_t span, std::span<const double> values, double *coefficients,
-             int64_t &first, int &size) noexcept {
+} // namespace
+
+PolarRow blossom_row(const KnotVector &axis, int64_t span, std::span<const double> values) noexcept {
     Arguments arguments(values);
     int64_t begin = span + 1, end = span + 1; // knots that are arguments
     for (bool taken = true; taken;) {
@@ -57,21 +50,25 @@ void set_row(const KnotVector &axis, int64_t span, std::span<const double> value
         end += above ? 1 : 0;
         taken = below || above;
     }
-    coefficients[0] = 1;
-    size = 1;
+    PolarRow row;
+    row.coefficients[0] = 1;
+    row.size = 1;
     for (const double t : arguments.values()) {
-        append_argument(axis.knots().data() + begin, axis.knots().data() + end, size++, t, coefficients);
+        append_argument(axis.knots().data() + begin, axis.knots().data() + end, row.size++, t,
+                        row.coefficients);
     }
-    first = begin - size;
+    row.first = begin - row.size;
+    return row;
 }
+
+namespace {
 
 Rows rows_at(const Spline &spline, const int64_t *spans, std::span<const double> arguments) noexcept {
     Rows rows;
     for (int k = 0; k < spline.axes(); ++k) {
         const auto at = static_cast<size_t>(k);
         const auto degree = static_cast<size_t>(spline.axis(k).degree());
-        set_row(spline.axis(k), spans[k], arguments.first(degree), rows.coefficients[at].data(),
-                rows.first[at], rows.size[at]);
+        rows[at] = blossom_row(spline.axis(k), spans[k], arguments.first(degree));
         arguments = arguments.subspan(degree);
     }
     return rows;
@@ -89,11 +86,11 @@ double sum(const Spline &spline, const Rows &rows, int k, int64_t base, int c) n
     if (k == spline.axes()) {
         return record_value(spline, base, c);
     }
-    const auto at = static_cast<size_t>(k);
+    const PolarRow &row = rows[static_cast<size_t>(k)];
     double result = 0;
-    for (int i = 0; i < rows.size[at]; ++i) {
-        const int64_t next = base * spline.count(k) + rows.first[at] + i;
-        result += rows.coefficients[at][static_cast<size_t>(i)] * sum(spline, rows, k + 1, next, c);
+    for (int i = 0; i < row.size; ++i) {
+        const int64_t next = base * spline.count(k) + row.first + i;
+        result += row.coefficients[i] * sum(spline, rows, k + 1, next, c);
     }
     return result;
 }

@@ -113,6 +113,8 @@ static void calculus_and_weights() {
     EXPECT((libnurbs::derivative(g, 0).degree(0)) == 4);
     EXPECT((libnurbs::antiderivative(line, 0).eval({1}) == std::vector<double>{0.5, 0.5, 0.25}));
     EXPECT((libnurbs::product(line, line, libnurbs::product_dot).eval({1}) == std::vector<double>{1.5}));
+    const Spline square = Spline::create_bezier({2}, 1, {0, 0, 1});
+    EXPECT((libnurbs::compose(line, square).eval({0.5}) == std::vector{0.5, 0.25, 0.125}));
     EXPECT((libnurbs::sum(line, 2, line, 1).eval({1}) == std::vector<double>{1.5, 3, 1.5}));
     EXPECT(libnurbs::normalize_weights(line.make_rational()).is_rational() == false);
     const Spline moved = libnurbs::reparametrize_moebius(g, 0, 4);

@@ -126,7 +126,7 @@ contains
     end subroutine forms_and_maps
 
     subroutine calculus_and_weights()
-        type(nurbs_spline) :: g, line, made, moved
+        type(nurbs_spline) :: g, line, inner, made, moved
         real(c_double) :: one(1, 2), single(1, 1), values(2)
         real(c_double), allocatable :: weights(:)
         integer(c_int32_t) :: code
@@ -143,6 +143,10 @@ contains
         call spline_product(line, line, made, flags=NURBS_PRODUCT_DOT)
         call made%eval([1d0], single)
         call expect(single(1, 1) == 17, 'dot product')
+        call inner%create_bezier([2], reshape([0d0, 0d0, 1d0], [3, 1])) ! t^2
+        call spline_compose(line, inner, made)
+        call made%eval([0.5d0], one)
+        call expect(all(one(1, :) == [0.25d0, 2.5d0]), 'composition')
         call spline_sum(line, 2d0, line, 1d0, made)
         call made%eval([1d0], one)
         call expect(all(one(1, :) == [3, 12]), 'sum')
@@ -229,6 +233,7 @@ contains
         call expect(made%count(1) == 9, 'unclamped')
         call make_spline_periodic(g, 1, 1e-9_c_double, made, order=order)
         call expect(order == 0, 'a loop')
+        call expect(detect_periodic(made, 1), 'that is periodic')
     end subroutine beyond_the_ends
 
     subroutine images_in_a_plane()
@@ -248,7 +253,7 @@ contains
 
     subroutine segments()
         type(nurbs_spline) :: g
-        real(c_double) :: one(1, 2), m(4)
+        real(c_double) :: one(1, 2), m(2, 2)
         real(c_double), allocatable :: params(:), points(:, :), tangents(:, :), coefficients(:, :), breaks(:)
         integer(c_int64_t), allocatable :: pieces(:)
         call create_hermite_spline(g, [0d0, 1d0], reshape([0d0, 1d0, 0d0, 1d0], [2, 2]), &
@@ -262,8 +267,8 @@ contains
         call create_power_spline(g, [3_c_int32_t], pieces, breaks, coefficients)
         call g%eval([1.0_c_double], one)
         call expect(all(one(1, :) == [1, 1]), 'a spline of the power basis')
-        call expect(nurbs_basis_matrix(NURBS_BASIS_BERNSTEIN, NURBS_BASIS_POWER, 1, 4_c_int64_t, m) == NURBS_OK, 'a basis')
-        call expect(all(m == [1, 0, -1, 1]), 'its matrix')
+        call basis_matrix(NURBS_BASIS_BERNSTEIN, NURBS_BASIS_POWER, m)
+        call expect(all(m(1, :) == [1, 0]) .and. all(m(2, :) == [-1, 1]), 'from one basis to another')
     end subroutine segments
 
     subroutine reduction()

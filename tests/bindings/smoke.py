@@ -64,6 +64,8 @@ class Evaluation(unittest.TestCase):
         same(nurbs.derivative(line).eval(0.3), [1, 2])
         same(nurbs.antiderivative(line).eval(1), [0.5, 3])
         same(nurbs.product(line, line, nurbs.NURBS_PRODUCT_DOT).eval(1), [17])
+        square = nurbs.Spline(2, [0, 0, 0, 1, 1, 1], [[0], [0], [1]])
+        same(nurbs.compose(line, square).eval(0.5), [0.25, 2.5])
         same(nurbs.sum(line, line, 2).eval(1), [3, 12])
         self.assertEqual(nurbs.derivative(g).degrees, (4,))
         self.assertFalse(nurbs.normalize_weights(line.make_rational()).rational)

@@ -111,6 +111,8 @@ fn calculus_and_weights() -> Result<()> {
     assert_eq!(line.derivative(0, 1)?.eval(&[0.3], 0)?, [1.0, 2.0]);
     assert_eq!(line.antiderivative(0)?.eval(&[1.0], 0)?, [0.5, 3.0]);
     assert_eq!(line.product(&line, sys::NURBS_PRODUCT_DOT)?.eval(&[1.0], 0)?, [17.0]);
+    let square = Spline::bezier(&[2], 1, &[0.0, 0.0, 1.0], None)?;
+    assert_eq!(line.compose(&square)?.eval(&[0.5], 0)?, [0.25, 2.5]);
     assert_eq!(line.sum(2.0, &line, 1.0)?.eval(&[1.0], 0)?, [3.0, 12.0]);
     assert_eq!(g.derivative(0, 1)?.degree(0)?, 4);
     assert!(!line.make_rational()?.normalize_weights()?.is_rational()?);

@@ -84,6 +84,18 @@ struct Case {
     bool can_do_without = false; // the C library reads files without a buffer when there is none
 };
 
+// With the quadratic Bezier curve of these points, of dimension 1 or more.
+nurbs_status compose_with(const nurbs *g, int32_t dim, std::initializer_list<double> points, Output &o) {
+    static const int32_t degree = 2;
+    nurbs *f = nullptr;
+    nurbs_status status = nurbs_create_bezier(1, &degree, dim, std::data(points), 0, 0, nullptr, 0, &f);
+    if (status == NURBS_OK) {
+        status = nurbs_compose(g, f, &o.out);
+    }
+    nurbs_destroy(f);
+    return status;
+}
+
 nurbs_status short_knots(Inputs &, Output &o) {
     static const double knots[] = {0, 0, 0.25, 0.25, 0.5, 0.5, 0.75, 0.75, 1, 1};
     const SplineArgs a = circle();
@@ -370,6 +382,18 @@ const Case cases[] = {
     {"product periodic", [](Inputs &in, Output &o) { return nurbs_product(in.loop, in.loop, 0, &o.out); }},
     {"product volume",
      [](Inputs &in, Output &o) { return nurbs_product(in.volume, in.volume, NURBS_PRODUCT_DOT, &o.out); }},
+    {"compose",
+     [](Inputs &in, Output &o) {
+         return compose_with(in.curve, 1, {0.0, 0.25, 1.0}, o);
+     }},
+    {"compose around a loop",
+     [](Inputs &in, Output &o) {
+         return compose_with(in.loop, 1, {0.0, 2.0, 9.0}, o);
+     }},
+    {"compose on a surface",
+     [](Inputs &in, Output &o) {
+         return compose_with(in.surface, 2, {0, 0, 1, 0, 1, 1}, o);
+     }},
     {"sum", [](Inputs &in, Output &o) { return nurbs_sum(in.loop, 1, in.loop, 2, &o.out); }},
     {"sum rational",
      [](Inputs &in, Output &o) {

@@ -60,6 +60,7 @@ static void names(void) {
                NAME(NURBS_ERROR_PERIODIC),
                NAME(NURBS_ERROR_END),
                NAME(NURBS_ERROR_BASIS),
+               NAME(NURBS_ERROR_NOT_MONOTONE),
                NAME(NURBS_ERROR_CONTINUITY),
                NAME(NURBS_ERROR_WEIGHT_SIGN),
                NAME(NURBS_ERROR_OUTSIDE_DOMAIN),

@@ -1,10 +1,14 @@
 // Every exact operation on every curve and surface of real CAD files leaves the shape where it is. The folder of
-// the files is named by the environment variable NURBS_TEST_DATA.
+// the files is named by the environment variable NURBS_TEST_DATA. Those in JSON need nlohmann-json.
 #include "property/same_shape.h"
 
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <functional>
+#if __has_include(<nlohmann/json.hpp>)
+#include <nlohmann/json.hpp>
+#endif
 
 namespace {
 
@@ -29,18 +33,72 @@ std::vector<Handle> items(const List &list) {
     return handles;
 }
 
-std::vector<RealSpline> read_files(const std::filesystem::path &folder) {
+void read_iges(const std::filesystem::path &path, std::vector<RealSpline> &splines) {
+    nurbs_list *list = nullptr;
+    require_ok(nurbs_read_file(path.c_str(), nullptr, &list));
+    for (Handle &handle : items(List(list, nurbs_list_destroy))) {
+        SplineData data = read_back(handle.get());
+        splines.push_back({path.filename().string() + " " + std::to_string(splines.size()), std::move(data),
+                           std::move(handle)});
+    }
+}
+
+#ifdef NLOHMANN_JSON_VERSION_MAJOR
+constexpr bool reads_json = true;
+
+// Numbers in nested lists, the innermost fastest.
+void append_numbers(const nlohmann::json &values, std::vector<double> &out) {
+    if (values.is_array()) {
+        for (const auto &value : values) {
+            append_numbers(value, out);
+        }
+    } else {
+        out.push_back(values.get<double>());
+    }
+}
+
+// An entity: degree p or [p, q], knots of each axis, points[i] or points[i][j], weights or null.
+SplineData data_of(const nlohmann::json &entity) {
+    SplineData data;
+    const bool curve = entity["degree"].is_number();
+    const nlohmann::json degrees = curve ? nlohmann::json::array({entity["degree"]}) : entity["degree"];
+    const nlohmann::json knots = curve ? nlohmann::json::array({entity["knots"]}) : entity["knots"];
+    for (size_t k = 0; k < degrees.size(); ++k) {
+        data.degrees.push_back(degrees[k].get<int32_t>());
+        append_numbers(knots[k], data.knots.emplace_back());
+        data.counts.push_back(std::ssize(data.knots[k]) - data.degrees[k] - 1);
+    }
+    append_numbers(entity["points"], data.points);
+    data.dim = static_cast<int32_t>(std::ssize(data.points) / data.point_count());
+    if (!entity["weights"].is_null()) {
+        append_numbers(entity["weights"], data.weights);
+    }
+    return data;
+}
+
+void read_json(const std::filesystem::path &path, std::vector<RealSpline> &splines) {
+    std::ifstream file(path);
+    const nlohmann::json document = nlohmann::json::parse(file);
+    for (const auto &entity : document["entities"]) {
+        SplineData data = data_of(entity);
+        Handle handle = create(data);
+        splines.push_back(
+            {path.filename().string() + " " + entity["id"].dump(), std::move(data), std::move(handle)});
+    }
+}
+#else
+constexpr bool reads_json = false;
+void read_json(const std::filesystem::path &, std::vector<RealSpline> &) {}
+#endif
+
+std::vector<RealSpline> read_files(const std::filesystem::path &folder, bool json) {
     std::vector<RealSpline> splines;
     for (const auto &entry : std::filesystem::directory_iterator(folder)) {
-        if (entry.path().extension() != ".iges" && entry.path().extension() != ".igs") {
-            continue;
-        }
-        nurbs_list *list = nullptr;
-        require_ok(nurbs_read_file(entry.path().c_str(), nullptr, &list));
-        for (Handle &handle : items(List(list, nurbs_list_destroy))) {
-            SplineData data = read_back(handle.get());
-            splines.push_back({entry.path().filename().string() + " " + std::to_string(splines.size()),
-                               std::move(data), std::move(handle)});
+        const auto extension = entry.path().extension();
+        if (json && extension == ".json") {
+            read_json(entry.path(), splines);
+        } else if (!json && (extension == ".iges" || extension == ".igs")) {
+            read_iges(entry.path(), splines);
         }
     }
     return splines;
@@ -137,10 +195,7 @@ const std::vector<std::pair<const char *, Unary>> &operations() {
         {"elevate", [](const nurbs *g, int k) { return call(nurbs_elevate, g, k, 1); }},
         {"reverse", [](const nurbs *g,
                        int k) { return call(nurbs_reverse, call(nurbs_reverse, g, k, 0U).get(), k, 0U); }},
-        {"clamp",
-         [](const nurbs *g, int k) {
-             return call(nurbs_clamp_ends, g, k, NURBS_FORM_CLAMPED_START | NURBS_FORM_CLAMPED_END);
-         }},
+        {"clamp", [](const nurbs *g, int k) { return call(nurbs_clamp_ends, g, k, 3U); }},
         {"unclamp", [](const nurbs *g,
                        int k) { return call(nurbs_clamp_ends, call(nurbs_unclamp, g, k, 3U).get(), k, 3U); }},
         {"split", split_and_joined},
@@ -150,10 +205,36 @@ const std::vector<std::pair<const char *, Unary>> &operations() {
     return list;
 }
 
+void expect_shapes_kept(const std::vector<RealSpline> &splines) {
+    EXPECT_FALSE(splines.empty());
+    for (const RealSpline &spline : splines) {
+        for (const auto &[name, operation] : operations()) {
+            for (int k = 0; k < spline.data.axes(); ++k) {
+                expect_same(spline, operation(spline.handle.get(), k).get(), name, k);
+            }
+        }
+    }
+}
+
+void expect_pieces_kept(const std::vector<RealSpline> &splines) {
+    for (const RealSpline &spline : splines) {
+        nurbs_list *list = nullptr;
+        require_ok(nurbs_decompose(spline.handle.get(), &list));
+        const std::vector<Handle> pieces = items(List(list, nurbs_list_destroy));
+        for (size_t i = 0; i < pieces.size(); i += pieces.size() / 20 + 1) {
+            expect_same(spline, pieces[i].get(), "decompose", 0);
+        }
+    }
+}
+
 class RealFiles : public ::testing::Test {
 protected:
-    static const std::vector<RealSpline> &splines() {
-        static const std::vector<RealSpline> list = read_files(std::getenv("NURBS_TEST_DATA"));
+    static const std::vector<RealSpline> &iges() {
+        static const std::vector<RealSpline> list = read_files(std::getenv("NURBS_TEST_DATA"), false);
+        return list;
+    }
+    static const std::vector<RealSpline> &json() {
+        static const std::vector<RealSpline> list = read_files(std::getenv("NURBS_TEST_DATA"), true);
         return list;
     }
     void SetUp() override {
@@ -164,25 +245,19 @@ protected:
 };
 
 TEST_F(RealFiles, exact_operations_keep_the_shape) {
-    EXPECT_FALSE(splines().empty());
-    for (const RealSpline &spline : splines()) {
-        for (const auto &[name, operation] : operations()) {
-            for (int k = 0; k < spline.data.axes(); ++k) {
-                expect_same(spline, operation(spline.handle.get(), k).get(), name, k);
-            }
-        }
+    expect_shapes_kept(iges());
+}
+
+TEST_F(RealFiles, exact_operations_keep_the_shape_of_json_files) {
+    if (!reads_json) {
+        GTEST_SKIP() << "nlohmann-json is not installed";
     }
+    expect_shapes_kept(json());
 }
 
 TEST_F(RealFiles, pieces_keep_the_shape) {
-    for (const RealSpline &spline : splines()) {
-        nurbs_list *list = nullptr;
-        require_ok(nurbs_decompose(spline.handle.get(), &list));
-        const std::vector<Handle> pieces = items(List(list, nurbs_list_destroy));
-        for (size_t i = 0; i < pieces.size(); i += pieces.size() / 20 + 1) {
-            expect_same(spline, pieces[i].get(), "decompose", 0);
-        }
-    }
+    expect_pieces_kept(iges());
+    expect_pieces_kept(json());
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 #include "reference/exact_basis.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 
 namespace reference {
@@ -73,10 +74,10 @@ std::vector<Rational> defined_point(const SplineData &data, const double *param,
 
 using Point = std::vector<Rational>;
 
-Point defined_blossom(const std::vector<double> &knots, int degree, int64_t s, std::vector<Point> points,
-                      const std::vector<double> &arguments) {
+Point blossom_at(const std::vector<double> &knots, int degree, int64_t s, std::vector<Point> points,
+                 const std::vector<Rational> &arguments) {
     for (int r = 1; r <= degree; ++r) {
-        const Rational t = exact(arguments[static_cast<size_t>(r - 1)]);
+        const Rational &t = arguments[static_cast<size_t>(r - 1)];
         for (int j = degree; j >= r; --j) {
             const Rational low = exact(knots[static_cast<size_t>(s - degree + j)]);
             const Rational high = exact(knots[static_cast<size_t>(s + j - r + 1)]);
@@ -88,6 +89,13 @@ Point defined_blossom(const std::vector<double> &knots, int degree, int64_t s, s
         }
     }
     return points.back();
+}
+
+Point defined_blossom(const std::vector<double> &knots, int degree, int64_t s, std::vector<Point> points,
+                      const std::vector<double> &arguments) {
+    std::vector<Rational> exact_arguments;
+    std::transform(arguments.begin(), arguments.end(), std::back_inserter(exact_arguments), exact);
+    return blossom_at(knots, degree, s, std::move(points), exact_arguments);
 }
 
 namespace {

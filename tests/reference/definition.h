@@ -18,6 +18,9 @@ Rational defined_basis_derivative(const std::vector<double> &knots, int64_t span
 std::vector<Rational> defined_point(const support::SplineData &data, const double *param, Sides left = {});
 
 // Polar form of the piece on span s at `degree` arguments, by affine combinations of its degree + 1 active points.
+std::vector<Rational> blossom_at(const std::vector<double> &knots, int degree, int64_t s,
+                                 std::vector<std::vector<Rational>> points,
+                                 const std::vector<Rational> &arguments);
 std::vector<Rational> defined_blossom(const std::vector<double> &knots, int degree, int64_t s,
                                       std::vector<std::vector<Rational>> points,
                                       const std::vector<double> &arguments);

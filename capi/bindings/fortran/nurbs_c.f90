@@ -562,6 +562,12 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_product
+        function nurbs_compose(g, f, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g, f
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_compose
         function nurbs_sum(a, alpha, b, beta, out) bind(c) result(r)
             import
             type(c_ptr), value :: a, b

@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: MIT
-!> Derivatives, integrals, sums and products of splines, and changes of their weights. Conventions: see the module
-!> nurbs.
+!> Derivatives, integrals, sums, products and compositions of splines, and changes of their weights. Conventions: see
+!> the module nurbs.
 module nurbs_calculus
     use, intrinsic :: iso_c_binding
     use nurbs_constants
@@ -9,7 +9,7 @@ module nurbs_calculus
     use nurbs_splines
     implicit none
     private
-    public :: spline_blossom, spline_derivative, spline_antiderivative, spline_product, spline_sum
+    public :: spline_blossom, spline_derivative, spline_antiderivative, spline_product, spline_sum, spline_compose
     public :: normalize_weights, reparametrize_moebius, equalize_end_weights
 
 contains
@@ -83,6 +83,18 @@ contains
         call out%replace(made)
         call settle(code, status)
     end subroutine spline_sum
+
+    !> g(f(t)) for a curve f in the parameter space of g.
+    subroutine spline_compose(g, f, out, status)
+        class(nurbs_spline), intent(in) :: g, f
+        type(nurbs_spline), intent(inout) :: out
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        type(c_ptr) :: made
+        code = nurbs_compose(g%handle, f%handle, made)
+        call out%replace(made)
+        call settle(code, status)
+    end subroutine spline_compose
 
     !> The largest weight 1; equal weights dropped.
     subroutine normalize_weights(g, out, status)

@@ -58,6 +58,7 @@ module nurbs_constants
     integer(c_int32_t), parameter :: NURBS_ERROR_PERIODIC = 48
     integer(c_int32_t), parameter :: NURBS_ERROR_END = 49
     integer(c_int32_t), parameter :: NURBS_ERROR_BASIS = 50
+    integer(c_int32_t), parameter :: NURBS_ERROR_NOT_MONOTONE = 51
     integer(c_int32_t), parameter :: NURBS_ERROR_CONTINUITY = 46
     integer(c_int32_t), parameter :: NURBS_ERROR_WEIGHT_SIGN = 47
     integer(c_int32_t), parameter :: NURBS_ERROR_OUTSIDE_DOMAIN = 100

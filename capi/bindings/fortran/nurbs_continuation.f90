@@ -8,7 +8,7 @@ module nurbs_continuation
     use nurbs_splines
     implicit none
     private
-    public :: extend_spline, unclamp_spline, make_spline_periodic
+    public :: extend_spline, unclamp_spline, make_spline_periodic, detect_periodic
 
 contains
 
@@ -57,4 +57,15 @@ contains
         call out%replace(made)
         call settle(code, status)
     end subroutine make_spline_periodic
+
+    !> Whether the axis is periodic in fact.
+    logical function detect_periodic(spline, axis, status)
+        class(nurbs_spline), intent(in) :: spline
+        integer(c_int32_t), intent(in) :: axis
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: answer
+        answer = 0
+        call settle(nurbs_detect_periodic(spline%handle, axis - 1, answer), status)
+        detect_periodic = answer /= 0
+    end function detect_periodic
 end module nurbs_continuation

@@ -1,6 +1,5 @@
 ! SPDX-License-Identifier: MIT
-!> Hermite data and the power basis of pieces. Conventions: see the module nurbs; nurbs_basis_matrix() is called by its own name, and gives the
-!> matrix by rows.
+!> Hermite data and the power basis of pieces, and changes of basis. Conventions: see the module nurbs.
 module nurbs_segments
     use, intrinsic :: iso_c_binding
     use nurbs_constants
@@ -9,7 +8,7 @@ module nurbs_segments
     use nurbs_splines
     implicit none
     private
-    public :: create_hermite_spline, hermite_data, power_form, create_power_spline
+    public :: create_hermite_spline, hermite_data, power_form, create_power_spline, basis_matrix
 
 contains
 
@@ -96,4 +95,19 @@ contains
         call out%replace(made)
         call settle(code, status)
     end subroutine create_power_spline
+
+    !> coefficients(to) = matmul(matrix, coefficients(from)) at degree size(matrix, 1) - 1.
+    subroutine basis_matrix(from, to, matrix, status)
+        integer(c_int32_t), intent(in) :: from, to
+        real(c_double), intent(inout) :: matrix(:, :)
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        real(c_double), allocatable :: rows(:, :)
+        code = NURBS_OK
+        if (size(matrix, 1) /= size(matrix, 2)) code = shape_error
+        allocate (rows(size(matrix, 1), size(matrix, 1)))
+        if (code == NURBS_OK) code = nurbs_basis_matrix(from, to, size(matrix, 1) - 1, size(rows, kind=c_int64_t), rows)
+        if (code == NURBS_OK) matrix = transpose(rows)
+        call settle(code, status)
+    end subroutine basis_matrix
 end module nurbs_segments

@@ -45,6 +45,13 @@ inline Spline product(const Spline &a, const Spline &b, std::uint32_t flags = 0)
     return Spline(out);
 }
 
+/// g(f(t)) for a curve f in the parameter space of g
+inline Spline compose(const Spline &g, const Spline &f) {
+    nurbs *out = nullptr;
+    detail::check(nurbs_compose(g.get(), f.get(), &out));
+    return Spline(out);
+}
+
 /// alpha a(t) + beta b(t)
 inline Spline sum(const Spline &a, double alpha, const Spline &b, double beta) {
     nurbs *out = nullptr;

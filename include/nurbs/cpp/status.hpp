@@ -57,6 +57,7 @@ enum class Status : nurbs_status {
     periodic = NURBS_ERROR_PERIODIC,
     end = NURBS_ERROR_END,
     basis = NURBS_ERROR_BASIS,
+    not_monotone = NURBS_ERROR_NOT_MONOTONE,
     continuity = NURBS_ERROR_CONTINUITY,
     weight_sign = NURBS_ERROR_WEIGHT_SIGN,
     outside_domain = NURBS_ERROR_OUTSIDE_DOMAIN,

@@ -23,8 +23,8 @@ from .continuation import PeriodicForm, detect_periodic, extend, make_periodic, 
 from .continuity import EndContinuity, KnotContinuity, continuity, continuity_between
 from .constants import *  # noqa: F401,F403 - the names of the header
 from .files import Note, SplineList, read, read_file
-from .calculus import (antiderivative, blossom, derivative, equalize_end_weights, normalize_weights, product,
-                       reparametrize_moebius, sum)
+from .calculus import (antiderivative, blossom, compose, derivative, equalize_end_weights, normalize_weights,
+                       product, reparametrize_moebius, sum)
 from .frames import (CurveFrames, Curvatures, MinimalFrames, SurfaceFrames, curve_frames, rotation_minimizing_frames,
                      surface_curvatures, surface_frames, surface_grid_frames)
 from .knots import (basis, bernstein, find_spans, knots_averaged, knots_bezier, knots_open_uniform,

@@ -101,6 +101,7 @@ PROTOTYPES = {
     "nurbs_derivative": "i piip",
     "nurbs_antiderivative": "i pip",
     "nurbs_product": "i ppup",
+    "nurbs_compose": "i ppp",
     "nurbs_sum": "i pdpdp",
     "nurbs_create_hermite": "i lpipllpllp",
     "nurbs_to_hermite": "i plpppp",

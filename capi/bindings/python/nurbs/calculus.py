@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Derivatives, integrals, sums and products of splines, and changes of their weights."""
+"""Derivatives, integrals, sums, products and compositions of splines, and changes of their weights."""
 
 import numpy
 
@@ -32,6 +32,11 @@ def antiderivative(spline, *, axis=0):
 def product(a, b, flags=0):
     """a(t) b(t): by components, or flags NURBS_PRODUCT_DOT or NURBS_PRODUCT_CROSS."""
     return Spline._made(lib.nurbs_product, a._handle, b._handle, flags)
+
+
+def compose(g, f):
+    """g(f(t)) for a curve f in the parameter space of g."""
+    return Spline._made(lib.nurbs_compose, g._handle, f._handle)
 
 
 def sum(a, b, alpha=1.0, beta=1.0):

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-//! Derivatives, integrals, sums and products of splines, and changes of their weights.
+//! Derivatives, integrals, sums, products and compositions of splines, and changes of their weights.
 
 use crate::error::{check, Error, Result};
 use crate::spline::Spline;
@@ -28,6 +28,10 @@ impl Spline {
     /// The product at each parameter; `flags` is 0, NURBS_PRODUCT_DOT or NURBS_PRODUCT_CROSS.
     pub fn product(&self, other: &Spline, flags: u32) -> Result<Spline> {
         Spline::made(|out| unsafe { sys::nurbs_product(self.raw(), other.raw(), flags, out) })
+    }
+    /// This spline at f(t), for a curve f in its parameter space.
+    pub fn compose(&self, f: &Spline) -> Result<Spline> {
+        Spline::made(|out| unsafe { sys::nurbs_compose(self.raw(), f.raw(), out) })
     }
     /// alpha times this spline and beta times the other one.
     pub fn sum(&self, alpha: f64, other: &Spline, beta: f64) -> Result<Spline> {

@@ -80,6 +80,7 @@ pub const NURBS_ERROR_FACTOR: nurbs_status = 45;
 pub const NURBS_ERROR_PERIODIC: nurbs_status = 48;
 pub const NURBS_ERROR_END: nurbs_status = 49;
 pub const NURBS_ERROR_BASIS: nurbs_status = 50;
+pub const NURBS_ERROR_NOT_MONOTONE: nurbs_status = 51;
 pub const NURBS_ERROR_CONTINUITY: nurbs_status = 46;
 pub const NURBS_ERROR_WEIGHT_SIGN: nurbs_status = 47;
 pub const NURBS_ERROR_OUTSIDE_DOMAIN: nurbs_status = 100;
@@ -556,6 +557,7 @@ extern "C" {
     pub fn nurbs_derivative(g: *const nurbs, axis: i32, order: i32, out: *mut *mut nurbs) -> nurbs_status;
     pub fn nurbs_antiderivative(g: *const nurbs, axis: i32, out: *mut *mut nurbs) -> nurbs_status;
     pub fn nurbs_product(a: *const nurbs, b: *const nurbs, flags: u32, out: *mut *mut nurbs) -> nurbs_status;
+    pub fn nurbs_compose(g: *const nurbs, f: *const nurbs, out: *mut *mut nurbs) -> nurbs_status;
     pub fn nurbs_sum(
         a: *const nurbs,
         alpha: f64,

@@ -1,0 +1,422 @@
+#include "refine/compose.h"
+
+#include "base/sum.h"
+#include "refine/blossom.h"
+#include "refine/crossings.h"
+#include "refine/product.h"
+#include "refine/unrolled.h"
+#include "spline/contract.h"
+
+#include <algorithm>
+#include <cmath>
+#include <compare>
+#include <cstdlib>
+
+namespace nrb {
+
+namespace {
+
+// The knot of an axis that a value equals to within its uncertainty, or the value.
+double snapped(const KnotVector &axis, double value, double uncertainty) noexcept {
+    const std::span<const double> knots = axis.knots();
+    const auto above = std::lower_bound(knots.begin(), knots.end(), value);
+    double nearest = above == knots.end() ? knots.back() : *above;
+    if (above != knots.begin() && value - above[-1] < std::fabs(nearest - value)) {
+        nearest = above[-1];
+    }
+    return std::fabs(nearest - value) <= uncertainty ? nearest : value;
+}
+
+// An interval on which f is a polynomial and its values lie in one cell of the knots of g.
+struct Cell {
+    double start;
+    size_t piece; // of f
+    std::array<int64_t, max_axes> spans;
+};
+
+void check_operands(const Spline &g, const Spline &f) {
+    if (f.axes() != 1) {
+        fail(NURBS_ERROR_AXES, "f has %d axes, expected a curve", f.axes());
+    }
+    if (f.rational()) {
+        fail(NURBS_ERROR_RATIONAL, "f is rational; expected a polynomial curve");
+    }
+    if (f.dim() != g.axes()) {
+        fail(NURBS_ERROR_DIMENSION, "dimension %d of f, expected %d, the number of axes of g", f.dim(),
+             g.axes());
+    }
+}
+
+int composed_degree(const Spline &g, const Spline &f) {
+    int total = 0;
+    for (int k = 0; k < g.axes(); ++k) {
+        total += g.axis(k).degree();
+    }
+    const int q = f.axis(0).degree();
+    if (total * q > NURBS_MAX_DEGREE) {
+        fail(NURBS_ERROR_DEGREE, "degrees %d of f and %d of g give %d, which exceeds the limit of %d", q,
+             total, total * q, NURBS_MAX_DEGREE);
+    }
+    return total * q;
+}
+
+std::vector<CurvePiece> pieces_of(const Spline &f) {
+    std::vector<CurvePiece> pieces;
+    for (const int64_t span : f.axis(0).spans().indices()) {
+        pieces.emplace_back(f, span);
+    }
+    return pieces;
+}
+
+// The polar values of a coordinate of f over its pieces, between which all its values lie.
+Interval hull_of(const std::vector<CurvePiece> &pieces, int k) noexcept {
+    Interval hull{pieces.front().coefficients(k).front(), pieces.front().coefficients(k).front()};
+    for (const CurvePiece &piece : pieces) {
+        const auto [least, greatest] = std::ranges::minmax_element(piece.coefficients(k));
+        hull = {std::min(hull.lower, *least), std::max(hull.upper, *greatest)};
+    }
+    return hull;
+}
+
+// More would be a slip rather than a curve: f in degrees on a circle in radians.
+constexpr double most_periods = 65536;
+
+// g with as many periods of its periodic axes as f runs through.
+SplinePtr with_periods(SplinePtr g, const std::vector<CurvePiece> &pieces) {
+    for (int k = 0; k < g->axes(); ++k) {
+        const auto [lower, upper] = g->axis(k).domain();
+        const auto [least, greatest] = hull_of(pieces, k);
+        if (!g->axis(k).periodic() || (lower <= least && greatest <= upper)) {
+            continue;
+        }
+        const double periods = std::ceil(std::max(lower - least, greatest - upper) / (upper - lower));
+        if (!(periods <= most_periods)) {
+            fail(NURBS_ERROR_OUTSIDE_DOMAIN,
+                 "f reaches over [%s, %s] on axis %d, more than %s periods from the domain [%s, %s] of g",
+                 Number(least).text, Number(greatest).text, k, Number(most_periods).text, Number(lower).text,
+                 Number(upper).text);
+        }
+        g = unrolled(g, k, static_cast<int64_t>(periods));
+    }
+    return g;
+}
+
+void check_inside(const CurvePiece &piece, int k, Interval domain) {
+    const auto [least, greatest] = std::ranges::minmax_element(piece.coefficients(k));
+    if ((*least < domain.lower && sign_profile(piece, k, domain.lower).below) ||
+        (*greatest > domain.upper && sign_profile(piece, k, domain.upper).above)) {
+        fail(NURBS_ERROR_OUTSIDE_DOMAIN,
+             "coordinate %d of f leaves the domain [%s, %s] of g between t = %s and %s", k,
+             Number(domain.lower).text, Number(domain.upper).text, Number(piece.lower()).text,
+             Number(piece.upper()).text);
+    }
+}
+
+// Where f crosses a knot of an axis of g.
+struct Crossing {
+    double t;
+    int axis;
+    double knot;
+};
+
+std::vector<Crossing> crossings(const Spline &g, const CurvePiece &piece) {
+    std::vector<Crossing> found;
+    for (int k = 0; k < g.axes(); ++k) {
+        const auto [least, greatest] = std::ranges::minmax_element(piece.coefficients(k));
+        const std::span<const double> breaks = g.axis(k).spans().breaks();
+        for (auto knot = std::upper_bound(breaks.begin(), breaks.end(), *least);
+             knot != breaks.end() && *knot < *greatest; ++knot) {
+            for (const double t : sign_profile(piece, k, *knot).crossings) {
+                found.push_back({t, k, *knot});
+            }
+        }
+    }
+    std::ranges::sort(found, {}, &Crossing::t);
+    return found;
+}
+
+// Whether f is at the knot all the way from a place to the crossing, as far as can be told.
+bool stays(const CurvePiece &piece, double t, const Crossing &crossing) noexcept {
+    const double uncertainty = piece.uncertainty(crossing.axis);
+    const Coefficients values = piece.coefficients_between(crossing.axis, t, crossing.t);
+    return std::all_of(values.begin(), values.begin() + piece.degree() + 1,
+                       [&](double value) { return std::fabs(value - crossing.knot) <= uncertainty; });
+}
+
+// The start of the piece and crossings inside it, apart from its ends and from each other.
+std::vector<double> starts_of(const Spline &g, const CurvePiece &piece) {
+    std::vector<double> starts{piece.lower()};
+    for (const Crossing &crossing : crossings(g, piece)) {
+        if (!stays(piece, starts.back(), crossing) && !stays(piece, piece.upper(), crossing)) {
+            starts.push_back(crossing.t);
+        }
+    }
+    return starts;
+}
+
+// Where f runs along a knot the cell above it counts, as at any parameter.
+Cell cell_of(const Spline &g, const std::vector<CurvePiece> &pieces, size_t piece, double start, double end) {
+    Cell cell{start, piece, {}};
+    for (int k = 0; k < g.axes(); ++k) {
+        const KnotVector &axis = g.axis(k);
+        const auto [lower, upper] = axis.domain();
+        const double value =
+            snapped(axis, pieces[piece].value(k, start + (end - start) / 2), pieces[piece].uncertainty(k));
+        cell.spans[static_cast<size_t>(k)] = axis.find_span(std::clamp(value, lower, upper), false);
+    }
+    return cell;
+}
+
+std::vector<Cell> cells_of(const Spline &g, const std::vector<CurvePiece> &pieces) {
+    std::vector<Cell> cells;
+    for (size_t i = 0; i < pieces.size(); ++i) {
+        for (int k = 0; k < g.axes(); ++k) {
+            check_inside(pieces[i], k, g.axis(k).domain());
+        }
+        const std::vector<double> starts = starts_of(g, pieces[i]);
+        for (size_t j = 0; j < starts.size(); ++j) {
+            const double end = j + 1 < starts.size() ? starts[j + 1] : pieces[i].upper();
+            cells.push_back(cell_of(g, pieces, i, starts[j], end));
+        }
+    }
+    return cells;
+}
+
+// The largest multiplicity of a knot between two spans of an axis.
+int crossed_multiplicity(const KnotVector &axis, int64_t a, int64_t b) noexcept {
+    int most = 0, times = 0;
+    for (int64_t i = std::min(a, b) + 1; i <= std::max(a, b); ++i) {
+        times = times > 0 && axis[i] == axis[i - 1] ? times + 1 : 1;
+        most = std::max(most, times);
+    }
+    return most;
+}
+
+// What the continuity of f and g between two cells leaves of that of a spline of degree `degree`.
+int copies_between(const Spline &g, const Spline &f, int degree, const std::vector<CurvePiece> &pieces,
+                   const Cell &a, const Cell &b) noexcept {
+    int smooth = degree;
+    if (a.piece != b.piece) {
+        const int64_t times = pieces[b.piece].span() - pieces[a.piece].span();
+        smooth = std::min(smooth, f.axis(0).degree() - static_cast<int>(times));
+    }
+    for (int k = 0; k < g.axes(); ++k) {
+        const auto at = static_cast<size_t>(k);
+        if (a.spans[at] != b.spans[at]) {
+            smooth = std::min(smooth,
+                              g.axis(k).degree() - crossed_multiplicity(g.axis(k), a.spans[at], b.spans[at]));
+        }
+    }
+    return degree - std::max(smooth, -1);
+}
+
+using Window = JointAxis::Window;
+
+class Composer {
+public:
+    Composer(const Spline &g, const Spline &f, int degree)
+        : g_(g), f_(f), degree_(degree), pieces_(pieces_of(f)), cells_(cells_of(g, pieces_)) {
+        const auto [lower, upper] = f.axis(0).domain();
+        append_knots(lower, degree + 1, 0);
+        for (size_t i = 1; i < cells_.size(); ++i) {
+            append_knots(cells_[i].start, copies_between(g, f, degree, pieces_, cells_[i - 1], cells_[i]), i);
+        }
+        append_knots(upper, degree + 1, cells_.size() - 1);
+        int64_t length = g.width();
+        for (int k = g.axes(); k-- > 0;) {
+            lengths_[static_cast<size_t>(k)] = length;
+            parts_[static_cast<size_t>(k)].resize(static_cast<size_t>(length));
+            length *= g.axis(k).degree() + 1;
+        }
+        block_.resize(static_cast<size_t>(length));
+        sums_.resize(static_cast<size_t>(g.width()));
+    }
+
+    SplinePtr run() {
+        std::vector<double> records;
+        const auto layers = std::ssize(knots_) - degree_ - 1;
+        records.reserve(static_cast<size_t>(layers * g_.width()) + Spline::padding);
+        for (int64_t layer = 0; layer < layers; ++layer) {
+            append_layer(layer, records);
+        }
+        const Form form = has_negative_weight(records) ? Form::homogeneous : g_.form();
+        return from_records({make_knot_vector(degree_, knots_)}, g_.dim(), form, std::move(records));
+    }
+
+private:
+    void append_knots(double t, int copies, size_t cell) {
+        knots_.insert(knots_.end(), static_cast<size_t>(copies), t);
+        cell_behind_.insert(cell_behind_.end(), static_cast<size_t>(copies), cell);
+    }
+
+    // Where polar values of f overshoot its values, weights of the result may do so below 0.
+    [[nodiscard]] bool has_negative_weight(const std::vector<double> &records) const noexcept {
+        const auto width = static_cast<size_t>(g_.width());
+        bool negative = false;
+        for (size_t i = width; g_.rational() && i <= records.size(); i += width) {
+            negative = negative || records[i - 1] < 0;
+        }
+        return negative;
+    }
+
+    // The cell of a span of the result in the middle of the support of a layer.
+    [[nodiscard]] const Cell &cell_for(int64_t layer) const noexcept {
+        int64_t best = -1;
+        for (int64_t s = layer; s <= layer + degree_; ++s) {
+            const auto at = static_cast<size_t>(s);
+            if (knots_[at] < knots_[at + 1] && (best < 0 || std::abs(2 * s - 2 * layer - degree_) <
+                                                                std::abs(2 * best - 2 * layer - degree_))) {
+                best = s;
+            }
+        }
+        return cells_[cell_behind_[static_cast<size_t>(best)]];
+    }
+
+    // Distinct knots among the arguments of a layer.
+    [[nodiscard]] Window window(int64_t layer) noexcept {
+        Window window{};
+        for (int64_t i = layer + 1; i <= layer + degree_; ++i) {
+            const double knot = knots_[static_cast<size_t>(i)];
+            if (window.size == 0 || window_knots_[static_cast<size_t>(window.size - 1)] != knot) {
+                window_knots_[static_cast<size_t>(window.size++)] = knot;
+            }
+            ++window.copies[static_cast<size_t>(window.size - 1)];
+        }
+        return window;
+    }
+
+    void append_layer(int64_t layer, std::vector<double> &records) {
+        cell_ = &cell_for(layer);
+        load_block(0, 0, block_.data());
+        std::ranges::fill(sums_, CompensatedSum{});
+        total_ = {};
+        terms_ = 0;
+        next_axis(0, window(layer), block_.data(), 1);
+        for (size_t c = 0; c < sums_.size(); ++c) {
+            records.push_back(terms_ == 1 ? only_[c] : sums_[c].value() / total_.value());
+            if (!std::isfinite(records.back())) {
+                fail(NURBS_ERROR_NOT_REPRESENTABLE, "a new control point overflows double precision");
+            }
+        }
+    }
+
+    // The control points of g that are active in the cell.
+    double *load_block(int k, int64_t base, double *out) const {
+        if (k == g_.axes()) {
+            return std::copy_n(g_.records().data() + base * g_.width(), g_.width(), out);
+        }
+        const int p = g_.axis(k).degree();
+        for (int i = 0; i <= p; ++i) {
+            out = load_block(k + 1, base * g_.count(k) + cell_->spans[static_cast<size_t>(k)] - p + i, out);
+        }
+        return out;
+    }
+
+    // Adds the values of G for all ways to deal out the knots that are left, from axis k on.
+    void next_axis(int k, const Window &left, const double *points, double times) {
+        if (k < g_.axes()) {
+            next_argument(k, 0, left, nullptr, 0, points, times);
+            return;
+        }
+        for (size_t c = 0; c < sums_.size(); ++c) {
+            sums_[c].add(times * points[c]);
+        }
+        total_.add(times);
+        only_ = points;
+        ++terms_;
+    }
+
+    // The arguments of an axis in any order are the same, so only orders that do not fall are gone through; a
+    // choice that comes n times does so in 1 / n! as many orders as n different ones.
+    void next_argument(int k, int number, const Window &left, const int *previous, int run,
+                       const double *points, double times) {
+        const auto at = static_cast<size_t>(k);
+        const int missing = g_.axis(k).degree() - number;
+        if (missing == 0) {
+            contract_axis(k, points);
+            next_axis(k + 1, left, parts_[at].data(), times);
+            return;
+        }
+        for_each_choice(left, f_.axis(0).degree(), [&](const int *chosen, double ways) {
+            const auto order = against(previous, chosen, left.size);
+            if (order < 0 || chosen[0] * missing > left.copies[0]) {
+                return; // the choices that follow have no fewer copies of the first knot
+            }
+            const int again = order == 0 ? run + 1 : 1;
+            double *argument = arguments_[at].data() + number;
+            *argument = order == 0 ? argument[-1] : argument_of(k, left.size, chosen);
+            next_argument(k, number + 1, without(left, chosen), chosen, again, points, times * ways / again);
+        });
+    }
+
+    static std::strong_ordering against(const int *previous, const int *chosen, int size) noexcept {
+        return previous == nullptr
+                   ? std::strong_ordering::greater
+                   : std::lexicographical_compare_three_way(chosen, chosen + size, previous, previous + size);
+    }
+
+    static Window without(Window window, const int *chosen) noexcept {
+        for (int i = 0; i < window.size; ++i) {
+            window.copies[static_cast<size_t>(i)] -= chosen[i];
+        }
+        return window;
+    }
+
+    // Coordinate k of the polar form of f; where that is a value of f, the knot it stands for.
+    [[nodiscard]] double argument_of(int k, int size, const int *chosen) const noexcept {
+        std::array<double, max_basis> knots{};
+        int count = 0, distinct = 0;
+        for (int i = 0; i < size; ++i) {
+            std::fill_n(knots.begin() + count, chosen[i], window_knots_[static_cast<size_t>(i)]);
+            count += chosen[i];
+            distinct += chosen[i] > 0 ? 1 : 0;
+        }
+        const CurvePiece &piece = pieces_[cell_->piece];
+        const double value = piece.polar_value(k, std::span(knots).first(static_cast<size_t>(count)));
+        return distinct > 1 ? value : snapped(g_.axis(k), value, piece.uncertainty(k));
+    }
+
+    void contract_axis(int k, const double *points) noexcept {
+        const auto at = static_cast<size_t>(k);
+        const int p = g_.axis(k).degree();
+        const int64_t span = cell_->spans[at], length = lengths_[at];
+        const PolarRow row =
+            blossom_row(g_.axis(k), span, std::span(arguments_[at]).first(static_cast<size_t>(p)));
+        contract(row.coefficients, row.size, points + (row.first - span + p) * length, length, length,
+                 parts_[at].data());
+    }
+
+    const Spline &g_;
+    const Spline &f_;
+    int degree_;
+    std::vector<CurvePiece> pieces_;
+    std::vector<Cell> cells_;
+    std::vector<double> knots_;       // of the result
+    std::vector<size_t> cell_behind_; // of each knot
+
+    // Of the layer that is being made.
+    const Cell *cell_ = nullptr;
+    std::array<double, max_basis> window_knots_{};
+    std::vector<double> block_;
+    std::array<std::array<double, max_basis>, max_axes> arguments_{};
+    std::array<int64_t, max_axes> lengths_{};
+    std::array<std::vector<double>, max_axes> parts_;
+    std::vector<CompensatedSum> sums_;
+    CompensatedSum total_;
+    int64_t terms_ = 0;
+    const double *only_ = nullptr;
+};
+
+} // namespace
+
+SplinePtr compose(const SplinePtr &g, const SplinePtr &f) {
+    check_operands(*g, *f);
+    const int degree = composed_degree(*g, *f);
+    if (g->axes() == 1 && !strictly_monotone(f)) {
+        fail(NURBS_ERROR_NOT_MONOTONE, "f neither increases nor decreases strictly on its whole domain");
+    }
+    const SplinePtr whole = with_periods(g, pieces_of(*f));
+    return Composer(*whole, *f, degree).run();
+}
+
+} // namespace nrb

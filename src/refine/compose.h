@@ -1,0 +1,31 @@
+// Splines of splines: a curve over another parameter, and curves that lie on surfaces and in volumes.
+#pragma once
+
+#include "spline/spline.h"
+
+namespace nrb {
+
+// The curve g(f(t)) for a polynomial curve f in the parameter space of g, of degree q * (the sum of the degrees
+// of g), clamped, with knots where f has some and where f crosses knots of g, as often as the continuity asks.
+//
+// With the polar forms G of g and F of f a control point is the mean, over all ways to deal the knots that
+// belong to it out to the arguments of G, q to each, of G(F(t_I1), F(t_I2), ...) (T. DeRose, R. Goldman, H.
+// Hagen, S. Mann, "Functional composition algorithms via blossoming", ACM Trans. Graphics 12 (1993)). A knot of f
+// of multiplicity m inside the window occurs d - q + m times in it, so that each choice of q has m of its copies;
+// where f crosses a knot of g of multiplicity m on an axis of degree p it occurs d - p + m times, so that m of
+// the p choices consist of it alone. Hence (as K. Morken shows for products, joint_axis.h) arguments of both
+// polar forms contain the knots between them, and all values are combinations of control points with factors in
+// [0, 1], as far as polar values of f stay between the knots of g around them.
+//
+// A preimage of a knot c is rounded, and f there is c to CurvePiece::uncertainty(); F of that knot alone is c
+// bit for bit. So the arguments of G are those of f moved by that uncertainty u at most, and control points move
+// by u times the largest control point of the derivative of g. Beyond that, on each axis, rows of G have relative
+// errors of 3 p eps, a contraction (p + 2) eps / 2, and the number of ways, in which each of p choices has at most
+// q + 2 roundings, (q + 2) p eps after the division by their sum; the sums are compensated.
+//
+// On periodic axes of g the values of f may lie anywhere. Throws NURBS_ERROR_DIMENSION, _AXES, _RATIONAL,
+// _DEGREE, _NOT_MONOTONE, _OUTSIDE_DOMAIN, _NOT_REPRESENTABLE, _PERIODIC_KNOTS, _WEIGHTS_VANISH, _OVERFLOW. Cost:
+// for each polynomial piece of the result the product over the axes of binomial(p + q, q) values of G.
+SplinePtr compose(const SplinePtr &g, const SplinePtr &f);
+
+} // namespace nrb

@@ -1,0 +1,63 @@
+// Where a coordinate of a curve passes given values, and whether it rises or falls, from the signs of Bernstein
+// coefficients.
+#pragma once
+
+#include "basis/bspline.h"
+#include "spline/spline.h"
+
+#include <array>
+#include <span>
+#include <vector>
+
+namespace nrb {
+
+using Coefficients = std::array<double, max_basis>;
+
+// A polynomial curve over one of its non-empty spans, coordinate by coordinate in Bernstein form.
+class CurvePiece {
+public:
+    // The curve must outlive this.
+    CurvePiece(const Spline &curve, int64_t span);
+
+    [[nodiscard]] int64_t span() const noexcept { return span_; }
+    [[nodiscard]] double lower() const noexcept { return curve_->axis(0)[span_]; }
+    [[nodiscard]] double upper() const noexcept { return curve_->axis(0)[span_ + 1]; }
+    [[nodiscard]] int degree() const noexcept { return curve_->axis(0).degree(); }
+    [[nodiscard]] std::span<const double> coefficients(int k) const noexcept {
+        const auto size = static_cast<size_t>(degree()) + 1;
+        return std::span(coefficients_).subspan(static_cast<size_t>(k) * size, size);
+    }
+    // Those over another interval, the first degree + 1.
+    [[nodiscard]] Coefficients coefficients_between(int k, double from, double to) const noexcept;
+    // What a value of coordinate k is known to: with the active control points F_i, the 4 (q + 1) eps max |F_i|
+    // of a polar form, and what a rounding of the parameter moves it by, eps max |t| max |F'|.
+    [[nodiscard]] double uncertainty(int k) const noexcept;
+    // Coordinate k of the polar form at degree arguments, and at one t that often.
+    [[nodiscard]] double polar_value(int k, std::span<const double> arguments) const noexcept;
+    [[nodiscard]] double value(int k, double t) const noexcept;
+
+private:
+    const Spline *curve_;
+    int64_t span_;
+    std::vector<double> coefficients_; // [coordinate][degree + 1]
+};
+
+// What is known of the sign of a coordinate minus a value c inside a piece. A coefficient nearer to 0 than the
+// uncertainty has no sign.
+struct SignProfile {
+    bool below = false;
+    bool above = false;
+    std::vector<double> crossings; // parameters at which the sign changes, rising
+};
+
+// By halving until coefficients change their sign at most once on each part (Lane & Riesenfeld, "Bounds on a
+// polynomial", BIT 21 (1981)), then bisection to neighbouring doubles. Of places where the coordinate touches c
+// without crossing it nothing is reported but the side. Cost: q^2 for each halving, at most some 50 q of them,
+// and an evaluation for each bit of a crossing.
+SignProfile sign_profile(const CurvePiece &piece, int k, double c);
+
+// Whether the curve of dimension 1 could be shown to increase or to decrease strictly on its whole domain; an
+// interval on which it is constant to rounding is not let pass, a point is.
+bool strictly_monotone(const SplinePtr &curve);
+
+} // namespace nrb

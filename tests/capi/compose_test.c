@@ -1,0 +1,123 @@
+/* SPDX-License-Identifier: MIT */
+/* nurbs_compose(): known values, knots, both directions, periodic outer curves, and what is refused. */
+#include "check.h"
+#include "shapes.h"
+
+#define VALUES(...) ((const double[]){__VA_ARGS__})
+
+/* A Bezier curve in the parameter space of something. */
+static nurbs *inner(int32_t degree, int32_t dim, const double *points) {
+    nurbs *f = NULL;
+    CHECK_OK(nurbs_create_bezier(1, &degree, dim, points, 0, 0, NULL, 0, &f));
+    return f;
+}
+
+static void check_point(const nurbs *g, double t, const double *expected, int dim) {
+    double point[4];
+    CHECK_OK(nurbs_eval(g, 1, &t, 0, 0, point, 0, 0, 0));
+    for (int c = 0; c < dim; ++c) {
+        CHECK_DOUBLE(point[c], expected[c]);
+    }
+}
+
+/* g(f(t)) for a Bezier curve f. */
+static nurbs *composed(SplineArgs g, int32_t degree, int32_t dim, const double *points) {
+    nurbs *outer = make(g), *f = inner(degree, dim, points), *h = NULL;
+    CHECK_OK(nurbs_compose(outer, f, &h));
+    nurbs_destroy(outer);
+    nurbs_destroy(f);
+    return h;
+}
+
+static void curves(void) {
+    nurbs *h = composed(twist(), 2, 1, VALUES(0, 0, 1)); /* 3 (t^2, t^4, t^6) */
+    int32_t degree = 0;
+    CHECK_OK(nurbs_degree(h, 0, &degree));
+    CHECK(degree == 6);
+    check_point(h, 0.5, VALUES(0.75, 0.1875, 0.046875), 3);
+    nurbs_destroy(h);
+    h = composed(twist(), 1, 1, VALUES(1, 0)); /* the other way round */
+    CHECK_POINTS(h, VALUES(3, 3, 3, 2, 1, 0, 1, 0, 0, 0, 0, 0));
+    nurbs_destroy(h);
+    h = composed(hill(), 1, 1, VALUES(2, 4)); /* half as long: the knot at 3 comes to 1/2 */
+    CHECK_KNOTS(h, 0, VALUES(0, 0, 0, 0.5, 1, 1, 1));
+    CHECK_POINTS(h, VALUES(1, 2, 4, 3));
+    nurbs_destroy(h);
+    h = composed(jump(), 2, 1, VALUES(0, 1, 2)); /* 2 t, raised in degree: the jump stays one */
+    CHECK_KNOTS(h, 0, VALUES(0, 0, 0, 0.5, 0.5, 0.5, 1, 1, 1));
+    CHECK_POINTS(h, VALUES(0, 0.5, 1, 5, 5.5, 6));
+    nurbs_destroy(h);
+    h = composed(stairs(), 1, 1, VALUES(0, 2)); /* degree 0 */
+    CHECK_KNOTS(h, 0, VALUES(0, 0.5, 1));
+    CHECK_POINTS(h, VALUES(10, 20));
+    nurbs_destroy(h);
+    h = composed(circle(), 1, 1, VALUES(0.25, 0.75)); /* the left half */
+    CHECK_KNOTS(h, 0, VALUES(0, 0, 0, 0.5, 0.5, 1, 1, 1));
+    check_point(h, 0.5, VALUES(-1, 0), 2);
+    nurbs_destroy(h);
+}
+
+static void around_a_loop(void) {
+    nurbs *h = composed(loop(), 1, 1, VALUES(-2, 10)), *g = make(loop()); /* three times, from -1 period on */
+    check_point(h, 0.0, VALUES(0, 1), 2);
+    for (int i = 0; i < 12; ++i) {
+        double want[2], u = 2 + i % 4 + 0.25;
+        CHECK_OK(nurbs_eval(g, 1, &u, 0, 0, want, 0, 0, 0));
+        double got[2], t = (i + 0.25) / 12;
+        CHECK_OK(nurbs_eval(h, 1, &t, 0, 0, got, 0, 0, 0));
+        CHECK(fabs(got[0] - want[0]) < 1e-14 && fabs(got[1] - want[1]) < 1e-14);
+    }
+    nurbs *f = inner(1, 1, VALUES(0, 1e9)), *out = NULL;
+    CHECK_NO_HANDLE(out, nurbs_compose(g, f, &out), NURBS_ERROR_OUTSIDE_DOMAIN, "65536|periods");
+    nurbs_destroy(f);
+    nurbs_destroy(g);
+    nurbs_destroy(h);
+}
+
+static void on_surfaces_and_in_volumes(void) {
+    nurbs *h = composed(patch(), 1, 2, VALUES(0, 0, 1, 1)); /* (t, t, t^2) */
+    CHECK_POINTS(h, VALUES(0, 0, 0, 0.5, 0.5, 0, 1, 1, 1));
+    nurbs_destroy(h);
+    h = composed(patch(), 2, 2, VALUES(0, 0, 0.5, 1, 1, 0)); /* v returns */
+    check_point(h, 0.5, VALUES(0.5, 0.5, 0.25), 3);
+    nurbs_destroy(h);
+    h = composed(cube(), 1, 3, VALUES(0, 0, 0, 1, 1, 1)); /* (t, t, t, t^3) */
+    check_point(h, 0.5, VALUES(0.5, 0.5, 0.5, 0.125), 4);
+    nurbs_destroy(h);
+}
+
+static void check_refused(SplineArgs g, nurbs *f, nurbs_status status, const char *text) {
+    nurbs *outer = make(g), *h = NULL;
+    CHECK_NO_HANDLE(h, nurbs_compose(outer, f, &h), status, text);
+    nurbs_destroy(outer);
+    nurbs_destroy(f);
+}
+
+static void refused(void) {
+    nurbs *g = make(twist()), *f = inner(1, 1, VALUES(0, 1)), *h = NULL;
+    CHECK_NO_HANDLE(h, nurbs_compose(NULL, f, &h), NURBS_ERROR_NULL, "g is NULL");
+    CHECK_NO_HANDLE(h, nurbs_compose(g, NULL, &h), NURBS_ERROR_NULL, "f is NULL");
+    CHECK_FAILS(nurbs_compose(g, f, NULL), NURBS_ERROR_NULL, "out is NULL");
+    nurbs_destroy(g);
+    nurbs_destroy(f);
+    check_refused(twist(), make(patch()), NURBS_ERROR_AXES, "f has 2 axes");
+    check_refused(patch(), make(circle()), NURBS_ERROR_RATIONAL, "f is rational");
+    check_refused(patch(), inner(1, 1, VALUES(0, 1)), NURBS_ERROR_DIMENSION, "dimension 1 of f|expected 2");
+    check_refused(twist(), inner(11, 1, VALUES(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11)), NURBS_ERROR_DEGREE,
+                  "11 of f|3 of g|33|31");
+    check_refused(twist(), inner(2, 1, VALUES(0, 1, 0)), NURBS_ERROR_NOT_MONOTONE, "neither increases");
+    check_refused(twist(), inner(1, 1, VALUES(0.5, 0.5)), NURBS_ERROR_NOT_MONOTONE, "strictly");
+    check_refused(twist(), make(stairs()), NURBS_ERROR_NOT_MONOTONE, "strictly");
+    check_refused(twist(), inner(1, 1, VALUES(0, 1.5)), NURBS_ERROR_OUTSIDE_DOMAIN,
+                  "coordinate 0 of f|[0, 1]|t = 0 and 1");
+    check_refused(patch(), inner(2, 2, VALUES(0, 0, 0, 4, 1, 0)), NURBS_ERROR_OUTSIDE_DOMAIN,
+                  "coordinate 1 of f");
+}
+
+int main(void) {
+    curves();
+    around_a_loop();
+    on_surfaces_and_in_volumes();
+    refused();
+    return check_summary("compose");
+}

@@ -1,0 +1,73 @@
+// Derivatives, integrals, sums, products and compositions of curves of small whole numbers, which come out exactly.
+#include "curves.h"
+#include "refine/antiderivative.h"
+#include "refine/compose.h"
+#include "refine/derivative.h"
+#include "refine/power.h"
+#include "refine/product.h"
+#include "refine/sum.h"
+
+#include <gtest/gtest.h>
+
+using namespace nrb;
+
+namespace {
+
+using Values = std::vector<double>;
+
+TEST(Derivative, OfAnIntegralIsTheCurve) {
+    const SplinePtr g = curve(2, {0, 0, 0, 1, 3, 3, 3}, 1, {2, 4, 8, 16});
+    const SplinePtr whole = antiderivative(*polynomial_derivative(g, 0, 1), 0);
+    EXPECT_EQ(vector_of(whole->points()), (Values{0, 2, 6, 14}));
+    EXPECT_EQ(vector_of(whole->axis(0).knots()), vector_of(g->axis(0).knots()));
+}
+
+TEST(Derivative, DropsTheLayerOfAJump) {
+    const SplinePtr jump = curve(1, {0, 0, 1, 1, 2, 2}, 1, {0, 1, 5, 7});
+    EXPECT_EQ(vector_of(polynomial_derivative(jump, 0, 1)->points()), (Values{1, 2}));
+}
+
+TEST(Product, OfLinesIsAParabola) {
+    const SplinePtr made = product(*bezier(1, {0, 1}), *bezier(1, {0, 1}), ProductKind::components);
+    EXPECT_EQ(vector_of(made->points()), (Values{0, 0, 1}));
+}
+
+TEST(Product, TakesAScalarTimesAllComponents) {
+    const SplinePtr made = product(*bezier(2, {1, 2, 3, 4}), *bezier(1, {2, 2}), ProductKind::components);
+    EXPECT_EQ(vector_of(made->points()), (Values{2, 4, 4, 6, 6, 8}));
+}
+
+TEST(Sum, RaisesTheLowerDegree) {
+    const SplinePtr made = sum(bezier(1, {0, 2}), 1, bezier(1, {0, 0, 1}), -1);
+    EXPECT_EQ(vector_of(made->points()), (Values{0, 1, 1}));
+}
+
+TEST(Power, BasisThereAndBack) {
+    const SplinePtr g = curve(2, {0, 0, 0, 2, 4, 4, 4}, 1, {1, 3, 5, 13});
+    PowerForm form = to_power(g);
+    EXPECT_EQ(form.coefficients, (Values{1, 2, -0.25, 4, 1, 1.75}));
+    const SplinePtr back = from_power(std::move(form), false);
+    EXPECT_EQ(vector_of(back->points()), (Values{1, 3, 4, 4, 5, 13}));
+}
+
+TEST(Compose, OfPowersMultipliesThem) {
+    const SplinePtr square = bezier(1, {0, 0, 1});
+    const SplinePtr fourth = compose(square, square);
+    EXPECT_EQ(vector_of(fourth->points()), (Values{0, 0, 0, 0, 1}));
+}
+
+TEST(Compose, DealsKnotsOutOverSeveralSpans) {
+    const SplinePtr g = curve(2, {0, 0, 0, 1, 2, 3, 3, 3}, 1, {0, 1, 2, 4, 8});
+    const SplinePtr made = compose(g, bezier(1, {3, 0})); // backwards and three times as fast
+    EXPECT_EQ(vector_of(made->points()), (Values{8, 4, 2, 1, 0}));
+}
+
+TEST(Compose, MeetsACornerOfKnotLinesOnce) {
+    const auto axis = make_knot_vector(1, {0, 0, 1, 2, 2});
+    const SplinePtr tent = make_spline({axis, axis}, 1, Form::polynomial, {0, 0, 0, 0, 4, 0, 0, 0, 0});
+    const SplinePtr made = compose(tent, bezier(2, {0, 0, 2, 2}));
+    EXPECT_EQ(vector_of(made->axis(0).knots()), (Values{0, 0, 0, 0.5, 0.5, 1, 1, 1}));
+    EXPECT_EQ(vector_of(made->points()), (Values{0, 0, 4, 0, 0}));
+}
+
+} // namespace

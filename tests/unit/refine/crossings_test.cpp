@@ -1,0 +1,77 @@
+// Signs of coordinates of curves, where they change, and monotony.
+#include "curves.h"
+#include "refine/crossings.h"
+
+#include <gtest/gtest.h>
+
+using namespace nrb;
+
+namespace {
+
+SignProfile profile_of(const SplinePtr &curve, double c, int k = 0) {
+    return sign_profile(CurvePiece(*curve, curve->axis(0).degree()), k, c);
+}
+
+TEST(Crossings, OfALineIsOne) {
+    const SignProfile profile = profile_of(bezier(1, {0, 1}), 0.25);
+    EXPECT_TRUE(profile.below && profile.above);
+    EXPECT_EQ(profile.crossings, std::vector<double>{0.25});
+}
+
+TEST(Crossings, AtTheEndsAreNone) {
+    const SignProfile profile = profile_of(bezier(1, {0, 1}), 0);
+    EXPECT_TRUE(!profile.below && profile.above && profile.crossings.empty());
+}
+
+// (t - 1/4) (t - 1/2) (t - 3/4): the middle one is where the interval is halved.
+TEST(Crossings, OfACubicAreThree) {
+    const std::vector<double> power{-3.0 / 32, 11.0 / 16, -1.5, 1};
+    const SplinePtr cubic =
+        bezier(1, {power[0], power[0] + power[1] / 3, power[0] + power[1] * 2 / 3 + power[2] / 3,
+                   power[0] + power[1] + power[2] + power[3]});
+    const SignProfile profile = profile_of(cubic, 0);
+    ASSERT_EQ(profile.crossings.size(), 3U);
+    EXPECT_NEAR(profile.crossings[0], 0.25, 1e-15);
+    EXPECT_NEAR(profile.crossings[1], 0.5, 1e-15);
+    EXPECT_NEAR(profile.crossings[2], 0.75, 1e-15);
+}
+
+// (t - 0.3)^2 touches 0, (t - 0.3)^3 crosses it once.
+TEST(Crossings, OfTangentsAreNoneAndOfInflectionsOne) {
+    const SignProfile touching = profile_of(bezier(1, {0.09, -0.21, 0.49}), 0);
+    EXPECT_TRUE(touching.above && !touching.below && touching.crossings.empty());
+    const SignProfile inflection = profile_of(bezier(1, {-0.027, 0.063, -0.147, 0.343}), 0);
+    ASSERT_EQ(inflection.crossings.size(), 1U);
+    EXPECT_NEAR(inflection.crossings[0], 0.3, 1e-4); // known to the third root of eps
+}
+
+TEST(Crossings, OfAConstantAreNone) {
+    const SignProfile profile = profile_of(bezier(2, {0, 5, 1, 5}), 5, 1);
+    EXPECT_TRUE(!profile.below && !profile.above && profile.crossings.empty());
+}
+
+TEST(Crossings, PolarValuesOfAPieceAreItsCoefficients) {
+    const SplinePtr f = curve(2, {0, 0, 0, 1, 2, 2, 2}, 1, {0, 2, 4, 6});
+    const CurvePiece piece(*f, 2);
+    EXPECT_EQ(vector_of(piece.coefficients(0)), (std::vector<double>{0, 2, 3}));
+    const Coefficients half = piece.coefficients_between(0, 0, 0.5);
+    EXPECT_EQ(half[0], 0);
+    EXPECT_EQ(half[1], 1);
+    EXPECT_EQ(half[2], 1.75);
+}
+
+TEST(Monotony, IsDecidedBySigns) {
+    EXPECT_TRUE(strictly_monotone(bezier(1, {0, 1})));
+    EXPECT_TRUE(strictly_monotone(bezier(1, {3, 2, -1})));
+    EXPECT_TRUE(strictly_monotone(bezier(1, {0, 0.9, 0.1, 1})));   // its control polygon turns, it does not
+    EXPECT_TRUE(strictly_monotone(bezier(1, {-1, 1, -1, 1})));     // (2 t - 1)^3 stands still at a point
+    EXPECT_FALSE(strictly_monotone(bezier(1, {0, 1.5, -0.5, 1}))); // turns
+    EXPECT_FALSE(strictly_monotone(bezier(1, {0, 1, 0})));
+    EXPECT_FALSE(strictly_monotone(bezier(1, {1, 1})));
+    EXPECT_FALSE(strictly_monotone(curve(0, {0, 1, 2}, 1, {0, 1})));
+    EXPECT_FALSE(strictly_monotone(curve(1, {0, 0, 1, 2, 2}, 1, {0, 1, 1}))); // constant behind 1
+    EXPECT_TRUE(strictly_monotone(curve(1, {0, 0, 1, 1, 2, 2}, 1, {0, 1, 4, 5})));
+    EXPECT_FALSE(strictly_monotone(curve(1, {0, 0, 1, 1, 2, 2}, 1, {0, 1, 0.5, 5}))); // jumps back
+}
+
+} // namespace

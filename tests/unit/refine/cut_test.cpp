@@ -1,0 +1,42 @@
+// Cutting axes: breaks, saturated knots, pieces.
+#include "curves.h"
+#include "refine/cut.h"
+
+#include <gtest/gtest.h>
+
+using namespace nrb;
+
+namespace {
+
+const KnotVector wavy(2, {0, 0, 0, 1, 2, 2, 3, 3, 3, 4, 4, 4});
+
+TEST(Cut, SaturatesBreaks) {
+    const double breaks[] = {1, 2.5};
+    EXPECT_EQ(saturated(wavy, breaks),
+              (std::vector<double>{0, 0, 0, 1, 1, 1, 2, 2, 2.5, 2.5, 2.5, 3, 3, 3, 4, 4, 4}));
+}
+
+TEST(Cut, RoughKnotsAreThoseOfLessContinuity) {
+    EXPECT_EQ(rough_knots(wavy, 0), (std::vector<double>{0, 3, 4}));
+    EXPECT_EQ(rough_knots(wavy, 1), (std::vector<double>{0, 2, 3, 4}));
+    EXPECT_EQ(rough_knots(wavy, 2), (std::vector<double>{0, 1, 2, 3, 4}));
+}
+
+TEST(Cut, PiecesShareTheirEnds) {
+    const SplinePtr whole = curve(2, {0, 1, 2, 3, 4, 5, 6}, 1, {0, 2, 4, 8});
+    const PartedSpline pieces = bezier_pieces(whole);
+    ASSERT_EQ(pieces.size(), 2);
+    EXPECT_EQ(vector_of(pieces.part(0)->points()), (std::vector<double>{1, 2, 3}));
+    EXPECT_EQ(vector_of(pieces.part(1)->points()), (std::vector<double>{3, 4, 6}));
+    EXPECT_EQ(vector_of(pieces.part(1)->axis(0).knots()), (std::vector<double>{3, 3, 3, 4, 4, 4}));
+}
+
+TEST(Cut, APartOfAPartIsThatPart) {
+    const SplinePtr whole = bezier(1, {0, 8, 8, 0});
+    const SplinePtr half = cut_axis(whole, 0, 0, 0.5, {false, false});
+    const SplinePtr quarter = cut_axis(half, 0, 0.25, 0.5, {false, false});
+    EXPECT_EQ(vector_of(quarter->points()),
+              vector_of(cut_axis(whole, 0, 0.25, 0.5, {false, false})->points()));
+}
+
+} // namespace
