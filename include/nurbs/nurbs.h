@@ -1257,11 +1257,11 @@ NURBS_API nurbs_status nurbs_make_compatible(int64_t count, const nurbs *const *
  * end is, 1 goes on linearly (C^1), 2 with constant second derivative (C^2), and from the degree on it is the
  * piece itself. The old end becomes a knot of multiplicity degree - k, and k control points that act on the
  * old domain too are moved and get larger, by up to G = (1 + 2 amount / (last span))^k, which they hand on to
- * the rounding of an evaluation there. Where G > 256 that knot has multiplicity degree instead and all control
- * points of g keep their bits. So the old domain stays as it is to 2^8 times the rounding of g, however short
- * its last span is. An end that is not clamped is clamped first. With the new end e and the old one b, the new
- * control points are the polar form of the piece at interior knots, b and e, and values of it at b and e alone
- * continued as a polynomial of degree k in their number.
+ * the rounding of an evaluation there. Where G > 256 that knot has multiplicity degree instead and all
+ * control points of g keep their bits. So the old domain stays as it is to 2^8 times the rounding of g,
+ * however short its last span is. An end that is not clamped is clamped first. With the new end e and the old
+ * one b, the new control points are the polar form of the piece at interior knots, b and e, and values of it
+ * at b and e alone continued as a polynomial of degree k in their number.
  * Rounding: homogeneous points of the result are within 16 (degree + 1) eps G times the largest homogeneous
  * coordinate of g and of the result (tested), k at most the degree.
  * \param[in] g a spline.
@@ -1707,10 +1707,11 @@ NURBS_API nurbs_status nurbs_basis_matrix(int32_t from, int32_t to, int32_t degr
  * one, and all of them by the rounding that their computation may have, so that tolerances of 0 ask for what
  * double precision can tell. The geometric order is 0 where the points agree so, 1 where in addition the angle
  * between the tangents is at most angle_tolerance, and 2 where their curvature vectors (C'' - (C'' T) T) /
- * |C'|^2 differ by at most derivative_tolerance times the longer one, or times 1 / l, l the length |C'| h of the
- * longer one of the two spans [t, t + h]: along l a gap d turns the tangent by d l, so that no rounding breaks a
- * straight line. Where the first derivative vanishes the tangent is the limit, given by the first derivative that
- * does not, and the geometric order is at most 1; where all vanish it is at most 0, and the angle NaN.
+ * |C'|^2 differ by at most derivative_tolerance times the longer one, or times 1 / l, l the length |C'| h of
+ * the longer one of the two spans [t, t + h]: along l a gap d turns the tangent by d l, so that no rounding
+ * breaks a straight line. Where the first derivative vanishes the tangent is the limit, given by the first
+ * derivative that does not, and the geometric order is at most 1; where all vanish it is at most 0, and the
+ * angle NaN.
  * @{ */
 
 /** \brief Continuity at the knots of an axis: one row for each distinct knot inside the domain, and one more,
@@ -1792,8 +1793,9 @@ NURBS_API nurbs_status nurbs_deviation(const nurbs *f, const nurbs *g, double *a
  * Of a knot of multiplicity degree + 1, at which the spline may jump, both sides become their mean. On a
  * periodic axis the copies a period away go too; the last copy of a knot at the seam stays, and so does a
  * knot of an axis with no more than degree - multiplicity + 1 distinct layers. A copy whose removal would give
- * a weight that is negative, or all weights 0, stays. Unless weights differ much, what nurbs_insert_knot() put
- * in goes again, and points return, within (20 * 2^p + 80 * sum over axes of p_k + 1) eps * hull (tested).
+ * a weight that is negative beyond rounding, or all weights 0, stays. Unless weights differ much, what
+ * nurbs_insert_knot() put in goes again, and points return, within (20 * 2^p + 80 * sum over axes of p_k + 1)
+ * eps * hull (tested).
  * \param[in] g a spline.
  * \param[in] axis 0-based axis.
  * \param[in] knot the knot, inside the domain; on a periodic axis its ends too if they occur twice.
@@ -1832,9 +1834,9 @@ NURBS_API nurbs_status nurbs_reduce_knots(const nurbs *g, int32_t axis, double t
  * at least once, and its control points raised back to the degree of g are the closest to those of g: least
  * squares of coefficients (Lutterkort, Peters & Reif 1999), homogeneous points when rational, by a banded QR
  * factorisation. The ends of the shape are kept bit for bit, unless the degree becomes 0. Unclamped ends are
- * clamped first, a periodic axis stays periodic. Weights that are 0 to rounding become 0, their control points
- * the origin; one that has to lie at infinity makes the result homogeneous. What nurbs_elevate() made comes back to within 2^p * 8 eps *
- * hull, p the degree of the result (tested).
+ * clamped first, a periodic axis stays periodic. Weights that are 0 to rounding become 0, their control
+ * points the origin; one that has to lie at infinity makes the result homogeneous. What nurbs_elevate() made
+ * comes back to within 2^p * 8 eps * hull, p the degree of the result (tested).
  * \param[in] g a spline.
  * \param[in] axis 0-based axis.
  * \param[in] times by how much; 0 gives the same spline.

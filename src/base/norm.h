@@ -7,8 +7,8 @@
 
 namespace nrb {
 
-// The length of a vector whose component c is x(c), within (n / 2 + 2) eps of itself at any size; not finite if
-// a component is not. Cost: one square root, and a second pass for sizes whose squares are not safe.
+// The length of a vector whose component c is x(c), within (n / 2 + 2) eps of itself at any size; not finite
+// if a component is not. Cost: one square root, and a second pass for sizes whose squares are not safe.
 template <class Component>
 double norm_of(int n, Component &&x) noexcept {
     double sum = 0;

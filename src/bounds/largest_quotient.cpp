@@ -92,8 +92,8 @@ int next_axis(const QuotientPiece &piece) noexcept {
     return -1;
 }
 
-// The largest quotient of coefficients, which no mean of numerators exceeds relative to that of the denominators:
-// those have one sign, and where one is 0 so is the numerator. Infinite where that is not so.
+// The largest quotient of coefficients, which no mean of numerators exceeds relative to that of the
+// denominators: those have one sign, and where one is 0 so is the numerator. Infinite where that is not so.
 double ratio_bound(const QuotientPiece &piece) noexcept {
     const Denominators denominators(piece);
     double largest = 0;

@@ -33,7 +33,8 @@ struct QuotientPiece {
 // bound is infinite where W cannot be shown to be positive or negative throughout.
 Enclosure quotient_bounds(const QuotientPiece &piece);
 
-// The two halves of a piece along the axis next to last_axis that has a degree; `piece` becomes the upper one.
+// The two halves of a piece along the axis next to last_axis that has a degree; `piece` becomes the upper
+// one.
 QuotientPiece halve(QuotientPiece &piece);
 
 // The search ends when the bounds agree to a factor of 1 + ratio, beside rounding, or after `steps` halvings.

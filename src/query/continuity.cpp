@@ -88,9 +88,9 @@ Curvature curvature_of(const CurveSide &side, const Tangent &tangent) {
     return {std::move(vector), error};
 }
 
-// G2 of two curves with regular tangents that agree. Along a length l the gap d turns the tangent by d l at the
-// most, and a curvature k by k l: against the longer span a gap counts as none where it is less than the tolerance
-// of the turn, or of 1. So rounding does not break a straight line, at any scale.
+// G2 of two curves with regular tangents that agree. Along a length l the gap d turns the tangent by d l at
+// the most, and a curvature k by k l: against the longer span a gap counts as none where it is less than the
+// tolerance of the turn, or of 1. So rounding does not break a straight line, at any scale.
 void compare_curvatures(const CurveSide &before, const Tangent &tangent_before, const CurveSide &after,
                         const Tangent &tangent_after, const ContinuityRule &rule, Continuity &found) {
     const Curvature a = curvature_of(before, tangent_before), b = curvature_of(after, tangent_after);

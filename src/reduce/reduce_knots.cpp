@@ -55,8 +55,8 @@ Certified thin(const SplinePtr &spline, int axis, double tolerance, double aim, 
     return best;
 }
 
-// Weights that differ much make rounding larger than it is in any place: it is forgiven at first. Then half the
-// tolerance and less, where certificates fail.
+// Weights that differ much make rounding larger than it is in any place: it is forgiven at first. Then half
+// the tolerance and less, where certificates fail.
 Reduced reduce_axis(const SplinePtr &spline, int axis, double tolerance) {
     double aim = tolerance;
     bool forgive = spline->rational();

@@ -88,9 +88,9 @@ void check_positive_weights(const std::vector<double> &weights) {
 
 namespace {
 
-// How many control points have knots on both sides of the old end among their arguments. They are up to (1 + 2
-// amount / last span)^order times as large as the others, and so is the rounding of an evaluation that meets them,
-// on the old domain too: beyond 2^8 there are none, and the old end keeps multiplicity degree.
+// How many control points have knots on both sides of the old end among their arguments. They are up to (1 +
+// 2 amount / last span)^order times as large as the others, and so is the rounding of an evaluation that
+// meets them, on the old domain too: beyond 2^8 there are none, and the old end keeps multiplicity degree.
 int across(const KnotVector &axis, double end, int order) {
     constexpr double limit = 256;
     const int64_t n = axis.count();

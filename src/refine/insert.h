@@ -9,8 +9,8 @@ namespace nrb {
 // _OUTSIDE_DOMAIN, _TIMES, _MULTIPLICITY, _OVERFLOW, and what refine_axis() and with_axis() throw.
 SplinePtr insert_knot(const SplinePtr &spline, int axis, double knot, int64_t times);
 
-// Finite and in the domain, else NURBS_ERROR_PARAMETER_NOT_FINITE or _OUTSIDE_DOMAIN; messages name "knot", or
-// knots[index].
+// Finite and in the domain, else NURBS_ERROR_PARAMETER_NOT_FINITE or _OUTSIDE_DOMAIN; messages name "knot",
+// or knots[index].
 void check_knot(const KnotVector &axis, int k, double knot, int64_t index = -1);
 
 // A list of knots to insert, in any order, checked as for insert_knot() with messages that name knots[i]: the
