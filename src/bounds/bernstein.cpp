@@ -10,38 +10,6 @@ namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
-// Calls body with the product of the binomials that belong to a coefficient.
-template <class Body>
-void for_each_binomial(const BernsteinShape &shape, Body &&body) {
-    const auto &[a, b, c] = shape.degrees;
-    const double *first = binomials(a), *second = binomials(b), *third = binomials(c);
-    for (int i = 0; i <= a; ++i) {
-        for (int j = 0; j <= b; ++j) {
-            for (int k = 0; k <= c; ++k) {
-                body(first[i] * second[j] * third[k]);
-            }
-        }
-    }
-}
-
-// Times (or divided by) the binomials, after which products are convolutions.
-std::vector<double> weighted(const BernsteinShape &shape, const double *values) {
-    std::vector<double> result(values, values + shape.values());
-    double *at = result.data();
-    for_each_binomial(shape, [&](double factor) {
-        std::for_each_n(at, shape.width, [factor](double &x) { x *= factor; });
-        at += shape.width;
-    });
-    return result;
-}
-
-void unweight(const BernsteinShape &shape, double *values) {
-    for_each_binomial(shape, [&](double factor) {
-        std::for_each_n(values, shape.width, [factor](double &x) { x /= factor; });
-        values += shape.width;
-    });
-}
-
 // Adds a, times one coefficient of the other factor, to a part of the product, in which rows along the last
 // axis and planes of the last two lie so far apart.
 void add_scaled(const BernsteinShape &a, const double *from, double factor, double *out, int64_t row,
@@ -77,21 +45,34 @@ double product_error(const BernsteinShape &a, const BernsteinShape &b) noexcept 
     return eps / 2 * (static_cast<double>(std::min(a.coefficients(), b.coefficients())) + 18);
 }
 
-void multiply(const BernsteinShape &a, const double *left, const BernsteinShape &b, const double *right,
-              double *out) {
-    const BernsteinShape product = product_shape(a, b);
-    const std::vector<double> l = weighted(a, left), r = weighted(b, right);
-    std::fill_n(out, product.values(), 0.0);
-    const int64_t row = int64_t{product.degrees[2] + 1} * a.width, plane = (product.degrees[1] + 1) * row;
-    const double *factor = r.data();
-    for (int i = 0; i <= b.degrees[0]; ++i) {
-        for (int j = 0; j <= b.degrees[1]; ++j) {
-            for (int k = 0; k <= b.degrees[2]; ++k) {
-                add_scaled(a, l.data(), *factor++, out + i * plane + j * row + k * a.width, row, plane);
+std::vector<double> binomial_factors(const BernsteinShape &shape) {
+    const auto &[a, b, c] = shape.degrees;
+    const double *first = binomials(a), *second = binomials(b), *third = binomials(c);
+    std::vector<double> factors;
+    factors.reserve(static_cast<size_t>(shape.values()));
+    for (int i = 0; i <= a; ++i) {
+        for (int j = 0; j <= b; ++j) {
+            for (int k = 0; k <= c; ++k) {
+                factors.insert(factors.end(), static_cast<size_t>(shape.width),
+                               first[i] * second[j] * third[k]);
             }
         }
     }
-    unweight(product, out);
+    return factors;
+}
+
+void add_convolution(const BernsteinShape &a, const double *left, const BernsteinShape &b,
+                     const double *right, double *out) noexcept {
+    const BernsteinShape product = product_shape(a, b);
+    const int64_t row = int64_t{product.degrees[2] + 1} * a.width, plane = (product.degrees[1] + 1) * row;
+    for (int i = 0; i <= b.degrees[0]; ++i) {
+        for (int j = 0; j <= b.degrees[1]; ++j) {
+            double *target = out + i * plane + j * row;
+            for (int k = 0; k <= b.degrees[2]; ++k, target += a.width) {
+                add_scaled(a, left, *right++, target, row, plane);
+            }
+        }
+    }
 }
 
 void halve(const BernsteinShape &shape, int axis, double *values, double *lower) noexcept {

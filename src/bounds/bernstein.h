@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <vector>
 
 namespace nrb {
 
@@ -27,13 +28,18 @@ struct BernsteinShape {
 // 2 eps of itself.
 double elevation_coefficient(int low, int high, int i, int j) noexcept;
 
-// out = a * b for a scalar b; the degrees add up. Every value is within product_error() of itself, relative
-// to the sum of the magnitudes of its terms. Preconditions: b.width == 1; all degrees of the product are at
-// most max_product_degree; out overlaps neither. Cost: a.values() * b.coefficients().
+// The product of polynomials of these shapes, b a scalar one: the degrees add up. Every value is within
+// product_error() of itself, relative to the sum of the magnitudes of its terms. Precondition: b.width == 1; all
+// degrees of the product are at most max_product_degree.
 BernsteinShape product_shape(const BernsteinShape &a, const BernsteinShape &b) noexcept;
 double product_error(const BernsteinShape &a, const BernsteinShape &b) noexcept;
-void multiply(const BernsteinShape &a, const double *left, const BernsteinShape &b, const double *right,
-              double *out);
+
+// For each value the binomials that belong to its coefficient: times these, factors are multiplied by
+// add_convolution(), and divided by those of its shape the sum is the product.
+std::vector<double> binomial_factors(const BernsteinShape &shape);
+// out += a * b; out overlaps neither. Cost: a.values() * b.coefficients().
+void add_convolution(const BernsteinShape &a, const double *left, const BernsteinShape &b,
+                     const double *right, double *out) noexcept;
 
 // de Casteljau's subdivision in the middle of an axis of the three: `values` becomes the upper half. `degree`
 // means on end, so that each value is within degree * eps / 2 of itself, relative to the same means of

@@ -106,23 +106,47 @@ DeviationPieces::DeviationPieces(const Spline &f, const Spline &g, int axis, Int
 
 namespace {
 
-// One piece of both splines, and the sizes that its errors are counted in.
-class Difference {
+void scale(std::vector<double> &values, const std::vector<double> &factors) noexcept {
+    for (size_t i = 0; i < values.size(); ++i) {
+        values[i] *= factors[i];
+    }
+}
+
+void unscale(std::vector<double> &values, const std::vector<double> &factors) noexcept {
+    for (size_t i = 0; i < values.size(); ++i) {
+        values[i] /= factors[i];
+    }
+}
+
+} // namespace
+
+// The pieces of both splines, one after another, and the sizes that their errors are counted in.
+class DeviationPieces::Difference {
 public:
-    Difference(const BernsteinNet &f, const BernsteinNet &g, int64_t piece)
-        : f_(f), g_(g), size_(std::max(f.size(piece), g.size(piece))), vector_(f.shape()),
-          scalar_(f.shape()) {
+    Difference(const BernsteinNet &f, const BernsteinNet &g)
+        : f_(f), g_(g), vector_(f.shape()), scalar_(f.shape()) {
         vector_.width -= f.weighted() ? 1 : 0;
         scalar_.width = 1;
-        w_.resize(f.weighted() ? static_cast<size_t>(scalar_.values()) : 0);
-        v_ = w_;
+        numerator_ = product_shape(vector_, scalar_);
+        denominator_ = product_shape(scalar_, scalar_);
         a_.resize(static_cast<size_t>(vector_.values()));
-        b_.resize(a_.size());
-        f.copy(piece, a_.data(), w_.data());
-        g.copy(piece, b_.data(), v_.data());
+        b_ = a_;
+        if (f.weighted()) {
+            w_.resize(static_cast<size_t>(scalar_.values()));
+            v_ = e_ = w_;
+            vector_factors_ = binomial_factors(vector_);
+            scalar_factors_ = binomial_factors(scalar_);
+            numerator_factors_ = binomial_factors(numerator_);
+            denominator_factors_ = binomial_factors(denominator_);
+        }
     }
 
-    void fill(QuotientPiece &out) {
+    void fill(int64_t piece, QuotientPiece &out) {
+        out.numerator_error = out.quotient_error = out.denominator_error = out.denominator_factor = 0;
+        out.last_axis = -1;
+        size_ = std::max(f_.size(piece), g_.size(piece));
+        f_.copy(piece, a_.data(), w_.data());
+        g_.copy(piece, b_.data(), v_.data());
         for (size_t i = 0; i < a_.size(); ++i) {
             a_[i] -= b_[i];
         }
@@ -131,55 +155,66 @@ public:
             return fill_alike(out);
         }
         measure();
-        fill_products(out);
         relative &&std::isfinite(ratio_) ? add_relative_errors(out) : add_absolute_errors(out);
+        fill_products(out);
     }
 
 private:
     // (A - B) / w, where w* and v* may differ by their errors.
-    void fill_alike(QuotientPiece &out) {
+    void fill_alike(QuotientPiece &out) const {
         out.shape = vector_;
-        out.numerators = std::move(a_);
-        out.denominators = std::move(w_);
+        out.numerators = a_;
+        out.denominators = w_;
         const double gamma = f_.error() + g_.error();
-        out.quotient_error = size_ * gamma * (out.denominators.empty() ? 1.01 : 2.02);
-        out.denominator_factor = out.denominators.empty() ? 0 : f_.error() * 1.01;
+        out.quotient_error = size_ * gamma * (w_.empty() ? 1.01 : 2.02);
+        out.denominator_factor = w_.empty() ? 0 : f_.error() * 1.01;
         double largest = 0;
-        for (size_t i = 0; i < out.numerators.size(); ++i) {
-            const double w =
-                out.denominators.empty() ? 1 : out.denominators[i / static_cast<size_t>(vector_.width)];
-            largest = w > 0 ? std::max(largest, std::abs(out.numerators[i]) / w) : largest;
+        for (size_t i = 0; i < a_.size(); ++i) {
+            const double w = w_.empty() ? 1 : w_[i / static_cast<size_t>(vector_.width)];
+            largest = w > 0 ? std::max(largest, std::abs(a_[i]) / w) : largest;
         }
         out.quotient_error += eps * largest * std::sqrt(vector_.width);
     }
 
     // The largest |A - B| / w, |w - v| / w and v / w; a weight of 0 in one spline only makes them infinite.
     void measure() {
-        e_.resize(w_.size());
-        for (size_t i = 0; i < w_.size(); ++i) {
+        ratio_ = 1;
+        points_apart_ = weights_apart_ = 0;
+        const double *step = a_.data();
+        for (size_t i = 0; i < w_.size(); ++i, step += vector_.width) {
             e_[i] = w_[i] - v_[i];
             if (w_[i] == 0 && v_[i] == 0) {
                 continue;
             }
-            const auto width = static_cast<size_t>(vector_.width);
-            const double step = largest_magnitude({a_.data() + i * width, width});
+            double largest = 0;
+            for (int c = 0; c < vector_.width; ++c) {
+                largest = std::max(largest, std::abs(step[c]));
+            }
             ratio_ = std::max(ratio_, v_[i] / w_[i]);
-            points_apart_ = std::max(points_apart_, step * std::sqrt(vector_.width) / w_[i]);
+            points_apart_ = std::max(points_apart_, largest * std::sqrt(vector_.width) / w_[i]);
             weights_apart_ = std::max(weights_apart_, std::abs(e_[i]) / w_[i]);
         }
     }
 
+    // (A - B) v - B (w - v) and w v. Destroys the factors.
     void fill_products(QuotientPiece &out) {
-        out.shape = product_shape(vector_, scalar_);
-        out.numerators.resize(static_cast<size_t>(out.shape.values()));
-        out.denominators.resize(static_cast<size_t>(product_shape(scalar_, scalar_).values()));
-        std::vector<double> rest(out.numerators.size());
-        multiply(vector_, a_.data(), scalar_, v_.data(), out.numerators.data());
-        multiply(vector_, b_.data(), scalar_, e_.data(), rest.data());
-        for (size_t i = 0; i < rest.size(); ++i) {
-            out.numerators[i] -= rest[i];
+        scale(a_, vector_factors_);
+        scale(b_, vector_factors_);
+        scale(w_, scalar_factors_);
+        scale(v_, scalar_factors_);
+        scale(e_, scalar_factors_);
+        out.shape = numerator_;
+        out.numerators.assign(numerator_factors_.size(), 0);
+        out.denominators.assign(denominator_factors_.size(), 0);
+        rest_.assign(numerator_factors_.size(), 0);
+        add_convolution(vector_, a_.data(), scalar_, v_.data(), out.numerators.data());
+        add_convolution(vector_, b_.data(), scalar_, e_.data(), rest_.data());
+        add_convolution(scalar_, w_.data(), scalar_, v_.data(), out.denominators.data());
+        for (size_t i = 0; i < rest_.size(); ++i) {
+            out.numerators[i] -= rest_[i];
         }
-        multiply(scalar_, w_.data(), scalar_, v_.data(), out.denominators.data());
+        unscale(out.numerators, numerator_factors_);
+        unscale(out.denominators, denominator_factors_);
     }
 
     // Errors of A - B and v, of B and w - v, and of the products, each relative to the sums of w v.
@@ -211,28 +246,24 @@ private:
 
     const BernsteinNet &f_;
     const BernsteinNet &g_;
-    double size_;
-    BernsteinShape vector_, scalar_;
-    std::vector<double> a_, b_, w_, v_, e_;
+    BernsteinShape vector_, scalar_, numerator_, denominator_;
+    std::vector<double> vector_factors_, scalar_factors_, numerator_factors_, denominator_factors_;
+    std::vector<double> a_, b_, w_, v_, e_, rest_; // of the present piece
+    double size_ = 0;
     double ratio_ = 1;
     double points_apart_ = 0;
     double weights_apart_ = 0;
 };
 
-} // namespace
-
-void DeviationPieces::fill(int64_t piece, QuotientPiece &out) const {
-    out.numerator_error = out.quotient_error = out.denominator_error = out.denominator_factor = 0;
-    out.last_axis = -1;
-    Difference(f_, g_, piece).fill(out);
-}
-
 std::vector<double> DeviationPieces::uppers() const {
-    return quotient_uppers(pieces(), [this](int64_t i, QuotientPiece &out) { fill(i, out); });
+    return quotient_uppers(pieces(), [difference = Difference(f_, g_)](
+                                         int64_t i, QuotientPiece &out) mutable { difference.fill(i, out); });
 }
 
 Enclosure DeviationPieces::enclosure(std::span<const double> uppers) const {
-    return largest_quotient(uppers, [this](int64_t i, QuotientPiece &out) { fill(i, out); });
+    return largest_quotient(uppers, [difference = Difference(f_, g_)](int64_t i, QuotientPiece &out) mutable {
+        difference.fill(i, out);
+    });
 }
 
 Enclosure deviation(const Spline &f, const Spline &g) {

@@ -21,8 +21,6 @@ public:
 
     [[nodiscard]] int64_t pieces() const noexcept { return f_.pieces(); }
     [[nodiscard]] const BernsteinNet::Breaks &breaks() const noexcept { return breaks_; }
-    // Reuses the memory of `out`.
-    void fill(int64_t piece, QuotientPiece &out) const;
     // A bound for each piece.
     [[nodiscard]] std::vector<double> uppers() const;
     // Of the largest distance.
@@ -30,6 +28,7 @@ public:
 
 private:
     struct Setting;
+    class Difference;
     DeviationPieces(const Spline &f, const Spline &g, const Setting &setting);
 
     BernsteinNet::Breaks breaks_;
