@@ -34,6 +34,10 @@ public:
     [[nodiscard]] double centre(int c) const noexcept { return record(heaviest_)[c] / weight(heaviest_); }
     // From there to any other that has a place.
     [[nodiscard]] double radius() const noexcept {
+        const double quick = largest_square();
+        if (quick > 1e-280 && quick < 1e300) {
+            return std::sqrt(quick);
+        }
         double largest = 0;
         for (int i = 0; i < size_; ++i) {
             const double apart = norm_of(dim_, [&](int c) { return record(i)[c] / weight(i) - centre(c); });
@@ -53,6 +57,24 @@ public:
     }
 
 private:
+    // Of the radius, with one division for each point.
+    [[nodiscard]] double largest_square() const noexcept {
+        const double *middle = record(heaviest_);
+        const double shrink = 1 / weight(heaviest_);
+        double largest = 0;
+        for (int i = 0; i < size_; ++i) {
+            const double *point = record(i);
+            const double scale = 1 / weight(i);
+            double square = 0;
+            for (int c = 0; c < dim_; ++c) {
+                const double apart = point[c] * scale - middle[c] * shrink;
+                square += apart * apart;
+            }
+            largest = weight(i) > 0 ? std::max(largest, square) : largest;
+        }
+        return largest;
+    }
+
     double *const *layers_;
     int size_;
     int64_t at_;
@@ -85,7 +107,7 @@ void Thinning::link_knots() {
         const bool inside = value > lower && value < upper;
         const int64_t layer = axis_.periodic() ? (first + i) % count : i;
         knots_.push_back({value, (i + 1) % count, (i + count - 1) % count, layer, 0, 0, true,
-                          inside || (axis_.periodic() && i > 0), false});
+                          inside || (axis_.periodic() && i > 0), true});
     }
 }
 
@@ -223,7 +245,7 @@ void Thinning::queue_all() {
     for (int64_t i = 0; i < std::ssize(knots_); ++i) {
         Knot &at = knots_[static_cast<size_t>(i)];
         if (removable(i)) {
-            at.key = key_of(i);
+            at.key = at.stale ? key_of(i) : at.key;
             at.stale = false;
             if (at.key < infinite) {
                 heap_.push_back({at.key, i});
@@ -268,10 +290,14 @@ bool Thinning::remove(int64_t knot, double tolerance) {
     if (!locate(knot, window)) {
         return false;
     }
-    const double step = cost(window);
+    const double step = knots_[static_cast<size_t>(knot)].key;
     double before = 0;
     for_each_span(window, [&](const Knot &at) { before = std::max(before, at.error); });
-    if (!(before + step <= tolerance) || !solve(window)) {
+    if (!(before + step <= tolerance)) {
+        return false;
+    }
+    find_gap(window);
+    if (!solve(window)) {
         return false;
     }
     for_each_span(window, [&](Knot &at) { at.error += step; });
