@@ -17,7 +17,7 @@ public:
 
     [[nodiscard]] int dim() const noexcept { return dim_; }
     [[nodiscard]] int order() const noexcept { return static_cast<int>(errors_.size()) - 1; }
-    [[nodiscard]] const double *at(int k) const noexcept { return derivs_.data() + k * dim_; }
+    [[nodiscard]] const double *at(int k) const noexcept { return derivs_.data() + int64_t{k} * dim_; }
     [[nodiscard]] double error(int k) const noexcept { return errors_[static_cast<size_t>(k)]; }
     [[nodiscard]] double length(int k) const noexcept;
     // How long the span would be at the speed that the curve has here.

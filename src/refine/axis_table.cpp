@@ -72,4 +72,17 @@ SplinePtr with_axis(const Spline &spline, int k, const AxisTable &made) {
                        std::move(net.weights));
 }
 
+SplinePtr with_axis(const Spline &spline, int k, KnotVectorPtr axis, int64_t unit, const RowSource &rows) {
+    constexpr int64_t few = 4096; // rows, whose table stays in the cache
+    const int64_t count = axis->count();
+    LayerMaker maker(spline, k, count);
+    const int64_t part = maker.in_parts() ? std::max(few / unit, int64_t{1}) * unit : count;
+    for (int64_t first = 0; first < count; first += part) {
+        maker.append(rows(first, std::min(first + part, count)));
+    }
+    Net net = maker.finish();
+    return make_spline(with_axis(spline, k, std::move(axis)), spline.dim(), spline.form(),
+                       std::move(net.points), std::move(net.weights));
+}
+
 } // namespace nrb

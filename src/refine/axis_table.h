@@ -4,6 +4,7 @@
 #include "refine/refinement.h"
 #include "spline/layer_table.h"
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -32,5 +33,9 @@ std::vector<double> merged(std::span<const double> knots, std::span<const double
 SplinePtr with_axis(const Spline &spline, int k, const AxisTable &made);
 // The same for a table and an axis that are known to give a valid spline.
 Spline::Axes with_axis(const Spline &spline, int k, KnotVectorPtr axis);
+// The same with the table in parts: rows(first, end) are those of layers first, ..., end - 1. Boundaries of parts
+// are multiples of `unit`.
+using RowSource = std::function<LayerTable(int64_t first, int64_t end)>;
+SplinePtr with_axis(const Spline &spline, int k, KnotVectorPtr axis, int64_t unit, const RowSource &rows);
 
 } // namespace nrb

@@ -13,11 +13,11 @@ public:
     explicit BezierRows(const KnotVector &axis)
         : degree_(axis.degree()), knots_(axis.knots()), spans_(axis.spans().indices()) {}
 
-    LayerTable make() {
-        const int64_t spans = std::ssize(spans_);
-        table_.reserve(spans * (degree_ + 1), degree_ + 1);
-        for (int64_t e = 0; e < spans;) {
-            const int64_t alike = run(e);
+    LayerTable make(int64_t first, int64_t end) {
+        table_.reserve((end - first) * (degree_ + 1), degree_ + 1);
+        first_ = first;
+        for (int64_t e = first; e < end;) {
+            const int64_t alike = run(e, end);
             if (alike >= row_lanes) {
                 e += add_spans(e, alike - alike % row_lanes);
             } else {
@@ -51,19 +51,21 @@ private:
     }
 
     // How many spans from e on, inner ones, have as many knots at either end.
-    [[nodiscard]] int64_t run(int64_t e) const noexcept {
-        if (e == 0) {
+    [[nodiscard]] int64_t run(int64_t e, int64_t limit) const noexcept {
+        if (e == first_) {
             return 0;
         }
         const int64_t multiplicity = span(e) - span(e - 1);
+        const int64_t last = std::min(limit, std::ssize(spans_) - 1);
         int64_t end = e;
-        while (end + 1 < std::ssize(spans_) && span(end + 1) - span(end) == multiplicity) {
+        while (end < last && span(end + 1) - span(end) == multiplicity) {
             ++end;
         }
         return end - e;
     }
 
-    // The terms of the points of span e that are not the last one of the span before; returns their number.
+    // The terms of the points of span e that are not the last one of the span before, if that is made too;
+    // returns their number.
     int terms(int64_t e, PolarTerm *term) const noexcept {
         const double *start = knots_.data() + span(e), *end = start + 1;
         const auto starts = static_cast<int>(before(e)), ends = static_cast<int>(behind(e));
@@ -75,8 +77,11 @@ private:
         }
         return degree_ + 1 - first;
     }
-    // Whether span e begins with the last point of the span before: unless the spline is cut there.
-    [[nodiscard]] bool shared(int64_t e) const noexcept { return e > 0 && span(e) - span(e - 1) <= degree_; }
+    // Whether span e begins with the last point of the span before, which is made too: unless the spline is
+    // cut there.
+    [[nodiscard]] bool shared(int64_t e) const noexcept {
+        return e > first_ && span(e) - span(e - 1) <= degree_;
+    }
 
     void add_span(int64_t e) {
         PolarTerm term[max_basis];
@@ -123,13 +128,18 @@ private:
     int degree_;
     std::span<const double> knots_;
     std::span<const int64_t> spans_;
+    int64_t first_ = 0; // span that is made
     LayerTable table_;
 };
 
 } // namespace
 
 LayerTable bezier_rows(const KnotVector &axis) {
-    return BezierRows(axis).make();
+    return bezier_rows(axis, 0, axis.spans().size());
+}
+
+LayerTable bezier_rows(const KnotVector &axis, int64_t first, int64_t end) {
+    return BezierRows(axis).make(first, end);
 }
 
 std::vector<double> breaks_of(const KnotVector &axis) {

@@ -13,6 +13,8 @@ namespace nrb {
 // start of the span and i times its end. Ends of the span that are knots so often already cost nothing, the
 // others are de Boor's steps, as in Refinement::row() and with its bits.
 LayerTable bezier_rows(const KnotVector &axis);
+// Those of spans first, ..., end - 1.
+LayerTable bezier_rows(const KnotVector &axis, int64_t first, int64_t end);
 
 // The ends of the spans of the domain.
 std::vector<double> breaks_of(const KnotVector &axis);

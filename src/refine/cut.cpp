@@ -183,7 +183,11 @@ PartedSpline bezier_pieces(const SplinePtr &spline) {
     for (int k = 0; k < spline->axes(); ++k) {
         const KnotVector &axis = spline->axis(k);
         const std::vector<double> breaks = breaks_of(axis);
-        whole = with_axis(*whole, k, {bezier_knots(axis.degree(), breaks), bezier_rows(axis)});
+        const int64_t order = axis.degree() + 1;
+        whole =
+            with_axis(*whole, k, bezier_knots(axis.degree(), breaks), order, [&](int64_t first, int64_t end) {
+                return bezier_rows(axis, first / order, end / order);
+            });
         std::vector<int64_t> &bound = bounds[static_cast<size_t>(k)];
         for (size_t e = 0; e < breaks.size(); ++e) {
             bound.push_back(static_cast<int64_t>(e) * (axis.degree() + 1));

@@ -170,8 +170,17 @@ std::vector<double> uniform_new_knots(const KnotVector &axis, int k, int64_t par
 }
 
 SplinePtr refine(const SplinePtr &spline, int axis, std::span<const double> sorted_knots) {
-    return sorted_knots.empty() ? spline
-                                : with_axis(*spline, axis, refine_axis(spline->axis(axis), sorted_knots));
+    const KnotVector &old = spline->axis(axis);
+    if (sorted_knots.empty()) {
+        return spline;
+    }
+    if (old.periodic()) {
+        return with_axis(*spline, axis, refine_axis(old, sorted_knots));
+    }
+    auto fine = std::make_shared<const KnotVector>(old.degree(), merged(old.knots(), sorted_knots));
+    const Refinement refinement(old.degree(), old.knots(), fine->knots());
+    return with_axis(*spline, axis, std::move(fine), 1,
+                     [&](int64_t first, int64_t end) { return rows_of(refinement, first, end); });
 }
 
 } // namespace nrb

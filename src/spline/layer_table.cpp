@@ -6,6 +6,7 @@
 #include "spline/short_layers.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace nrb {
 
@@ -47,20 +48,18 @@ std::vector<double> finished(std::vector<double> layers) {
     return layers;
 }
 
-std::vector<double> combine_all(const LayerTable &table, const Layers &layers) {
-    std::vector<double> result = new_layers(layers.view, table.rows());
-    double *out = result.data();
-    for (int64_t o = 0; o < layers.view.outer; ++o) {
-        if (layers.padded && layers.view.inner <= longest_short_layer) {
-            combine_short(table, layers.at(o, 0), static_cast<int>(layers.view.inner), out);
-            out += table.rows() * layers.view.inner;
+// Writes the layers of a table, of which `total` belong to each outer index.
+void combine_all(const LayerTable &table, const Layers &layers, int64_t total, double *out) {
+    const int64_t inner = layers.view.inner;
+    for (int64_t o = 0; o < layers.view.outer; ++o, out += total * inner) {
+        if (layers.padded && inner <= longest_short_layer) {
+            combine_short(table, layers.at(o, 0), static_cast<int>(inner), out);
             continue;
         }
-        for (int64_t r = 0; r < table.rows(); ++r, out += layers.view.inner) {
-            combine(table, table.row(r), layers, o, out);
+        for (int64_t r = 0; r < table.rows(); ++r) {
+            combine(table, table.row(r), layers, o, out + r * inner);
         }
     }
-    return finished(std::move(result));
 }
 
 // Whether every homogeneous sum of a layer has a weight.
@@ -90,37 +89,33 @@ public:
           records_{spline.records().data(), axis_view(spline, axis, dim_ + 1), true},
           unscaled_(spline.records_exponent() == 0), sums_(static_cast<size_t>(records_.view.inner)) {}
 
-    Net apply(const LayerTable &table) {
-        if (weights_.view.inner == 1 && records_.view.inner <= longest_short_layer && unscaled_) {
-            std::vector<double> points = new_layers(points_.view, table.rows());
-            std::vector<double> weights = new_layers(weights_.view, table.rows());
-            if (apply_short(table, points.data(), weights.data())) {
-                return {finished(std::move(points)), finished(std::move(weights))};
-            }
+    void combine(const LayerTable &table, int64_t total, double *points, double *weights) {
+        const bool short_ones =
+            weights_.view.inner == 1 && records_.view.inner <= longest_short_layer && unscaled_;
+        if (!short_ones || !combine_short_ones(table, total, points, weights)) {
+            combine_long_ones(table, total, points);
+            combine_all(table, weights_, total, weights);
         }
-        return apply_long(table);
     }
 
 private:
-    bool apply_short(const LayerTable &table, double *points, double *weights) noexcept {
+    bool combine_short_ones(const LayerTable &table, int64_t total, double *points,
+                            double *weights) const noexcept {
         bool weighted = true;
         for (int64_t o = 0; o < records_.view.outer && weighted; ++o) {
             const ShortNet net{records_.at(o, 0), points_.at(o, 0), weights_.at(o, 0), dim_};
-            weighted =
-                combine_short(table, net, points + o * table.rows() * dim_, weights + o * table.rows());
+            weighted = combine_short(table, net, points + o * total * dim_, weights + o * total);
         }
         return weighted;
     }
 
-    Net apply_long(const LayerTable &table) {
-        std::vector<double> points = new_layers(points_.view, table.rows());
-        double *out = points.data();
-        for (int64_t o = 0; o < records_.view.outer; ++o) {
-            for (int64_t r = 0; r < table.rows(); ++r, out += points_.view.inner) {
-                combine_points(table, table.row(r), o, out);
+    void combine_long_ones(const LayerTable &table, int64_t total, double *points) noexcept {
+        const int64_t inner = points_.view.inner;
+        for (int64_t o = 0; o < records_.view.outer; ++o, points += total * inner) {
+            for (int64_t r = 0; r < table.rows(); ++r) {
+                combine_points(table, table.row(r), o, points + r * inner);
             }
         }
-        return {finished(std::move(points)), combine_all(table, weights_)};
     }
 
     void combine_points(const LayerTable &table, const LayerTable::Row &row, int64_t outer,
@@ -129,9 +124,9 @@ private:
             std::copy_n(points_.at(outer, row.first), points_.view.inner, out);
             return;
         }
-        combine(table, row, records_, outer, sums_.data());
+        nrb::combine(table, row, records_, outer, sums_.data());
         if (!weighted(sums_.data(), weights_.view.inner, dim_)) {
-            combine(table, row, points_, outer, out);
+            nrb::combine(table, row, points_, outer, out);
         }
         project(sums_.data(), weights_.view.inner, dim_, out);
     }
@@ -146,13 +141,44 @@ private:
 
 } // namespace
 
-Net apply_along(const Spline &spline, int axis, const LayerTable &table) {
+struct LayerMaker::Sources {
+    Layers plain;
+    std::optional<RationalLayers> rational;
+};
+
+LayerMaker::LayerMaker(const Spline &spline, int axis, int64_t rows)
+    : view_(axis_view(spline, axis, spline.stored_width())), rows_(rows),
+      sources_(std::make_unique<Sources>(Sources{{spline.points().data(), view_, true}, {}})) {
+    net_.points = new_layers(view_, rows);
     if (spline.form() == Form::rational) {
-        return RationalLayers(spline, axis).apply(table);
+        sources_->rational.emplace(spline, axis);
+        net_.weights = new_layers(axis_view(spline, axis, 1), rows);
     }
-    return {
-        combine_all(table, {spline.points().data(), axis_view(spline, axis, spline.stored_width()), true}),
-        {}};
+}
+
+LayerMaker::~LayerMaker() = default;
+
+void LayerMaker::append(const LayerTable &table) {
+    double *points = net_.points.data() + done_ * view_.inner;
+    if (sources_->rational.has_value()) {
+        const int64_t records = std::ssize(net_.weights) - static_cast<int64_t>(Spline::padding);
+        double *weights = net_.weights.data() + done_ * (records / (view_.outer * rows_));
+        sources_->rational->combine(table, rows_, points, weights);
+    } else {
+        combine_all(table, sources_->plain, rows_, points);
+    }
+    done_ += table.rows();
+}
+
+Net LayerMaker::finish() {
+    return {finished(std::move(net_.points)),
+            sources_->rational.has_value() ? finished(std::move(net_.weights)) : std::vector<double>()};
+}
+
+Net apply_along(const Spline &spline, int axis, const LayerTable &table) {
+    LayerMaker maker(spline, axis, table.rows());
+    maker.append(table);
+    return maker.finish();
 }
 
 } // namespace nrb

@@ -115,10 +115,35 @@ struct Net {
     std::vector<double> weights;
 };
 
-// Applies a table along an axis of a spline. The result has the form of the spline; copied layers keep their
-// stored bits. Sums are formed in homogeneous space; where all weights of a sum are 0 the Cartesian points
-// are combined in their place, so that a point of weight 0 keeps a position. Throws
-// NURBS_ERROR_NOT_REPRESENTABLE when a value overflows, and _OVERFLOW.
+// Makes the layers of a new net from tables, one after another. The result has the form of the spline; copied
+// layers keep their stored bits. Sums are formed in homogeneous space; where all weights of a sum are 0 the
+// Cartesian points are combined in their place, so that a point of weight 0 keeps a position.
+class LayerMaker {
+public:
+    // For `rows` layers in all. The spline must outlive this. Throws NURBS_ERROR_OVERFLOW.
+    LayerMaker(const Spline &spline, int axis, int64_t rows);
+    LayerMaker(const LayerMaker &) = delete;
+    LayerMaker &operator=(const LayerMaker &) = delete;
+    ~LayerMaker();
+
+    // Whether the layers may come in more than one table, which for large curves saves memory: layers then
+    // follow each other.
+    [[nodiscard]] bool in_parts() const noexcept { return view_.outer == 1; }
+    void append(const LayerTable &table);
+    // When all have been appended. Throws NURBS_ERROR_NOT_REPRESENTABLE when a value overflows.
+    Net finish();
+
+private:
+    struct Sources;
+
+    AxisView view_;
+    int64_t rows_;
+    int64_t done_ = 0;
+    Net net_;
+    std::unique_ptr<Sources> sources_;
+};
+
+// The same with one table.
 Net apply_along(const Spline &spline, int axis, const LayerTable &table);
 
 } // namespace nrb

@@ -120,6 +120,14 @@ TEST(Rows, of_bezier_pieces_are_those_of_refinement) {
                                        table.coefficients(row)));
             }
             expect_monomials(table, axis, *nrb::bezier_knots(degree, breaks));
+            const int64_t from = 1 + static_cast<int64_t>(random() % 10);
+            const LayerTable part = nrb::bezier_rows(axis, from, std::ssize(breaks) - 2);
+            for (int64_t r = 0; r < part.rows(); ++r) {
+                const LayerTable::Row &row = part.row(r), &wanted = table.row(from * (degree + 1) + r);
+                ASSERT_TRUE(row.first == wanted.first && row.size == wanted.size) << r;
+                ASSERT_TRUE(std::equal(part.coefficients(row), part.coefficients(row) + row.size,
+                                       table.coefficients(wanted)));
+            }
         }
     }
 }
