@@ -34,22 +34,24 @@ std::vector<double> sizes_of(const KnotVector &axis, int64_t span, int order, do
 CurveSide::CurveSide(const Spline &curve, double t, bool left, int order, double accuracy)
     : dim_(curve.dim()) {
     const KnotVector &axis = curve.axis(0);
-    const int p = axis.degree(), width = curve.width();
+    const int p = axis.degree();
+    const int64_t width = curve.width();
     const int64_t span = axis.find_span(t, left);
     span_ = axis[span + 1] - axis[span];
     std::vector<double> basis(static_cast<size_t>((order + 1) * (p + 1)));
     basis_derivs(axis.knots().data(), p, span, t, order, basis.data());
     std::vector<double> points(static_cast<size_t>((p + 1) * width)),
         records(static_cast<size_t>((order + 1) * width));
-    double sizes[max_basis], weights[max_basis];
+    double sizes[max_basis] = {}, weights[max_basis] = {};
     for (int j = 0; j <= p; ++j) {
         double *point = points.data() + j * width;
-        curve.record_part(span - p + j, 0, width, point);
+        curve.record_part(span - p + j, 0, curve.width(), point);
         sizes[j] = norm(point, dim_);
         weights[j] = curve.rational() ? std::abs(point[dim_]) : 1;
     }
     for (int k = 0; k <= order; ++k) {
-        contract(basis.data() + k * (p + 1), p + 1, points.data(), width, width, records.data() + k * width);
+        contract(basis.data() + int64_t{k} * (p + 1), p + 1, points.data(), width, width,
+                 records.data() + k * width);
     }
     const std::vector<double> magnitudes = sizes_of(axis, span, order, sizes);
     if (curve.rational()) {
@@ -66,13 +68,14 @@ CurveSide::CurveSide(const Spline &curve, double t, bool left, int order, double
 // The quotient rule, in values and in magnitudes.
 void CurveSide::divide(const std::vector<double> &records, const std::vector<double> &sizes,
                        const std::vector<double> &weight_sizes) {
-    const int width = dim_ + 1, orders = static_cast<int>(sizes.size());
+    const int64_t width = dim_ + 1;
+    const auto orders = static_cast<int>(sizes.size());
     const double w = records[static_cast<size_t>(dim_)];
     derivs_.resize(static_cast<size_t>(orders * dim_));
     errors_.resize(static_cast<size_t>(orders));
     for (int k = 0; k < orders; ++k) {
         const double *record = records.data() + k * width;
-        double *derivative = derivs_.data() + k * dim_;
+        double *derivative = derivs_.data() + int64_t{k} * dim_;
         std::copy_n(record, dim_, derivative);
         double size = sizes[static_cast<size_t>(k)];
         for (int i = 1; i <= k; ++i) {

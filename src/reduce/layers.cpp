@@ -41,9 +41,9 @@ int64_t layer_length(const Spline &spline, int axis) {
 }
 
 std::vector<double> layer_records(const Spline &spline, int axis) {
-    const std::vector<double> records =
-        spline.rational() ? homogeneous_points(spline)
-                          : std::vector<double>(spline.points().begin(), spline.points().end());
+    std::vector<double> records = spline.rational()
+                                      ? homogeneous_points(spline)
+                                      : std::vector<double>(spline.points().begin(), spline.points().end());
     const AxisView view = axis_view(spline, axis, spline.width());
     if (view.outer == 1) {
         return records;

@@ -44,7 +44,7 @@ void solve_row(double *target, double sign, const double *gap, double factor, co
 } // namespace
 
 RemovalStep removal_step(const double *last, int degree, int multiplicity) noexcept {
-    RemovalStep step; // of whose arrays only the beginnings are used
+    RemovalStep step{};
     step.rows = degree - multiplicity + 1;
     for (int i = 0; i < step.rows; ++i) {
         const auto [alpha, beta] = split(1.0, last[i - degree], *last, last[i + 1]);

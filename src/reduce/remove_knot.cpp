@@ -93,7 +93,7 @@ public:
         collect_kept();
         const int64_t lower = place(last_ == p ? p - 1 : p); // the copy that is to start the domain
         const auto first = kept_.begin() + lower - p;
-        std::vector<double> knots(first, first + period_ + 2 * p);
+        std::vector<double> knots(first, first + period_ + 2 * int64_t{p});
         check_domain(knots);
         AxisTable made{std::make_shared<const KnotVector>(p, std::move(knots), true), {}};
         const std::vector<Row> rows = layers_of_one_period();
@@ -142,6 +142,7 @@ private:
         const int p = axis_.degree();
         window_ = window_rows(extended_.data() + lead_ + last_, p, multiplicity_);
         std::vector<Row> rows;
+        rows.reserve(static_cast<size_t>(period_));
         for (int row = 0; row < window_.count; ++row) {
             rows.push_back({last_ - p - 1, window_.size, window_.entries[row]});
         }

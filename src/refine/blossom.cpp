@@ -23,8 +23,8 @@ public:
     }
     // Whether a knot was among them; it is used up.
     bool take(double knot) noexcept {
-        const auto end = values_.begin() + size_;
-        const auto found = std::find(values_.begin(), end, knot);
+        double *const end = values_.data() + size_;
+        double *const found = std::find(values_.data(), end, knot);
         if (found == end) {
             return false;
         }
