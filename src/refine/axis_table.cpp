@@ -25,7 +25,7 @@ LayerTable rows_of(const Refinement &refinement, int64_t first, int64_t end) {
             table.add_copy(layer);
             continue;
         }
-        const int64_t alike = steps == degree ? std::min(refinement.alike(j), end - j) : 1;
+        const int64_t alike = steps == degree ? refinement.alike(j, end) : 1;
         if (alike >= many) {
             polar_rows(degree, left, right, arguments, alike, table.room(0));
             const LayerTable::Row row{layer, degree + 1, 0};

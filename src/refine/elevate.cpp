@@ -24,13 +24,14 @@ KnotVectorPtr raised(const KnotVector &axis, std::vector<double> knots) {
 } // namespace
 
 AxisTable elevate_axis(const KnotVector &axis, int64_t times) {
-    ElevatedAxis step = elevated_axis(axis);
-    KnotVectorPtr knots = raised(axis, std::move(step.knots));
-    LayerTable table = std::move(step.rows);
+    const Elevation first(axis);
+    KnotVectorPtr knots = raised(axis, first.knots());
+    LayerTable table = first.rows(0, first.rows());
     for (int64_t i = 1; i < times; ++i) {
-        step = elevated_axis(*knots);
-        knots = raised(*knots, std::move(step.knots));
-        table = composed(step.rows, table, axis.distinct_layers());
+        const KnotVectorPtr below = std::move(knots);
+        const Elevation next(*below);
+        knots = raised(*below, next.knots());
+        table = composed(next.rows(0, next.rows()), table, axis.distinct_layers());
     }
     if (axis.periodic()) {
         table = wrapped_rows(table, 0, knots->degree(), axis.distinct_layers());
@@ -39,8 +40,17 @@ AxisTable elevate_axis(const KnotVector &axis, int64_t times) {
 }
 
 SplinePtr elevate(const SplinePtr &spline, int axis, int64_t times) {
-    check_times(spline->axis(axis).degree(), axis, times);
-    return times == 0 ? spline : with_axis(*spline, axis, elevate_axis(spline->axis(axis), times));
+    const KnotVector &old = spline->axis(axis);
+    check_times(old.degree(), axis, times);
+    if (times == 0) {
+        return spline;
+    }
+    if (times > 1 || old.periodic()) {
+        return with_axis(*spline, axis, elevate_axis(old, times));
+    }
+    const Elevation elevation(old);
+    return with_axis(*spline, axis, raised(old, elevation.knots()), 1,
+                     [&](int64_t first, int64_t end) { return elevation.rows(first, end); });
 }
 
 } // namespace nrb

@@ -11,12 +11,7 @@ namespace nrb {
 
 namespace {
 
-// A knot of the old vector: its first index, and how often it occurs there.
-struct Group {
-    double knot;
-    int64_t first;
-    int multiplicity;
-};
+using Group = Elevation::Group;
 
 std::vector<Group> groups_of(std::span<const double> knots) {
     std::vector<Group> groups;
@@ -162,8 +157,9 @@ public:
         : degree_(axis.degree()), groups_(groups), shift_(shift), table_(table),
           window_(degree_, knots, groups) {}
 
+    // Rows that begin at raised knots `at`, ..., end - 1.
     void make(int64_t at, int64_t end) {
-        for (int64_t group = 0; at < end;) {
+        for (int64_t group = first_group(at); at < end;) {
             while (group + 1 < std::ssize(groups_) && window_.raised_first(group + 1) <= at) {
                 ++group;
             }
@@ -177,18 +173,31 @@ private:
         return groups_[static_cast<size_t>(group)].multiplicity;
     }
 
+    // The group of a raised knot.
+    [[nodiscard]] int64_t first_group(int64_t at) const noexcept {
+        int64_t low = 0, high = std::ssize(groups_) - 1;
+        while (low < high) {
+            const int64_t middle = (low + high + 1) / 2;
+            (window_.raised_first(middle) <= at ? low : high) =
+                window_.raised_first(middle) <= at ? middle : middle - 1;
+        }
+        return low;
+    }
+
     // How many of the next groups, a multiple of row_lanes, have windows that see knots of one multiplicity
     // only: none reaches further than degree + 1 groups before the first and twice as many behind the last.
     int64_t alike(int64_t at, int64_t group, int64_t end) {
+        const int64_t reach = degree_ + 1;
+        const int64_t wanted = (end - at) / (multiplicity(group) + 1);
         if (group >= run_end_) {
+            const int64_t last = std::min(std::ssize(groups_), group + wanted + 2 * reach + 1);
             run_first_ = group;
             run_end_ = group + 1;
-            while (run_end_ < std::ssize(groups_) && multiplicity(run_end_) == multiplicity(group)) {
+            while (run_end_ < last && multiplicity(run_end_) == multiplicity(group)) {
                 ++run_end_;
             }
         }
-        const int64_t reach = degree_ + 1;
-        const int64_t groups = std::min(run_end_ - 2 * reach - group, (end - at) / (multiplicity(group) + 1));
+        const int64_t groups = std::min(run_end_ - 2 * reach - group, wanted);
         return group - reach < run_first_ || groups < row_lanes ? 0 : groups - groups % row_lanes;
     }
 
@@ -240,15 +249,6 @@ private:
     int64_t run_end_ = 0;
 };
 
-std::vector<double> raised_knots(const std::vector<Group> &groups) {
-    std::vector<double> raised;
-    raised.reserve(groups.size() + static_cast<size_t>(groups.back().first + groups.back().multiplicity));
-    for (const Group &group : groups) {
-        raised.insert(raised.end(), static_cast<size_t>(group.multiplicity) + 1, group.knot);
-    }
-    return raised;
-}
-
 int64_t group_at(const std::vector<Group> &groups, int64_t index) noexcept {
     const auto behind = std::upper_bound(groups.begin(), groups.end(), index,
                                          [](int64_t i, const Group &group) { return i < group.first; });
@@ -283,22 +283,36 @@ void check_period(const KnotVector &axis, std::span<const double> knots) {
 
 } // namespace
 
-ElevatedAxis elevated_axis(const KnotVector &axis) {
-    const int p = axis.degree();
-    const int64_t lead = axis.periodic() ? 2 * int64_t{p} + 2 : 0;
-    const std::vector<double> extended = axis.periodic() ? extended_knots(axis, lead) : std::vector<double>();
-    const std::span<const double> knots = axis.periodic() ? std::span<const double>(extended) : axis.knots();
-    const std::vector<Group> groups = groups_of(knots);
-    const std::vector<double> raised = raised_knots(groups);
-    const Range kept = kept_knots(axis, groups, lead);
-    ElevatedAxis result{{raised.begin() + kept.first, raised.begin() + kept.end}, {}};
+Elevation::Elevation(const KnotVector &axis)
+    : axis_(axis), lead_(axis.periodic() ? 2 * int64_t{axis.degree()} + 2 : 0),
+      extended_(axis.periodic() ? extended_knots(axis, lead_) : std::vector<double>()),
+      groups_(groups_of(old_knots())) {
+    const Range kept = kept_knots(axis, groups_, lead_);
+    const int64_t p = axis.degree();
+    first_ = kept.first;
+    end_ = kept.end;
+    rows_ = kept.end - kept.first - p - 2 - (axis.periodic() ? p + 1 : 0);
     if (axis.periodic()) {
-        check_period(axis, result.knots);
+        check_period(axis, knots());
     }
-    const int64_t rows = kept.end - kept.first - p - 2 - (axis.periodic() ? p + 1 : 0);
-    result.rows.reserve(rows, p + 2);
-    RowMaker(axis, knots, groups, lead, result.rows).make(kept.first + 1, kept.first + 1 + rows);
-    return result;
+}
+
+std::vector<double> Elevation::knots() const {
+    std::vector<double> raised;
+    raised.reserve(old_knots().size() + groups_.size());
+    for (const Group &group : groups_) {
+        raised.insert(raised.end(), static_cast<size_t>(group.multiplicity) + 1, group.knot);
+    }
+    raised.resize(static_cast<size_t>(end_));
+    raised.erase(raised.begin(), raised.begin() + first_);
+    return raised;
+}
+
+LayerTable Elevation::rows(int64_t first, int64_t end) const {
+    LayerTable table;
+    table.reserve(end - first, axis_.degree() + 2);
+    RowMaker(axis_, old_knots(), groups_, lead_, table).make(first_ + 1 + first, first_ + 1 + end);
+    return table;
 }
 
 } // namespace nrb

@@ -62,13 +62,13 @@ public:
         return {shared - 1 - steps, steps, left, right, room};
     }
 
-    // How many new layers from j on have no old knot among their arguments, which all lie between the same old
-    // ones. Precondition: layer j has no old knot among them.
-    int64_t alike(int64_t j) const noexcept {
+    // How many of the new layers j, ..., end - 1 have no old knot among their arguments, which all lie
+    // between the same old ones. Precondition: layer j has no old knot among them.
+    int64_t alike(int64_t j, int64_t end) const noexcept {
         const size_t reach = static_cast<size_t>(degree_) + 1;
         auto behind = static_cast<size_t>(j) + reach;
         const int64_t old = old_first_[behind];
-        while (behind <= fine_.size() && old_first_[behind] == old) {
+        while (behind < static_cast<size_t>(end) + reach && old_first_[behind] == old) {
             ++behind;
         }
         return static_cast<int64_t>(behind - reach) - j;

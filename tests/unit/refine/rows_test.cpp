@@ -137,8 +137,17 @@ TEST(Rows, of_elevation_are_right_in_long_runs_of_one_multiplicity) {
     for (int degree = 0; degree <= 9; ++degree) {
         for (int multiplicity = 1; multiplicity <= degree + 1; ++multiplicity) {
             const KnotVector axis(degree, random_knots(random, degree, 100, multiplicity));
-            nrb::ElevatedAxis raised = nrb::elevated_axis(axis);
-            expect_monomials(raised.rows, axis, KnotVector(degree + 1, std::move(raised.knots)));
+            const nrb::Elevation raised(axis);
+            const LayerTable table = raised.rows(0, raised.rows());
+            expect_monomials(table, axis, KnotVector(degree + 1, raised.knots()));
+            const int64_t from = 1 + static_cast<int64_t>(random() % 30);
+            const LayerTable part = raised.rows(from, raised.rows() - 5);
+            for (int64_t r = 0; r < part.rows(); ++r) {
+                const LayerTable::Row &row = part.row(r), &wanted = table.row(from + r);
+                ASSERT_TRUE(row.first == wanted.first && row.size == wanted.size) << r;
+                ASSERT_TRUE(std::equal(part.coefficients(row), part.coefficients(row) + row.size,
+                                       table.coefficients(wanted)));
+            }
         }
     }
 }
