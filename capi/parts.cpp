@@ -30,10 +30,12 @@ void check_range(const Spline &spline, int k, double lower, double upper) {
 
 nurbs_status nurbs_split(const nurbs *g, int32_t axis, double param, nurbs **lower, nurbs **upper) {
     return guard([&] {
+        if (upper != nullptr) {
+            *upper = nullptr;
+        }
         require(lower, "lower");
         *lower = nullptr;
         require(upper, "upper");
-        *upper = nullptr;
         if (lower == upper) {
             fail(NURBS_ERROR_OVERLAP, "output upper overlaps lower");
         }

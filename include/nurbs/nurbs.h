@@ -43,7 +43,8 @@
  * 400-499 file contents, 900-999 internal. The code alone is enough to act upon; nurbs_last_error() adds the
  * array, the index, the value and what was expected, for the last failure in the calling thread. A failing
  * call writes nothing to its output arrays. No value in an argument makes a call crash; an array shorter than
- * its stated length cannot be detected. Every function that allocates can return NURBS_ERROR_MEMORY, and
+ * its stated length cannot be detected. Floating-point exceptions are taken to be masked, as they are unless a
+ * program unmasks them; any call may set their flags. Every function that allocates can return NURBS_ERROR_MEMORY, and
  * every function NURBS_ERROR_INTERNAL (a defect of the library); the lists of statuses below do not repeat
  * these two.
  *
@@ -1235,7 +1236,7 @@ NURBS_API nurbs_status nurbs_snap_knots(const nurbs *g, int32_t axis, double tol
  * the knots of all splines taken as one list, so that they do not multiply; the value of a group is the one
  * that occurs most often in all. Whatever no knot is moved for stays exact. A domain whose ends are at most
  * tolerance times the length of that of splines[0] away from its ends is mapped to it even without
- * NURBS_MAP_DOMAINS; how far that moves parameters is no part of the deviation.
+ * NURBS_MAP_DOMAINS, and the deviation bounds how far points at a parameter move by that, too.
  * \param[in] count number of splines, at least 1.
  * \param[in] splines [count] with the same number of axes, of any dimensions.
  * \param[in] tolerance how far a group of knots may reach, as a part of the domain's length, >= 0 and < 1.

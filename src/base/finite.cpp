@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 HWY_BEFORE_NAMESPACE();
 namespace nrb {
@@ -46,17 +47,23 @@ HWY_INLINE void visit(std::span<const double> values, const More &more, const Re
     }
 }
 
-// 0 x is +0 or -0 for finite x and NaN for others, whose bits stay NaN when those of zeros are added.
+// Numbers that are not finite have all bits of the exponent set. Arithmetic with them would raise floating-point
+// exceptions.
 bool find_finite(std::span<const double> values) {
-    const Doubles d;
-    const auto zero = hn::Zero(d);
-    Vector products[strands] = {zero, zero, zero, zero};
-    double last = 0;
+    const hn::RebindToUnsigned<Doubles> bits;
+    const auto exponent = hn::Set(bits, uint64_t{0x7ff0000000000000});
+    const auto none = hn::Zero(bits);
+    hn::Vec<decltype(bits)> found[strands] = {none, none, none, none};
+    bool all = true;
     visit(
-        values, [&](Vector v, size_t k) HWY_ATTR { products[k] = hn::Or(products[k], hn::Mul(zero, v)); },
-        [&](double x) { last += 0 * x; });
-    const auto all = hn::Or(hn::Or(products[0], products[1]), hn::Or(products[2], products[3]));
-    return hn::AllTrue(d, hn::Eq(all, zero)) && last == 0;
+        values,
+        [&](Vector v, size_t k) HWY_ATTR {
+            const auto high = hn::Eq(hn::And(hn::BitCast(bits, v), exponent), exponent);
+            found[k] = hn::Or(found[k], hn::VecFromMask(bits, high));
+        },
+        [&](double x) { all = all && std::isfinite(x); });
+    const auto any = hn::Or(hn::Or(found[0], found[1]), hn::Or(found[2], found[3]));
+    return all && hn::AllTrue(bits, hn::Eq(any, none));
 }
 
 double find_largest(std::span<const double> values) {

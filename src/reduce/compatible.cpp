@@ -12,6 +12,7 @@
 #include "refine/seam.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <functional>
 #include <iterator>
@@ -75,25 +76,30 @@ void check_axis_counts(std::span<const SplinePtr> splines) {
     }
 }
 
-// Maps domains to the first one: any, or those whose ends are within a part `tolerance` of its length.
-void share_domain(Set &set, int k, bool any, double tolerance) {
+// Maps domains to the first one: any, or those whose ends are within a part `tolerance` of its length. Returns
+// how far points at a parameter may have moved in those.
+double share_domain(Set &set, int k, bool any, double tolerance) {
     const auto [lower, upper] = set.splines()[0]->axis(k).domain();
     const double width = tolerance * (upper - lower);
+    double largest = 0;
     for (size_t i = 1; i < set.splines().size(); ++i) {
         SplinePtr &spline = set.splines()[i];
         const Interval domain = spline->axis(k).domain();
         if (domain.lower == lower && domain.upper == upper) {
             continue;
         }
-        const bool near = std::abs(domain.lower - lower) <= width && std::abs(domain.upper - upper) <= width;
-        if (!any && !near) {
+        const double shift = std::max(std::abs(domain.lower - lower), std::abs(domain.upper - upper));
+        const double moved = any ? 0 : shift * speed_bound(*spline, k);
+        if (!any && !(shift <= width && std::isfinite(moved))) {
             fail(NURBS_ERROR_INCOMPATIBLE,
                  "splines[%zu]: domain [%s, %s] on axis %d, expected [%s, %s] as in splines[0]", i,
                  Number(domain.lower).text, Number(domain.upper).text, k, Number(lower).text,
                  Number(upper).text);
         }
         spline = reparametrize(spline, k, {lower, upper});
+        largest = std::max(largest, moved);
     }
+    return largest;
 }
 
 // Plain and periodic axes become plain ones.
@@ -295,8 +301,9 @@ Compatible make_compatible(std::span<const SplinePtr> splines, double tolerance,
     check_axis_counts(splines);
     Set set(splines);
     const int axes = splines[0]->axes();
+    double shifted = 0;
     for (int k = 0; k < axes; ++k) {
-        share_domain(set, k, map_domains, tolerance);
+        shifted += share_domain(set, k, map_domains, tolerance);
         share_periodicity(set, k);
         share_degree(set, k);
         if (!set.splines()[0]->axis(k).periodic()) {
@@ -318,7 +325,7 @@ Compatible make_compatible(std::span<const SplinePtr> splines, double tolerance,
     for (int k = 0; k < axes; ++k) {
         rounding += share_knots(set, k);
     }
-    return {std::move(set.splines()), deviation + rounding};
+    return {std::move(set.splines()), shifted + deviation + rounding};
 }
 
 } // namespace nrb

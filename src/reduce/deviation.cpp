@@ -2,6 +2,7 @@
 
 #include "base/norm.h"
 #include "bounds/deviation.h"
+#include "reduce/layers.h"
 #include "refine/axis_table.h"
 
 #include <algorithm>
@@ -108,7 +109,48 @@ double reach(const Spline &spline, int64_t i) noexcept {
     return largest;
 }
 
+// The farthest control point from a place. Homogeneous ones have weights other than 0.
+double radius_about(const Spline &spline, const double *centre) noexcept {
+    double largest = 0;
+    for (int64_t i = 0; i < spline.point_count(); ++i) {
+        largest = std::max(largest,
+                           norm_of(spline.dim(), [&](int c) { return spline.coordinate(i, c) - centre[c]; }));
+    }
+    return largest;
+}
+
 } // namespace
+
+double speed_bound(const Spline &spline, int axis) {
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    if (!(spline.all_weights().smallest > 0)) {
+        return infinite;
+    }
+    const KnotVector &knots = spline.axis(axis);
+    const int dim = spline.dim(), width = spline.width();
+    std::vector<double> centre(static_cast<size_t>(dim));
+    for (int c = 0; c < dim; ++c) {
+        centre[static_cast<size_t>(c)] = spline.coordinate(0, c);
+    }
+    const double radius = spline.rational() ? radius_about(spline, centre.data()) : 0;
+    const std::vector<double> records = layer_records(spline, axis);
+    const int64_t length = layer_length(spline, axis);
+    double largest = 0;
+    for (int64_t i = 0; i + 1 < knots.count(); ++i) {
+        const double extent = knots[i + knots.degree() + 1] - knots[i + 1];
+        for (int64_t at = i * length; at < (i + 1) * length; at += width) {
+            const double *from = records.data() + at, *to = from + length;
+            const double turned = spline.rational() ? to[dim] - from[dim] : 0;
+            const double moved =
+                norm_of(dim,
+                        [&](int c) { return to[c] - from[c] - centre[static_cast<size_t>(c)] * turned; }) +
+                radius * std::abs(turned);
+            const double speed = moved == 0 ? 0 : knots.degree() * moved / extent;
+            largest = std::max(largest, extent > 0 || moved == 0 ? speed : infinite);
+        }
+    }
+    return 1.01 * largest / spline.all_weights().smallest;
+}
 
 double deviation_bound(const SplinePtr &a, const SplinePtr &b) {
     const auto [p, q, steps] = over_common_knots(a, b);

@@ -21,4 +21,13 @@ namespace nrb {
 // domain on every axis.
 double deviation_bound(const SplinePtr &a, const SplinePtr &b);
 
+// An upper bound of |dg/dt| along an axis, and with it of how far points move for each unit by which the
+// parameter does: with homogeneous points A, w about any centre c
+//
+//     g' = ((A - c w)' - (g - c) w') / w,
+//
+// at most the largest control points of the numerator's parts by the smallest weight. Infinite unless all
+// weights are positive, and at jumps.
+double speed_bound(const Spline &spline, int axis);
+
 } // namespace nrb

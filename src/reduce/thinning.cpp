@@ -40,8 +40,10 @@ public:
         }
         double largest = 0;
         for (int i = 0; i < size_; ++i) {
-            const double apart = norm_of(dim_, [&](int c) { return record(i)[c] / weight(i) - centre(c); });
-            largest = weight(i) > 0 ? std::max(largest, apart) : largest;
+            if (weight(i) > 0) {
+                largest = std::max(
+                    largest, norm_of(dim_, [&](int c) { return record(i)[c] / weight(i) - centre(c); }));
+            }
         }
         return largest;
     }
@@ -63,6 +65,9 @@ private:
         const double shrink = 1 / weight(heaviest_);
         double largest = 0;
         for (int i = 0; i < size_; ++i) {
+            if (!(weight(i) > 0)) {
+                continue;
+            }
             const double *point = record(i);
             const double scale = 1 / weight(i);
             double square = 0;
@@ -70,7 +75,7 @@ private:
                 const double apart = point[c] * scale - middle[c] * shrink;
                 square += apart * apart;
             }
-            largest = weight(i) > 0 ? std::max(largest, square) : largest;
+            largest = std::max(largest, square);
         }
         return largest;
     }

@@ -11,7 +11,7 @@ namespace nrb {
 
 // Row e (p + 1) + i gives Bezier point i of non-empty span e of the domain: the polar form at p - i times the
 // start of the span and i times its end. Ends of the span that are knots so often already cost nothing, the
-// others are de Boor's steps, as in Refinement::row() and with its bits.
+// others are de Boor's steps, as in rows_of() and with the same bits.
 LayerTable bezier_rows(const KnotVector &axis);
 // Those of spans first, ..., end - 1.
 LayerTable bezier_rows(const KnotVector &axis, int64_t first, int64_t end);

@@ -99,7 +99,7 @@ static void near_domains(void) {
     CHECK_FAILS(nurbs_make_compatible(2, splines, 0x1p-41, 0, NULL, &list), NURBS_ERROR_INCOMPATIBLE,
                 "splines[1]|[0, 1]");
     CHECK_OK(nurbs_make_compatible(2, splines, 0x1p-39, 0, &deviation, &list));
-    CHECK_DOUBLE(deviation, 0);
+    CHECK(deviation >= 6 * 0x1p-40 / end && deviation < 7 * 0x1p-40); /* a speed of 6 */
     h = entry(list, 1);
     CHECK_KNOTS(h, 0, VALUES(0, 0, 0.5, 1, 1));
     CHECK_POINTS(h, points);
@@ -142,6 +142,31 @@ static void compatible(void) {
     nurbs_destroy(a);
     nurbs_destroy(b);
     nurbs_destroy(c);
+}
+
+/* Domains within the tolerance are mapped, and the deviation says how far points may have moved. */
+static void mapped_domains(void) {
+    static const int32_t degree = 1;
+    static const int64_t count = 2;
+    nurbs *a = NULL, *b = NULL, *h = NULL;
+    CHECK_OK(nurbs_create(1, &degree, &count, VALUES(0, 0, 1, 1), 4, 1, VALUES(0, 2), 0, 0, NULL, 0, 0, &a));
+    CHECK_OK(nurbs_create(1, &degree, &count, VALUES(0, 0, 1.0625, 1.0625), 4, 1, VALUES(0, 2), 0, 0, NULL, 0,
+                          0, &b));
+    const nurbs *splines[] = {a, b};
+    nurbs_list *list = NULL;
+    double deviation = -1, before = 0, after = 0;
+    CHECK_OK(nurbs_make_compatible(2, splines, 0.125, 0, &deviation, &list));
+    h = entry(list, 1);
+    CHECK_KNOTS(h, 0, VALUES(0, 0, 1, 1));
+    CHECK_OK(nurbs_eval(b, 1, VALUES(1), 0, 0, &before, 0, 0, 0));
+    CHECK_OK(nurbs_eval(h, 1, VALUES(1), 0, 0, &after, 0, 0, 0));
+    CHECK(deviation >= after - before && deviation < 0.13); /* 2 / 1.0625 for each unit of the parameter */
+    nurbs_destroy(h);
+    nurbs_list_destroy(list);
+    CHECK_FAILS(nurbs_make_compatible(2, splines, 0.03125, 0, NULL, &list), NURBS_ERROR_INCOMPATIBLE,
+                "splines[1]|1.0625");
+    nurbs_destroy(a);
+    nurbs_destroy(b);
 }
 
 static void forms(void) {
@@ -208,6 +233,7 @@ int main(void) {
     slivers();
     near_domains();
     compatible();
+    mapped_domains();
     forms();
     refusals();
     return check_summary("compatible");
