@@ -200,8 +200,11 @@ KnotClusters clusters_of(const Groups &groups, double tolerance) {
 
 // Moves near-equal knots of different splines together. Returns the splines that changed.
 void share_values(Set &set, int k, double tolerance, std::vector<char> &moved) {
+    if (tolerance == 0) {
+        return;
+    }
     const Groups groups = set.groups(k);
-    if (groups.size() == 1 || tolerance == 0) {
+    if (groups.size() == 1) {
         return;
     }
     const KnotClusters clusters = clusters_of(groups, tolerance);
