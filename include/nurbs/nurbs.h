@@ -1545,18 +1545,23 @@ NURBS_API nurbs_status nurbs_product(const nurbs *a, const nurbs *b, uint32_t fl
 /** \brief The curve g(f(t)): a curve g over another parameter, or the curve in space that a curve f in the
  * parameter space of a surface or volume g traces on it. Its degree d is q (p_0 + p_1 + ...), q that of f and
  * p_k those of g, and its domain that of f. Knots of f of multiplicity m occur d - q + m times, those at
- * which f crosses one of g d - p_k + m times. It is clamped, even where f is periodic. Where f runs along a
- * knot of g the side above it counts. Weights of the result can be 0 or negative though no weight of g is; it
- * then holds homogeneous points.
+ * which f crosses one of g d - p_k + m times. It is clamped, even where f is periodic. Where f touches a knot
+ * of g the side counts from which it does, where it runs along one the side above. Weights of the result can
+ * be 0 or negative though no weight of g is; it then holds homogeneous points.
  *
  * For a curve g, f has to be strictly monotone, which is decided by the signs of the Bernstein coefficients
  * of f'; jumps of f have to lead the same way. All values of f must lie in the domain of g, except on
- * periodic axes of g, which f may run around up to 65536 times. Both are decided to within the uncertainty
+ * periodic axes of g: there f may run over up to 65536 periods, of which none is more than 2^52 periods from
+ * the domain. Both are decided to within the uncertainty
  *
  *     u = 4 (q + 1) eps max |F| + eps max |t| max |f'|
  *
- * of the values of f on a span: F are its active control points, f' counts by its control points; and where f
- * differs from a knot of g by at most u it counts as that knot.
+ * of the values of f on a span: F are its active control points, f' counts by its control points. Where f
+ * differs by at most u from a knot of g that it crosses it counts as that knot; between two spans of f the
+ * smaller u decides, and of u only the first term where the value is a control point of f. So knots of g that
+ * are at most u apart can come to one parameter; m above is then the sum of their multiplicities, d + 1 knots
+ * at most, and the result leaves out the spans between them: on either side it is g beside them, of which
+ * alone the derivatives count below, and whatever g does between them becomes a jump.
  *
  * A control point is the mean of values of the polar form of g at values of that of f (DeRose, Goldman, Hagen
  * & Mann 1993). Parameters at which f crosses knots of g are rounded; the pieces on both sides share that
@@ -1566,14 +1571,14 @@ NURBS_API nurbs_status nurbs_product(const nurbs *a, const nurbs *b, uint32_t fl
  * of its largest magnitude among the active control points of g. Both bounds hold if polar values of f on
  * each piece stay between those knots of g around them, as on short pieces of f; else every coefficient of de
  * Boor's algorithm counts by its magnitude. Cost: for each polynomial piece of the result the product over
- * the axes of binomial(p_k + q, q) polar values of g.
+ * the axes of binomial(p_k + q, q) polar values of g, and a copy of the knots of each period that f runs over.
  * \param[in] g a spline, rational or not.
  * \param[in] f a polynomial curve whose dimension is the number of axes of g.
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL; _AXES if f is no curve, _RATIONAL if f is rational, _DIMENSION if its
  *   dimension does not suit, _DEGREE if the new degree exceeds NURBS_MAX_DEGREE, _NOT_MONOTONE,
- *   _OUTSIDE_DOMAIN naming a span on which f leaves the domain of g, _PERIODIC_KNOTS if copies of knots of g
- *   cannot be told apart, _NOT_REPRESENTABLE if a value overflows, _WEIGHTS_VANISH if weights underflow,
+ *   _OUTSIDE_DOMAIN if f leaves the domain of g or runs over too many periods, _PERIODIC_KNOTS if copies of knots of g
+ *   cannot be told apart, _NOT_REPRESENTABLE if a value or u overflows, _WEIGHTS_VANISH if weights underflow,
  *   _OVERFLOW.
  * \since 0.1 */
 NURBS_API nurbs_status nurbs_compose(const nurbs *g, const nurbs *f, nurbs **out);

@@ -2,7 +2,7 @@
 
 #include "base/sum.h"
 #include "refine/blossom.h"
-#include "refine/crossings.h"
+#include "refine/cells.h"
 #include "refine/product.h"
 #include "refine/unrolled.h"
 #include "spline/contract.h"
@@ -15,24 +15,6 @@
 namespace nrb {
 
 namespace {
-
-// The knot of an axis that a value equals to within its uncertainty, or the value.
-double snapped(const KnotVector &axis, double value, double uncertainty) noexcept {
-    const std::span<const double> knots = axis.knots();
-    const auto above = std::lower_bound(knots.begin(), knots.end(), value);
-    double nearest = above == knots.end() ? knots.back() : *above;
-    if (above != knots.begin() && value - above[-1] < std::fabs(nearest - value)) {
-        nearest = above[-1];
-    }
-    return std::fabs(nearest - value) <= uncertainty ? nearest : value;
-}
-
-// An interval on which f is a polynomial and its values lie in one cell of the knots of g.
-struct Cell {
-    double start;
-    size_t piece; // of f
-    std::array<int64_t, max_axes> spans;
-};
 
 void check_operands(const Spline &g, const Spline &f) {
     if (f.axes() != 1) {
@@ -80,116 +62,35 @@ Interval hull_of(const std::vector<CurvePiece> &pieces, int k) noexcept {
 
 // More would be a slip rather than a curve: f in degrees on a circle in radians.
 constexpr double most_periods = 65536;
+// From there on neighbouring doubles are a period apart.
+constexpr double farthest_period = 0x1p52;
 
-// g with as many periods of its periodic axes as f runs through.
-SplinePtr with_periods(SplinePtr g, const std::vector<CurvePiece> &pieces) {
-    for (int k = 0; k < g->axes(); ++k) {
-        const auto [lower, upper] = g->axis(k).domain();
-        const auto [least, greatest] = hull_of(pieces, k);
-        if (!g->axis(k).periodic() || (lower <= least && greatest <= upper)) {
-            continue;
-        }
-        const double periods = std::ceil(std::max(lower - least, greatest - upper) / (upper - lower));
-        if (!(periods <= most_periods)) {
-            fail(NURBS_ERROR_OUTSIDE_DOMAIN,
-                 "f reaches over [%s, %s] on axis %d, more than %s periods from the domain [%s, %s] of g",
-                 Number(least).text, Number(greatest).text, k, Number(most_periods).text, Number(lower).text,
-                 Number(upper).text);
-        }
-        g = unrolled(g, k, static_cast<int64_t>(periods));
+// A periodic axis over all periods that f runs through.
+KnotVectorPtr with_periods(const KnotVector &axis, int k, Interval range) {
+    const auto [lower, upper] = axis.domain();
+    const double first = std::floor((range.lower - lower) / (upper - lower));
+    const double end = std::max(std::ceil((range.upper - lower) / (upper - lower)), first + 1);
+    const bool far = !(std::max(std::fabs(first), std::fabs(end)) <= farthest_period);
+    if (far || end - first > most_periods) {
+        fail(NURBS_ERROR_OUTSIDE_DOMAIN, "f reaches over [%s, %s] on axis %d, %s the domain [%s, %s] of g",
+             Number(range.lower).text, Number(range.upper).text, k,
+             far ? "more than 2^52 periods from" : "over more than 65536 periods of", Number(lower).text,
+             Number(upper).text);
     }
-    return g;
+    return unrolled(axis, static_cast<int64_t>(first), static_cast<int64_t>(end));
 }
 
-void check_inside(const CurvePiece &piece, int k, Interval domain) {
-    const auto [least, greatest] = std::ranges::minmax_element(piece.coefficients(k));
-    if ((*least < domain.lower && sign_profile(piece, k, domain.lower).below) ||
-        (*greatest > domain.upper && sign_profile(piece, k, domain.upper).above)) {
-        fail(NURBS_ERROR_OUTSIDE_DOMAIN,
-             "coordinate %d of f leaves the domain [%s, %s] of g between t = %s and %s", k,
-             Number(domain.lower).text, Number(domain.upper).text, Number(piece.lower()).text,
-             Number(piece.upper()).text);
-    }
-}
-
-// Where f crosses a knot of an axis of g.
-struct Crossing {
-    double t;
-    int axis;
-    double knot;
-};
-
-std::vector<Crossing> crossings(const Spline &g, const CurvePiece &piece) {
-    std::vector<Crossing> found;
+Spline::Axes axes_under(const Spline &g, const std::vector<CurvePiece> &pieces) {
+    Spline::Axes axes = g.knot_vectors();
     for (int k = 0; k < g.axes(); ++k) {
-        const auto [least, greatest] = std::ranges::minmax_element(piece.coefficients(k));
-        const std::span<const double> breaks = g.axis(k).spans().breaks();
-        for (auto knot = std::upper_bound(breaks.begin(), breaks.end(), *least);
-             knot != breaks.end() && *knot < *greatest; ++knot) {
-            for (const double t : sign_profile(piece, k, *knot).crossings) {
-                found.push_back({t, k, *knot});
-            }
+        const auto [lower, upper] = g.axis(k).domain();
+        const Interval range = hull_of(pieces, k);
+        if (g.axis(k).periodic() && (range.lower < lower || range.upper > upper)) {
+            KnotVectorPtr &axis = axes[static_cast<size_t>(k)];
+            axis = with_periods(*axis, k, range);
         }
     }
-    std::ranges::sort(found, {}, &Crossing::t);
-    return found;
-}
-
-// Whether f is at the knot all the way from a place to the crossing, as far as can be told.
-bool stays(const CurvePiece &piece, double t, const Crossing &crossing) noexcept {
-    const double uncertainty = piece.uncertainty(crossing.axis);
-    const Coefficients values = piece.coefficients_between(crossing.axis, t, crossing.t);
-    return std::all_of(values.begin(), values.begin() + piece.degree() + 1,
-                       [&](double value) { return std::fabs(value - crossing.knot) <= uncertainty; });
-}
-
-// The start of the piece and crossings inside it, apart from its ends and from each other.
-std::vector<double> starts_of(const Spline &g, const CurvePiece &piece) {
-    std::vector<double> starts{piece.lower()};
-    for (const Crossing &crossing : crossings(g, piece)) {
-        if (!stays(piece, starts.back(), crossing) && !stays(piece, piece.upper(), crossing)) {
-            starts.push_back(crossing.t);
-        }
-    }
-    return starts;
-}
-
-// Where f runs along a knot the cell above it counts, as at any parameter.
-Cell cell_of(const Spline &g, const std::vector<CurvePiece> &pieces, size_t piece, double start, double end) {
-    Cell cell{start, piece, {}};
-    for (int k = 0; k < g.axes(); ++k) {
-        const KnotVector &axis = g.axis(k);
-        const auto [lower, upper] = axis.domain();
-        const double value =
-            snapped(axis, pieces[piece].value(k, start + (end - start) / 2), pieces[piece].uncertainty(k));
-        cell.spans[static_cast<size_t>(k)] = axis.find_span(std::clamp(value, lower, upper), false);
-    }
-    return cell;
-}
-
-std::vector<Cell> cells_of(const Spline &g, const std::vector<CurvePiece> &pieces) {
-    std::vector<Cell> cells;
-    for (size_t i = 0; i < pieces.size(); ++i) {
-        for (int k = 0; k < g.axes(); ++k) {
-            check_inside(pieces[i], k, g.axis(k).domain());
-        }
-        const std::vector<double> starts = starts_of(g, pieces[i]);
-        for (size_t j = 0; j < starts.size(); ++j) {
-            const double end = j + 1 < starts.size() ? starts[j + 1] : pieces[i].upper();
-            cells.push_back(cell_of(g, pieces, i, starts[j], end));
-        }
-    }
-    return cells;
-}
-
-// The largest multiplicity of a knot between two spans of an axis.
-int crossed_multiplicity(const KnotVector &axis, int64_t a, int64_t b) noexcept {
-    int most = 0, times = 0;
-    for (int64_t i = std::min(a, b) + 1; i <= std::max(a, b); ++i) {
-        times = times > 0 && axis[i] == axis[i - 1] ? times + 1 : 1;
-        most = std::max(most, times);
-    }
-    return most;
+    return axes;
 }
 
 // What the continuity of f and g between two cells leaves of that of a spline of degree `degree`.
@@ -203,8 +104,8 @@ int copies_between(const Spline &g, const Spline &f, int degree, const std::vect
     for (int k = 0; k < g.axes(); ++k) {
         const auto at = static_cast<size_t>(k);
         if (a.spans[at] != b.spans[at]) {
-            smooth = std::min(smooth,
-                              g.axis(k).degree() - crossed_multiplicity(g.axis(k), a.spans[at], b.spans[at]));
+            const int64_t crossed = std::abs(b.spans[at] - a.spans[at]); // knots, as often as they occur
+            smooth = static_cast<int>(std::min<int64_t>(smooth, g.axis(k).degree() - crossed));
         }
     }
     return degree - std::max(smooth, -1);
@@ -215,7 +116,8 @@ using Window = JointAxis::Window;
 class Composer {
 public:
     Composer(const Spline &g, const Spline &f, int degree)
-        : g_(g), f_(f), degree_(degree), pieces_(pieces_of(f)), cells_(cells_of(g, pieces_)) {
+        : g_(g), f_(f), degree_(degree), pieces_(pieces_of(f)), axes_(axes_under(g, pieces_)),
+          cells_(cells_of(axes_, pieces_)) {
         const auto [lower, upper] = f.axis(0).domain();
         append_knots(lower, degree + 1, 0);
         for (size_t i = 1; i < cells_.size(); ++i) {
@@ -259,15 +161,15 @@ private:
         return negative;
     }
 
-    // The cell of a span of the result in the middle of the support of a layer.
+    // The cell of the longest span in the support of a layer, of the first of these. All spans give the same control
+    // point, as far as crossings are known: beside a piece so short that they are not, those outside it count.
     [[nodiscard]] const Cell &cell_for(int64_t layer) const noexcept {
-        int64_t best = -1;
-        for (int64_t s = layer; s <= layer + degree_; ++s) {
-            const auto at = static_cast<size_t>(s);
-            if (knots_[at] < knots_[at + 1] && (best < 0 || std::abs(2 * s - 2 * layer - degree_) <
-                                                                std::abs(2 * best - 2 * layer - degree_))) {
-                best = s;
-            }
+        const auto length = [&](int64_t span) {
+            return knots_[static_cast<size_t>(span) + 1] - knots_[static_cast<size_t>(span)];
+        };
+        int64_t best = layer;
+        for (int64_t span = layer + 1; span <= layer + degree_; ++span) {
+            best = length(span) > length(best) ? span : best;
         }
         return cells_[cell_behind_[static_cast<size_t>(best)]];
     }
@@ -300,14 +202,16 @@ private:
         }
     }
 
-    // The control points of g that are active in the cell.
+    // The control points of g that are active in the cell; they repeat with the periods of an axis.
     double *load_block(int k, int64_t base, double *out) const {
         if (k == g_.axes()) {
             return std::copy_n(g_.records().data() + base * g_.width(), g_.width(), out);
         }
         const int p = g_.axis(k).degree();
-        for (int i = 0; i <= p; ++i) {
-            out = load_block(k + 1, base * g_.count(k) + cell_->spans[static_cast<size_t>(k)] - p + i, out);
+        const int64_t first = cell_->spans[static_cast<size_t>(k)] - p;
+        for (int64_t layer = first; layer <= first + p; ++layer) {
+            const int64_t stored = g_.axis(k).periodic() ? layer % g_.axis(k).distinct_layers() : layer;
+            out = load_block(k + 1, base * g_.count(k) + stored, out);
         }
         return out;
     }
@@ -371,9 +275,23 @@ private:
             count += chosen[i];
             distinct += chosen[i] > 0 ? 1 : 0;
         }
-        const CurvePiece &piece = pieces_[cell_->piece];
-        const double value = piece.polar_value(k, std::span(knots).first(static_cast<size_t>(count)));
-        return distinct > 1 ? value : snapped(g_.axis(k), value, piece.uncertainty(k));
+        const double value =
+            pieces_[cell_->piece].polar_value(k, std::span(knots).first(static_cast<size_t>(count)));
+        return distinct > 1 ? value
+                            : snapped(*axes_[static_cast<size_t>(k)], value, uncertainty_at(k, knots[0]));
+    }
+
+    // Of the value of f there, to which the pieces on both sides belong: one of them may be much steeper.
+    [[nodiscard]] double uncertainty_at(int k, double t) const noexcept {
+        const size_t i = cell_->piece;
+        double least = pieces_[i].uncertainty_at(k, t);
+        if (i > 0 && t == pieces_[i].lower()) {
+            least = std::min(least, pieces_[i - 1].uncertainty_at(k, t));
+        }
+        if (i + 1 < pieces_.size() && t == pieces_[i].upper()) {
+            least = std::min(least, pieces_[i + 1].uncertainty_at(k, t));
+        }
+        return least;
     }
 
     void contract_axis(int k, const double *points) noexcept {
@@ -381,7 +299,7 @@ private:
         const int p = g_.axis(k).degree();
         const int64_t span = cell_->spans[at], length = lengths_[at];
         const PolarRow row =
-            blossom_row(g_.axis(k), span, std::span(arguments_[at]).first(static_cast<size_t>(p)));
+            blossom_row(*axes_[at], span, std::span(arguments_[at]).first(static_cast<size_t>(p)));
         contract(row.coefficients, row.size, points + (row.first - span + p) * length, length, length,
                  parts_[at].data());
     }
@@ -390,6 +308,7 @@ private:
     const Spline &f_;
     int degree_;
     std::vector<CurvePiece> pieces_;
+    Spline::Axes axes_; // of g, with the periods that f runs through
     std::vector<Cell> cells_;
     std::vector<double> knots_;       // of the result
     std::vector<size_t> cell_behind_; // of each knot
@@ -415,8 +334,7 @@ SplinePtr compose(const SplinePtr &g, const SplinePtr &f) {
     if (g->axes() == 1 && !strictly_monotone(f)) {
         fail(NURBS_ERROR_NOT_MONOTONE, "f neither increases nor decreases strictly on its whole domain");
     }
-    const SplinePtr whole = with_periods(g, pieces_of(*f));
-    return Composer(*whole, *f, degree).run();
+    return Composer(*g, *f, degree).run();
 }
 
 } // namespace nrb

@@ -17,15 +17,22 @@ namespace nrb {
 // polar forms contain the knots between them, and all values are combinations of control points with factors in
 // [0, 1], as far as polar values of f stay between the knots of g around them.
 //
-// A preimage of a knot c is rounded, and f there is c to CurvePiece::uncertainty(); F of that knot alone is c
-// bit for bit. So the arguments of G are those of f moved by that uncertainty u at most, and control points move
-// by u times the largest control point of the derivative of g. Beyond that, on each axis, rows of G have relative
-// errors of 3 p eps, a contraction (p + 2) eps / 2, and the number of ways, in which each of p choices has at most
-// q + 2 roundings, (q + 2) p eps after the division by their sum; the sums are compensated.
+// A preimage of a knot c is rounded, and f there is c to CurvePiece::uncertainty(); F of that knot alone
+// counts as c bit for bit, at a knot of f if it is so to the smaller CurvePiece::uncertainty_at() of the
+// pieces on both sides. So the arguments of G are those of f moved by that uncertainty u at most, and control
+// points move by u times the largest control point of the derivative of g. Knots of g at most u apart can
+// share a preimage; with the sum of their multiplicities as m no span between them is left in the result, and
+// each of its pieces is that of one piece of G, whose derivative alone counts. A piece of f that is so short
+// that a rounding of t takes it from end to end may lie on both sides of c; then m copies of c are missing
+// among the arguments, and control points that it shares with longer ones are those of the latter. Beyond
+// that, on each axis, rows of G have relative errors of 3 p eps, a contraction (p + 2) eps / 2, and the
+// number of ways, in which each of p choices has at most q + 2 roundings, (q + 2) p eps after the division by
+// their sum; the sums are compensated.
 //
-// On periodic axes of g the values of f may lie anywhere. Throws NURBS_ERROR_DIMENSION, _AXES, _RATIONAL,
-// _DEGREE, _NOT_MONOTONE, _OUTSIDE_DOMAIN, _NOT_REPRESENTABLE, _PERIODIC_KNOTS, _WEIGHTS_VANISH, _OVERFLOW. Cost:
-// for each polynomial piece of the result the product over the axes of binomial(p + q, q) values of G.
+// On periodic axes of g f may run over 65536 periods, up to 2^52 periods away. Throws NURBS_ERROR_DIMENSION,
+// _AXES, _RATIONAL, _DEGREE, _NOT_MONOTONE, _OUTSIDE_DOMAIN, _NOT_REPRESENTABLE, _PERIODIC_KNOTS,
+// _WEIGHTS_VANISH, _OVERFLOW. Cost: for each polynomial piece of the result the product over the axes of
+// binomial(p + q, q) values of G, and the knots of the periods that f runs over.
 SplinePtr compose(const SplinePtr &g, const SplinePtr &f);
 
 } // namespace nrb

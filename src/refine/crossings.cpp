@@ -19,6 +19,7 @@ CurvePiece::CurvePiece(const Spline &curve, int64_t span) : curve_(&curve), span
     for (int k = 0; k < curve.dim(); ++k) {
         const Coefficients values = coefficients_between(k, lower(), upper());
         coefficients_.insert(coefficients_.end(), values.begin(), values.begin() + degree() + 1);
+        known_.push_back(known_of(k));
     }
 }
 
@@ -51,18 +52,35 @@ double CurvePiece::value(int k, double t) const noexcept {
     return polar_value(k, std::span(arguments).first(static_cast<size_t>(degree())));
 }
 
-double CurvePiece::uncertainty(int k) const noexcept {
+// Multiplied by eps before anything can overflow; t / length is at most 1 / eps.
+CurvePiece::Known CurvePiece::known_of(int k) const {
     const KnotVector &axis = curve_->axis(0);
     const int q = axis.degree();
+    const double t = std::max(std::fabs(lower()), std::fabs(upper()));
     const auto point = [&](int64_t i) {
-        return curve_->points()[static_cast<size_t>(i * curve_->dim() + k)];
+        return eps * curve_->points()[static_cast<size_t>(i * curve_->dim() + k)];
     };
-    double largest = std::fabs(point(span_)), slope = 0;
+    double largest = std::fabs(point(span_)), moved = 0;
     for (int64_t i = span_ - q; i < span_; ++i) {
+        const double length = axis[i + q + 1] - axis[i + 1];
         largest = std::max(largest, std::fabs(point(i)));
-        slope = std::max(slope, q * std::fabs(point(i + 1) - point(i)) / (axis[i + q + 1] - axis[i + 1]));
+        moved = std::max(moved, q * std::fabs(point(i + 1) - point(i)) * (t / length));
     }
-    return eps * (4 * (q + 1) * largest + slope * std::max(std::fabs(lower()), std::fabs(upper())));
+    const Known known{4 * (q + 1) * largest, 4 * (q + 1) * largest + moved};
+    if (!std::isfinite(known.uncertainty)) {
+        fail(NURBS_ERROR_NOT_REPRESENTABLE,
+             "coordinate %d between t = %s and %s is too steep: the uncertainty of its values overflows", k,
+             Number(lower()).text, Number(upper()).text);
+    }
+    return known;
+}
+
+double CurvePiece::uncertainty_at(int k, double t) const noexcept {
+    const KnotVector &axis = curve_->axis(0);
+    const int q = axis.degree();
+    const bool stored =
+        q == 0 || (t == lower() && axis[span_ - q + 1] == t) || (t == upper() && axis[span_ + q] == t);
+    return stored ? rounding(k) : uncertainty(k);
 }
 
 namespace {
@@ -70,15 +88,17 @@ namespace {
 // Walks through the parts of a piece in the order of their parameters.
 class SignWalk {
 public:
-    SignWalk(const CurvePiece &piece, int k, double c)
-        : piece_(piece), k_(k), c_(c), uncertainty_(piece.uncertainty(k)), degree_(0) {
-        const std::span<const double> values = piece.coefficients(k);
-        degree_ = static_cast<int>(values.size()) - 1;
+    SignWalk(const CurvePiece &piece, int k, double c, double uncertainty)
+        : piece_(piece), k_(k), c_(c), uncertainty_(uncertainty), degree_(piece.degree()) {}
+
+    // Of the coefficients over an interval.
+    SignProfile walk(std::span<const double> values, Interval part) && {
         Coefficients differences{};
-        std::transform(values.begin(), values.end(), differences.begin(), [c](double x) { return x - c; });
-        visit(differences, piece.lower(), piece.upper());
+        std::transform(values.begin(), values.end(), differences.begin(),
+                       [this](double x) { return x - c_; });
+        visit(differences, part.lower, part.upper);
+        return std::move(profile_);
     }
-    [[nodiscard]] SignProfile profile() && { return std::move(profile_); }
 
 private:
     [[nodiscard]] int sign(double x) const noexcept {
@@ -159,7 +179,25 @@ bool continues(const CurvePiece &before, const CurvePiece &piece, bool rising) n
 } // namespace
 
 SignProfile sign_profile(const CurvePiece &piece, int k, double c) {
-    return SignWalk(piece, k, c).profile();
+    return SignWalk(piece, k, c, piece.uncertainty(k))
+        .walk(piece.coefficients(k), {piece.lower(), piece.upper()});
+}
+
+bool lies_above(const CurvePiece &piece, int k, double c, Interval part) {
+    const double middle = piece.value(k, part.lower + (part.upper - part.lower) / 2);
+    if (std::fabs(middle - c) > piece.uncertainty(k)) {
+        return middle > c;
+    }
+    const Coefficients values = piece.coefficients_between(k, part.lower, part.upper);
+    for (const double uncertainty : {piece.uncertainty(k), piece.rounding(k)}) {
+        const SignProfile profile =
+            SignWalk(piece, k, c, uncertainty)
+                .walk(std::span(values).first(static_cast<size_t>(piece.degree()) + 1), part);
+        if (profile.below || profile.above) {
+            return profile.below && profile.above ? middle >= c : profile.above;
+        }
+    }
+    return true;
 }
 
 bool strictly_monotone(const SplinePtr &curve) {

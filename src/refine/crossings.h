@@ -16,7 +16,7 @@ using Coefficients = std::array<double, max_basis>;
 // A polynomial curve over one of its non-empty spans, coordinate by coordinate in Bernstein form.
 class CurvePiece {
 public:
-    // The curve must outlive this.
+    // The curve must outlive this. Throws NURBS_ERROR_NOT_REPRESENTABLE if an uncertainty overflows.
     CurvePiece(const Spline &curve, int64_t span);
 
     [[nodiscard]] int64_t span() const noexcept { return span_; }
@@ -29,21 +29,34 @@ public:
     }
     // Those over another interval, the first degree + 1.
     [[nodiscard]] Coefficients coefficients_between(int k, double from, double to) const noexcept;
-    // What a value of coordinate k is known to: with the active control points F_i, the 4 (q + 1) eps max |F_i|
-    // of a polar form, and what a rounding of the parameter moves it by, eps max |t| max |F'|.
-    [[nodiscard]] double uncertainty(int k) const noexcept;
+    // What a control point of coordinate k is known to: with the active control points F_i, the 4 (q + 1) eps
+    // max |F_i| of a polar form. And what a value is known to: besides, what a rounding of the parameter moves it
+    // by, eps max |t| max |F'|.
+    [[nodiscard]] double rounding(int k) const noexcept { return known_[static_cast<size_t>(k)].rounding; }
+    [[nodiscard]] double uncertainty(int k) const noexcept {
+        return known_[static_cast<size_t>(k)].uncertainty;
+    }
+    // What the value at t in the piece is known to: at an end it may be a control point.
+    [[nodiscard]] double uncertainty_at(int k, double t) const noexcept;
     // Coordinate k of the polar form at degree arguments, and at one t that often.
     [[nodiscard]] double polar_value(int k, std::span<const double> arguments) const noexcept;
     [[nodiscard]] double value(int k, double t) const noexcept;
 
 private:
+    struct Known {
+        double rounding;
+        double uncertainty;
+    };
+    [[nodiscard]] Known known_of(int k) const;
+
     const Spline *curve_;
     int64_t span_;
     std::vector<double> coefficients_; // [coordinate][degree + 1]
+    std::vector<Known> known_;
 };
 
-// What is known of the sign of a coordinate minus a value c inside a piece. A coefficient nearer to 0 than the
-// uncertainty has no sign.
+// What is known of the sign of a coordinate minus a value c inside a piece. A coefficient that is no farther from
+// 0 than the uncertainty has no sign.
 struct SignProfile {
     bool below = false;
     bool above = false;
@@ -55,6 +68,11 @@ struct SignProfile {
 // without crossing it nothing is reported but the side. Cost: q^2 for each halving, at most some 50 q of them,
 // and an evaluation for each bit of a crossing.
 SignProfile sign_profile(const CurvePiece &piece, int k, double c);
+
+// Whether the coordinate is above c on a part of the piece between crossings. Where its values differ from c by
+// no more than their uncertainty, the signs of coefficients beyond their rounding decide; if there are none, it
+// runs along c, and that counts as above.
+bool lies_above(const CurvePiece &piece, int k, double c, Interval part);
 
 // Whether the curve of dimension 1 could be shown to increase or to decrease strictly on its whole domain; an
 // interval on which it is constant to rounding is not let pass, a point is.

@@ -1,15 +1,16 @@
 // Several periods of a periodic axis as a plain one.
 #pragma once
 
-#include "spline/spline.h"
+#include "basis/knot_vector.h"
 
 #include <cstdint>
 
 namespace nrb {
 
-// The spline over its domain and `periods` periods on either side of it, not clamped. Preconditions: the axis is
-// periodic, periods >= 0. Throws NURBS_ERROR_PERIODIC_KNOTS if rounding makes too many knots equal,
-// _NOT_REPRESENTABLE, _OVERFLOW.
-SplinePtr unrolled(const SplinePtr &spline, int axis, int64_t periods);
+// The axis over its periods first, ..., end - 1, of which 0 is its domain, not clamped: layer i is layer i modulo
+// distinct_layers() of the periodic axis. Knots that are equal have equal copies, others are n periods away,
+// rounded once. Preconditions: the axis is periodic, first < end, both of at most 2^52. Throws
+// NURBS_ERROR_PERIODIC_KNOTS if rounding makes too many knots equal, _NOT_REPRESENTABLE, _OVERFLOW.
+KnotVectorPtr unrolled(const KnotVector &axis, int64_t first, int64_t end);
 
 } // namespace nrb

@@ -114,10 +114,99 @@ static void refused(void) {
                   "coordinate 1 of f");
 }
 
+/* A curve of dimension 1. */
+static nurbs *scalar(int32_t degree, int64_t count, const double *knots, const double *points) {
+    return make((SplineArgs){1, &degree, &count, knots, count + degree + 1, 1, points, 0, 0, NULL, 0, 0});
+}
+
+/* A surface over [0, 2 middle] x [0, 1], straight along v and with an edge in the middle of u. */
+static nurbs *roof(double middle, double left, double ridge, double right) {
+    static const int32_t degrees[] = {1, 1};
+    static const int64_t counts[] = {3, 2};
+    const double knots[] = {0, 0, middle, 2 * middle, 2 * middle, 0, 0, 1, 1};
+    const double points[] = {left, left, ridge, ridge, right, right};
+    return make((SplineArgs){2, degrees, counts, knots, 9, 1, points, 0, 0, NULL, 0, 0});
+}
+
+/* Whether g(f(t)) is a value; both are used up. */
+static void check_value(nurbs *g, nurbs *f, double t, double expected, double tolerance) {
+    nurbs *h = NULL;
+    double value = 0;
+    CHECK_OK(nurbs_compose(g, f, &h));
+    CHECK_OK(nurbs_eval(h, 1, &t, 0, 0, &value, 0, 0, 0));
+    CHECK(fabs(value - expected) <= tolerance);
+    nurbs_destroy(g);
+    nurbs_destroy(f);
+    nurbs_destroy(h);
+}
+
+static void touching_a_knot_line(void) {
+    const double *below = VALUES(0.25, 0, 0.75, 0.5, 0.25, 1), *above = VALUES(0.75, 0, 0.25, 0.5, 0.75, 1);
+    check_value(roof(0.5, 0, 0, 1), inner(2, 2, below), 0, 0, 0);
+    check_value(roof(0.5, 1, 0, 0), inner(2, 2, below), 0, 0.5, 0);
+    check_value(roof(0.5, 0, 0, 1), inner(2, 2, above), 0, 0.5, 0);
+    check_value(roof(0.5, 1, 0, 0), inner(2, 2, above), 0, 0, 0);
+}
+
+/* The span between them is shorter than values of f are known, its ends count as one knot of multiplicity 2. */
+static void knots_an_ulp_apart(void) {
+    const double knots[] = {0, 0, 0, 0.5, nextafter(0.5, 1), 1, 1, 1}, points[] = {0, 0, 1, 0, 0};
+    check_value(scalar(2, 5, knots, points), inner(1, 1, VALUES(0, 1)), 0.25, 0.25, 1e-15);
+    check_value(scalar(2, 5, knots, points), inner(1, 1, VALUES(0, 1)), 0.75, 0.25, 1e-15);
+}
+
+/* f rises by 0.02 within an ulp, so that its values are known to 0.04 there, but not so beside. */
+static void beside_a_steep_piece(void) {
+    const double knots[] = {1000, 1000, 1001, nextafter(1001, 1002), 1002, 1002},
+                 values[] = {0, 0.45, 0.47, 1};
+    const double u = 0.47 + 0.53 * 0.001; /* g(u) = 4 u - 6 u^2 up to 1/2 */
+    check_value(scalar(2, 4, VALUES(0, 0, 0, 0.5, 1, 1, 1), VALUES(0, 1, 0, 3)), scalar(1, 4, knots, values),
+                1001.001, 4 * u - 6 * u * u, 1e-12);
+}
+
+static void at_the_limits_of_doubles(void) {
+    check_value(roof(1.5e307, 0, 1, 0), inner(1, 2, VALUES(3e306, 0, 2.7e307, 1)), 0, 0.2, 1e-15);
+    const double end = nextafter(1, 2), points[] = {0, 0, 1.2e308, 0, 1.2e308, 1};
+    const int32_t degree = 2;
+    const int64_t count = 3;
+    nurbs *f = make(
+        (SplineArgs){1, &degree, &count, VALUES(1, 1, 1, end, end, end), 6, 2, points, 0, 0, NULL, 0, 0});
+    nurbs *g = roof(8e307, 0, 1, 0), *h = NULL;
+    CHECK_NO_HANDLE(h, nurbs_compose(g, f, &h), NURBS_ERROR_NOT_REPRESENTABLE, "coordinate 0|too steep");
+    nurbs_destroy(f);
+    nurbs_destroy(g);
+}
+
+/* As cheap as nearby, for which 2^40 periods in between must not be gone through. */
+static void far_around_a_loop(void) {
+    const double away = ldexp(4, 40);
+    nurbs *near = composed(loop(), 1, 1, VALUES(3, 7)),
+          *far = composed(loop(), 1, 1, VALUES(away + 3, away + 7));
+    int64_t counts[2] = {0, 0};
+    CHECK_OK(nurbs_count(near, 0, &counts[0]));
+    CHECK_OK(nurbs_count(far, 0, &counts[1]));
+    CHECK(counts[0] == counts[1]);
+    for (int i = 0; i <= 16; ++i) {
+        double want[2], got[2], t = i / 16.0;
+        CHECK_OK(nurbs_eval(near, 1, &t, 0, 0, want, 0, 0, 0));
+        CHECK_OK(nurbs_eval(far, 1, &t, 0, 0, got, 0, 0, 0));
+        CHECK(fabs(got[0] - want[0]) < 1e-14 && fabs(got[1] - want[1]) < 1e-14);
+    }
+    nurbs_destroy(near);
+    nurbs_destroy(far);
+    check_refused(loop(), inner(1, 1, VALUES(1e30, 1.1e30)), NURBS_ERROR_OUTSIDE_DOMAIN, "2^52 periods from");
+    check_refused(loop(), inner(1, 1, VALUES(0x1p56, 0x1p56 + 64)), NURBS_ERROR_OUTSIDE_DOMAIN, "2^52");
+}
+
 int main(void) {
     curves();
     around_a_loop();
+    far_around_a_loop();
     on_surfaces_and_in_volumes();
     refused();
+    touching_a_knot_line();
+    knots_an_ulp_apart();
+    beside_a_steep_piece();
+    at_the_limits_of_doubles();
     return check_summary("compose");
 }

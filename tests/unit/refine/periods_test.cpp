@@ -4,6 +4,7 @@
 #include "refine/seam.h"
 #include "refine/unrolled.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 
 using namespace nrb;
@@ -29,19 +30,45 @@ TEST(Period, KeepsEqualKnotsEqual) {
     EXPECT_EQ(knots[10], knots[11]);
 }
 
-TEST(Unrolled, RepeatsLayersAndKnots) {
-    const SplinePtr made = unrolled(loop(), 0, 1);
-    EXPECT_FALSE(made->axis(0).periodic());
-    EXPECT_EQ(vector_of(made->points()), (std::vector<double>{1, 2, 3, 4, 1, 2, 3, 4, 1, 2, 3, 4, 1, 2}));
-    EXPECT_EQ(made->axis(0).domain().lower, -2);
-    EXPECT_EQ(made->axis(0).domain().upper, 10);
-    EXPECT_EQ(made->axis(0)[0], -4);
+TEST(Unrolled, NumbersPeriodsFromTheDomain) {
+    const KnotVectorPtr made = unrolled(loop()->axis(0), -1, 2);
+    EXPECT_FALSE(made->periodic());
+    EXPECT_EQ(made->count(), 14);
+    EXPECT_EQ(made->domain().lower, -2);
+    EXPECT_EQ(made->domain().upper, 10);
+    EXPECT_EQ((*made)[0], -4);
+    EXPECT_EQ(made->knots().back(), 12);
 }
 
-TEST(Unrolled, ByNothingIsTheSameSpline) {
-    const SplinePtr made = unrolled(loop(), 0, 0);
-    EXPECT_EQ(vector_of(made->points()), vector_of(loop()->points()));
-    EXPECT_EQ(vector_of(made->axis(0).knots()), vector_of(loop()->axis(0).knots()));
+TEST(Unrolled, OnePeriodIsThatOfTheAxis) {
+    const SplinePtr curve = loop();
+    EXPECT_EQ(vector_of(unrolled(curve->axis(0), 0, 1)->knots()), vector_of(curve->axis(0).knots()));
+}
+
+TEST(Unrolled, FarAwayTakesNoMoreThanItsPeriods) {
+    const KnotVectorPtr made = unrolled(loop()->axis(0), 1000000, 1000001);
+    EXPECT_EQ(made->count(), 6);
+    EXPECT_EQ(made->domain().lower, 4000002);
+    EXPECT_EQ(made->domain().upper, 4000006);
+}
+
+TEST(Unrolled, KeepsEqualKnotsEqualAndTheirOrder) {
+    const KnotVector axis(1, {-0.3, 0.1, 0.1, 0.4, 0.8, 0.8}, true); // lengths that are rounded
+    for (const int64_t first : {-12345, -3, -1, 0, 1, 7, 54321}) {
+        const KnotVectorPtr made = unrolled(axis, first, first + 4);
+        const std::span<const double> knots = made->knots();
+        ASSERT_EQ(knots.size(), 15U);
+        EXPECT_TRUE(std::ranges::is_sorted(knots));
+        for (size_t i = 1; i + 1 < knots.size(); i += 3) {
+            EXPECT_EQ(knots[i], knots[i + 1]) << first;
+        }
+    }
+}
+
+TEST(Unrolled, RefusesKnotsThatRoundingMakesEqual) {
+    const KnotVector axis(1, {-0.25, 0, 0.25, 0.5, 0.75, 1, 1.25}, true); // where doubles are whole numbers
+    const int64_t far = int64_t{1} << 52;
+    EXPECT_THROW(unrolled(axis, far, far + 1), Error);
 }
 
 TEST(Seam, AtAKnotMovesLayersOnly) {
