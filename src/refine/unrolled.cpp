@@ -19,7 +19,8 @@ public:
     [[nodiscard]] bool stored(int64_t i) const noexcept { return 0 <= i && i < std::ssize(axis_.knots()); }
     [[nodiscard]] double operator[](int64_t i) const noexcept {
         const int64_t base = in_period(i);
-        return stored(i) ? axis_[i] : std::fma(static_cast<double>((i - base) / step_), length_, axis_[base]);
+        const int64_t periods = (i - base) / step_; // without remainder
+        return stored(i) ? axis_[i] : std::fma(static_cast<double>(periods), length_, axis_[base]);
     }
     [[nodiscard]] bool equals_next(int64_t i) const noexcept {
         const int64_t base = in_period(i);
