@@ -103,6 +103,37 @@ TEST(Refinement, control_points_are_exact_to_two_eps_a_step) {
     });
 }
 
+// So many control points that they are made in parts: refined, elevated and in pieces.
+TEST(Refinement, long_curves_keep_their_shape) {
+    for_each_case(196000, 6, [](Random &random, uint64_t seed) {
+        Recipe recipe = random_recipe(random, 1, 4);
+        recipe.axes[0].degree = random.whole(1, 4);
+        recipe.axes[0].spans = 5000;
+        recipe.axes[0].spacing = Spacing::integers;
+        recipe.axes[0].placement = Placement::origin;
+        recipe.dim = random.whole(1, 4);
+        recipe.weights = seed % 2 == 0 ? Weights::none : Weights::moderate;
+        const auto data = random_spline(random, recipe);
+        const auto g = create(data);
+        const long double steps = 2 * (data.degrees[0] + 1);
+        nurbs *made = nullptr;
+        require_ok(nurbs_refine_uniform(g.get(), 0, 2, &made));
+        expect_same_shape(g.get(), Handle(made).get(), steps, random, where(seed, data));
+        require_ok(nurbs_elevate(g.get(), 0, 1, &made));
+        expect_same_shape(g.get(), Handle(made).get(), steps, random, where(seed, data));
+        nurbs_list *list = nullptr;
+        require_ok(nurbs_decompose(g.get(), &list));
+        const std::unique_ptr<nurbs_list, decltype(&nurbs_list_destroy)> pieces(list, nurbs_list_destroy);
+        int64_t count = 0;
+        require_ok(nurbs_list_count(list, &count));
+        const int64_t parted = 4096 / (data.degrees[0] + 1); // pieces made at once
+        for (const int64_t i : {int64_t{0}, parted - 1, parted, parted + 1, count - 1}) {
+            require_ok(nurbs_list_get(list, i, &made));
+            expect_same_shape(g.get(), Handle(made).get(), steps, random, where(seed, data));
+        }
+    });
+}
+
 // Clamped, unclamped and periodic alike; on a short period every knot has several copies.
 TEST(Refinement, the_shape_does_not_move) {
     for_each_case(191000, 700, [](Random &random, uint64_t seed) {

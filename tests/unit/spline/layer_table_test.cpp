@@ -1,6 +1,7 @@
 #include "spline/contract.h"
 #include "spline/layer_table.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <limits>
 #include <random>
@@ -68,6 +69,50 @@ TEST(ApplyAlong, ReportsOverflow) {
     const double row[2] = {10, 10};
     table.add_row(0, row, 2);
     EXPECT_THROW(nrb::apply_along(*spline, 0, table), nrb::Error);
+}
+
+// All forms and widths, with copies, repeated rows and a layer whose weights are all 0.
+TEST(LayerMaker, MakesInPartsWhatOneTableMakes) {
+    std::mt19937_64 random(5);
+    std::uniform_real_distribution<double> uniform(0.5, 2);
+    const int64_t count = 12;
+    const auto axis = make_knot_vector(3, {0, 0, 0, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 9, 9, 9});
+    ASSERT_EQ(axis->count(), count);
+    const double halves[2] = {0.25, 0.75};
+    const auto table_of = [&](int64_t first, int64_t end) {
+        LayerTable table;
+        for (int64_t r = first; r < end; ++r) {
+            if (r % 4 == 3) {
+                table.add_copy(r % (count - 1));
+            } else if (r % 4 == 2 && r > first) {
+                table.repeat_row();
+            } else {
+                table.add_row((r % 4 == 2 ? r - 1 : r) % (count - 1), halves, 2);
+            }
+        }
+        return table;
+    };
+    for (const Form form : {Form::polynomial, Form::rational, Form::homogeneous}) {
+        for (int dim = 1; dim <= 5; ++dim) {
+            const auto width = static_cast<size_t>(dim + (form == Form::homogeneous ? 1 : 0));
+            std::vector<double> points(static_cast<size_t>(count) * width), weights;
+            std::generate(points.begin(), points.end(), [&] { return uniform(random); });
+            if (form == Form::rational) {
+                weights.resize(static_cast<size_t>(count));
+                std::generate(weights.begin(), weights.end(), [&] { return uniform(random); });
+                weights[5] = weights[6] = 0;
+            }
+            const SplinePtr curve = make_spline({axis}, dim, form, points, weights);
+            nrb::LayerMaker maker(*curve, 0, 30);
+            ASSERT_TRUE(maker.in_parts());
+            for (const auto &[first, end] : {std::pair<int64_t, int64_t>{0, 7}, {7, 8}, {8, 30}}) {
+                maker.append(table_of(first, end));
+            }
+            const Net parts = maker.finish(), whole = nrb::apply_along(*curve, 0, table_of(0, 30));
+            EXPECT_EQ(parts.points, whole.points);
+            EXPECT_EQ(parts.weights, whole.weights);
+        }
+    }
 }
 
 // Every length takes another way through the blocks; all must add in the same order.
