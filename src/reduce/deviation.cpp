@@ -32,10 +32,9 @@ std::vector<double> clamped_knots(const KnotVector &axis) {
 // The axis over clamped knots that hold its own. On a periodic one the stored layers and knots say it all.
 AxisTable clamped_axis(const KnotVector &axis, const std::vector<double> &wanted) {
     const auto [lower, upper] = axis.domain();
-    std::vector<double> missing;
-    std::set_difference(wanted.begin(), wanted.end(), axis.knots().begin(), axis.knots().end(),
-                        std::back_inserter(missing));
-    const std::vector<double> fine = merged(axis.knots(), missing);
+    std::vector<double> fine;
+    std::set_union(wanted.begin(), wanted.end(), axis.knots().begin(), axis.knots().end(),
+                   std::back_inserter(fine));
     const auto layer_at = [&](double t) {
         return std::lower_bound(fine.begin(), fine.end(), t) - fine.begin();
     };

@@ -3,6 +3,7 @@
 
 #include "spline/axis_view.h"
 
+#include <limits>
 #include <vector>
 
 namespace nrb {
@@ -15,6 +16,8 @@ int64_t layer_length(const Spline &spline, int axis);
 
 // What a computed record is whose weight may be 0.
 enum class Weight { positive, zero, infinite, negative };
+// What a few operations of 2 eps each make of a value that should be 0, as a part of those it comes from.
+inline constexpr double settling = 32 * std::numeric_limits<double>::epsilon();
 // Weights and coordinates at most so large are rounding: eps times the largest ones that were computed with.
 struct RecordRounding {
     double weight;

@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace nrb {
 
@@ -178,7 +177,7 @@ RecordRounding largest_around(const std::vector<double> &layers, int64_t length,
 // Weights of Form::rational that are 0 to the rounding of the solution, 32 (degree + 1) eps of those near by,
 // become 0. Whether one is left at a point at infinity.
 bool settle_weights(const Spline &spline, int degree, int64_t length, std::vector<double> &layers) {
-    const double rounding = 32.0 * (degree + 1) * std::numeric_limits<double>::epsilon();
+    const double rounding = settling * (degree + 1);
     const int64_t count = std::ssize(layers) / length;
     bool infinite = false;
     for (int64_t i = 0; spline.form() == Form::rational && i < count * length; i += spline.width()) {

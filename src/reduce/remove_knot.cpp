@@ -1,6 +1,7 @@
 #include "reduce/remove_knot.h"
 
 #include "base/tolerance.h"
+#include "reduce/layers.h"
 #include "reduce/removal_step.h"
 #include "refine/insert.h"
 #include "refine/period.h"
@@ -8,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace nrb {
 
@@ -228,7 +228,6 @@ namespace {
 
 // Weights below 0 by no more than the rounding of their sums become 0, with their points at the origin.
 void settle_negative(const Spline &spline, int k, const LayerTable &table, Net &net) {
-    constexpr double rounding = 32 * std::numeric_limits<double>::epsilon();
     const AxisView view = axis_view(spline, k, 1);
     const auto dim = static_cast<size_t>(spline.dim());
     for (size_t i = 0; i < net.weights.size(); ++i) {
@@ -241,7 +240,7 @@ void settle_negative(const Spline &spline, int k, const LayerTable &table, Net &
                 const int64_t from = (outer * view.count + row.first + j) * view.inner + inner;
                 sum += std::abs(table.coefficients(row)[j] * spline.weight(from));
             }
-            if (-net.weights[i] <= rounding * sum) {
+            if (-net.weights[i] <= settling * sum) {
                 net.weights[i] = 0;
                 std::fill_n(net.points.begin() + static_cast<std::ptrdiff_t>(i * dim), dim, 0.0);
             }

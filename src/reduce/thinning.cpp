@@ -14,8 +14,6 @@ namespace nrb {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-constexpr double eps = std::numeric_limits<double>::epsilon();
-constexpr double rounding = 32 * eps; // of what a few operations of 2 eps each have made
 
 } // namespace
 
@@ -196,7 +194,7 @@ double Thinning::gap_rounding(const Window &window, const Column &column) const 
     for (int i = 0; i < window.size; ++i) {
         sum += (window.multiplicity > degree_ ? 0.5 : std::abs(window.step.functional[i])) * column.weight(i);
     }
-    return rounding * sum;
+    return settling * sum;
 }
 
 // |D - f E| / v for the moves D of the points and E of the weights, about a point f.
@@ -321,7 +319,7 @@ bool Thinning::settle_layer(const Window &window, double *layer) const noexcept 
                 std::max(largest.coordinate, largest_magnitude({record, static_cast<size_t>(width_) - 1}));
         }
         const Weight kind =
-            settle(layer + at, width_ - 1, {rounding * largest.weight, rounding * largest.coordinate});
+            settle(layer + at, width_ - 1, {settling * largest.weight, settling * largest.coordinate});
         if (kind == Weight::negative || (kind == Weight::infinite && spline_.form() == Form::rational)) {
             return false;
         }

@@ -146,14 +146,6 @@ SplineData random_curve(Random &random) {
     return random_spline(random, recipe);
 }
 
-double extent(const SplineData &data) {
-    double size = 0;
-    for (const double x : data.points) {
-        size = std::max(size, std::fabs(x));
-    }
-    return size;
-}
-
 struct Lossy {
     Handle spline;
     double bound = 0;

@@ -452,14 +452,19 @@ TEST(Compose, with_a_line_of_the_plane_gives_the_iso_curve) {
     });
 }
 
+// A polynomial curve whose knots and period are whole.
+SplineData whole_period(Random &random, int max_degree) {
+    Recipe recipe = random_recipe(random, 1, max_degree);
+    recipe.axes[0].form = KnotForm::periodic;
+    recipe.axes[0].spacing = Spacing::integers;
+    recipe.axes[0].placement = Placement::origin;
+    recipe.weights = Weights::none;
+    return random_spline(random, recipe);
+}
+
 TEST(Compose, runs_around_periodic_axes) {
     for_each_case(970000, 200, [](Random &random, uint64_t seed) {
-        Recipe recipe = random_recipe(random, 1, 5);
-        recipe.axes[0].form = KnotForm::periodic;
-        recipe.axes[0].spacing = Spacing::integers;
-        recipe.axes[0].placement = Placement::origin;
-        recipe.weights = Weights::none;
-        const SplineData data = random_spline(random, recipe);
+        const SplineData data = whole_period(random, 5);
         const double length = data.upper(0) - data.lower(0);
         SplineData f;
         f.degrees = {2};
@@ -629,12 +634,7 @@ TEST(Compose, steep_pieces_do_not_reach_their_neighbours) {
 // Whole periods, of whole length, so that places in the first period are known exactly.
 TEST(Compose, far_away_costs_and_loses_no_more_than_the_place) {
     for_each_case(993000, 100, [](Random &random, uint64_t seed) {
-        Recipe recipe = random_recipe(random, 1, 4);
-        recipe.axes[0].form = KnotForm::periodic;
-        recipe.axes[0].spacing = Spacing::integers;
-        recipe.axes[0].placement = Placement::origin;
-        recipe.weights = Weights::none;
-        const SplineData data = random_spline(random, recipe);
+        const SplineData data = whole_period(random, 4);
         const double length = data.upper(0) - data.lower(0);
         const double away = std::ldexp(random.chance(50) ? -length : length, random.whole(10, 30));
         SplineData near;

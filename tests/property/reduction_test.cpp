@@ -43,14 +43,6 @@ SplineData random_case(Random &random, int surfaces) {
     return random_spline(random, recipe);
 }
 
-double extent(const SplineData &data) {
-    double size = 0;
-    for (const double x : data.points) {
-        size = std::max(size, std::fabs(x));
-    }
-    return size;
-}
-
 int64_t knot_total(const SplineData &data) {
     int64_t total = 0;
     for (const auto &knots : data.knots) {

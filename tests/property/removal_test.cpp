@@ -33,14 +33,6 @@ double inner_knot(Random &random, const SplineData &data, int axis) {
     return knots.empty() ? std::nan("") : knots[random.bits() % knots.size()];
 }
 
-double extent(const SplineData &data) {
-    double size = 0;
-    for (const double x : data.points) {
-        size = std::max(size, std::fabs(x));
-    }
-    return size;
-}
-
 TEST(Removal, the_bound_is_one) {
     std::vector<long double> ratios;
     for_each_case(300000, 6000, [&](Random &random, uint64_t seed) {
