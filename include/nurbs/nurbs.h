@@ -195,6 +195,14 @@ enum {
     NURBS_ERROR_END = 49,          /**< an end is neither NURBS_START nor NURBS_END */
     NURBS_ERROR_BASIS = 50,        /**< not one of the NURBS_BASIS_ constants */
     NURBS_ERROR_NOT_MONOTONE = 51, /**< a function neither increases nor decreases strictly */
+    NURBS_ERROR_ANGLE = 52,        /**< an angle is not finite, or a sweep is 0 or more than a full turn */
+    NURBS_ERROR_LENGTH = 53,       /**< a radius or another length is not finite or out of range */
+    NURBS_ERROR_COLLINEAR = 54,    /**< points that must not be on a line are on one */
+    NURBS_ERROR_CONIC = 55,        /**< no conic, or no arc of one in one piece, fulfils the conditions */
+    NURBS_ERROR_FORM = 56,         /**< not one of the NURBS_ARC_ constants that are allowed here */
+    NURBS_ERROR_TANGENT = 57,      /**< tangents that have to agree differ by more than the tolerance */
+    NURBS_ERROR_TWIST = 58,        /**< twists that have to agree differ by more than the tolerance */
+    NURBS_ERROR_TWIST_RULE = 59,   /**< not one of the NURBS_TWIST_ constants, or one that does not suit */
     /* domain */
     NURBS_ERROR_OUTSIDE_DOMAIN = 100, /**< a parameter or knot lies outside the domain */
     /* numeric */
@@ -1953,6 +1961,803 @@ NURBS_API nurbs_status nurbs_project_to_plane(const nurbs *g, const double *poin
  * \since 0.1 */
 NURBS_API nurbs_status nurbs_project_from(const nurbs *g, const double *eye, const double *point,
                                           const double *normal, nurbs **out);
+/** @} */
+
+/** \defgroup curves Lines, conics and helices
+ * Curves that are defined by a few numbers. All are clamped and run over [0, 1] unless their text says
+ * otherwise; a spline with all weights equal is polynomial.
+ *
+ * A **placement** is an origin, an axis and a direction x. In dimension 3 the unit vectors Z = axis /
+ * |axis|, X = the part of x that is perpendicular to the axis, over its length, and Y = Z x X are the frame
+ * of the shape; axis NULL is (0, 0, 1), and x NULL the coordinate direction of the smallest component of
+ * the axis (the first of equal ones) for x, but (1, 0, 0) with axis NULL. In dimension 2 axis must be NULL,
+ * Y is X turned a quarter to the left, and x NULL is (1, 0). An origin that is NULL is 0. For other
+ * dimensions see nurbs_transform(), which is exact for all of these shapes.
+ *
+ * **Angles** are in radians, counted from X towards Y. A sweep is not 0 and at most a full turn either way;
+ * one that is a multiple of 15 degrees to within 4 units of rounding is taken for that multiple, and so
+ * are starts. The coordinates of points at such angles are exact, and full turns end where they begin, bit
+ * for bit.
+ *
+ * Control points and weights are within 4 eps * size of those of the true shape, size being the largest
+ * coordinate among the control points; distances of evaluated points to it stay within 4 eps * size
+ * (tested).
+ * @{ */
+
+/** \name Forms of an arc
+ * @{ */
+#define NURBS_ARC_QUARTERS 0 /**< degree 2, equal pieces of at most a quarter turn */
+#define NURBS_ARC_THIRDS 1   /**< degree 2, equal pieces of at most a third of a turn */
+/** \brief One polynomial piece: degree 2 below half a turn, from there to the full turn degree 5. All
+ * weights positive. */
+#define NURBS_ARC_SMOOTH 2
+/** @} */
+
+/** \name Kinds of conics
+ * @{ */
+#define NURBS_CONIC_ELLIPSE 1
+#define NURBS_CONIC_PARABOLA 2
+#define NURBS_CONIC_HYPERBOLA 3
+#define NURBS_CONIC_CHORD 4 /**< degenerate: shape factor 0, the segment P0 P2 */
+#define NURBS_CONIC_LEGS 5  /**< degenerate: shape factor infinite, the segments P0 P1 and P1 P2 */
+#define NURBS_CONIC_LINE 6  /**< degenerate: P0, P1 and P2 on a line */
+/** @} */
+
+/** \brief The segment (1 - t) a + t b, of degree 1.
+ * \param[in] dim dimension, at least 1.
+ * \param[in] a,b [dim] its ends.
+ * \param[out] out the new handle.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _DIMENSION, _POINT_NOT_FINITE.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_curve_line(int32_t dim, const double *a, const double *b, nurbs **out);
+
+/** \brief The polyline through n points, of degree 1, with one knot for each point.
+ * \param[in] n number of points, at least 2.
+ * \param[in] dim dimension, at least 1.
+ * \param[in] points [n][dim] its corners in order; for a closed one the last is the first.
+ * \param[in] point_stride,point_component_stride layout of points, 0 = packed.
+ * \param[in] params [n] the parameters of the points, increasing; or NULL for 0, 1, ..., n - 1.
+ * \param[in] param_stride distance between parameters, 0 = 1.
+ * \param[out] out the new handle.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _TOO_FEW_POINTS, _DIMENSION, _STRIDE, _POINT_NOT_FINITE,
+ *   _PARAMETER_NOT_FINITE; _KNOTS_DECREASING if a parameter is not above the one before it, _OVERFLOW.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_curve_polyline(int64_t n, int32_t dim, const double *points,
+                                            int64_t point_stride, int64_t point_component_stride,
+                                            const double *params, int64_t param_stride, nurbs **out);
+
+/** \brief A closed regular polygon, of degree 1, counterclockwise about the axis. Its corners are at the
+ * angles 2 pi i / sides; the parameter is i / sides there.
+ * \param[in] dim 2 or 3.
+ * \param[in] center,axis,x [dim] placement.
+ * \param[in] radius distance of the corners from the centre, > 0.
+ * \param[in] sides number of sides, at least 3.
+ * \param[out] out the new handle.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _DIMENSION, _DIRECTION, _POINT_NOT_FINITE, _COUNT, _OVERFLOW; _LENGTH
+ *   if the radius is not finite or not positive, _NOT_REPRESENTABLE if a coordinate overflows.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_curve_polygon(int32_t dim, const double *center, const double *axis,
+                                           const double *x, double radius, int64_t sides, nurbs **out);
+
+/** \brief A closed rectangle with sides along X and Y whose corners are rounded by quarter circles, of
+ * degree 2, counterclockwise about the axis, beginning at the start of its lower side. Sides that the
+ * corners leave no length are left out; with corner_radius 0 the rectangle has degree 1. Knots are spaced
+ * evenly.
+ * \param[in] dim 2 or 3.
+ * \param[in] center,axis,x [dim] placement; the centre is that of the rectangle.
+ * \param[in] width,height lengths of the sides along X and Y, > 0.
+ * \param[in] corner_radius 0 to half of the smaller side.
+ * \param[out] out the new handle.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _DIMENSION, _DIRECTION, _POINT_NOT_FINITE; _LENGTH if width, height
+ *   or corner_radius is not finite or out of range, _NOT_REPRESENTABLE if a coordinate overflows.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_curve_rounded_rectangle(int32_t dim, const double *center, const double *axis,
+                                                     const double *x, double width, double height,
+                                                     double corner_radius, nurbs **out);
+
+/** \brief The full circle, from the direction X counterclockwise about the axis: nurbs_curve_arc() over a
+ * full turn. With NURBS_ARC_QUARTERS it has 9 control points, with NURBS_ARC_THIRDS 7, with
+ * NURBS_ARC_SMOOTH 6.
+ * \param[in] dim 2 or 3.
+ * \param[in] center,axis,x [dim] placement.
+ * \param[in] radius > 0.
+ * \param[in] form one of the NURBS_ARC_ constants.
+ * \param[out] out the new handle.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _DIMENSION, _DIRECTION, _POINT_NOT_FINITE, _FORM; _LENGTH if the
+ *   radius is not finite or not positive, _NOT_REPRESENTABLE if a coordinate overflows.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_curve_circle(int32_t dim, const double *center, const double *axis,
+                                          const double *x, double radius, int32_t form, nurbs **out);
+
+/** \brief A circular arc: center + radius (X cos a + Y sin a), a from start to start + sweep. A piece of
+ * angle d has the weights 1, cos(d / 2), 1 and its middle control point where its end tangents meet.
+ * \param[in] dim 2 or 3.
+ * \param[in] center,axis,x [dim] placement.
+ * \param[in] radius > 0.
+ * \param[in] start,sweep angles; a negative sweep runs clockwise.
+ * \param[in] form one of the NURBS_ARC_ constants.
+ * \param[out] out the new handle.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _DIMENSION, _DIRECTION, _POINT_NOT_FINITE, _FORM; _LENGTH if the
+ *   radius is not finite or not positive, _ANGLE if start is not finite, or sweep is not, is 0 or more than
+ *   a full turn; _NOT_REPRESENTABLE if a coordinate overflows.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_curve_arc(int32_t dim, const double *center, const double *axis, const double *x,
+                                       double radius, double start, double sweep, int32_t form, nurbs **out);
+
+/** \brief The circular arc from a through b to c. Its ends are a and c bit for bit. The error of its other
+ * control points grows as the angles of the triangle a b c get small.
+ * \param[in] dim dimension, at least 2.
+ * \param[in] a,b,c [dim] three points that are not on a line.
+ * \param[in] form one of the NURBS_ARC_ constants.
+ * \param[out] out the new handle.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _DIMENSION, _POINT_NOT_FINITE, _FORM; _COLLINEAR if the points are on
+ *   a line to within rounding, or two are equal; _NOT_REPRESENTABLE if a coordinate overflows.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_curve_arc_through(int32_t dim, const double *a, const double *b, const double *c,
+                                               int32_t form, nurbs **out);
+
+/** \brief The circular arc that leaves a in the direction of a tangent and ends at b. Its ends are a and b
+ * bit for bit.
+ * \param[in] dim dimension, at least 2.
+ * \param[in] a [dim] start.
+ * \param[in] tangent [dim] direction at a, of any length.
+ * \param[in] b [dim] end.
+ * \param[in] form one of the NURBS_ARC_ constants.
+ * \param[out] out the new handle.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _DIMENSION, _POINT_NOT_FINITE, _FORM; _DIRECTION if the tangent is
+ *   zero or not finite, _COLLINEAR if a and b are equal or b lies on the tangent to within rounding,
+ *   _NOT_REPRESENTABLE if a coordinate overflows.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_curve_arc_tangent(int32_t dim, const double *a, const double *tangent,
+                                               const double *b, int32_t form, nurbs **out);
+
+/** \brief An elliptic arc: center + radius_x X cos a + radius_y Y sin a, a from start to start + sweep; a is
+ * the eccentric angle, not that of the point seen from the centre.
+ * \param[in] dim 2 or 3.
+ * \param[in] center,axis,x [dim] placement.
+ * \param[in] radius_x,radius_y semi-axes, > 0, in any order.
+ * \param[in] start,sweep angles, as for nurbs_curve_arc().
+ * \param[in] form one of the NURBS_ARC_ constants.
+ * \param[out] out the new handle.
+ * \return as nurbs_curve_arc().
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_curve_ellipse(int32_t dim, const double *center, const double *axis,
+                                           const double *x, double radius_x, double radius_y, double start,
+                                           double sweep, int32_t form, nurbs **out);
+
+/** \brief A parabolic arc, polynomial of degree 2 over [start, end]: vertex + t^2 / (4 focal_length) X + t
+ * Y, so that the parameter is the coordinate along Y.
+ * \param[in] dim 2 or 3.
+ * \param[in] vertex,axis,x [dim] placement; X points to the focus.
+ * \param[in] focal_length distance from the vertex to the focus, > 0.
+ * \param[in] start,end the domain, start < end.
+ * \param[out] out the new handle.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _DIMENSION, _DIRECTION, _POINT_NOT_FINITE, _PARAMETER_NOT_FINITE,
+ *   _EMPTY_DOMAIN; _LENGTH if the focal length is not finite or not positive, _NOT_REPRESENTABLE if a
+ *   coordinate overflows.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_curve_parabola(int32_t dim, const double *vertex, const double *axis,
+                                            const double *x, double focal_length, double start, double end,
+                                            nurbs **out);
+
+/** \brief An arc of the branch of a hyperbola that opens to X: center + radius_x X cosh u + radius_y Y sinh
+ * u, u from start to end. A piece that spans d in u has the weights 1, cosh(d / 2), 1; pieces of degree 2
+ * are of equal length in u, at most 2.
+ * \param[in] dim 2 or 3.
+ * \param[in] center,axis,x [dim] placement.
+ * \param[in] radius_x,radius_y semi-axes, > 0; the asymptotes are Y = +-(radius_y / radius_x) X.
+ * \param[in] start,end values of u, start < end.
+ * \param[out] out the new handle.
+ * \return as nurbs_curve_parabola().
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_curve_hyperbola(int32_t dim, const double *center, const double *axis,
+                                             const double *x, double radius_x, double radius_y, double start,
+                                             double end, nurbs **out);
+
+/** \brief The conic with a control triangle and a shape factor C_sf = w1^2 / (w0 w2): degree 2, the weights
+ * 1, sqrt(C_sf), 1. It is an arc of an ellipse where C_sf < 1, of a parabola (polynomial) where C_sf = 1,
+ * of a hyperbola where C_sf > 1. C_sf = 0 gives the chord p0 p2, an infinite one the legs p0 p1 p2, both of
+ * degree 1. For a shoulder point at the part rho of the way from the middle of the chord to p1, C_sf is
+ * (rho / (1 - rho))^2.
+ * \param[in] dim dimension, at least 1.
+ * \param[in] p0,p1,p2 [dim] the triangle; p0 and p2 are the ends, bit for bit.
+ * \param[in] shape_factor C_sf >= 0, possibly infinite.
+ * \param[out] out the new handle.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _DIMENSION, _POINT_NOT_FINITE; _FACTOR if C_sf is negative or NaN.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_curve_conic_triangle(int32_t dim, const double *p0, const double *p1,
+                                                  const double *p2, double shape_factor, nurbs **out);
+
+/** \brief The conic arc that leaves a in one direction and arrives at b in another one, and whose shoulder
+ * point is at the part rho of the way from the middle of the chord to the point where the tangents meet: an
+ * ellipse where rho < 1/2, a parabola where rho = 1/2, a hyperbola where rho > 1/2.
+ * \param[in] dim dimension, at least 2.
+ * \param[in] a [dim] start.
+ * \param[in] tangent_a [dim] direction at a.
+ * \param[in] b [dim] end.
+ * \param[in] tangent_b [dim] direction of the arc at b.
+ * \param[in] rho 0 <= rho < 1.
+ * \param[out] out the new handle.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _DIMENSION, _POINT_NOT_FINITE; _DIRECTION if a tangent is zero or not
+ *   finite, _FACTOR if rho is out of range; _CONIC if the tangents are parallel, do not meet in one point
+ *   to within rounding, or meet behind a or before b; _NOT_REPRESENTABLE if a coordinate overflows.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_curve_conic_shoulder(int32_t dim, const double *a, const double *tangent_a,
+                                                  const double *b, const double *tangent_b, double rho,
+                                                  nurbs **out);
+
+/** \brief The conic arc from a to b with given tangent lines at both ends that passes through a third point;
+ * degree 2, in pieces of which none turns by more than the form allows in the affine picture in which it is
+ * a circle. The lines may be parallel (half an ellipse), and the arc may be more than half an ellipse.
+ * Piegl & Tiller, The NURBS Book, 7.5.
+ * \param[in] dim dimension, at least 2.
+ * \param[in] a [dim] start.
+ * \param[in] tangent_a [dim] a direction of the tangent line at a, either way.
+ * \param[in] b [dim] end.
+ * \param[in] tangent_b [dim] a direction of the tangent line at b, either way.
+ * \param[in] point [dim] a point of the arc between a and b.
+ * \param[in] form NURBS_ARC_QUARTERS or NURBS_ARC_THIRDS.
+ * \param[out] out the new handle.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _DIMENSION, _POINT_NOT_FINITE, _FORM; _DIRECTION if a tangent is zero
+ *   or not finite, _COLLINEAR if a, b and the point are on a line to within rounding; _CONIC if the
+ *   tangents and the point are not in one plane to within rounding, or no arc in one piece passes through
+ *   the point; _NOT_REPRESENTABLE if a coordinate overflows.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_curve_conic_point(int32_t dim, const double *a, const double *tangent_a,
+                                               const double *b, const double *tangent_b, const double *point,
+                                               int32_t form, nurbs **out);
+
+/** \brief The conic arc through five points, from the first to the last in this order; tangents at its ends
+ * by Pascal's theorem, pieces as for nurbs_curve_conic_point().
+ * \param[in] dim dimension, at least 2.
+ * \param[in] points [5][dim] no three on a line.
+ * \param[in] point_stride,point_component_stride layout of points, 0 = packed.
+ * \param[in] form NURBS_ARC_QUARTERS or NURBS_ARC_THIRDS.
+ * \param[out] out the new handle.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _DIMENSION, _STRIDE, _POINT_NOT_FINITE, _FORM; _COLLINEAR if three
+ *   points are on a line to within rounding; _CONIC if they are not in one plane to within rounding, or not
+ *   on one arc in this order; _NOT_REPRESENTABLE if a coordinate overflows.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_curve_conic_through(int32_t dim, const double *points, int64_t point_stride,
+                                                 int64_t point_component_stride, int32_t form, nurbs **out);
+
+/** \brief Kind and axes of the conic A x^2 + B x y + C y^2 + D x + E y + F = 0, from its principal axes. An
+ * ellipse has its centre and semi-axes sizes[0] >= sizes[1], x along the longer one; a hyperbola its
+ * centre, x towards its vertices, semi-axes sizes[0] along x and sizes[1] across; a parabola its vertex, x
+ * towards the focus, and the focal length sizes[0], sizes[1] = 0. The kind is that of the sign of B^2 - 4 A
+ * C, computed exactly.
+ * \param[in] coefficients [6] A, B, C, D, E, F.
+ * \param[out] type NURBS_CONIC_ELLIPSE, _PARABOLA or _HYPERBOLA.
+ * \param[out] origin [2] centre or vertex.
+ * \param[out] x [2] unit direction.
+ * \param[out] sizes [2] semi-axes or focal length.
+ * \return NURBS_OK, NURBS_ERROR_NULL; _FACTOR if a coefficient is not finite; _CONIC if the equation
+ *   describes no curve of these kinds: no points, one point, or lines; _NOT_REPRESENTABLE if a value
+ *   overflows.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_conic_axes(const double *coefficients, int32_t *type, double *origin, double *x,
+                                        double *sizes);
+
+/** \brief An arc of the conic with an implicit equation, as described by nurbs_conic_axes(): of an ellipse
+ * as nurbs_curve_ellipse() with start and sweep = end - start, of a parabola and a hyperbola (the branch
+ * towards x) as nurbs_curve_parabola() and nurbs_curve_hyperbola() from start to end.
+ * \param[in] coefficients [6] A, B, C, D, E, F.
+ * \param[in] start,end range of the parameter of that curve.
+ * \param[in] form one of the NURBS_ARC_ constants; used for ellipses.
+ * \param[out] out the new handle, of dimension 2.
+ * \return what nurbs_conic_axes() and the function for the kind return.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_curve_conic_implicit(const double *coefficients, double start, double end,
+                                                  int32_t form, nurbs **out);
+
+/** \brief An arc of the conic with a focus, a directrix and an eccentricity e: the points whose distance
+ * from the focus is e times that from the directrix, at angles about the focus from start to start + sweep,
+ * counted from the foot of the perpendicular to the directrix; r(a) = e d / (1 + e cos a) where d = |foot -
+ * focus|. The parameter is that of the rational quadratic pieces.
+ * \param[in] dim 2 or 3.
+ * \param[in] focus [dim] the focus.
+ * \param[in] axis [dim] normal of the plane in dimension 3, as in a placement; NULL in dimension 2.
+ * \param[in] foot [dim] the point of the directrix that is nearest to the focus; the directrix is
+ *   perpendicular to the line from the focus to it.
+ * \param[in] eccentricity e > 0.
+ * \param[in] start,sweep angles; on the way 1 + e cos a must stay positive.
+ * \param[in] form NURBS_ARC_QUARTERS or NURBS_ARC_THIRDS.
+ * \param[out] out the new handle.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _DIMENSION, _POINT_NOT_FINITE, _DIRECTION (foot = focus, or an axis
+ *   that is not perpendicular to foot - focus to within rounding), _FORM, _ANGLE, _NOT_REPRESENTABLE;
+ *   _FACTOR if e is not finite or not positive; _CONIC if the angles reach infinity.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_curve_conic_focus(int32_t dim, const double *focus, const double *axis,
+                                               const double *foot, double eccentricity, double start,
+                                               double sweep, int32_t form, nurbs **out);
+
+/** \brief Shape factor C_sf = w1^2 / (w0 w2) and kind of a conic segment: a curve of degree 2 with one
+ * polynomial piece. The weights are those of its Bezier form. The kind is decided exactly for the stored
+ * weights, unless the piece is unclamped: then for its Bezier weights as computed.
+ * \param[in] g a curve of degree 2 with 3 control points.
+ * \param[out] factor C_sf.
+ * \param[out] type one of the NURBS_CONIC_ constants; NURBS_CONIC_LINE if the control points are on a line
+ *   to within rounding, which comes before all others.
+ * \return NURBS_OK, NURBS_ERROR_NULL; _AXES if g is no curve, _DEGREE if its degree is not 2, _COUNT if it
+ *   has several pieces, _WEIGHT_SIGN if an end weight is not positive.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_curve_shape_factor(const nurbs *g, double *factor, int32_t *type);
+
+/** \brief A circular helix or Archimedean spiral to a tolerance. With turns n the curve is, for a from start
+ * to start + 2 pi n,
+ *
+ *     origin + r(a) (X cos a + Y sin a) + pitch (a - start) / (2 pi) Z,
+ *     r(a) = radius + growth (a - start) / (2 pi),
+ *
+ * growth != 0 making it a conical helix, and in dimension 2, where pitch is 0, a spiral. Pieces are equal,
+ * of degree 6 (4 where growth is 0) and curvature continuous; angles are met exactly, so that a helix lies
+ * on its cylinder and a conical one on its cone, and only where along it a point stands is approximated.
+ * The domain is [0, n] for turns; on each piece the parameter is that of a rational arc.
+ * \param[in] dim 2 or 3.
+ * \param[in] origin,axis,x [dim] placement.
+ * \param[in] radius at the start, >= 0, and > 0 where growth is 0.
+ * \param[in] growth change of the radius in a turn; the radius at the end must be >= 0, too.
+ * \param[in] pitch rise along the axis in a turn; 0 in dimension 2.
+ * \param[in] start angle at which the curve begins.
+ * \param[in] turns number of turns, > 0.
+ * \param[in] tolerance largest distance between the curve and the true one at the same angle, > 0.
+ * \param[out] error a proven bound of that distance, rounding left out; or NULL.
+ * \param[out] out the new handle.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _DIMENSION, _DIRECTION, _POINT_NOT_FINITE, _ANGLE, _TOLERANCE,
+ *   _OVERFLOW; _LENGTH if a length is not finite or a radius is out of range, _FACTOR if the turns are,
+ *   _NOT_REPRESENTABLE if a coordinate overflows, _KNOTS_MERGE if the tolerance asks for more pieces than
+ *   the domain has numbers.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_curve_helix(int32_t dim, const double *origin, const double *axis,
+                                         const double *x, double radius, double growth, double pitch,
+                                         double start, double turns, double tolerance, double *error,
+                                         nurbs **out);
+/** @} */
+
+/** \defgroup shapes Surfaces and volumes from curves
+ * Exact constructions. Domains of what is given are kept, new axes run over [0, 1]. Placements, angles and
+ * forms of arcs are those of the curves; shapes of revolution have the angle as axis 0 and a normal S_u x
+ * S_v that points outwards where the sweep is positive.
+ * @{ */
+
+/** \name Flags of constructions
+ * @{ */
+/** \brief nurbs_ruled(): rulings divided evenly in Cartesian space, in place of those of homogeneous points. */
+#define NURBS_RULED_CARTESIAN 0x80000000u
+/** \brief nurbs_surface_sphere_patches(): the half towards Z. */
+#define NURBS_HEMISPHERE 0x01000000u
+/** \brief nurbs_surface_hyperboloid(): the hyperboloid of two sheets. */
+#define NURBS_TWO_SHEETS 0x02000000u
+/** @} */
+
+/** \brief Moves a curve or surface along a vector: (u, v) -> g(u) + v vector, the new axis last, of degree 1
+ * over [0, 1].
+ * \param[in] g a spline of 1 or 2 axes.
+ * \param[in] vector [dim] the way, not 0.
+ * \param[out] out the new handle, with one axis more.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _OVERFLOW; _AXES if g is a volume, _DIRECTION if the vector is zero
+ *   or not finite, _NOT_REPRESENTABLE if a coordinate overflows.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_extrude(const nurbs *g, const double *vector, nurbs **out);
+
+/** \brief Turns a curve or surface in space about an axis, the angle as a new axis 0 over [0, 1]. At the
+ * angle 0 it is g itself, bit for bit where it has Cartesian points. A control point at the distance r from
+ * the axis goes along the control points of an arc of radius r; weights are multiplied (Piegl & Tiller
+ * 8.5).
+ * \param[in] g a spline of 1 or 2 axes and dimension 3.
+ * \param[in] point [3] a point of the axis; NULL: the origin.
+ * \param[in] axis [3] its direction; NULL: (0, 0, 1).
+ * \param[in] sweep angle, right-handed about the axis.
+ * \param[in] form one of the NURBS_ARC_ constants.
+ * \param[out] out the new handle, with one axis more.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _POINT_NOT_FINITE, _FORM, _ANGLE, _OVERFLOW; _AXES if g is a volume,
+ *   _DIMENSION if its dimension is not 3, _DIRECTION if the axis is zero or not finite, _NOT_REPRESENTABLE
+ *   if a coordinate overflows.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_revolve(const nurbs *g, const double *point, const double *axis, double sweep,
+                                     int32_t form, nurbs **out);
+
+/** \brief The surface of straight lines between curves, or the volume between surfaces, with a new last axis
+ * v over [0, 1]. Both are brought to one degree and one knot vector as by nurbs_make_compatible() with
+ * tolerance 0, the domain of b being mapped to that of a. By default homogeneous points are divided, the
+ * usual NURBS ruling (degree 1 in v, rulings divided unevenly where the weights differ); with
+ * NURBS_RULED_CARTESIAN the point is (1 - v) a(u) + v b(u), over the product of the denominators where the
+ * weights differ.
+ * \param[in] a,b splines of 1 or 2 axes, as many in both, and of the same dimension.
+ * \param[in] flags NURBS_RULED_CARTESIAN, or 0.
+ * \param[out] out the new handle, with one axis more; a at v = 0, b at v = 1.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _FLAGS, _OVERFLOW; _AXES if a is a volume, _INCOMPATIBLE if the
+ *   numbers of axes differ, _DIMENSION if the dimensions do, _DEGREE if degrees add up to more than
+ *   NURBS_MAX_DEGREE, _KNOTS_MERGE as for nurbs_reparametrize(), _PERIODIC_KNOTS, _NOT_REPRESENTABLE,
+ *   _WEIGHTS_VANISH.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_ruled(const nurbs *a, const nurbs *b, uint32_t flags, nurbs **out);
+
+/** \brief The translational sweep alpha a(u) + beta b(v), the axes of b behind those of a. The weights are
+ * products, so that the sum is one of Cartesian points.
+ * \param[in] a,b splines of the same dimension with at most NURBS_MAX_AXES axes together.
+ * \param[in] alpha,beta finite factors.
+ * \param[out] out the new handle.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _OVERFLOW; _AXES if there are too many axes, _DIMENSION if the
+ *   dimensions differ, _FACTOR if alpha or beta is not finite, _NOT_REPRESENTABLE if a value overflows,
+ *   _WEIGHTS_VANISH if weights underflow.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_tensor_sum(const nurbs *a, double alpha, const nurbs *b, double beta,
+                                        nurbs **out);
+
+/** \brief The product a(u) b(v), component by component, the axes of b behind those of a; one of them may
+ * have dimension 1 and multiplies all components of the other.
+ * \param[in] a,b splines with at most NURBS_MAX_AXES axes together.
+ * \param[out] out the new handle.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _OVERFLOW; _AXES if there are too many axes, _DIMENSION if the
+ *   dimensions do not suit, _NOT_REPRESENTABLE if a value overflows, _WEIGHTS_VANISH if weights underflow.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_tensor_product(const nurbs *a, const nurbs *b, nurbs **out);
+
+/** \brief A swung surface: (u, v) -> (scale r(v) x(u), scale r(v) y(u), z(v)) for the trajectory (x, y) and
+ * the profile (r, z). A circle about the origin as trajectory gives the surface of revolution (Woodward
+ * 1987; Piegl & Tiller 10.3).
+ * \param[in] trajectory a curve of dimension 2, axis 0 of the result.
+ * \param[in] profile a curve of dimension 2, axis 1 of the result.
+ * \param[in] scale finite, not 0.
+ * \param[out] out the new handle, of dimension 3.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _OVERFLOW; _AXES if one is no curve, _DIMENSION if its dimension is
+ *   not 2, _FACTOR if the scale is not finite or is 0, _NOT_REPRESENTABLE if a value overflows,
+ *   _WEIGHTS_VANISH if weights underflow.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_surface_swung(const nurbs *trajectory, const nurbs *profile, double scale,
+                                           nurbs **out);
+
+/** \brief The parallelogram origin + s u + t v, of degree 1 on both axes.
+ * \param[in] dim dimension, at least 2.
+ * \param[in] origin [dim] a corner; NULL: 0.
+ * \param[in] u,v [dim] two sides.
+ * \param[out] out the new handle.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _DIMENSION, _POINT_NOT_FINITE; _DIRECTION if a side is zero, not
+ *   finite, or parallel to the other one to within rounding; _NOT_REPRESENTABLE if a coordinate overflows.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_surface_plane(int32_t dim, const double *origin, const double *u,
+                                           const double *v, nurbs **out);
+
+/** \brief The bilinear patch over four corners, of degree 1 on both axes.
+ * \param[in] dim dimension, at least 1.
+ * \param[in] corners [4][dim] the points at (0, 0), (0, 1), (1, 0) and (1, 1).
+ * \param[in] corner_stride,corner_component_stride layout of corners, 0 = packed.
+ * \param[out] out the new handle.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _DIMENSION, _STRIDE, _POINT_NOT_FINITE.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_surface_bilinear(int32_t dim, const double *corners, int64_t corner_stride,
+                                              int64_t corner_component_stride, nurbs **out);
+
+/** \brief The trilinear volume over eight corners, of degree 1 on all axes.
+ * \param[in] dim dimension, at least 1.
+ * \param[in] corners [8][dim] the points at (0, 0, 0), (0, 0, 1), (0, 1, 0), ..., (1, 1, 1).
+ * \param[in] corner_stride,corner_component_stride layout of corners, 0 = packed.
+ * \param[out] out the new handle.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _DIMENSION, _STRIDE, _POINT_NOT_FINITE.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_volume_trilinear(int32_t dim, const double *corners, int64_t corner_stride,
+                                              int64_t corner_component_stride, nurbs **out);
+
+/** \brief The whole sphere by longitude (axis 0) and latitude (axis 1, from the pole -Z to the pole Z); its
+ * poles are collapsed edges, its seam closes bit for bit.
+ * \param[in] center,axis,x [3] placement.
+ * \param[in] radius > 0.
+ * \param[in] form one of the NURBS_ARC_ constants, for both axes.
+ * \param[out] out the new handle.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _DIRECTION, _POINT_NOT_FINITE, _FORM; _LENGTH if the radius is not
+ *   finite or not positive, _NOT_REPRESENTABLE if a coordinate overflows.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_surface_sphere(const double *center, const double *axis, const double *x,
+                                            double radius, int32_t form, nurbs **out);
+
+/** \brief A patch of a sphere between two meridians and two circles of latitude.
+ * \param[in] center,axis,x [3] placement.
+ * \param[in] radius > 0.
+ * \param[in] start,sweep longitudes, as for nurbs_curve_arc().
+ * \param[in] south,north latitudes, -pi/2 <= south < north <= pi/2; a hemisphere is 0, pi/2.
+ * \param[in] form one of the NURBS_ARC_ constants, for both axes.
+ * \param[out] out the new handle.
+ * \return as nurbs_surface_sphere(), and NURBS_ERROR_ANGLE.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_surface_spherical_patch(const double *center, const double *axis,
+                                                     const double *x, double radius, double start,
+                                                     double sweep, double south, double north, int32_t form,
+                                                     nurbs **out);
+
+/** \brief The sphere without poles: six patches of degree 4 x 4 over the faces of a cube, each bounded by
+ * arcs of great circles, without a singular point (after Cobb 1988). Neighbours share their edge curves bit
+ * for bit, up to direction. The names in the list are "+X", "+Y", "-X", "-Y", "+Z", "-Z". With
+ * NURBS_HEMISPHERE the half towards Z: "+Z" whole, and the upper halves of "+X", "+Y", "-X", "-Y".
+ * \param[in] center,axis,x [3] placement.
+ * \param[in] radius > 0.
+ * \param[in] flags NURBS_HEMISPHERE, or 0.
+ * \param[out] out the new list.
+ * \return as nurbs_surface_sphere(), _FLAGS in place of _FORM.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_surface_sphere_patches(const double *center, const double *axis, const double *x,
+                                                    double radius, uint32_t flags, nurbs_list **out);
+
+/** \brief The whole ellipsoid with semi-axes along X, Y and Z, parametrized as nurbs_surface_sphere().
+ * \param[in] center,axis,x [3] placement.
+ * \param[in] radius_x,radius_y,radius_z semi-axes, > 0.
+ * \param[in] form one of the NURBS_ARC_ constants.
+ * \param[out] out the new handle.
+ * \return as nurbs_surface_sphere().
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_surface_ellipsoid(const double *center, const double *axis, const double *x,
+                                               double radius_x, double radius_y, double radius_z,
+                                               int32_t form, nurbs **out);
+
+/** \brief A circular cylinder: origin + radius (X cos a + Y sin a) + v height Z. Axis 0 is the angle, axis
+ * 1, of degree 1, the height.
+ * \param[in] origin,axis,x [3] placement; the origin is the centre of the base.
+ * \param[in] radius,height > 0.
+ * \param[in] start,sweep angles, as for nurbs_curve_arc().
+ * \param[in] form one of the NURBS_ARC_ constants.
+ * \param[out] out the new handle.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _DIRECTION, _POINT_NOT_FINITE, _FORM, _ANGLE; _LENGTH if a length is
+ *   not finite or out of range, _NOT_REPRESENTABLE if a coordinate overflows.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_surface_cylinder(const double *origin, const double *axis, const double *x,
+                                              double radius, double height, double start, double sweep,
+                                              int32_t form, nurbs **out);
+
+/** \brief A circular cone or its frustum, parametrized as nurbs_surface_cylinder(), with a radius that
+ * changes from base_radius at the origin to top_radius at origin + height Z.
+ * \param[in] origin,axis,x [3] placement; the origin is the centre of the base.
+ * \param[in] base_radius,top_radius >= 0, not equal; where one is 0 the apex is a collapsed edge.
+ * \param[in] height > 0.
+ * \param[in] start,sweep angles, as for nurbs_curve_arc().
+ * \param[in] form one of the NURBS_ARC_ constants.
+ * \param[out] out the new handle.
+ * \return as nurbs_surface_cylinder().
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_surface_cone(const double *origin, const double *axis, const double *x,
+                                          double base_radius, double top_radius, double height, double start,
+                                          double sweep, int32_t form, nurbs **out);
+
+/** \brief A torus: (R + r cos b) (X cos a + Y sin a) + r sin b Z about the centre. Axis 0 is the angle a
+ * about the axis, axis 1 the angle b about the tube, counted from the outer equator upwards. Where r > R it
+ * cuts itself.
+ * \param[in] center,axis,x [3] placement.
+ * \param[in] major_radius,minor_radius R, r > 0.
+ * \param[in] start,sweep angles a.
+ * \param[in] tube_start,tube_sweep angles b.
+ * \param[in] form one of the NURBS_ARC_ constants, for both axes.
+ * \param[out] out the new handle.
+ * \return as nurbs_surface_cylinder().
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_surface_torus(const double *center, const double *axis, const double *x,
+                                           double major_radius, double minor_radius, double start,
+                                           double sweep, double tube_start, double tube_sweep, int32_t form,
+                                           nurbs **out);
+
+/** \brief A bowl of the elliptic paraboloid Z = height ((X / radius_x)^2 + (Y / radius_y)^2), from the
+ * vertex, a collapsed edge, at v = 0 to the rim at v = 1, Z = height v^2. Axis 0 is the angle.
+ * \param[in] vertex,axis,x [3] placement.
+ * \param[in] radius_x,radius_y semi-axes of the rim, > 0.
+ * \param[in] height > 0.
+ * \param[in] start,sweep angles, as for nurbs_curve_ellipse().
+ * \param[in] form one of the NURBS_ARC_ constants.
+ * \param[out] out the new handle.
+ * \return as nurbs_surface_cylinder().
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_surface_paraboloid(const double *vertex, const double *axis, const double *x,
+                                                double radius_x, double radius_y, double height, double start,
+                                                double sweep, int32_t form, nurbs **out);
+
+/** \brief A saddle of the hyperbolic paraboloid Z = height ((X / radius_x)^2 - (Y / radius_y)^2) over the
+ * rectangle |X| <= radius_x, |Y| <= radius_y: polynomial, of degree 2 on both axes, X along axis 0 and Y
+ * along axis 1.
+ * \param[in] center,axis,x [3] placement.
+ * \param[in] radius_x,radius_y,height > 0.
+ * \param[out] out the new handle.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _DIRECTION, _POINT_NOT_FINITE; _LENGTH if a length is not finite or
+ *   not positive, _NOT_REPRESENTABLE if a coordinate overflows.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_surface_saddle(const double *center, const double *axis, const double *x,
+                                            double radius_x, double radius_y, double height, nurbs **out);
+
+/** \brief A band of the hyperboloid (X / radius_x)^2 + (Y / radius_y)^2 - (Z / radius_z)^2 = 1 between two
+ * planes Z = bottom and Z = top; or with NURBS_TWO_SHEETS of the sheets (Z / radius_z)^2 - (X / radius_x)^2
+ * - (Y / radius_y)^2 = 1, both planes being on one sheet: radius_z <= bottom or top <= -radius_z. Axis 0 is
+ * the angle.
+ * \param[in] center,axis,x [3] placement.
+ * \param[in] radius_x,radius_y,radius_z > 0.
+ * \param[in] bottom,top heights, bottom < top.
+ * \param[in] start,sweep angles, as for nurbs_curve_ellipse().
+ * \param[in] form one of the NURBS_ARC_ constants, for the angle.
+ * \param[in] flags NURBS_TWO_SHEETS, or 0.
+ * \param[out] out the new handle.
+ * \return as nurbs_surface_cylinder(), and NURBS_ERROR_FLAGS.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_surface_hyperboloid(const double *center, const double *axis, const double *x,
+                                                 double radius_x, double radius_y, double radius_z,
+                                                 double bottom, double top, double start, double sweep,
+                                                 int32_t form, uint32_t flags, nurbs **out);
+/** @} */
+
+/** \defgroup coons Surfaces and volumes from their boundaries
+ * A boundary of a spline is what is left when one axis stands at one end of its domain. The boundaries of a
+ * surface (4 curves) and of a volume (6 surfaces) are counted by axis, then by end:
+ *
+ *     index   0           1           2           3           4           5
+ *     fixed   axis 0      axis 0      axis 1      axis 1      axis 2      axis 2
+ *             start       end         start       end         start       end
+ *
+ * Each runs over the other axes in their order: of a surface S(u, v), 0 and 1 are curves in v, 2 and 3 in
+ * u.
+ *
+ * A Coons surface takes the domain of axis 0 from boundary 2 and that of axis 1 from boundary 0; a Coons
+ * volume those of its axes 1 and 2 from boundary 0, and that of axis 0 from boundary 2. Domains of the
+ * others are mapped to them.
+ *
+ * Corners, and whatever else is given twice, agree if they are at most `tolerance` apart. Where they differ
+ * by less, the means are used: the blend misses the boundaries by at most that, nowhere else by anything
+ * but rounding.
+ *
+ * Rational boundaries are blended in Cartesian space. The result is the sum over the product of the
+ * denominators that are not equal bit for bit after both are brought to common knots and divided by their
+ * first weight: degrees up to 2 p + 1 for surfaces from curves of degree p, 4 p + 3 with cross tangents.
+ * @{ */
+
+/** \name Twists of nurbs_surface_coons_hermite()
+ * The twist of a corner is S_uv there. Cross tangents determine it twice: as the derivatives along their
+ * boundaries of both that meet there.
+ * @{ */
+#define NURBS_TWIST_COMPATIBLE 0 /**< both, which must agree to the tolerance */
+#define NURBS_TWIST_AVERAGE 1    /**< their mean */
+#define NURBS_TWIST_GIVEN 2      /**< the ones given */
+#define NURBS_TWIST_ZERO 3       /**< zero (Ferguson's patch) */
+#define NURBS_TWIST_BILINEAR 4   /**< that of the bilinear patch of the corners */
+#define NURBS_TWIST_ADINI 5      /**< that of the bilinear Coons surface of the boundaries (Adini's twist) */
+/** @} */
+
+/** \brief The boundaries of a surface or volume, in the order above, each bit for bit what nurbs_iso()
+ * gives; named "0-", "0+", "1-", "1+", and so on.
+ * \param[in] g a surface or volume.
+ * \param[out] out the new list, of 4 or 6.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _NOT_REPRESENTABLE; _AXES if g is a curve.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_boundaries(const nurbs *g, nurbs_list **out);
+
+/** \brief The bilinearly blended Coons surface of four curves (Coons 1967): with u and v mapped to [0, 1],
+ *
+ *     S(u, v) = (1 - u) c0(v) + u c1(v) + (1 - v) c2(u) + v c3(u)
+ *               - the bilinear patch of the four corners.
+ *
+ * \param[in] boundaries [4] curves of the same dimension, in the order above.
+ * \param[in] tolerance largest gap at a corner, >= 0.
+ * \param[out] out the new handle.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _TOLERANCE, _OVERFLOW; _AXES if one is no curve, _DIMENSION if
+ *   dimensions differ, _GAP if a corner has a larger gap (the message names corner and gap; all gaps:
+ *   nurbs_coons_gaps()), _DEGREE if a degree would exceed NURBS_MAX_DEGREE, _KNOTS_MERGE as for
+ *   nurbs_reparametrize(), _NOT_REPRESENTABLE, _WEIGHTS_VANISH.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_surface_coons(const nurbs *const *boundaries, double tolerance, nurbs **out);
+
+/** \brief The bicubically blended Coons surface of four curves and the derivatives across them:
+ *
+ *     S(u, v) = - [-1 F0(u) F1(u) G0(u) G1(u)] M [-1 F0(v) F1(v) G0(v) G1(v)]^T,
+ *
+ * where M is the boundary information matrix
+ *
+ *     | 0      S(u,0)   S(u,1)   S_v(u,0)   S_v(u,1)  |
+ *     | S(0,v) S(0,0)   S(0,1)   S_v(0,0)   S_v(0,1)  |
+ *     | S(1,v) S(1,0)   S(1,1)   S_v(1,0)   S_v(1,1)  |
+ *     | S_u(0,v) S_u(0,0) S_u(0,1) S_uv(0,0) S_uv(0,1) |
+ *     | S_u(1,v) S_u(1,0) S_u(1,1) S_uv(1,0) S_uv(1,1) |
+ *
+ * and F0, F1, G0, G1 are the cubic Hermite functions (Coons 1967), those of derivatives times the length of
+ * the domain. Without cross tangents the surface is Hermite's bicubic blend of the corners' tangents along
+ * the boundaries: S_u(0,v) = F0(v) S_u(0,0) + F1(v) S_u(0,1) + G0(v) S_uv(0,0) + G1(v) S_uv(0,1), and so
+ * on.
+ *
+ * Boundaries are met everywhere; cross tangents are too, where the twists agree with them. Two surfaces
+ * that share a boundary, its cross tangents and the twists at its ends join with one tangent plane along
+ * it.
+ * \param[in] boundaries [4] curves of the same dimension, in the order above.
+ * \param[in] cross [4] curves of the same dimension: the derivative of the surface by the fixed axis along
+ *   each boundary (0: S_u(u0, v), 2: S_v(u, v0)); or NULL. Their domains are mapped to those of the
+ *   boundaries without changing their values.
+ * \param[in] twist one of the NURBS_TWIST_ constants; without cross not NURBS_TWIST_COMPATIBLE or _AVERAGE.
+ * \param[in] twists [4][dim] S_uv at (u0, v0), (u0, v1), (u1, v0), (u1, v1) for NURBS_TWIST_GIVEN, else
+ *   NULL.
+ * \param[in] tolerance largest gap at a corner, between tangents of boundaries and cross tangents there,
+ *   and for NURBS_TWIST_COMPATIBLE between twists, >= 0.
+ * \param[out] bound largest difference between the twists used and those of the cross tangents, 0 without
+ *   cross; or NULL.
+ * \param[out] out the new handle.
+ * \return as nurbs_surface_coons(), and NURBS_ERROR_TWIST_RULE if twist is none of the constants or does
+ *   not suit, _POINT_NOT_FINITE if a twist is not finite, _TANGENT if a cross tangent differs from the
+ *   tangent of the boundary at a corner by more than the tolerance, _TWIST if twists do; the message names
+ *   the corner and the difference.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_surface_coons_hermite(const nurbs *const *boundaries, const nurbs *const *cross,
+                                                   int32_t twist, const double *twists, double tolerance,
+                                                   double *bound, nurbs **out);
+
+/** \brief What does not meet at the corners of a surface to be: corners in the order (u0, v0), (u0, v1),
+ * (u1, v0), (u1, v1). All differences are lengths of vectors.
+ * \param[in] boundaries [4] curves of the same dimension, in the order above.
+ * \param[in] cross [4] as for nurbs_surface_coons_hermite(), or NULL.
+ * \param[out] positions [4] distances between the ends of the two boundaries.
+ * \param[out] tangents [4][2] differences between the derivative of a boundary and the cross tangent that
+ *   belongs to the other one, first S_u, then S_v; 0 without cross; or NULL.
+ * \param[out] twists [4] differences between the derivatives of the two cross tangents; 0 without cross; or
+ *   NULL.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _KNOTS_MERGE; _AXES if one is no curve, _DIMENSION if dimensions
+ *   differ, _NOT_REPRESENTABLE if a difference overflows.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_coons_gaps(const nurbs *const *boundaries, const nurbs *const *cross,
+                                        double *positions, double *tangents, double *twists);
+
+/** \brief The volume that blends six faces linearly (Gordon & Hall 1973): the sum of the blends of opposite
+ * faces, less those of the twelve edges, plus that of the eight corners.
+ * \param[in] faces [6] surfaces of the same dimension, in the order above.
+ * \param[in] tolerance largest gap along an edge, >= 0.
+ * \param[out] out the new handle.
+ * \return as nurbs_surface_coons(), _AXES if a face is no surface; _GAP also names the edge.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_volume_coons(const nurbs *const *faces, double tolerance, nurbs **out);
+/** @} */
+
+/** \defgroup recognize Recognition
+ * @{ */
+
+/** \name Shapes
+ * @{ */
+#define NURBS_SHAPE_NONE 0 /**< none of these, to the tolerance */
+#define NURBS_SHAPE_POINT 1
+#define NURBS_SHAPE_LINE 2
+#define NURBS_SHAPE_CIRCLE 3
+#define NURBS_SHAPE_ELLIPSE 4
+#define NURBS_SHAPE_PARABOLA 5
+#define NURBS_SHAPE_HYPERBOLA 6
+#define NURBS_SHAPE_PLANE 7
+#define NURBS_SHAPE_SPHERE 8
+#define NURBS_SHAPE_CYLINDER 9
+#define NURBS_SHAPE_CONE 10
+#define NURBS_SHAPE_TORUS 11
+/** @} */
+
+/** \brief Whether a curve is a line, circle or conic, or a surface a plane, sphere, cylinder, cone or torus:
+ * the first shape of the list from which no point of g is farther than the tolerance. A shape is fitted to
+ * points of g; then the distance of all of g from it is bounded through the Bernstein coefficients of the
+ * equation of the shape along g, so that what is returned is proven. A closed or partial shape, and how it
+ * is parametrized, make no difference. What does not fit may be within the tolerance of a shape all the
+ * same, if by little.
+ *
+ * The numbers are a placement and two sizes; unused ones are 0:
+ *
+ *     shape       origin        axis              x                  sizes
+ *     POINT       the point
+ *     LINE        start         direction
+ *     CIRCLE      centre        normal            to the start       radius
+ *     ELLIPSE     centre        normal            major axis         semi-axes
+ *     PARABOLA    vertex        normal            to the focus       focal length
+ *     HYPERBOLA   centre        normal            to the vertex      semi-axes along x and across
+ *     PLANE       a point       normal            along axis 0
+ *     SPHERE      centre                                             radius
+ *     CYLINDER    on the axis   axis              to the start       radius
+ *     CONE        apex          axis, into g      to the start       half the opening angle
+ *     TORUS       centre        axis              to the start       major and minor radius
+ *
+ * In dimension 2 third coordinates are 0 and normals are (0, 0, 1) or (0, 0, -1): the curve runs
+ * counterclockwise about them.
+ * \param[in] g a curve or surface of dimension 2 or 3.
+ * \param[in] tolerance largest distance from the shape, > 0.
+ * \param[out] shape one of the NURBS_SHAPE_ constants.
+ * \param[out] placement [9] origin, axis and x, three each; or NULL.
+ * \param[out] sizes [2] see above; or NULL.
+ * \param[out] deviation a proven bound of the distance of points of g from the shape, at most the
+ *   tolerance; 0 for NURBS_SHAPE_NONE; or NULL.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DIMENSION, _TOLERANCE; _NOT_REPRESENTABLE if a value
+ *   overflows on the way.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_recognize(const nurbs *g, double tolerance, int32_t *shape, double *placement,
+                                       double *sizes, double *deviation);
 /** @} */
 
 /** \defgroup linear Derivatives with respect to data

@@ -15,8 +15,8 @@ HANDLES = ("nurbs", "nurbs_list")
 STRUCTS = ("nurbs_read_options",)
 # Pointers to one value that is written; arrays have names in the plural.
 SINGLE_RESULTS = ("angle", "at_least", "at_most", "axes", "bound", "count", "curvature_gap", "degree", "deviation",
-                  "dim", "entity_type", "entries", "form", "gap", "geometric", "length", "line", "metres", "order",
-                  "periodic", "position_gap", "rational", "reason", "removed", "slots")
+                  "dim", "entity_type", "entries", "error", "factor", "form", "gap", "geometric", "length", "line", "metres", "order",
+                  "periodic", "position_gap", "rational", "reason", "removed", "shape", "slots", "type")
 
 
 @dataclass

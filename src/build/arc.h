@@ -1,0 +1,33 @@
+// Arcs of the unit circle as control points: what every conic, and every shape of revolution, is made of.
+#pragma once
+
+#include "basis/knot_vector.h"
+#include "build/angle.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace nrb {
+
+struct ArcPoint {
+    double x; // Cartesian
+    double y;
+    double weight;
+};
+
+struct Arc {
+    KnotVectorPtr axis; // over [0, 1]
+    std::vector<ArcPoint> points;
+};
+
+// The arc (cos a, sin a) in one of the NURBS_ARC_ forms; a full turn ends with its first point. A piece of degree
+// 2 and angle d has the weights 1, cos(d / 2), 1. The smooth form beyond a third of a turn: the square of the
+// complex polynomial with the Bernstein coefficients 1, e^(i d / 4), e^(i d / 2) over the square of its
+// magnitude has the homogeneous points e^(i k d / 4) with the weights 1, c, (2 + cos(d / 2)) / 3, c, 1, c = cos(d /
+// 4), which is 0 for the full turn; raised to degree 5 all are positive. Throws NURBS_ERROR_FORM.
+Arc unit_arc(const Turn &turn, int32_t form);
+
+// Throws NURBS_ERROR_FORM.
+void check_arc_form(int32_t form);
+
+} // namespace nrb

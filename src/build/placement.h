@@ -1,0 +1,33 @@
+// Where a shape stands: an origin and a frame of unit vectors.
+#pragma once
+
+#include "eval/vector3.h"
+
+#include <cstdint>
+
+namespace nrb {
+
+struct Placement {
+    Vector3 origin;
+    Vector3 x;
+    Vector3 y;
+    Vector3 z;
+    int dim; // 2 or 3
+
+    // origin + a x + b y + c z, `dim` coordinates, each rounded as if formed in twice the precision.
+    void point(double a, double b, double c, double *out) const noexcept;
+};
+
+// As nurbs.h has it for the curves of its group: origin, axis and x have `dim` coordinates each, or are null.
+// Throws NURBS_ERROR_DIMENSION, _POINT_NOT_FINITE, _DIRECTION; `name` is that of the origin in messages.
+Placement make_placement(int32_t dim, const double *origin, const double *axis, const double *x,
+                         const char *name);
+
+// Throws NURBS_ERROR_POINT_NOT_FINITE, naming the coordinate.
+void check_point(const double *point, int64_t dim, const char *name);
+// Finite, and not 0; throws NURBS_ERROR_DIRECTION.
+void check_direction(const double *direction, int64_t dim, const char *name);
+// Finite and positive; throws NURBS_ERROR_LENGTH.
+void check_length(double length, const char *name);
+
+} // namespace nrb
