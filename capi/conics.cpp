@@ -1,0 +1,127 @@
+// Arcs of circles and conics by points, tangents and equations.
+#include "build/conic_conditions.h"
+#include "build/conic_curves.h"
+#include "build/conic_focus.h"
+#include "build/implicit_conic.h"
+#include "checks.h"
+#include "guard.h"
+#include "spline_data.h"
+
+using namespace nrb;
+using namespace nrb::capi;
+
+namespace {
+
+void check_plane_dimension(int32_t dim) {
+    check_dimension(dim);
+    if (dim < 2) {
+        fail(NURBS_ERROR_DIMENSION, "dim = %d, expected at least 2", dim);
+    }
+}
+
+Coordinates point_of(const double *point, int32_t dim, const char *name) {
+    require(point, name);
+    check_point(point, dim, name);
+    return {point, static_cast<size_t>(dim)};
+}
+
+Coordinates direction_of(const double *direction, int32_t dim, const char *name) {
+    require(direction, name);
+    check_direction(direction, dim, name);
+    return {direction, static_cast<size_t>(dim)};
+}
+
+} // namespace
+
+nurbs_status nurbs_curve_arc_through(int32_t dim, const double *a, const double *b, const double *c,
+                                     int32_t form, nurbs **out) {
+    return guard([&] {
+        require_out(out);
+        check_plane_dimension(dim);
+        const Coordinates start = point_of(a, dim, "a");
+        const Coordinates between = point_of(b, dim, "b");
+        give(arc_through(start, between, point_of(c, dim, "c"), form), out);
+    });
+}
+
+nurbs_status nurbs_curve_arc_tangent(int32_t dim, const double *a, const double *tangent, const double *b,
+                                     int32_t form, nurbs **out) {
+    return guard([&] {
+        require_out(out);
+        check_plane_dimension(dim);
+        const Coordinates start = point_of(a, dim, "a");
+        const Coordinates direction = direction_of(tangent, dim, "tangent");
+        give(arc_tangent(start, direction, point_of(b, dim, "b"), form), out);
+    });
+}
+
+nurbs_status nurbs_curve_conic_triangle(int32_t dim, const double *p0, const double *p1, const double *p2,
+                                        double shape_factor, nurbs **out) {
+    return guard([&] {
+        require_out(out);
+        check_dimension(dim);
+        point_of(p0, dim, "p0");
+        point_of(p1, dim, "p1");
+        point_of(p2, dim, "p2");
+        give(conic_by_shape_factor(dim, p0, p1, p2, shape_factor), out);
+    });
+}
+
+nurbs_status nurbs_curve_conic_shoulder(int32_t dim, const double *a, const double *tangent_a,
+                                        const double *b, const double *tangent_b, double rho, nurbs **out) {
+    return guard([&] {
+        require_out(out);
+        check_plane_dimension(dim);
+        const Coordinates start = point_of(a, dim, "a"), end = point_of(b, dim, "b");
+        const Coordinates leaving = direction_of(tangent_a, dim, "tangent_a");
+        give(conic_shoulder(start, leaving, end, direction_of(tangent_b, dim, "tangent_b"), rho), out);
+    });
+}
+
+nurbs_status nurbs_curve_conic_point(int32_t dim, const double *a, const double *tangent_a, const double *b,
+                                     const double *tangent_b, const double *point, int32_t form,
+                                     nurbs **out) {
+    return guard([&] {
+        require_out(out);
+        check_plane_dimension(dim);
+        const Coordinates start = point_of(a, dim, "a"), end = point_of(b, dim, "b");
+        const Coordinates leaving = direction_of(tangent_a, dim, "tangent_a");
+        const Coordinates arriving = direction_of(tangent_b, dim, "tangent_b");
+        give(conic_point(start, leaving, end, arriving, point_of(point, dim, "point"), form), out);
+    });
+}
+
+nurbs_status nurbs_curve_conic_through(int32_t dim, const double *points, int64_t point_stride,
+                                       int64_t point_component_stride, int32_t form, nurbs **out) {
+    return guard([&] {
+        require_out(out);
+        check_plane_dimension(dim);
+        require(points, "points");
+        const std::vector<double> all =
+            packed(input("points", points, 5, dim, point_stride, point_component_stride));
+        const size_t size = 5 * static_cast<size_t>(dim);
+        check_point(all.data(), static_cast<int64_t>(size), "points");
+        give(conic_through({all.data(), size}, dim, form), out);
+    });
+}
+
+nurbs_status nurbs_curve_conic_implicit(const double *coefficients, double start, double end, int32_t form,
+                                        nurbs **out) {
+    return guard([&] {
+        require_out(out);
+        require(coefficients, "coefficients");
+        give(implicit_conic(coefficients, start, end, form), out);
+    });
+}
+
+nurbs_status nurbs_curve_conic_focus(int32_t dim, const double *focus, const double *axis, const double *foot,
+                                     double eccentricity, double start, double sweep, int32_t form,
+                                     nurbs **out) {
+    return guard([&] {
+        require_out(out);
+        require(focus, "focus");
+        require(foot, "foot");
+        give(conic_focus(focal_frame(dim, focus, axis, foot), eccentricity, make_turn(start, sweep), form),
+             out);
+    });
+}

@@ -1,0 +1,133 @@
+#include "build/plane_frame.h"
+
+#include "base/error.h"
+#include "base/norm.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace nrb {
+
+namespace {
+
+using Vector = std::vector<double>;
+constexpr double eps = std::numeric_limits<double>::epsilon();
+
+double largest_magnitude(std::span<const double> v) noexcept {
+    double largest = 0;
+    for (const double x : v) {
+        largest = std::max(largest, std::fabs(x));
+    }
+    return largest;
+}
+
+double dot(std::span<const double> a, std::span<const double> b) noexcept {
+    double sum = 0;
+    for (size_t i = 0; i < a.size(); ++i) {
+        sum += a[i] * b[i];
+    }
+    return sum;
+}
+
+double length(std::span<const double> v) noexcept {
+    return norm(v.data(), static_cast<int>(v.size()));
+}
+
+Vector scaled(Vector v, double factor) {
+    for (double &x : v) {
+        x *= factor;
+    }
+    return v;
+}
+
+// The part of v across a unit vector; twice, since cancellation leaves some of it.
+Vector across(Vector v, std::span<const double> unit) {
+    for (int pass = 0; pass < 2; ++pass) {
+        const double part = dot(v, unit);
+        for (size_t i = 0; i < v.size(); ++i) {
+            v[i] -= part * unit[i];
+        }
+    }
+    return v;
+}
+
+double power_of_two(double size) noexcept {
+    return size > 0 ? std::ldexp(1.0, -std::ilogb(size)) : 1;
+}
+
+} // namespace
+
+PlaneFrame::PlaneFrame(Coordinates first, Coordinates second, Coordinates third, const char *what)
+    : origin_(first.begin(), first.end()), scale_(1) {
+    const double size =
+        std::max({largest_magnitude(first), largest_magnitude(second), largest_magnitude(third)});
+    scale_ = power_of_two(std::max(largest_magnitude(offset(second)), largest_magnitude(offset(third))));
+    rounding_ = 8 * eps * size * scale_;
+    const Vector chord = offset(second), leg = offset(third);
+    const double width = length(chord);
+    u_ = width > 0 ? scaled(chord, 1 / width) : chord;
+    const Vector high = across(leg, u_);
+    const double height = length(high);
+    if (!(std::min({width, height, length(leg)}) > rounding_)) {
+        fail(NURBS_ERROR_COLLINEAR, "%s are on a line, or two of them are equal, to within rounding", what);
+    }
+    tilt_ = rounding_ / std::min(width, height);
+    v_ = scaled(high, 1 / height);
+    if (origin_.size() == 2) {
+        u_ = {1, 0};
+        v_ = {0, 1};
+    }
+}
+
+Vector PlaneFrame::offset(Coordinates x) const {
+    Vector v(x.begin(), x.end());
+    for (size_t i = 0; i < v.size(); ++i) {
+        v[i] = (v[i] - origin_[i]) * scale_;
+    }
+    return v;
+}
+
+Point2 PlaneFrame::along(std::span<const double> v) const {
+    return {dot(v, u_), dot(v, v_)};
+}
+
+double PlaneFrame::distance(std::span<const double> v) const {
+    return length(across(across(Vector(v.begin(), v.end()), u_), v_));
+}
+
+Point2 PlaneFrame::point(Coordinates x) const {
+    return along(offset(x));
+}
+
+Point2 PlaneFrame::direction(Coordinates v) const {
+    return along(scaled(Vector(v.begin(), v.end()), power_of_two(largest_magnitude(v))));
+}
+
+void PlaneFrame::check_point(Coordinates x, const char *name) const {
+    const Vector v = offset(x);
+    const double out = distance(v);
+    if (out > rounding_ + 4 * tilt_ * length(v)) {
+        fail(NURBS_ERROR_CONIC, "%s is %s away from the plane of the other points", name,
+             Number(out / scale_).text);
+    }
+}
+
+void PlaneFrame::check_direction(Coordinates v, const char *name) const {
+    const Vector unit = scaled(Vector(v.begin(), v.end()), power_of_two(largest_magnitude(v)));
+    const double out = distance(unit) / length(unit);
+    if (out > 8 * eps + 4 * tilt_) {
+        fail(NURBS_ERROR_CONIC, "%s leaves the plane of the points: the sine of the angle is %s", name,
+             Number(out).text);
+    }
+}
+
+Vector PlaneFrame::vector(Point2 v) const {
+    Vector out(origin_.size());
+    for (size_t i = 0; i < out.size(); ++i) {
+        out[i] = (v.x * u_[i] + v.y * v_[i]) / scale_;
+    }
+    return out;
+}
+
+} // namespace nrb

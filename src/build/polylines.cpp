@@ -1,0 +1,147 @@
+#include "build/polylines.h"
+
+#include "base/checked.h"
+#include "base/error.h"
+#include "build/angle.h"
+#include "build/arc.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace nrb {
+
+namespace {
+
+void check_params(std::span<const double> params) {
+    for (size_t i = 0; i < params.size(); ++i) {
+        if (!std::isfinite(params[i])) {
+            fail(NURBS_ERROR_PARAMETER_NOT_FINITE, "params[%zu] = %s is not finite", i,
+                 Number(params[i]).text);
+        }
+        if (i > 0 && !(params[i] > params[i - 1])) {
+            fail(NURBS_ERROR_KNOTS_DECREASING, "params[%zu] = %s, expected more than params[%zu] = %s", i,
+                 Number(params[i]).text, i - 1, Number(params[i - 1]).text);
+        }
+    }
+}
+
+void append(std::vector<double> &points, const Placement &place, double x, double y) {
+    points.resize(points.size() + static_cast<size_t>(place.dim));
+    place.point(x, y, 0, points.data() + points.size() - place.dim);
+}
+
+void close(std::vector<double> &points, int dim) {
+    for (int c = 0; c < dim; ++c) {
+        points.push_back(points[static_cast<size_t>(c)]);
+    }
+}
+
+SplinePtr rectangle(const Placement &place, double x, double y) {
+    std::vector<double> points;
+    append(points, place, -x, -y);
+    append(points, place, x, -y);
+    append(points, place, x, y);
+    append(points, place, -x, y);
+    close(points, place.dim);
+    return polyline(place.dim, std::move(points), even_params(5));
+}
+
+// Bezier points of degree 2 one piece after the other, the first point left out but once.
+class Outline {
+public:
+    explicit Outline(const Placement &place) : place_(place) {}
+
+    void start(double x, double y) { add(x, y, 1); }
+    // A straight side to a point, if it has a length.
+    void side(double from_x, double from_y, double x, double y) {
+        if (from_x != x || from_y != y) {
+            add(from_x + (x - from_x) / 2, from_y + (y - from_y) / 2, 1);
+            add(x, y, 1);
+        }
+    }
+    void corner(double corner_x, double corner_y, double x, double y) {
+        add(corner_x, corner_y, 0.70710678118654752440);
+        add(x, y, 1);
+    }
+    SplinePtr closed() && {
+        points_.resize(points_.size() - static_cast<size_t>(place_.dim));
+        close(points_, place_.dim);
+        return make_spline({piecewise_knots(std::ssize(weights_) / 2)}, place_.dim, Form::rational,
+                           std::move(points_), std::move(weights_));
+    }
+
+private:
+    void add(double x, double y, double weight) {
+        append(points_, place_, x, y);
+        weights_.push_back(weight);
+    }
+
+    const Placement &place_;
+    std::vector<double> points_;
+    std::vector<double> weights_;
+};
+
+} // namespace
+
+std::vector<double> even_params(int64_t n) {
+    std::vector<double> params(static_cast<size_t>(n));
+    for (int64_t i = 0; i < n; ++i) {
+        params[static_cast<size_t>(i)] = static_cast<double>(i) / static_cast<double>(n - 1);
+    }
+    return params;
+}
+
+SplinePtr polyline(int dim, std::vector<double> points, std::vector<double> params) {
+    if (params.size() < 2) {
+        fail(NURBS_ERROR_TOO_FEW_POINTS, "n = %zu, expected at least 2 points", params.size());
+    }
+    check_params(params);
+    std::vector<double> knots;
+    knots.reserve(params.size() + 2);
+    knots.push_back(params.front());
+    knots.insert(knots.end(), params.begin(), params.end());
+    knots.push_back(params.back());
+    return make_spline({make_knot_vector(1, std::move(knots))}, dim, Form::polynomial, std::move(points));
+}
+
+SplinePtr regular_polygon(const Placement &place, double radius, int64_t sides) {
+    check_length(radius, "radius");
+    if (sides < 3) {
+        fail(NURBS_ERROR_COUNT, "sides = %lld, expected at least 3", static_cast<long long>(sides));
+    }
+    std::vector<double> points;
+    points.reserve(static_cast<size_t>(checked_product(checked_sum(sides, 3, "sides"), place.dim, "points")));
+    for (int64_t i = 0; i < sides; ++i) {
+        const Direction d = Angle::quarters(4).part(i, sides).direction();
+        append(points, place, radius * d.cos, radius * d.sin);
+    }
+    close(points, place.dim);
+    return polyline(place.dim, std::move(points), even_params(sides + 1));
+}
+
+SplinePtr rounded_rectangle(const Placement &place, double width, double height, double corner_radius) {
+    check_length(width, "width");
+    check_length(height, "height");
+    const double x = width / 2, y = height / 2, r = corner_radius;
+    if (!(r >= 0 && r <= std::min(x, y))) {
+        fail(NURBS_ERROR_LENGTH, "corner_radius = %s, expected 0 to %s, half of the smaller side",
+             Number(r).text, Number(std::min(x, y)).text);
+    }
+    if (r == 0) {
+        return rectangle(place, x, y);
+    }
+    Outline outline(place);
+    outline.start(r - x, -y);
+    outline.side(r - x, -y, x - r, -y);
+    outline.corner(x, -y, x, r - y);
+    outline.side(x, r - y, x, y - r);
+    outline.corner(x, y, x - r, y);
+    outline.side(x - r, y, r - x, y);
+    outline.corner(-x, y, -x, y - r);
+    outline.side(-x, y - r, -x, r - y);
+    outline.corner(-x, -y, r - x, -y);
+    return std::move(outline).closed();
+}
+
+} // namespace nrb

@@ -1,0 +1,27 @@
+// Curves of degree 1.
+#pragma once
+
+#include "base/records.h"
+#include "build/placement.h"
+#include "spline/spline.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace nrb {
+
+// Through points of `dim` coordinates, one after the other, with as many parameters. Throws
+// NURBS_ERROR_TOO_FEW_POINTS, _PARAMETER_NOT_FINITE, _KNOTS_DECREASING, and what make_spline() throws.
+SplinePtr polyline(int dim, std::vector<double> points, std::vector<double> params);
+
+// 0, 1 / (n - 1), ..., 1.
+std::vector<double> even_params(int64_t n);
+
+// A closed regular polygon over [0, 1] with its corners on a circle, the first towards x. Throws
+// NURBS_ERROR_COUNT, _LENGTH, _OVERFLOW.
+SplinePtr regular_polygon(const Placement &place, double radius, int64_t sides);
+
+// A closed rectangle with sides along x and y, corners rounded by quarter circles. Throws NURBS_ERROR_LENGTH.
+SplinePtr rounded_rectangle(const Placement &place, double width, double height, double corner_radius);
+
+} // namespace nrb
