@@ -7,6 +7,8 @@
 #include "guard.h"
 #include "spline_data.h"
 
+#include <array>
+
 using namespace nrb;
 using namespace nrb::capi;
 
@@ -99,9 +101,12 @@ nurbs_status nurbs_curve_conic_through(int32_t dim, const double *points, int64_
         require(points, "points");
         const std::vector<double> all =
             packed(input("points", points, 5, dim, point_stride, point_component_stride));
-        const size_t size = 5 * static_cast<size_t>(dim);
-        check_point(all.data(), static_cast<int64_t>(size), "points");
-        give(conic_through({all.data(), size}, dim, form), out);
+        for (int64_t i = 0; i < 5; ++i) {
+            const std::array<char, 10> name = {'p', 'o', 'i', 'n', 't', 's', '[', static_cast<char>('0' + i),
+                                               ']', 0};
+            check_point(all.data() + i * dim, dim, name.data());
+        }
+        give(conic_through({all.data(), 5 * static_cast<size_t>(dim)}, dim, form), out);
     });
 }
 

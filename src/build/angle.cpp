@@ -12,7 +12,7 @@ namespace {
 
 // pi / 12 in three parts: the first two have at most 29 bits, so that they times a number of steps
 // below 2^24 are exact.
-constexpr double step = std::numbers::pi / 12;
+constexpr double step = 0x1.0c152382d7366p-2; // pi / 12, rounded
 constexpr double step_high = 0x1.0c15238p-2;
 constexpr double step_low = step - step_high;
 constexpr double step_rest = -0x1.ee6913347c2a6p-56; // of pi / 12, beyond its double

@@ -2,9 +2,9 @@
 
 #include "base/error.h"
 #include "build/arc.h"
+#include "build/make_shape.h"
 #include "build/polylines.h"
 
-#include <algorithm>
 #include <cmath>
 #include <initializer_list>
 #include <utility>
@@ -21,11 +21,6 @@ struct Net {
     void add(const std::vector<double> &point, double weight) {
         points.insert(points.end(), point.begin(), point.end());
         weights.push_back(weight);
-    }
-    SplinePtr spline(KnotVectorPtr axis, int dim) && {
-        const bool even = std::all_of(weights.begin(), weights.end(), [](double w) { return w == 1; });
-        return make_spline({std::move(axis)}, dim, even ? Form::polynomial : Form::rational,
-                           std::move(points), even ? std::vector<double>{} : std::move(weights));
     }
 };
 
@@ -114,16 +109,11 @@ SplinePtr conic_curve(std::span<const ConicArc> arcs, int32_t form) {
     if (arcs.size() > 1) {
         axis = piecewise_knots(std::ssize(net.weights) / 2);
     }
-    return std::move(net).spline(std::move(axis), dim);
+    return make_shape({std::move(axis)}, dim, std::move(net.points), std::move(net.weights));
 }
 
 SplinePtr conic_segment(int dim, const double *p0, const double *p1, const double *p2, double weight) {
-    std::vector<double> points = joined(dim, {p0, p1, p2}), weights;
-    if (weight != 1) {
-        weights = {1, weight, 1};
-    }
-    return make_spline({piecewise_knots(1)}, dim, weight == 1 ? Form::polynomial : Form::rational,
-                       std::move(points), std::move(weights));
+    return make_shape({piecewise_knots(1)}, dim, joined(dim, {p0, p1, p2}), {1, weight, 1});
 }
 
 SplinePtr conic_by_shape_factor(int dim, const double *p0, const double *p1, const double *p2,

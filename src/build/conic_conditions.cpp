@@ -143,23 +143,26 @@ struct Crossing {
     double alpha;
     double beta;
     double miss;
+    double sine; // of the angle between the lines
 };
 
 // a + alpha s and b - beta t where they come closest. The directions are units.
 Crossing closest(Coordinates a, Coordinates s, Coordinates b, Coordinates t) {
-    double st = 0, sc = 0, tc = 0;
+    double st = 0, sc = 0, tc = 0, difference = 0, sum = 0;
     for (size_t i = 0; i < a.size(); ++i) {
         st += s[i] * t[i];
         sc += s[i] * (b[i] - a[i]);
         tc += t[i] * (b[i] - a[i]);
+        difference = std::hypot(difference, s[i] - t[i]);
+        sum = std::hypot(sum, s[i] + t[i]);
     }
-    const double determinant = (1 - st) * (1 + st);
-    const double alpha = (sc - st * tc) / determinant, beta = (tc - st * sc) / determinant;
+    const double sine = difference * sum / 2;
+    const double alpha = (sc - st * tc) / sine / sine, beta = (tc - st * sc) / sine / sine;
     double miss = 0;
     for (size_t i = 0; i < a.size(); ++i) {
         miss = std::hypot(miss, a[i] + alpha * s[i] - (b[i] - beta * t[i]));
     }
-    return {alpha, beta, miss};
+    return {alpha, beta, miss, sine};
 }
 
 Vector unit(Coordinates v) {
@@ -224,8 +227,11 @@ SplinePtr conic_shoulder(Coordinates a, Coordinates tangent_a, Coordinates b, Co
     const Vector s = unit(tangent_a), t = unit(tangent_b);
     const Crossing crossing = closest(a, s, b, t);
     const double reach = std::max(std::fabs(crossing.alpha), std::fabs(crossing.beta));
-    if (!std::isfinite(reach) || !(crossing.alpha > 0) || !(crossing.beta > 0)) {
-        fail(NURBS_ERROR_CONIC, "the tangents do not meet in front of a and behind b");
+    if (!(crossing.sine > 8 * 0x1p-52)) {
+        fail(NURBS_ERROR_CONIC, "the tangents are parallel to within rounding");
+    }
+    if (!(crossing.alpha > 0) || !(crossing.beta > 0)) {
+        fail(NURBS_ERROR_CONIC, "the tangents meet behind a or in front of b");
     }
     if (crossing.miss > 16 * 0x1p-52 * (largest_coordinate(a, b) + reach)) {
         fail(NURBS_ERROR_CONIC, "the tangents pass each other at a distance of %s",

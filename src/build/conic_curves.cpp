@@ -1,8 +1,10 @@
 #include "build/conic_curves.h"
 
 #include "base/error.h"
+#include "build/make_shape.h"
 
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace nrb {
@@ -25,15 +27,12 @@ void check_range(double start, double end) {
 SplinePtr placed_arc(const Placement &place, double radius_x, double radius_y, const Arc &arc) {
     const auto dim = static_cast<size_t>(place.dim);
     std::vector<double> points(arc.points.size() * dim), weights;
-    bool even = true;
     for (size_t i = 0; i < arc.points.size(); ++i) {
         const ArcPoint &p = arc.points[i];
         place.point(radius_x * p.x, radius_y * p.y, 0, points.data() + i * dim);
         weights.push_back(p.weight);
-        even = even && p.weight == 1;
     }
-    return make_spline({arc.axis}, place.dim, even ? Form::polynomial : Form::rational, std::move(points),
-                       even ? std::vector<double>{} : std::move(weights));
+    return make_shape({arc.axis}, place.dim, std::move(points), std::move(weights));
 }
 
 SplinePtr ellipse(const Placement &place, double radius_x, double radius_y, const Turn &turn, int32_t form) {
@@ -50,8 +49,8 @@ SplinePtr parabola(const Placement &place, double focal_length, double start, do
     place.point(slope * start, start, 0, points.data());
     place.point(slope * end, start + (end - start) / 2, 0, points.data() + dim);
     place.point(end_slope * end, end, 0, points.data() + 2 * dim);
-    return make_spline({make_knot_vector(2, {start, start, start, end, end, end})}, place.dim,
-                       Form::polynomial, std::move(points));
+    return make_shape({make_knot_vector(2, {start, start, start, end, end, end})}, place.dim,
+                      std::move(points), {});
 }
 
 SplinePtr hyperbola(const Placement &place, double radius_x, double radius_y, double start, double end) {

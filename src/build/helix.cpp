@@ -3,6 +3,7 @@
 #include "base/checked.h"
 #include "base/error.h"
 #include "basis/binomial.h"
+#include "build/make_shape.h"
 
 #include <algorithm>
 #include <array>
@@ -235,7 +236,7 @@ HelixCurve helix(const Placement &place, const Helix &shape, double tolerance) {
     }
     at.joint(pieces, points.data() + static_cast<size_t>(count - 1) * dim);
     KnotVectorPtr axis = make_knot_vector(piece.degree, helix_knots(at, pieces, piece.degree));
-    return {make_spline({std::move(axis)}, place.dim, Form::rational, std::move(points), std::move(weights)),
+    return {make_shape({std::move(axis)}, place.dim, std::move(points), std::move(weights)),
             slope(shape) * angle_error(angle)};
 }
 

@@ -2,12 +2,16 @@
 
 #include "base/checked.h"
 #include "base/error.h"
+#include "base/representable.h"
 #include "build/angle.h"
 #include "build/arc.h"
+#include "build/make_shape.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
+#include <utility>
 
 namespace nrb {
 
@@ -31,7 +35,9 @@ void append(std::vector<double> &points, const Placement &place, double x, doubl
     place.point(x, y, 0, points.data() + points.size() - place.dim);
 }
 
+// The first point once more; coordinates that overflowed are refused.
 void close(std::vector<double> &points, int dim) {
+    require_representable(points, "the corners");
     for (int c = 0; c < dim; ++c) {
         points.push_back(points[static_cast<size_t>(c)]);
     }
@@ -67,8 +73,8 @@ public:
     SplinePtr closed() && {
         points_.resize(points_.size() - static_cast<size_t>(place_.dim));
         close(points_, place_.dim);
-        return make_spline({piecewise_knots(std::ssize(weights_) / 2)}, place_.dim, Form::rational,
-                           std::move(points_), std::move(weights_));
+        KnotVectorPtr axis = piecewise_knots(std::ssize(weights_) / 2);
+        return make_shape({std::move(axis)}, place_.dim, std::move(points_), std::move(weights_));
     }
 
 private:

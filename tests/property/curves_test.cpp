@@ -1,0 +1,428 @@
+// Circles, conics and helices: the equations that their points fulfil, their ends, their lengths.
+#include "support/cases.h"
+#include "support/handle.h"
+
+#include <array>
+#include <cmath>
+#include <functional>
+#include <gtest/gtest.h>
+#include <numbers>
+
+using namespace support;
+
+namespace {
+
+constexpr double eps = 0x1p-52;
+constexpr double pi = std::numbers::pi;
+using Vec = std::vector<double>;
+
+template <class Call>
+Handle made(Call &&call) {
+    nurbs *out = nullptr;
+    require_ok(call(&out));
+    return Handle(out);
+}
+
+Vec random_vector(Random &random, int dim, double size) {
+    Vec v;
+    for (int c = 0; c < dim; ++c) {
+        v.push_back(random.between(-size, size));
+    }
+    return v;
+}
+
+long double length(const std::vector<long double> &v) {
+    long double sum = 0;
+    for (const long double x : v) {
+        sum += x * x;
+    }
+    return std::sqrt(sum);
+}
+
+double largest(const Vec &v) {
+    double size = 0;
+    for (const double x : v) {
+        size = std::max(size, std::fabs(x));
+    }
+    return size;
+}
+
+Vec random_params(Random &random, int n) {
+    Vec params = {0, 1};
+    for (int i = 2; i < n; ++i) {
+        params.push_back(random.unit());
+    }
+    return params;
+}
+
+double size_of(const nurbs *g) {
+    return largest(read_back(g).points);
+}
+
+// A circular arc anywhere; over full turns every other time.
+struct AnyArc {
+    int dim;
+    Vec center, axis, x;
+    double radius, start, sweep;
+
+    AnyArc(Random &random, int i) : dim(2 + i % 2) {
+        center = random_vector(random, dim, i % 5 == 0 ? 0 : 10);
+        axis = random_vector(random, 3, 1);
+        x = random_vector(random, dim, 1);
+        radius = random.magnitude(0.01, 100);
+        start = random.between(-7, 7);
+        sweep = i % 2 == 0 ? 2 * pi : random.between(0.01, 6.28) * (random.chance(50) ? 1 : -1);
+    }
+    [[nodiscard]] Handle curve(int form) const {
+        return made([&](nurbs **out) {
+            return nurbs_curve_arc(dim, center.data(), dim == 3 ? axis.data() : nullptr, x.data(), radius,
+                                   start, sweep, form, out);
+        });
+    }
+};
+
+TEST(Curves, circles_keep_their_equation_to_4_eps_size_over_a_million_points) {
+    std::array<long double, 3> worst{};
+    for_each_case(40100, 300, [&](Random &random, uint64_t seed) {
+        const AnyArc arc(random, static_cast<int>(seed % 20));
+        const int form = static_cast<int>(seed % 3);
+        const Handle g = arc.curve(form);
+        const Vec points = eval(g.get(), random_params(random, 3500));
+        const auto dim = static_cast<size_t>(arc.dim);
+        const double size = size_of(g.get());
+        for (size_t i = 0; i < points.size(); i += dim) {
+            std::vector<long double> offset;
+            for (size_t c = 0; c < dim; ++c) {
+                offset.push_back(static_cast<long double>(points[i + c]) - arc.center[c]);
+            }
+            const long double off = std::fabs(length(offset) - arc.radius) / size / eps;
+            ASSERT_LE(off, 4) << "seed " << seed << " form " << form;
+            worst[static_cast<size_t>(form)] = std::max(worst[static_cast<size_t>(form)], off);
+        }
+    });
+    std::printf("arcs: largest distance from the circle %.2Lf, %.2Lf, %.2Lf eps size\n", worst[0], worst[1],
+                worst[2]);
+}
+
+TEST(Curves, full_turns_close_bit_for_bit) {
+    for_each_case(40200, 60, [](Random &random, uint64_t seed) {
+        AnyArc arc(random, static_cast<int>(seed % 20));
+        arc.sweep = seed % 2 == 0 ? 2 * pi : -2 * pi;
+        const Handle g = arc.curve(static_cast<int>(seed % 3));
+        ASSERT_TRUE(same_bits(eval(g.get(), {0}), eval(g.get(), {1})));
+    });
+}
+
+TEST(Curves, arcs_by_points_and_tangents_have_their_ends_bit_for_bit) {
+    for_each_case(40300, 200, [](Random &random, uint64_t seed) {
+        const int dim = 2 + static_cast<int>(seed % 4), form = static_cast<int>(seed % 3);
+        const Vec a = random_vector(random, dim, 5), b = random_vector(random, dim, 5),
+                  c = random_vector(random, dim, 5);
+        const Handle through = made([&](nurbs **out) {
+            return nurbs_curve_arc_through(dim, a.data(), b.data(), c.data(), form, out);
+        });
+        const Handle tangent = made([&](nurbs **out) {
+            return nurbs_curve_arc_tangent(dim, a.data(), b.data(), c.data(), form, out);
+        });
+        for (const nurbs *g : {through.get(), tangent.get()}) {
+            ASSERT_TRUE(same_bits(eval(g, {0}), a));
+            ASSERT_TRUE(same_bits(eval(g, {1}), c));
+        }
+        const Vec derivs = eval_derivs(tangent.get(), 1, {0});
+        long double along = 0;
+        std::vector<long double> d, t;
+        for (size_t i = 0; i < static_cast<size_t>(dim); ++i) {
+            d.push_back(derivs[static_cast<size_t>(dim) + i]);
+            t.push_back(b[i]);
+            along += d[i] * t[i];
+        }
+        ASSERT_GT(along / length(d) / length(t), 1 - 1e-13L);
+    });
+}
+
+// Points of the circle of radius 65 with integer coordinates.
+const std::vector<std::array<double, 2>> circle65 = {
+    {65, 0}, {63, 16},  {60, 25},  {56, 33},  {52, 39},  {39, 52},  {33, 56},  {25, 60},  {16, 63},
+    {0, 65}, {-16, 63}, {-25, 60}, {-33, 56}, {-39, 52}, {-52, 39}, {-56, 33}, {-60, 25}, {-63, 16}};
+
+// An affine map with small integers, so that all its images of integer points are exact.
+struct IntegerMap {
+    std::array<double, 4> m{};
+    std::array<double, 2> shift{};
+
+    explicit IntegerMap(Random &random) {
+        do {
+            for (double &x : m) {
+                x = random.whole(-9, 9);
+            }
+        } while (std::fabs(m[0] * m[3] - m[1] * m[2]) < 20);
+        shift = {static_cast<double>(random.whole(-99, 99)), static_cast<double>(random.whole(-99, 99))};
+    }
+    [[nodiscard]] std::array<double, 2> operator()(std::array<double, 2> p) const {
+        return {m[0] * p[0] + m[1] * p[1] + shift[0], m[2] * p[0] + m[3] * p[1] + shift[1]};
+    }
+    [[nodiscard]] std::array<double, 2> direction(std::array<double, 2> p) const {
+        return {m[0] * p[0] + m[1] * p[1], m[2] * p[0] + m[3] * p[1]};
+    }
+    [[nodiscard]] std::array<long double, 2> back(double x, double y) const {
+        const long double det = static_cast<long double>(m[0]) * m[3] - static_cast<long double>(m[1]) * m[2];
+        const long double p = x - static_cast<long double>(shift[0]),
+                          q = y - static_cast<long double>(shift[1]);
+        return {(m[3] * p - m[1] * q) / det, (m[0] * q - m[2] * p) / det};
+    }
+};
+
+// Five points of a conic that is known without rounding, as an image of one of these in rational points.
+struct KnownConic {
+    std::array<std::array<double, 2>, 5> points{};
+    std::array<double, 2> first_tangent{}, last_tangent{};
+    std::function<long double(long double, long double)> equation; // about the relative distance
+};
+
+KnownConic known_circle(Random &random) {
+    KnownConic conic;
+    const int step = random.whole(2, 4), first = random.whole(0, 17 - 4 * step);
+    for (size_t i = 0; i < 5; ++i) {
+        conic.points[i] = circle65[static_cast<size_t>(first) + i * static_cast<size_t>(step)];
+    }
+    conic.first_tangent = {-conic.points[0][1], conic.points[0][0]};
+    conic.last_tangent = {-conic.points[4][1], conic.points[4][0]};
+    conic.equation = [](long double x, long double y) { return (x * x + y * y) / 4225 - 1; };
+    return conic;
+}
+
+KnownConic known_parabola(Random &random) {
+    KnownConic conic;
+    const int step = random.whole(2, 4), first = random.whole(-10, 0);
+    for (size_t i = 0; i < 5; ++i) {
+        const double t = first + static_cast<int>(i) * step;
+        conic.points[i] = {t * t, 8 * t};
+    }
+    conic.first_tangent = {conic.points[0][1] / 4, 8};
+    conic.last_tangent = {conic.points[4][1] / 4, 8};
+    conic.equation = [](long double x, long double y) { return (x - y * y / 64) / 64; };
+    return conic;
+}
+
+KnownConic known_hyperbola(Random &random) { // x y = 64
+    KnownConic conic;
+    const std::array<double, 7> powers = {1, 2, 4, 8, 16, 32, 64};
+    const auto first = static_cast<size_t>(random.whole(0, 2));
+    for (size_t i = 0; i < 5; ++i) {
+        conic.points[i] = {powers[first + i], 64 / powers[first + i]};
+    }
+    conic.first_tangent = {conic.points[0][0], -conic.points[0][1]};
+    conic.last_tangent = {conic.points[4][0], -conic.points[4][1]};
+    conic.equation = [](long double x, long double y) { return x * y / 64 - 1; };
+    return conic;
+}
+
+void expect_on(const nurbs *g, const KnownConic &conic, const IntegerMap &map, double bound, uint64_t seed) {
+    Random random(seed);
+    const Vec points = eval(g, random_params(random, 200));
+    for (size_t i = 0; i < points.size(); i += 2) {
+        const auto p = map.back(points[i], points[i + 1]);
+        ASSERT_LE(std::fabs(conic.equation(p[0], p[1])), bound) << "seed " << seed;
+    }
+}
+
+TEST(Curves, conics_by_conditions_are_those_of_exact_points) {
+    for_each_case(40400, 900, [](Random &random, uint64_t seed) {
+        const KnownConic conic = seed % 3 == 0   ? known_circle(random)
+                                 : seed % 3 == 1 ? known_parabola(random)
+                                                 : known_hyperbola(random);
+        const IntegerMap map(random);
+        Vec points;
+        for (const auto &p : conic.points) {
+            const auto q = map(p);
+            points.insert(points.end(), q.begin(), q.end());
+        }
+        const int form = static_cast<int>(seed % 2);
+        const Handle five =
+            made([&](nurbs **out) { return nurbs_curve_conic_through(2, points.data(), 0, 0, form, out); });
+        // Each step loses digits to the condition of a triangle of neighbouring points, at most about 1e4 here.
+        expect_on(five.get(), conic, map, 1e-10, seed);
+        const auto s = map.direction(conic.first_tangent), t = map.direction(conic.last_tangent);
+        const Handle one = made([&](nurbs **out) {
+            return nurbs_curve_conic_point(2, points.data(), s.data(), points.data() + 8, t.data(),
+                                           points.data() + 4, form, out);
+        });
+        expect_on(one.get(), conic, map, 1e-12, seed);
+        for (const nurbs *g : {five.get(), one.get()}) {
+            ASSERT_TRUE(same_bits(eval(g, {0}), {points[0], points[1]}));
+            ASSERT_TRUE(same_bits(eval(g, {1}), {points[8], points[9]}));
+        }
+    });
+}
+
+TEST(Curves, focal_conics_keep_the_ratio_of_distances) {
+    double worst = 0;
+    for_each_case(40500, 300, [&](Random &random, uint64_t seed) {
+        const double e = random.magnitude(0.05, 4), d = random.magnitude(0.1, 10);
+        const double reach = e < 1 ? 2 * pi : 2 * std::acos(-1 / e) - 0.2;
+        const double sweep = seed % 3 == 0 ? reach : random.between(0.1, 1) * reach;
+        const double start = e < 1 ? random.between(-6, 6) : -reach / 2;
+        const double angle = random.between(0, 6);
+        const Vec focus = random_vector(random, 2, 3), unit = {std::cos(angle), std::sin(angle)};
+        const Vec foot = {focus[0] + d * unit[0], focus[1] + d * unit[1]};
+        const Handle g = made([&](nurbs **out) {
+            return nurbs_curve_conic_focus(2, focus.data(), nullptr, foot.data(), e, start, sweep,
+                                           static_cast<int>(seed % 2), out);
+        });
+        const Vec points = eval(g.get(), random_params(random, 300));
+        const double size = size_of(g.get());
+        for (size_t i = 0; i < points.size(); i += 2) {
+            const long double x = points[i] - static_cast<long double>(focus[0]),
+                              y = points[i + 1] - static_cast<long double>(focus[1]);
+            const long double off = std::sqrt(x * x + y * y) - e * (d - x * unit[0] - y * unit[1]);
+            // The foot is rounded: its distance and direction by eps of the focus' size over d.
+            const double bound = 16 * eps * (1 + e) * size * (1 + largest(focus) / d);
+            ASSERT_LE(std::fabs(off), bound) << "seed " << seed;
+            worst = std::max(worst, static_cast<double>(std::fabs(off)) / bound);
+        }
+    });
+    std::printf("focal conics: at most %.2f of the bound\n", worst);
+}
+
+// Length by Gauss-Legendre quadrature with 5 points on each of `parts` parts of [0, 1].
+double length_of(const nurbs *g, int dim, int parts) {
+    constexpr std::array<double, 5> nodes = {-0.9061798459386640, -0.5384693101056831, 0, 0.5384693101056831,
+                                             0.9061798459386640};
+    constexpr std::array<double, 5> weights = {0.2369268850561891, 0.4786286704993665, 0.5688888888888889,
+                                               0.4786286704993665, 0.2369268850561891};
+    Vec params;
+    for (int i = 0; i < parts; ++i) {
+        for (const double node : nodes) {
+            params.push_back((i + (node + 1) / 2) / parts);
+        }
+    }
+    const Vec derivs = eval_derivs(g, 1, params);
+    const auto width = static_cast<size_t>(dim);
+    double sum = 0;
+    for (size_t i = 0; i < params.size(); ++i) {
+        std::vector<long double> d(derivs.begin() + static_cast<std::ptrdiff_t>((2 * i + 1) * width),
+                                   derivs.begin() + static_cast<std::ptrdiff_t>((2 * i + 2) * width));
+        sum += weights[i % 5] / 2 / parts * static_cast<double>(length(d));
+    }
+    return sum;
+}
+
+TEST(Curves, lengths_are_exact) {
+    for (int form = 0; form < 3; ++form) {
+        const Handle circle = made(
+            [&](nurbs **out) { return nurbs_curve_circle(3, nullptr, nullptr, nullptr, 2.5, form, out); });
+        EXPECT_NEAR(length_of(circle.get(), 3, 240), 5 * pi, 1e-13 * 5 * pi);
+        const Handle arc = made(
+            [&](nurbs **out) { return nurbs_curve_arc(2, nullptr, nullptr, nullptr, 3, 1, -2, form, out); });
+        EXPECT_NEAR(length_of(arc.get(), 2, 240), 6, 1e-13 * 6);
+    }
+    // x = t^2 / 4, y = t: the length from 0 to 2 is sqrt(2) + asinh(1).
+    const Handle parabola =
+        made([](nurbs **out) { return nurbs_curve_parabola(2, nullptr, nullptr, nullptr, 1, 0, 1, out); });
+    EXPECT_NEAR(length_of(parabola.get(), 2, 60), std::sqrt(5.0) / 4 + std::asinh(0.5), 1e-13);
+    const Handle box = made([](nurbs **out) {
+        return nurbs_curve_rounded_rectangle(2, nullptr, nullptr, nullptr, 6, 4, 1, out);
+    });
+    EXPECT_NEAR(length_of(box.get(), 2, 240), 12 + 2 * pi, 1e-12);
+}
+
+struct HelixCase {
+    double radius, growth, pitch, start, turns;
+};
+
+// The largest distance between a point and the true one at the same angle.
+double helix_error(const nurbs *g, const HelixCase &h, int n) {
+    Vec params;
+    for (int i = 0; i <= n; ++i) {
+        params.push_back(h.turns * i / n);
+    }
+    const Vec points = eval(g, params);
+    long double worst = 0;
+    for (size_t i = 0; i < params.size(); ++i) {
+        const long double x = points[3 * i], y = points[3 * i + 1], z = points[3 * i + 2];
+        // The whole turns are those that the parameter, which goes nearly evenly, comes closest to.
+        const long double near = 2 * std::numbers::pi_v<long double> * params[i];
+        const long double seen = std::atan2(y, x) - h.start;
+        const long double turn = 2 * std::numbers::pi_v<long double>;
+        const long double angle = seen + turn * std::round((near - seen) / turn);
+        const long double radius = h.radius + h.growth * angle / turn, rise = h.pitch * angle / turn;
+        const long double off = std::hypot(std::hypot(x, y) - radius, z - rise);
+        worst = std::max(worst, off);
+    }
+    return static_cast<double>(worst);
+}
+
+TEST(Curves, helices_keep_their_proven_error) {
+    const std::array<HelixCase, 4> cases = {
+        {{2, 0, 3, 0.5, 3}, {0.5, 1, 0, -1, 2.5}, {2, -0.3, 0.7, 0, 5}, {1, 0, -1, 2, 0.1}}};
+    for (const HelixCase &h : cases) {
+        for (const double tolerance : {1e-1, 1e-3, 1e-6, 1e-9, 1e-12}) {
+            double error = -1;
+            const Handle g = made([&](nurbs **out) {
+                return nurbs_curve_helix(3, nullptr, nullptr, nullptr, h.radius, h.growth, h.pitch, h.start,
+                                         h.turns, tolerance, &error, out);
+            });
+            const double size = h.radius + std::fabs(h.growth * h.turns) + std::fabs(h.pitch * h.turns);
+            const double worst = helix_error(g.get(), h, 20000);
+            ASSERT_GT(error, 0);
+            ASSERT_LE(error, tolerance);
+            ASSERT_LE(worst, error + 8 * eps * size);
+            ASSERT_GE(worst + 8 * eps * size, 0.8 * error); // the bound is a close one
+        }
+    }
+}
+
+// C' x C'' of a point and its derivatives.
+Vec binormal(const Vec &d) {
+    return {d[4] * d[8] - d[5] * d[7], d[5] * d[6] - d[3] * d[8], d[3] * d[7] - d[4] * d[6]};
+}
+
+TEST(Curves, pieces_of_a_helix_join_with_their_curvature) {
+    const Handle g = made([](nurbs **out) {
+        return nurbs_curve_helix(3, nullptr, nullptr, nullptr, 2, -0.3, 0.7, 0, 3, 1e-4, nullptr, out);
+    });
+    int64_t n = 0;
+    require_ok(nurbs_distinct_knots(g.get(), 0, 0, nullptr, nullptr, &n));
+    Vec knots(static_cast<size_t>(n));
+    require_ok(nurbs_distinct_knots(g.get(), 0, n, knots.data(), nullptr, &n));
+    ASSERT_GT(n, 10);
+    for (size_t i = 1; i + 1 < knots.size(); ++i) {
+        const Vec right = eval_derivs(g.get(), 2, {knots[i]}),
+                  left = eval_derivs(g.get(), 2, {knots[i]}, NURBS_LEFT);
+        for (size_t c = 0; c < 3; ++c) { // equal pieces: not only directions agree
+            ASSERT_NEAR(left[3 + c], right[3 + c], 1e-12 * largest(right)) << "knot " << i;
+            ASSERT_NEAR(binormal(left)[c], binormal(right)[c], 1e-10 * largest(binormal(right)))
+                << "knot " << i;
+        }
+    }
+}
+
+TEST(Curves, nothing_but_the_size_depends_on_the_scale) {
+    for_each_case(40600, 60, [](Random &random, uint64_t seed) {
+        const Vec a = random_vector(random, 3, 1), b = random_vector(random, 3, 1),
+                  c = random_vector(random, 3, 1);
+        const double scale = std::ldexp(1.0, random.whole(-300, 300));
+        Vec sa = a, sb = b, sc = c;
+        for (Vec *v : {&sa, &sb, &sc}) {
+            for (double &x : *v) {
+                x *= scale;
+            }
+        }
+        const int form = static_cast<int>(seed % 3);
+        const SplineData one =
+            read_back(made([&](nurbs **out) {
+                          return nurbs_curve_arc_through(3, a.data(), b.data(), c.data(), form, out);
+                      }).get());
+        SplineData other =
+            read_back(made([&](nurbs **out) {
+                          return nurbs_curve_arc_through(3, sa.data(), sb.data(), sc.data(), form, out);
+                      }).get());
+        for (double &x : other.points) {
+            x /= scale;
+        }
+        ASSERT_TRUE(same_bits(one.points, other.points));
+        ASSERT_TRUE(same_bits(one.weights, other.weights));
+    });
+}
+
+} // namespace
