@@ -382,6 +382,46 @@ const Case cases[] = {
     {"product periodic", [](Inputs &in, Output &o) { return nurbs_product(in.loop, in.loop, 0, &o.out); }},
     {"product volume",
      [](Inputs &in, Output &o) { return nurbs_product(in.volume, in.volume, NURBS_PRODUCT_DOT, &o.out); }},
+    {"polyline",
+     [](Inputs &, Output &o) { return nurbs_curve_polyline(3, 2, params, 0, 0, nullptr, 0, &o.out); }},
+    {"polygon",
+     [](Inputs &, Output &o) { return nurbs_curve_polygon(2, nullptr, nullptr, nullptr, 1, 5, &o.out); }},
+    {"rounded_rectangle",
+     [](Inputs &, Output &o) {
+         return nurbs_curve_rounded_rectangle(2, nullptr, nullptr, nullptr, 3, 2, 0.5, &o.out);
+     }},
+    {"circle",
+     [](Inputs &, Output &o) {
+         return nurbs_curve_circle(3, nullptr, nullptr, nullptr, 1, NURBS_ARC_SMOOTH, &o.out);
+     }},
+    {"hyperbola",
+     [](Inputs &, Output &o) { return nurbs_curve_hyperbola(2, nullptr, nullptr, nullptr, 1, 1, 0, 9, &o.out); }},
+    {"arc_through",
+     [](Inputs &, Output &o) { return nurbs_curve_arc_through(2, params, params + 2, params + 4, 0, &o.out); }},
+    {"conic_shoulder",
+     [](Inputs &, Output &o) {
+         static const double ends[] = {0, 0, 1, 0}, tangents[] = {1, 1, 1, -1};
+         return nurbs_curve_conic_shoulder(2, ends, tangents, ends + 2, tangents + 2, 0.4, &o.out);
+     }},
+    {"conic_through",
+     [](Inputs &, Output &o) {
+         static const double five[] = {-2, 4, -1, 1, 0, 0, 1, 1, 2, 4};
+         return nurbs_curve_conic_through(2, five, 0, 0, 0, &o.out);
+     }},
+    {"conic_implicit",
+     [](Inputs &, Output &o) {
+         static const double ellipse[] = {1, 0, 4, 0, 0, -4};
+         return nurbs_curve_conic_implicit(ellipse, 0, 3, 0, &o.out);
+     }},
+    {"conic_focus",
+     [](Inputs &, Output &o) {
+         static const double foot[] = {1, 0}, focus[] = {0, 0};
+         return nurbs_curve_conic_focus(2, focus, nullptr, foot, 0.5, 0, 6, 0, &o.out);
+     }},
+    {"helix",
+     [](Inputs &, Output &o) {
+         return nurbs_curve_helix(3, nullptr, nullptr, nullptr, 1, 1, 1, 0, 1, 0.1, nullptr, &o.out);
+     }},
     {"compose",
      [](Inputs &in, Output &o) {
          return compose_with(in.curve, 1, {0.0, 0.25, 1.0}, o);
