@@ -2306,7 +2306,7 @@ NURBS_API nurbs_status nurbs_curve_shape_factor(const nurbs *g, double *factor, 
  * \param[out] error a proven bound of that distance, rounding left out; or NULL.
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _DIMENSION, _DIRECTION, _POINT_NOT_FINITE, _ANGLE, _TOLERANCE,
- *   _OVERFLOW; _LENGTH if a length is not finite or a radius is out of range, _FACTOR if the turns are,
+ *   _LENGTH if a length is not finite or a radius is out of range, _FACTOR if the turns are,
  *   _NOT_REPRESENTABLE if a coordinate overflows; _OVERFLOW also if the tolerance asks for 2^40 pieces.
  * \since 0.1 */
 NURBS_API nurbs_status nurbs_curve_helix(int32_t dim, const double *origin, const double *axis,
