@@ -18,16 +18,6 @@ int64_t piece_count(const Angle &sweep, double largest) noexcept {
     return std::max<int64_t>(1, static_cast<int64_t>(std::ceil(pieces * (1 - 0x1p-50))));
 }
 
-KnotVectorPtr piecewise_knots(int64_t pieces) {
-    std::vector<double> knots = {0, 0, 0};
-    for (int64_t i = 1; i < pieces; ++i) {
-        const double knot = static_cast<double>(i) / static_cast<double>(pieces);
-        knots.insert(knots.end(), 2, knot);
-    }
-    knots.insert(knots.end(), 3, 1);
-    return make_knot_vector(2, std::move(knots), false, 0, 0);
-}
-
 Arc pieced_arc(const Turn &turn, int64_t pieces) {
     const int64_t halves = 2 * pieces;
     const double weight = turn.sweep.part(1, halves).direction().cos;
@@ -63,6 +53,16 @@ Arc smooth_arc(const Turn &turn) {
 }
 
 } // namespace
+
+KnotVectorPtr piecewise_knots(int64_t pieces) {
+    std::vector<double> knots = {0, 0, 0};
+    for (int64_t i = 1; i < pieces; ++i) {
+        const double knot = static_cast<double>(i) / static_cast<double>(pieces);
+        knots.insert(knots.end(), 2, knot);
+    }
+    knots.insert(knots.end(), 3, 1);
+    return make_knot_vector(2, std::move(knots), false, 0, 0);
+}
 
 void check_arc_form(int32_t form) {
     if (form < NURBS_ARC_QUARTERS || form > NURBS_ARC_SMOOTH) {

@@ -27,6 +27,9 @@ struct Arc {
 // 4), which is 0 for the full turn; raised to degree 5 all are positive. Throws NURBS_ERROR_FORM.
 Arc unit_arc(const Turn &turn, int32_t form);
 
+// Double knots at equal distances between triple ones at 0 and 1.
+KnotVectorPtr piecewise_knots(int64_t pieces);
+
 // Throws NURBS_ERROR_FORM.
 void check_arc_form(int32_t form);
 

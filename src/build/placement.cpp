@@ -1,7 +1,6 @@
 #include "build/placement.h"
 
 #include "base/error.h"
-#include "base/sum.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,18 +13,9 @@ Vector3 vector_of(const double *v, int dim) noexcept {
     return {v[0], v[1], dim == 3 ? v[2] : 0};
 }
 
-void add_product(CompensatedSum &sum, double a, double b) noexcept {
-    const double product = a * b;
-    sum.add(product);
-    sum.add(std::fma(a, b, -product));
-}
-
-double combined(double origin, double ax, double by, double cz, const double *factors) noexcept {
-    CompensatedSum sum{origin};
-    add_product(sum, factors[0], ax);
-    add_product(sum, factors[1], by);
-    add_product(sum, factors[2], cz);
-    return sum.value();
+double combined(double origin, double x, double y, double z, const Wide *factors) noexcept {
+    const Wide parts = factors[0] * x + factors[1] * y + factors[2] * z;
+    return (origin + parts).value();
 }
 
 void set_plane_frame(Placement &place, const double *axis, const double *x) {
@@ -59,8 +49,8 @@ void set_space_frame(Placement &place, const double *axis, const double *x) {
 
 } // namespace
 
-void Placement::point(double a, double b, double c, double *out) const noexcept {
-    const double factors[3] = {a, b, c};
+void Placement::point(const Wide &a, const Wide &b, const Wide &c, double *out) const noexcept {
+    const Wide factors[3] = {a, b, c};
     out[0] = combined(origin.x, x.x, y.x, z.x, factors);
     out[1] = combined(origin.y, x.y, y.y, z.y, factors);
     if (dim == 3) {

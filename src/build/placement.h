@@ -1,6 +1,7 @@
 // Where a shape stands: an origin and a frame of unit vectors.
 #pragma once
 
+#include "base/wide.h"
 #include "eval/vector3.h"
 
 #include <cstdint>
@@ -15,7 +16,7 @@ struct Placement {
     int dim; // 2 or 3
 
     // origin + a x + b y + c z, `dim` coordinates, each rounded as if formed in twice the precision.
-    void point(double a, double b, double c, double *out) const noexcept;
+    void point(const Wide &a, const Wide &b, const Wide &c, double *out) const noexcept;
 };
 
 // As nurbs.h has it for the curves of its group: origin, axis and x have `dim` coordinates each, or are null.
