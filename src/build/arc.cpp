@@ -64,10 +64,29 @@ KnotVectorPtr piecewise_knots(int64_t pieces) {
     return make_knot_vector(2, std::move(knots), false, 0, 0);
 }
 
-void check_arc_form(int32_t form) {
-    if (form < NURBS_ARC_QUARTERS || form > NURBS_ARC_SMOOTH) {
-        fail(NURBS_ERROR_FORM, "form = %d, expected a NURBS_ARC_ constant, 0 to 2", form);
+void check_arc_form(int32_t form, int32_t last) {
+    if (form < NURBS_ARC_QUARTERS || form > last) {
+        fail(NURBS_ERROR_FORM, "form = %d, expected a NURBS_ARC_ constant from 0 to %d", form, last);
     }
+}
+
+Arc unit_hyperbola(double start, double end) {
+    const double length = end - start;
+    if (!(length < 4096)) { // either end is beyond what cosh() can be of
+        fail(NURBS_ERROR_NOT_REPRESENTABLE, "the hyperbola from %s to %s overflows", Number(start).text,
+             Number(end).text);
+    }
+    const auto pieces = std::max<int64_t>(1, static_cast<int64_t>(std::ceil(length / 2)));
+    const int64_t halves = 2 * pieces;
+    const double weight = std::cosh(length / static_cast<double>(halves));
+    Arc arc{piecewise_knots(pieces), {}};
+    for (int64_t i = 0; i <= halves; ++i) {
+        const double u =
+            i == halves ? end : start + length * static_cast<double>(i) / static_cast<double>(halves);
+        const double w = i % 2 == 0 ? 1 : weight;
+        arc.points.push_back({std::cosh(u) / w, std::sinh(u) / w, w});
+    }
+    return arc;
 }
 
 Arc unit_arc(const Turn &turn, int32_t form) {

@@ -5,6 +5,7 @@
 #include "build/angle.h"
 
 #include <cstdint>
+#include <nurbs/nurbs.h>
 #include <vector>
 
 namespace nrb {
@@ -27,10 +28,16 @@ struct Arc {
 // 4), which is 0 for the full turn; raised to degree 5 all are positive. Throws NURBS_ERROR_FORM.
 Arc unit_arc(const Turn &turn, int32_t form);
 
+// The arc (cosh u, sinh u) from start to end, in pieces of degree 2 and equal lengths in u, at most 2, with the
+// weights 1, cosh(d / 2), 1 (the circle's at imaginary angles). Values that overflow come out as infinities.
+// Precondition: start < end, both finite. Throws NURBS_ERROR_NOT_REPRESENTABLE if end - start overflows or is too
+// long for its ends to be finite.
+Arc unit_hyperbola(double start, double end);
+
 // Double knots at equal distances between triple ones at 0 and 1.
 KnotVectorPtr piecewise_knots(int64_t pieces);
 
-// Throws NURBS_ERROR_FORM.
-void check_arc_form(int32_t form);
+// Throws NURBS_ERROR_FORM unless the form is one of NURBS_ARC_QUARTERS, ..., `last`.
+void check_arc_form(int32_t form, int32_t last = NURBS_ARC_SMOOTH);
 
 } // namespace nrb

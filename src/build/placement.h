@@ -8,12 +8,16 @@
 
 namespace nrb {
 
+// The frame is known to twice the precision, so that shapes do not lean or shear by its rounding.
 struct Placement {
     Vector3 origin;
-    Vector3 x;
+    Vector3 x; // rounded
     Vector3 y;
     Vector3 z;
-    int dim; // 2 or 3
+    int dim;             // 2 or 3
+    Vector3 x_rest = {}; // what the rounding left
+    Vector3 y_rest = {};
+    Vector3 z_rest = {};
 
     // origin + a x + b y + c z, `dim` coordinates, each rounded as if formed in twice the precision.
     void point(const Wide &a, const Wide &b, const Wide &c, double *out) const noexcept;

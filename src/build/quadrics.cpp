@@ -12,11 +12,8 @@ namespace nrb {
 
 namespace {
 
-Turn whole_turn() noexcept {
-    return {Angle::turns(0), Angle::turns(4)};
-}
 Turn pole_to_pole() noexcept {
-    return {Angle::turns(-1), Angle::turns(2)};
+    return {Angle::quarters(-1), Angle::quarters(2)};
 }
 
 [[noreturn]] void fail_latitudes(double south, double north) {
@@ -26,7 +23,7 @@ Turn pole_to_pole() noexcept {
 
 Turn latitudes(double south, double north) {
     const Angle from = make_angle(south, "south"), to = make_angle(north, "north");
-    const double pole = Angle::turns(1).radians();
+    const double pole = Angle::quarters(1).radians();
     const Angle sweep = to.plus(from, -1, 1);
     if (from.radians() < -pole || to.radians() > pole || !(sweep.radians() > 0)) {
         fail_latitudes(south, north);
@@ -70,7 +67,7 @@ SplinePtr spherical_patch(const Placement &place, double radius, const Turn &tur
 
 SplinePtr sphere(const Placement &place, double radius, int32_t form) {
     check_length(radius, "radius");
-    return turned(place, unit_arc(whole_turn(), form), arc_profile(pole_to_pole(), form, 0, radius));
+    return turned(place, unit_arc(full_turn(), form), arc_profile(pole_to_pole(), form, 0, radius));
 }
 
 SplinePtr ellipsoid(const Placement &place, double radius_x, double radius_y, double radius_z, int32_t form) {
@@ -80,7 +77,7 @@ SplinePtr ellipsoid(const Placement &place, double radius_x, double radius_y, do
     for (ProfilePoint &point : profile.points) {
         point.height = Wide(radius_z) * point.height;
     }
-    return turned(place, unit_arc(whole_turn(), form), profile, radius_x, radius_y);
+    return turned(place, unit_arc(full_turn(), form), profile, radius_x, radius_y);
 }
 
 SplinePtr cylinder(const Placement &place, double radius, double height, const Turn &turn, int32_t form) {
