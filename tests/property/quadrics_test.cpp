@@ -3,6 +3,7 @@
 #include "support/frames.h"
 #include "support/generators.h"
 #include "support/handle.h"
+#include "surface_integrals.h"
 
 #include <algorithm>
 #include <cmath>
@@ -153,7 +154,8 @@ Angles random_angles(Random &random) {
         return {0, 2 * pi};
     }
     if (random.chance(50)) {
-        return {random.whole(-24, 24) * pi / 12, (random.chance(50) ? 1 : -1) * random.whole(1, 24) * pi / 12};
+        return {random.whole(-24, 24) * pi / 12,
+                (random.chance(50) ? 1 : -1) * random.whole(1, 24) * pi / 12};
     }
     return {random.between(-7, 7), random.between(-1, 1) * 2 * pi};
 }
@@ -183,8 +185,7 @@ Shape cylinder(Random &random, const Place &place, double size, int32_t form) {
     const double r = length(random, size), h = length(random, size);
     const Angles a = random_angles(random);
     nurbs *g = nullptr;
-    require_ok(
-        nurbs_surface_cylinder(place.c(), place.z(), place.u(), r, h, a.start, a.sweep, form, &g));
+    require_ok(nurbs_surface_cylinder(place.c(), place.z(), place.u(), r, h, a.start, a.sweep, form, &g));
     return {Handle(g), [r](const Vector &p) { return std::fabs(std::hypot(p[0], p[1]) - r); }};
 }
 
@@ -235,8 +236,7 @@ Shape saddle(Random &random, const Place &place, double size, int32_t) {
     const double a = length(random, size), b = length(random, size);
     const long double h = length(random, size);
     nurbs *g = nullptr;
-    require_ok(
-        nurbs_surface_saddle(place.c(), place.z(), place.u(), a, b, static_cast<double>(h), &g));
+    require_ok(nurbs_surface_saddle(place.c(), place.z(), place.u(), a, b, static_cast<double>(h), &g));
     return {Handle(g), quadric(h / a / a, -h / b / b, 0, -1, 0)};
 }
 
@@ -259,13 +259,18 @@ Shape hyperboloid(Random &random, const Place &place, double size, int32_t form)
     return {Handle(g), quadric(square(a), square(b), -square(c), 0, sheets ? 1 : -1)};
 }
 
+const std::map<std::string, Maker> &makers() {
+    static const std::map<std::string, Maker> all = {{"sphere", sphere},       {"cylinder", cylinder},
+                                                     {"cone", cone},           {"torus", torus},
+                                                     {"ellipsoid", ellipsoid}, {"paraboloid", paraboloid},
+                                                     {"saddle", saddle},       {"hyperboloid", hyperboloid}};
+    return all;
+}
+
 TEST(Quadrics, points_satisfy_the_implicit_equations) {
-    static const std::map<std::string, Maker> makers = {
-        {"sphere", sphere}, {"cylinder", cylinder},     {"cone", cone},     {"torus", torus},
-        {"ellipsoid", ellipsoid}, {"paraboloid", paraboloid}, {"saddle", saddle}, {"hyperboloid", hyperboloid}};
     Worst worst;
     Random random(711000);
-    for (const auto &[name, maker] : makers) {
+    for (const auto &[name, maker] : makers()) {
         for (int32_t form = NURBS_ARC_QUARTERS; form <= NURBS_ARC_SMOOTH; ++form) {
             for (int i = 0; i < 140; ++i) {
                 const double size = random.chance(50) ? 1 : random.magnitude(1e-6, 1e6);
@@ -276,6 +281,146 @@ TEST(Quadrics, points_satisfy_the_implicit_equations) {
         }
     }
     EXPECT_GE(worst.points(), 1000000);
+}
+
+// A shape 2^k times as large has the same weights and knots, and its points are 2^k times as large, bit for bit.
+TEST(Quadrics, are_free_of_scale) {
+    for (const auto &[name, maker] : makers()) {
+        for (uint64_t seed = 721000; seed < 721040; ++seed) {
+            const auto made = [&](double size) {
+                Random random(seed);
+                const int32_t form = random.whole(0, 2);
+                const Place place = random_place(random, size);
+                return read_back(maker(random, place, size, form).g.get());
+            };
+            const auto one = made(1), large = made(0x1p60), small = made(0x1p-60);
+            EXPECT_TRUE(same_bits(one.weights, large.weights) && same_bits(one.weights, small.weights));
+            EXPECT_TRUE(same_bits(one.all_knots(), large.all_knots()));
+            for (size_t i = 0; i < one.points.size(); ++i) {
+                ASSERT_EQ(one.points[i] * 0x1p60, large.points[i]) << name << ", seed " << seed;
+                ASSERT_EQ(one.points[i] * 0x1p-60, small.points[i]) << name << ", seed " << seed;
+            }
+        }
+    }
+}
+
+// Layers of one axis of a surface, points and weights.
+std::vector<double> layer(const SplineData &data, int axis, int64_t at) {
+    std::vector<double> values;
+    for (int64_t i = 0; i < data.counts[static_cast<size_t>(1 - axis)]; ++i) {
+        const int64_t record = axis == 0 ? at * data.counts[1] + i : i * data.counts[1] + at;
+        for (int c = 0; c < 3; ++c) {
+            values.push_back(data.coordinate(record, c));
+        }
+        values.push_back(data.weight(record));
+    }
+    return values;
+}
+
+void expect_one_point(const SplineData &data, int64_t at) {
+    const auto pole = layer(data, 1, at);
+    for (size_t i = 4; i < pole.size(); ++i) {
+        EXPECT_TRUE(i % 4 == 3 || same_bits(pole[i], pole[i - 4]));
+    }
+}
+
+TEST(Quadrics, seams_close_and_poles_are_points) {
+    Random random(722000);
+    for (int i = 0; i < 60; ++i) {
+        const Place place = random_place(random, 1);
+        const int32_t form = i % 3;
+        nurbs *g = nullptr;
+        require_ok(nurbs_surface_ellipsoid(place.c(), place.z(), place.u(), 1, 2, 0.7, form, &g));
+        const auto whole = read_back(Handle(g).get());
+        EXPECT_TRUE(same_bits(layer(whole, 0, 0), layer(whole, 0, whole.counts[0] - 1)));
+        expect_one_point(whole, 0);
+        expect_one_point(whole, whole.counts[1] - 1);
+        const double turn = 2 * pi, start = random.between(-9, 9), tube = random.between(-9, 9);
+        require_ok(
+            nurbs_surface_torus(place.c(), place.z(), place.u(), 2, 1, start, turn, tube, -turn, form, &g));
+        const auto ring = read_back(Handle(g).get());
+        EXPECT_TRUE(same_bits(layer(ring, 0, 0), layer(ring, 0, ring.counts[0] - 1)));
+        EXPECT_TRUE(same_bits(layer(ring, 1, 0), layer(ring, 1, ring.counts[1] - 1)));
+        require_ok(nurbs_surface_cone(place.c(), place.z(), place.u(), 1, 0, 3, start, turn, form, &g));
+        const auto cap = read_back(Handle(g).get());
+        EXPECT_TRUE(same_bits(layer(cap, 0, 0), layer(cap, 0, cap.counts[0] - 1)));
+        expect_one_point(cap, 1);
+        require_ok(nurbs_surface_paraboloid(place.c(), place.z(), place.u(), 1, 2, 3, start, turn, form, &g));
+        expect_one_point(read_back(Handle(g).get()), 0);
+        require_ok(nurbs_surface_hyperboloid(place.c(), place.z(), place.u(), 1, 2, 3, 3, 30, start, turn,
+                                             form, NURBS_TWO_SHEETS, &g));
+        expect_one_point(read_back(Handle(g).get()), 0);
+    }
+}
+
+// Between parallels and meridians at multiples of 15 degrees, at the knots: no rounding but that of the coordinates.
+TEST(Quadrics, points_at_knots_are_exact) {
+    const double center[] = {0.1, -7, 1e3}, r = 0.3;
+    nurbs *g = nullptr;
+    require_ok(nurbs_surface_sphere(center, nullptr, nullptr, r, NURBS_ARC_QUARTERS, &g));
+    const Handle ball(g);
+    const auto points = eval(ball.get(), {0, 0.5, 0.25, 0.5, 0.5, 0.5, 0.75, 0.5, 0.25, 0, 0.75, 1});
+    EXPECT_EQ(points, (std::vector<double>{0.1 + r, -7, 1e3, 0.1, -7 + r, 1e3, 0.1 - r, -7, 1e3, 0.1, -7 - r,
+                                           1e3, 0.1, -7, 1e3 - r, 0.1, -7, 1e3 + r}));
+    require_ok(nurbs_surface_spherical_patch(nullptr, nullptr, nullptr, 2, pi / 6, pi / 3, 0, pi / 6,
+                                             NURBS_ARC_THIRDS, &g));
+    const Handle patch(g);
+    const double half_root = 0.86602540378443864676; // of 3
+    EXPECT_EQ(eval(patch.get(), {0, 0, 1, 0, 1, 1}),
+              (std::vector<double>{2 * half_root, 1, 0, 0, 2, 0, 0, 2 * half_root, 1}));
+    require_ok(nurbs_surface_hyperboloid(nullptr, nullptr, nullptr, 1, 2, 0.3, -7.7, 0.1, 0, 2 * pi,
+                                         NURBS_ARC_QUARTERS, 0, &g));
+    const Handle band(g);
+    const auto ends = eval(band.get(), {0.25, 0, 0.5, 1});
+    EXPECT_EQ(ends[2], -7.7);
+    EXPECT_EQ(ends[5], 0.1);
+}
+
+// To the rounding of derivatives, which the sums carry on.
+void expect_close(long double value, long double expected) {
+    EXPECT_LE(std::fabs(value - expected), 1e-13L * std::fabs(expected));
+}
+
+TEST(Quadrics, areas_and_volumes) {
+    constexpr long double exact_pi = std::numbers::pi_v<long double>;
+    const Place place{{0.5, -1, 2}, {1, 2, 3}, {1, 0, 0}};
+    const Vector center = vector_at(place.center, 0);
+    for (int32_t form = 0; form < 3; ++form) {
+        nurbs *g = nullptr;
+        require_ok(nurbs_surface_sphere(place.c(), place.z(), place.u(), 2, form, &g));
+        const Handle ball(g);
+        expect_close(area(ball.get()), 16 * exact_pi);
+        expect_close(volume_below(ball.get()), 32 * exact_pi / 3);
+        require_ok(nurbs_surface_ellipsoid(place.c(), place.z(), place.u(), 1, 2, 3, form, &g));
+        expect_close(volume_below(Handle(g).get()), 8 * exact_pi);
+        require_ok(
+            nurbs_surface_torus(place.c(), place.z(), place.u(), 3, 1, 1, 2 * pi, 2, 2 * pi, form, &g));
+        const Handle ring(g);
+        expect_close(area(ring.get()), 12 * exact_pi * exact_pi);
+        expect_close(volume_below(ring.get()), 6 * exact_pi * exact_pi);
+        require_ok(nurbs_surface_cylinder(place.c(), place.z(), place.u(), 2, 5, 1, 3, form, &g));
+        const Handle wall(g);
+        expect_close(area(wall.get()), 30);
+        expect_close(volume_below(wall.get(), center), 20);
+        require_ok(nurbs_surface_cone(place.c(), place.z(), place.u(), 4, 1, 4, 0, 2 * pi, form, &g));
+        expect_close(area(Handle(g).get()), 25 * exact_pi);
+        // The bowl's volume, 3 pi, less that of the cone from its vertex over its rim.
+        require_ok(nurbs_surface_paraboloid(place.c(), place.z(), place.u(), 2, 1, 3, 0, 2 * pi, form, &g));
+        expect_close(volume_below(Handle(g).get(), center), exact_pi);
+    }
+}
+
+// Between two planes, less the cone from the centre over the circle on top.
+TEST(Quadrics, hyperboloids_bound_their_volume) {
+    constexpr long double exact_pi = std::numbers::pi_v<long double>;
+    nurbs *g = nullptr; // with radii 1 and c = 2: pi (h + h^3 / (3 c^2)) below the height h
+    require_ok(nurbs_surface_hyperboloid(nullptr, nullptr, nullptr, 1, 1, 2, 0, 30, 0, 2 * pi,
+                                         NURBS_ARC_QUARTERS, 0, &g));
+    expect_close(volume_below(Handle(g).get()), exact_pi * (30 + 2250 - 226 * 10));
+    // pi (h^3 / (3 c^2) - h + 2 c / 3) from the vertex up
+    require_ok(nurbs_surface_hyperboloid(nullptr, nullptr, nullptr, 1, 1, 2, 2, 30, 0, 2 * pi,
+                                         NURBS_ARC_SMOOTH, NURBS_TWO_SHEETS, &g));
+    expect_close(volume_below(Handle(g).get()), exact_pi * (2250 - 30 + 4 / 3.0L - 224 * 10));
 }
 
 } // namespace
