@@ -97,12 +97,12 @@ Angle make_angle(double radians, const char *name) {
     return Angle::from_radians(radians);
 }
 
-Turn make_turn(double start, double sweep) {
-    const Angle begin = make_angle(start, "start");
-    const Angle turn = make_angle(sweep, "sweep");
+Turn make_turn(double start, double sweep, const char *start_name, const char *sweep_name) {
+    const Angle begin = make_angle(start, start_name);
+    const Angle turn = make_angle(sweep, sweep_name);
     if (sweep == 0 || (std::fabs(sweep) > 2 * std::numbers::pi && !turn.full_turn())) {
-        fail(NURBS_ERROR_ANGLE, "sweep = %s, expected an angle that is not 0 and at most a full turn, %s",
-             Number(sweep).text, Number(2 * std::numbers::pi).text);
+        fail(NURBS_ERROR_ANGLE, "%s = %s, expected an angle that is not 0 and at most a full turn, %s",
+             sweep_name, Number(sweep).text, Number(2 * std::numbers::pi).text);
     }
     return {begin, turn};
 }

@@ -49,7 +49,8 @@ inline Turn full_turn() noexcept {
 
 // Throws NURBS_ERROR_ANGLE, naming the angle, for starts that are not finite or 2^40 and more, and for sweeps that
 // are not finite, 0 or more than a full turn.
-Turn make_turn(double start, double sweep);
+Turn make_turn(double start, double sweep, const char *start_name = "start",
+               const char *sweep_name = "sweep");
 Angle make_angle(double radians, const char *name);
 
 } // namespace nrb

@@ -1,9 +1,9 @@
 #include "build/placement.h"
 
 #include "base/error.h"
-#include "base/sum.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace nrb {
@@ -14,18 +14,51 @@ Vector3 vector_of(const double *v, int dim) noexcept {
     return {v[0], v[1], dim == 3 ? v[2] : 0};
 }
 
-void add_product(CompensatedSum &sum, double a, double b) noexcept {
-    const double product = a * b;
-    sum.add(product);
-    sum.add(std::fma(a, b, -product));
+using WideVector = std::array<Wide, 3>;
+
+Wide dot(const WideVector &a, const WideVector &b) noexcept {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+WideVector cross(const WideVector &a, const WideVector &b) noexcept {
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+WideVector unit(const WideVector &a) noexcept {
+    const Wide length = square_root(dot(a, a));
+    return {a[0] / length, a[1] / length, a[2] / length};
+}
+// The unit vector of the part of a across the unit vector t.
+WideVector unit_across(const WideVector &a, const WideVector &t) noexcept {
+    const Wide part = dot(a, t);
+    return unit(WideVector{a[0] - part * t[0], a[1] - part * t[1], a[2] - part * t[2]});
 }
 
-double combined(double origin, double ax, double by, double cz, const double *factors) noexcept {
-    CompensatedSum sum{origin};
-    add_product(sum, factors[0], ax);
-    add_product(sum, factors[1], by);
-    add_product(sum, factors[2], cz);
-    return sum.value();
+WideVector scaled_vector(const double *v, int dim) noexcept {
+    const Vector3 scaled = scaled_to_one(vector_of(v, dim));
+    return {scaled.x, scaled.y, scaled.z};
+}
+
+// The coordinate direction of the smallest component, the first of equal ones.
+WideVector least_direction(const WideVector &a) noexcept {
+    const auto least = std::ranges::min_element(
+        a, [](const Wide &one, const Wide &other) { return std::fabs(one.high) < std::fabs(other.high); });
+    WideVector direction{};
+    direction[static_cast<size_t>(least - a.begin())] = 1;
+    return direction;
+}
+
+double combined(double origin, const WideVector &frame, const WideVector &factors) noexcept {
+    return (origin + dot(factors, frame)).value();
+}
+
+void set_vector(const WideVector &v, Vector3 &rounded, Vector3 &rest) noexcept {
+    rounded = {v[0].high, v[1].high, v[2].high};
+    rest = {v[0].low, v[1].low, v[2].low};
+}
+
+void set_frame(Placement &place, const WideVector &x, const WideVector &y, const WideVector &z) noexcept {
+    set_vector(x, place.x, place.x_rest);
+    set_vector(y, place.y, place.y_rest);
+    set_vector(z, place.z, place.z_rest);
 }
 
 void set_plane_frame(Placement &place, const double *axis, const double *x) {
@@ -34,37 +67,44 @@ void set_plane_frame(Placement &place, const double *axis, const double *x) {
     }
     if (x != nullptr) {
         check_direction(x, 2, "x");
-        place.x = unit({x[0], x[1], 0});
+        const WideVector along = unit(scaled_vector(x, 2));
+        set_frame(place, along, {-along[1], along[0], 0}, {0, 0, 1});
     }
-    place.y = {-place.x.y, place.x.x, 0};
 }
 
 void set_space_frame(Placement &place, const double *axis, const double *x) {
+    WideVector z = {0, 0, 1}, along = {1, 0, 0};
     if (axis != nullptr) {
         check_direction(axis, 3, "axis");
-        place.z = unit(scaled_to_one(vector_of(axis, 3)));
-        place.x = any_normal(place.z);
+        const WideVector given = scaled_vector(axis, 3);
+        z = unit(given);
+        along = least_direction(given);
     }
     if (x != nullptr) {
         check_direction(x, 3, "x");
-        const Vector3 along = unit(scaled_to_one(vector_of(x, 3)));
-        if (largest(cross(place.z, along)) <= 4 * 0x1p-52) {
+        along = unit(scaled_vector(x, 3));
+        const WideVector sine = cross(z, along);
+        if (std::max({std::fabs(sine[0].high), std::fabs(sine[1].high), std::fabs(sine[2].high)}) <=
+            4 * 0x1p-52) {
             fail(NURBS_ERROR_DIRECTION, "x = (%s, %s, %s) is parallel to the axis", Number(x[0]).text,
                  Number(x[1]).text, Number(x[2]).text);
         }
-        place.x = unit_across(along, place.z);
     }
-    place.y = cross(place.z, place.x);
+    const WideVector across = unit_across(along, z);
+    set_frame(place, across, cross(z, across), z);
 }
 
 } // namespace
 
-void Placement::point(double a, double b, double c, double *out) const noexcept {
-    const double factors[3] = {a, b, c};
-    out[0] = combined(origin.x, x.x, y.x, z.x, factors);
-    out[1] = combined(origin.y, x.y, y.y, z.y, factors);
+void Placement::point(const Wide &a, const Wide &b, const Wide &c, double *out) const noexcept {
+    const WideVector factors = {a, b, c};
+    const auto along = [&](double Vector3::*i) -> WideVector {
+        return {Wide(x.*i, x_rest.*i), Wide(y.*i, y_rest.*i), Wide(z.*i, z_rest.*i)};
+    };
+    out[0] = combined(origin.x, along(&Vector3::x), factors);
+    out[1] = combined(origin.y, along(&Vector3::y), factors);
     if (dim == 3) {
-        out[2] = combined(origin.z, x.z, y.z, z.z, factors);
+        out[2] = combined(origin.z, along(&Vector3::z), factors);
     }
 }
 
@@ -100,7 +140,7 @@ Placement make_placement(int32_t dim, const double *origin, const double *axis, 
     if (dim != 2 && dim != 3) {
         fail(NURBS_ERROR_DIMENSION, "dim = %d, expected 2 or 3", dim);
     }
-    Placement place{{}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, dim};
+    Placement place{{}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, dim, {}, {}, {}};
     if (origin != nullptr) {
         check_point(origin, dim, name);
         place.origin = vector_of(origin, dim);

@@ -1,21 +1,26 @@
 // Where a shape stands: an origin and a frame of unit vectors.
 #pragma once
 
+#include "base/wide.h"
 #include "eval/vector3.h"
 
 #include <cstdint>
 
 namespace nrb {
 
+// The frame is known to twice the precision, so that shapes do not lean or shear by its rounding.
 struct Placement {
     Vector3 origin;
-    Vector3 x;
+    Vector3 x; // rounded
     Vector3 y;
     Vector3 z;
-    int dim; // 2 or 3
+    int dim;             // 2 or 3
+    Vector3 x_rest = {}; // what the rounding left
+    Vector3 y_rest = {};
+    Vector3 z_rest = {};
 
     // origin + a x + b y + c z, `dim` coordinates, each rounded as if formed in twice the precision.
-    void point(double a, double b, double c, double *out) const noexcept;
+    void point(const Wide &a, const Wide &b, const Wide &c, double *out) const noexcept;
 };
 
 // As nurbs.h has it for the curves of its group: origin, axis and x have `dim` coordinates each, or are null.

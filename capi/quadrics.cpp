@@ -1,0 +1,132 @@
+// Spheres, quadrics and the torus.
+#include "guard.h"
+#include "lists.h"
+
+#include "build/quadrics.h"
+#include "build/sphere_patches.h"
+
+using namespace nrb;
+using namespace nrb::capi;
+
+namespace {
+
+Placement placed(const double *origin, const double *axis, const double *x, const char *name = "center") {
+    return make_placement(3, origin, axis, x, name);
+}
+
+Turn tube_turn(double start, double sweep) {
+    return make_turn(start, sweep, "tube_start", "tube_sweep");
+}
+
+void give_faces(std::vector<SplinePtr> faces, nurbs_list **out) {
+    constexpr const char *names[] = {"+X", "+Y", "-X", "-Y", "+Z", "-Z"};
+    Document document;
+    for (SplinePtr &face : faces) {
+        document.splines.push_back({names[document.splines.size()], std::move(face)});
+    }
+    *out = new nurbs_list{std::move(document)};
+}
+
+} // namespace
+
+nurbs_status nurbs_surface_sphere(const double *center, const double *axis, const double *x, double radius,
+                                  int32_t form, nurbs **out) {
+    return guard([&] {
+        require_out(out);
+        give(sphere(placed(center, axis, x), radius, form), out);
+    });
+}
+
+nurbs_status nurbs_surface_spherical_patch(const double *center, const double *axis, const double *x,
+                                           double radius, double start, double sweep, double south,
+                                           double north, int32_t form, nurbs **out) {
+    return guard([&] {
+        require_out(out);
+        give(spherical_patch(placed(center, axis, x), radius, make_turn(start, sweep), south, north, form),
+             out);
+    });
+}
+
+nurbs_status nurbs_surface_sphere_patches(const double *center, const double *axis, const double *x,
+                                          double radius, uint32_t flags, nurbs_list **out) {
+    return guard([&] {
+        require_out(out);
+        if ((flags & ~NURBS_HEMISPHERE) != 0) {
+            fail(NURBS_ERROR_FLAGS, "flags = 0x%x, expected NURBS_HEMISPHERE or 0", flags);
+        }
+        give_faces(sphere_patches(placed(center, axis, x), radius, flags != 0), out);
+    });
+}
+
+nurbs_status nurbs_surface_ellipsoid(const double *center, const double *axis, const double *x,
+                                     double radius_x, double radius_y, double radius_z, int32_t form,
+                                     nurbs **out) {
+    return guard([&] {
+        require_out(out);
+        give(ellipsoid(placed(center, axis, x), radius_x, radius_y, radius_z, form), out);
+    });
+}
+
+nurbs_status nurbs_surface_cylinder(const double *origin, const double *axis, const double *x, double radius,
+                                    double height, double start, double sweep, int32_t form, nurbs **out) {
+    return guard([&] {
+        require_out(out);
+        give(cylinder(placed(origin, axis, x, "origin"), radius, height, make_turn(start, sweep), form), out);
+    });
+}
+
+nurbs_status nurbs_surface_cone(const double *origin, const double *axis, const double *x, double base_radius,
+                                double top_radius, double height, double start, double sweep, int32_t form,
+                                nurbs **out) {
+    return guard([&] {
+        require_out(out);
+        give(cone(placed(origin, axis, x, "origin"), base_radius, top_radius, height, make_turn(start, sweep),
+                  form),
+             out);
+    });
+}
+
+nurbs_status nurbs_surface_torus(const double *center, const double *axis, const double *x,
+                                 double major_radius, double minor_radius, double start, double sweep,
+                                 double tube_start, double tube_sweep, int32_t form, nurbs **out) {
+    return guard([&] {
+        require_out(out);
+        give(torus(placed(center, axis, x), major_radius, minor_radius, make_turn(start, sweep),
+                   tube_turn(tube_start, tube_sweep), form),
+             out);
+    });
+}
+
+nurbs_status nurbs_surface_paraboloid(const double *vertex, const double *axis, const double *x,
+                                      double radius_x, double radius_y, double height, double start,
+                                      double sweep, int32_t form, nurbs **out) {
+    return guard([&] {
+        require_out(out);
+        give(paraboloid(placed(vertex, axis, x, "vertex"), radius_x, radius_y, height,
+                        make_turn(start, sweep), form),
+             out);
+    });
+}
+
+nurbs_status nurbs_surface_saddle(const double *center, const double *axis, const double *x, double radius_x,
+                                  double radius_y, double height, nurbs **out) {
+    return guard([&] {
+        require_out(out);
+        give(saddle(placed(center, axis, x), radius_x, radius_y, height), out);
+    });
+}
+
+nurbs_status nurbs_surface_hyperboloid(const double *center, const double *axis, const double *x,
+                                       double radius_x, double radius_y, double radius_z, double bottom,
+                                       double top, double start, double sweep, int32_t form, uint32_t flags,
+                                       nurbs **out) {
+    return guard([&] {
+        require_out(out);
+        if ((flags & ~NURBS_TWO_SHEETS) != 0) {
+            fail(NURBS_ERROR_FLAGS, "flags = 0x%x, expected NURBS_TWO_SHEETS or 0", flags);
+        }
+        give(hyperboloid(placed(center, axis, x), {radius_x, radius_y, radius_z, bottom, top, flags != 0},
+                         make_turn(start, sweep), form),
+             out);
+    });
+}

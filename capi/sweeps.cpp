@@ -1,0 +1,80 @@
+// Surfaces and volumes from curves and surfaces.
+#include "checks.h"
+#include "guard.h"
+
+#include "build/revolve.h"
+#include "build/stack.h"
+#include "build/tensor.h"
+
+#include <cmath>
+
+using namespace nrb;
+using namespace nrb::capi;
+
+namespace {
+
+void check_factor(double factor, const char *name) {
+    if (!std::isfinite(factor)) {
+        fail(NURBS_ERROR_FACTOR, "%s = %s is not finite", name, Number(factor).text);
+    }
+}
+
+} // namespace
+
+nurbs_status nurbs_extrude(const nurbs *g, const double *vector, nurbs **out) {
+    return guard([&] {
+        require_out(out);
+        require(g, "g");
+        require(vector, "vector");
+        give(extrude(g->spline, vector), out);
+    });
+}
+
+nurbs_status nurbs_revolve(const nurbs *g, const double *point, const double *axis, double sweep,
+                           int32_t form, nurbs **out) {
+    return guard([&] {
+        require_out(out);
+        give(revolve(spline_of(g), point, axis, sweep, form), out);
+    });
+}
+
+nurbs_status nurbs_ruled(const nurbs *a, const nurbs *b, uint32_t flags, nurbs **out) {
+    return guard([&] {
+        require_out(out);
+        require(a, "a");
+        require(b, "b");
+        if ((flags & ~NURBS_RULED_CARTESIAN) != 0) {
+            fail(NURBS_ERROR_FLAGS, "flags = 0x%x, expected NURBS_RULED_CARTESIAN or 0", flags);
+        }
+        give(ruled(a->spline, b->spline, flags != 0), out);
+    });
+}
+
+nurbs_status nurbs_tensor_sum(const nurbs *a, double alpha, const nurbs *b, double beta, nurbs **out) {
+    return guard([&] {
+        require_out(out);
+        require(a, "a");
+        require(b, "b");
+        check_factor(alpha, "alpha");
+        check_factor(beta, "beta");
+        give(tensor_sum(*a->spline, alpha, *b->spline, beta), out);
+    });
+}
+
+nurbs_status nurbs_tensor_product(const nurbs *a, const nurbs *b, nurbs **out) {
+    return guard([&] {
+        require_out(out);
+        require(a, "a");
+        require(b, "b");
+        give(tensor_product(*a->spline, *b->spline), out);
+    });
+}
+
+nurbs_status nurbs_surface_swung(const nurbs *trajectory, const nurbs *profile, double scale, nurbs **out) {
+    return guard([&] {
+        require_out(out);
+        require(trajectory, "trajectory");
+        require(profile, "profile");
+        give(swung(*trajectory->spline, *profile->spline, scale), out);
+    });
+}

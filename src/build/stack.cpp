@@ -1,0 +1,101 @@
+#include "build/stack.h"
+
+#include "base/checked.h"
+#include "base/representable.h"
+#include "build/placement.h"
+#include "reduce/compatible.h"
+#include "refine/bezier_rows.h"
+#include "refine/homogeneous.h"
+#include "refine/parametrization.h"
+#include "refine/sum.h"
+
+#include <algorithm>
+#include <array>
+
+namespace nrb {
+
+namespace {
+
+void check_room_for_axis(const Spline &spline, const char *name) {
+    if (spline.axes() == max_axes) {
+        fail(NURBS_ERROR_AXES, "%s has %d axes, expected 1 or 2", name, spline.axes());
+    }
+}
+
+// Records of two arrays by turns.
+std::vector<double> interleaved(std::span<const double> a, std::span<const double> b, int64_t width) {
+    std::vector<double> both;
+    both.reserve(static_cast<size_t>(checked_product(std::ssize(a), 2, "points")) + Spline::padding);
+    for (auto x = a.begin(), y = b.begin(); x != a.end(); x += width, y += width) {
+        both.insert(both.end(), x, x + width);
+        both.insert(both.end(), y, y + width);
+    }
+    return both;
+}
+
+// A copy of the points, each moved by a vector; homogeneous ones by their weight times it.
+std::vector<double> moved_points(const Spline &spline, const double *vector) {
+    std::vector<double> points(spline.points().begin(), spline.points().end());
+    const int dim = spline.dim(), width = spline.stored_width();
+    for (auto record = points.begin(); record != points.end(); record += width) {
+        const double weight = width > dim ? record[dim] : 1;
+        for (int c = 0; c < dim; ++c) {
+            record[c] = std::fma(weight, vector[c], record[c]);
+        }
+    }
+    require_representable(points, "control points moved by the vector");
+    return points;
+}
+
+SplinePtr ruled_over_product(const SplinePtr &a, SplinePtr b) {
+    for (int k = 0; k < a->axes(); ++k) {
+        const Interval domain = a->axis(k).domain();
+        b = reparametrize(b, k, domain);
+    }
+    return stacked(sum(a, 1, b, 0), sum(a, 0, b, 1));
+}
+
+bool same_weights(const Spline &a, const Spline &b) noexcept {
+    bool same = true;
+    for (int64_t i = 0; same && i < a.point_count(); ++i) {
+        same = a.weight(i) == b.weight(i);
+    }
+    return same;
+}
+
+} // namespace
+
+SplinePtr stacked(const SplinePtr &a, const SplinePtr &b) {
+    const std::array<SplinePtr, 2> both = {a, b};
+    const Form form = common_form(both);
+    const SplinePtr lower = in_form(a, form), upper = in_form(b, form);
+    Spline::Axes axes = lower->knot_vectors();
+    axes.push_back(bezier_knots(1, std::array<double, 2>{0, 1}));
+    return make_spline(std::move(axes), lower->dim(), form,
+                       interleaved(lower->points(), upper->points(), lower->stored_width()),
+                       interleaved(lower->weights(), upper->weights(), 1));
+}
+
+SplinePtr extrude(const SplinePtr &spline, const double *vector) {
+    check_room_for_axis(*spline, "g");
+    check_direction(vector, spline->dim(), "vector");
+    return stacked(spline, make_spline(spline->knot_vectors(), spline->dim(), spline->form(),
+                                       moved_points(*spline, vector),
+                                       {spline->weights().begin(), spline->weights().end()}));
+}
+
+SplinePtr ruled(const SplinePtr &a, const SplinePtr &b, bool cartesian) {
+    check_room_for_axis(*a, "a");
+    if (a->axes() != b->axes()) {
+        fail(NURBS_ERROR_INCOMPATIBLE, "b has %d axes, expected %d as a has", b->axes(), a->axes());
+    }
+    if (a->dim() != b->dim()) {
+        fail(NURBS_ERROR_DIMENSION, "dimension %d of b, expected %d as of a", b->dim(), a->dim());
+    }
+    const std::array<SplinePtr, 2> both = {a, b};
+    const std::vector<SplinePtr> same = make_compatible(both, 0, true).splines;
+    return cartesian && !same_weights(*same[0], *same[1]) ? ruled_over_product(a, b)
+                                                          : stacked(same[0], same[1]);
+}
+
+} // namespace nrb
