@@ -6,6 +6,7 @@
 #include "base/tolerance.h"
 #include "build/boundary.h"
 #include "build/coons.h"
+#include "build/coons_volume.h"
 
 #include <cmath>
 
@@ -104,5 +105,14 @@ nurbs_status nurbs_coons_gaps(const nurbs *const *boundaries, const nurbs *const
                 twists[i] = gaps.twists[i];
             }
         }
+    });
+}
+
+nurbs_status nurbs_volume_coons(const nurbs *const *faces, double tolerance, nurbs **out) {
+    return guard([&] {
+        require_out(out);
+        check_tolerance(tolerance);
+        require(faces, "faces");
+        give(volume_coons(splines_of(6, faces, "faces"), tolerance), out);
     });
 }
