@@ -2,6 +2,7 @@
 #pragma once
 
 #include "property/same_shape.h"
+#include "reference/boundary_blend.h"
 #include "reference/quotients.h"
 
 #include <array>
@@ -100,6 +101,39 @@ inline SplineData random_boundary(Random &random, int degree, KnotForm form, Wei
         curve.weights.push_back(random.between(0.2, 5));
     }
     return curve;
+}
+
+// The same over [lower, lower + 2], exactly.
+inline SplineData mapped(SplineData curve, double lower) {
+    for (double &t : curve.knots[0]) {
+        t = t / 4 + lower;
+    }
+    return curve;
+}
+
+inline double size_of(const reference::Rational &x) {
+    return static_cast<double>(std::fabs(
+        reference::quotient(boost::multiprecision::numerator(x), boost::multiprecision::denominator(x))));
+}
+
+// Largest difference of a coordinate of an exact point.
+inline double difference(const reference::Point &a, const reference::Point &b) {
+    double largest = 0;
+    for (size_t c = 0; c < a.size(); ++c) {
+        largest = std::max(largest, size_of(a[c] - b[c]));
+    }
+    return largest;
+}
+
+// Largest error of a surface at places of its domain, which few bits name.
+inline double formula_error(const SplineData &surface, const reference::BoundaryBlend &formula,
+                            Random &random) {
+    double largest = 0;
+    for (int i = 0; i < 4; ++i) {
+        const double u = random.whole(0, 256) / 32.0, v = random.whole(0, 256) / 32.0;
+        largest = std::max(largest, difference(reference::exact_value(surface, {u, v}), formula.value(u, v)));
+    }
+    return largest;
 }
 
 struct Boundaries {
