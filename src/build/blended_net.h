@@ -1,0 +1,38 @@
+// Control nets that are sums of products of what is blended along the axes.
+#pragma once
+
+#include "build/blend_axis.h"
+
+#include <span>
+#include <vector>
+
+namespace nrb {
+
+// out += factor * x, n values.
+inline void add_scaled(double factor, const double *x, size_t n, double *out) noexcept {
+    for (size_t i = 0; i < n && factor != 0; ++i) {
+        out[i] += factor * x[i];
+    }
+}
+
+// out += f (x) point: a function of one parameter times a point, or any other record.
+inline void add_product(const std::vector<double> &f, std::span<const double> record,
+                        std::span<double> out) noexcept {
+    for (size_t i = 0; i < f.size(); ++i) {
+        add_scaled(f[i], record.data(), record.size(), out.data() + i * record.size());
+    }
+}
+
+// 0 in the layers of records of a function that belong to the ends.
+void clear_margins(const BlendAxis &axis, size_t width, std::vector<double> &function);
+
+// Room for a net over the axes, in their order. Throws NURBS_ERROR_OVERFLOW.
+std::vector<double> net_of_zeros(const std::vector<const BlendAxis *> &axes, int dim);
+
+// The spline of a net whose control points are numerators over the product of the divisors of the axes. Of the form
+// given where it is rational, if points at infinity do not make it a homogeneous one. Throws
+// NURBS_ERROR_NOT_REPRESENTABLE and what make_spline() throws.
+SplinePtr blended_spline(const std::vector<const BlendAxis *> &axes, int dim, Form form,
+                         std::vector<double> net);
+
+} // namespace nrb
