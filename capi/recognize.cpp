@@ -3,12 +3,37 @@
 #include "guard.h"
 
 #include "query/conic_axes.h"
+#include "query/recognize.h"
 #include "query/shape_factor.h"
 
 #include <algorithm>
 
 using namespace nrb;
 using namespace nrb::capi;
+
+namespace {
+
+void copy(const Vector3 &v, double *out) noexcept {
+    out[0] = v.x;
+    out[1] = v.y;
+    out[2] = v.z;
+}
+
+// Numbers that have no meaning for a shape are 0.
+void copy_placement(const Shape &shape, double *out) noexcept {
+    const bool axis = shape.kind > NURBS_SHAPE_POINT && shape.kind != NURBS_SHAPE_SPHERE;
+    copy(shape.origin, out);
+    copy(axis ? shape.z : Vector3{}, out + 3);
+    copy(axis && shape.kind != NURBS_SHAPE_LINE ? shape.x : Vector3{}, out + 6);
+}
+
+void check_positive_tolerance(double tolerance) {
+    if (!(tolerance > 0)) {
+        fail(NURBS_ERROR_TOLERANCE, "tolerance = %s, expected > 0", Number(tolerance).text);
+    }
+}
+
+} // namespace
 
 nurbs_status nurbs_conic_axes(const double *coefficients, int32_t *type, double *origin, double *x,
                               double *sizes) {
@@ -38,5 +63,28 @@ nurbs_status nurbs_curve_shape_factor(const nurbs *g, double *factor, int32_t *t
         const ShapeFactor found = shape_factor(curve);
         *factor = found.factor;
         *type = found.type;
+    });
+}
+
+nurbs_status nurbs_recognize(const nurbs *g, double tolerance, int32_t *shape, double *placement,
+                             double *sizes, double *deviation) {
+    return guard([&] {
+        const Spline &spline = spline_of(g);
+        check_positive_tolerance(tolerance);
+        require(shape, "shape");
+        check_apart({memory("shape", shape, 1), memory("placement", placement, 9), memory("sizes", sizes, 2),
+                     memory("deviation", deviation, 1)},
+                    {});
+        const Recognition found = recognize(spline, tolerance);
+        *shape = found.shape.kind;
+        if (placement != nullptr) {
+            copy_placement(found.shape, placement);
+        }
+        if (sizes != nullptr) {
+            std::copy_n(found.shape.sizes, 2, sizes);
+        }
+        if (deviation != nullptr) {
+            *deviation = found.deviation;
+        }
     });
 }

@@ -1,0 +1,109 @@
+#include "query/recognize.h"
+
+#include "base/representable.h"
+#include "query/shape_bound.h"
+#include "query/shape_fit.h"
+#include "query/shape_refine.h"
+#include "query/shape_samples.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace nrb {
+
+namespace {
+
+void check_kind(const Spline &spline) {
+    if (spline.axes() > 2) {
+        fail(NURBS_ERROR_AXES, "g has %d axes, expected a curve or surface", spline.axes());
+    }
+    if (spline.dim() != 2 && spline.dim() != 3) {
+        fail(NURBS_ERROR_DIMENSION, "g has dimension %d, expected 2 or 3", spline.dim());
+    }
+}
+
+// The exponent of the largest extent of the box of the control points, or of the largest coordinate if that is 0.
+int size_exponent(const Spline &spline) {
+    double largest = 0, extent = 0;
+    for (int c = 0; c < spline.dim(); ++c) {
+        double low = std::numeric_limits<double>::infinity(), high = -low;
+        for (int64_t i = 0; i < spline.point_count(); ++i) {
+            const double x = spline.coordinate(i, c);
+            if (std::isfinite(x)) {
+                low = std::min(low, x);
+                high = std::max(high, x);
+                largest = std::max(largest, std::abs(x));
+            }
+        }
+        extent = std::max(extent, high / 2 - low / 2);
+    }
+    const double size = extent > 0 && std::isfinite(extent) ? extent : largest;
+    return size > 0 ? std::ilogb(size) : 0;
+}
+
+// With all coordinates divided by a power of two.
+Spline scaled(const Spline &spline, int exponent) {
+    std::vector<double> points(spline.points().begin(), spline.points().end());
+    const auto width = static_cast<size_t>(spline.stored_width()), dim = static_cast<size_t>(spline.dim());
+    for (size_t i = 0; i < points.size(); ++i) {
+        points[i] = i % width < dim ? std::ldexp(points[i], -exponent) : points[i];
+    }
+    require_representable(points, "scaled points");
+    return {spline.knot_vectors(), spline.dim(), spline.form(), std::move(points),
+            std::vector<double>(spline.weights().begin(), spline.weights().end())};
+}
+
+void scale_back(Recognition &found, int exponent) {
+    Shape &shape = found.shape;
+    std::vector<double *> lengths{&shape.origin.x, &shape.origin.y, &shape.origin.z, &found.deviation};
+    if (shape.kind != NURBS_SHAPE_CONE) {
+        lengths.insert(lengths.end(), {&shape.sizes[0], &shape.sizes[1]});
+    }
+    for (double *length : lengths) {
+        *length = std::ldexp(*length, exponent);
+        require_representable({length, 1}, "shape");
+    }
+}
+
+constexpr int32_t curves[] = {NURBS_SHAPE_POINT,    NURBS_SHAPE_LINE,    NURBS_SHAPE_CIRCLE,
+                              NURBS_SHAPE_PARABOLA, NURBS_SHAPE_ELLIPSE, NURBS_SHAPE_HYPERBOLA};
+constexpr int32_t surfaces[] = {NURBS_SHAPE_PLANE, NURBS_SHAPE_SPHERE, NURBS_SHAPE_CYLINDER, NURBS_SHAPE_CONE,
+                                NURBS_SHAPE_TORUS};
+
+// The one of a kind, if there is one within the tolerance.
+bool find(int32_t kind, const Spline &spline, const ShapeSamples &samples, double tolerance,
+          Recognition &found) {
+    const Shape fitted = fitted_shape(kind, samples, spline.dim());
+    if (fitted.kind == NURBS_SHAPE_NONE || !(largest_distance(fitted, samples.points) <= 1.01 * tolerance)) {
+        return false;
+    }
+    found.shape = placed_shape(fitted, samples, spline.dim());
+    found.deviation = distance_from(spline, found.shape, tolerance).upper;
+    return found.deviation <= tolerance;
+}
+
+} // namespace
+
+Recognition recognize(const Spline &spline, double tolerance) {
+    check_kind(spline);
+    const int exponent = size_exponent(spline);
+    const Spline unit = scaled(spline, exponent);
+    const ShapeSamples samples = shape_samples(unit);
+    const double reach = std::ldexp(tolerance, -exponent);
+    if (samples.points.empty()) {
+        return {};
+    }
+    Recognition found;
+    const auto kinds =
+        spline.axes() == 1 ? std::span<const int32_t>(curves) : std::span<const int32_t>(surfaces);
+    for (const int32_t kind : kinds) {
+        if (find(kind, unit, samples, reach, found)) {
+            scale_back(found, exponent);
+            return found;
+        }
+    }
+    return {};
+}
+
+} // namespace nrb

@@ -1,0 +1,17 @@
+// A shape moved and resized until it fits points best.
+#pragma once
+
+#include "query/shape_model.h"
+
+#include <span>
+
+namespace nrb {
+
+// Gauss-Newton steps on the distances of the points, over the motions and sizes that change the shape. One that is
+// better than the given one, or the given one.
+Shape refined(const Shape &shape, std::span<const Vector3> points);
+
+// The largest distance of a point; infinite if one is not finite.
+double largest_distance(const Shape &shape, std::span<const Vector3> points) noexcept;
+
+} // namespace nrb
