@@ -16,14 +16,19 @@
 #include <nurbs/cpp/compatible.hpp>
 #include <nurbs/cpp/continuation.hpp>
 #include <nurbs/cpp/continuity.hpp>
+#include <nurbs/cpp/coons.hpp>
+#include <nurbs/cpp/curves.hpp>
 #include <nurbs/cpp/frames.hpp>
 #include <nurbs/cpp/knots.hpp>
 #include <nurbs/cpp/linear.hpp>
 #include <nurbs/cpp/list.hpp>
 #include <nurbs/cpp/parts.hpp>
+#include <nurbs/cpp/placement.hpp>
 #include <nurbs/cpp/projections.hpp>
+#include <nurbs/cpp/recognize.hpp>
 #include <nurbs/cpp/reduce.hpp>
 #include <nurbs/cpp/segments.hpp>
+#include <nurbs/cpp/shapes.hpp>
 #include <nurbs/cpp/spline.hpp>
 #include <nurbs/cpp/status.hpp>
 

@@ -187,7 +187,8 @@ def check_rust(functions, constants, macros):
     for name, (result, arguments) in functions.items():
         match = re.search(rf"pub fn {name}\(([^)]*)\)(?:\s*-> ([^;]+))?;", text)
         expect(match, "Rust lacks", name)
-        pairs = [tuple(pair.strip().split(": ")) for pair in match[1].split(",") if pair.strip()] if match else []
+        words = [word.strip().removeprefix("r#") for word in match[1].split(",")] if match else []
+        pairs = [tuple(word.split(": ")) for word in words if word]
         expect(pairs == [(n, rust_type(t)) for t, n in arguments], "Rust:", name, "has the arguments", pairs)
         returned = "c_void" if match and not match[2] else match and match[2]
         expect(not match or returned == rust_type(result), "Rust:", name, "returns", returned)

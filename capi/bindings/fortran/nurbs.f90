@@ -13,7 +13,8 @@
 !>
 !> Order of compilation: nurbs_constants, nurbs_c, nurbs_support, nurbs_handles, nurbs_splines, nurbs_frames,
 !> nurbs_calculus, nurbs_reduction, nurbs_lists, nurbs_compatible, nurbs_continuities,
-!> nurbs_continuation, nurbs_projections, nurbs_segments, nurbs.
+!> nurbs_continuation, nurbs_projections, nurbs_segments, nurbs_placements, nurbs_curves, nurbs_shapes, nurbs_coons,
+!> nurbs_recognition, nurbs.
 module nurbs
     use nurbs_constants ! statuses, flags and limits
     use nurbs_c         ! the C functions; knot generators, span search and bases are called by these names
@@ -28,6 +29,10 @@ module nurbs
     use nurbs_projections
     use nurbs_segments
     use nurbs_reduction
+    use nurbs_curves
+    use nurbs_shapes
+    use nurbs_coons
+    use nurbs_recognition
     implicit none
     public
 end module nurbs

@@ -855,6 +855,374 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_simplify
+        function nurbs_curve_line(dim, a, b, out) bind(c) result(r)
+            import
+            integer(c_int32_t), value :: dim
+            real(c_double), intent(in) :: a(*), b(*)
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_curve_line
+        function nurbs_curve_polyline(n, dim, points, point_stride, point_component_stride, params, &
+            param_stride, out) bind(c) result(r)
+            import
+            integer(c_int64_t), value :: n, point_stride, point_component_stride, param_stride
+            integer(c_int32_t), value :: dim
+            real(c_double), intent(in) :: points(*)
+            real(c_double), intent(in), optional :: params(*)
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_curve_polyline
+        function nurbs_curve_polygon(dim, center, axis, x, radius, sides, out) bind(c) result(r)
+            import
+            integer(c_int32_t), value :: dim
+            real(c_double), intent(in), optional :: center(*), axis(*), x(*)
+            real(c_double), value :: radius
+            integer(c_int64_t), value :: sides
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_curve_polygon
+        function nurbs_curve_rounded_rectangle(dim, center, axis, x, width, height, corner_radius, &
+            out) bind(c) result(r)
+            import
+            integer(c_int32_t), value :: dim
+            real(c_double), intent(in), optional :: center(*), axis(*), x(*)
+            real(c_double), value :: width, height, corner_radius
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_curve_rounded_rectangle
+        function nurbs_curve_circle(dim, center, axis, x, radius, form, out) bind(c) result(r)
+            import
+            integer(c_int32_t), value :: dim, form
+            real(c_double), intent(in), optional :: center(*), axis(*), x(*)
+            real(c_double), value :: radius
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_curve_circle
+        function nurbs_curve_arc(dim, center, axis, x, radius, start, sweep, form, out) bind(c) result(r)
+            import
+            integer(c_int32_t), value :: dim, form
+            real(c_double), intent(in), optional :: center(*), axis(*), x(*)
+            real(c_double), value :: radius, start, sweep
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_curve_arc
+        function nurbs_curve_arc_through(dim, a, b, c, form, out) bind(c) result(r)
+            import
+            integer(c_int32_t), value :: dim, form
+            real(c_double), intent(in) :: a(*), b(*), c(*)
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_curve_arc_through
+        function nurbs_curve_arc_tangent(dim, a, tangent, b, form, out) bind(c) result(r)
+            import
+            integer(c_int32_t), value :: dim, form
+            real(c_double), intent(in) :: a(*), tangent(*), b(*)
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_curve_arc_tangent
+        function nurbs_curve_ellipse(dim, center, axis, x, radius_x, radius_y, start, sweep, form, &
+            out) bind(c) result(r)
+            import
+            integer(c_int32_t), value :: dim, form
+            real(c_double), intent(in), optional :: center(*), axis(*), x(*)
+            real(c_double), value :: radius_x, radius_y, start, sweep
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_curve_ellipse
+        function nurbs_curve_parabola(dim, vertex, axis, x, focal_length, start, end, out) bind(c) result(r)
+            import
+            integer(c_int32_t), value :: dim
+            real(c_double), intent(in), optional :: vertex(*), axis(*), x(*)
+            real(c_double), value :: focal_length, start, end
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_curve_parabola
+        function nurbs_curve_hyperbola(dim, center, axis, x, radius_x, radius_y, start, end, &
+            out) bind(c) result(r)
+            import
+            integer(c_int32_t), value :: dim
+            real(c_double), intent(in), optional :: center(*), axis(*), x(*)
+            real(c_double), value :: radius_x, radius_y, start, end
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_curve_hyperbola
+        function nurbs_curve_conic_triangle(dim, p0, p1, p2, shape_factor, out) bind(c) result(r)
+            import
+            integer(c_int32_t), value :: dim
+            real(c_double), intent(in) :: p0(*), p1(*), p2(*)
+            real(c_double), value :: shape_factor
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_curve_conic_triangle
+        function nurbs_curve_conic_shoulder(dim, a, tangent_a, b, tangent_b, rho, out) bind(c) result(r)
+            import
+            integer(c_int32_t), value :: dim
+            real(c_double), intent(in) :: a(*), tangent_a(*), b(*), tangent_b(*)
+            real(c_double), value :: rho
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_curve_conic_shoulder
+        function nurbs_curve_conic_point(dim, a, tangent_a, b, tangent_b, point, form, out) bind(c) result(r)
+            import
+            integer(c_int32_t), value :: dim, form
+            real(c_double), intent(in) :: a(*), tangent_a(*), b(*), tangent_b(*), point(*)
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_curve_conic_point
+        function nurbs_curve_conic_through(dim, points, point_stride, point_component_stride, form, &
+            out) bind(c) result(r)
+            import
+            integer(c_int32_t), value :: dim, form
+            real(c_double), intent(in) :: points(*)
+            integer(c_int64_t), value :: point_stride, point_component_stride
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_curve_conic_through
+        function nurbs_conic_axes(coefficients, type, origin, x, sizes) bind(c) result(r)
+            import
+            real(c_double), intent(in) :: coefficients(*)
+            integer(c_int32_t), intent(inout) :: type
+            real(c_double), intent(inout) :: origin(*), x(*), sizes(*)
+            integer(c_int32_t) :: r
+        end function nurbs_conic_axes
+        function nurbs_curve_conic_implicit(coefficients, start, end, form, out) bind(c) result(r)
+            import
+            real(c_double), intent(in) :: coefficients(*)
+            real(c_double), value :: start, end
+            integer(c_int32_t), value :: form
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_curve_conic_implicit
+        function nurbs_curve_conic_focus(dim, focus, axis, foot, eccentricity, start, sweep, form, &
+            out) bind(c) result(r)
+            import
+            integer(c_int32_t), value :: dim, form
+            real(c_double), intent(in) :: focus(*), foot(*)
+            real(c_double), intent(in), optional :: axis(*)
+            real(c_double), value :: eccentricity, start, sweep
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_curve_conic_focus
+        function nurbs_curve_shape_factor(g, factor, type) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            real(c_double), intent(inout) :: factor
+            integer(c_int32_t), intent(inout) :: type
+            integer(c_int32_t) :: r
+        end function nurbs_curve_shape_factor
+        function nurbs_curve_helix(dim, origin, axis, x, radius, growth, pitch, start, turns, tolerance, &
+            error, out) bind(c) result(r)
+            import
+            integer(c_int32_t), value :: dim
+            real(c_double), intent(in), optional :: origin(*), axis(*), x(*)
+            real(c_double), value :: radius, growth, pitch, start, turns, tolerance
+            real(c_double), intent(inout), optional :: error
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_curve_helix
+        function nurbs_extrude(g, vector, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            real(c_double), intent(in) :: vector(*)
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_extrude
+        function nurbs_revolve(g, point, axis, sweep, form, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            real(c_double), intent(in), optional :: point(*), axis(*)
+            real(c_double), value :: sweep
+            integer(c_int32_t), value :: form
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_revolve
+        function nurbs_ruled(a, b, flags, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: a, b
+            integer(c_int32_t), value :: flags
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_ruled
+        function nurbs_tensor_sum(a, alpha, b, beta, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: a, b
+            real(c_double), value :: alpha, beta
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_tensor_sum
+        function nurbs_tensor_product(a, b, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: a, b
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_tensor_product
+        function nurbs_surface_swung(trajectory, profile, scale, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: trajectory, profile
+            real(c_double), value :: scale
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_surface_swung
+        function nurbs_surface_plane(dim, origin, u, v, out) bind(c) result(r)
+            import
+            integer(c_int32_t), value :: dim
+            real(c_double), intent(in), optional :: origin(*)
+            real(c_double), intent(in) :: u(*), v(*)
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_surface_plane
+        function nurbs_surface_bilinear(dim, corners, corner_stride, corner_component_stride, &
+            out) bind(c) result(r)
+            import
+            integer(c_int32_t), value :: dim
+            real(c_double), intent(in) :: corners(*)
+            integer(c_int64_t), value :: corner_stride, corner_component_stride
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_surface_bilinear
+        function nurbs_volume_trilinear(dim, corners, corner_stride, corner_component_stride, &
+            out) bind(c) result(r)
+            import
+            integer(c_int32_t), value :: dim
+            real(c_double), intent(in) :: corners(*)
+            integer(c_int64_t), value :: corner_stride, corner_component_stride
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_volume_trilinear
+        function nurbs_surface_sphere(center, axis, x, radius, form, out) bind(c) result(r)
+            import
+            real(c_double), intent(in), optional :: center(*), axis(*), x(*)
+            real(c_double), value :: radius
+            integer(c_int32_t), value :: form
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_surface_sphere
+        function nurbs_surface_spherical_patch(center, axis, x, radius, start, sweep, south, north, form, &
+            out) bind(c) result(r)
+            import
+            real(c_double), intent(in), optional :: center(*), axis(*), x(*)
+            real(c_double), value :: radius, start, sweep, south, north
+            integer(c_int32_t), value :: form
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_surface_spherical_patch
+        function nurbs_surface_sphere_patches(center, axis, x, radius, flags, out) bind(c) result(r)
+            import
+            real(c_double), intent(in), optional :: center(*), axis(*), x(*)
+            real(c_double), value :: radius
+            integer(c_int32_t), value :: flags
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_surface_sphere_patches
+        function nurbs_surface_ellipsoid(center, axis, x, radius_x, radius_y, radius_z, form, &
+            out) bind(c) result(r)
+            import
+            real(c_double), intent(in), optional :: center(*), axis(*), x(*)
+            real(c_double), value :: radius_x, radius_y, radius_z
+            integer(c_int32_t), value :: form
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_surface_ellipsoid
+        function nurbs_surface_cylinder(origin, axis, x, radius, height, start, sweep, form, &
+            out) bind(c) result(r)
+            import
+            real(c_double), intent(in), optional :: origin(*), axis(*), x(*)
+            real(c_double), value :: radius, height, start, sweep
+            integer(c_int32_t), value :: form
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_surface_cylinder
+        function nurbs_surface_cone(origin, axis, x, base_radius, top_radius, height, start, sweep, form, &
+            out) bind(c) result(r)
+            import
+            real(c_double), intent(in), optional :: origin(*), axis(*), x(*)
+            real(c_double), value :: base_radius, top_radius, height, start, sweep
+            integer(c_int32_t), value :: form
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_surface_cone
+        function nurbs_surface_torus(center, axis, x, major_radius, minor_radius, start, sweep, &
+            tube_start, tube_sweep, form, out) bind(c) result(r)
+            import
+            real(c_double), intent(in), optional :: center(*), axis(*), x(*)
+            real(c_double), value :: major_radius, minor_radius, start, sweep, tube_start, tube_sweep
+            integer(c_int32_t), value :: form
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_surface_torus
+        function nurbs_surface_paraboloid(vertex, axis, x, radius_x, radius_y, height, start, sweep, &
+            form, out) bind(c) result(r)
+            import
+            real(c_double), intent(in), optional :: vertex(*), axis(*), x(*)
+            real(c_double), value :: radius_x, radius_y, height, start, sweep
+            integer(c_int32_t), value :: form
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_surface_paraboloid
+        function nurbs_surface_saddle(center, axis, x, radius_x, radius_y, height, out) bind(c) result(r)
+            import
+            real(c_double), intent(in), optional :: center(*), axis(*), x(*)
+            real(c_double), value :: radius_x, radius_y, height
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_surface_saddle
+        function nurbs_surface_hyperboloid(center, axis, x, radius_x, radius_y, radius_z, bottom, top, &
+            start, sweep, form, flags, out) bind(c) result(r)
+            import
+            real(c_double), intent(in), optional :: center(*), axis(*), x(*)
+            real(c_double), value :: radius_x, radius_y, radius_z, bottom, top, start, sweep
+            integer(c_int32_t), value :: form, flags
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_surface_hyperboloid
+        function nurbs_boundaries(g, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_boundaries
+        function nurbs_surface_coons(boundaries, tolerance, out) bind(c) result(r)
+            import
+            type(c_ptr), intent(in) :: boundaries(*)
+            real(c_double), value :: tolerance
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_surface_coons
+        function nurbs_surface_coons_hermite(boundaries, cross, twist, twists, tolerance, bound, &
+            out) bind(c) result(r)
+            import
+            type(c_ptr), intent(in) :: boundaries(*)
+            type(c_ptr), intent(in), optional :: cross(*)
+            integer(c_int32_t), value :: twist
+            real(c_double), intent(in), optional :: twists(*)
+            real(c_double), value :: tolerance
+            real(c_double), intent(inout), optional :: bound
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_surface_coons_hermite
+        function nurbs_coons_gaps(boundaries, cross, positions, tangents, twists) bind(c) result(r)
+            import
+            type(c_ptr), intent(in) :: boundaries(*)
+            type(c_ptr), intent(in), optional :: cross(*)
+            real(c_double), intent(inout) :: positions(*)
+            real(c_double), intent(inout), optional :: tangents(*), twists(*)
+            integer(c_int32_t) :: r
+        end function nurbs_coons_gaps
+        function nurbs_volume_coons(faces, tolerance, out) bind(c) result(r)
+            import
+            type(c_ptr), intent(in) :: faces(*)
+            real(c_double), value :: tolerance
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_volume_coons
+        function nurbs_recognize(g, tolerance, shape, placement, sizes, deviation) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            real(c_double), value :: tolerance
+            integer(c_int32_t), intent(inout) :: shape
+            real(c_double), intent(inout), optional :: placement(*), sizes(*), deviation
+            integer(c_int32_t) :: r
+        end function nurbs_recognize
         function nurbs_collocation(axes, degrees, counts, knots, knot_count, orders, n, params, param_stride, &
             param_component_stride, cap, values, columns, row_pointers, entries, flags) bind(c) result(r)
             import

@@ -61,6 +61,14 @@ module nurbs_constants
     integer(c_int32_t), parameter :: NURBS_ERROR_NOT_MONOTONE = 51
     integer(c_int32_t), parameter :: NURBS_ERROR_CONTINUITY = 46
     integer(c_int32_t), parameter :: NURBS_ERROR_WEIGHT_SIGN = 47
+    integer(c_int32_t), parameter :: NURBS_ERROR_ANGLE = 52
+    integer(c_int32_t), parameter :: NURBS_ERROR_LENGTH = 53
+    integer(c_int32_t), parameter :: NURBS_ERROR_COLLINEAR = 54
+    integer(c_int32_t), parameter :: NURBS_ERROR_CONIC = 55
+    integer(c_int32_t), parameter :: NURBS_ERROR_FORM = 56
+    integer(c_int32_t), parameter :: NURBS_ERROR_TANGENT = 57
+    integer(c_int32_t), parameter :: NURBS_ERROR_TWIST = 58
+    integer(c_int32_t), parameter :: NURBS_ERROR_TWIST_RULE = 59
     integer(c_int32_t), parameter :: NURBS_ERROR_OUTSIDE_DOMAIN = 100
     integer(c_int32_t), parameter :: NURBS_ERROR_NOT_REPRESENTABLE = 200
     integer(c_int32_t), parameter :: NURBS_ERROR_KNOTS_MERGE = 202
@@ -89,6 +97,9 @@ module nurbs_constants
     integer(c_int32_t), parameter :: NURBS_PRODUCT_CROSS = int(z'10000000', c_int32_t)
     integer(c_int32_t), parameter :: NURBS_HOMOGENEOUS = int(z'20000000', c_int32_t)
     integer(c_int32_t), parameter :: NURBS_MAP_DOMAINS = int(z'40000000', c_int32_t)
+    integer(c_int32_t), parameter :: NURBS_RULED_CARTESIAN = int(z'80000000', c_int32_t)
+    integer(c_int32_t), parameter :: NURBS_HEMISPHERE = int(z'01000000', c_int32_t)
+    integer(c_int32_t), parameter :: NURBS_TWO_SHEETS = int(z'02000000', c_int32_t)
 
     ! Bases of a polynomial segment
     integer(c_int32_t), parameter :: NURBS_BASIS_POWER = 0
@@ -110,4 +121,39 @@ module nurbs_constants
     integer(c_int32_t), parameter :: NURBS_FRAME_NORMAL_LIMIT = int(z'02', c_int32_t)
     integer(c_int32_t), parameter :: NURBS_FRAME_RULE = int(z'04', c_int32_t)
     integer(c_int32_t), parameter :: NURBS_FRAME_UNDEFINED = int(z'08', c_int32_t)
+
+    ! Forms of an arc
+    integer(c_int32_t), parameter :: NURBS_ARC_QUARTERS = 0
+    integer(c_int32_t), parameter :: NURBS_ARC_THIRDS = 1
+    integer(c_int32_t), parameter :: NURBS_ARC_SMOOTH = 2
+
+    ! Kinds of conics
+    integer(c_int32_t), parameter :: NURBS_CONIC_ELLIPSE = 1
+    integer(c_int32_t), parameter :: NURBS_CONIC_PARABOLA = 2
+    integer(c_int32_t), parameter :: NURBS_CONIC_HYPERBOLA = 3
+    integer(c_int32_t), parameter :: NURBS_CONIC_CHORD = 4
+    integer(c_int32_t), parameter :: NURBS_CONIC_LEGS = 5
+    integer(c_int32_t), parameter :: NURBS_CONIC_LINE = 6
+
+    ! Twists of a bicubic Coons surface
+    integer(c_int32_t), parameter :: NURBS_TWIST_COMPATIBLE = 0
+    integer(c_int32_t), parameter :: NURBS_TWIST_AVERAGE = 1
+    integer(c_int32_t), parameter :: NURBS_TWIST_GIVEN = 2
+    integer(c_int32_t), parameter :: NURBS_TWIST_ZERO = 3
+    integer(c_int32_t), parameter :: NURBS_TWIST_BILINEAR = 4
+    integer(c_int32_t), parameter :: NURBS_TWIST_ADINI = 5
+
+    ! Shapes that are recognized
+    integer(c_int32_t), parameter :: NURBS_SHAPE_NONE = 0
+    integer(c_int32_t), parameter :: NURBS_SHAPE_POINT = 1
+    integer(c_int32_t), parameter :: NURBS_SHAPE_LINE = 2
+    integer(c_int32_t), parameter :: NURBS_SHAPE_CIRCLE = 3
+    integer(c_int32_t), parameter :: NURBS_SHAPE_ELLIPSE = 4
+    integer(c_int32_t), parameter :: NURBS_SHAPE_PARABOLA = 5
+    integer(c_int32_t), parameter :: NURBS_SHAPE_HYPERBOLA = 6
+    integer(c_int32_t), parameter :: NURBS_SHAPE_PLANE = 7
+    integer(c_int32_t), parameter :: NURBS_SHAPE_SPHERE = 8
+    integer(c_int32_t), parameter :: NURBS_SHAPE_CYLINDER = 9
+    integer(c_int32_t), parameter :: NURBS_SHAPE_CONE = 10
+    integer(c_int32_t), parameter :: NURBS_SHAPE_TORUS = 11
 end module nurbs_constants

@@ -60,6 +60,14 @@ enum class Status : nurbs_status {
     not_monotone = NURBS_ERROR_NOT_MONOTONE,
     continuity = NURBS_ERROR_CONTINUITY,
     weight_sign = NURBS_ERROR_WEIGHT_SIGN,
+    angle = NURBS_ERROR_ANGLE,
+    length = NURBS_ERROR_LENGTH,
+    collinear = NURBS_ERROR_COLLINEAR,
+    conic = NURBS_ERROR_CONIC,
+    form = NURBS_ERROR_FORM,
+    tangent = NURBS_ERROR_TANGENT,
+    twist = NURBS_ERROR_TWIST,
+    twist_rule = NURBS_ERROR_TWIST_RULE,
     outside_domain = NURBS_ERROR_OUTSIDE_DOMAIN,
     not_representable = NURBS_ERROR_NOT_REPRESENTABLE,
     knots_merge = NURBS_ERROR_KNOTS_MERGE,
@@ -97,6 +105,9 @@ inline constexpr std::uint32_t product_dot = NURBS_PRODUCT_DOT;
 inline constexpr std::uint32_t product_cross = NURBS_PRODUCT_CROSS;
 inline constexpr std::uint32_t homogeneous_records = NURBS_HOMOGENEOUS;
 inline constexpr std::uint32_t map_domains = NURBS_MAP_DOMAINS;
+inline constexpr std::uint32_t ruled_cartesian = NURBS_RULED_CARTESIAN;
+inline constexpr std::uint32_t hemisphere = NURBS_HEMISPHERE;
+inline constexpr std::uint32_t two_sheets = NURBS_TWO_SHEETS;
 inline constexpr std::int32_t start_of_axis = NURBS_START;
 inline constexpr std::int32_t end_of_axis = NURBS_END;
 

@@ -22,6 +22,10 @@ from .compatible import Compatible, Snapped, make_compatible, snap_knots
 from .continuation import PeriodicForm, detect_periodic, extend, make_periodic, unclamp
 from .continuity import EndContinuity, KnotContinuity, continuity, continuity_between
 from .constants import *  # noqa: F401,F403 - the names of the header
+from .coons import CoonsGaps, HermiteCoons, boundaries, coons, coons_gaps, coons_hermite, coons_volume
+from .curves import (ConicAxes, Helix, ShapeFactor, arc, arc_tangent, arc_through, circle, conic_axes, conic_focus,
+                     conic_implicit, conic_point, conic_shoulder, conic_through, conic_triangle, ellipse, helix,
+                     hyperbola, line, parabola, polygon, polyline, rounded_rectangle, shape_factor)
 from .files import Note, SplineList, read, read_file
 from .calculus import (antiderivative, blossom, compose, derivative, equalize_end_weights, normalize_weights,
                        product, reparametrize_moebius, sum)
@@ -33,7 +37,11 @@ from .linear import (Gradients, bezier_extraction, collocation, eval_adjoint, ra
                      refinement_matrix)
 from .parts import Joined, decompose, join, split_at_knots
 from .projections import mirror, project_from, project_to_plane
+from .recognize import Recognized, recognize
 from .segments import Hermite, PowerForm, basis_matrix, create_hermite, create_power, to_hermite, to_power
+from .shapes import (bilinear, cone, cylinder, ellipsoid, extrude, hyperboloid, paraboloid, plane, revolve, ruled,
+                     saddle, sphere, sphere_patches, spherical_patch, swung, tensor_product, tensor_sum, torus,
+                     trilinear)
 from .reduce import (Deviation, KnotRemoval, Reduced, deviation, reduce_degree, reduce_knots, remove_knot,
                      simplify)
 from .spline import Spline, derivative_slots

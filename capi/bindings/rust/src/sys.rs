@@ -83,6 +83,14 @@ pub const NURBS_ERROR_BASIS: nurbs_status = 50;
 pub const NURBS_ERROR_NOT_MONOTONE: nurbs_status = 51;
 pub const NURBS_ERROR_CONTINUITY: nurbs_status = 46;
 pub const NURBS_ERROR_WEIGHT_SIGN: nurbs_status = 47;
+pub const NURBS_ERROR_ANGLE: nurbs_status = 52;
+pub const NURBS_ERROR_LENGTH: nurbs_status = 53;
+pub const NURBS_ERROR_COLLINEAR: nurbs_status = 54;
+pub const NURBS_ERROR_CONIC: nurbs_status = 55;
+pub const NURBS_ERROR_FORM: nurbs_status = 56;
+pub const NURBS_ERROR_TANGENT: nurbs_status = 57;
+pub const NURBS_ERROR_TWIST: nurbs_status = 58;
+pub const NURBS_ERROR_TWIST_RULE: nurbs_status = 59;
 pub const NURBS_ERROR_OUTSIDE_DOMAIN: nurbs_status = 100;
 pub const NURBS_ERROR_NOT_REPRESENTABLE: nurbs_status = 200;
 pub const NURBS_ERROR_KNOTS_MERGE: nurbs_status = 202;
@@ -111,6 +119,9 @@ pub const NURBS_PRODUCT_DOT: u32 = 0x08000000;
 pub const NURBS_PRODUCT_CROSS: u32 = 0x10000000;
 pub const NURBS_HOMOGENEOUS: u32 = 0x20000000;
 pub const NURBS_MAP_DOMAINS: u32 = 0x40000000;
+pub const NURBS_RULED_CARTESIAN: u32 = 0x80000000;
+pub const NURBS_HEMISPHERE: u32 = 0x01000000;
+pub const NURBS_TWO_SHEETS: u32 = 0x02000000;
 pub const NURBS_BASIS_POWER: i32 = 0;
 pub const NURBS_BASIS_BERNSTEIN: i32 = 1;
 pub const NURBS_BASIS_HERMITE: i32 = 2;
@@ -128,6 +139,41 @@ pub const NURBS_FRAME_LIMIT: i32 = 0x01;
 pub const NURBS_FRAME_NORMAL_LIMIT: i32 = 0x02;
 pub const NURBS_FRAME_RULE: i32 = 0x04;
 pub const NURBS_FRAME_UNDEFINED: i32 = 0x08;
+
+// Forms of an arc
+pub const NURBS_ARC_QUARTERS: i32 = 0;
+pub const NURBS_ARC_THIRDS: i32 = 1;
+pub const NURBS_ARC_SMOOTH: i32 = 2;
+
+// Kinds of conics
+pub const NURBS_CONIC_ELLIPSE: i32 = 1;
+pub const NURBS_CONIC_PARABOLA: i32 = 2;
+pub const NURBS_CONIC_HYPERBOLA: i32 = 3;
+pub const NURBS_CONIC_CHORD: i32 = 4;
+pub const NURBS_CONIC_LEGS: i32 = 5;
+pub const NURBS_CONIC_LINE: i32 = 6;
+
+// Twists of a bicubic Coons surface
+pub const NURBS_TWIST_COMPATIBLE: i32 = 0;
+pub const NURBS_TWIST_AVERAGE: i32 = 1;
+pub const NURBS_TWIST_GIVEN: i32 = 2;
+pub const NURBS_TWIST_ZERO: i32 = 3;
+pub const NURBS_TWIST_BILINEAR: i32 = 4;
+pub const NURBS_TWIST_ADINI: i32 = 5;
+
+// Shapes that are recognized
+pub const NURBS_SHAPE_NONE: i32 = 0;
+pub const NURBS_SHAPE_POINT: i32 = 1;
+pub const NURBS_SHAPE_LINE: i32 = 2;
+pub const NURBS_SHAPE_CIRCLE: i32 = 3;
+pub const NURBS_SHAPE_ELLIPSE: i32 = 4;
+pub const NURBS_SHAPE_PARABOLA: i32 = 5;
+pub const NURBS_SHAPE_HYPERBOLA: i32 = 6;
+pub const NURBS_SHAPE_PLANE: i32 = 7;
+pub const NURBS_SHAPE_SPHERE: i32 = 8;
+pub const NURBS_SHAPE_CYLINDER: i32 = 9;
+pub const NURBS_SHAPE_CONE: i32 = 10;
+pub const NURBS_SHAPE_TORUS: i32 = 11;
 
 #[link(name = "nurbs")]
 extern "C" {
@@ -786,6 +832,370 @@ extern "C" {
     ) -> nurbs_status;
     pub fn nurbs_simplify(g: *const nurbs, tolerance: f64, bound: *mut f64, out: *mut *mut nurbs)
         -> nurbs_status;
+    pub fn nurbs_curve_line(dim: i32, a: *const f64, b: *const f64, out: *mut *mut nurbs) -> nurbs_status;
+    pub fn nurbs_curve_polyline(
+        n: i64,
+        dim: i32,
+        points: *const f64,
+        point_stride: i64,
+        point_component_stride: i64,
+        params: *const f64,
+        param_stride: i64,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    pub fn nurbs_curve_polygon(
+        dim: i32,
+        center: *const f64,
+        axis: *const f64,
+        x: *const f64,
+        radius: f64,
+        sides: i64,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    pub fn nurbs_curve_rounded_rectangle(
+        dim: i32,
+        center: *const f64,
+        axis: *const f64,
+        x: *const f64,
+        width: f64,
+        height: f64,
+        corner_radius: f64,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    pub fn nurbs_curve_circle(
+        dim: i32,
+        center: *const f64,
+        axis: *const f64,
+        x: *const f64,
+        radius: f64,
+        form: i32,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    pub fn nurbs_curve_arc(
+        dim: i32,
+        center: *const f64,
+        axis: *const f64,
+        x: *const f64,
+        radius: f64,
+        start: f64,
+        sweep: f64,
+        form: i32,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    pub fn nurbs_curve_arc_through(
+        dim: i32,
+        a: *const f64,
+        b: *const f64,
+        c: *const f64,
+        form: i32,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    pub fn nurbs_curve_arc_tangent(
+        dim: i32,
+        a: *const f64,
+        tangent: *const f64,
+        b: *const f64,
+        form: i32,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    pub fn nurbs_curve_ellipse(
+        dim: i32,
+        center: *const f64,
+        axis: *const f64,
+        x: *const f64,
+        radius_x: f64,
+        radius_y: f64,
+        start: f64,
+        sweep: f64,
+        form: i32,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    pub fn nurbs_curve_parabola(
+        dim: i32,
+        vertex: *const f64,
+        axis: *const f64,
+        x: *const f64,
+        focal_length: f64,
+        start: f64,
+        end: f64,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    pub fn nurbs_curve_hyperbola(
+        dim: i32,
+        center: *const f64,
+        axis: *const f64,
+        x: *const f64,
+        radius_x: f64,
+        radius_y: f64,
+        start: f64,
+        end: f64,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    pub fn nurbs_curve_conic_triangle(
+        dim: i32,
+        p0: *const f64,
+        p1: *const f64,
+        p2: *const f64,
+        shape_factor: f64,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    pub fn nurbs_curve_conic_shoulder(
+        dim: i32,
+        a: *const f64,
+        tangent_a: *const f64,
+        b: *const f64,
+        tangent_b: *const f64,
+        rho: f64,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    pub fn nurbs_curve_conic_point(
+        dim: i32,
+        a: *const f64,
+        tangent_a: *const f64,
+        b: *const f64,
+        tangent_b: *const f64,
+        point: *const f64,
+        form: i32,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    pub fn nurbs_curve_conic_through(
+        dim: i32,
+        points: *const f64,
+        point_stride: i64,
+        point_component_stride: i64,
+        form: i32,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    pub fn nurbs_conic_axes(
+        coefficients: *const f64,
+        r#type: *mut i32,
+        origin: *mut f64,
+        x: *mut f64,
+        sizes: *mut f64,
+    ) -> nurbs_status;
+    pub fn nurbs_curve_conic_implicit(
+        coefficients: *const f64,
+        start: f64,
+        end: f64,
+        form: i32,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    pub fn nurbs_curve_conic_focus(
+        dim: i32,
+        focus: *const f64,
+        axis: *const f64,
+        foot: *const f64,
+        eccentricity: f64,
+        start: f64,
+        sweep: f64,
+        form: i32,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    pub fn nurbs_curve_shape_factor(g: *const nurbs, factor: *mut f64, r#type: *mut i32) -> nurbs_status;
+    pub fn nurbs_curve_helix(
+        dim: i32,
+        origin: *const f64,
+        axis: *const f64,
+        x: *const f64,
+        radius: f64,
+        growth: f64,
+        pitch: f64,
+        start: f64,
+        turns: f64,
+        tolerance: f64,
+        error: *mut f64,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    pub fn nurbs_extrude(g: *const nurbs, vector: *const f64, out: *mut *mut nurbs) -> nurbs_status;
+    pub fn nurbs_revolve(
+        g: *const nurbs,
+        point: *const f64,
+        axis: *const f64,
+        sweep: f64,
+        form: i32,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    pub fn nurbs_ruled(a: *const nurbs, b: *const nurbs, flags: u32, out: *mut *mut nurbs) -> nurbs_status;
+    pub fn nurbs_tensor_sum(
+        a: *const nurbs,
+        alpha: f64,
+        b: *const nurbs,
+        beta: f64,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    pub fn nurbs_tensor_product(a: *const nurbs, b: *const nurbs, out: *mut *mut nurbs) -> nurbs_status;
+    pub fn nurbs_surface_swung(
+        trajectory: *const nurbs,
+        profile: *const nurbs,
+        scale: f64,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    pub fn nurbs_surface_plane(
+        dim: i32,
+        origin: *const f64,
+        u: *const f64,
+        v: *const f64,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    pub fn nurbs_surface_bilinear(
+        dim: i32,
+        corners: *const f64,
+        corner_stride: i64,
+        corner_component_stride: i64,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    pub fn nurbs_volume_trilinear(
+        dim: i32,
+        corners: *const f64,
+        corner_stride: i64,
+        corner_component_stride: i64,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    pub fn nurbs_surface_sphere(
+        center: *const f64,
+        axis: *const f64,
+        x: *const f64,
+        radius: f64,
+        form: i32,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    pub fn nurbs_surface_spherical_patch(
+        center: *const f64,
+        axis: *const f64,
+        x: *const f64,
+        radius: f64,
+        start: f64,
+        sweep: f64,
+        south: f64,
+        north: f64,
+        form: i32,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    pub fn nurbs_surface_sphere_patches(
+        center: *const f64,
+        axis: *const f64,
+        x: *const f64,
+        radius: f64,
+        flags: u32,
+        out: *mut *mut nurbs_list,
+    ) -> nurbs_status;
+    pub fn nurbs_surface_ellipsoid(
+        center: *const f64,
+        axis: *const f64,
+        x: *const f64,
+        radius_x: f64,
+        radius_y: f64,
+        radius_z: f64,
+        form: i32,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    pub fn nurbs_surface_cylinder(
+        origin: *const f64,
+        axis: *const f64,
+        x: *const f64,
+        radius: f64,
+        height: f64,
+        start: f64,
+        sweep: f64,
+        form: i32,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    pub fn nurbs_surface_cone(
+        origin: *const f64,
+        axis: *const f64,
+        x: *const f64,
+        base_radius: f64,
+        top_radius: f64,
+        height: f64,
+        start: f64,
+        sweep: f64,
+        form: i32,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    pub fn nurbs_surface_torus(
+        center: *const f64,
+        axis: *const f64,
+        x: *const f64,
+        major_radius: f64,
+        minor_radius: f64,
+        start: f64,
+        sweep: f64,
+        tube_start: f64,
+        tube_sweep: f64,
+        form: i32,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    pub fn nurbs_surface_paraboloid(
+        vertex: *const f64,
+        axis: *const f64,
+        x: *const f64,
+        radius_x: f64,
+        radius_y: f64,
+        height: f64,
+        start: f64,
+        sweep: f64,
+        form: i32,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    pub fn nurbs_surface_saddle(
+        center: *const f64,
+        axis: *const f64,
+        x: *const f64,
+        radius_x: f64,
+        radius_y: f64,
+        height: f64,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    pub fn nurbs_surface_hyperboloid(
+        center: *const f64,
+        axis: *const f64,
+        x: *const f64,
+        radius_x: f64,
+        radius_y: f64,
+        radius_z: f64,
+        bottom: f64,
+        top: f64,
+        start: f64,
+        sweep: f64,
+        form: i32,
+        flags: u32,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    pub fn nurbs_boundaries(g: *const nurbs, out: *mut *mut nurbs_list) -> nurbs_status;
+    pub fn nurbs_surface_coons(
+        boundaries: *const *const nurbs,
+        tolerance: f64,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    pub fn nurbs_surface_coons_hermite(
+        boundaries: *const *const nurbs,
+        cross: *const *const nurbs,
+        twist: i32,
+        twists: *const f64,
+        tolerance: f64,
+        bound: *mut f64,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    pub fn nurbs_coons_gaps(
+        boundaries: *const *const nurbs,
+        cross: *const *const nurbs,
+        positions: *mut f64,
+        tangents: *mut f64,
+        twists: *mut f64,
+    ) -> nurbs_status;
+    pub fn nurbs_volume_coons(
+        faces: *const *const nurbs,
+        tolerance: f64,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    pub fn nurbs_recognize(
+        g: *const nurbs,
+        tolerance: f64,
+        shape: *mut i32,
+        placement: *mut f64,
+        sizes: *mut f64,
+        deviation: *mut f64,
+    ) -> nurbs_status;
     pub fn nurbs_collocation(
         axes: i32,
         degrees: *const i32,

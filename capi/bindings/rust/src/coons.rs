@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+//! Surfaces and volumes from their boundaries, which are counted by axis, then by end.
+
+use crate::error::{check, Result};
+use crate::list::List;
+use crate::placement::require_length;
+use crate::spline::Spline;
+use crate::sys;
+use std::ptr::null;
+
+/// What `Spline::coons_hermite` blends.
+#[derive(Clone, Copy)]
+pub struct HermiteBoundaries<'a> {
+    pub curves: [&'a Spline; 4],
+    /// The derivatives across the curves.
+    pub cross: Option<[&'a Spline; 4]>,
+    /// A `NURBS_TWIST_` constant.
+    pub twist: i32,
+    /// `[4][dim]`, for `NURBS_TWIST_GIVEN`.
+    pub twists: Option<&'a [f64]>,
+}
+
+/// What does not meet at the corners (u0, v0), (u0, v1), (u1, v0), (u1, v1); tangents by u, then by v.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct CoonsGaps {
+    pub positions: [f64; 4],
+    pub tangents: [[f64; 2]; 4],
+    pub twists: [f64; 4],
+}
+
+fn raw<const N: usize>(splines: [&Spline; N]) -> [*const sys::nurbs; N] {
+    splines.map(Spline::raw)
+}
+
+/// The differences at the corners of a surface to be.
+pub fn coons_gaps(curves: [&Spline; 4], cross: Option<[&Spline; 4]>) -> Result<CoonsGaps> {
+    let (curves, cross) = (raw(curves), cross.map(raw));
+    let across = cross.as_ref().map_or(null(), |handles| handles.as_ptr());
+    let mut gaps = CoonsGaps::default();
+    let (p, t) = (gaps.positions.as_mut_ptr(), gaps.tangents.as_mut_ptr().cast());
+    check(unsafe { sys::nurbs_coons_gaps(curves.as_ptr(), across, p, t, gaps.twists.as_mut_ptr()) })?;
+    Ok(gaps)
+}
+
+/// Boundaries, and blends of them.
+impl Spline {
+    /// The four curves of a surface, or the six faces of a volume.
+    pub fn boundaries(&self) -> Result<List> {
+        List::made(|out| unsafe { sys::nurbs_boundaries(self.raw(), out) })
+    }
+    /// The bilinear blend of four curves.
+    pub fn coons(curves: [&Spline; 4], tolerance: f64) -> Result<Spline> {
+        let curves = raw(curves);
+        Spline::made(|out| unsafe { sys::nurbs_surface_coons(curves.as_ptr(), tolerance, out) })
+    }
+    /// The bicubic blend, and the largest difference between its twists and those of the cross tangents.
+    pub fn coons_hermite(given: HermiteBoundaries, tolerance: f64) -> Result<(Spline, f64)> {
+        if let Some(twists) = given.twists {
+            require_length(4 * given.curves[0].dimension()?, &[twists])?;
+        }
+        let (curves, cross) = (raw(given.curves), given.cross.map(raw));
+        let across = cross.as_ref().map_or(null(), |handles| handles.as_ptr());
+        let (c, twists) = (curves.as_ptr(), given.twists.map_or(null(), |values| values.as_ptr()));
+        let mut bound = 0.0;
+        let spline = Spline::made(|out| unsafe {
+            sys::nurbs_surface_coons_hermite(c, across, given.twist, twists, tolerance, &mut bound, out)
+        })?;
+        Ok((spline, bound))
+    }
+    /// The linear blend of six faces.
+    pub fn coons_volume(faces: [&Spline; 6], tolerance: f64) -> Result<Spline> {
+        let faces = raw(faces);
+        Spline::made(|out| unsafe { sys::nurbs_volume_coons(faces.as_ptr(), tolerance, out) })
+    }
+}

@@ -1,0 +1,98 @@
+/* SPDX-License-Identifier: MIT */
+/// \file placement.hpp
+/// \brief Where shapes stand, and the forms of their arcs.
+#ifndef NURBS_CPP_PLACEMENT_HPP
+#define NURBS_CPP_PLACEMENT_HPP
+
+#include <nurbs/cpp/spline.hpp>
+
+#include <cstdint>
+#include <initializer_list>
+#include <numbers>
+#include <string>
+#include <vector>
+
+namespace libnurbs {
+
+/// Forms of an arc.
+inline constexpr std::int32_t arc_quarters = NURBS_ARC_QUARTERS;
+inline constexpr std::int32_t arc_thirds = NURBS_ARC_THIRDS;
+inline constexpr std::int32_t arc_smooth = NURBS_ARC_SMOOTH;
+
+inline constexpr double full_turn = 2 * std::numbers::pi;
+
+/// Origin (centre, vertex), axis and direction x of a shape, all of one length: its dimension. What is left empty is
+/// the default of nurbs.h; if all is, surfaces and helices stand in space and other curves in the plane.
+struct Placement {
+    std::vector<double> origin{};
+    std::vector<double> axis{};
+    std::vector<double> x{};
+};
+
+namespace detail {
+
+// Calls f(&handle) and owns what it makes.
+template <class F>
+Spline spline_of(F &&f) {
+    nurbs *out = nullptr;
+    check(f(&out));
+    return Spline(out);
+}
+
+inline const double *pointer(View<double> values) noexcept {
+    return values.empty() ? nullptr : values.data();
+}
+
+// The length of the first vector that is not empty, or another dimension if all are; the rest must have it too.
+inline std::int32_t dimension_of(std::initializer_list<View<double>> vectors, std::int32_t dim) {
+    bool known = false;
+    for (const View<double> &vector : vectors) {
+        if (!vector.empty() && !known) {
+            dim = static_cast<std::int32_t>(vector.size());
+            known = true;
+        }
+        if (!vector.empty() && vector.size() != to_size(dim)) {
+            wrong_size("vector", vector.size(), std::to_string(dim));
+        }
+    }
+    return dim;
+}
+
+inline std::int32_t dimension_of(const Placement &at, std::int32_t otherwise) {
+    return dimension_of({at.origin, at.axis, at.x}, otherwise);
+}
+
+// All vectors, none of them empty, have `dim` components.
+inline void require_length(std::int32_t dim, std::initializer_list<View<double>> vectors) {
+    for (const View<double> &vector : vectors) {
+        if (vector.size() != to_size(dim)) {
+            wrong_size("vector", vector.size(), std::to_string(dim));
+        }
+    }
+}
+
+// The arguments origin, axis and x of a shape in space.
+struct Space {
+    const double *origin, *axis, *x;
+    explicit Space(const Placement &at)
+        : origin(pointer(at.origin)), axis(pointer(at.axis)), x(pointer(at.x)) {
+        if (dimension_of(at, 3) != 3) {
+            wrong_size("placement", to_size(dimension_of(at, 3)), "3");
+        }
+    }
+};
+
+// The arguments dim, origin, axis and x of a shape of the plane or of space.
+struct Place {
+    std::int32_t dim;
+    const double *origin, *axis, *x;
+    explicit Place(const Placement &at, std::int32_t otherwise = 2)
+        : dim(dimension_of(at, otherwise)), origin(pointer(at.origin)), axis(pointer(at.axis)),
+          x(pointer(at.x)) {}
+};
+
+} // namespace detail
+
+} // namespace libnurbs
+
+#endif // NURBS_CPP_PLACEMENT_HPP
