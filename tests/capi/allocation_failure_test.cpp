@@ -457,7 +457,63 @@ const Case cases[] = {
          static const double turn[] = {0, 1, -1, 0};
          return nurbs_transform(in.curve, 2, turn, turn, &o.out);
      }},
-    {"transform_projective",
+{"extrude",
+     [](Inputs &in, Output &o) {
+         static const double up[] = {0, 0, 1};
+         return nurbs_extrude(in.twist, up, &o.out);
+     }},
+    {"revolve", [](Inputs &in, Output &o) { return nurbs_revolve(in.twist, nullptr, nullptr, 6, 0, &o.out); }},
+    {"ruled", [](Inputs &in, Output &o) { return nurbs_ruled(in.curve, in.loop, 0, &o.out); }},
+    {"ruled Cartesian",
+     [](Inputs &in, Output &o) { return nurbs_ruled(in.curve, in.loop, NURBS_RULED_CARTESIAN, &o.out); }},
+    {"tensor_sum", [](Inputs &in, Output &o) { return nurbs_tensor_sum(in.curve, 1, in.loop, 2, &o.out); }},
+    {"tensor_sum homogeneous",
+     [](Inputs &in, Output &o) { return nurbs_tensor_sum(in.homogeneous, 1, in.loop, 2, &o.out); }},
+    {"tensor_product", [](Inputs &in, Output &o) { return nurbs_tensor_product(in.twist, in.surface, &o.out); }},
+    {"surface_swung", [](Inputs &in, Output &o) { return nurbs_surface_swung(in.curve, in.loop, 1, &o.out); }},
+    {"surface_plane",
+     [](Inputs &, Output &o) { return nurbs_surface_plane(2, nullptr, new_knots, params, &o.out); }},
+    {"surface_bilinear",
+     [](Inputs &, Output &o) { return nurbs_surface_bilinear(1, params, 0, 0, &o.out); }},
+    {"volume_trilinear",
+     [](Inputs &, Output &o) { return nurbs_volume_trilinear(1, cube().points, 0, 0, &o.out); }},
+    {"surface_sphere",
+     [](Inputs &, Output &o) { return nurbs_surface_sphere(nullptr, params, nullptr, 1, 2, &o.out); }},
+    {"surface_spherical_patch",
+     [](Inputs &, Output &o) {
+         return nurbs_surface_spherical_patch(nullptr, nullptr, nullptr, 1, 0, 4, 0, 1, 0, &o.out);
+     }},
+    {"surface_sphere_patches",
+     [](Inputs &, Output &o) {
+         return nurbs_surface_sphere_patches(nullptr, nullptr, nullptr, 1, NURBS_HEMISPHERE, &o.list);
+     }},
+    {"surface_ellipsoid",
+     [](Inputs &, Output &o) {
+         return nurbs_surface_ellipsoid(nullptr, nullptr, nullptr, 1, 2, 3, 1, &o.out);
+     }},
+    {"surface_cylinder",
+     [](Inputs &, Output &o) {
+         return nurbs_surface_cylinder(nullptr, nullptr, nullptr, 1, 2, 0, 3, 0, &o.out);
+     }},
+    {"surface_cone",
+     [](Inputs &, Output &o) {
+         return nurbs_surface_cone(nullptr, nullptr, nullptr, 1, 0, 2, 0, 3, 0, &o.out);
+     }},
+    {"surface_torus",
+     [](Inputs &, Output &o) {
+         return nurbs_surface_torus(nullptr, nullptr, nullptr, 3, 1, 0, 3, 0, 6, 2, &o.out);
+     }},
+    {"surface_paraboloid",
+     [](Inputs &, Output &o) {
+         return nurbs_surface_paraboloid(nullptr, nullptr, nullptr, 3, 1, 1, 0, 3, 0, &o.out);
+     }},
+    {"surface_saddle",
+     [](Inputs &, Output &o) { return nurbs_surface_saddle(nullptr, nullptr, nullptr, 3, 1, 1, &o.out); }},
+    {"surface_hyperboloid",
+     [](Inputs &, Output &o) {
+         return nurbs_surface_hyperboloid(nullptr, nullptr, nullptr, 3, 1, 1, -9, 9, 0, 3, 0, 0, &o.out);
+     }},
+        {"transform_projective",
      [](Inputs &in, Output &o) {
          static const double map[] = {1, 0, 0, 0, 1, 0, 0, 0, 2};
          return nurbs_transform_projective(in.curve, 2, map, &o.out);

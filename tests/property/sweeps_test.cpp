@@ -450,8 +450,8 @@ long double volume(const nurbs *g) {
     for (size_t i = 0; i < n * n * n; ++i) {
         const Vector u = vector_at(values, i, 12, 3), v = vector_at(values, i, 12, 6),
                      w = vector_at(values, i, 12, 9);
-        sum +=
-            rule.weights[i / (n * n)] * rule.weights[i / n % n] * rule.weights[i % n] * dot(u, cross(v, w));
+        sum += rule.weights[i / (n * n)] * rule.weights[i / n % n] * rule.weights[i % n] *
+               support::dot(u, cross(v, w));
     }
     return sum;
 }
