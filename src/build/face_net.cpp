@@ -5,6 +5,7 @@
 #include "build/corner.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace nrb {
@@ -57,8 +58,9 @@ SplinePtr denominator(const KnotVectorPtr &axis, const std::vector<double> &weig
     return equal ? nullptr : function_of(axis, 1, weights);
 }
 
+// A few roundings of both are allowed for.
 void check_product(double weight, double product, int64_t i, size_t index) {
-    if (weight != product) {
+    if (!(std::abs(weight - product) <= 8 * std::numeric_limits<double>::epsilon() * std::abs(weight))) {
         fail(NURBS_ERROR_RATIONAL,
              "faces[%zu]: weight %lld = %s is no product of one factor for each axis (%s), which the blend "
              "needs",

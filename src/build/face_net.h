@@ -40,7 +40,7 @@ struct FaceNet {
 };
 
 // Clamped over the domains, the weights taken apart into a product of one factor for each axis, which they must be
-// as rounded. Throws NURBS_ERROR_RATIONAL, naming the face, _WEIGHTS_VANISH, and what clamping throws.
+// to rounding (8 eps of themselves). Throws NURBS_ERROR_RATIONAL, naming the face, _WEIGHTS_VANISH, and what clamping throws.
 FaceNet make_face_net(const SplinePtr &face, const std::array<Interval, 2> &domains, size_t index);
 
 // The net as a function of one axis, its records the rows along the other one; and back, over another axis.
