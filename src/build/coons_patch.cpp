@@ -90,12 +90,14 @@ SplinePtr coons_patch(BlendAxis u, BlendAxis v, const CornerPair &own, const Cor
     std::vector<double> net = net_of_zeros({&u, &v}, m.dim());
     const size_t row = static_cast<size_t>(v.count()) * dim;
     for (size_t k = 0; k < static_cast<size_t>(u.count()); ++k) {
-        const std::span<double> layer(net.data() + k * row, row);
-        for (size_t i = 0; i < u.blends.size(); ++i) {
-            add_scaled(u.blends[i][k], v.functions[i].data(), row, layer.data());
+        double *layer = net.data() + k * row;
+        for (size_t i = 0; i < u.blends.size(); i += 2) {
+            add_scaled_pair(u.blends[i][k], v.functions[i].data(), u.blends[i + 1][k],
+                            v.functions[i + 1].data(), row, layer);
         }
-        for (size_t j = 0; j < v.blends.size() && !u.in_margin(k); ++j) {
-            add_product(v.blends[j], std::span(rest[j]).subspan(k * dim, dim), layer);
+        for (size_t j = 0; j < v.blends.size() && !u.in_margin(k); j += 2) {
+            add_product_pair(v.blends[j], rest[j].data() + k * dim, v.blends[j + 1],
+                             rest[j + 1].data() + k * dim, dim, layer);
         }
     }
     set_margins(u, v, dim, net);
