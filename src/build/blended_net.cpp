@@ -19,7 +19,11 @@ std::vector<double> net_of_zeros(const std::vector<const BlendAxis *> &axes, int
     for (const BlendAxis *axis : axes) {
         size = checked_product(size, axis->count(), "control points");
     }
-    return std::vector<double>(static_cast<size_t>(size / (dim + 1) * dim));
+    const auto values = static_cast<size_t>(size / (dim + 1) * dim);
+    std::vector<double> net;
+    net.reserve(values + Spline::padding); // so that the spline need not move them
+    net.resize(values);
+    return net;
 }
 
 namespace {

@@ -10,16 +10,37 @@ namespace nrb {
 
 // out += factor * x, n values.
 inline void add_scaled(double factor, const double *x, size_t n, double *out) noexcept {
-    for (size_t i = 0; i < n && factor != 0; ++i) {
+    if (factor == 0) {
+        return;
+    }
+    for (size_t i = 0; i < n; ++i) {
         out[i] += factor * x[i];
     }
 }
 
-// out += f (x) point: a function of one parameter times a point, or any other record.
+// out += f x + g y, n values.
+inline void add_scaled_pair(double f, const double *x, double g, const double *y, size_t n,
+                            double *out) noexcept {
+    for (size_t i = 0; i < n; ++i) {
+        out[i] += f * x[i] + g * y[i];
+    }
+}
+
+// out += f (x) record: a function of one parameter times a point, or any other record.
 inline void add_product(const std::vector<double> &f, std::span<const double> record,
                         std::span<double> out) noexcept {
     for (size_t i = 0; i < f.size(); ++i) {
         add_scaled(f[i], record.data(), record.size(), out.data() + i * record.size());
+    }
+}
+
+// out += f (x) x + g (x) y, x and y points. Coordinates one after the other: they are few, and the layers many.
+inline void add_product_pair(const std::vector<double> &f, const double *x, const std::vector<double> &g,
+                             const double *y, size_t dim, double *out) noexcept {
+    for (size_t c = 0; c < dim; ++c) {
+        for (size_t i = 0; i < f.size(); ++i) {
+            out[i * dim + c] += f[i] * x[c] + g[i] * y[c];
+        }
     }
 }
 

@@ -18,22 +18,33 @@ const double *by_column(const CornerMatrix &m, int i, int j) {
     return m.at(j, i);
 }
 
+// What takes function i from what it has at its ends to what m has there.
+std::vector<double> correction(const BlendAxis &along, const CornerMatrix &own, const CornerMatrix &m, int i,
+                               Entry entry) {
+    const auto dim = static_cast<size_t>(m.dim());
+    std::vector<double> total(along.functions[0].size()), change(dim);
+    for (size_t j = 0; j < along.blends.size(); ++j) {
+        const double *wanted = entry(m, i, static_cast<int>(j));
+        std::transform(wanted, wanted + dim, entry(own, i, static_cast<int>(j)), change.begin(),
+                       std::minus());
+        if (std::ranges::any_of(change, [](double x) { return x != 0; })) {
+            add_product(along.blends[j], change, total);
+        }
+    }
+    return total;
+}
+
 // Makes the functions along an axis agree with m at the ends, where the values then are bit for bit those of m.
+// They are rounded once.
 void correct(BlendAxis &along, const CornerMatrix &own, const CornerMatrix &m, Entry entry) {
     const auto dim = static_cast<size_t>(m.dim());
-    std::vector<double> change(dim);
     for (size_t i = 0; i < along.functions.size(); ++i) {
         std::vector<double> &function = along.functions[i];
-        for (size_t j = 0; j < along.blends.size(); ++j) {
-            const double *wanted = entry(m, static_cast<int>(i), static_cast<int>(j));
-            const double *given = entry(own, static_cast<int>(i), static_cast<int>(j));
-            std::transform(wanted, wanted + dim, given, change.begin(), std::minus());
-            if (std::ranges::any_of(change, [](double x) { return x != 0; })) {
-                add_product(along.blends[j], change, function);
-            }
-        }
-        std::copy_n(entry(m, static_cast<int>(i), 0), dim, function.begin());
-        std::copy_n(entry(m, static_cast<int>(i), 1), dim, function.end() - static_cast<std::ptrdiff_t>(dim));
+        const auto row = static_cast<int>(i);
+        std::ranges::transform(function, correction(along, own, m, row, entry), function.begin(),
+                               std::plus());
+        std::copy_n(entry(m, row, 0), dim, function.begin());
+        std::copy_n(entry(m, row, 1), dim, function.end() - static_cast<std::ptrdiff_t>(dim));
     }
 }
 
@@ -79,12 +90,14 @@ SplinePtr coons_patch(BlendAxis u, BlendAxis v, const CornerPair &own, const Cor
     std::vector<double> net = net_of_zeros({&u, &v}, m.dim());
     const size_t row = static_cast<size_t>(v.count()) * dim;
     for (size_t k = 0; k < static_cast<size_t>(u.count()); ++k) {
-        const std::span<double> layer(net.data() + k * row, row);
-        for (size_t i = 0; i < u.blends.size(); ++i) {
-            add_scaled(u.blends[i][k], v.functions[i].data(), row, layer.data());
+        double *layer = net.data() + k * row;
+        for (size_t i = 0; i < u.blends.size(); i += 2) {
+            add_scaled_pair(u.blends[i][k], v.functions[i].data(), u.blends[i + 1][k],
+                            v.functions[i + 1].data(), row, layer);
         }
-        for (size_t j = 0; j < v.blends.size() && !u.in_margin(k); ++j) {
-            add_product(v.blends[j], std::span(rest[j]).subspan(k * dim, dim), layer);
+        for (size_t j = 0; j < v.blends.size() && !u.in_margin(k); j += 2) {
+            add_product_pair(v.blends[j], rest[j].data() + k * dim, v.blends[j + 1],
+                             rest[j + 1].data() + k * dim, dim, layer);
         }
     }
     set_margins(u, v, dim, net);

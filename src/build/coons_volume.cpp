@@ -2,8 +2,10 @@
 
 #include "base/norm.h"
 #include "bounds/deviation.h"
+#include "build/blend_sum.h"
 #include "build/blended_net.h"
 #include "build/face_net.h"
+#include "build/volume_edge.h"
 #include "reduce/deviation.h"
 #include "refine/homogeneous.h"
 
@@ -14,13 +16,7 @@ namespace nrb {
 
 namespace {
 
-constexpr size_t face_count = 6;
-
 using Ends = std::array<bool, 3>; // upper or not, on each axis
-
-size_t face_at(int axis, bool upper) noexcept {
-    return static_cast<size_t>(2 * axis) + (upper ? 1 : 0);
-}
 
 void check_faces(const std::vector<SplinePtr> &faces) {
     for (size_t i = 0; i < faces.size(); ++i) {
@@ -34,24 +30,11 @@ void check_faces(const std::vector<SplinePtr> &faces) {
     }
 }
 
-// An edge along `axis`: the faces on which the other two axes stand at their ends meet there.
-struct Edge {
-    int axis;
-    int first; // the other axes
-    int second;
-    bool first_upper;
-    bool second_upper;
-
-    [[nodiscard]] size_t face() const noexcept { return face_at(first, first_upper); }
-    [[nodiscard]] size_t other_face() const noexcept { return face_at(second, second_upper); }
-};
-
 // Six faces over common knots, Cartesian, and what blends them.
 class FaceBlend {
 public:
     FaceBlend(const std::vector<SplinePtr> &faces, double tolerance) : dim_(faces[0]->dim()) {
-        const std::array<Interval, 3> domains{faces[2]->axis(0).domain(), faces[0]->axis(0).domain(),
-                                              faces[0]->axis(1).domain()};
+        const std::array<Interval, 3> domains = volume_domains(faces);
         for (size_t i = 0; i < face_count; ++i) {
             const FaceAxes axes(i);
             nets_.push_back(make_face_net(
@@ -151,23 +134,11 @@ private:
         }
         return deviation(*first, *second).upper;
     }
-    void check_edge(const Edge &edge, double found, double tolerance) const {
-        if (!(found <= tolerance)) {
-            fail(NURBS_ERROR_GAP,
-                 "edge along axis %d at the %s of axis %d and the %s of axis %d: faces[%zu] and faces[%zu] "
-                 "are up to "
-                 "%s apart, expected at most %s",
-                 edge.axis, edge.first_upper ? "end" : "start", edge.first,
-                 edge.second_upper ? "end" : "start", edge.second, edge.face(), edge.other_face(),
-                 Number(found).text, Number(tolerance).text);
-        }
-    }
-
     // The mean of what the two faces have, and of the corners at its ends.
-    [[nodiscard]] std::vector<double> mean_edge(const Edge &edge, double tolerance) const {
+    [[nodiscard]] std::vector<double> mean_edge(const VolumeEdge &edge, double tolerance) const {
         std::vector<double> a = layer(edge.face(), edge.second, edge.second_upper);
         const std::vector<double> b = layer(edge.other_face(), edge.first, edge.first_upper);
-        check_edge(edge, gap(edge.axis, a, b, tolerance), tolerance);
+        edge.check(gap(edge.axis, a, b, tolerance), tolerance);
         std::ranges::transform(a, b, a.begin(), [](double x, double y) { return std::midpoint(x, y); });
         const BlendAxis &blend = blends_[static_cast<size_t>(edge.axis)];
         for (size_t end = 0; end < 2; ++end) {
@@ -193,22 +164,20 @@ private:
     }
 
     void agree_on_edges(double tolerance) {
-        std::array<std::array<std::vector<double>, 4>, 3> edges; // of each axis, by the ends of the other two
+        std::array<std::array<std::vector<double>, edges_of_axis>, 3>
+            edges; // of each axis, by the ends of the other two
         for (int k = 0; k < 3; ++k) {
-            for (size_t i = 0; i < 4; ++i) {
-                edges[static_cast<size_t>(k)][i] = mean_edge(edge_of(k, i), tolerance);
+            for (size_t i = 0; i < edges_of_axis; ++i) {
+                edges[static_cast<size_t>(k)][i] = mean_edge(VolumeEdge(k, i), tolerance);
             }
         }
         for (int k = 0; k < 3; ++k) {
-            for (size_t i = 0; i < 4; ++i) {
-                const Edge edge = edge_of(k, i);
+            for (size_t i = 0; i < edges_of_axis; ++i) {
+                const VolumeEdge edge(k, i);
                 pull_face(edge.face(), edge.second, edge.second_upper, edges[static_cast<size_t>(k)][i]);
                 pull_face(edge.other_face(), edge.first, edge.first_upper, edges[static_cast<size_t>(k)][i]);
             }
         }
-    }
-    [[nodiscard]] static Edge edge_of(int axis, size_t i) noexcept {
-        return {axis, axis == 0 ? 1 : 0, axis == 2 ? 1 : 2, i / 2 == 1, i % 2 == 1};
     }
 
     // Moves a face by what takes one of its edges to another place, the opposite edge staying where it is. The other
@@ -305,7 +274,10 @@ private:
 
 SplinePtr volume_coons(const std::vector<SplinePtr> &faces, double tolerance) {
     check_faces(faces);
-    return FaceBlend(faces, tolerance).volume(common_form(faces));
+    const bool separate =
+        std::ranges::all_of(faces, [](const SplinePtr &face) { return has_separate_weights(*face); });
+    return separate ? FaceBlend(faces, tolerance).volume(common_form(faces))
+                    : sum_of_blends(faces, tolerance);
 }
 
 } // namespace nrb

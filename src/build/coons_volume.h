@@ -14,9 +14,9 @@ namespace nrb {
 //                  + sum_c h_c (H_c - sum_a f_a E_ac - sum_b g_b (E_bc - sum_a f_a V_abc)),
 //
 // every face corrected first where its edges are not the means of both that meet there. The outer layers of control
-// points are those of the faces over the knots of the volume. The weights of a face are taken apart into a product
-// of one function for each axis. Throws NURBS_ERROR_AXES, _DIMENSION, _GAP, _RATIONAL for weights that are no such
-// product, _WEIGHTS_VANISH for a corner at infinity, and what make_blend_axis() and make_spline() throw.
+// points are those of the faces over the knots of the volume. This needs weights of faces that are products of one
+// function for each axis; others are summed up term by term (blend_sum.h). Throws NURBS_ERROR_AXES, _DIMENSION, _GAP,
+// _WEIGHTS_VANISH for a corner at infinity, and what make_blend_axis(), sum_of_blends() and make_spline() throw.
 // Precondition: 6 faces. Cost: linear in the points of the result.
 SplinePtr volume_coons(const std::vector<SplinePtr> &faces, double tolerance);
 

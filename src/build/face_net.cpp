@@ -5,6 +5,7 @@
 #include "build/corner.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace nrb {
@@ -57,37 +58,40 @@ SplinePtr denominator(const KnotVectorPtr &axis, const std::vector<double> &weig
     return equal ? nullptr : function_of(axis, 1, weights);
 }
 
-void check_product(double weight, double product, int64_t i, size_t index) {
-    if (weight != product) {
-        fail(NURBS_ERROR_RATIONAL,
-             "faces[%zu]: weight %lld = %s is no product of one factor for each axis (%s), which the blend "
-             "needs",
-             index, static_cast<long long>(i), Number(weight).text, Number(product).text);
+// The factors of the weights: through a control point that has a weight, those along axis 0 divided by it.
+struct WeightFactors {
+    std::vector<double> rows;
+    std::vector<double> columns;
+
+    explicit WeightFactors(const Spline &face) {
+        const int64_t pivot = first_with_weight(face);
+        rows = weights_through(face, pivot, 0);
+        columns = weights_through(face, pivot, 1);
+        std::ranges::for_each(rows, [unit = face.weight(pivot)](double &w) { w /= unit; });
     }
-}
+    [[nodiscard]] double weight(int64_t i) const noexcept {
+        const auto at = static_cast<size_t>(i);
+        return rows[at / columns.size()] * columns[at % columns.size()];
+    }
+};
 
 // Numerators are divided by factors that are constant.
-Separated separated(const SplinePtr &face, size_t index) {
+Separated separated(const SplinePtr &face) {
     if (!face->rational()) {
         return {face, {}};
     }
-    const int64_t pivot = first_with_weight(*face), columns = face->count(1);
-    std::vector<double> rows = weights_through(*face, pivot, 0);
-    const std::vector<double> across = weights_through(*face, pivot, 1);
-    std::ranges::for_each(rows, [unit = face->weight(pivot)](double &w) { w /= unit; });
-    const Separated parts{
-        nullptr, {denominator(face->knot_vectors()[0], rows), denominator(face->knot_vectors()[1], across)}};
-    const double constant =
-        (parts.denominators[0] == nullptr ? rows[0] : 1) * (parts.denominators[1] == nullptr ? across[0] : 1);
+    const WeightFactors factors(*face);
+    const Separated parts{nullptr,
+                          {denominator(face->knot_vectors()[0], factors.rows),
+                           denominator(face->knot_vectors()[1], factors.columns)}};
+    const double constant = (parts.denominators[0] == nullptr ? factors.rows[0] : 1) *
+                            (parts.denominators[1] == nullptr ? factors.columns[0] : 1);
     const bool records = face->form() == Form::homogeneous;
     std::vector<double> points;
     for (int64_t i = 0; i < face->point_count(); ++i) {
-        const double weight =
-            rows[static_cast<size_t>(i / columns)] * across[static_cast<size_t>(i % columns)];
-        check_product(face->weight(i), weight, i, index);
         const double *stored = face->points().data() + i * face->stored_width();
         for (int c = 0; c < face->dim(); ++c) {
-            points.push_back(records ? stored[c] / constant : weight / constant * stored[c]);
+            points.push_back(records ? stored[c] / constant : factors.weight(i) / constant * stored[c]);
         }
     }
     require_representable(points, "numerators");
@@ -115,8 +119,22 @@ SplinePtr normalized(const SplinePtr &factor, std::vector<double> &numerators, s
 
 } // namespace
 
+bool has_separate_weights(const Spline &face) {
+    if (!face.rational()) {
+        return true;
+    }
+    const WeightFactors factors(face);
+    bool separate = true;
+    for (int64_t i = 0; i < face.point_count() && separate; ++i) {
+        const double weight = face.weight(i);
+        separate = std::abs(weight - factors.weight(i)) <=
+                   8 * std::numeric_limits<double>::epsilon() * std::abs(weight);
+    }
+    return separate;
+}
+
 FaceNet make_face_net(const SplinePtr &face, const std::array<Interval, 2> &domains, size_t index) {
-    Separated parts = separated(face, index);
+    Separated parts = separated(face);
     for (int k = 0; k < 2; ++k) {
         const auto at = static_cast<size_t>(k);
         parts.numerators = clamped_over(parts.numerators, k, domains[at]);

@@ -8,17 +8,6 @@
 
 namespace nrb {
 
-// The axes of a volume over which face `face` runs.
-struct FaceAxes {
-    int first;
-    int second;
-
-    explicit FaceAxes(size_t face) noexcept : first(face < 2 ? 1 : 0), second(face < 4 ? 2 : 1) {}
-    [[nodiscard]] bool has(int axis) const noexcept { return axis == first || axis == second; }
-    // 0 or 1, the axis of the face that is `axis` of the volume.
-    [[nodiscard]] int place(int axis) const noexcept { return axis == first ? 0 : 1; }
-};
-
 // The control net of a surface; point (i, j) is record i * counts[1] + j.
 struct FaceNet {
     int dim;
@@ -39,8 +28,11 @@ struct FaceNet {
     [[nodiscard]] std::vector<double> layer(int axis, bool upper) const;
 };
 
-// Clamped over the domains, the weights taken apart into a product of one factor for each axis, which they must be
-// as rounded. Throws NURBS_ERROR_RATIONAL, naming the face, _WEIGHTS_VANISH, and what clamping throws.
+// Whether the weights are products of one factor for each axis, to rounding (8 eps of themselves).
+bool has_separate_weights(const Spline &face);
+
+// Clamped over the domains, the weights taken apart. Throws NURBS_ERROR_WEIGHTS_VANISH for a corner at infinity, naming
+// the face, and what clamping throws. Precondition: has_separate_weights().
 FaceNet make_face_net(const SplinePtr &face, const std::array<Interval, 2> &domains, size_t index);
 
 // The net as a function of one axis, its records the rows along the other one; and back, over another axis.

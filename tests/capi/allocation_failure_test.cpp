@@ -96,6 +96,36 @@ nurbs_status compose_with(const nurbs *g, int32_t dim, std::initializer_list<dou
     return status;
 }
 
+// The boundaries of a surface or volume, blended; 0: bilinearly, else bicubically.
+nurbs_status blend_boundaries(const nurbs *g, int order, Output &o) {
+    nurbs_list *list = nullptr;
+    nurbs *parts[6] = {};
+    int64_t count = 0;
+    nurbs_status status = nurbs_boundaries(g, &list);
+    if (status == NURBS_OK) {
+        status = nurbs_list_count(list, &count);
+    }
+    for (int64_t i = 0; i < count && status == NURBS_OK; ++i) {
+        status = nurbs_list_get(list, i, &parts[i]);
+    }
+    if (status == NURBS_OK) {
+        status = count == 6   ? nurbs_volume_coons(parts, 0, &o.out)
+                 : order == 0 ? nurbs_surface_coons(parts, 0, &o.out)
+                              : nurbs_surface_coons_hermite(parts, nullptr, NURBS_TWIST_ADINI, nullptr, 0,
+                                                            nullptr, &o.out);
+    }
+    for (nurbs *part : parts) {
+        nurbs_destroy(part);
+    }
+    nurbs_list_destroy(list);
+    return status;
+}
+
+nurbs_status coons_gaps(Inputs &in, Output &) {
+    const nurbs *const curves[] = {in.curve, in.curve, in.loop, in.loop};
+    return nurbs_coons_gaps(curves, curves, in.values, in.values + 4, in.values + 12);
+}
+
 nurbs_status short_knots(Inputs &, Output &o) {
     static const double knots[] = {0, 0, 0.25, 0.25, 0.5, 0.5, 0.75, 0.75, 1, 1};
     const SplineArgs a = circle();
@@ -445,6 +475,11 @@ const Case cases[] = {
          nurbs_destroy(half);
          return status;
      }},
+    {"boundaries", [](Inputs &in, Output &o) { return nurbs_boundaries(in.volume, &o.list); }},
+    {"surface_coons", [](Inputs &in, Output &o) { return blend_boundaries(in.surface, 0, o); }},
+    {"surface_coons_hermite", [](Inputs &in, Output &o) { return blend_boundaries(in.surface, 3, o); }},
+    {"coons_gaps", coons_gaps},
+    {"volume_coons", [](Inputs &in, Output &o) { return blend_boundaries(in.volume, 0, o); }},
     {"normalize_weights", [](Inputs &in, Output &o) { return nurbs_normalize_weights(in.homogeneous, &o.out); }},
     {"equalize_end_weights",
      [](Inputs &in, Output &o) { return nurbs_equalize_end_weights(in.curve, 0, &o.out); }},
