@@ -74,7 +74,7 @@ constexpr int32_t surfaces[] = {NURBS_SHAPE_PLANE, NURBS_SHAPE_SPHERE, NURBS_SHA
 // The one of a kind, if there is one within the tolerance.
 bool find(int32_t kind, const Spline &spline, const ShapeSamples &samples, double tolerance,
           Recognition &found) {
-    const Shape fitted = fitted_shape(kind, samples, spline.dim());
+    const Shape fitted = fitted_shape(kind, samples, spline.dim(), tolerance);
     if (fitted.kind == NURBS_SHAPE_NONE || !(largest_distance(fitted, samples.points) <= 1.01 * tolerance)) {
         return false;
     }

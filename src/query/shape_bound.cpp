@@ -138,6 +138,7 @@ private:
 
 struct Candidate {
     Bound bound;
+    int depth = 0;
     ShapePiece piece;
 
     [[nodiscard]] bool operator<(const Candidate &other) const noexcept {
@@ -152,7 +153,7 @@ public:
     Enclosure run(std::vector<ShapePiece> pieces) {
         const auto steps = 400 + 60 * std::ssize(pieces);
         for (ShapePiece &piece : pieces) {
-            push(std::move(piece), infinite);
+            push(std::move(piece), infinite, 0);
         }
         for (int64_t step = 0; step < steps && !done(); ++step) {
             if (!refine()) {
@@ -163,9 +164,12 @@ public:
     }
 
 private:
+    // Rounding much above that of the points comes from a gradient that is bounded badly, which halving cures.
     [[nodiscard]] bool done() const noexcept {
-        const Bound &top = heap_.front().bound;
-        return lower_ > tolerance_ || top.upper - top.noise <= 1.25 * (lower_ + top.noise);
+        const Candidate &top = heap_.front();
+        const bool final = top.depth >= 6 || top.bound.noise <= 8 * top.piece.moved();
+        const double noise = final ? top.bound.noise : 8 * top.piece.moved();
+        return lower_ > tolerance_ || top.bound.upper - noise <= 1.25 * (lower_ + noise);
     }
 
     bool refine() {
@@ -173,20 +177,22 @@ private:
         Candidate top = std::move(heap_.back());
         heap_.pop_back();
         const double whole = top.bound.upper;
+        const int depth = top.depth + 1;
         ShapePiece lower;
         if (!top.piece.halve_into(lower)) {
             heap_.push_back(std::move(top));
             std::push_heap(heap_.begin(), heap_.end());
             return false;
         }
-        push(std::move(lower), whole);
-        push(std::move(top.piece), whole);
+        push(std::move(lower), whole, depth);
+        push(std::move(top.piece), whole, depth);
         return true;
     }
 
     // A part has no larger distances than the whole.
-    void push(ShapePiece &&piece, double whole) {
+    void push(ShapePiece &&piece, double whole, int depth) {
         Candidate candidate;
+        candidate.depth = depth;
         const bool certified = piece.certify();
         if (certified) {
             candidate.bound = distance_.upper(piece);

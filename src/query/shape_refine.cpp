@@ -123,11 +123,10 @@ std::vector<double> newton_step(const Shape &shape, const std::vector<Freedom> &
     std::vector<double> rows(m * n), right(m), scales(n);
     for (size_t j = 0; j < n; ++j) {
         const double step = trial_step(shape, free[j], size, reach);
-        const auto plus = residuals(moved(shape, free[j], step), points);
-        const auto minus = residuals(moved(shape, free[j], -step), points);
+        const auto beside = residuals(moved(shape, free[j], step), points);
         double square = 0;
         for (size_t i = 0; i < m; ++i) {
-            rows[i * n + j] = (plus[i] - minus[i]) / (2 * step);
+            rows[i * n + j] = (beside[i] - values[i]) / step;
             square += rows[i * n + j] * rows[i * n + j];
         }
         scales[j] = square > 0 ? 1 / std::sqrt(square) : 0;
@@ -146,14 +145,27 @@ std::vector<double> newton_step(const Shape &shape, const std::vector<Freedom> &
     return steps;
 }
 
+// At most 160, in even steps.
+std::vector<Vector3> some_of(std::span<const Vector3> points) {
+    const size_t step = (points.size() + 159) / 160;
+    std::vector<Vector3> some;
+    for (size_t i = 0; i < points.size(); i += step) {
+        some.push_back(points[i]);
+    }
+    return some;
+}
+
 } // namespace
 
-Shape refined(const Shape &shape, std::span<const Vector3> points) {
+Shape refined(const Shape &shape, std::span<const Vector3> all, double tolerance) {
     const std::vector<Freedom> free = freedoms(shape.kind);
+    const std::vector<Vector3> points = some_of(all);
+    const double enough = tolerance * tolerance * static_cast<double>(points.size());
     Shape best = shape;
     std::vector<double> values = residuals(best, points);
     double sum = sum_of_squares(values);
-    for (int round = 0; round < 12 && std::isfinite(sum) && sum > 0; ++round) {
+    int slow = 0;
+    for (int round = 0; round < 12 && std::isfinite(sum) && sum > 0 && slow < 2; ++round) {
         const std::vector<double> steps = newton_step(best, free, points, values);
         double factor = 1, reached = sum;
         for (int attempt = 0; attempt < 5 && reached >= sum; ++attempt, factor /= 4) {
@@ -168,6 +180,7 @@ Shape refined(const Shape &shape, std::span<const Vector3> points) {
         if (!(reached < 0.98 * sum)) {
             break;
         }
+        slow += reached > enough && reached > sum / 4 ? 1 : 0;
         sum = reached;
     }
     return best;
