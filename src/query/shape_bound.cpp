@@ -41,6 +41,25 @@ double smallest_coordinate(const ShapePiece &piece, double Vector3::*coordinate)
     return least - 4 * eps * std::abs(least);
 }
 
+// From a cone, whose half opening angle is given: the distance of the middle of the control points and the radius of a
+// ball round it that holds them all. Needed near the apex, where the gradient vanishes.
+double ball_bound(const ShapePiece &piece, double angle) noexcept {
+    Vector3 sum;
+    double count = 0;
+    for (int64_t i = 0; i < piece.coefficients(); ++i) {
+        if (piece.at(i)[3] != 0) {
+            sum = sum + piece.point(i);
+            ++count;
+        }
+    }
+    const Vector3 middle = (1 / count) * sum;
+    const double s = std::hypot(middle.x, middle.y), along = s * std::sin(angle) + middle.z * std::cos(angle);
+    const double across = s * std::cos(angle) - middle.z * std::sin(angle);
+    const double distance = along > 0 ? std::abs(across) : length(middle);
+    const double radius = hull_bound(piece, [&](const Vector3 &p) { return length(p - middle); });
+    return distance + radius + 8 * eps * piece.size();
+}
+
 // From the zeros of a quadric, as Quadric::curvature() has it.
 Bound quadric_bound(const ShapeForms &forms, const Quadric &quadric) {
     const FormRange value = forms.quadratic(quadric);
@@ -115,10 +134,9 @@ private:
     [[nodiscard]] Bound curved_bound(const ShapePiece &piece) const {
         Bound bound = quadric_bound(ShapeForms(piece), quadric_);
         if (shape_.kind == NURBS_SHAPE_CONE) {
-            // the zero may be one of the other half of the cone; the apex belongs to both
-            const double hull = hull_bound(piece, [](const Vector3 &p) { return length(p); });
-            if (hull < bound.upper || smallest_coordinate(piece, &Vector3::z) < bound.upper) {
-                bound = {hull, 0};
+            const double ball = ball_bound(piece, shape_.sizes[0]);
+            if (ball < bound.upper || smallest_coordinate(piece, &Vector3::z) < bound.upper) {
+                bound = {ball, 0}; // the zero may be one of the other half of the cone
             }
         }
         if (shape_.kind == NURBS_SHAPE_HYPERBOLA && smallest_coordinate(piece, &Vector3::x) < bound.upper) {
