@@ -41,9 +41,18 @@ double smallest_coordinate(const ShapePiece &piece, double Vector3::*coordinate)
     return least - 4 * eps * std::abs(least);
 }
 
-// From a cone, whose half opening angle is given: the distance of the middle of the control points and the radius of a
-// ball round it that holds them all. Needed near the apex, where the gradient vanishes.
-double ball_bound(const ShapePiece &piece, double angle) noexcept {
+// From one half of a cone, or a torus.
+double true_distance(const Shape &shape, const Vector3 &p) noexcept {
+    if (shape.kind == NURBS_SHAPE_CONE) {
+        const double along = std::hypot(p.x, p.y) * std::sin(shape.sizes[0]) + p.z * std::cos(shape.sizes[0]);
+        return along > 0 ? std::abs(signed_distance(shape, p)) : length(p);
+    }
+    return std::abs(signed_distance(shape, p));
+}
+
+// The distance of the middle of the control points and the radius of a ball round it that holds them all. Needed near
+// an apex and where a torus meets its axis, where the gradient vanishes.
+double ball_bound(const ShapePiece &piece, const Shape &shape) noexcept {
     Vector3 sum;
     double count = 0;
     for (int64_t i = 0; i < piece.coefficients(); ++i) {
@@ -53,11 +62,9 @@ double ball_bound(const ShapePiece &piece, double angle) noexcept {
         }
     }
     const Vector3 middle = (1 / count) * sum;
-    const double s = std::hypot(middle.x, middle.y), along = s * std::sin(angle) + middle.z * std::cos(angle);
-    const double across = s * std::cos(angle) - middle.z * std::sin(angle);
-    const double distance = along > 0 ? std::abs(across) : length(middle);
     const double radius = hull_bound(piece, [&](const Vector3 &p) { return length(p - middle); });
-    return distance + radius + 8 * eps * piece.size();
+    return true_distance(shape, middle) + radius +
+           16 * eps * (piece.size() + shape.sizes[0] + shape.sizes[1]);
 }
 
 // From the zeros of a quadric, as Quadric::curvature() has it.
@@ -100,10 +107,9 @@ public:
 
     // Precondition: the piece is certified.
     [[nodiscard]] Bound upper(const ShapePiece &piece) const {
-        Bound bound = straight_ ? Bound{straight_bound(piece), 0}
-                      : shape_.kind == NURBS_SHAPE_TORUS
-                          ? torus_bound(ShapeForms(piece), shape_.sizes[0], shape_.sizes[1])
-                          : curved_bound(piece);
+        Bound bound = straight_                          ? Bound{straight_bound(piece), 0}
+                      : shape_.kind == NURBS_SHAPE_TORUS ? torus_or_ball(piece)
+                                                         : curved_bound(piece);
         bound.upper = bound.upper * (1 + 16 * eps) + piece.moved();
         bound.noise += piece.moved() + 4 * eps * piece.size();
         return std::isnan(bound.upper) ? Bound{} : bound;
@@ -131,10 +137,15 @@ private:
     [[nodiscard]] double straight_bound(const ShapePiece &piece) const {
         return hull_bound(piece, [this](const Vector3 &p) { return std::abs(signed_distance(shape_, p)); });
     }
+    [[nodiscard]] Bound torus_or_ball(const ShapePiece &piece) const {
+        const Bound bound = torus_bound(ShapeForms(piece), shape_.sizes[0], shape_.sizes[1]);
+        const double ball = ball_bound(piece, shape_);
+        return ball < bound.upper ? Bound{ball, 0} : bound;
+    }
     [[nodiscard]] Bound curved_bound(const ShapePiece &piece) const {
         Bound bound = quadric_bound(ShapeForms(piece), quadric_);
         if (shape_.kind == NURBS_SHAPE_CONE) {
-            const double ball = ball_bound(piece, shape_.sizes[0]);
+            const double ball = ball_bound(piece, shape_);
             if (ball < bound.upper || smallest_coordinate(piece, &Vector3::z) < bound.upper) {
                 bound = {ball, 0}; // the zero may be one of the other half of the cone
             }

@@ -81,6 +81,25 @@ bool ShapePiece::certify() noexcept {
     return std::isfinite(moved_) && std::isfinite(least);
 }
 
+void ShapePiece::balance() noexcept {
+    int64_t step = 1;
+    for (size_t k = shape.degrees.size(); k-- > 0; step *= shape.degrees[k] + 1) {
+        const int degree = shape.degrees[k];
+        const double first = at(0)[3], last = at(degree * step)[3];
+        if (degree == 0 || !(first > 0) || !(last > 0)) {
+            continue;
+        }
+        const int exponent = (std::ilogb(first) - std::ilogb(last)) / degree;
+        for (int64_t i = 0; i < coefficients() && exponent != 0; ++i) {
+            const auto layer = static_cast<int>(i / step % (degree + 1));
+            for (int64_t c = 4 * i; c < 4 * i + 4; ++c) {
+                auto &value = values[static_cast<size_t>(c)];
+                value = std::ldexp(value, exponent * layer);
+            }
+        }
+    }
+}
+
 // Each value is a mean of `degree` steps, off by degree eps / 2 of the same means of magnitudes: of the weight, and of
 // the size times the weight.
 bool ShapePiece::halve_into(ShapePiece &lower) {
@@ -132,6 +151,7 @@ std::vector<ShapePiece> shape_pieces(const Spline &spline, const Shape &shape) {
             reach = std::max(reach, length(p));
         }
         if (net.positive()) { // |A - A*| <= error H w, |w - w*| <= error w
+            piece.balance();
             piece.apart_ = 1.01 * (2 * net.error() + frame_error) * net.size(static_cast<int64_t>(e));
         } else {
             piece.record_error_ = net.error() * net.largest_record() + frame_error * reach;

@@ -9,6 +9,8 @@ namespace nrb {
 
 namespace {
 
+constexpr double quarter_turn = 1.5707963267948966;
+
 // The motions of a shape along and about the axes of its frame, and its sizes.
 enum Freedom { move_x, move_y, move_z, turn_x, turn_y, turn_z, first_size, second_size };
 
@@ -80,7 +82,7 @@ bool valid(const Shape &shape) noexcept {
     const bool two = shape.kind == NURBS_SHAPE_ELLIPSE || shape.kind == NURBS_SHAPE_HYPERBOLA ||
                      shape.kind == NURBS_SHAPE_TORUS;
     return shape.sizes[0] > 0 && (!two || shape.sizes[1] > 0) &&
-           (shape.kind != NURBS_SHAPE_CONE || shape.sizes[0] < 1.57);
+           (shape.kind != NURBS_SHAPE_CONE || shape.sizes[0] < quarter_turn);
 }
 
 std::vector<double> residuals(const Shape &shape, std::span<const Vector3> points) {
