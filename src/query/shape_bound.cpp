@@ -81,13 +81,12 @@ Bound quadric_bound(const ShapeForms &forms, const Quadric &quadric) {
     return divisor > 0 ? Bound{f / divisor, value.error / divisor} : Bound{};
 }
 
-// With s the distance from the axis and K = s^2 + z^2 - R^2 - r^2, the product of (s - R)^2 + z^2 - r^2 and (s + R)^2 +
-// z^2 - r^2 is K^2 + 4 R^2 (z^2 - r^2), and the second one is K + 2 R^2 + 2 R s.
+// With s the distance from the axis and G = s^2 + z^2 + R^2 - r^2, the product of (s - R)^2 + z^2 - r^2 = G - 2 R s and
+// (s + R)^2 + z^2 - r^2 = G + 2 R s is G^2 - 4 R^2 s^2.
 Bound torus_bound(const ShapeForms &forms, double major, double minor) {
     const TorusForms torus = forms.torus(major, minor);
-    const double factor = (torus.sum.least + 2 * major * major +
-                           2 * major * std::sqrt(std::max(0.0, torus.squared_radius.least))) *
-                          (1 - 8 * eps);
+    const double twice = 2 * major * std::sqrt(std::max(0.0, torus.squared_radius.least));
+    const double factor = (torus.sum.least + twice) - 8 * eps * (std::abs(torus.sum.least) + twice);
     if (!(factor > 0)) {
         return {};
     }

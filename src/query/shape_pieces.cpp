@@ -111,10 +111,13 @@ bool ShapePiece::halve_into(ShapePiece &lower) {
     if (weight_error_ == 0) {
         apart_ += 1.01 * share * size_;
     } else {
+        double record = 0, weight = 0;
         for (int64_t i = 0; i < coefficients(); ++i) {
-            record_error_ = std::max(record_error_, record_error_ + share * norm3(at(i)));
-            weight_error_ = std::max(weight_error_, weight_error_ + share * std::abs(at(i)[3]));
+            record = std::max(record, norm3(at(i)));
+            weight = std::max(weight, std::abs(at(i)[3]));
         }
+        record_error_ += share * record;
+        weight_error_ += share * weight;
     }
     lower = *this;
     halve(shape, axis, values.data(), lower.values.data());
