@@ -13,10 +13,11 @@ using namespace nrb::capi;
 
 namespace {
 
+// Without -0.
 void copy(const Vector3 &v, double *out) noexcept {
-    out[0] = v.x;
-    out[1] = v.y;
-    out[2] = v.z;
+    out[0] = v.x + 0.0;
+    out[1] = v.y + 0.0;
+    out[2] = v.z + 0.0;
 }
 
 // Numbers that have no meaning for a shape are 0.

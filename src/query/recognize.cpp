@@ -71,16 +71,16 @@ constexpr int32_t curves[] = {NURBS_SHAPE_POINT,    NURBS_SHAPE_LINE,    NURBS_S
 constexpr int32_t surfaces[] = {NURBS_SHAPE_PLANE, NURBS_SHAPE_SPHERE, NURBS_SHAPE_CYLINDER, NURBS_SHAPE_CONE,
                                 NURBS_SHAPE_TORUS};
 
-// The one of a kind, if there is one within the tolerance.
+// Whether there is one of a kind within the tolerance.
 bool find(int32_t kind, const Spline &spline, const ShapeSamples &samples, double tolerance,
           Recognition &found) {
-    const Shape fitted = fitted_shape(kind, samples, spline.dim());
+    const Shape fitted = fitted_shape(kind, samples, spline.dim(), tolerance);
     if (fitted.kind == NURBS_SHAPE_NONE || !(largest_distance(fitted, samples.points) <= 1.01 * tolerance)) {
         return false;
     }
     found.shape = placed_shape(fitted, samples, spline.dim());
     found.deviation = distance_from(spline, found.shape, tolerance).upper;
-    return found.deviation <= tolerance;
+    return std::isfinite(found.deviation) && found.deviation <= tolerance;
 }
 
 } // namespace

@@ -41,6 +41,32 @@ double smallest_coordinate(const ShapePiece &piece, double Vector3::*coordinate)
     return least - 4 * eps * std::abs(least);
 }
 
+// From one half of a cone, or a torus.
+double true_distance(const Shape &shape, const Vector3 &p) noexcept {
+    if (shape.kind == NURBS_SHAPE_CONE) {
+        const double along = std::hypot(p.x, p.y) * std::sin(shape.sizes[0]) + p.z * std::cos(shape.sizes[0]);
+        return along > 0 ? std::abs(signed_distance(shape, p)) : length(p);
+    }
+    return std::abs(signed_distance(shape, p));
+}
+
+// The distance of the middle of the control points and the radius of a ball round it that holds them all. Needed near
+// an apex and where a torus meets its axis, where the gradient vanishes.
+double ball_bound(const ShapePiece &piece, const Shape &shape) noexcept {
+    Vector3 sum;
+    double count = 0;
+    for (int64_t i = 0; i < piece.coefficients(); ++i) {
+        if (piece.at(i)[3] != 0) {
+            sum = sum + piece.point(i);
+            ++count;
+        }
+    }
+    const Vector3 middle = (1 / count) * sum;
+    const double radius = hull_bound(piece, [&](const Vector3 &p) { return length(p - middle); });
+    return true_distance(shape, middle) + radius +
+           16 * eps * (piece.size() + shape.sizes[0] + shape.sizes[1]);
+}
+
 // From the zeros of a quadric, as Quadric::curvature() has it.
 Bound quadric_bound(const ShapeForms &forms, const Quadric &quadric) {
     const FormRange value = forms.quadratic(quadric);
@@ -55,13 +81,12 @@ Bound quadric_bound(const ShapeForms &forms, const Quadric &quadric) {
     return divisor > 0 ? Bound{f / divisor, value.error / divisor} : Bound{};
 }
 
-// With s the distance from the axis and K = s^2 + z^2 - R^2 - r^2, the product of (s - R)^2 + z^2 - r^2 and (s + R)^2 +
-// z^2 - r^2 is K^2 + 4 R^2 (z^2 - r^2), and the second one is K + 2 R^2 + 2 R s.
+// With s the distance from the axis and G = s^2 + z^2 + R^2 - r^2, the product of (s - R)^2 + z^2 - r^2 = G - 2 R s and
+// (s + R)^2 + z^2 - r^2 = G + 2 R s is G^2 - 4 R^2 s^2.
 Bound torus_bound(const ShapeForms &forms, double major, double minor) {
     const TorusForms torus = forms.torus(major, minor);
-    const double factor = (torus.sum.least + 2 * major * major +
-                           2 * major * std::sqrt(std::max(0.0, torus.squared_radius.least))) *
-                          (1 - 8 * eps);
+    const double twice = 2 * major * std::sqrt(std::max(0.0, torus.squared_radius.least));
+    const double factor = (torus.sum.least + twice) - 8 * eps * (std::abs(torus.sum.least) + twice);
     if (!(factor > 0)) {
         return {};
     }
@@ -81,10 +106,9 @@ public:
 
     // Precondition: the piece is certified.
     [[nodiscard]] Bound upper(const ShapePiece &piece) const {
-        Bound bound = straight_ ? Bound{straight_bound(piece), 0}
-                      : shape_.kind == NURBS_SHAPE_TORUS
-                          ? torus_bound(ShapeForms(piece), shape_.sizes[0], shape_.sizes[1])
-                          : curved_bound(piece);
+        Bound bound = straight_                          ? Bound{straight_bound(piece), 0}
+                      : shape_.kind == NURBS_SHAPE_TORUS ? torus_or_ball(piece)
+                                                         : curved_bound(piece);
         bound.upper = bound.upper * (1 + 16 * eps) + piece.moved();
         bound.noise += piece.moved() + 4 * eps * piece.size();
         return std::isnan(bound.upper) ? Bound{} : bound;
@@ -112,13 +136,17 @@ private:
     [[nodiscard]] double straight_bound(const ShapePiece &piece) const {
         return hull_bound(piece, [this](const Vector3 &p) { return std::abs(signed_distance(shape_, p)); });
     }
+    [[nodiscard]] Bound torus_or_ball(const ShapePiece &piece) const {
+        const Bound bound = torus_bound(ShapeForms(piece), shape_.sizes[0], shape_.sizes[1]);
+        const double ball = ball_bound(piece, shape_);
+        return ball < bound.upper ? Bound{ball, 0} : bound;
+    }
     [[nodiscard]] Bound curved_bound(const ShapePiece &piece) const {
         Bound bound = quadric_bound(ShapeForms(piece), quadric_);
         if (shape_.kind == NURBS_SHAPE_CONE) {
-            // the zero may be one of the other half of the cone; the apex belongs to both
-            const double hull = hull_bound(piece, [](const Vector3 &p) { return length(p); });
-            if (hull < bound.upper || smallest_coordinate(piece, &Vector3::z) < bound.upper) {
-                bound = {hull, 0};
+            const double ball = ball_bound(piece, shape_);
+            if (ball < bound.upper || smallest_coordinate(piece, &Vector3::z) < bound.upper) {
+                bound = {ball, 0}; // the zero may be one of the other half of the cone
             }
         }
         if (shape_.kind == NURBS_SHAPE_HYPERBOLA && smallest_coordinate(piece, &Vector3::x) < bound.upper) {
@@ -138,6 +166,7 @@ private:
 
 struct Candidate {
     Bound bound;
+    int depth = 0;
     ShapePiece piece;
 
     [[nodiscard]] bool operator<(const Candidate &other) const noexcept {
@@ -152,7 +181,7 @@ public:
     Enclosure run(std::vector<ShapePiece> pieces) {
         const auto steps = 400 + 60 * std::ssize(pieces);
         for (ShapePiece &piece : pieces) {
-            push(std::move(piece), infinite);
+            push(std::move(piece), infinite, 0);
         }
         for (int64_t step = 0; step < steps && !done(); ++step) {
             if (!refine()) {
@@ -163,9 +192,12 @@ public:
     }
 
 private:
+    // Rounding much above that of the points comes from a gradient that is bounded badly, which halving cures.
     [[nodiscard]] bool done() const noexcept {
-        const Bound &top = heap_.front().bound;
-        return lower_ > tolerance_ || top.upper - top.noise <= 1.25 * (lower_ + top.noise);
+        const Candidate &top = heap_.front();
+        const bool final = top.depth >= 6 || top.bound.noise <= 8 * top.piece.moved();
+        const double noise = final ? top.bound.noise : 8 * top.piece.moved();
+        return lower_ > tolerance_ || top.bound.upper - noise <= 1.25 * (lower_ + noise);
     }
 
     bool refine() {
@@ -173,20 +205,22 @@ private:
         Candidate top = std::move(heap_.back());
         heap_.pop_back();
         const double whole = top.bound.upper;
+        const int depth = top.depth + 1;
         ShapePiece lower;
         if (!top.piece.halve_into(lower)) {
             heap_.push_back(std::move(top));
             std::push_heap(heap_.begin(), heap_.end());
             return false;
         }
-        push(std::move(lower), whole);
-        push(std::move(top.piece), whole);
+        push(std::move(lower), whole, depth);
+        push(std::move(top.piece), whole, depth);
         return true;
     }
 
     // A part has no larger distances than the whole.
-    void push(ShapePiece &&piece, double whole) {
+    void push(ShapePiece &&piece, double whole, int depth) {
         Candidate candidate;
+        candidate.depth = depth;
         const bool certified = piece.certify();
         if (certified) {
             candidate.bound = distance_.upper(piece);

@@ -91,20 +91,20 @@ Vector3 global(const Shape &frame, const Vector3 &p) noexcept {
     return frame.origin + p.x * frame.x + p.y * frame.y + p.z * frame.z;
 }
 
-Shape refined_if(const Shape &shape, const Points &points) {
+Shape refined_if(const Shape &shape, const Points &points, double tolerance) {
     const bool usable = std::isfinite(shape.sizes[0]) && std::isfinite(shape.sizes[1]) &&
                         shape.sizes[0] > 0 && std::isfinite(length(shape.origin)) &&
                         std::isfinite(length(shape.y));
-    return usable ? refined(shape, points) : Shape{};
+    return usable ? refined(shape, points, tolerance) : Shape{};
 }
 
-Shape circle_in(const Shape &plane, const Points &points) {
+Shape circle_in(const Shape &plane, const Points &points, double tolerance) {
     const Round round = round_through(local_points(plane, points, true), true);
     Shape shape = plane;
     shape.kind = NURBS_SHAPE_CIRCLE;
     shape.origin = global(plane, round.centre);
     shape.sizes[0] = round.radius;
-    return refined_if(shape, points);
+    return refined_if(shape, points, tolerance);
 }
 
 double reach_of(const Points &points, double Vector3::*coordinate) noexcept {
@@ -140,7 +140,7 @@ Vector3 in_plane(const Shape &plane, const double *x) noexcept {
 }
 
 // An ellipse or hyperbola, whichever the equation gives.
-Shape central_conic_in(int32_t kind, const Shape &plane, const Points &points) {
+Shape central_conic_in(int32_t kind, const Shape &plane, const Points &points, double tolerance) {
     const Points flat = local_points(plane, points, true);
     const std::vector<double> q = conic_through(flat);
     ConicAxes axes{};
@@ -156,11 +156,11 @@ Shape central_conic_in(int32_t kind, const Shape &plane, const Points &points) {
     if (kind == NURBS_SHAPE_HYPERBOLA && shape.local(points.front()).x < 0) { // the branch
         shape.set_frame(plane.z, -1 * shape.x);
     }
-    return shape.sizes[1] > 0 ? refined_if(shape, points) : Shape{};
+    return shape.sizes[1] > 0 ? refined_if(shape, points, tolerance) : Shape{};
 }
 
 // The parabola with an axis in the given direction: x = a y^2 + b y + c.
-Shape parabola_along(const Shape &frame, const Points &points) {
+Shape parabola_along(const Shape &frame, const Points &points, double tolerance) {
     std::vector<double> rows, right;
     for (const Vector3 &p : local_points(frame, points, true)) {
         rows.insert(rows.end(), {p.y * p.y, p.y, 1});
@@ -173,12 +173,12 @@ Shape parabola_along(const Shape &frame, const Points &points) {
     shape.origin = frame.origin + at * frame.y + (solved[2] + solved[1] * at / 2) * frame.x;
     shape.sizes[0] = 1 / (4 * std::abs(a));
     shape.set_frame(frame.z, a < 0 ? -1 * frame.x : frame.x);
-    return refined_if(shape, points);
+    return refined_if(shape, points, tolerance);
 }
 
 // The axis of a parabola is the direction in which its quadratic part vanishes; in a short arc, where that is not well
 // defined, the normal of the chord serves as well.
-Shape parabola_in(const Shape &plane, const Points &points) {
+Shape parabola_in(const Shape &plane, const Points &points, double tolerance) {
     const std::vector<double> q = conic_through(local_points(plane, points, true));
     if (q.empty()) {
         return {};
@@ -189,25 +189,25 @@ Shape parabola_in(const Shape &plane, const Points &points) {
     Shape frame = plane, across = plane;
     frame.set_frame(plane.z, in_plane(plane, axis));
     across.set_frame(plane.z, plane.y);
-    const Shape first = size > 0 ? parabola_along(frame, points) : Shape{};
-    const Shape second = parabola_along(across, points);
+    const Shape first = size > 0 ? parabola_along(frame, points, tolerance) : Shape{};
+    const Shape second = parabola_along(across, points, tolerance);
     return first.kind != NURBS_SHAPE_NONE &&
                    largest_distance(first, points) <= largest_distance(second, points)
                ? first
                : second;
 }
 
-Shape sphere_through(const Points &points) {
+Shape sphere_through(const Points &points, double tolerance) {
     const Round round = round_through(points, false);
     Shape shape;
     shape.kind = NURBS_SHAPE_SPHERE;
     shape.origin = round.centre;
     shape.sizes[0] = round.radius;
-    return refined_if(shape, points);
+    return refined_if(shape, points, tolerance);
 }
 
 // All normals are across the axis.
-Shape cylinder_through(const ShapeSamples &samples) {
+Shape cylinder_through(const ShapeSamples &samples, double tolerance) {
     Shape shape;
     shape.kind = NURBS_SHAPE_CYLINDER;
     const SmallSvd axes = principal(samples.normals, {});
@@ -215,11 +215,11 @@ Shape cylinder_through(const ShapeSamples &samples) {
     const Round round = round_through(local_points(shape, samples.points, true), true);
     shape.origin = global(shape, round.centre);
     shape.sizes[0] = round.radius;
-    return refined_if(shape, samples.points);
+    return refined_if(shape, samples.points, tolerance);
 }
 
 // All tangent planes pass through the apex, and all normals have one angle with the axis.
-Shape cone_through(const ShapeSamples &samples) {
+Shape cone_through(const ShapeSamples &samples, double tolerance) {
     std::vector<double> rows, right;
     for (size_t i = 0; i < samples.normals.size(); ++i) {
         const Vector3 &n = samples.normals[i];
@@ -240,11 +240,11 @@ Shape cone_through(const ShapeSamples &samples) {
         sum += std::atan2(std::hypot(q.x, q.y), q.z);
     }
     shape.sizes[0] = sum / static_cast<double>(samples.feet.size());
-    return refined_if(shape, samples.points);
+    return refined_if(shape, samples.points, tolerance);
 }
 
 // A normal n at p meets the axis through c in the direction a where (p x n) a + n (c x a) = 0: linear in a and c x a.
-Shape torus_through(const ShapeSamples &samples) {
+Shape torus_through(const ShapeSamples &samples, double tolerance) {
     std::vector<double> rows;
     for (size_t i = 0; i < samples.normals.size(); ++i) {
         const Vector3 &n = samples.normals[i], m = cross(samples.feet[i], n);
@@ -265,7 +265,7 @@ Shape torus_through(const ShapeSamples &samples) {
     shape.origin = shape.origin + round.centre.y * shape.z;
     shape.sizes[0] = round.centre.x;
     shape.sizes[1] = round.radius;
-    return shape.sizes[1] > 0 ? refined_if(shape, samples.points) : Shape{};
+    return shape.sizes[1] > 0 ? refined_if(shape, samples.points, tolerance) : Shape{};
 }
 
 Shape point_of() noexcept {
@@ -276,7 +276,7 @@ Shape point_of() noexcept {
 
 } // namespace
 
-Shape fitted_shape(int32_t kind, const ShapeSamples &samples, int dim) {
+Shape fitted_shape(int32_t kind, const ShapeSamples &samples, int dim, double tolerance) {
     const Points &points = samples.points;
     switch (kind) {
     case NURBS_SHAPE_POINT:
@@ -284,25 +284,25 @@ Shape fitted_shape(int32_t kind, const ShapeSamples &samples, int dim) {
     case NURBS_SHAPE_LINE:
         return line_of(points);
     case NURBS_SHAPE_CIRCLE:
-        return circle_in(plane_of(points, dim), points);
+        return circle_in(plane_of(points, dim), points, tolerance);
     case NURBS_SHAPE_PARABOLA:
-        return parabola_in(plane_of(points, dim), points);
+        return parabola_in(plane_of(points, dim), points, tolerance);
     case NURBS_SHAPE_ELLIPSE:
     case NURBS_SHAPE_HYPERBOLA:
-        return central_conic_in(kind, plane_of(points, dim), points);
+        return central_conic_in(kind, plane_of(points, dim), points, tolerance);
     case NURBS_SHAPE_PLANE:
         return plane_of(points, dim);
     case NURBS_SHAPE_SPHERE:
-        return sphere_through(points);
+        return sphere_through(points, tolerance);
     default:
         break;
     }
     if (samples.normals.size() < 6) {
         return {};
     }
-    return kind == NURBS_SHAPE_CYLINDER ? cylinder_through(samples)
-           : kind == NURBS_SHAPE_CONE   ? cone_through(samples)
-                                        : torus_through(samples);
+    return kind == NURBS_SHAPE_CYLINDER ? cylinder_through(samples, tolerance)
+           : kind == NURBS_SHAPE_CONE   ? cone_through(samples, tolerance)
+                                        : torus_through(samples, tolerance);
 }
 
 } // namespace nrb

@@ -110,36 +110,51 @@ FormRange ShapeForms::squared_gradient(const Quadric &quadric) const {
     return range(sum, 1.01 * (product_error_ + 10 * eps) * largest(squares, squares.l));
 }
 
+// G^2 - 4 R^2 S, or with K = G - 2 R^2 and V = z^2 - r^2 the same as K^2 + 4 R^2 V: near the axis G and S are small,
+// on a slender torus K and V are. The one with less rounding is taken.
 TorusForms ShapeForms::torus(double major, double minor) const {
-    const double constant = major * major + minor * minor, four = 4 * major * major;
+    const double apart = (major - minor) * (major + minor), four = 4 * major * major;
     Values radius(squares_.size(), 0.0), height = radius;
     add_product(radius, 1, x_, x_);
     add_product(radius, 1, y_, y_);
     add_product(height, 1, z_, z_);
-    Values sum = radius;
+    Values sum = radius, other = radius;
     for (size_t i = 0; i < sum.size(); ++i) {
-        sum[i] += height[i] - constant * squares_[i];
+        const double both = radius[i] + height[i];
+        sum[i] = both + apart * squares_[i];
+        other[i] = both - (major * major + minor * minor) * squares_[i];
         height[i] -= minor * minor * squares_[i];
     }
-    const double share = 1.01 * (product_error_ + 4 * eps);
-    const double sum_error = share * largest({{1, 1, 1}, 0, constant}, 0);
-    const double height_error = share * largest({{0, 0, 1}, 0, minor * minor}, 0);
-    const double most = largest_quotient(sum, squares_) + sum_error;
-    const double highest = largest_quotient(height, squares_) + height_error;
-    const BernsteinShape fourth = product_shape(double_, double_);
+    const double share = 1.01 * (product_error_ + 6 * eps);
+    const double sum_error = share * largest({{1, 1, 1}, 0, apart}, 0);
+    const double radius_error = share * largest({{1, 1, 0}, 0, 0}, 0);
+    const Fourth near_axis = fourth(sum, sum_error, radius, radius_error, -four);
+    const Fourth slender = fourth(other, share * largest({{1, 1, 1}, 0, major * major + minor * minor}, 0),
+                                  height, share * largest({{0, 0, 1}, 0, minor * minor}, 0), four);
+    return {range(sum, sum_error), range(radius, radius_error),
+            product(near_axis.error < slender.error ? near_axis : slender)};
+}
+
+ShapeForms::Fourth ShapeForms::fourth(const Values &a, double a_error, const Values &b, double b_error,
+                                      double factor) const {
+    const double most = largest_quotient(a, squares_) + a_error;
+    const double other = largest_quotient(b, squares_) + b_error;
     const double again = product_error(double_, double_);
-    Values product(static_cast<size_t>(fourth.coefficients()), 0.0), rest = product, powers = product;
-    add_convolution(double_, sum.data(), double_, sum.data(), product.data());
-    add_convolution(double_, height.data(), double_, squares_.data(), rest.data());
+    const double square_error = 2 * most * a_error + (again + 2 * eps) * most * most;
+    const double rest_error = b_error + (product_error_ + again + 4 * eps) * other;
+    return {a, b, factor, 1.01 * (square_error + std::abs(factor) * rest_error)};
+}
+
+FormRange ShapeForms::product(const Fourth &form) const {
+    const BernsteinShape shape = product_shape(double_, double_);
+    Values square(static_cast<size_t>(shape.coefficients()), 0.0), rest = square, powers = square;
+    add_convolution(double_, form.a.data(), double_, form.a.data(), square.data());
+    add_convolution(double_, form.b.data(), double_, squares_.data(), rest.data());
     add_convolution(double_, squares_.data(), double_, squares_.data(), powers.data());
-    for (size_t i = 0; i < product.size(); ++i) {
-        product[i] += four * rest[i];
+    for (size_t i = 0; i < square.size(); ++i) {
+        square[i] += form.factor * rest[i];
     }
-    const double square_error = 2 * most * sum_error + (again + 2 * eps) * most * most;
-    const double rest_error = height_error + (product_error_ + again + 4 * eps) * highest;
-    const double error = 1.01 * (square_error + four * rest_error);
-    return {range(sum, sum_error), range(radius, share * largest({{1, 1, 0}, 0, 0}, 0)),
-            range_of(product, powers, error, again + 2 * product_error_)};
+    return range_of(square, powers, form.error, product_error(double_, double_) + 2 * product_error_);
 }
 
 } // namespace nrb

@@ -15,9 +15,9 @@ struct FormRange {
 };
 
 struct TorusForms {
-    FormRange sum;            // x^2 + y^2 + z^2 - R^2 - r^2
-    FormRange squared_radius; // x^2 + y^2
-    FormRange product;        // sum^2 + 4 R^2 (z^2 - r^2)
+    FormRange sum;            // G = x^2 + y^2 + z^2 + R^2 - r^2
+    FormRange squared_radius; // S = x^2 + y^2
+    FormRange product;        // G^2 - 4 R^2 S
 };
 
 // Bernstein coefficients times their binomials, so that products are convolutions; in quotients of coefficients the
@@ -37,6 +37,16 @@ public:
 private:
     using Values = std::vector<double>;
 
+    // a^2 + factor b w^2, and what rounding it would have.
+    struct Fourth {
+        const Values &a;
+        const Values &b;
+        double factor;
+        double error;
+    };
+    [[nodiscard]] Fourth fourth(const Values &a, double a_error, const Values &b, double b_error,
+                                double factor) const;
+    [[nodiscard]] FormRange product(const Fourth &form) const;
     void add_product(Values &sum, double factor, const Values &a, const Values &b) const;
     [[nodiscard]] double largest(const Quadric &squares, double linear) const noexcept;
     [[nodiscard]] FormRange range(const Values &numerators, double error) const noexcept;

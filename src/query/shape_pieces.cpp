@@ -81,6 +81,25 @@ bool ShapePiece::certify() noexcept {
     return std::isfinite(moved_) && std::isfinite(least);
 }
 
+void ShapePiece::balance() noexcept {
+    int64_t step = 1;
+    for (size_t k = shape.degrees.size(); k-- > 0; step *= shape.degrees[k] + 1) {
+        const int degree = shape.degrees[k];
+        const double first = at(0)[3], last = at(degree * step)[3];
+        if (degree == 0 || !(first > 0) || !(last > 0)) {
+            continue;
+        }
+        const int exponent = (std::ilogb(first) - std::ilogb(last)) / degree;
+        for (int64_t i = 0; i < coefficients() && exponent != 0; ++i) {
+            const auto layer = static_cast<int>(i / step % (degree + 1));
+            for (int64_t c = 4 * i; c < 4 * i + 4; ++c) {
+                auto &value = values[static_cast<size_t>(c)];
+                value = std::ldexp(value, exponent * layer);
+            }
+        }
+    }
+}
+
 // Each value is a mean of `degree` steps, off by degree eps / 2 of the same means of magnitudes: of the weight, and of
 // the size times the weight.
 bool ShapePiece::halve_into(ShapePiece &lower) {
@@ -92,10 +111,13 @@ bool ShapePiece::halve_into(ShapePiece &lower) {
     if (weight_error_ == 0) {
         apart_ += 1.01 * share * size_;
     } else {
+        double record = 0, weight = 0;
         for (int64_t i = 0; i < coefficients(); ++i) {
-            record_error_ = std::max(record_error_, record_error_ + share * norm3(at(i)));
-            weight_error_ = std::max(weight_error_, weight_error_ + share * std::abs(at(i)[3]));
+            record = std::max(record, norm3(at(i)));
+            weight = std::max(weight, std::abs(at(i)[3]));
         }
+        record_error_ += share * record;
+        weight_error_ += share * weight;
     }
     lower = *this;
     halve(shape, axis, values.data(), lower.values.data());
@@ -132,6 +154,7 @@ std::vector<ShapePiece> shape_pieces(const Spline &spline, const Shape &shape) {
             reach = std::max(reach, length(p));
         }
         if (net.positive()) { // |A - A*| <= error H w, |w - w*| <= error w
+            piece.balance();
             piece.apart_ = 1.01 * (2 * net.error() + frame_error) * net.size(static_cast<int64_t>(e));
         } else {
             piece.record_error_ = net.error() * net.largest_record() + frame_error * reach;

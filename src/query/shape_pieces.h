@@ -33,6 +33,10 @@ public:
     bool halve_into(ShapePiece &lower);
 
 private:
+    // A Moebius map of the parameter of every axis, by which the weights at its ends come near each other, so that the
+    // middle of the parameter is near that of the piece. Exact, since weights are multiplied by powers of two.
+    void balance() noexcept;
+
     friend std::vector<ShapePiece> shape_pieces(const Spline &spline, const Shape &shape);
 
     double apart_ = 0;        // distance from the exact points, by rounding relative to the weights

@@ -1,5 +1,6 @@
 #include "query/shape_fit.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace nrb {
@@ -23,14 +24,23 @@ void turn_over(Shape &shape) noexcept {
     shape.y = -1 * shape.y;
 }
 
-// The direction of x is that of the first point that is not on the axis, from the start on.
-void point_x_at_start(Shape &shape, const Points &points, double size) noexcept {
-    for (const Vector3 &p : points) {
+// The direction of x is that of the start, or if that is on the axis of the first point that is well away from it.
+void point_x_at_start(Shape &shape, const Points &points) noexcept {
+    const auto from_axis = [&shape](const Vector3 &p) {
         const Vector3 q = shape.local(p);
-        if (std::hypot(q.x, q.y) > 1e-6 * size) {
-            shape.set_frame(shape.z, q.x * shape.x + q.y * shape.y);
-            return;
-        }
+        return std::hypot(q.x, q.y);
+    };
+    double farthest = 0;
+    for (const Vector3 &p : points) {
+        farthest = std::max(farthest, from_axis(p));
+    }
+    const bool away = from_axis(points.front()) > 1e-5 * farthest;
+    const auto start = away ? points.begin()
+                            : std::find_if(points.begin(), points.end(),
+                                           [&](const Vector3 &p) { return from_axis(p) > farthest / 16; });
+    const Vector3 q = start == points.end() ? Vector3{} : shape.local(*start);
+    if (q.x != 0 || q.y != 0) {
+        shape.set_frame(shape.z, q.x * shape.x + q.y * shape.y);
     }
 }
 
@@ -52,7 +62,7 @@ void place_line(Shape &shape, const Points &points) noexcept {
     }
 }
 
-void place_conic(Shape &shape, const Points &points, double size) noexcept {
+void place_conic(Shape &shape, const Points &points) noexcept {
     const bool closed = shape.kind == NURBS_SHAPE_CIRCLE || shape.kind == NURBS_SHAPE_ELLIPSE;
     if (shape.kind == NURBS_SHAPE_ELLIPSE && shape.sizes[0] < shape.sizes[1]) {
         std::swap(shape.sizes[0], shape.sizes[1]);
@@ -66,7 +76,7 @@ void place_conic(Shape &shape, const Points &points, double size) noexcept {
         turn_over(shape);
     }
     if (shape.kind == NURBS_SHAPE_CIRCLE) {
-        point_x_at_start(shape, points, size);
+        point_x_at_start(shape, points);
     }
 }
 
@@ -101,7 +111,7 @@ void place_round(Shape &shape, const ShapeSamples &samples) noexcept {
     if (shape.kind == NURBS_SHAPE_TORUS && most < 0) {
         turn_over(shape);
     }
-    point_x_at_start(shape, points, samples.size);
+    point_x_at_start(shape, points);
 }
 
 } // namespace
@@ -122,7 +132,7 @@ Shape placed_shape(const Shape &fitted, const ShapeSamples &samples, int dim) {
         break;
     default:
         if (shape.planar()) {
-            place_conic(shape, samples.points, samples.size);
+            place_conic(shape, samples.points);
         }
     }
     shape.origin = samples.centre + shape.origin;

@@ -9,6 +9,8 @@ namespace nrb {
 
 namespace {
 
+constexpr double quarter_turn = 1.5707963267948966;
+
 // The motions of a shape along and about the axes of its frame, and its sizes.
 enum Freedom { move_x, move_y, move_z, turn_x, turn_y, turn_z, first_size, second_size };
 
@@ -80,7 +82,7 @@ bool valid(const Shape &shape) noexcept {
     const bool two = shape.kind == NURBS_SHAPE_ELLIPSE || shape.kind == NURBS_SHAPE_HYPERBOLA ||
                      shape.kind == NURBS_SHAPE_TORUS;
     return shape.sizes[0] > 0 && (!two || shape.sizes[1] > 0) &&
-           (shape.kind != NURBS_SHAPE_CONE || shape.sizes[0] < 1.57);
+           (shape.kind != NURBS_SHAPE_CONE || shape.sizes[0] < quarter_turn);
 }
 
 std::vector<double> residuals(const Shape &shape, std::span<const Vector3> points) {
@@ -123,11 +125,10 @@ std::vector<double> newton_step(const Shape &shape, const std::vector<Freedom> &
     std::vector<double> rows(m * n), right(m), scales(n);
     for (size_t j = 0; j < n; ++j) {
         const double step = trial_step(shape, free[j], size, reach);
-        const auto plus = residuals(moved(shape, free[j], step), points);
-        const auto minus = residuals(moved(shape, free[j], -step), points);
+        const auto beside = residuals(moved(shape, free[j], step), points);
         double square = 0;
         for (size_t i = 0; i < m; ++i) {
-            rows[i * n + j] = (plus[i] - minus[i]) / (2 * step);
+            rows[i * n + j] = (beside[i] - values[i]) / step;
             square += rows[i * n + j] * rows[i * n + j];
         }
         scales[j] = square > 0 ? 1 / std::sqrt(square) : 0;
@@ -146,14 +147,27 @@ std::vector<double> newton_step(const Shape &shape, const std::vector<Freedom> &
     return steps;
 }
 
+// At most 160, in even steps.
+std::vector<Vector3> some_of(std::span<const Vector3> points) {
+    const size_t step = (points.size() + 159) / 160;
+    std::vector<Vector3> some;
+    for (size_t i = 0; i < points.size(); i += step) {
+        some.push_back(points[i]);
+    }
+    return some;
+}
+
 } // namespace
 
-Shape refined(const Shape &shape, std::span<const Vector3> points) {
+Shape refined(const Shape &shape, std::span<const Vector3> all, double tolerance) {
     const std::vector<Freedom> free = freedoms(shape.kind);
+    const std::vector<Vector3> points = some_of(all);
+    const double enough = tolerance * tolerance * static_cast<double>(points.size());
     Shape best = shape;
     std::vector<double> values = residuals(best, points);
     double sum = sum_of_squares(values);
-    for (int round = 0; round < 12 && std::isfinite(sum) && sum > 0; ++round) {
+    int slow = 0;
+    for (int round = 0; round < 12 && std::isfinite(sum) && sum > 0 && slow < 2; ++round) {
         const std::vector<double> steps = newton_step(best, free, points, values);
         double factor = 1, reached = sum;
         for (int attempt = 0; attempt < 5 && reached >= sum; ++attempt, factor /= 4) {
@@ -168,6 +182,7 @@ Shape refined(const Shape &shape, std::span<const Vector3> points) {
         if (!(reached < 0.98 * sum)) {
             break;
         }
+        slow += reached > enough && reached > sum / 4 ? 1 : 0;
         sum = reached;
     }
     return best;

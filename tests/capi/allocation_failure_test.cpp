@@ -17,7 +17,7 @@ namespace {
 // all.
 struct Inputs {
     nurbs *curve = nullptr, *loop = nullptr, *surface = nullptr, *volume = nullptr, *homogeneous = nullptr,
-          *twist = nullptr;
+          *twist = nullptr, *segment = nullptr;
     nurbs_list *list = nullptr;
     double values[1024];
     float singles[64];
@@ -39,6 +39,16 @@ nurbs *make_homogeneous() {
     return g;
 }
 
+// One conic piece over knots that are not clamped.
+nurbs *make_segment() {
+    static const int32_t degree = 2;
+    static const int64_t count = 3;
+    static const double knots[] = {0, 1, 2, 3, 4, 5}, points[] = {0, 0, 1, 1, 2, 0}, weights[] = {1, 3, 5};
+    nurbs *g = nullptr;
+    CHECK_OK(nurbs_create(1, &degree, &count, knots, 6, 2, points, 0, 0, weights, 0, 0, &g));
+    return g;
+}
+
 void fill(Inputs &in) {
     in.curve = make(circle());
     in.loop = make(loop());
@@ -46,6 +56,7 @@ void fill(Inputs &in) {
     in.volume = make(cube());
     in.twist = make(twist());
     in.homogeneous = make_homogeneous();
+    in.segment = make_segment();
     CHECK_OK(nurbs_read(file.bytes, file.size, nullptr, &in.list));
     FILL(in.values);
     FILL(in.singles);
@@ -58,6 +69,7 @@ void drop(Inputs &in) {
     nurbs_destroy(in.loop);
     nurbs_destroy(in.surface);
     nurbs_destroy(in.volume);
+    nurbs_destroy(in.segment);
     nurbs_destroy(in.twist);
     nurbs_destroy(in.homogeneous);
     nurbs_list_destroy(in.list);
@@ -374,6 +386,16 @@ const Case cases[] = {
      }},
     {"deviation",
      [](Inputs &in, Output &) { return nurbs_deviation(in.surface, in.surface, in.values, in.values + 1); }},
+    {"curve_shape_factor",
+     [](Inputs &in, Output &) { return nurbs_curve_shape_factor(in.segment, in.values, in.states); }},
+    {"recognize curve",
+     [](Inputs &in, Output &) {
+         return nurbs_recognize(in.curve, 1e-9, in.states, in.values, in.values + 9, in.values + 11);
+     }},
+    {"recognize surface",
+     [](Inputs &in, Output &) {
+         return nurbs_recognize(in.surface, 0.2, in.states, in.values, in.values + 9, in.values + 11);
+     }},
     {"remove_knot",
      [](Inputs &in, Output &o) {
          return nurbs_remove_knot(in.curve, 0, 0.5, 1, 9, nullptr, nullptr, &o.out);

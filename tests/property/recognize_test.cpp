@@ -1,0 +1,195 @@
+// Recognition: it finds what a shape is in all its forms, what it proves holds, and what is no such shape is not taken
+// for one.
+#include "property/dense_samples.h"
+#include "property/made_shapes.h"
+#include "property/shape_distance.h"
+
+using namespace support;
+
+namespace {
+
+constexpr int32_t kinds[] = {
+    NURBS_SHAPE_LINE,  NURBS_SHAPE_CIRCLE, NURBS_SHAPE_ELLIPSE,  NURBS_SHAPE_PARABOLA, NURBS_SHAPE_HYPERBOLA,
+    NURBS_SHAPE_PLANE, NURBS_SHAPE_SPHERE, NURBS_SHAPE_CYLINDER, NURBS_SHAPE_CONE,     NURBS_SHAPE_TORUS};
+
+FoundShape recognize(const nurbs *g, double tolerance) {
+    FoundShape found;
+    require_ok(nurbs_recognize(g, tolerance, &found.kind, found.placement, found.sizes, &found.deviation));
+    return found;
+}
+
+// The largest distance over `per_span` places in every span, less what sampling may be off by.
+long double sampled_deviation(const SplineData &data, const FoundShape &shape, int per_span) {
+    std::vector<std::vector<Place>> places;
+    for (int k = 0; k < 2; ++k) {
+        places.push_back(k < data.axes() ? dense_places(data, data, k, per_span)
+                                         : std::vector<Place>{{0, false}});
+    }
+    long double largest = 0;
+    for (const Place &u : places[0]) {
+        for (const Place &v : places[1]) {
+            const double param[] = {u.t, v.t};
+            const auto p = long_point(data, param, {u.left, v.left, false});
+            largest = std::max(largest, shape_distance(shape, p));
+        }
+    }
+    return std::max(0.0L, largest - sampling_error(data));
+}
+int places_for(const SplineData &data) {
+    return data.axes() == 1 ? 10 : 5;
+}
+
+struct Case {
+    int32_t kind = 0;
+    int dim = 3;
+    MadeShape shape;
+    double size = 1;
+    Handle spline;
+};
+
+Case random_case(Random &random, double scale, double offset) {
+    Case made;
+    made.kind = kinds[random.bits() % std::size(kinds)];
+    made.dim = made.kind < NURBS_SHAPE_PLANE ? random.whole(2, 3) : 3;
+    made.shape = made_shape(random, made.kind, made.dim);
+    made.size = made.shape.size * scale;
+    move(made.shape.data, random_motion(random, made.dim, scale, offset));
+    made.spline = disguised(random, create(made.shape.data), made.shape.data.axes());
+    return made;
+}
+
+// Kinds in the order in which they are tried.
+int rank(int32_t kind) {
+    return kind == NURBS_SHAPE_PARABOLA ? 2 * NURBS_SHAPE_ELLIPSE - 1 : 2 * kind;
+}
+
+// A tolerance finds the shape or, if it is coarse, one that is simpler; the proof holds in either case.
+TEST(Recognition, finds_every_shape_in_every_form) {
+    std::vector<long double> proven;
+    for_each_case(551000, 1000, [&](Random &random, uint64_t seed) {
+        const double scale = random.magnitude(1e-6, 1e6), relative = random.magnitude(1e-12, 1e-2);
+        const double offset = relative < 1e-10 ? 1 : random.chance(50) ? 3 : 1000;
+        const Case made = random_case(random, scale, offset);
+        const FoundShape found = recognize(made.spline.get(), relative * made.size);
+        if (relative < 1e-6) {
+            ASSERT_EQ(found.kind, made.kind) << "seed " << seed << " tolerance " << relative;
+        }
+        ASSERT_NE(found.kind, NURBS_SHAPE_NONE) << "seed " << seed << " tolerance " << relative;
+        ASSERT_LE(rank(found.kind), rank(made.kind)) << "seed " << seed;
+        ASSERT_LE(found.deviation, relative * made.size) << "seed " << seed;
+        const SplineData data = read_back(made.spline.get());
+        ASSERT_LE(sampled_deviation(data, found, places_for(data)), found.deviation) << "seed " << seed;
+        if (found.kind != made.kind) {
+            return;
+        }
+        proven.push_back(found.deviation / (made.size * offset));
+        for (size_t i = 0; i < 2; ++i) {
+            const double unit = made.kind == NURBS_SHAPE_CONE ? 1 : scale;
+            ASSERT_NEAR(found.sizes[i] / unit, made.shape.sizes[i], 1e-12 * std::max(4.0, offset))
+                << "seed " << seed << " kind " << made.kind;
+        }
+    });
+    median(std::move(proven), "proven deviation of exact shapes, in their sizes");
+}
+
+// Shapes whose control points were moved a little each.
+TEST(Recognition, proves_a_distance_that_holds_and_is_tight) {
+    std::vector<long double> ratios;
+    int none = 0;
+    for_each_case(552000, 600, [&](Random &random, uint64_t seed) {
+        const Case made = random_case(random, random.magnitude(1e-3, 1e3), 2);
+        SplineData data = read_back(made.spline.get());
+        const double moved = made.size * random.magnitude(1e-11, 1e-2);
+        for (double &x : data.points) {
+            x += moved * random.between(-1, 1);
+        }
+        const FoundShape found = recognize(create(data).get(), 8 * moved);
+        if (found.kind == NURBS_SHAPE_NONE) {
+            ++none;
+            return;
+        }
+        const long double sampled = sampled_deviation(data, found, places_for(data));
+        ASSERT_LE(found.deviation, 8 * moved) << "seed " << seed;
+        ASSERT_LE(sampled, found.deviation) << "seed " << seed;
+        if (sampled > 1e-13 * made.size) {
+            ratios.push_back(found.deviation / sampled);
+        }
+    });
+    EXPECT_LE(none, 20);
+    EXPECT_LE(median(std::move(ratios), "proven over sampled deviation"), 1.25L);
+}
+
+// One inner control point moved so far that the curve or surface is ten tolerances away from the shape.
+TEST(Recognition, does_not_take_one_shape_for_another) {
+    int none = 0, simpler = 0;
+    for_each_case(553000, 500, [&](Random &random, uint64_t seed) {
+        const Case made = random_case(random, random.magnitude(1e-3, 1e3), 2);
+        nurbs *fine = nullptr;
+        require_ok(nurbs_elevate(made.spline.get(), 0, 1, &fine));
+        Handle g(fine);
+        for (int32_t axis = 0; axis < made.shape.data.axes(); ++axis) {
+            require_ok(nurbs_refine_uniform(g.get(), axis, 4, &fine));
+            g.reset(fine);
+        }
+        SplineData data = read_back(g.get());
+        const FoundShape exact = recognize(g.get(), 1e-10 * made.size);
+        ASSERT_EQ(exact.kind, made.kind) << "seed " << seed;
+        int64_t place = 0; // inside on every axis
+        for (size_t k = 0; k < data.counts.size(); ++k) {
+            place = place * data.counts[k] + data.counts[k] / 2;
+        }
+        const double moved = made.size * random.magnitude(1e-8, 1e-2);
+        for (int c = 0; c < data.dim; ++c) {
+            data.points[static_cast<size_t>(place * data.dim + c)] += moved * random.between(-1, 1);
+        }
+        const long double away = sampled_deviation(data, exact, places_for(data));
+        if (away < 1e-9 * made.size) {
+            return; // moved along the shape
+        }
+        const FoundShape found = recognize(create(data).get(), static_cast<double>(away) / 10);
+        (found.kind == NURBS_SHAPE_NONE ? none : simpler) += 1;
+        EXPECT_EQ(found.kind, NURBS_SHAPE_NONE) << "seed " << seed << " kind " << made.kind << " dim "
+                                                << made.dim << " away " << away / made.size;
+    });
+    std::printf("%d refused, %d taken for another shape\n", none, simpler);
+    EXPECT_GE(none, 300);
+}
+
+// Arcs of one degree: the tolerance tells how well the numbers are known.
+TEST(Recognition, copes_with_short_arcs) {
+    for_each_case(554000, 200, [&](Random &random, uint64_t seed) {
+        const int dim = random.whole(2, 3);
+        const double a = random.between(0.5, 2), start = random.between(-3, 3),
+                     degree = std::acos(-1.0) / 180;
+        SplineData data = in_space(ellipse_arc(0, 0, a, a, start, degree), dim);
+        move(data, random_motion(random, dim, 1, 1));
+        const auto g = disguised(random, create(data), 1);
+        const double size = a * degree / 2;
+        const FoundShape found = recognize(g.get(), 1e-10 * size);
+        ASSERT_EQ(found.kind, NURBS_SHAPE_CIRCLE) << "seed " << seed;
+        ASSERT_NEAR(found.sizes[0], a, 1e-10 * a) << "seed " << seed;
+        const SplineData back = read_back(g.get());
+        ASSERT_LE(sampled_deviation(back, found, 24), found.deviation) << "seed " << seed;
+    });
+}
+
+// Conics stay conics, and planes planes, whatever the affine map.
+TEST(Recognition, of_conics_and_planes_survives_affine_maps) {
+    for_each_case(555000, 300, [&](Random &random, uint64_t seed) {
+        const int32_t kind = kinds[random.whole(1, 5)];
+        const int dim = kind == NURBS_SHAPE_PLANE ? 3 : random.whole(2, 3);
+        MadeShape made = made_shape(random, kind, dim);
+        Motion map = random_motion(random, dim, 1, 2);
+        for (double &m : map.matrix) {
+            m += 0.3 * random.between(-1, 1);
+        }
+        move(made.data, map);
+        const auto g = disguised(random, create(made.data), made.data.axes());
+        const FoundShape found = recognize(g.get(), 1e-11 * made.size);
+        ASSERT_EQ(found.kind, kind == NURBS_SHAPE_CIRCLE ? NURBS_SHAPE_ELLIPSE : kind) << "seed " << seed;
+        const SplineData data = read_back(g.get());
+        ASSERT_LE(sampled_deviation(data, found, places_for(data)), found.deviation) << "seed " << seed;
+    });
+}
+
+} // namespace
