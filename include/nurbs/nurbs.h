@@ -1995,12 +1995,12 @@ NURBS_API nurbs_status nurbs_project_from(const nurbs *g, const double *eye, con
 
 /** \name Kinds of conics
  * @{ */
-#define NURBS_CONIC_ELLIPSE 1
-#define NURBS_CONIC_PARABOLA 2
-#define NURBS_CONIC_HYPERBOLA 3
-#define NURBS_CONIC_CHORD 4 /**< degenerate: shape factor 0, the segment P0 P2 */
-#define NURBS_CONIC_LEGS 5  /**< degenerate: shape factor infinite, the segments P0 P1 and P1 P2 */
-#define NURBS_CONIC_LINE 6  /**< degenerate: P0, P1 and P2 on a line */
+#define NURBS_CONIC_ELLIPSE 1   /**< shape factor below 1 */
+#define NURBS_CONIC_PARABOLA 2  /**< shape factor 1 */
+#define NURBS_CONIC_HYPERBOLA 3 /**< shape factor above 1 */
+#define NURBS_CONIC_CHORD 4     /**< degenerate: shape factor 0, the segment P0 P2 */
+#define NURBS_CONIC_LEGS 5      /**< degenerate: shape factor infinite, the segments P0 P1 and P1 P2 */
+#define NURBS_CONIC_LINE 6      /**< degenerate: P0, P1 and P2 on a line */
 /** @} */
 
 /** \brief The segment (1 - t) a + t b, of degree 1.
@@ -2709,18 +2709,18 @@ NURBS_API nurbs_status nurbs_volume_coons(const nurbs *const *faces, double tole
 
 /** \name Shapes
  * @{ */
-#define NURBS_SHAPE_NONE 0 /**< none of these, to the tolerance */
-#define NURBS_SHAPE_POINT 1
-#define NURBS_SHAPE_LINE 2
-#define NURBS_SHAPE_CIRCLE 3
-#define NURBS_SHAPE_ELLIPSE 4
-#define NURBS_SHAPE_PARABOLA 5
-#define NURBS_SHAPE_HYPERBOLA 6
-#define NURBS_SHAPE_PLANE 7
-#define NURBS_SHAPE_SPHERE 8
-#define NURBS_SHAPE_CYLINDER 9
-#define NURBS_SHAPE_CONE 10
-#define NURBS_SHAPE_TORUS 11
+#define NURBS_SHAPE_NONE 0      /**< none of these, to the tolerance */
+#define NURBS_SHAPE_POINT 1     /**< a single point */
+#define NURBS_SHAPE_LINE 2      /**< a piece of a straight line */
+#define NURBS_SHAPE_CIRCLE 3    /**< a circle, or an arc of one */
+#define NURBS_SHAPE_ELLIPSE 4   /**< an ellipse, or an arc of one */
+#define NURBS_SHAPE_PARABOLA 5  /**< an arc of a parabola */
+#define NURBS_SHAPE_HYPERBOLA 6 /**< an arc of one branch of a hyperbola */
+#define NURBS_SHAPE_PLANE 7     /**< a piece of a plane */
+#define NURBS_SHAPE_SPHERE 8    /**< a sphere, or a piece of one */
+#define NURBS_SHAPE_CYLINDER 9  /**< a piece of a circular cylinder */
+#define NURBS_SHAPE_CONE 10     /**< a piece of one half of a circular cone */
+#define NURBS_SHAPE_TORUS 11    /**< a torus, or a piece of one */
 /** @} */
 
 /** \brief Whether a curve is a line, circle or conic, or a surface a plane, sphere, cylinder, cone or torus:

@@ -53,9 +53,18 @@ void check_shape(const SplineData &input, const std::vector<SplineData> &parts, 
     }
 }
 
+// Whether something new is made, which is not the shape of the input.
+bool makes(Operation operation) {
+    return operation == Operation::circle || operation == Operation::revolve ||
+           operation == Operation::ruled || operation == Operation::coons;
+}
+
 void check(const Task &task, const std::vector<SplineData> &results) {
     constexpr double rounding = 1e-11; // far above what rounding can do, far below any mistake
     require(!results.empty(), "no result");
+    if (makes(task.operation)) {
+        return check_made(task, results[0]);
+    }
     const double tolerance = std::max(task.tolerance, rounding);
     if (task.operation != Operation::compatible) {
         check_shape(task.inputs[0], results, tolerance);
@@ -71,7 +80,7 @@ void check(const Task &task, const std::vector<SplineData> &results) {
     case Operation::decompose:
         return require(std::ssize(results) == 1 || std::ssize(results) == task.inputs[0].counts[0] - 3,
                        "pieces are missing");
-    case Operation::compatible:
+    default: // compatible curves
         break;
     }
     for (size_t i = 0; i < results.size(); ++i) {
@@ -88,7 +97,7 @@ void measure(benchmark::State &state, const Task &task, const Prepare &prepare) 
             work.run();
         }
         state.SetLabel(task.title);
-        state.counters["points"] = static_cast<double>(task.inputs[0].counts[0]);
+        state.counters["points"] = task.inputs.empty() ? 1.0 : static_cast<double>(task.inputs[0].counts[0]);
         check(task, work.results());
     } catch (const std::exception &error) {
         failed = true;

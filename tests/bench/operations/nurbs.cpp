@@ -2,6 +2,9 @@
 #include "bench/operations/task.h"
 #include "support/handle.h"
 
+#include <algorithm>
+#include <numbers>
+
 namespace {
 
 using namespace bench;
@@ -79,6 +82,48 @@ Work compatible_work(const Task &task) {
     });
 }
 
+// A new spline from the handles of the inputs.
+using Make = std::function<nurbs_status(const nurbs *const *, nurbs **)>;
+
+Work making(const Task &task, const Make &make) {
+    std::vector<Curve> curves;
+    for (const SplineData &data : task.inputs) {
+        curves.push_back(support::create(data));
+    }
+    const auto made = [=] {
+        const nurbs *handles[4] = {};
+        std::ranges::transform(curves, handles, [](const Curve &curve) { return curve.get(); });
+        nurbs *out = nullptr;
+        support::require_ok(make(handles, &out));
+        return Handle(out);
+    };
+    return {[=] { made(); }, [=] { return std::vector<SplineData>{support::read_back(made().get())}; }};
+}
+
+Work make_work(const Task &task) {
+    switch (task.operation) {
+    case Operation::circle:
+        return making(task, [](const nurbs *const *, nurbs **out) {
+            return nurbs_curve_circle(3, circle_center, nullptr, nullptr, circle_radius, NURBS_ARC_THIRDS,
+                                      out);
+        });
+    case Operation::revolve:
+        return making(task, [](const nurbs *const *profile, nurbs **out) {
+            return nurbs_revolve(*profile, nullptr, nullptr, 2 * std::numbers::pi, NURBS_ARC_THIRDS, out);
+        });
+    case Operation::ruled:
+        return making(task, [](const nurbs *const *ends, nurbs **out) {
+            return nurbs_ruled(ends[0], ends[1], 0, out);
+        });
+    case Operation::coons:
+        return making(task, [](const nurbs *const *boundaries, nurbs **out) {
+            return nurbs_surface_coons(boundaries, 0, out);
+        });
+    default:
+        return {};
+    }
+}
+
 Work prepare(const Task &task) {
     switch (task.operation) {
     case Operation::refine:
@@ -91,8 +136,9 @@ Work prepare(const Task &task) {
         return unary(task, [tolerance = task.tolerance](const nurbs *g) { return reduced(g, tolerance); });
     case Operation::compatible:
         return compatible_work(task);
+    default:
+        return make_work(task);
     }
-    return {};
 }
 
 } // namespace

@@ -1,16 +1,25 @@
-// Open CASCADE: Geom_BSplineCurve, GeomConvert_BSplineCurveToBezierCurve, GeomFill_Profiler.
+// Open CASCADE: Geom_BSplineCurve, GeomConvert_BSplineCurveToBezierCurve, GeomFill_Profiler; for shapes GeomConvert of
+// Geom_Circle and Geom_SurfaceOfRevolution, GeomFill::Surface, GeomFill_BSplineCurves.
 #include "bench/operations/task.h"
 
+#include <GeomConvert.hxx>
 #include <GeomConvert_BSplineCurveToBezierCurve.hxx>
+#include <GeomFill.hxx>
+#include <GeomFill_BSplineCurves.hxx>
 #include <GeomFill_Profiler.hxx>
 #include <Geom_BSplineCurve.hxx>
+#include <Geom_BSplineSurface.hxx>
 #include <Geom_BezierCurve.hxx>
+#include <Geom_Circle.hxx>
+#include <Geom_SurfaceOfRevolution.hxx>
+#include <gp_Ax2.hxx>
 
 namespace {
 
 using namespace bench;
 using support::SplineData;
 using Curve = Handle(Geom_BSplineCurve);
+using Surface = Handle(Geom_BSplineSurface);
 constexpr double same_knot = 1e-15; // tolerance for knots that are one
 
 struct Knots {
@@ -161,6 +170,67 @@ Work compatible_work(const Task &task) {
             }};
 }
 
+SplineData data_of(const Surface &surface) {
+    surface->SetUNotPeriodic();
+    SplineData data{.degrees = {surface->UDegree(), surface->VDegree()},
+                    .counts = {surface->NbUPoles(), surface->NbVPoles()},
+                    .knots = {flat(surface->UKnots(), surface->UMultiplicities()),
+                              flat(surface->VKnots(), surface->VMultiplicities())},
+                    .dim = 3,
+                    .points = {},
+                    .weights = {}};
+    for (int i = 1; i <= surface->NbUPoles(); ++i) {
+        for (int j = 1; j <= surface->NbVPoles(); ++j) {
+            const gp_Pnt pole = surface->Pole(i, j);
+            data.points.insert(data.points.end(), {pole.X(), pole.Y(), pole.Z()});
+            data.weights.push_back(surface->Weight(i, j));
+        }
+    }
+    return data;
+}
+
+Work making(const std::function<Surface()> &make) {
+    return {[=] { make(); }, [=] { return std::vector<SplineData>{data_of(make())}; }};
+}
+
+Work circle_work() {
+    const auto make = [] {
+        const gp_Ax2 axes({circle_center[0], circle_center[1], circle_center[2]}, {0, 0, 1}, {1, 0, 0});
+        return GeomConvert::CurveToBSplineCurve(new Geom_Circle(axes, circle_radius));
+    };
+    return {[=] { make(); },
+            [=] {
+                const Curve curve = make();
+                curve->SetNotPeriodic();
+                return std::vector<SplineData>{data_of(curve)};
+            }};
+}
+
+Work make_work(const Task &task) {
+    std::vector<Curve> curves;
+    for (const SplineData &data : task.inputs) {
+        curves.push_back(make_curve(data));
+    }
+    switch (task.operation) {
+    case Operation::circle:
+        return circle_work();
+    case Operation::revolve:
+        return making([=] {
+            const gp_Ax1 axis({0, 0, 0}, {0, 0, 1});
+            return GeomConvert::SurfaceToBSplineSurface(new Geom_SurfaceOfRevolution(curves[0], axis));
+        });
+    case Operation::ruled:
+        return making([=] { return Surface::DownCast(GeomFill::Surface(curves[0], curves[1])); });
+    case Operation::coons: // around the surface; Coons' rule is the style that is called after stretching
+        return making([=] {
+            return GeomFill_BSplineCurves(curves[2], curves[1], curves[3], curves[0], GeomFill_StretchStyle)
+                .Surface();
+        });
+    default:
+        return {};
+    }
+}
+
 Work prepare(const Task &task) {
     switch (task.operation) {
     case Operation::refine:
@@ -175,8 +245,9 @@ Work prepare(const Task &task) {
         });
     case Operation::compatible:
         return compatible_work(task);
+    default:
+        return make_work(task);
     }
-    return {};
 }
 
 } // namespace

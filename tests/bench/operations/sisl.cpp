@@ -134,22 +134,22 @@ Work compatible_work(const Task &task) {
 }
 
 Work prepare(const Task &task) {
-    const SplineData &data = task.inputs[0];
     switch (task.operation) {
     case Operation::refine:
-        return unary(make_curve(data),
+        return unary(make_curve(task.inputs[0]),
                      [knots = task.knots](const Curve &curve) { return refined(curve, knots); });
     case Operation::elevate:
-        return unary(make_curve(data), elevated);
+        return unary(make_curve(task.inputs[0]), elevated);
     case Operation::decompose:
-        return unary(make_curve(data), decomposed);
+        return unary(make_curve(task.inputs[0]), decomposed);
     case Operation::remove:
-        return unary(make_homogeneous(data),
+        return unary(make_homogeneous(task.inputs[0]),
                      [tolerance = task.tolerance](const Curve &curve) { return reduced(curve, tolerance); });
     case Operation::compatible:
         return compatible_work(task);
+    default:
+        return {};
     }
-    return {};
 }
 
 } // namespace

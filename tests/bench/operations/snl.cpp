@@ -110,12 +110,11 @@ Work prepare(const Task &task) {
         return unary(task, [](snlCurve &curve) { curve.elevateDegree(1); });
     case Operation::decompose:
         return unary(task, decompose);
-    case Operation::remove:
-        return {}; // one knot at a time, by its place in the list
     case Operation::compatible:
         return compatible_work(task);
+    default: // knots are removed one at a time, by their place in the list
+        return {};
     }
-    return {};
 }
 
 } // namespace

@@ -41,6 +41,14 @@ public:
         return data;
     }
     SplineData cubic(int64_t count) { return cubic(count, sorted(count - 4)); }
+    // A polynomial cubic Bezier curve with given ends.
+    SplineData bezier(const std::vector<double> &first, const std::vector<double> &last) {
+        SplineData data = cubic(4);
+        data.weights.clear();
+        std::ranges::copy(first, data.points.begin());
+        std::ranges::copy(last, data.points.end() - 3);
+        return data;
+    }
 
 private:
     std::mt19937_64 engine_;
@@ -79,6 +87,29 @@ Task compatible_task(Generator &random) {
     return task;
 }
 
+// The polynomial Bezier curves are where the surfaces of all libraries are the same.
+Task coons_task(Generator &random) {
+    const std::vector<double> corners[4] = {{0, 0, 0.1}, {0, 1, -0.2}, {1, 0, 0.3}, {1, 1, 0}};
+    return {"coons",
+            "fill four cubic Bezier curves by Coons' rule",
+            Operation::coons,
+            {random.bezier(corners[0], corners[1]), random.bezier(corners[2], corners[3]),
+             random.bezier(corners[0], corners[2]), random.bezier(corners[1], corners[3])},
+            {}};
+}
+
+void add_shapes(std::vector<Task> &list, Generator &random) {
+    list.push_back({"circle", "a circle in space as a spline", Operation::circle, {}, {}});
+    list.push_back(
+        {"revolve", "turn a curve of 100 points fully", Operation::revolve, {random.cubic(100)}, {}});
+    list.push_back({"ruled",
+                    "rule between two curves of 100 points",
+                    Operation::ruled,
+                    {random.cubic(100), random.cubic(100)},
+                    {}});
+    list.push_back(coons_task(random));
+}
+
 std::vector<Task> make_tasks() {
     Generator random(20261121);
     std::vector<Task> list{refine_task(random)};
@@ -95,6 +126,7 @@ std::vector<Task> make_tasks() {
         list.push_back({"elevate" + size, "", Operation::elevate, {data}, {}, 0, true});
         list.push_back({"decompose" + size, "", Operation::decompose, {data}, {}, 0, true});
     }
+    add_shapes(list, random);
     return list;
 }
 

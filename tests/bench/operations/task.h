@@ -1,4 +1,4 @@
-// What is measured: operations on curves, one list that every program follows.
+// What is measured: operations on curves, and shapes made of them; one list that every program follows.
 #pragma once
 
 #include "support/spline_data.h"
@@ -9,14 +9,20 @@
 
 namespace bench {
 
-enum class Operation { refine, elevate, decompose, remove, compatible };
+enum class Operation { refine, elevate, decompose, remove, compatible, circle, revolve, ruled, coons };
+
+// The circle about this point in the plane through it that is parallel to x and y.
+constexpr double circle_center[3] = {1, 2, 3};
+constexpr double circle_radius = 1.5;
 
 struct Task {
     std::string name;
     std::string title;
     Operation operation;
-    std::vector<support::SplineData> inputs; // one, but for Operation::compatible
-    std::vector<double> knots;               // to insert or to remove
+    // None for a circle; the profile, turned about the z axis; the two ends of a ruled surface; the boundaries of a
+    // Coons surface at u = 0, u = 1, v = 0, v = 1; many curves to be made compatible; otherwise one.
+    std::vector<support::SplineData> inputs;
+    std::vector<double> knots; // to insert or to remove
     double tolerance = 0;
     bool ours_only = false; // growth with the number of points
 };
@@ -31,8 +37,13 @@ struct Work {
 };
 using Prepare = std::function<Work(const Task &)>; // a Work without functions: not offered
 
-// Names benchmarks task/library and checks every result: the shape within the tolerance of the task, the
-// degree, and for removal and compatible curves the number of knots. The result is the exit status.
+// Throws std::runtime_error unless the circle or surface is what its defining formula says, to within rounding. How the
+// angle of a circle or a surface of revolution is parametrised, and how rulings are divided, is free.
+void check_made(const Task &task, const support::SplineData &result);
+
+// Names benchmarks task/library and checks every result: what is made by its formula, else the shape within the
+// tolerance of the task, the degree, and for removal and compatible curves the number of knots. The result is the exit
+// status.
 int run(int argc, char **argv, const std::string &library, const Prepare &prepare);
 
 } // namespace bench
