@@ -361,11 +361,13 @@ const Case cases[] = {
     {"recognize curve",
      [](Inputs &in, Output &) {
          return nurbs_recognize(in.curve, 1e-9, in.states, in.values, in.values + 9, in.values + 11);
-     }},
+     },
+     true},
     {"recognize surface",
      [](Inputs &in, Output &) {
          return nurbs_recognize(in.surface, 0.2, in.states, in.values, in.values + 9, in.values + 11);
-     }},
+     },
+     true},
     {"remove_knot",
      [](Inputs &in, Output &o) {
          return nurbs_remove_knot(in.curve, 0, 0.5, 1, 9, nullptr, nullptr, &o.out);
