@@ -93,7 +93,7 @@ struct Output {
 struct Case {
     const char *name;
     nurbs_status (*call)(Inputs &in, Output &o);
-    bool can_do_without = false; // the C library reads files without a buffer when there is none
+    bool can_do_without = false; // buffers of the C library for files, tables of evaluation
 };
 
 // With the quadratic Bezier curve of these points, of dimension 1 or more.
