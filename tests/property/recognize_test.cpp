@@ -1,6 +1,7 @@
 // Recognition: it finds what a shape is in all its forms, what it proves holds, and what is no such shape is not taken
 // for one.
 #include "property/dense_samples.h"
+#include "property/exact_polynomials.h"
 #include "property/made_shapes.h"
 #include "property/shape_distance.h"
 
@@ -117,6 +118,83 @@ TEST(Recognition, proves_a_distance_that_holds_and_is_tight) {
     });
     EXPECT_LE(none, 20);
     EXPECT_LE(median(std::move(ratios), "proven over sampled deviation"), 1.25L);
+}
+
+Polynomial scaled(Polynomial values, const Rational &factor, const Rational &unit) {
+    const Rational whole = factor * unit; // unit clears the denominators of all factors
+    EXPECT_EQ(denominator(whole), 1);
+    for (Integer &x : values) {
+        x *= numerator(whole);
+    }
+    return values;
+}
+
+// Whether |A - o w|^2 - inner^2 w^2 >= 0 and outer^2 w^2 - |A - o w|^2 >= 0 on a piece; for a line A - o w is replaced
+// by its part across the axis, times the square of the axis.
+bool between(const std::vector<Polynomial> &piece, const FoundShape &shape, const Rational &inner,
+             const Rational &outer) {
+    const size_t dim = piece.size() - 1;
+    const Polynomial &w = piece.back();
+    std::vector<Rational> origin, axis;
+    Rational square = shape.kind == NURBS_SHAPE_LINE ? 0 : 1;
+    for (size_t c = 0; c < dim; ++c) {
+        origin.push_back(reference::exact(shape.placement[c]));
+        axis.push_back(shape.kind == NURBS_SHAPE_LINE ? reference::exact(shape.placement[3 + c]) : 0);
+        square += axis.back() * axis.back();
+    }
+    Integer unit = lcm(denominator(inner), denominator(outer)) * denominator(square);
+    for (size_t c = 0; c < dim; ++c) {
+        unit = lcm(unit, lcm(denominator(origin[c]), denominator(axis[c])));
+    }
+    const Rational one = unit;
+    std::vector<Polynomial> from; // times unit
+    Polynomial along(w.size());
+    for (size_t c = 0; c < dim; ++c) {
+        from.push_back(scaled(piece[c], 1, one));
+        add(from.back(), scaled(w, origin[c], one), -1);
+        add(along, scaled(from.back(), axis[c], one), 1); // times unit^2
+    }
+    Polynomial distance(2 * w.size() - 1); // times unit^6
+    for (size_t c = 0; c < dim; ++c) {
+        Polynomial across = scaled(scaled(from[c], square, one), 1, one);
+        add(across, scaled(along, axis[c], one), -1);
+        add(distance, product(across, across), 1);
+    }
+    const Polynomial weight = scaled(scaled(scaled(product(w, w), square, one), square, one), 1, one * one);
+    Polynomial above = scaled(scaled(weight, outer, one), outer, one), below = distance;
+    add(above, distance, -1);
+    add(below, scaled(scaled(weight, inner, one), inner, one), -1);
+    return nonnegative(above) && (inner <= 0 || nonnegative(below));
+}
+
+// The same without rounding and without samples, of lines and of circles in the plane.
+TEST(Recognition, proves_distances_that_hold_in_exact_arithmetic) {
+    int compared = 0;
+    for_each_case(556000, 300, [&](Random &random, uint64_t seed) {
+        const bool line = random.chance(40);
+        const int dim = line ? random.whole(2, 3) : 2;
+        MadeShape made = made_shape(random, line ? NURBS_SHAPE_LINE : NURBS_SHAPE_CIRCLE, dim);
+        move(made.data, random_motion(random, dim, 1, 2));
+        SplineData data = read_back(disguised(random, create(made.data), 1).get());
+        const double moved = random.chance(50) ? 0 : random.magnitude(1e-15, 1e-2);
+        for (double &x : data.points) {
+            x += moved * random.between(-1, 1);
+        }
+        const FoundShape found = recognize(create(data).get(), 8 * moved + 1e-12);
+        if (found.kind != made.kind) {
+            return;
+        }
+        const Rational radius = reference::exact(found.sizes[0]), bound = reference::exact(found.deviation);
+        for (size_t i = 0; i + 1 < data.knots[0].size(); ++i) {
+            const double from = data.knots[0][i], to = data.knots[0][i + 1];
+            if (from < to && from >= data.lower(0) && to <= data.upper(0)) {
+                ASSERT_TRUE(between(piece(data, from, to), found, radius - bound, radius + bound))
+                    << "seed " << seed << " bound " << found.deviation;
+            }
+        }
+        ++compared;
+    });
+    EXPECT_GE(compared, 250);
 }
 
 // One inner control point moved so far that the curve or surface is ten tolerances away from the shape.
