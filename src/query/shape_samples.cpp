@@ -40,19 +40,6 @@ std::vector<double> values_at(const Spline &spline, int order, const Params &u, 
     return values;
 }
 
-// The breaks of an axis, `most` of them at most.
-Params some_breaks(const KnotVector &axis, size_t most) {
-    const Params all = breaks_of(axis);
-    if (all.size() <= most) {
-        return all;
-    }
-    Params some;
-    for (size_t i = 0; i < most; ++i) {
-        some.push_back(all[i * (all.size() - 1) / (most - 1)]);
-    }
-    return some;
-}
-
 Params evenly(Interval domain, int count) {
     Params params;
     for (int i = 0; i < count; ++i) {
@@ -61,6 +48,26 @@ Params evenly(Interval domain, int count) {
     }
     params.back() = domain.upper;
     return params;
+}
+
+// The breaks of an axis, `most` of them at most, and where there are few also inner parameters of their spans, since
+// the chord over a whole span says nothing where it is closed.
+Params some_breaks(const KnotVector &axis, size_t most) {
+    const Params all = breaks_of(axis);
+    Params some;
+    if (all.size() <= most) {
+        const int parts = all.size() < 8 ? 5 : 1;
+        for (size_t i = 0; i + 1 < all.size(); ++i) {
+            const Params inner = evenly({all[i], all[i + 1]}, parts + 1);
+            some.insert(some.end(), inner.begin(), inner.end() - 1);
+        }
+        some.push_back(all.back());
+        return some;
+    }
+    for (size_t i = 0; i < most; ++i) {
+        some.push_back(all[i * (all.size() - 1) / (most - 1)]);
+    }
+    return some;
 }
 
 // The longest chord from each parameter of an axis to the next one, over a few places of the other axis.

@@ -173,7 +173,7 @@ const std::vector<std::pair<const char *, Maker>> surfaces = {
      [](const Place &p) {
          return Made{made([&](nurbs **out) {
                          return nurbs_surface_spherical_patch(p.origin.data(), p.axis.data(), p.x.data(), p.r,
-                                                              p.start, p.sweep, -p.s, 2 * p.s, p.form, out);
+                                                              p.start, p.sweep, -p.s, 1.9 * p.s, p.form, out);
                      }),
                      NURBS_SHAPE_SPHERE,
                      {p.r, 0}};
