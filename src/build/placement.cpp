@@ -77,6 +77,9 @@ void set_plane_frame(Placement &place, const double *axis, const double *x) {
 }
 
 void set_space_frame(Placement &place, const double *axis, const double *x) {
+    if (axis == nullptr && x == nullptr) {
+        return;
+    }
     WideVector z = {0, 0, 1}, along = {1, 0, 0};
     if (axis != nullptr) {
         check_direction(axis, 3, "axis");

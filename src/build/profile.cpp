@@ -89,7 +89,10 @@ SplinePtr turned(const Placement &place, const Arc &arc, const Profile &profile,
                        along * frame.x, across * frame.y);
         }
     }
-    std::vector<double> points(arc.points.size() * width), weights;
+    std::vector<double> points, weights;
+    points.reserve(arc.points.size() * width + Spline::padding);
+    points.resize(arc.points.size() * width);
+    weights.reserve(arc.points.size() * profile.points.size());
     double *out = points.data();
     for (const ArcPoint &at : arc.points) {
         orbits.values(at.x, at.y, out);

@@ -64,14 +64,16 @@ std::vector<double> turned_points(const Spline &spline, const AxisLine &line, co
 }
 
 std::vector<double> turned_weights(const Spline &spline, const Arc &arc) {
-    std::vector<double> weights;
-    if (spline.form() != Form::homogeneous) {
-        weights.reserve(static_cast<size_t>(spline.point_count()) * arc.points.size());
-        for (const ArcPoint &at : arc.points) {
-            for (int64_t i = 0; i < spline.point_count(); ++i) {
-                weights.push_back(at.weight * spline.weight(i));
-            }
-        }
+    if (spline.form() == Form::homogeneous) {
+        return {};
+    }
+    const auto count = static_cast<size_t>(spline.point_count());
+    const std::vector<double> ones(spline.rational() ? 0 : count, 1.0);
+    const std::span<const double> start = spline.rational() ? spline.weights() : ones;
+    std::vector<double> weights(count * arc.points.size());
+    auto layer = weights.begin();
+    for (const ArcPoint &at : arc.points) {
+        layer = std::ranges::transform(start, layer, [&](double w) { return at.weight * w; }).out;
     }
     return weights;
 }
