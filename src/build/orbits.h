@@ -18,6 +18,7 @@ struct AxisLine {
 };
 
 // For many coordinates the values foot + x d + y e, each rounded once: foot, d and e are held in twice the precision.
+// Where the processor has no fused multiplication, coordinates above 2^990 come out as NaN.
 class Orbits {
 public:
     explicit Orbits(int64_t coordinates);
