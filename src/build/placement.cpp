@@ -1,6 +1,7 @@
 #include "build/placement.h"
 
 #include "base/error.h"
+#include "base/sum.h"
 
 #include <algorithm>
 #include <array>
@@ -46,8 +47,11 @@ WideVector least_direction(const WideVector &a) noexcept {
     return direction;
 }
 
-double combined(double origin, const WideVector &frame, const WideVector &factors) noexcept {
-    return (origin + dot(factors, frame)).value();
+// Adds a product, its rounding error and what the rests give.
+void add_product(const Wide &a, const Wide &b, CompensatedSum &sum) noexcept {
+    const double product = a.high * b.high;
+    sum.add(product);
+    sum.rest += std::fma(a.high, b.high, -product) + (a.high * b.low + a.low * b.high);
 }
 
 void set_vector(const WideVector &v, Vector3 &rounded, Vector3 &rest) noexcept {
@@ -73,6 +77,9 @@ void set_plane_frame(Placement &place, const double *axis, const double *x) {
 }
 
 void set_space_frame(Placement &place, const double *axis, const double *x) {
+    if (axis == nullptr && x == nullptr) {
+        return;
+    }
     WideVector z = {0, 0, 1}, along = {1, 0, 0};
     if (axis != nullptr) {
         check_direction(axis, 3, "axis");
@@ -96,15 +103,20 @@ void set_space_frame(Placement &place, const double *axis, const double *x) {
 
 } // namespace
 
+Placement::Component Placement::component(int c) const noexcept {
+    constexpr double Vector3::*members[] = {&Vector3::x, &Vector3::y, &Vector3::z};
+    const auto i = members[c];
+    return {origin.*i, Wide(x.*i, x_rest.*i), Wide(y.*i, y_rest.*i), Wide(z.*i, z_rest.*i)};
+}
+
 void Placement::point(const Wide &a, const Wide &b, const Wide &c, double *out) const noexcept {
-    const WideVector factors = {a, b, c};
-    const auto along = [&](double Vector3::*i) -> WideVector {
-        return {Wide(x.*i, x_rest.*i), Wide(y.*i, y_rest.*i), Wide(z.*i, z_rest.*i)};
-    };
-    out[0] = combined(origin.x, along(&Vector3::x), factors);
-    out[1] = combined(origin.y, along(&Vector3::y), factors);
-    if (dim == 3) {
-        out[2] = combined(origin.z, along(&Vector3::z), factors);
+    for (int i = 0; i < dim; ++i) {
+        const Component frame = component(i);
+        CompensatedSum sum{frame.origin};
+        add_product(a, frame.x, sum);
+        add_product(b, frame.y, sum);
+        add_product(c, frame.z, sum);
+        out[i] = sum.value();
     }
 }
 

@@ -21,6 +21,15 @@ struct Placement {
 
     // origin + a x + b y + c z, `dim` coordinates, each rounded as if formed in twice the precision.
     void point(const Wide &a, const Wide &b, const Wide &c, double *out) const noexcept;
+
+    // Coordinate c of the origin and of the frame.
+    struct Component {
+        double origin;
+        Wide x;
+        Wide y;
+        Wide z;
+    };
+    [[nodiscard]] Component component(int c) const noexcept;
 };
 
 // As nurbs.h has it for the curves of its group: origin, axis and x have `dim` coordinates each, or are null.

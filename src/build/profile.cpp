@@ -1,6 +1,7 @@
 #include "build/profile.h"
 
 #include "base/representable.h"
+#include "build/orbits.h"
 #include "refine/bezier_rows.h"
 
 #include <algorithm>
@@ -77,14 +78,27 @@ Profile hyperbola_profile(double size, double bottom, double top, bool two_sheet
 
 SplinePtr turned(const Placement &place, const Arc &arc, const Profile &profile, double scale_x,
                  double scale_y) {
-    std::vector<double> points(arc.points.size() * profile.points.size() * 3), weights;
+    const size_t width = profile.points.size() * 3;
+    Orbits orbits(static_cast<int64_t>(width));
+    for (size_t i = 0; i < profile.points.size(); ++i) {
+        const ProfilePoint &point = profile.points[i];
+        const Wide along = scale_x * point.radius, across = scale_y * point.radius;
+        for (int c = 0; c < 3; ++c) {
+            const auto frame = place.component(c);
+            orbits.set(static_cast<int64_t>(3 * i) + c, frame.origin + point.height * frame.z,
+                       along * frame.x, across * frame.y);
+        }
+    }
+    std::vector<double> points, weights;
+    points.reserve(arc.points.size() * width + Spline::padding);
+    points.resize(arc.points.size() * width);
+    weights.reserve(arc.points.size() * profile.points.size());
     double *out = points.data();
     for (const ArcPoint &at : arc.points) {
-        const Wide x = Wide::product(scale_x, at.x), y = Wide::product(scale_y, at.y);
+        orbits.values(at.x, at.y, out);
+        out += width;
         for (const ProfilePoint &point : profile.points) {
-            place.point(x * point.radius, y * point.radius, point.height, out);
             weights.push_back(at.weight * point.weight);
-            out += 3;
         }
     }
     require_representable(points, "control points");

@@ -24,6 +24,11 @@ struct Outer {
     }
 };
 
+std::vector<double> all_weights(const Spline &spline) {
+    return spline.rational() ? std::vector<double>(spline.weights().begin(), spline.weights().end())
+                             : std::vector<double>(static_cast<size_t>(spline.point_count()), 1.0);
+}
+
 void check_axes(const Spline &a, const Spline &b) {
     if (a.axes() + b.axes() > max_axes) {
         fail(NURBS_ERROR_AXES, "a has %d axes and b %d, expected at most %d together", a.axes(), b.axes(),
@@ -42,9 +47,10 @@ std::vector<double> outer_points(const Outer &outer, const CoordinateForm &form)
     const int64_t dim_a = outer.a.dim(), dim_b = outer.b.dim(), more = homogeneous ? 1 : 0;
     std::vector<double> points(static_cast<size_t>(checked_product(outer.count(), outer.width(), "points")));
     double *out = points.data();
-    for (int64_t i = 0; i < outer.a.point_count(); ++i, x += dim_a + more) {
+    const int64_t count_a = outer.a.point_count(), count_b = outer.b.point_count();
+    for (int64_t i = 0; i < count_a; ++i, x += dim_a + more) {
         const double *y = homogeneous ? records_b.data() : outer.b.points().data();
-        for (int64_t j = 0; j < outer.b.point_count(); ++j, y += dim_b + more, out += outer.width()) {
+        for (int64_t j = 0; j < count_b; ++j, y += dim_b + more, out += outer.width()) {
             const double w = homogeneous ? x[dim_a] : 1, v = homogeneous ? y[dim_b] : 1;
             form(x, w, y, v, out);
             if (homogeneous) {
@@ -57,16 +63,16 @@ std::vector<double> outer_points(const Outer &outer, const CoordinateForm &form)
 }
 
 std::vector<double> outer_weights(const Outer &outer) {
-    std::vector<double> weights;
-    if (outer.form == Form::rational) {
-        weights.reserve(static_cast<size_t>(outer.count()));
-        for (int64_t i = 0; i < outer.a.point_count(); ++i) {
-            for (int64_t j = 0; j < outer.b.point_count(); ++j) {
-                weights.push_back(outer.a.weight(i) * outer.b.weight(j));
-            }
-        }
-        require_representable(weights, "weights");
+    if (outer.form != Form::rational) {
+        return {};
     }
+    const std::vector<double> of_a = all_weights(outer.a), of_b = all_weights(outer.b);
+    std::vector<double> weights(static_cast<size_t>(outer.count()));
+    auto row = weights.begin();
+    for (const double w : of_a) {
+        row = std::ranges::transform(of_b, row, [w](double v) { return w * v; }).out;
+    }
+    require_representable(weights, "weights");
     return weights;
 }
 

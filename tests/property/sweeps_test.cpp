@@ -42,11 +42,11 @@ std::vector<double> joined(std::vector<double> a, const std::vector<double> &b) 
     return a;
 }
 
-// Degrees 1 to 9 of curves, to 3 of surfaces; clamped, unclamped and periodic; with weights of any kind or none.
+// Degrees 0 to 9 of curves, to 3 of surfaces; clamped, unclamped and periodic; with weights of any kind or none.
 SplineData random_shape(Random &random, int axes, int dim) {
     Recipe recipe;
     for (int k = 0; k < axes; ++k) {
-        recipe.axes.push_back(random_axis(random, random.whole(1, axes == 1 ? 9 : 3)));
+        recipe.axes.push_back(random_axis(random, random.whole(0, axes == 1 ? 9 : 3)));
         recipe.axes.back().spans = random.whole(1, 4);
     }
     constexpr std::array weights = {Weights::none, Weights::moderate, Weights::moderate, Weights::extreme,
@@ -276,7 +276,7 @@ Point homogeneous_at(const SplineData &data, double t) {
 
 SplineData even_curve(Random &random, int dim) {
     Recipe recipe;
-    recipe.axes.push_back(random_axis(random, random.whole(1, 9)));
+    recipe.axes.push_back(random_axis(random, random.whole(0, 9)));
     recipe.axes.back().spacing = random.chance(50) ? Spacing::integers : Spacing::few_bits;
     recipe.axes.back().placement = support::Placement::origin;
     recipe.axes.back().spans = random.whole(1, 3);
