@@ -2592,15 +2592,25 @@ NURBS_API nurbs_status nurbs_surface_hyperboloid(const double *center, const dou
  *
  * A Coons surface takes the domain of axis 0 from boundary 2 and that of axis 1 from boundary 0; a Coons
  * volume those of its axes 1 and 2 from boundary 0, and that of axis 0 from boundary 2. Domains of the
- * others are mapped to them.
+ * others are mapped to them. The result is clamped: unclamped boundaries are clamped, periodic ones opened.
  *
- * Corners, and whatever else is given twice, agree if they are at most `tolerance` apart. Where they differ
- * by less, the means are used: the blend misses the boundaries by at most that, nowhere else by anything
- * but rounding.
+ * Corners, and whatever else is given twice, agree if they are at most `tolerance` apart; 0 asks for equality
+ * of every bit, which ends of unclamped boundaries, and edges of faces with different knots, only reach by
+ * chance. Where they differ by less, the means are used: a surface misses its boundaries by half of what
+ * positions differ, and an eighth of the domain's length times what tangents do; a volume misses its faces by
+ * at most three times the gap.
+ *
+ * Barring that, every boundary of a surface is met to 2 eps of its hull everywhere, half an eps more where
+ * means were used, and one more for each denominator with which it is multiplied (tested by exact comparison of
+ * the curves, weights within a factor of 25); corners bit for bit. Cross tangents are met to the rounding of
+ * the two layers of control points that they are differences of.
  *
  * Rational boundaries are blended in Cartesian space. The result is the sum over the product of the
  * denominators that are not equal bit for bit after both are brought to common knots and divided by their
- * first weight: degrees up to 2 p + 1 for surfaces from curves of degree p, 4 p + 3 with cross tangents.
+ * first weight: degrees up to 2 p + 1 for surfaces from curves of degree p, 4 p + 3 with cross tangents. It
+ * is polynomial where the weights of every boundary are equal. Weights of the faces of a volume are taken
+ * apart into a factor for each axis where they are such products, to 8 eps, which gives degrees up to 4 p + 1;
+ * where one face has others, the denominators of edges are factors too, up to 8 p + 1 in all.
  * @{ */
 
 /** \name Twists of nurbs_surface_coons_hermite()
@@ -2634,7 +2644,7 @@ NURBS_API nurbs_status nurbs_boundaries(const nurbs *g, nurbs_list **out);
  * \return NURBS_OK, NURBS_ERROR_NULL, _TOLERANCE, _OVERFLOW; _AXES if one is no curve, _DIMENSION if
  *   dimensions differ, _GAP if a corner has a larger gap (the message names corner and gap; all gaps:
  *   nurbs_coons_gaps()), _DEGREE if a degree would exceed NURBS_MAX_DEGREE, _KNOTS_MERGE as for
- *   nurbs_reparametrize(), _NOT_REPRESENTABLE, _WEIGHTS_VANISH.
+ *   nurbs_reparametrize(), _NOT_REPRESENTABLE, _WEIGHTS_VANISH also if a corner lies at infinity.
  * \since 0.1 */
 NURBS_API nurbs_status nurbs_surface_coons(const nurbs *const *boundaries, double tolerance, nurbs **out);
 
@@ -2655,7 +2665,9 @@ NURBS_API nurbs_status nurbs_surface_coons(const nurbs *const *boundaries, doubl
  * the boundaries: S_u(0,v) = F0(v) S_u(0,0) + F1(v) S_u(0,1) + G0(v) S_uv(0,0) + G1(v) S_uv(0,1), and so
  * on.
  *
- * Boundaries are met everywhere; cross tangents are too, where the twists agree with them. Two surfaces
+ * Boundaries are met everywhere; cross tangents are too, where the twists agree with them. Where they do not,
+ * G0 and G1 times the differences are added to the cross tangents, so that the twists of the surface are the
+ * ones used; M holds what results. Two surfaces
  * that share a boundary, its cross tangents and the twists at its ends join with one tangent plane along
  * it.
  * \param[in] boundaries [4] curves of the same dimension, in the order above.
@@ -2671,9 +2683,9 @@ NURBS_API nurbs_status nurbs_surface_coons(const nurbs *const *boundaries, doubl
  *   cross; or NULL.
  * \param[out] out the new handle.
  * \return as nurbs_surface_coons(), and NURBS_ERROR_TWIST_RULE if twist is none of the constants or does
- *   not suit, _POINT_NOT_FINITE if a twist is not finite, _TANGENT if a cross tangent differs from the
- *   tangent of the boundary at a corner by more than the tolerance, _TWIST if twists do; the message names
- *   the corner and the difference.
+ *   not suit, or twists are given to another one, _POINT_NOT_FINITE if a twist is not finite, _TANGENT if a
+ *   cross tangent differs from the tangent of the boundary at a corner by more than the tolerance, _TWIST if
+ *   twists do; the message names the corner and the difference.
  * \since 0.1 */
 NURBS_API nurbs_status nurbs_surface_coons_hermite(const nurbs *const *boundaries, const nurbs *const *cross,
                                                    int32_t twist, const double *twists, double tolerance,
@@ -2688,14 +2700,16 @@ NURBS_API nurbs_status nurbs_surface_coons_hermite(const nurbs *const *boundarie
  *   belongs to the other one, first S_u, then S_v; 0 without cross; or NULL.
  * \param[out] twists [4] differences between the derivatives of the two cross tangents; 0 without cross; or
  *   NULL.
- * \return NURBS_OK, NURBS_ERROR_NULL, _KNOTS_MERGE; _AXES if one is no curve, _DIMENSION if dimensions
- *   differ, _NOT_REPRESENTABLE if a difference overflows.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _OVERLAP, _KNOTS_MERGE; _AXES if one is no curve, _DIMENSION if
+ *   dimensions differ, _WEIGHTS_VANISH if a corner lies at infinity, _NOT_REPRESENTABLE if a difference
+ *   overflows.
  * \since 0.1 */
 NURBS_API nurbs_status nurbs_coons_gaps(const nurbs *const *boundaries, const nurbs *const *cross,
                                         double *positions, double *tangents, double *twists);
 
 /** \brief The volume that blends six faces linearly (Gordon & Hall 1973): the sum of the blends of opposite
- * faces, less those of the twelve edges, plus that of the eight corners.
+ * faces, less those of the twelve edges, plus that of the eight corners. Gaps along edges are proven bounds,
+ * at most a quarter above the largest distance but for rounding.
  * \param[in] faces [6] surfaces of the same dimension, in the order above.
  * \param[in] tolerance largest gap along an edge, >= 0.
  * \param[out] out the new handle.

@@ -14,7 +14,7 @@ namespace nrb {
 // what both have at the corners. Functions that differ from m there are corrected first: the difference times g_j is
 // added to A_i, the difference times f_i to B_j. The layers of control points at an edge are those of the boundary
 // over the knots of the surface, corners the points of m; the layers next to them follow from the cross tangent
-// alone. `a` and `b` are the matrices of A and B. Throws NURBS_ERROR_OVERFLOW, _NOT_REPRESENTABLE, and what
+// alone. `own` is what the functions have at the corners. Throws NURBS_ERROR_OVERFLOW, _NOT_REPRESENTABLE, and what
 // make_spline() throws. Cost: order + order products for each coordinate of the net.
 SplinePtr coons_patch(BlendAxis u, BlendAxis v, const CornerPair &own, const CornerMatrix &m, Form form);
 

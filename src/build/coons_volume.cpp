@@ -1,6 +1,5 @@
 #include "build/coons_volume.h"
 
-#include "base/norm.h"
 #include "bounds/deviation.h"
 #include "build/blend_sum.h"
 #include "build/blended_net.h"
@@ -134,6 +133,7 @@ private:
         }
         return deviation(*first, *second).upper;
     }
+
     // The mean of what the two faces have, and of the corners at its ends.
     [[nodiscard]] std::vector<double> mean_edge(const VolumeEdge &edge, double tolerance) const {
         std::vector<double> a = layer(edge.face(), edge.second, edge.second_upper);

@@ -68,7 +68,7 @@ inline void move_ends(SplineData &curve, const Corner &start, const Corner &end)
     }
 }
 
-// A curve over [0, 8] without jumps, its knots multiples of 1/8 so that the domain is met exactly.
+// A curve over [0, 8] with knots that are multiples of 1/8; it may jump at some.
 inline SplineData random_boundary(Random &random, int degree, KnotForm form, Weights weights) {
     SplineData curve;
     curve.dim = 3;
@@ -79,8 +79,11 @@ inline SplineData random_boundary(Random &random, int degree, KnotForm form, Wei
         inside.push_back(random.whole(1, 63) / 8.0);
     }
     std::sort(inside.begin(), inside.end());
-    for (size_t i = inside.size(); i-- > 0;) { // none more often than the degree
-        if (std::count(inside.begin(), inside.end(), inside[i]) > std::max(p, 1)) {
+    if (!inside.empty() && random.chance(20)) {
+        inside.insert(inside.begin(), static_cast<size_t>(p), inside[0]);
+    }
+    for (size_t i = inside.size(); i-- > 0;) { // none more often than allowed
+        if (std::count(inside.begin(), inside.end(), inside[i]) > p + 1) {
             inside.erase(inside.begin() + static_cast<std::ptrdiff_t>(i));
         }
     }

@@ -233,6 +233,26 @@ TEST(Coons, ClosedBoundariesMakeATube) {
     EXPECT_EQ(point[2], 1.0);
 }
 
+TEST(Coons, TakesBoundariesOfDegreeZero) {
+    SplineData apex;
+    apex.degrees = {0};
+    apex.counts = {2};
+    apex.knots = {{0, 4, 8}}; // the same point twice: a collapsed edge
+    apex.dim = 3;
+    apex.points = {0, 0, 0, 0, 0, 0};
+    SplineData low = quarter(0, 1, 0, 1), high = quarter(0, 2, 0, 1);
+    for (SplineData *curve : {&low, &high}) { // from the origin
+        for (size_t i = 0; i < 9; i += 3) {
+            curve->points[i] -= 1;
+        }
+    }
+    const SplineData surface = coons_of({apex, segment(low, true, high, true), low, high});
+    EXPECT_EQ(surface.degrees[1], 1);
+    EXPECT_LE(boundary_error(surface, 0, apex), 0);
+    EXPECT_LE(boundary_error(surface, 2, low), 2 * eps);
+    EXPECT_LE(boundary_error(surface, 3, high), 2 * eps);
+}
+
 TEST(Coons, IsFreeOfScale) {
     for_each_case(416000, 20, [&](Random &random, uint64_t seed) {
         const Boundaries given = random_boundaries(random, 4, random.chance(50), true);
