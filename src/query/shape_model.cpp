@@ -60,6 +60,63 @@ double signed_distance(const Shape &shape, const Vector3 &p) noexcept {
     return divisor > 0 ? value / divisor : 0;
 }
 
+namespace {
+
+// A point of a conic with its derivatives: of an ellipse by the angle, of the others by y.
+struct ConicPoint {
+    double x, y, dx, dy, ddx, ddy;
+};
+ConicPoint conic_point(const Shape &shape, double t) noexcept {
+    const double a = shape.sizes[0], b = shape.sizes[1];
+    if (shape.kind == NURBS_SHAPE_ELLIPSE) {
+        const double c = std::cos(t), s = std::sin(t);
+        return {a * c, b * s, -a * s, b * c, -a * c, -b * s};
+    }
+    if (shape.kind == NURBS_SHAPE_PARABOLA) {
+        return {t * t / (4 * a), t, t / (2 * a), 1, 1 / (2 * a), 0};
+    }
+    const double root = std::hypot(1, t / b), slope = t / b / root;
+    return {a * root, t, a / b * slope, 1, a / b / b / (root * root * root), 0};
+}
+
+// By Newton's method for the foot of the perpendicular; every point of the conic is far enough.
+double conic_distance(const Shape &shape, const Vector3 &p) noexcept {
+    const bool ellipse = shape.kind == NURBS_SHAPE_ELLIPSE;
+    double t = ellipse ? std::atan2(shape.sizes[0] * p.y, shape.sizes[1] * p.x) : p.y;
+    ConicPoint q = conic_point(shape, t);
+    double distance = std::hypot(q.x - p.x, q.y - p.y);
+    for (int round = 0; round < 12; ++round) {
+        const double speed = q.dx * q.dx + q.dy * q.dy, bend = (q.x - p.x) * q.ddx + (q.y - p.y) * q.ddy;
+        const double slope = (q.x - p.x) * q.dx + (q.y - p.y) * q.dy;
+        t -= slope / (speed + bend > speed / 4 ? speed + bend : speed);
+        q = conic_point(shape, t);
+        const double next = std::hypot(q.x - p.x, q.y - p.y);
+        if (!(next < distance)) {
+            break;
+        }
+        distance = next;
+    }
+    return distance;
+}
+
+} // namespace
+
+double most_distance(const Shape &shape, const Vector3 &p) noexcept {
+    const double a = shape.sizes[0];
+    switch (shape.kind) {
+    case NURBS_SHAPE_CONE:
+        return std::hypot(p.x, p.y) * std::sin(a) + p.z * std::cos(a) > 0
+                   ? std::abs(signed_distance(shape, p))
+                   : length(p);
+    case NURBS_SHAPE_ELLIPSE:
+    case NURBS_SHAPE_PARABOLA:
+    case NURBS_SHAPE_HYPERBOLA:
+        return conic_distance(shape, p);
+    default:
+        return std::abs(signed_distance(shape, p));
+    }
+}
+
 double least_distance(const Shape &shape, const Vector3 &p) noexcept {
     const double d = signed_distance(shape, p);
     return shape.planar() ? std::hypot(d, p.z) : std::abs(d);

@@ -52,5 +52,8 @@ Quadric quadric_of(const Shape &shape) noexcept;
 double signed_distance(const Shape &shape, const Vector3 &p) noexcept;
 // At most the true distance, with that from the plane of a curve.
 double least_distance(const Shape &shape, const Vector3 &p) noexcept;
+// At least the true distance, within a circle's or conic's plane, and from one half of a cone or one branch of a
+// hyperbola; almost always equal to it.
+double most_distance(const Shape &shape, const Vector3 &p) noexcept;
 
 } // namespace nrb

@@ -93,7 +93,7 @@ TEST(Recognition, finds_every_shape_in_every_form) {
     median(std::move(proven), "proven deviation of exact shapes, in their sizes");
 }
 
-// Shapes whose control points were moved a little each.
+// Shapes whose control points were moved a little each, by a distance of 1.74 at most: at 2 they are still found.
 TEST(Recognition, proves_a_distance_that_holds_and_is_tight) {
     std::vector<long double> ratios;
     int none = 0;
@@ -104,19 +104,20 @@ TEST(Recognition, proves_a_distance_that_holds_and_is_tight) {
         for (double &x : data.points) {
             x += moved * random.between(-1, 1);
         }
-        const FoundShape found = recognize(create(data).get(), 8 * moved);
+        const FoundShape found = recognize(create(data).get(), 2 * moved);
         if (found.kind == NURBS_SHAPE_NONE) {
             ++none;
             return;
         }
         const long double sampled = sampled_deviation(data, found, places_for(data));
-        ASSERT_LE(found.deviation, 8 * moved) << "seed " << seed;
+        ASSERT_LE(found.deviation, 2 * moved) << "seed " << seed;
         ASSERT_LE(sampled, found.deviation) << "seed " << seed;
         if (sampled > 1e-13 * made.size) {
             ratios.push_back(found.deviation / sampled);
         }
     });
-    EXPECT_LE(none, 20);
+    std::printf("%d not found\n", none);
+    EXPECT_LE(none, 6);
     EXPECT_LE(median(std::move(ratios), "proven over sampled deviation"), 1.25L);
 }
 
