@@ -71,6 +71,21 @@ static void insertion_keeps_the_circle(const nurbs *g) {
     nurbs_destroy(finer);
 }
 
+/* The same circle in one call, and what it is. */
+static void shapes_are_one_call(const nurbs *g) {
+    const double eighth = 0.125;
+    double points[2][2], sizes[2];
+    int32_t shape = NURBS_SHAPE_NONE;
+    nurbs *made = NULL;
+    EXPECT(nurbs_curve_circle(2, NULL, NULL, NULL, 1, NURBS_ARC_QUARTERS, &made) == NURBS_OK);
+    EXPECT(nurbs_eval(g, 1, &eighth, 0, 0, points[0], 0, 0, 0) == NURBS_OK);
+    EXPECT(nurbs_eval(made, 1, &eighth, 0, 0, points[1], 0, 0, 0) == NURBS_OK);
+    EXPECT(hypot(points[0][0] - points[1][0], points[0][1] - points[1][1]) <= 8 * DBL_EPSILON);
+    EXPECT(nurbs_recognize(g, 1e-12, &shape, NULL, sizes, NULL) == NURBS_OK);
+    EXPECT(shape == NURBS_SHAPE_CIRCLE && fabs(sizes[0] - 1) <= 1e-12);
+    nurbs_destroy(made);
+}
+
 static void errors_name_what_is_wrong(const nurbs *g) {
     double params[20] = {0}, points[40];
     char message[256];
@@ -96,6 +111,7 @@ int main(void) {
     EXPECT(g != NULL);
     known_points(g);
     insertion_keeps_the_circle(g);
+    shapes_are_one_call(g);
     errors_name_what_is_wrong(g);
     flags_are_shifted_by_axis();
     nurbs_destroy(g);
