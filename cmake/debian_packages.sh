@@ -1,7 +1,7 @@
 # shellcheck shell=bash
 # Sourced by tests/run and capi/examples/run: installs the Debian packages that are missing.
 
-build_packages=(g++ cmake ninja-build libhwy-dev)
+build_packages=(g++ cmake ninja-build libeigen3-dev libhwy-dev)
 
 as_root() {
     if [ "$(id -u)" -eq 0 ]; then

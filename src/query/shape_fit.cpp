@@ -73,7 +73,7 @@ Round round_through(const Points &points, bool plane) {
         rows.push_back(1);
         right.push_back(p.x * p.x + p.y * p.y + (plane ? 0 : p.z * p.z));
     }
-    const std::vector<double> solved = SmallSvd(std::move(rows), n, std::move(right)).solution(cutoff);
+    const std::vector<double> solved = SmallSvd(rows, n, right).solution(cutoff);
     const Vector3 centre{solved[0] / 2, solved[1] / 2, plane ? 0 : solved[2] / 2};
     return {centre, std::sqrt(std::max(0.0, solved.back() + dot(centre, centre)))};
 }
@@ -127,7 +127,7 @@ std::vector<double> conic_through(const Points &points) {
         const double x = p.x / a, y = p.y / b;
         rows.insert(rows.end(), {x * x, x * y, y * y, x, y, 1});
     }
-    std::vector<double> q = SmallSvd(std::move(rows), 6).direction(0);
+    std::vector<double> q = SmallSvd(rows, 6).direction(0);
     const double factors[] = {1 / a / a, 1 / a / b, 1 / b / b, 1 / a, 1 / b, 1};
     for (size_t i = 0; i < q.size(); ++i) {
         q[i] *= factors[i];
@@ -166,7 +166,7 @@ Shape parabola_along(const Shape &frame, const Points &points, double tolerance)
         rows.insert(rows.end(), {p.y * p.y, p.y, 1});
         right.push_back(p.x);
     }
-    const std::vector<double> solved = SmallSvd(std::move(rows), 3, std::move(right)).solution(cutoff);
+    const std::vector<double> solved = SmallSvd(rows, 3, right).solution(cutoff);
     const double a = solved[0], at = -solved[1] / (2 * a);
     Shape shape = frame;
     shape.kind = NURBS_SHAPE_PARABOLA;
@@ -228,7 +228,7 @@ Shape cone_through(const ShapeSamples &samples, double tolerance) {
     }
     Shape shape;
     shape.kind = NURBS_SHAPE_CONE;
-    shape.origin = vector_of(SmallSvd(std::move(rows), 3, std::move(right)).solution(cutoff));
+    shape.origin = vector_of(SmallSvd(rows, 3, right).solution(cutoff));
     const SmallSvd axes = principal(samples.normals, mean_of(samples.normals));
     const Vector3 into = mean_of(samples.points) - shape.origin;
     Vector3 axis = vector_of(axes.direction(0));
@@ -251,7 +251,7 @@ Shape torus_through(const ShapeSamples &samples, double tolerance) {
         rows.insert(rows.end(), {m.x * (1 / samples.size), m.y * (1 / samples.size), m.z * (1 / samples.size),
                                  n.x, n.y, n.z});
     }
-    const std::vector<double> line = SmallSvd(std::move(rows), 6).direction(0);
+    const std::vector<double> line = SmallSvd(rows, 6).direction(0);
     const Vector3 a{line[0], line[1], line[2]}, moment{line[3], line[4], line[5]};
     Shape shape;
     shape.kind = NURBS_SHAPE_TORUS;

@@ -140,7 +140,7 @@ std::vector<double> newton_step(const Shape &shape, const std::vector<Freedom> &
         right[i] = -values[i];
     }
     std::vector<double> steps =
-        SmallSvd(std::move(rows), static_cast<int>(n), std::move(right)).solution(1e-11);
+        SmallSvd(rows, static_cast<int>(n), right).solution(1e-11);
     for (size_t j = 0; j < n; ++j) {
         steps[j] *= scales[j];
     }
