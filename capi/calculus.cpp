@@ -62,12 +62,6 @@ ProductKind kind_of(uint32_t flags) {
                                           : ProductKind::components;
 }
 
-void check_factor(double factor, const char *name) {
-    if (!std::isfinite(factor)) {
-        fail(NURBS_ERROR_FACTOR, "%s = %s is not finite", name, Number(factor).text);
-    }
-}
-
 } // namespace
 
 nurbs_status nurbs_blossom(const nurbs *g, const double *params, int64_t count, const double *args,

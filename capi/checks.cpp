@@ -32,6 +32,12 @@ void check_order(int32_t order) {
     }
 }
 
+void check_factor(double factor, const char *name) {
+    if (!std::isfinite(factor)) {
+        fail(NURBS_ERROR_FACTOR, "%s = %s is not finite", name, Number(factor).text);
+    }
+}
+
 void check_place(double t, Interval domain, const char *name, int axis) {
     if (!std::isfinite(t)) {
         fail(NURBS_ERROR_PARAMETER_NOT_FINITE, "%s = %s on axis %d is not finite", name, Number(t).text,

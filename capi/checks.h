@@ -33,6 +33,8 @@ inline const Spline &spline_of(const ::nurbs *g) {
 void check_axes(int32_t axes);
 void check_axis(const Spline &spline, int32_t axis);
 void check_order(int32_t order);
+// Finite, else NURBS_ERROR_FACTOR.
+void check_factor(double factor, const char *name);
 // A parameter of an axis: finite, and inside its domain.
 void check_place(double t, Interval domain, const char *name, int axis);
 // The ends that NURBS_FORM_CLAMPED_START and NURBS_FORM_CLAMPED_END name; throws NURBS_ERROR_FLAGS for others.

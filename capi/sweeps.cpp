@@ -6,20 +6,8 @@
 #include "build/stack.h"
 #include "build/tensor.h"
 
-#include <cmath>
-
 using namespace nrb;
 using namespace nrb::capi;
-
-namespace {
-
-void check_factor(double factor, const char *name) {
-    if (!std::isfinite(factor)) {
-        fail(NURBS_ERROR_FACTOR, "%s = %s is not finite", name, Number(factor).text);
-    }
-}
-
-} // namespace
 
 nurbs_status nurbs_extrude(const nurbs *g, const double *vector, nurbs **out) {
     return guard([&] {

@@ -40,10 +40,11 @@ WideVector scaled_vector(const double *v, int dim) noexcept {
 
 // The coordinate direction of the smallest component, the first of equal ones.
 WideVector least_direction(const WideVector &a) noexcept {
-    const auto least = std::ranges::min_element(
-        a, [](const Wide &one, const Wide &other) { return std::fabs(one.high) < std::fabs(other.high); });
+    const auto least =
+        std::ranges::min_element(a, {}, [](const Wide &component) { return std::fabs(component.high); }) -
+        a.begin();
     WideVector direction{};
-    direction[static_cast<size_t>(least - a.begin())] = 1;
+    direction[static_cast<size_t>(least)] = 1;
     return direction;
 }
 

@@ -4,6 +4,7 @@
 #include "base/representable.h"
 #include "build/arc.h"
 #include "build/orbits.h"
+#include "build/stack.h"
 
 #include <algorithm>
 #include <span>
@@ -26,9 +27,7 @@ AxisLine make_line(const double *point, const double *axis) {
 }
 
 void check_turned(const Spline &spline) {
-    if (spline.axes() == max_axes) {
-        fail(NURBS_ERROR_AXES, "g has %d axes, expected 1 or 2", spline.axes());
-    }
+    check_room_for_axis(spline, "g");
     if (spline.dim() != 3) {
         fail(NURBS_ERROR_DIMENSION, "dimension %d of g, expected 3", spline.dim());
     }

@@ -13,7 +13,7 @@ namespace nrb {
 // weights w_j: control point P of weight w, at d from its foot on the axis, gives those of foot + x_j d + y_j (Z x d)
 // with weights w w_j (Piegl & Tiller 8.5), each coordinate of which is rounded once, from twice the precision. At the
 // angle 0, and again after a full turn, it is P bit for bit. Throws NURBS_ERROR_AXES, _DIMENSION,
-// _POINT_NOT_FINITE, _DIRECTION, _ANGLE, _FORM, _OVERFLOW, _NOT_REPRESENTABLE, _WEIGHTS_VANISH.
+// _POINT_NOT_FINITE, _DIRECTION, _ANGLE, _FORM, _OVERFLOW, _NOT_REPRESENTABLE.
 SplinePtr revolve(const Spline &spline, const double *point, const double *axis, double sweep, int32_t form);
 
 } // namespace nrb

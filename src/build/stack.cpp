@@ -8,6 +8,7 @@
 #include "refine/homogeneous.h"
 #include "refine/parametrization.h"
 #include "refine/sum.h"
+#include "refine/weights.h"
 
 #include <algorithm>
 #include <array>
@@ -15,12 +16,6 @@
 namespace nrb {
 
 namespace {
-
-void check_room_for_axis(const Spline &spline, const char *name) {
-    if (spline.axes() == max_axes) {
-        fail(NURBS_ERROR_AXES, "%s has %d axes, expected 1 or 2", name, spline.axes());
-    }
-}
 
 // Records of two arrays by turns.
 std::vector<double> interleaved(std::span<const double> a, std::span<const double> b, int64_t width) {
@@ -55,15 +50,13 @@ SplinePtr ruled_over_product(const SplinePtr &a, SplinePtr b) {
     return stacked(sum(a, 1, b, 0), sum(a, 0, b, 1));
 }
 
-bool same_weights(const Spline &a, const Spline &b) noexcept {
-    bool same = true;
-    for (int64_t i = 0; same && i < a.point_count(); ++i) {
-        same = a.weight(i) == b.weight(i);
-    }
-    return same;
-}
-
 } // namespace
+
+void check_room_for_axis(const Spline &spline, const char *name) {
+    if (spline.axes() == max_axes) {
+        fail(NURBS_ERROR_AXES, "%s has %d axes, expected 1 or 2", name, spline.axes());
+    }
+}
 
 SplinePtr stacked(const SplinePtr &a, const SplinePtr &b) {
     const std::array<SplinePtr, 2> both = {a, b};

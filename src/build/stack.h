@@ -5,6 +5,9 @@
 
 namespace nrb {
 
+// Throws NURBS_ERROR_AXES, naming the spline, for one of max_axes axes.
+void check_room_for_axis(const Spline &spline, const char *name);
+
 // (u, v) -> (1 - v) a(u) + v b(u) of homogeneous points, the new axis last, of degree 1 over [0, 1]. Control points
 // and weights are those of a and b, in the form that holds both. Throws NURBS_ERROR_OVERFLOW. Preconditions: the
 // same axes and dimension; fewer than max_axes axes.

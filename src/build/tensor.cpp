@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 namespace nrb {
 
@@ -115,7 +116,7 @@ SplinePtr tensor_product(const Spline &a, const Spline &b) {
         fail(NURBS_ERROR_DIMENSION, "dimensions %d of a and %d of b, expected equal ones or 1", a.dim(),
              b.dim());
     }
-    const int step_a = a.dim() == 1 ? 0 : 1, step_b = b.dim() == 1 ? 0 : 1;
+    const std::ptrdiff_t step_a = a.dim() == 1 ? 0 : 1, step_b = b.dim() == 1 ? 0 : 1;
     return outer_spline(a, b, dim, [=](const double *x, double, const double *y, double, double *out) {
         for (int c = 0; c < dim; ++c) {
             out[c] = x[c * step_a] * y[c * step_b];

@@ -4,6 +4,7 @@
 #include "refine/axis_table.h"
 #include "refine/homogeneous.h"
 #include "refine/product.h"
+#include "refine/weights.h"
 
 #include <algorithm>
 
@@ -51,14 +52,6 @@ SplinePtr combined(const Spline &a, double alpha, const Spline &b, double beta) 
     require_representable(points, "control points of the sum");
     return make_spline(a.knot_vectors(), a.dim(), a.form(), std::move(points),
                        {a.weights().begin(), a.weights().end()});
-}
-
-bool same_weights(const Spline &a, const Spline &b) noexcept {
-    bool same = a.form() == b.form();
-    for (int64_t i = 0; same && i < a.point_count(); ++i) {
-        same = a.weight(i) == b.weight(i);
-    }
-    return same;
 }
 
 // (alpha A w_b + beta B w_a) / (w_a w_b).

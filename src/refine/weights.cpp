@@ -160,6 +160,14 @@ double common_ratio(const std::vector<double> &lower, const std::vector<double> 
 
 } // namespace
 
+bool same_weights(const Spline &a, const Spline &b) noexcept {
+    bool same = a.form() == b.form();
+    for (int64_t i = 0; same && i < a.point_count(); ++i) {
+        same = a.weight(i) == b.weight(i);
+    }
+    return same;
+}
+
 SplinePtr normalize_weights(const SplinePtr &spline) {
     if (!spline->rational()) {
         return spline;

@@ -5,6 +5,9 @@
 
 namespace nrb {
 
+// Whether two splines of as many control points have the same form and weights.
+bool same_weights(const Spline &a, const Spline &b) noexcept;
+
 // All weights divided by the one of largest magnitude; equal ones dropped. Throws what make_spline() throws.
 SplinePtr normalize_weights(const SplinePtr &spline);
 

@@ -175,6 +175,18 @@ static void ruled_refused(void) {
     for (int k = 0; k < 2; ++k) {
         nurbs_destroy(high[k]);
     }
+    const int32_t line = 1;
+    const int64_t five = 5;
+    nurbs *far =
+        make((SplineArgs){1, &line, (const int64_t[]){2}, VALUES(0x1p53, 0x1p53, 0x1p53 + 4, 0x1p53 + 4), 4,
+                          1, VALUES(0, 1), 0, 0, NULL, 0, 0});
+    nurbs *fine = make((SplineArgs){1, &line, &five, VALUES(0, 0, 0.125, 0.25, 0.375, 1, 1), 7, 1,
+                                    VALUES(0, 1, 2, 3, 4), 0, 0, NULL, 0, 0});
+    CHECK_NO_HANDLE(out, nurbs_ruled(far, fine, 0, &out), NURBS_ERROR_KNOTS_MERGE, "0.125");
+    CHECK_NO_HANDLE(out, nurbs_ruled(far, fine, NURBS_RULED_CARTESIAN, &out), NURBS_ERROR_KNOTS_MERGE,
+                    "0.125");
+    nurbs_destroy(far);
+    nurbs_destroy(fine);
     nurbs_destroy(a);
     nurbs_destroy(space);
     nurbs_destroy(volume);
