@@ -48,7 +48,7 @@ public:
 
     [[nodiscard]] SplinePtr volume(Form form) const {
         const auto dim = static_cast<size_t>(dim_);
-        std::vector<double> net = net_of_zeros({&blends_[0], &blends_[1], &blends_[2]}, dim_);
+        std::vector<double> net = net_of_zeros(all_axes(), dim_);
         const std::array<FaceNet, 2> middle = rest_of_middle(), last = rest_of_last();
         const size_t nu = count(0), nv = count(1), nw = count(2);
         for (size_t i = 0; i < nu; ++i) {
@@ -65,10 +65,17 @@ public:
             }
             set_borders(i, slice);
         }
-        return blended_spline({&blends_[0], &blends_[1], &blends_[2]}, dim_, form, std::move(net));
+        return blended_spline(all_axes(), dim_, form, std::move(net));
     }
 
 private:
+    [[nodiscard]] std::vector<const BlendAxis *> all_axes() const {
+        std::vector<const BlendAxis *> axes;
+        for (const BlendAxis &axis : blends_) {
+            axes.push_back(&axis);
+        }
+        return axes;
+    }
     [[nodiscard]] size_t count(int axis) const noexcept {
         return static_cast<size_t>(blends_[static_cast<size_t>(axis)].count());
     }

@@ -9,7 +9,7 @@
 
 namespace nrb {
 
-SplinePtr clamped_over(SplinePtr spline, int axis, Interval domain) {
+SplinePtr clamped_over(const SplinePtr &spline, int axis, Interval domain) {
     return reparametrize(clamp_ends(spline, axis), axis, domain);
 }
 

@@ -29,7 +29,7 @@ struct PatchCurves {
 PatchCurves make_patch_curves(const std::vector<SplinePtr> &boundaries, const std::vector<SplinePtr> &cross);
 
 // The spline with clamped ends over a domain.
-SplinePtr clamped_over(SplinePtr spline, int axis, Interval domain);
+SplinePtr clamped_over(const SplinePtr &spline, int axis, Interval domain);
 
 // Value and derivative at an end of a clamped curve, Cartesian. With homogeneous points A and weights w at the end
 // (0) and next to it (1) the derivative is p / h (A_1 - w_1 P_0) / w_0.
