@@ -6,18 +6,19 @@
 
 namespace nrb {
 
-// The singular value decomposition of a matrix of few columns: Householder's triangle, then one-sided Jacobi rotations
-// of its columns (J. Demmel, K. Veselic, "Jacobi's method is more accurate than QR", SIAM J. Matrix Anal. Appl. 13
-// (1992)), so that columns of very different length do no harm. Cost: O(m n^2).
+// The singular value decomposition of a matrix of few columns: Householder's triangle, then one-sided Jacobi
+// rotations of its columns (J. Demmel, K. Veselic, "Jacobi's method is more accurate than QR", SIAM J. Matrix
+// Anal. Appl. 13 (1992)), so that columns of very different length do no harm. Cost: O(m n^2).
 class SmallSvd {
 public:
     // `rows` is [m][n], `right` [m] or empty.
     SmallSvd(std::vector<double> rows, int n, std::vector<double> right = {});
 
-    // The right singular vector of the singular value that has `rank` smaller ones: 0 for the unit vector that the
-    // matrix makes smallest.
+    // The right singular vector of the singular value that has `rank` smaller ones: 0 for the unit vector that
+    // the matrix makes smallest.
     [[nodiscard]] std::vector<double> direction(int rank) const;
-    // The shortest vector that solves the equations best; singular values below `cutoff` times the largest count as 0.
+    // The shortest vector that solves the equations best; singular values below `cutoff` times the largest
+    // count as 0.
     [[nodiscard]] std::vector<double> solution(double cutoff) const;
 
 private:

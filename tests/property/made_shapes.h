@@ -188,8 +188,8 @@ inline void move(SplineData &data, const Motion &motion) {
     }
 }
 
-// The same shape after some of: knots, a higher degree, the other direction, a Moebius map of the parameter, ends
-// that are not clamped.
+// The same shape after some of: knots, a higher degree, the other direction, a Moebius map of the parameter,
+// ends that are not clamped.
 inline Handle disguised(Random &random, Handle g, int axes) {
     const auto become = [&g](nurbs_status status, nurbs *made) {
         require_ok(status);

@@ -1,5 +1,5 @@
-// Recognition: it finds what a shape is in all its forms, what it proves holds, and what is no such shape is not taken
-// for one.
+// Recognition: it finds what a shape is in all its forms, what it proves holds, and what is no such shape is
+// not taken for one.
 #include "property/dense_samples.h"
 #include "property/exact_polynomials.h"
 #include "property/made_shapes.h"
@@ -93,7 +93,8 @@ TEST(Recognition, finds_every_shape_in_every_form) {
     median(std::move(proven), "proven deviation of exact shapes, in their sizes");
 }
 
-// Shapes whose control points were moved a little each, by a distance of 1.74 at most: at 2 they are still found.
+// Shapes whose control points were moved a little each, by a distance of 1.74 at most: at 2 they are still
+// found.
 TEST(Recognition, proves_a_distance_that_holds_and_is_tight) {
     std::vector<long double> ratios;
     int none = 0;
@@ -130,8 +131,8 @@ Polynomial scaled(Polynomial values, const Rational &factor, const Rational &uni
     return values;
 }
 
-// Whether |A - o w|^2 - inner^2 w^2 >= 0 and outer^2 w^2 - |A - o w|^2 >= 0 on a piece; for a line A - o w is replaced
-// by its part across the axis, times the square of the axis.
+// Whether |A - o w|^2 - inner^2 w^2 >= 0 and outer^2 w^2 - |A - o w|^2 >= 0 on a piece; for a line A - o w is
+// replaced by its part across the axis, times the square of the axis.
 bool between(const std::vector<Polynomial> &piece, const FoundShape &shape, const Rational &inner,
              const Rational &outer) {
     const size_t dim = piece.size() - 1;
