@@ -159,7 +159,7 @@ TEST(ConicAxes, give_back_the_equation) {
         for (int i = 0; i < 6; ++i) {
             const long double bound = std::fabs(factor) * back.size[i] * 0x1p-52L;
             const long double error = std::fabs(back.q[i] * factor - q[i]);
-            ASSERT_LE(error, 64 * bound) << "seed " << seed << " coefficient " << i;
+            ASSERT_LE(error, 16 * bound) << "seed " << seed << " coefficient " << i;
             worst = std::max(worst, error / bound);
         }
     });
