@@ -221,4 +221,15 @@ inline Handle disguised(Random &random, Handle g, int axes) {
     return g;
 }
 
+// Declared periodic along the axes whose ends meet.
+inline Handle periodic_where_closed(Handle g, int axes) {
+    for (int32_t axis = 0; axis < axes; ++axis) {
+        nurbs *out = nullptr;
+        if (nurbs_make_periodic(g.get(), axis, 1e-15, nullptr, nullptr, &out) == NURBS_OK) {
+            g.reset(out);
+        }
+    }
+    return g;
+}
+
 } // namespace support
