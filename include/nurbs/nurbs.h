@@ -2223,15 +2223,17 @@ NURBS_API nurbs_status nurbs_curve_conic_through(int32_t dim, const double *poin
 
 /** \brief Kind and axes of the conic A x^2 + B x y + C y^2 + D x + E y + F = 0, from its principal axes. An
  * ellipse has its centre and semi-axes sizes[0] >= sizes[1], x along the longer one; a hyperbola its
- * centre, x towards its vertices, semi-axes sizes[0] along x and sizes[1] across; a parabola its vertex, x
- * towards the focus, and the focal length sizes[0], sizes[1] = 0. The kind is that of the sign of B^2 - 4 A
- * C, computed exactly.
+ * centre, x towards a vertex, semi-axes sizes[0] along x and sizes[1] across; for both x[0] > 0 or x = (0, 1).
+ * A parabola has its vertex, x towards the focus, and the focal length sizes[0], sizes[1] = 0. The kind is that
+ * of the sign of B^2 - 4 A C, computed exactly; an equation of lines or a point is one whose determinant is 0
+ * to within 100 eps^2 of its terms. The equation of the axes is the one given to 16 eps of the terms of each
+ * coefficient (tested).
  * \param[in] coefficients [6] A, B, C, D, E, F.
  * \param[out] type NURBS_CONIC_ELLIPSE, _PARABOLA or _HYPERBOLA.
  * \param[out] origin [2] centre or vertex.
  * \param[out] x [2] unit direction.
  * \param[out] sizes [2] semi-axes or focal length.
- * \return NURBS_OK, NURBS_ERROR_NULL; _FACTOR if a coefficient is not finite; _CONIC if the equation
+ * \return NURBS_OK, NURBS_ERROR_NULL, _OVERLAP; _FACTOR if a coefficient is not finite; _CONIC if the equation
  *   describes no curve of these kinds: no points, one point, or lines; _NOT_REPRESENTABLE if a value
  *   overflows.
  * \since 0.1 */
@@ -2273,12 +2275,13 @@ NURBS_API nurbs_status nurbs_curve_conic_focus(int32_t dim, const double *focus,
 
 /** \brief Shape factor C_sf = w1^2 / (w0 w2) and kind of a conic segment: a curve of degree 2 with one
  * polynomial piece. The weights are those of its Bezier form. The kind is decided exactly for the stored
- * weights, unless the piece is unclamped: then for its Bezier weights as computed.
+ * weights, unless the piece is unclamped: then for its Bezier weights as computed. A middle control point at
+ * infinity (of weight 0) makes half an ellipse, not a chord.
  * \param[in] g a curve of degree 2 with 3 control points.
- * \param[out] factor C_sf.
- * \param[out] type one of the NURBS_CONIC_ constants; NURBS_CONIC_LINE if the control points are on a line
- *   to within rounding, which comes before all others.
- * \return NURBS_OK, NURBS_ERROR_NULL; _AXES if g is no curve, _DEGREE if its degree is not 2, _COUNT if it
+ * \param[out] factor C_sf; infinite if it overflows.
+ * \param[out] type one of the NURBS_CONIC_ constants but NURBS_CONIC_LEGS; NURBS_CONIC_LINE if the control
+ *   points are on a line to within 4 eps of the largest coordinate, which comes before all others.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _OVERLAP; _AXES if g is no curve, _DEGREE if its degree is not 2, _COUNT if it
  *   has several pieces, _WEIGHT_SIGN if an end weight is not positive.
  * \since 0.1 */
 NURBS_API nurbs_status nurbs_curve_shape_factor(const nurbs *g, double *factor, int32_t *type);
@@ -2738,11 +2741,13 @@ NURBS_API nurbs_status nurbs_volume_coons(const nurbs *const *faces, double tole
 /** @} */
 
 /** \brief Whether a curve is a line, circle or conic, or a surface a plane, sphere, cylinder, cone or torus:
- * the first shape of the list from which no point of g is farther than the tolerance. A shape is fitted to
- * points of g; then the distance of all of g from it is bounded through the Bernstein coefficients of the
- * equation of the shape along g, so that what is returned is proven. A closed or partial shape, and how it
- * is parametrized, make no difference. What does not fit may be within the tolerance of a shape all the
- * same, if by little.
+ * of a curve the first of point, line, circle, parabola, ellipse and hyperbola, of a surface the first of
+ * plane, sphere, cylinder, cone and torus, from which no point of g is farther than the tolerance. (Parabolas
+ * come before ellipses, which come as near to a parabola as one likes.) A shape is fitted to points of g; then
+ * the distance of all of g from it is bounded through the Bernstein coefficients of the equation of the shape
+ * along g, so that what is returned is proven, its rounding included. A closed or partial shape, and how it is
+ * parametrized, make no difference. What does not fit may be within the tolerance of a shape all the same, if
+ * by little: distances are made small in the mean, and the bound is within a factor of about 5/4.
  *
  * The numbers are a placement and two sizes; unused ones are 0:
  *
@@ -2759,16 +2764,28 @@ NURBS_API nurbs_status nurbs_volume_coons(const nurbs *const *faces, double tole
  *     CONE        apex          axis, into g      to the start       half the opening angle
  *     TORUS       centre        axis              to the start       major and minor radius
  *
- * In dimension 2 third coordinates are 0 and normals are (0, 0, 1) or (0, 0, -1): the curve runs
- * counterclockwise about them.
+ * The start is the point of g at the lower end of the domain, of a line and a cylinder its foot on the axis;
+ * where it lies on the axis, x points to another point of g. A circle or ellipse runs counterclockwise about
+ * its normal, a parabola or hyperbola in the direction Y = normal x X, so that the numbers are those with
+ * which nurbs_curve_circle() and its neighbours make it. In dimension 2 third coordinates are 0 and normals
+ * are (0, 0, 1) or (0, 0, -1). The normal of a plane is on the side of S_u x S_v; the axis of a cylinder points
+ * from the start into g, the largest component of that of a torus is positive. Hyperbolas are one branch and
+ * cones one half, and a torus with r > R is its outer part.
+ *
+ * On exact shapes the bound is some 1e-14 of the largest distance of g from the origin of the shape, for degree
+ * 2, and a little more where coordinates are large beside g; it grows in proportion to the sum of the degrees,
+ * and up to tenfold for tori and long hyperbolas (measured). Tolerances below that find nothing. Control points
+ * at infinity are allowed; where the weights of g cannot be shown to have one sign, the result is
+ * NURBS_SHAPE_NONE. The time grows with the square of the number of control points of a Bezier piece, and is
+ * that of some hundred evaluations beside.
  * \param[in] g a curve or surface of dimension 2 or 3.
  * \param[in] tolerance largest distance from the shape, > 0.
  * \param[out] shape one of the NURBS_SHAPE_ constants.
  * \param[out] placement [9] origin, axis and x, three each; or NULL.
  * \param[out] sizes [2] see above; or NULL.
- * \param[out] deviation a proven bound of the distance of points of g from the shape, at most the
- *   tolerance; 0 for NURBS_SHAPE_NONE; or NULL.
- * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DIMENSION, _TOLERANCE; _NOT_REPRESENTABLE if a value
+ * \param[out] deviation a proven bound of the distance of points of g from the shape with these numbers, at most
+ *   the tolerance; 0 for NURBS_SHAPE_NONE; or NULL.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DIMENSION, _TOLERANCE, _OVERLAP; _NOT_REPRESENTABLE if a value
  *   overflows on the way.
  * \since 0.1 */
 NURBS_API nurbs_status nurbs_recognize(const nurbs *g, double tolerance, int32_t *shape, double *placement,

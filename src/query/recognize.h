@@ -11,10 +11,11 @@ struct Recognition {
     double deviation = 0; // proven; 0 with NURBS_SHAPE_NONE
 };
 
-// The first shape from which no point is farther than the tolerance: of a curve a point, line, circle, parabola,
-// ellipse, hyperbola, of a surface a plane, sphere, cylinder, cone, torus. Parabolas come before ellipses, which
-// come as near to a parabola as one likes. Throws NURBS_ERROR_AXES, _DIMENSION, _NOT_REPRESENTABLE. Cost: some hundred
-// evaluations and, for each shape that the samples have to the tolerance, a few products of each Bezier piece.
+// The first shape from which no point is farther than the tolerance: of a curve a point, line, circle,
+// parabola, ellipse, hyperbola, of a surface a plane, sphere, cylinder, cone, torus. Parabolas come before
+// ellipses, which come as near to a parabola as one likes. Throws NURBS_ERROR_AXES, _DIMENSION,
+// _NOT_REPRESENTABLE. Cost: some hundred evaluations and, for each shape that the samples have to the
+// tolerance, a few products of each Bezier piece.
 Recognition recognize(const Spline &spline, double tolerance);
 
 } // namespace nrb

@@ -115,8 +115,8 @@ double reach_of(const Points &points, double Vector3::*coordinate) noexcept {
     return reach;
 }
 
-// The conic in the plane of the points, in coordinates stretched to the same reach on both axes, where even a short arc
-// gives equations that are far from dependent.
+// The conic in the plane of the points, in coordinates stretched to the same reach on both axes, where even a
+// short arc gives equations that are far from dependent.
 std::vector<double> conic_through(const Points &points) {
     const double a = reach_of(points, &Vector3::x), b = reach_of(points, &Vector3::y);
     if (!(a > 0) || !(b > 0)) {
@@ -176,8 +176,8 @@ Shape parabola_along(const Shape &frame, const Points &points, double tolerance)
     return refined_if(shape, points, tolerance);
 }
 
-// The axis of a parabola is the direction in which its quadratic part vanishes; in a short arc, where that is not well
-// defined, the normal of the chord serves as well.
+// The axis of a parabola is the direction in which its quadratic part vanishes; in a short arc, where that is
+// not well defined, the normal of the chord serves as well.
 Shape parabola_in(const Shape &plane, const Points &points, double tolerance) {
     const std::vector<double> q = conic_through(local_points(plane, points, true));
     if (q.empty()) {
@@ -243,7 +243,8 @@ Shape cone_through(const ShapeSamples &samples, double tolerance) {
     return refined_if(shape, samples.points, tolerance);
 }
 
-// A normal n at p meets the axis through c in the direction a where (p x n) a + n (c x a) = 0: linear in a and c x a.
+// A normal n at p meets the axis through c in the direction a where (p x n) a + n (c x a) = 0: linear in a and
+// c x a.
 Shape torus_through(const ShapeSamples &samples, double tolerance) {
     std::vector<double> rows;
     for (size_t i = 0; i < samples.normals.size(); ++i) {

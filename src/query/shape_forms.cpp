@@ -11,8 +11,8 @@ namespace {
 constexpr double eps = std::numeric_limits<double>::epsilon();
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-// Of quotients of coefficients, of which the denominators are all >= 0. A rounding of the denominators moves a mean of
-// quotients by twice its share, and the quotients themselves take one.
+// Of quotients of coefficients, of which the denominators are all >= 0. A rounding of the denominators moves a
+// mean of quotients by twice its share, and the quotients themselves take one.
 FormRange range_of(const std::vector<double> &numerators, const std::vector<double> &denominators,
                    double error, double relative) noexcept {
     double least = infinite, most = -infinite;
@@ -66,8 +66,8 @@ void ShapeForms::add_product(Values &sum, double factor, const Values &a, const 
                    [factor](double s, double p) { return s + factor * p; });
 }
 
-// Of |k.x| x^2 + |k.y| y^2 + |k.z| z^2 + 2 |l x| + |c| among the control points: the sum of the magnitudes of all terms,
-// by the inequality of Cauchy and Schwarz.
+// Of |k.x| x^2 + |k.y| y^2 + |k.z| z^2 + 2 |l x| + |c| among the control points: the sum of the magnitudes of
+// all terms, by the inequality of Cauchy and Schwarz.
 double ShapeForms::largest(const Quadric &squares, double linear) const noexcept {
     double quadratic = 0, reach = 0;
     for (int64_t i = 0; i < piece_.coefficients(); ++i) {
@@ -86,7 +86,8 @@ FormRange ShapeForms::range(const Values &numerators, double error) const noexce
     return range_of(numerators, squares_, error, product_error_);
 }
 
-// Each product has a rounding of its own, one of its coefficient, which is itself within 3 eps, and 4 of the sum.
+// Each product has a rounding of its own, one of its coefficient, which is itself within 3 eps, and 4 of the
+// sum.
 FormRange ShapeForms::quadratic(const Quadric &quadric) const {
     Values sum(squares_.size(), 0.0);
     add_product(sum, quadric.k.x, x_, x_);
@@ -110,8 +111,8 @@ FormRange ShapeForms::squared_gradient(const Quadric &quadric) const {
     return range(sum, 1.01 * (product_error_ + 10 * eps) * largest(squares, squares.l));
 }
 
-// G^2 - 4 R^2 S, or with K = G - 2 R^2 and V = z^2 - r^2 the same as K^2 + 4 R^2 V: near the axis G and S are small,
-// on a slender torus K and V are. The one with less rounding is taken.
+// G^2 - 4 R^2 S, or with K = G - 2 R^2 and V = z^2 - r^2 the same as K^2 + 4 R^2 V: near the axis G and S are
+// small, on a slender torus K and V are. The one with less rounding is taken.
 TorusForms ShapeForms::torus(double major, double minor) const {
     const double apart = (major - minor) * (major + minor), four = 4 * major * major;
     Values radius(squares_.size(), 0.0), height = radius;

@@ -8,8 +8,8 @@
 
 namespace nrb {
 
-// Homogeneous coefficients (w x, w y, w z, w), and how far rounding may have moved what they stand for: if all weights
-// are > 0, every point of the piece is within moved() of that of the spline.
+// Homogeneous coefficients (w x, w y, w z, w), and how far rounding may have moved what they stand for: if all
+// weights are > 0, every point of the piece is within moved() of that of the spline.
 class ShapePiece {
 public:
     BernsteinShape shape; // width 4
@@ -22,19 +22,20 @@ public:
         const double *p = at(i);
         return {p[0] / p[3], p[1] / p[3], p[2] / p[3]};
     }
-    // Makes all weights > 0; false if they are not of one sign for certain. A weight of 0 is allowed if the whole
-    // coefficient is 0 without rounding. Sets size() and moved().
+    // Makes all weights > 0; false if they are not of one sign for certain. A weight of 0 is allowed if the
+    // whole coefficient is 0 without rounding. Sets size() and moved().
     bool certify() noexcept;
     [[nodiscard]] double size() const noexcept { return size_; } // of the largest point
     [[nodiscard]] double moved() const noexcept { return moved_; }
 
-    // Halves along the axis on which the control points spread most; the piece becomes the upper half. False if it has
-    // no degree.
+    // Halves along the axis on which the control points spread most; the piece becomes the upper half. False if
+    // it has no degree.
     bool halve_into(ShapePiece &lower);
 
 private:
-    // A Moebius map of the parameter of every axis, by which the weights at its ends come near each other, so that the
-    // middle of the parameter is near that of the piece. Exact, since weights are multiplied by powers of two.
+    // A Moebius map of the parameter of every axis, by which the weights at its ends come near each other, so
+    // that the middle of the parameter is near that of the piece. Exact, since weights are multiplied by powers
+    // of two.
     void balance() noexcept;
 
     friend std::vector<ShapePiece> shape_pieces(const Spline &spline, const Shape &shape);

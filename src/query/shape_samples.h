@@ -8,8 +8,8 @@
 
 namespace nrb {
 
-// Spread evenly over the spline rather than over its parameters. Those that are not finite are left out; at most a
-// few hundred.
+// Spread evenly over the spline rather than over its parameters. Those that are not finite are left out; at
+// most a few hundred.
 struct ShapeSamples {
     Vector3 centre;               // of the box of the samples; all points are relative to it
     double size = 0;              // half the diagonal of the box

@@ -1,5 +1,5 @@
-// The kind of a conic segment against the discriminant of its equation, and the axes of a conic against its equation,
-// in exact arithmetic.
+// The kind of a conic segment against the discriminant of its equation, and the axes of a conic against its
+// equation, in exact arithmetic.
 #include "reference/number.h"
 #include "support/cases.h"
 #include "support/handle.h"
@@ -18,8 +18,8 @@ struct Triangle {
     double weights[3];
 };
 
-// tau, the barycentric coordinates of (x, y), are (a x + b y + c) / D each; on the conic w0 w2 tau1^2 = 4 w1^2 tau0
-// tau2. B^2 - 4 A C of that equation, without the factor 1 / D^4.
+// tau, the barycentric coordinates of (x, y), are (a x + b y + c) / D each; on the conic w0 w2 tau1^2 = 4 w1^2
+// tau0 tau2. B^2 - 4 A C of that equation, without the factor 1 / D^4.
 Rational discriminant(const Triangle &triangle) {
     Rational a[3], b[3];
     for (int i = 0; i < 3; ++i) {
@@ -159,7 +159,7 @@ TEST(ConicAxes, give_back_the_equation) {
         for (int i = 0; i < 6; ++i) {
             const long double bound = std::fabs(factor) * back.size[i] * 0x1p-52L;
             const long double error = std::fabs(back.q[i] * factor - q[i]);
-            ASSERT_LE(error, 64 * bound) << "seed " << seed << " coefficient " << i;
+            ASSERT_LE(error, 16 * bound) << "seed " << seed << " coefficient " << i;
             worst = std::max(worst, error / bound);
         }
     });

@@ -188,8 +188,8 @@ inline void move(SplineData &data, const Motion &motion) {
     }
 }
 
-// The same shape after some of: knots, a higher degree, the other direction, a Moebius map of the parameter, ends
-// that are not clamped.
+// The same shape after some of: knots, a higher degree, the other direction, a Moebius map of the parameter,
+// ends that are not clamped.
 inline Handle disguised(Random &random, Handle g, int axes) {
     const auto become = [&g](nurbs_status status, nurbs *made) {
         require_ok(status);
@@ -215,6 +215,17 @@ inline Handle disguised(Random &random, Handle g, int axes) {
             become(status, out);
         }
         if (random.chance(20) && nurbs_unclamp(g.get(), axis, 0, &out) == NURBS_OK) {
+            g.reset(out);
+        }
+    }
+    return g;
+}
+
+// Declared periodic along the axes whose ends meet.
+inline Handle periodic_where_closed(Handle g, int axes) {
+    for (int32_t axis = 0; axis < axes; ++axis) {
+        nurbs *out = nullptr;
+        if (nurbs_make_periodic(g.get(), axis, 1e-15, nullptr, nullptr, &out) == NURBS_OK) {
             g.reset(out);
         }
     }

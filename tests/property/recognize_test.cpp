@@ -1,5 +1,5 @@
-// Recognition: it finds what a shape is in all its forms, what it proves holds, and what is no such shape is not taken
-// for one.
+// Recognition: it finds what a shape is in all its forms, what it proves holds, and what is no such shape is
+// not taken for one.
 #include "property/dense_samples.h"
 #include "property/exact_polynomials.h"
 #include "property/made_shapes.h"
@@ -67,10 +67,14 @@ int rank(int32_t kind) {
 // A tolerance finds the shape or, if it is coarse, one that is simpler; the proof holds in either case.
 TEST(Recognition, finds_every_shape_in_every_form) {
     std::vector<long double> proven;
+    int periodic = 0;
     for_each_case(551000, 1000, [&](Random &random, uint64_t seed) {
         const double scale = random.magnitude(1e-6, 1e6), relative = random.magnitude(1e-12, 1e-2);
         const double offset = relative < 1e-10 ? 1 : random.chance(50) ? 3 : 1000;
-        const Case made = random_case(random, scale, offset);
+        Case made = random_case(random, scale, offset);
+        if (random.chance(30)) {
+            made.spline = periodic_where_closed(std::move(made.spline), made.shape.data.axes());
+        }
         const FoundShape found = recognize(made.spline.get(), relative * made.size);
         if (relative < 1e-6) {
             ASSERT_EQ(found.kind, made.kind) << "seed " << seed << " tolerance " << relative;
@@ -79,6 +83,7 @@ TEST(Recognition, finds_every_shape_in_every_form) {
         ASSERT_LE(rank(found.kind), rank(made.kind)) << "seed " << seed;
         ASSERT_LE(found.deviation, relative * made.size) << "seed " << seed;
         const SplineData data = read_back(made.spline.get());
+        periodic += data.flags != 0 ? 1 : 0;
         ASSERT_LE(sampled_deviation(data, found, places_for(data)), found.deviation) << "seed " << seed;
         if (found.kind != made.kind) {
             return;
@@ -90,10 +95,16 @@ TEST(Recognition, finds_every_shape_in_every_form) {
                 << "seed " << seed << " kind " << made.kind;
         }
     });
-    median(std::move(proven), "proven deviation of exact shapes, in their sizes");
+    std::printf("%d periodic\n", periodic);
+    EXPECT_GE(periodic, 20);
+    for (long double &x : proven) {
+        x /= reference::eps;
+    }
+    median(std::move(proven), "proven deviation of exact shapes, in eps of their sizes");
 }
 
-// Shapes whose control points were moved a little each, by a distance of 1.74 at most: at 2 they are still found.
+// Shapes whose control points were moved a little each, by a distance of 1.74 at most: at 2 they are still
+// found.
 TEST(Recognition, proves_a_distance_that_holds_and_is_tight) {
     std::vector<long double> ratios;
     int none = 0;
@@ -130,8 +141,8 @@ Polynomial scaled(Polynomial values, const Rational &factor, const Rational &uni
     return values;
 }
 
-// Whether |A - o w|^2 - inner^2 w^2 >= 0 and outer^2 w^2 - |A - o w|^2 >= 0 on a piece; for a line A - o w is replaced
-// by its part across the axis, times the square of the axis.
+// Whether |A - o w|^2 - inner^2 w^2 >= 0 and outer^2 w^2 - |A - o w|^2 >= 0 on a piece; for a line A - o w is
+// replaced by its part across the axis, times the square of the axis.
 bool between(const std::vector<Polynomial> &piece, const FoundShape &shape, const Rational &inner,
              const Rational &outer) {
     const size_t dim = piece.size() - 1;
