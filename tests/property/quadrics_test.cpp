@@ -285,7 +285,8 @@ TEST(Quadrics, points_satisfy_the_implicit_equations) {
 
 // A shape 2^k times as large has the same weights and knots, and its points are 2^k times as large, bit for bit.
 TEST(Quadrics, are_free_of_scale) {
-    for (const auto &[name, maker] : makers()) {
+    for (const auto &[name, of_shape] : makers()) {
+        const Maker maker = of_shape;
         for (uint64_t seed = 721000; seed < 721040; ++seed) {
             const auto made = [&](double size) {
                 Random random(seed);
