@@ -157,29 +157,79 @@ std::vector<std::vector<double>> parted(const std::vector<double> &points, size_
     return parts;
 }
 
+bool share_axis(const std::vector<SplinePtr> &functions) {
+    const KnotVector &first = functions[0]->axis(0);
+    return std::ranges::all_of(functions, [&](const SplinePtr &function) {
+        const KnotVector &axis = function->axis(0);
+        return &axis == &first ||
+               (axis.degree() == first.degree() && std::ranges::equal(axis.knots(), first.knots()));
+    });
+}
+
+std::vector<SplinePtr> over_common_axis(std::vector<SplinePtr> functions) {
+    return share_axis(functions) ? std::move(functions) : make_compatible(functions, 0, false).splines;
+}
+
+// 1 - t and t: their control points are their values at the Greville abscissae. Precondition: the degree is not 0.
+std::vector<std::vector<double>> linear_blends(const KnotVector &axis) {
+    const auto [lower, upper] = axis.domain();
+    std::vector<std::vector<double>> blends(2);
+    for (int64_t i = 0; i < axis.count(); ++i) {
+        const double t = greville(axis, i);
+        blends[0].push_back((upper - t) / (upper - lower));
+        blends[1].push_back((t - lower) / (upper - lower));
+    }
+    return blends;
+}
+
+std::vector<std::vector<double>> control_points(const BlendAxis &made, std::span<const SplinePtr> functions) {
+    std::vector<std::vector<double>> points;
+    points.reserve(functions.size());
+    for (const SplinePtr &function : functions) {
+        points.push_back(divided(made, function->points()));
+    }
+    return points;
+}
+
+// Polynomial functions and the linear blending functions.
+BlendAxis linear_blend(std::vector<SplinePtr> functions) {
+    const std::vector<SplinePtr> all = over_common_axis(std::move(functions));
+    BlendAxis made{all[0]->knot_vectors()[0], {}, {}, {}};
+    made.functions = control_points(made, all);
+    made.blends = linear_blends(*made.axis);
+    return made;
+}
+
+BlendAxis general_blend(std::vector<SplinePtr> functions, const SplinePtr &common, int degree) {
+    const size_t count = functions.size();
+    functions.push_back(times(blending_functions(functions[0]->axis(0).domain(), degree), common));
+    if (common != nullptr) {
+        functions.push_back(common);
+    }
+    const std::vector<SplinePtr> all = over_common_axis(std::move(functions));
+    BlendAxis made{all[0]->knot_vectors()[0], {}, {}, {}};
+    if (common != nullptr) {
+        made.weights.assign(all.back()->points().begin(), all.back()->points().end());
+    }
+    made.functions = control_points(made, std::span(all).first(count));
+    made.blends = parted(divided(made, all[count]->points()), static_cast<size_t>(degree) + 1);
+    return made;
+}
+
 } // namespace
 
 BlendAxis make_blend_axis(std::span<const Quotient> functions, int degree) {
     const Denominators denominators(functions);
     const SplinePtr common = denominators.product_of_all();
-    std::vector<SplinePtr> factors;
+    std::vector<SplinePtr> numerators;
+    int largest = 0;
     for (size_t i = 0; i < functions.size(); ++i) {
-        factors.push_back(times(functions[i].numerators, denominators.product_of_others(i)));
+        numerators.push_back(times(functions[i].numerators, denominators.product_of_others(i)));
+        largest = std::max(largest, numerators.back()->axis(0).degree());
     }
-    const Interval domain = functions[0].numerators->axis(0).domain();
-    factors.push_back(times(blending_functions(domain, degree), common));
-    if (common != nullptr) {
-        factors.push_back(common);
-    }
-    const std::vector<SplinePtr> all = make_compatible(factors, 0, false).splines;
-    BlendAxis made{all[0]->knot_vectors()[0], {}, {}, {}};
-    if (common != nullptr) {
-        made.weights.assign(all.back()->points().begin(), all.back()->points().end());
-    }
-    for (size_t i = 0; i < functions.size(); ++i) {
-        made.functions.push_back(divided(made, all[i]->points()));
-    }
-    made.blends = parted(divided(made, all[functions.size()]->points()), static_cast<size_t>(degree) + 1);
+    BlendAxis made = common == nullptr && degree == 1 && largest > 0
+                         ? linear_blend(std::move(numerators))
+                         : general_blend(std::move(numerators), common, degree);
     set_ends(made);
     return made;
 }

@@ -37,8 +37,8 @@ void set_mean(const CornerPair &pair, int i, int j, CornerMatrix &m) {
 } // namespace
 
 SplinePtr surface_coons(const PatchCurves &curves, double tolerance) {
-    check_positions(corner_gaps(curves), tolerance);
     const CornerPair pair = corner_pair(curves, 2);
+    check_positions(pair, tolerance);
     CornerMatrix m(2, curves.dim());
     for (int corner = 0; corner < corner_count; ++corner) {
         set_mean(pair, corner / 2, corner % 2, m);
@@ -156,13 +156,13 @@ std::vector<SplinePtr> cross_of_corners(const PatchCurves &curves, const CornerM
 } // namespace
 
 HermitePatch surface_coons_hermite(const PatchCurves &curves, const TwistRule &twists, double tolerance) {
-    const CornerGaps gaps = corner_gaps(curves);
-    check_positions(gaps, tolerance);
+    const HermiteCorners corners(curves, twists);
+    check_positions(corners.pair(), tolerance);
+    const CornerGaps gaps = curves.cross.empty() ? CornerGaps{} : corner_gaps(curves);
     check_tangents(gaps, tolerance);
     if (twists.rule == NURBS_TWIST_COMPATIBLE) {
         check_twists(gaps, tolerance);
     }
-    const HermiteCorners corners(curves, twists);
     if (!curves.cross.empty()) {
         return {patch(curves, corners.pair(), corners.matrix()), corners.twist_gap()};
     }

@@ -114,10 +114,19 @@ double gap_at(const CornerPair &pair, int i, int j) {
     return gap;
 }
 
-void check_corner(double gap, double tolerance, size_t corner, nurbs_status status, const char *text) {
+// The two curves that differ at a corner, and what of them.
+struct Difference {
+    const char *what;
+    size_t first;
+    const char *other;
+    size_t second;
+};
+
+void check_corner(double gap, double tolerance, size_t corner, nurbs_status status, const Difference &named) {
     if (gap > tolerance) {
-        fail(status, "corner (u%zu, v%zu): %s are %s apart, expected at most %s", corner / 2, corner % 2,
-             text, Number(gap).text, Number(tolerance).text);
+        fail(status, "corner (u%zu, v%zu): the %s[%zu] and the %s[%zu] are %s apart, expected at most %s",
+             corner / 2, corner % 2, named.what, named.first, named.other, named.second, Number(gap).text,
+             Number(tolerance).text);
     }
 }
 
@@ -147,36 +156,30 @@ CornerGaps corner_gaps(const PatchCurves &curves) {
     return gaps;
 }
 
-void check_positions(const CornerGaps &gaps, double tolerance) {
-    for (size_t corner = 0; corner < gaps.positions.size(); ++corner) {
-        char text[80];
-        const Meeting at = meeting(corner);
-        static_cast<void>(std::snprintf(text, sizeof text, "the ends of boundaries[%zu] and boundaries[%zu]",
-                                        at.along1, at.along0));
-        check_corner(gaps.positions[corner], tolerance, corner, NURBS_ERROR_GAP, text);
+void check_positions(const CornerPair &pair, double tolerance) {
+    for (int corner = 0; corner < corner_count; ++corner) {
+        const auto at = static_cast<size_t>(corner);
+        const Meeting curves = meeting(at);
+        check_corner(gap_at(pair, corner / 2, corner % 2), tolerance, at, NURBS_ERROR_GAP,
+                     {"end of boundaries", curves.along1, "end of boundaries", curves.along0});
     }
 }
 
 void check_tangents(const CornerGaps &gaps, double tolerance) {
     for (size_t corner = 0; corner < gaps.tangents.size(); ++corner) {
         const Meeting at = meeting(corner);
-        for (size_t k = 0; k < 2; ++k) {
-            char text[80];
-            static_cast<void>(std::snprintf(text, sizeof text,
-                                            "the tangent of boundaries[%zu] and the end of cross[%zu]",
-                                            k == 0 ? at.along0 : at.along1, k == 0 ? at.along1 : at.along0));
-            check_corner(gaps.tangents[corner][k], tolerance, corner, NURBS_ERROR_TANGENT, text);
-        }
+        check_corner(gaps.tangents[corner][0], tolerance, corner, NURBS_ERROR_TANGENT,
+                     {"tangent of boundaries", at.along0, "end of cross", at.along1});
+        check_corner(gaps.tangents[corner][1], tolerance, corner, NURBS_ERROR_TANGENT,
+                     {"tangent of boundaries", at.along1, "end of cross", at.along0});
     }
 }
 
 void check_twists(const CornerGaps &gaps, double tolerance) {
     for (size_t corner = 0; corner < gaps.twists.size(); ++corner) {
-        char text[80];
         const Meeting at = meeting(corner);
-        static_cast<void>(std::snprintf(text, sizeof text, "the derivatives of cross[%zu] and cross[%zu]",
-                                        at.along1, at.along0));
-        check_corner(gaps.twists[corner], tolerance, corner, NURBS_ERROR_TWIST, text);
+        check_corner(gaps.twists[corner], tolerance, corner, NURBS_ERROR_TWIST,
+                     {"derivative of cross", at.along1, "derivative of cross", at.along0});
     }
 }
 

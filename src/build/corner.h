@@ -83,7 +83,7 @@ struct CornerGaps {
 CornerGaps corner_gaps(const PatchCurves &curves);
 
 // Throws NURBS_ERROR_GAP, _TANGENT, naming the corner.
-void check_positions(const CornerGaps &gaps, double tolerance);
+void check_positions(const CornerPair &pair, double tolerance);
 void check_tangents(const CornerGaps &gaps, double tolerance);
 // Throws NURBS_ERROR_TWIST, naming the corner.
 void check_twists(const CornerGaps &gaps, double tolerance);
