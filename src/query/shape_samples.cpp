@@ -42,7 +42,7 @@ std::vector<double> values_at(const Spline &spline, int order, const Params &u, 
 
 // The breaks of an axis, `most` of them at most.
 Params some_breaks(const KnotVector &axis, size_t most) {
-    const Params all = breaks_of(axis);
+    Params all = breaks_of(axis);
     if (all.size() <= most) {
         return all;
     }
@@ -138,7 +138,7 @@ void sample_surface(const Spline &spline, ShapeSamples &samples) {
     std::vector<std::pair<Vector3, Vector3>> steps;
     double longest = 0;
     for (size_t i = 0; i < u.size(); ++i) {
-        for (size_t j = 0; j < v.size(); ++j, record += 3 * dim) {
+        for (size_t j = 0; j < v.size(); ++j, record += int64_t{3} * dim) {
             const Vector3 p = vector_of(record, dim);
             const Vector3 a = spacing(u, i) * vector_of(record + dim, dim);
             const Vector3 b = spacing(v, j) * vector_of(record + 2 * int64_t{dim}, dim);
