@@ -55,7 +55,7 @@ Segment bezier_segment(const Spline &curve) {
     }
     const auto net = std::make_shared<const Spline>(
         curve.knot_vectors(), curve.width(), Form::polynomial,
-        std::vector<double>(curve.records().begin(), curve.records().begin() + 3 * curve.width()),
+        std::vector<double>(curve.records().begin(), curve.records().begin() + int64_t{3} * curve.width()),
         std::vector<double>());
     const std::vector<double> points = apply_along(*net, 0, bezier_rows(axis)).points;
     Segment segment{curve.rational(), curve.dim(), {}, {1, 1, 1}};

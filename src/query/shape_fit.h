@@ -17,6 +17,6 @@ Shape fitted_shape(int32_t kind, const ShapeSamples &samples, int dim, double to
 
 // The same shape where the spline is, with the origin, the signs and the direction x that nurbs_recognize()
 // states.
-Shape placed_shape(const Shape &shape, const ShapeSamples &samples, int dim);
+Shape placed_shape(const Shape &fitted, const ShapeSamples &samples, int dim);
 
 } // namespace nrb

@@ -159,20 +159,20 @@ std::vector<Vector3> some_of(std::span<const Vector3> points) {
 
 } // namespace
 
-Shape refined(const Shape &shape, std::span<const Vector3> all, double tolerance) {
+Shape refined(const Shape &shape, std::span<const Vector3> points, double tolerance) {
     const std::vector<Freedom> free = freedoms(shape.kind);
-    const std::vector<Vector3> points = some_of(all);
-    const double enough = tolerance * tolerance * static_cast<double>(points.size());
+    const std::vector<Vector3> some = some_of(points);
+    const double enough = tolerance * tolerance * static_cast<double>(some.size());
     Shape best = shape;
-    std::vector<double> values = residuals(best, points);
+    std::vector<double> values = residuals(best, some);
     double sum = sum_of_squares(values);
     int slow = 0;
     for (int round = 0; round < 12 && std::isfinite(sum) && sum > 0 && slow < 2; ++round) {
-        const std::vector<double> steps = newton_step(best, free, points, values);
-        double factor = 1, reached = sum;
-        for (int attempt = 0; attempt < 5 && reached >= sum; ++attempt, factor /= 4) {
-            const Shape next = moved(best, free, steps, factor);
-            const std::vector<double> fresh = residuals(next, points);
+        const std::vector<double> steps = newton_step(best, free, some, values);
+        double reached = sum;
+        for (int attempt = 0; attempt < 5 && reached >= sum; ++attempt) {
+            const Shape next = moved(best, free, steps, std::ldexp(1.0, -2 * attempt));
+            const std::vector<double> fresh = residuals(next, some);
             if (valid(next) && sum_of_squares(fresh) < sum) {
                 best = next;
                 values = fresh;

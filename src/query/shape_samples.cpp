@@ -145,7 +145,7 @@ void sample_surface(const Spline &spline, ShapeSamples &samples) {
     std::vector<std::pair<Vector3, Vector3>> steps;
     double longest = 0;
     for (size_t i = 0; i < u.size(); ++i) {
-        for (size_t j = 0; j < v.size(); ++j, record += 3 * dim) {
+        for (size_t j = 0; j < v.size(); ++j, record += int64_t{3} * dim) {
             const Vector3 p = vector_of(record, dim);
             const Vector3 a = spacing(u, i) * vector_of(record + dim, dim);
             const Vector3 b = spacing(v, j) * vector_of(record + 2 * int64_t{dim}, dim);
