@@ -26,12 +26,24 @@ def cells(path):
     return found
 
 
+def alike(a, b):
+    """Two paths that differ by no more than rounding to whole units does, in each step."""
+    (style, path), (other_style, other) = a, b
+    words, other_words = (re.findall(r"-?\d+|[A-Za-z]", text) for text in (path, other))
+    return style == other_style and len(words) == len(other_words) and all(
+        x == y or (x[-1].isdigit() and y[-1].isdigit() and abs(int(x) - int(y)) <= 2)
+        for x, y in zip(words, other_words))
+
+
 def check_same(drawn, shown):
-    """The same picture but for coordinates that another processor rounds to a neighbour, or paints in another order."""
+    """The same picture but for coordinates that another processor rounds to a neighbour, and a few of which shades and
+    order are on the edge."""
     assert list(drawn) == list(shown), f"cells differ: {set(drawn) ^ set(shown)}"
     for label, paths in drawn.items():
-        different = set(paths) ^ set(shown[label])
-        assert len(different) <= 0.1 * (len(paths) + len(shown[label])), f"{label} is drawn in another way"
+        new = [path for path in paths if path not in shown[label]]
+        old = [path for path in shown[label] if path not in paths]
+        different = max(len(new), len(old)) - sum(alike(a, b) for a, b in zip(new, old))
+        assert different <= 0.05 * len(paths), f"{label} is drawn in another way"
 
 
 def constructions(top):
