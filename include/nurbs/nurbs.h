@@ -2779,8 +2779,8 @@ NURBS_API nurbs_status nurbs_volume_coons(const nurbs *const *faces, double tole
  *
  * On exact shapes the bound is some 1e-14 of the largest distance of g from the origin of the shape, for degree
  * 2, and a little more where coordinates are large beside g; it grows in proportion to the sum of the degrees,
- * and up to tenfold for tori and long hyperbolas (measured). Tolerances below that find nothing. Control points
- * at infinity are allowed; where the weights of g cannot be shown to have one sign, the result is
+ * and up to fiftyfold for tori that nearly reach their axis and long hyperbolas (measured). Tolerances below
+ * that find nothing. Control points at infinity are allowed; where the weights of g cannot be shown to have one sign, the result is
  * NURBS_SHAPE_NONE. The time grows with the square of the number of control points of a Bezier piece, and is
  * that of some hundred evaluations beside.
  * \param[in] g a curve or surface of dimension 2 or 3.

@@ -1,8 +1,9 @@
 // The distance of a point from a shape with the numbers of nurbs_recognize(), in long double by its definition.
 #pragma once
 
+#include "support/frames.h"
+
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <functional>
@@ -17,21 +18,6 @@ struct FoundShape {
     double sizes[2] = {};
     double deviation = 0;
 };
-
-using Long3 = std::array<long double, 3>;
-
-inline long double dot(const Long3 &a, const Long3 &b) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-inline Long3 scaled(const Long3 &a, long double s) {
-    return {s * a[0], s * a[1], s * a[2]};
-}
-inline Long3 difference(const Long3 &a, const Long3 &b) {
-    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-inline Long3 unit(const Long3 &a) {
-    return scaled(a, 1 / std::sqrt(dot(a, a)));
-}
 
 using Function = std::function<long double(long double)>;
 
@@ -77,16 +63,16 @@ inline long double conic_distance(const FoundShape &shape, long double x, long d
 
 inline long double shape_distance(const FoundShape &shape, const std::vector<long double> &point) {
     const double *q = shape.placement;
-    Long3 p{point[0] - q[0], point[1] - q[1], (point.size() > 2 ? point[2] : 0) - q[2]};
+    Vector p{point[0] - q[0], point[1] - q[1], (point.size() > 2 ? point[2] : 0) - q[2]};
     if (shape.kind == NURBS_SHAPE_POINT) {
         return std::sqrt(dot(p, p));
     }
     if (shape.kind == NURBS_SHAPE_SPHERE) {
         return std::fabs(std::sqrt(dot(p, p)) - shape.sizes[0]);
     }
-    const Long3 axis = unit({q[3], q[4], q[5]});
+    const Vector axis = unit({q[3], q[4], q[5]});
     const long double z = dot(p, axis);
-    const Long3 across = difference(p, scaled(axis, z));
+    const Vector across = minus(p, times(z, axis));
     const long double s = std::sqrt(dot(across, across)), a = shape.sizes[0];
     switch (shape.kind) {
     case NURBS_SHAPE_LINE:
@@ -106,10 +92,10 @@ inline long double shape_distance(const FoundShape &shape, const std::vector<lon
     default:
         break;
     }
-    const Long3 given{q[6], q[7], q[8]};
-    const Long3 x = unit(difference(given, scaled(axis, dot(given, axis))));
-    const Long3 y{axis[1] * x[2] - axis[2] * x[1], axis[2] * x[0] - axis[0] * x[2],
-                  axis[0] * x[1] - axis[1] * x[0]};
+    const Vector given{q[6], q[7], q[8]};
+    const Vector x = unit(minus(given, times(dot(given, axis), axis)));
+    const Vector y{axis[1] * x[2] - axis[2] * x[1], axis[2] * x[0] - axis[0] * x[2],
+                   axis[0] * x[1] - axis[1] * x[0]};
     return std::hypot(conic_distance(shape, dot(p, x), dot(p, y)), z);
 }
 
