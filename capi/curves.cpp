@@ -73,7 +73,7 @@ nurbs_status nurbs_curve_circle(int32_t dim, const double *center, const double 
     return guard([&] {
         require_out(out);
         const Placement place = make_placement(dim, center, axis, x, "center");
-        check_length(radius, "radius");
+        check_positive_length(radius, "radius");
         give(ellipse(place, radius, radius, full_turn(), form), out);
     });
 }
@@ -83,7 +83,7 @@ nurbs_status nurbs_curve_arc(int32_t dim, const double *center, const double *ax
     return guard([&] {
         require_out(out);
         const Placement place = make_placement(dim, center, axis, x, "center");
-        check_length(radius, "radius");
+        check_positive_length(radius, "radius");
         give(ellipse(place, radius, radius, make_turn(start, sweep), form), out);
     });
 }
@@ -94,8 +94,8 @@ nurbs_status nurbs_curve_ellipse(int32_t dim, const double *center, const double
     return guard([&] {
         require_out(out);
         const Placement place = make_placement(dim, center, axis, x, "center");
-        check_length(radius_x, "radius_x");
-        check_length(radius_y, "radius_y");
+        check_positive_length(radius_x, "radius_x");
+        check_positive_length(radius_y, "radius_y");
         give(ellipse(place, radius_x, radius_y, make_turn(start, sweep), form), out);
     });
 }

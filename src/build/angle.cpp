@@ -17,7 +17,7 @@ constexpr double step_high = 0x1.0c15238p-2;
 constexpr double step_low = step - step_high;
 constexpr double step_rest = -0x1.ee6913347c2a6p-56; // of pi / 12, beyond its double
 
-constexpr double largest_angle = 0x1p40;
+constexpr double largest_angle = 0x1p22; // less than 2^24 steps
 
 constexpr std::array<Direction, 4> first_steps = {{{1, 0},
                                                    {0.96592582628906828675, 0.25881904510252076235},
@@ -91,8 +91,9 @@ double Angle::radians() const noexcept {
 }
 
 Angle make_angle(double radians, const char *name) {
-    if (!std::isfinite(radians) || std::fabs(radians) >= largest_angle) {
-        fail(NURBS_ERROR_ANGLE, "%s = %s, expected a finite angle below 2^40", name, Number(radians).text);
+    if (!std::isfinite(radians) || std::fabs(radians) > largest_angle) {
+        fail(NURBS_ERROR_ANGLE, "%s = %s, expected a finite angle of at most 2^22", name,
+             Number(radians).text);
     }
     return Angle::from_radians(radians);
 }

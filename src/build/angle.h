@@ -14,11 +14,11 @@ struct Direction {
 class Angle {
 public:
     // In radians. One that is a multiple of 15 degrees to within 4 units of rounding is taken for it.
-    // Precondition: |radians| is finite and less than 2^40.
+    // Precondition: |radians| is at most 2^22.
     static Angle from_radians(double radians) noexcept;
     static Angle quarters(int64_t quarters) noexcept { return {6 * quarters, 0}; }
 
-    // this + (numerator / denominator) other. Precondition: 0 < denominator, |numerator| < 2^16.
+    // this + (numerator / denominator) other. Precondition: 0 < denominator, |numerator| < 2^50.
     [[nodiscard]] Angle plus(const Angle &other, int64_t numerator, int64_t denominator) const noexcept;
     // (numerator / denominator) of this one.
     [[nodiscard]] Angle part(int64_t numerator, int64_t denominator) const noexcept {
@@ -47,7 +47,7 @@ inline Turn full_turn() noexcept {
     return {Angle::quarters(0), Angle::quarters(4)};
 }
 
-// Throws NURBS_ERROR_ANGLE, naming the angle, for starts that are not finite or 2^40 and more, and for sweeps that
+// Throws NURBS_ERROR_ANGLE, naming the angle, for starts that are not finite or above 2^22, and for sweeps that
 // are not finite, 0 or more than a full turn.
 Turn make_turn(double start, double sweep, const char *start_name = "start",
                const char *sweep_name = "sweep");

@@ -77,14 +77,15 @@ Arc unit_hyperbola(double start, double end) {
              Number(end).text);
     }
     const auto pieces = std::max<int64_t>(1, static_cast<int64_t>(std::ceil(length / 2)));
-    const int64_t halves = 2 * pieces;
-    const double weight = std::cosh(length / static_cast<double>(halves));
-    Arc arc{piecewise_knots(pieces), {}};
-    for (int64_t i = 0; i <= halves; ++i) {
-        const double u =
-            i == halves ? end : start + length * static_cast<double>(i) / static_cast<double>(halves);
-        const double w = i % 2 == 0 ? 1 : weight;
-        arc.points.push_back({std::cosh(u) / w, std::sinh(u) / w, w});
+    Arc arc{piecewise_knots(pieces), {{std::cosh(start), std::sinh(start), 1}}};
+    for (int64_t i = 1; i <= pieces; ++i) {
+        const double part = static_cast<double>(i) / static_cast<double>(pieces);
+        const double u = i == pieces ? end : start + length * part;
+        const ArcPoint a = arc.points.back(), b{std::cosh(u), std::sinh(u), 1};
+        const double t = (b.y - a.y) / (a.x + b.x); // tanh(d / 2), from the points as they were rounded
+        const double narrow = (1 - t) * (1 + t);    // 1 / cosh^2 (d / 2)
+        arc.points.push_back({(a.x + b.x) / 2 * narrow, (a.y + b.y) / 2 * narrow, 1 / std::sqrt(narrow)});
+        arc.points.push_back(b);
     }
     return arc;
 }

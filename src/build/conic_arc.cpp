@@ -5,6 +5,7 @@
 #include "build/make_shape.h"
 #include "build/polylines.h"
 
+#include <algorithm>
 #include <cmath>
 #include <initializer_list>
 #include <utility>
@@ -24,42 +25,13 @@ struct Net {
     }
 };
 
-// The picture of the arc: a circle from the angle 0 on, a hyperbola from u = 0 on, or else the arc itself.
-Arc picture(const ConicArc &conic, int32_t form) {
-    const double w = conic.weight;
-    if (w < 1) {
-        const double angle = 4 * std::atan2(std::sqrt(1 - w), std::sqrt(1 + w));
-        return unit_arc({Angle::from_radians(0), Angle::from_radians(angle)}, form);
+std::vector<double> joined(int dim, std::initializer_list<const double *> points) {
+    std::vector<double> all;
+    for (const double *p : points) {
+        all.insert(all.end(), p, p + dim);
     }
-    return unit_hyperbola(0, w == 1 ? 1 : 2 * std::acosh(w));
+    return all;
 }
-
-// A + (x - 1) U + y V: the affine map that takes the picture's ends to A and B, and its homogeneous control point
-// (cos a, sin a; cos a), or (cosh d, sinh d; cosh d), to that of the arc. The first column is U sin^2 a, the second
-// V sin a.
-class PictureMap {
-public:
-    explicit PictureMap(const ConicArc &conic) : conic_(conic) {
-        const double w = conic.weight;
-        const double squared = (1 - w) * (1 + w); // sin^2 a, -sinh^2 d
-        v_factor_ = 1 / std::sqrt(std::fabs(squared));
-        u_factor_ = 1 / squared;
-    }
-    [[nodiscard]] std::vector<double> point(double x, double y) const {
-        std::vector<double> point(conic_.start);
-        for (size_t c = 0; c < point.size(); ++c) {
-            const double chord = conic_.end[c] - conic_.start[c];
-            const double u = u_factor_ * (conic_.weight * conic_.middle[c] - chord / 2);
-            point[c] += (x - 1) * u + y * (v_factor_ * conic_.middle[c]);
-        }
-        return point;
-    }
-
-private:
-    const ConicArc &conic_;
-    double u_factor_;
-    double v_factor_;
-};
 
 void add_triangle_middle(Net &net, const ConicArc &conic) {
     std::vector<double> point(conic.start);
@@ -69,29 +41,82 @@ void add_triangle_middle(Net &net, const ConicArc &conic) {
     net.add(point, conic.weight);
 }
 
-std::vector<double> joined(int dim, std::initializer_list<const double *> points) {
-    std::vector<double> all;
-    for (const double *p : points) {
-        all.insert(all.end(), p, p + dim);
-    }
-    return all;
-}
-
-// All control points but the first.
-void append(Net &net, const ConicArc &conic, const Arc &picture) {
+// A + (x - 1) U + y V for the inner points of the arc of the unit circle.
+KnotVectorPtr append_ellipse(Net &net, const ConicArc &conic, int32_t form) {
+    const double angle = 4 * std::atan2(std::sqrt(conic.below), std::sqrt(conic.above));
+    const Arc picture = unit_arc({Angle::from_radians(0), Angle::from_radians(angle)}, form);
     if (picture.points.size() == 3) {
         add_triangle_middle(net, conic);
-    } else {
-        const PictureMap map(conic);
-        for (size_t i = 1; i + 1 < picture.points.size(); ++i) {
-            const ArcPoint &p = picture.points[i];
-            net.add(map.point(p.x, p.y), p.weight);
+        return picture.axis;
+    }
+    for (size_t i = 1; i + 1 < picture.points.size(); ++i) {
+        std::vector<double> point(conic.start);
+        for (size_t c = 0; c < point.size(); ++c) {
+            point[c] += (picture.points[i].x - 1) * conic.u[c] + picture.points[i].y * conic.v[c];
+        }
+        net.add(point, picture.points[i].weight);
+    }
+    return picture.axis;
+}
+
+// The homogeneous point a^2 (A, 1) + 2 a b (h, w) + b^2 (B, 1) has the weight 1 for a = sinh(d - u / 2) / sinh d and
+// b = sinh(u / 2) / sinh d, w = cosh d; polar values of two such pairs are the control points between. All
+// coefficients are positive: nothing cancels however sharp the hyperbola is.
+KnotVectorPtr append_hyperbola(Net &net, const ConicArc &conic) {
+    const double d = 2 * std::asinh(std::sqrt(-conic.below / 2)), whole = std::sinh(d);
+    const auto pieces = std::max<int64_t>(1, static_cast<int64_t>(std::ceil(d)));
+    if (pieces == 1) {
+        add_triangle_middle(net, conic);
+        return piecewise_knots(1);
+    }
+    const double step = d / static_cast<double>(pieces), weight = std::cosh(step);
+    const auto add = [&](double a0, double b0, double a1, double b1, double w) {
+        std::vector<double> point(conic.start);
+        for (size_t c = 0; c < point.size(); ++c) {
+            point[c] +=
+                ((a0 * b1 + a1 * b0) * conic.middle[c] + b0 * b1 * (conic.end[c] - conic.start[c])) / w;
+        }
+        net.add(point, w);
+    };
+    for (int64_t i = 0; i < pieces; ++i) {
+        const double at = step * static_cast<double>(i), next = step * static_cast<double>(i + 1);
+        const double a0 = std::sinh(d - at) / whole, b0 = std::sinh(at) / whole;
+        const double a1 = std::sinh(d - next) / whole, b1 = std::sinh(next) / whole;
+        add(a0, b0, a1, b1, weight);
+        if (i + 1 < pieces) {
+            add(a1, b1, a1, b1, 1);
         }
     }
-    net.add(conic.end, 1);
+    return piecewise_knots(pieces);
 }
 
 } // namespace
+
+ConicArc make_conic_arc(std::vector<double> start, std::vector<double> end, const Point2 &chord,
+                        const Point2 &middle, const Wide &weight, const PlaneMap &to_space) {
+    const Wide below = Wide(1) - weight, above = Wide(1) + weight;
+    if (!(above.value() > 0)) {
+        fail(NURBS_ERROR_CONIC,
+             "the arc would pass through infinity: its middle weight would be %s, expected more "
+             "than -1",
+             Number(weight.value()).text);
+    }
+    ConicArc arc{std::move(start),
+                 std::move(end),
+                 to_space(middle),
+                 weight.value(),
+                 below.value(),
+                 above.value(),
+                 {},
+                 {}};
+    if (arc.below > 0) {
+        const Wide squared = below * above, sine = square_root(squared);
+        arc.u = to_space({(weight * middle.x - chord.x * Wide(0.5)) / squared,
+                          (weight * middle.y - chord.y * Wide(0.5)) / squared});
+        arc.v = to_space({middle.x / sine, middle.y / sine});
+    }
+    return arc;
+}
 
 SplinePtr conic_curve(std::span<const ConicArc> arcs, int32_t form) {
     const auto dim = static_cast<int>(arcs.front().start.size());
@@ -99,12 +124,8 @@ SplinePtr conic_curve(std::span<const ConicArc> arcs, int32_t form) {
     net.add(arcs.front().start, 1);
     KnotVectorPtr axis;
     for (const ConicArc &conic : arcs) {
-        if (!(conic.weight > -1)) {
-            fail(NURBS_ERROR_CONIC, "the arc would pass through infinity");
-        }
-        const Arc image = picture(conic, form);
-        axis = image.axis;
-        append(net, conic, image);
+        axis = conic.below > 0 ? append_ellipse(net, conic, form) : append_hyperbola(net, conic);
+        net.add(conic.end, 1);
     }
     if (arcs.size() > 1) {
         axis = piecewise_knots(std::ssize(net.weights) / 2);

@@ -22,30 +22,31 @@ Vector copy(Coordinates x) {
 
 // Points of the plane (x, y, w), at infinity where w is 0; lines a x + b y + c w = 0.
 struct Projective {
-    double x;
-    double y;
-    double w;
+    Wide x;
+    Wide y;
+    Wide w;
 };
 
 Projective cross(const Projective &a, const Projective &b) noexcept {
     return {a.y * b.w - a.w * b.y, a.w * b.x - a.x * b.w, a.x * b.y - a.y * b.x};
 }
 
-Point2 operator*(double s, Point2 a) noexcept {
-    return {s * a.x, s * a.y};
-}
-double length(Point2 a) noexcept {
-    return std::hypot(a.x, a.y);
+Wide norm(const Point2 &v) noexcept {
+    return square_root(dot(v, v));
 }
 
-// An arc of a circle from the origin over a chord: it leaves in a direction of which cos and sin are the parts along
-// the chord and across it. Half the angle of the arc is that between the tangent and the chord.
-ConicArc circle_over(Coordinates a, Coordinates b, const PlaneFrame &plane, Point2 tangent) {
+ConicArc arc_in(const PlaneFrame &plane, Coordinates a, Coordinates b, const Point2 &middle,
+                const Wide &weight) {
+    return make_conic_arc(copy(a), copy(b), plane.point(b), middle, weight,
+                          [&plane](const Point2 &v) { return plane.vector(v); });
+}
+
+// The circle that leaves the origin in a direction: the arc's half angle is that between the tangent and the chord.
+ConicArc circle_over(Coordinates a, Coordinates b, const PlaneFrame &plane, const Point2 &tangent) {
     const Point2 chord = plane.point(b);
-    const Point2 unit = (1 / length(tangent)) * tangent;
-    const double half = length(chord) / 2;
-    const double cosine = (unit.x * chord.x + unit.y * chord.y) / (2 * half);
-    return {copy(a), copy(b), plane.vector(half * unit), cosine};
+    const Wide width = norm(chord), size = norm(tangent);
+    const Wide cosine = dot(tangent, chord) / (width * size);
+    return arc_in(plane, a, b, width * Wide(0.5) / size * tangent, cosine);
 }
 
 // A conic through the origin and the end of a chord c, with tangents s and t there, as a function of a point:
@@ -53,44 +54,48 @@ ConicArc circle_over(Coordinates a, Coordinates b, const PlaneFrame &plane, Poin
 // r1 ((c x t) s, s x t) + r2 (c, 1) of the plane is on it for k = r1 / (2 sqrt(r0 r2)).
 class TangentPencil {
 public:
-    TangentPencil(Point2 chord, Point2 tangent_a, Point2 tangent_b)
+    TangentPencil(const Point2 &chord, const Point2 &tangent_a, const Point2 &tangent_b)
         : chord_(chord), s_(tangent_a), t_(tangent_b), middle_(cross(chord, tangent_b)),
           weight_(cross(tangent_a, tangent_b)) {}
 
     struct Ratios {
-        double r0;
-        double r1;
-        double r2;
+        Wide r0;
+        Wide r1;
+        Wide r2;
     };
-    [[nodiscard]] Ratios ratios(Point2 p) const noexcept {
+    [[nodiscard]] Ratios ratios(const Point2 &p) const noexcept {
         return {cross(chord_ - p, t_) / middle_, cross(p, chord_) / (middle_ * cross(s_, chord_)),
                 cross(p, s_) / cross(chord_, s_)};
     }
     [[nodiscard]] bool degenerate(double rounding) const noexcept {
-        return !(std::fabs(middle_) > rounding * length(t_)) ||
-               !(std::fabs(cross(s_, chord_)) > rounding * length(s_));
+        return !(std::fabs(middle_.value()) > rounding * length(t_)) ||
+               !(std::fabs(cross(s_, chord_).value()) > rounding * length(s_));
     }
-    [[nodiscard]] Point2 middle(double k) const noexcept { return (k * middle_) * s_; }
-    [[nodiscard]] double weight(double k) const noexcept { return k * weight_; }
+    [[nodiscard]] Point2 middle(const Wide &k) const noexcept { return (k * middle_) * s_; }
+    [[nodiscard]] Wide weight(const Wide &k) const noexcept { return k * weight_; }
 
 private:
     Point2 chord_;
     Point2 s_;
     Point2 t_;
-    double middle_;
-    double weight_;
+    Wide middle_;
+    Wide weight_;
 };
 
-double factor_through(const TangentPencil::Ratios &r) {
-    if (!(r.r0 > 0) || !(r.r2 > 0)) {
-        fail(NURBS_ERROR_CONIC, "no arc in one piece with these tangents passes through the point");
+Wide factor_through(const TangentPencil::Ratios &r) {
+    if (!(r.r0.value() > 0) || !(r.r2.value() > 0)) {
+        fail(NURBS_ERROR_CONIC,
+             "no arc in one piece with these tangents passes through the point, whose barycentric "
+             "coordinates at a "
+             "and b, %s and %s, would have to be positive",
+             Number(r.r0.value()).text, Number(r.r2.value()).text);
     }
-    return r.r1 / (2 * std::sqrt(r.r0 * r.r2));
+    return r.r1 / (Wide(2) * square_root(r.r0 * r.r2));
 }
 
 ConicArc arc_of_pencil(Coordinates a, Coordinates b, const PlaneFrame &plane, const TangentPencil &pencil,
-                       double factor) {
-    return {copy(a), copy(b), plane.vector(pencil.middle(factor)), pencil.weight(factor)};
+                       const Wide &factor) {
+    return arc_in(plane, a, b, pencil.middle(factor), pencil.weight(factor));
 }
 
 // The tangent at p[0] of the conic through five points, by Pascal's theorem for the hexagon 0 0 1 2 3 4: the sides
@@ -106,18 +111,23 @@ std::array<Projective, 5> reversed(const std::array<Projective, 5> &p) noexcept 
     return {p[4], p[3], p[2], p[1], p[0]};
 }
 
+Point2 affine(const Projective &p) noexcept {
+    return {p.x, p.y};
+}
+
+[[noreturn]] void refuse_line(size_t i, size_t j, size_t k) {
+    constexpr const char *reason = "are on a line, or two of them are equal, to within rounding";
+    fail(NURBS_ERROR_COLLINEAR, "points[%zu], points[%zu] and points[%zu] %s", i, j, k, reason);
+}
+
 void check_triangles(const std::array<Projective, 5> &p, double rounding) {
     for (size_t i = 0; i < 5; ++i) {
         for (size_t j = i + 1; j < 5; ++j) {
             for (size_t k = j + 1; k < 5; ++k) {
-                const Point2 a{p[j].x - p[i].x, p[j].y - p[i].y}, b{p[k].x - p[i].x, p[k].y - p[i].y};
+                const Point2 a = affine(p[j]) - affine(p[i]), b = affine(p[k]) - affine(p[i]);
                 const double longest = std::max({length(a), length(b), length(b - a)});
-                if (!(std::fabs(cross(a, b)) > rounding * longest)) {
-                    fail(NURBS_ERROR_COLLINEAR,
-                         "points[%zu], points[%zu] and points[%zu] are on a line, or two of them are equal, "
-                         "to "
-                         "within rounding",
-                         i, j, k);
+                if (!(std::fabs(cross(a, b).value()) > rounding * longest)) {
+                    refuse_line(i, j, k);
                 }
             }
         }
@@ -125,17 +135,18 @@ void check_triangles(const std::array<Projective, 5> &p, double rounding) {
 }
 
 // Along the arc of a factor the ratio r2 / r0 increases from 0 to infinity.
-void check_order(const TangentPencil &pencil, const std::array<Projective, 5> &p, double factor) {
+void check_order(const TangentPencil &pencil, const std::array<Projective, 5> &p, const Wide &factor) {
     double last = 0;
     for (size_t i = 1; i < 4; ++i) {
-        const TangentPencil::Ratios r = pencil.ratios({p[i].x, p[i].y});
-        const bool on_arc = r.r0 > 0 && r.r2 > 0 && r.r1 * factor > 0;
-        if (!on_arc || !(r.r2 / r.r0 > last)) {
+        const TangentPencil::Ratios r = pencil.ratios(affine(p[i]));
+        const double r0 = r.r0.value(), r2 = r.r2.value();
+        const bool on_arc = r0 > 0 && r2 > 0 && (r.r1 * factor).value() > 0;
+        if (!on_arc || !(r2 / r0 > last)) {
             fail(NURBS_ERROR_CONIC,
                  "points[%zu] is not behind the others on one arc of their conic from points[0] to points[4]",
                  i);
         }
-        last = r.r2 / r.r0;
+        last = r2 / r0;
     }
 }
 
@@ -143,40 +154,49 @@ struct Crossing {
     double alpha;
     double beta;
     double miss;
-    double sine; // of the angle between the lines
+    double sine;  // of the angle between the lines
+    double reach; // the longer way
 };
 
-// a + alpha s and b - beta t where they come closest. The directions are units.
-Crossing closest(Coordinates a, Coordinates s, Coordinates b, Coordinates t) {
-    double st = 0, sc = 0, tc = 0, difference = 0, sum = 0;
+Wide wide_dot(std::span<const Wide> a, std::span<const Wide> b) noexcept {
+    Wide sum;
     for (size_t i = 0; i < a.size(); ++i) {
-        st += s[i] * t[i];
-        sc += s[i] * (b[i] - a[i]);
-        tc += t[i] * (b[i] - a[i]);
-        difference = std::hypot(difference, s[i] - t[i]);
-        sum = std::hypot(sum, s[i] + t[i]);
+        sum = sum + a[i] * b[i];
     }
-    const double sine = difference * sum / 2;
-    const double alpha = (sc - st * tc) / sine / sine, beta = (tc - st * sc) / sine / sine;
-    double miss = 0;
-    for (size_t i = 0; i < a.size(); ++i) {
-        miss = std::hypot(miss, a[i] + alpha * s[i] - (b[i] - beta * t[i]));
-    }
-    return {alpha, beta, miss, sine};
+    return sum;
 }
 
-Vector unit(Coordinates v) {
+// a + alpha s and b - beta t where they come closest. The directions are units, to rounding. In twice the precision, so
+// that lines at small angles meet as well as others do.
+Crossing closest(Coordinates a, Coordinates s, Coordinates b, Coordinates t) {
+    const std::vector<Wide> u(s.begin(), s.end()), v(t.begin(), t.end());
+    std::vector<Wide> chord;
+    for (size_t i = 0; i < a.size(); ++i) {
+        chord.push_back(Wide::sum(b[i], -a[i]));
+    }
+    const Wide uu = wide_dot(u, u), uv = wide_dot(u, v), vv = wide_dot(v, v);
+    const Wide uc = wide_dot(u, chord), vc = wide_dot(v, chord), determinant = uu * vv - uv * uv;
+    const Wide alpha = (uc * vv - uv * vc) / determinant, beta = (vc * uu - uv * uc) / determinant;
+    double miss = 0;
+    for (size_t i = 0; i < a.size(); ++i) {
+        miss = std::hypot(miss, (alpha * u[i] + beta * v[i] - chord[i]).value());
+    }
+    const double lengths = std::sqrt(uu.value()) * std::sqrt(vv.value());
+    const double reach = std::max(std::fabs(alpha.value()) * std::sqrt(uu.value()),
+                                  std::fabs(beta.value()) * std::sqrt(vv.value()));
+    return {alpha.value(), beta.value(), miss, std::sqrt(std::max(0.0, determinant.value())) / lengths,
+            reach};
+}
+
+// A direction times a power of two that brings it to about 1.
+Vector scaled_direction(Coordinates v) {
     double size = 0;
     for (const double x : v) {
         size = std::max(size, std::fabs(x));
     }
-    double length = 0;
-    for (const double x : v) {
-        length = std::hypot(length, x / size);
-    }
     Vector out = copy(v);
     for (double &x : out) {
-        x = x / size / length;
+        x = std::ldexp(x, -std::ilogb(size));
     }
     return out;
 }
@@ -196,8 +216,7 @@ SplinePtr arc_through(Coordinates a, Coordinates b, Coordinates c, int32_t form)
     const PlaneFrame plane(a, c, b, "a, b and c");
     // The angle at b is half a turn less the one between the tangent and the chord.
     const Point2 p = plane.point(b), chord = plane.point(c);
-    const Point2 to_a = Point2{0, 0} - p, to_c = chord - p;
-    const double cosine = -(to_a.x * to_c.x + to_a.y * to_c.y), sine = cross(to_c, to_a);
+    const Wide cosine = dot(p, chord - p), sine = cross(p, chord);
     const Point2 tangent{cosine * chord.x + sine * chord.y, cosine * chord.y - sine * chord.x};
     const ConicArc arc = circle_over(a, c, plane, tangent);
     return conic_curve({&arc, 1}, form);
@@ -205,7 +224,7 @@ SplinePtr arc_through(Coordinates a, Coordinates b, Coordinates c, int32_t form)
 
 SplinePtr arc_tangent(Coordinates a, Coordinates tangent, Coordinates b, int32_t form) {
     check_arc_form(form);
-    const Vector direction = unit(tangent);
+    const Vector direction = scaled_direction(tangent);
     Vector beside = copy(a);
     double length = 0;
     for (size_t i = 0; i < a.size(); ++i) {
@@ -214,7 +233,7 @@ SplinePtr arc_tangent(Coordinates a, Coordinates tangent, Coordinates b, int32_t
     for (size_t i = 0; i < a.size(); ++i) {
         beside[i] += length * direction[i];
     }
-    const PlaneFrame plane(a, b, beside, "a, b and a point along the tangent");
+    const PlaneFrame plane(a, b, beside, "a, b and the tangent at a");
     const ConicArc arc = circle_over(a, b, plane, plane.direction(tangent));
     return conic_curve({&arc, 1}, form);
 }
@@ -224,16 +243,19 @@ SplinePtr conic_shoulder(Coordinates a, Coordinates tangent_a, Coordinates b, Co
     if (!(rho >= 0 && rho < 1)) {
         fail(NURBS_ERROR_FACTOR, "rho = %s, expected 0 <= rho < 1", Number(rho).text);
     }
-    const Vector s = unit(tangent_a), t = unit(tangent_b);
+    const Vector s = scaled_direction(tangent_a), t = scaled_direction(tangent_b);
     const Crossing crossing = closest(a, s, b, t);
-    const double reach = std::max(std::fabs(crossing.alpha), std::fabs(crossing.beta));
     if (!(crossing.sine > 8 * 0x1p-52)) {
-        fail(NURBS_ERROR_CONIC, "the tangents are parallel to within rounding");
+        fail(NURBS_ERROR_CONIC, "the tangents are parallel to within rounding: the sine of their angle is %s",
+             Number(crossing.sine).text);
     }
     if (!(crossing.alpha > 0) || !(crossing.beta > 0)) {
-        fail(NURBS_ERROR_CONIC, "the tangents meet behind a or in front of b");
+        fail(NURBS_ERROR_CONIC,
+             "the tangents meet at %s along tangent_a from a and %s against tangent_b from b, expected "
+             "positive lengths",
+             Number(crossing.alpha).text, Number(crossing.beta).text);
     }
-    if (crossing.miss > 16 * 0x1p-52 * (largest_coordinate(a, b) + reach)) {
+    if (crossing.miss > 16 * 0x1p-52 * (largest_coordinate(a, b) + crossing.reach)) {
         fail(NURBS_ERROR_CONIC, "the tangents pass each other at a distance of %s",
              Number(crossing.miss).text);
     }
@@ -252,7 +274,9 @@ SplinePtr conic_point(Coordinates a, Coordinates tangent_a, Coordinates b, Coord
     plane.check_direction(tangent_b, "tangent_b");
     const TangentPencil pencil(plane.point(b), plane.direction(tangent_a), plane.direction(tangent_b));
     if (pencil.degenerate(plane.rounding())) {
-        fail(NURBS_ERROR_CONIC, "a tangent is along the chord from a to b");
+        fail(NURBS_ERROR_CONIC,
+             "a tangent is along the chord from a to b to within rounding, %s of its length",
+             Number(plane.rounding()).text);
     }
     const ConicArc arc =
         arc_of_pencil(a, b, plane, pencil, factor_through(pencil.ratios(plane.point(point))));
@@ -269,14 +293,15 @@ SplinePtr conic_through(Coordinates points, int dim, int32_t form) {
     std::array<Projective, 5> p{};
     for (size_t i = 0; i < 5; ++i) {
         const Point2 x = plane.point(place(i));
-        p[i] = {x.x, x.y, 1};
+        p[i] = {x.x, x.y, Wide(1)};
     }
     check_triangles(p, plane.rounding());
-    const TangentPencil pencil({p[4].x, p[4].y}, pascal_tangent(p), pascal_tangent(reversed(p)));
+    const TangentPencil pencil(affine(p[4]), pascal_tangent(p), pascal_tangent(reversed(p)));
     if (pencil.degenerate(plane.rounding())) {
-        fail(NURBS_ERROR_CONIC, "the conic through the points has a tangent along its chord");
+        fail(NURBS_ERROR_CONIC,
+             "the conic through the points has a tangent along the chord from points[0] to points[4]");
     }
-    const double factor = factor_through(pencil.ratios({p[2].x, p[2].y}));
+    const Wide factor = factor_through(pencil.ratios(affine(p[2])));
     check_order(pencil, p, factor);
     const ConicArc arc = arc_of_pencil(place(0), place(4), plane, pencil, factor);
     return conic_curve({&arc, 1}, form);

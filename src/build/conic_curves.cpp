@@ -40,7 +40,7 @@ SplinePtr ellipse(const Placement &place, double radius_x, double radius_y, cons
 }
 
 SplinePtr parabola(const Placement &place, double focal_length, double start, double end) {
-    check_length(focal_length, "focal_length");
+    check_positive_length(focal_length, "focal_length");
     check_range(start, end);
     const auto dim = static_cast<size_t>(place.dim);
     const double slope = start / focal_length / 4; // x = t^2 / (4 f), by its polar form
@@ -54,8 +54,8 @@ SplinePtr parabola(const Placement &place, double focal_length, double start, do
 }
 
 SplinePtr hyperbola(const Placement &place, double radius_x, double radius_y, double start, double end) {
-    check_length(radius_x, "radius_x");
-    check_length(radius_y, "radius_y");
+    check_positive_length(radius_x, "radius_x");
+    check_positive_length(radius_y, "radius_y");
     check_range(start, end);
     return placed_arc(place, radius_x, radius_y, unit_hyperbola(start, end));
 }

@@ -123,8 +123,8 @@ void check_helix(const Helix &shape, int dim, double tolerance) {
     if (!std::isfinite(shape.turns) || !(shape.turns > 0)) {
         fail(NURBS_ERROR_FACTOR, "turns = %s, expected a finite number above 0", Number(shape.turns).text);
     }
-    const double last = shape.radius + shape.growth * shape.turns;
-    if (!(last >= 0)) {
+    const double last = std::fma(shape.growth, shape.turns, shape.radius);
+    if (!(last >= -4 * 0x1p-52 * shape.radius)) { // less is rounding, and becomes 0
         refuse("radius + growth * turns", last, "at least 0");
     }
     if (!std::isfinite(tolerance) || !(tolerance > 0)) {
@@ -170,7 +170,7 @@ public:
     void joint(int64_t i, double *out) const noexcept {
         const double turns = turns_at(2 * i);
         const Direction d = direction_at(2 * i);
-        const double radius = shape_.radius + shape_.growth * turns;
+        const double radius = std::max(0.0, std::fma(shape_.growth, turns, shape_.radius));
         place_.point(radius * d.cos, radius * d.sin, shape_.pitch * turns, out);
     }
     void inner(const CoilPiece &piece, int64_t i, size_t j, double *out) const noexcept {

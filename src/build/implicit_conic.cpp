@@ -11,7 +11,8 @@ SplinePtr implicit_conic(const double *coefficients, double start, double end, i
     const Placement place = make_placement(2, conic.origin, nullptr, conic.x, "origin");
     switch (conic.type) {
     case NURBS_CONIC_ELLIPSE:
-        return ellipse(place, conic.sizes[0], conic.sizes[1], make_turn(start, end - start), form);
+        return ellipse(place, conic.sizes[0], conic.sizes[1],
+                       make_turn(start, end - start, "start", "end - start"), form);
     case NURBS_CONIC_PARABOLA:
         return parabola(place, conic.sizes[0], start, end);
     default:

@@ -142,7 +142,7 @@ void check_direction(const double *direction, int64_t dim, const char *name) {
     }
 }
 
-void check_length(double length, const char *name) {
+void check_positive_length(double length, const char *name) {
     if (!std::isfinite(length) || !(length > 0)) {
         fail(NURBS_ERROR_LENGTH, "%s = %s, expected a finite length above 0", name, Number(length).text);
     }

@@ -42,6 +42,6 @@ void check_point(const double *point, int64_t dim, const char *name);
 // Finite, and not 0; throws NURBS_ERROR_DIRECTION.
 void check_direction(const double *direction, int64_t dim, const char *name);
 // Finite and positive; throws NURBS_ERROR_LENGTH.
-void check_length(double length, const char *name);
+void check_positive_length(double length, const char *name);
 
 } // namespace nrb

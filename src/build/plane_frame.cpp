@@ -52,8 +52,9 @@ Vector across(Vector v, std::span<const double> unit) {
     return v;
 }
 
+// That brings a size to about 1, as far as it is a number itself.
 double power_of_two(double size) noexcept {
-    return size > 0 ? std::ldexp(1.0, -std::ilogb(size)) : 1;
+    return size > 0 ? std::ldexp(1.0, std::min(-std::ilogb(size), 1000)) : 1;
 }
 
 } // namespace
@@ -70,7 +71,9 @@ PlaneFrame::PlaneFrame(Coordinates first, Coordinates second, Coordinates third,
     const Vector high = across(leg, u_);
     const double height = length(high);
     if (!(std::min({width, height, length(leg)}) > rounding_)) {
-        fail(NURBS_ERROR_COLLINEAR, "%s are on a line, or two of them are equal, to within rounding", what);
+        fail(NURBS_ERROR_COLLINEAR,
+             "%s are on a line, or two of them are equal, to within rounding: height %s over a chord of %s",
+             what, Number(height / scale_).text, Number(width / scale_).text);
     }
     tilt_ = rounding_ / std::min(width, height);
     v_ = scaled(high, 1 / height);
@@ -88,20 +91,27 @@ Vector PlaneFrame::offset(Coordinates x) const {
     return v;
 }
 
-Point2 PlaneFrame::along(std::span<const double> v) const {
-    return {dot(v, u_), dot(v, v_)};
-}
-
 double PlaneFrame::distance(std::span<const double> v) const {
     return length(across(across(Vector(v.begin(), v.end()), u_), v_));
 }
 
 Point2 PlaneFrame::point(Coordinates x) const {
-    return along(offset(x));
+    Point2 p;
+    for (size_t i = 0; i < x.size(); ++i) {
+        const Wide way = Wide::sum(x[i], -origin_[i]) * Wide(scale_);
+        p = {p.x + way * Wide(u_[i]), p.y + way * Wide(v_[i])};
+    }
+    return p;
 }
 
 Point2 PlaneFrame::direction(Coordinates v) const {
-    return along(scaled(Vector(v.begin(), v.end()), power_of_two(largest_magnitude(v))));
+    const double scale = power_of_two(largest_magnitude(v));
+    Point2 p;
+    for (size_t i = 0; i < v.size(); ++i) {
+        const Wide part = v[i] * scale;
+        p = {p.x + part * Wide(u_[i]), p.y + part * Wide(v_[i])};
+    }
+    return p;
 }
 
 void PlaneFrame::check_point(Coordinates x, const char *name) const {
@@ -122,10 +132,10 @@ void PlaneFrame::check_direction(Coordinates v, const char *name) const {
     }
 }
 
-Vector PlaneFrame::vector(Point2 v) const {
+Vector PlaneFrame::vector(const Point2 &v) const {
     Vector out(origin_.size());
     for (size_t i = 0; i < out.size(); ++i) {
-        out[i] = (v.x * u_[i] + v.y * v_[i]) / scale_;
+        out[i] = (v.x * Wide(u_[i]) + v.y * Wide(v_[i])).value() / scale_;
     }
     return out;
 }

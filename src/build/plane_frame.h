@@ -1,32 +1,45 @@
 // The plane of three points in any dimension, with coordinates in it.
 #pragma once
 
+#include "base/wide.h"
+
+#include <cmath>
 #include <span>
 #include <vector>
 
 namespace nrb {
 
+// A point or vector of a plane, in twice the precision.
 struct Point2 {
-    double x;
-    double y;
+    Wide x;
+    Wide y;
 };
 
-inline double cross(Point2 a, Point2 b) noexcept {
+inline Wide cross(const Point2 &a, const Point2 &b) noexcept {
     return a.x * b.y - a.y * b.x;
 }
-inline Point2 operator-(Point2 a, Point2 b) noexcept {
+inline Wide dot(const Point2 &a, const Point2 &b) noexcept {
+    return a.x * b.x + a.y * b.y;
+}
+inline Point2 operator-(const Point2 &a, const Point2 &b) noexcept {
     return {a.x - b.x, a.y - b.y};
+}
+inline Point2 operator*(const Wide &s, const Point2 &a) noexcept {
+    return {s * a.x, s * a.y};
+}
+inline double length(const Point2 &a) noexcept {
+    return std::hypot(a.x.value(), a.y.value());
 }
 
 // Coordinates are offsets from the first point, times a power of two that brings the largest of the three points'
-// to about 1; in dimension 2 they are along the coordinate axes, otherwise along the chord to the second point and
-// across it towards the third.
+// to about 1; in dimension 2 they are along the coordinate axes and exact, otherwise along the chord to the
+// second point and across it towards the third.
 class PlaneFrame {
 public:
     using Coordinates = std::span<const double>;
 
-    // Throws NURBS_ERROR_COLLINEAR if the height of `third` over the line through the other two is at most 8 eps of the
-    // largest coordinate, or if two of the points are as close as that; `what` names the points.
+    // Throws NURBS_ERROR_COLLINEAR if the height of `third` over the line through the other two is at most 8
+    // eps of the largest coordinate, or if two of the points are as close as that; `what` names the points.
     PlaneFrame(Coordinates first, Coordinates second, Coordinates third, const char *what);
 
     [[nodiscard]] Point2 point(Coordinates x) const;
@@ -39,11 +52,10 @@ public:
     void check_direction(Coordinates v, const char *name) const;
 
     // The vector of the space for one of the plane.
-    [[nodiscard]] std::vector<double> vector(Point2 v) const;
+    [[nodiscard]] std::vector<double> vector(const Point2 &v) const;
 
 private:
     [[nodiscard]] std::vector<double> offset(Coordinates x) const;
-    [[nodiscard]] Point2 along(std::span<const double> v) const;
     [[nodiscard]] double distance(std::span<const double> v) const;
 
     std::vector<double> origin_;

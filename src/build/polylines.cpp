@@ -112,7 +112,7 @@ SplinePtr polyline(int dim, std::vector<double> points, std::vector<double> para
 }
 
 SplinePtr regular_polygon(const Placement &place, double radius, int64_t sides) {
-    check_length(radius, "radius");
+    check_positive_length(radius, "radius");
     if (sides < 3) {
         fail(NURBS_ERROR_COUNT, "sides = %lld, expected at least 3", static_cast<long long>(sides));
     }
@@ -127,8 +127,8 @@ SplinePtr regular_polygon(const Placement &place, double radius, int64_t sides) 
 }
 
 SplinePtr rounded_rectangle(const Placement &place, double width, double height, double corner_radius) {
-    check_length(width, "width");
-    check_length(height, "height");
+    check_positive_length(width, "width");
+    check_positive_length(height, "height");
     const double x = width / 2, y = height / 2, r = corner_radius;
     if (!(r >= 0 && r <= std::min(x, y))) {
         fail(NURBS_ERROR_LENGTH, "corner_radius = %s, expected 0 to %s, half of the smaller side",

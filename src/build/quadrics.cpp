@@ -39,14 +39,14 @@ void check_end_radius(double radius, const char *name) {
 }
 
 void check_semi_axes(double radius_x, double radius_y) {
-    check_length(radius_x, "radius_x");
-    check_length(radius_y, "radius_y");
+    check_positive_length(radius_x, "radius_x");
+    check_positive_length(radius_y, "radius_y");
 }
 
 void check_hyperboloid(const HyperboloidSize &size) {
     const auto &[radius_x, radius_y, radius_z, bottom, top, two_sheets] = size;
     check_semi_axes(radius_x, radius_y);
-    check_length(radius_z, "radius_z");
+    check_positive_length(radius_z, "radius_z");
     if (!std::isfinite(bottom) || !std::isfinite(top) || !(bottom < top)) {
         fail(NURBS_ERROR_LENGTH, "bottom = %s and top = %s, expected finite heights, bottom below top",
              Number(bottom).text, Number(top).text);
@@ -61,18 +61,18 @@ void check_hyperboloid(const HyperboloidSize &size) {
 
 SplinePtr spherical_patch(const Placement &place, double radius, const Turn &turn, double south, double north,
                           int32_t form) {
-    check_length(radius, "radius");
+    check_positive_length(radius, "radius");
     return turned(place, unit_arc(turn, form), arc_profile(latitudes(south, north), form, 0, radius));
 }
 
 SplinePtr sphere(const Placement &place, double radius, int32_t form) {
-    check_length(radius, "radius");
+    check_positive_length(radius, "radius");
     return turned(place, unit_arc(full_turn(), form), arc_profile(pole_to_pole(), form, 0, radius));
 }
 
 SplinePtr ellipsoid(const Placement &place, double radius_x, double radius_y, double radius_z, int32_t form) {
     check_semi_axes(radius_x, radius_y);
-    check_length(radius_z, "radius_z");
+    check_positive_length(radius_z, "radius_z");
     Profile profile = arc_profile(pole_to_pole(), form, 0, 1);
     for (ProfilePoint &point : profile.points) {
         point.height = Wide(radius_z) * point.height;
@@ -81,8 +81,8 @@ SplinePtr ellipsoid(const Placement &place, double radius_x, double radius_y, do
 }
 
 SplinePtr cylinder(const Placement &place, double radius, double height, const Turn &turn, int32_t form) {
-    check_length(radius, "radius");
-    check_length(height, "height");
+    check_positive_length(radius, "radius");
+    check_positive_length(height, "height");
     return turned(place, unit_arc(turn, form), bezier_profile({{radius, 0}, {radius, height}}));
 }
 
@@ -94,21 +94,21 @@ SplinePtr cone(const Placement &place, double base_radius, double top_radius, do
         fail(NURBS_ERROR_LENGTH, "base_radius = %s is top_radius, expected two radii that differ",
              Number(base_radius).text);
     }
-    check_length(height, "height");
+    check_positive_length(height, "height");
     return turned(place, unit_arc(turn, form), bezier_profile({{base_radius, 0}, {top_radius, height}}));
 }
 
 SplinePtr torus(const Placement &place, double major_radius, double minor_radius, const Turn &turn,
                 const Turn &tube, int32_t form) {
-    check_length(major_radius, "major_radius");
-    check_length(minor_radius, "minor_radius");
+    check_positive_length(major_radius, "major_radius");
+    check_positive_length(minor_radius, "minor_radius");
     return turned(place, unit_arc(turn, form), arc_profile(tube, form, major_radius, minor_radius));
 }
 
 SplinePtr paraboloid(const Placement &place, double radius_x, double radius_y, double height,
                      const Turn &turn, int32_t form) {
     check_semi_axes(radius_x, radius_y);
-    check_length(height, "height");
+    check_positive_length(height, "height");
     return turned(place, unit_arc(turn, form), bezier_profile({{0, 0}, {0.5, 0}, {1, height}}), radius_x,
                   radius_y);
 }
@@ -116,7 +116,7 @@ SplinePtr paraboloid(const Placement &place, double radius_x, double radius_y, d
 // (2 s - 1)^2 has the control points 1, -1, 1.
 SplinePtr saddle(const Placement &place, double radius_x, double radius_y, double height) {
     check_semi_axes(radius_x, radius_y);
-    check_length(height, "height");
+    check_positive_length(height, "height");
     constexpr std::array<double, 3> line = {-1, 0, 1}, square = {1, -1, 1};
     std::vector<double> points(27);
     for (size_t i = 0; i < 9; ++i) {

@@ -104,7 +104,7 @@ SplinePtr placed(const Spline &face, const Orientation &turn, const Placement &p
 } // namespace
 
 std::vector<SplinePtr> sphere_patches(const Placement &place, double radius, bool half) {
-    check_length(radius, "radius");
+    check_positive_length(radius, "radius");
     const SplinePtr face = unit_face(), side = half ? upper_half(face) : face;
     std::vector<SplinePtr> patches;
     for (size_t k = 0; k < (half ? 5 : 6); ++k) {

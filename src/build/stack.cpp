@@ -85,9 +85,11 @@ SplinePtr ruled(const SplinePtr &a, const SplinePtr &b, bool cartesian) {
     if (a->dim() != b->dim()) {
         fail(NURBS_ERROR_DIMENSION, "dimension %d of b, expected %d as of a", b->dim(), a->dim());
     }
-    const std::array<SplinePtr, 2> both = {a, b};
+    // Weights that differ by a factor make no difference to Cartesian points.
+    const std::array<SplinePtr, 2> both = {cartesian ? normalize_weights(a) : a,
+                                           cartesian ? normalize_weights(b) : b};
     const std::vector<SplinePtr> same = make_compatible(both, 0, true).splines;
-    return cartesian && !same_weights(*same[0], *same[1]) ? ruled_over_product(a, b)
+    return cartesian && !same_weights(*same[0], *same[1]) ? ruled_over_product(both[0], both[1])
                                                           : stacked(same[0], same[1]);
 }
 

@@ -97,7 +97,8 @@ void central_axes(const Equation &q, const Principal &principal, double four_ac,
     const double other = four_ac / 4 / principal.value;
     const double along = std::sqrt(std::abs(at_centre / principal.value));
     const double across = std::sqrt(std::abs(at_centre / other));
-    const bool turned = four_ac > 0 || at_centre > 0; // the longer axis, or the one with the vertices, is Y
+    // Whether the longer axis, or the one with the vertices, is Y.
+    const bool turned = four_ac > 0 ? along < across : at_centre > 0;
     axes.sizes[0] = turned ? across : along;
     axes.sizes[1] = turned ? along : across;
     const double x = turned ? -principal.y : principal.x, y = turned ? principal.x : principal.y;
@@ -173,6 +174,10 @@ ConicAxes conic_axes(const double *coefficients) {
         if (!std::isfinite(x)) {
             fail(NURBS_ERROR_NOT_REPRESENTABLE, "a value of the axes of the conic overflows");
         }
+    }
+    if (!(axes.sizes[0] > 0) || (axes.type != NURBS_CONIC_PARABOLA && !(axes.sizes[1] > 0))) {
+        fail(NURBS_ERROR_NOT_REPRESENTABLE, "sizes = %s, %s: a size of the conic underflows",
+             Number(axes.sizes[0]).text, Number(axes.sizes[1]).text);
     }
     return axes;
 }

@@ -94,7 +94,7 @@ static void shoulders(void) {
                     "rho|-0.1");
     CHECK_NO_HANDLE(g, nurbs_curve_conic_shoulder(2, a, up, b, up, 0.5, &g), NURBS_ERROR_CONIC, "tangents");
     CHECK_NO_HANDLE(g, nurbs_curve_conic_shoulder(2, a, VALUES(-1, 2), b, VALUES(-1, -2), 0.5, &g),
-                    NURBS_ERROR_CONIC, "behind a");
+                    NURBS_ERROR_CONIC, "tangent_a|tangent_b");
     CHECK_NO_HANDLE(g,
                     nurbs_curve_conic_shoulder(3, VALUES(0, 0, 0), VALUES(1, 2, 0), VALUES(2, 0, 1),
                                                VALUES(1, -2, 0), 0.5, &g),
@@ -200,8 +200,8 @@ static void focal_conics(void) {
     CHECK_NO_HANDLE(g, nurbs_curve_conic_focus(2, f, NULL, f, 1, 0, 1, 0, &g), NURBS_ERROR_DIRECTION,
                     "foot - focus");
     CHECK_NO_HANDLE(
-        g, nurbs_curve_conic_focus(3, VALUES(0, 0, 0), VALUES(1, 0, 1), VALUES(1, 0, 0), 1, 0, 1, 0, &g),
-        NURBS_ERROR_DIRECTION, "perpendicular");
+        g, nurbs_curve_conic_focus(3, VALUES(0, 0, 0), VALUES(1, 0, 0), VALUES(1, 0, 0), 1, 0, 1, 0, &g),
+        NURBS_ERROR_DIRECTION, "axis|parallel");
     CHECK_NO_HANDLE(g, nurbs_curve_conic_focus(2, f, NULL, d, 1, 0, 0, 0, &g), NURBS_ERROR_ANGLE, "sweep|0");
     CHECK_NO_HANDLE(g, nurbs_curve_conic_focus(2, f, NULL, NULL, 1, 0, 1, 0, &g), NURBS_ERROR_NULL, "foot");
     CHECK_NO_HANDLE(g, nurbs_curve_conic_focus(2, NULL, NULL, d, 1, 0, 1, 0, &g), NURBS_ERROR_NULL, "focus");

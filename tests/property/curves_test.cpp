@@ -1,4 +1,5 @@
 // Circles, conics and helices: the equations that their points fulfil, their ends, their lengths.
+#include "reference/number.h"
 #include "support/cases.h"
 #include "support/handle.h"
 
@@ -284,6 +285,135 @@ TEST(Curves, focal_conics_keep_the_ratio_of_distances) {
     std::printf("focal conics: at most %.2f of the bound\n", worst);
 }
 
+// Largest |x^2 + y^2 - R^2| / (2 R^2) in eps, without rounding.
+double off_integer_circle(const nurbs *g, double radius) {
+    using reference::exact;
+    Random random(40700);
+    const Vec points = eval(g, random_params(random, 120));
+    const reference::Rational square = exact(radius) * exact(radius);
+    double worst = 0;
+    for (size_t i = 0; i < points.size(); i += 2) {
+        const reference::Rational x = exact(points[i]), y = exact(points[i + 1]);
+        const reference::Rational off = (x * x + y * y - square) / (2 * square);
+        worst = std::max(worst, std::fabs(static_cast<double>(off)) / eps);
+    }
+    return worst;
+}
+
+// Arcs from (R, 0) through (-R, 0) to (m^2 - 1, -2 m), R = m^2 + 1: all but 2 / m of a full turn, from data without
+// rounding.
+TEST(Curves, nearly_full_turns_are_as_accurate_as_their_data) {
+    double worst = 0;
+    for (const double m : {2.0, 3.0, 10.0, 100.0, 1e4, 1e6, 3e7}) {
+        const double radius = m * m + 1;
+        const Vec a = {radius, 0}, b = {-radius, 0}, c = {m * m - 1, -2 * m}, s = {0, 1},
+                  t = {2 * m, m * m - 1};
+        for (int form = 0; form < 3; ++form) {
+            const Handle through = made([&](nurbs **out) {
+                return nurbs_curve_arc_through(2, a.data(), b.data(), c.data(), form, out);
+            });
+            const Handle tangent = made([&](nurbs **out) {
+                return nurbs_curve_arc_tangent(2, a.data(), s.data(), c.data(), form, out);
+            });
+            const Handle conic = made([&](nurbs **out) {
+                return nurbs_curve_conic_point(2, a.data(), s.data(), c.data(), t.data(), b.data(), form % 2,
+                                               out);
+            });
+            for (const nurbs *g : {through.get(), tangent.get(), conic.get()}) {
+                const double off = off_integer_circle(g, radius);
+                ASSERT_LE(off, 4) << "m " << m << " form " << form;
+                worst = std::max(worst, off);
+            }
+        }
+    }
+    std::printf("nearly full turns: %.2f eps\n", worst);
+}
+
+// From (0, 0) along x to (1, 1) along y through (1 - h, h): with barycentric coordinates 1 - x, x - y, y it is (x - y)^2
+// = 4 w^2 (1 - x) y, 4 w^2 = (1 - 2 h)^2 / h^2, as sharp as h is small.
+TEST(Curves, sharp_hyperbolas_are_accurate) {
+    const Vec a = {0, 0}, b = {1, 1}, s = {1, 0}, t = {0, 1};
+    for (int k = 3; k <= 30; ++k) {
+        const double h = std::ldexp(1.0, -k);
+        const Vec point = {1 - h, h};
+        const Handle g = made([&](nurbs **out) {
+            return nurbs_curve_conic_point(2, a.data(), s.data(), b.data(), t.data(), point.data(), k % 2,
+                                           out);
+        });
+        Random random(40800);
+        const Vec points = eval(g.get(), random_params(random, 200));
+        const long double four = (1 - 2.0L * h) * (1 - 2.0L * h) / h / h;
+        for (size_t i = 0; i < points.size(); i += 2) {
+            const long double x = points[i], y = points[i + 1];
+            const long double f = (x - y) * (x - y) - four * (1 - x) * y;
+            const long double gradient = std::hypot(2 * (x - y) + four * y, -2 * (x - y) - four * (1 - x));
+            // Near the vertex the curve turns within h: there the first order says less than all.
+            ASSERT_LE(std::fabs(f), 16 * eps * gradient + 64 * eps * eps * four) << "h 2^-" << k;
+        }
+    }
+}
+
+TEST(Curves, shoulders_stand_where_rho_says_at_small_angles_too) {
+    for_each_case(40900, 400, [&](Random &random, uint64_t seed) {
+        const int dim = 2 + static_cast<int>(seed % 3);
+        const double angle = random.magnitude(1e-8, 1), rho = random.between(0.05, 0.95);
+        // Exact: the corner is a + u, and b = corner + v, for short numbers u and v.
+        Vec a, u, v;
+        for (int c = 0; c < dim; ++c) {
+            a.push_back(random.whole(-64, 64));
+            u.push_back(random.whole(1, 64));
+            v.push_back(u.back() + random.whole(-64, 64) * std::ldexp(1.0, std::ilogb(angle) - 6));
+        }
+        Vec b = a;
+        for (size_t c = 0; c < b.size(); ++c) {
+            b[c] += u[c] + v[c];
+        }
+        nurbs *made_curve = nullptr;
+        const nurbs_status status =
+            nurbs_curve_conic_shoulder(dim, a.data(), u.data(), b.data(), v.data(), rho, &made_curve);
+        const Handle g(made_curve);
+        if (status == NURBS_ERROR_CONIC) {
+            ASSERT_NE(last_error().find("parallel"), std::string::npos) << last_error(); // u = v happens
+            return;
+        }
+        require_ok(status);
+        const Vec corner = read_back(g.get()).points;
+        for (size_t c = 0; c < static_cast<size_t>(dim); ++c) {
+            ASSERT_NEAR(corner[static_cast<size_t>(dim) + c], a[c] + u[c], 4 * eps * 256) << "seed " << seed;
+        }
+    });
+}
+
+TEST(Curves, focal_conics_near_their_asymptotes_and_beyond) {
+    for (const double e : {1.0, 1.5, 7.0}) {
+        const Vec focus = {0, 0}, foot = {1, 0};
+        const double limit = std::acos(-1 / e);
+        for (const double gap : {1e-1, 1e-3, 1e-5}) {
+            const Handle g = made([&](nurbs **out) {
+                return nurbs_curve_conic_focus(2, focus.data(), nullptr, foot.data(), e, gap - limit,
+                                               2 * (limit - gap), 0, out);
+            });
+            Random random(41000);
+            const Vec points = eval(g.get(), random_params(random, 100));
+            const double size = size_of(g.get());
+            for (size_t i = 0; i < points.size(); i += 2) {
+                const long double x = points[i], y = points[i + 1];
+                ASSERT_LE(std::fabs(std::hypot(x, y) - e * (1 - x)), 8 * (1 + e) * eps * size)
+                    << e << " " << gap;
+            }
+        }
+        for (const double half : {0.01, 0.5, 1.0, 2.0, 3.1}) {
+            for (const double sign : {-1.0, 1.0}) {
+                nurbs *out = nullptr;
+                ASSERT_EQ(nurbs_curve_conic_focus(2, focus.data(), nullptr, foot.data(), e, pi - sign * half,
+                                                  sign * 2 * half, 0, &out),
+                          NURBS_ERROR_CONIC)
+                    << e << " " << half;
+            }
+        }
+    }
+}
+
 // Length by Gauss-Legendre quadrature with 5 points on each of `parts` parts of [0, 1].
 double length_of(const nurbs *g, int dim, int parts) {
     constexpr std::array<double, 5> nodes = {-0.9061798459386640, -0.5384693101056831, 0, 0.5384693101056831,
@@ -316,7 +446,7 @@ TEST(Curves, lengths_are_exact) {
             [&](nurbs **out) { return nurbs_curve_arc(2, nullptr, nullptr, nullptr, 3, 1, -2, form, out); });
         EXPECT_NEAR(length_of(arc.get(), 2, 240), 6, 1e-13 * 6);
     }
-    // x = t^2 / 4, y = t: the length from 0 to 2 is sqrt(2) + asinh(1).
+    // x = t^2 / 4, y = t: the length from 0 to 1 is sqrt(5) / 4 + asinh(1 / 2).
     const Handle parabola =
         made([](nurbs **out) { return nurbs_curve_parabola(2, nullptr, nullptr, nullptr, 1, 0, 1, out); });
     EXPECT_NEAR(length_of(parabola.get(), 2, 60), std::sqrt(5.0) / 4 + std::asinh(0.5), 1e-13);
