@@ -37,7 +37,8 @@ void check_order(int32_t order);
 void check_factor(double factor, const char *name);
 // A parameter of an axis: finite, and inside its domain.
 void check_place(double t, Interval domain, const char *name, int axis);
-// The ends that NURBS_FORM_CLAMPED_START and NURBS_FORM_CLAMPED_END name; throws NURBS_ERROR_FLAGS for others.
+// The ends that NURBS_FORM_CLAMPED_START and NURBS_FORM_CLAMPED_END name; throws NURBS_ERROR_FLAGS for
+// others.
 AxisEnds decode_ends(uint32_t flags);
 // Whether an end is the upper one; throws NURBS_ERROR_END for a value that is none.
 bool upper_end(int32_t end, const char *name);

@@ -1975,21 +1975,21 @@ NURBS_API nurbs_status nurbs_project_from(const nurbs *g, const double *eye, con
  * dimensions see nurbs_transform(), which is exact for all of these shapes.
  *
  * **Angles** are in radians, counted from X towards Y. A sweep is not 0 and at most a full turn either way;
- * one that is a multiple of 15 degrees to within 4 units of rounding is taken for that multiple, and so
- * are starts. The coordinates of points at such angles are exact, and full turns end where they begin, bit
- * for bit.
+ * one that is a multiple of 15 degrees to within 4 units of rounding is taken for that multiple, and so are
+ * starts. Cosines and sines that are 0, 1/2 or 1 are exact then, and full turns end where they begin, bit
+ * for bit. No angle may be above 2^22.
  *
- * Control points and weights are within 4 eps * size of those of the true shape, size being the largest
- * coordinate among the control points; distances of evaluated points to it stay within 4 eps * size
- * (tested).
+ * Distances of evaluated points to the true shape stay within 4 eps * size (tested), size being the largest
+ * coordinate among the control points. For curves by points and tangents the true shape is the one that the
+ * numbers given determine, however near to degenerate they are: they are solved in twice the precision. In
+ * dimensions above 2 the plane of the points is rounded, which counts as rounding of their coordinates.
  * @{ */
 
 /** \name Forms of an arc
  * @{ */
 #define NURBS_ARC_QUARTERS 0 /**< degree 2, equal pieces of at most a quarter turn */
 #define NURBS_ARC_THIRDS 1   /**< degree 2, equal pieces of at most a third of a turn */
-/** \brief One polynomial piece: degree 2 below half a turn, from there to the full turn degree 5. All
- * weights positive. */
+/** \brief One polynomial piece: degree 2 up to a third of a turn, degree 5 beyond; weights are positive. */
 #define NURBS_ARC_SMOOTH 2
 /** @} */
 
@@ -2020,7 +2020,8 @@ NURBS_API nurbs_status nurbs_curve_line(int32_t dim, const double *a, const doub
  * \param[in] param_stride distance between parameters, 0 = 1.
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _TOO_FEW_POINTS, _DIMENSION, _STRIDE, _POINT_NOT_FINITE,
- *   _PARAMETER_NOT_FINITE; _KNOTS_DECREASING if a parameter is not above the one before it, _OVERFLOW.
+ *   _PARAMETER_NOT_FINITE; _KNOTS_DECREASING if a parameter is not above the one before it,
+ *   _KNOT_NOT_FINITE if their range overflows, _OVERFLOW.
  * \since 0.1 */
 NURBS_API nurbs_status nurbs_curve_polyline(int64_t n, int32_t dim, const double *points,
                                             int64_t point_stride, int64_t point_component_stride,
@@ -2084,8 +2085,7 @@ NURBS_API nurbs_status nurbs_curve_circle(int32_t dim, const double *center, con
 NURBS_API nurbs_status nurbs_curve_arc(int32_t dim, const double *center, const double *axis, const double *x,
                                        double radius, double start, double sweep, int32_t form, nurbs **out);
 
-/** \brief The circular arc from a through b to c. Its ends are a and c bit for bit. The error of its other
- * control points grows as the angles of the triangle a b c get small.
+/** \brief The circular arc from a through b to c. Its ends are a and c bit for bit.
  * \param[in] dim dimension, at least 2.
  * \param[in] a,b,c [dim] three points that are not on a line.
  * \param[in] form one of the NURBS_ARC_ constants.
@@ -2134,7 +2134,7 @@ NURBS_API nurbs_status nurbs_curve_ellipse(int32_t dim, const double *center, co
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _DIMENSION, _DIRECTION, _POINT_NOT_FINITE, _PARAMETER_NOT_FINITE,
  *   _EMPTY_DOMAIN; _LENGTH if the focal length is not finite or not positive, _NOT_REPRESENTABLE if a
- *   coordinate overflows.
+ *   coordinate, _KNOT_NOT_FINITE if end - start overflows.
  * \since 0.1 */
 NURBS_API nurbs_status nurbs_curve_parabola(int32_t dim, const double *vertex, const double *axis,
                                             const double *x, double focal_length, double start, double end,
@@ -2163,7 +2163,8 @@ NURBS_API nurbs_status nurbs_curve_hyperbola(int32_t dim, const double *center, 
  * \param[in] p0,p1,p2 [dim] the triangle; p0 and p2 are the ends, bit for bit.
  * \param[in] shape_factor C_sf >= 0, possibly infinite.
  * \param[out] out the new handle.
- * \return NURBS_OK, NURBS_ERROR_NULL, _DIMENSION, _POINT_NOT_FINITE; _FACTOR if C_sf is negative or NaN.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _DIMENSION, _POINT_NOT_FINITE; _FACTOR if C_sf is negative or NaN,
+ *   _NOT_REPRESENTABLE if a weight times a coordinate overflows.
  * \since 0.1 */
 NURBS_API nurbs_status nurbs_curve_conic_triangle(int32_t dim, const double *p0, const double *p1,
                                                   const double *p2, double shape_factor, nurbs **out);
@@ -2180,7 +2181,7 @@ NURBS_API nurbs_status nurbs_curve_conic_triangle(int32_t dim, const double *p0,
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _DIMENSION, _POINT_NOT_FINITE; _DIRECTION if a tangent is zero or not
  *   finite, _FACTOR if rho is out of range; _CONIC if the tangents are parallel, do not meet in one point
- *   to within rounding, or meet behind a or before b; _NOT_REPRESENTABLE if a coordinate overflows.
+ *   to within rounding, or meet behind a or beyond b; _NOT_REPRESENTABLE if a coordinate overflows.
  * \since 0.1 */
 NURBS_API nurbs_status nurbs_curve_conic_shoulder(int32_t dim, const double *a, const double *tangent_a,
                                                   const double *b, const double *tangent_b, double rho,
@@ -2223,19 +2224,19 @@ NURBS_API nurbs_status nurbs_curve_conic_through(int32_t dim, const double *poin
 
 /** \brief Kind and axes of the conic A x^2 + B x y + C y^2 + D x + E y + F = 0, from its principal axes. An
  * ellipse has its centre and semi-axes sizes[0] >= sizes[1], x along the longer one; a hyperbola its
- * centre, x towards a vertex, semi-axes sizes[0] along x and sizes[1] across; for both x[0] > 0 or x = (0, 1).
- * A parabola has its vertex, x towards the focus, and the focal length sizes[0], sizes[1] = 0. The kind is that
- * of the sign of B^2 - 4 A C, computed exactly; an equation of lines or a point is one whose determinant is 0
- * to within 100 eps^2 of its terms. The equation of the axes is the one given to 16 eps of the terms of each
- * coefficient (tested).
+ * centre, x towards a vertex, semi-axes sizes[0] along x and sizes[1] across; for both x[0] > 0 or x = (0,
+ * 1). A parabola has its vertex, x towards the focus, and the focal length sizes[0], sizes[1] = 0. The kind
+ * is that of the sign of B^2 - 4 A C, computed exactly; an equation of lines or a point is one whose
+ * determinant is 0 to within 100 eps^2 of its terms. The equation of the axes is the one given to 16 eps of
+ * the terms of each coefficient (tested).
  * \param[in] coefficients [6] A, B, C, D, E, F.
  * \param[out] type NURBS_CONIC_ELLIPSE, _PARABOLA or _HYPERBOLA.
  * \param[out] origin [2] centre or vertex.
  * \param[out] x [2] unit direction.
  * \param[out] sizes [2] semi-axes or focal length.
- * \return NURBS_OK, NURBS_ERROR_NULL, _OVERLAP; _FACTOR if a coefficient is not finite; _CONIC if the equation
- *   describes no curve of these kinds: no points, one point, or lines; _NOT_REPRESENTABLE if a value
- *   overflows.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _OVERLAP; _FACTOR if a coefficient is not finite; _CONIC if the
+ *   equation describes no curve of these kinds: no points, one point, or lines; _NOT_REPRESENTABLE if a
+ *   value overflows.
  * \since 0.1 */
 NURBS_API nurbs_status nurbs_conic_axes(const double *coefficients, int32_t *type, double *origin, double *x,
                                         double *sizes);
@@ -2258,7 +2259,8 @@ NURBS_API nurbs_status nurbs_curve_conic_implicit(const double *coefficients, do
  * focus|. The parameter is that of the rational quadratic pieces.
  * \param[in] dim 2 or 3.
  * \param[in] focus [dim] the focus.
- * \param[in] axis [dim] normal of the plane in dimension 3, as in a placement; NULL in dimension 2.
+ * \param[in] axis [dim] normal of the plane in dimension 3: its part across foot - focus counts; NULL is
+ *   (0, 0, 1) and, in dimension 2, what is needed.
  * \param[in] foot [dim] the point of the directrix that is nearest to the focus; the directrix is
  *   perpendicular to the line from the focus to it.
  * \param[in] eccentricity e > 0.
@@ -2266,8 +2268,8 @@ NURBS_API nurbs_status nurbs_curve_conic_implicit(const double *coefficients, do
  * \param[in] form NURBS_ARC_QUARTERS or NURBS_ARC_THIRDS.
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _DIMENSION, _POINT_NOT_FINITE, _DIRECTION (foot = focus, or an axis
- *   that is not perpendicular to foot - focus to within rounding), _FORM, _ANGLE, _NOT_REPRESENTABLE;
- *   _FACTOR if e is not finite or not positive; _CONIC if the angles reach infinity.
+ *   that is parallel to foot - focus to within rounding), _FORM, _ANGLE, _NOT_REPRESENTABLE; _FACTOR if e
+ *   is not finite or not positive; _CONIC if the angles reach infinity.
  * \since 0.1 */
 NURBS_API nurbs_status nurbs_curve_conic_focus(int32_t dim, const double *focus, const double *axis,
                                                const double *foot, double eccentricity, double start,
@@ -2275,14 +2277,14 @@ NURBS_API nurbs_status nurbs_curve_conic_focus(int32_t dim, const double *focus,
 
 /** \brief Shape factor C_sf = w1^2 / (w0 w2) and kind of a conic segment: a curve of degree 2 with one
  * polynomial piece. The weights are those of its Bezier form. The kind is decided exactly for the stored
- * weights, unless the piece is unclamped: then for its Bezier weights as computed. A middle control point at
- * infinity (of weight 0) makes half an ellipse, not a chord.
+ * weights, unless the piece is unclamped: then for its Bezier weights as computed. A middle control point
+ * at infinity (of weight 0) makes half an ellipse, not a chord.
  * \param[in] g a curve of degree 2 with 3 control points.
  * \param[out] factor C_sf; infinite if it overflows.
  * \param[out] type one of the NURBS_CONIC_ constants but NURBS_CONIC_LEGS; NURBS_CONIC_LINE if the control
  *   points are on a line to within 4 eps of the largest coordinate, which comes before all others.
- * \return NURBS_OK, NURBS_ERROR_NULL, _OVERLAP; _AXES if g is no curve, _DEGREE if its degree is not 2, _COUNT if it
- *   has several pieces, _WEIGHT_SIGN if an end weight is not positive.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _OVERLAP; _AXES if g is no curve, _DEGREE if its degree is not 2,
+ *   _COUNT if it has several pieces, _WEIGHT_SIGN if an end weight is not positive.
  * \since 0.1 */
 NURBS_API nurbs_status nurbs_curve_shape_factor(const nurbs *g, double *factor, int32_t *type);
 
@@ -2296,8 +2298,8 @@ NURBS_API nurbs_status nurbs_curve_shape_factor(const nurbs *g, double *factor, 
  * at most a quarter turn each, of degree 6 (8 where growth is not 0), and join with their tangents and
  * curvatures. Every point is at an angle exactly as on an arc, so that a helix lies on its cylinder and a
  * conical one on its cone; only how far along it the point stands is approximated: the error for pieces of
- * angle d is at most 0.2176 tan(d / 4)^7 times the way gone by radius and pitch for each radian. The domain is
- * [0, turns]; joints of pieces are points of the true curve.
+ * angle d is at most 0.2176 tan(d / 4)^7 times the way gone by radius and pitch for each radian. The domain
+ * is [0, turns]; joints of pieces are points of the true curve.
  * \param[in] dim 2 or 3.
  * \param[in] origin,axis,x [dim] placement.
  * \param[in] radius at the start, >= 0, and > 0 where growth is 0.
@@ -2323,15 +2325,16 @@ NURBS_API nurbs_status nurbs_curve_helix(int32_t dim, const double *origin, cons
  * forms of arcs are those of the curves; shapes of revolution have the angle as axis 0 and a normal S_u x
  * S_v that points outwards where the sweep is positive.
  *
- * With size the largest coordinate among the control points, evaluated points lie within 4 eps * size of the
- * true sphere, cylinder, cone or torus, and within 5 eps * size of the other quadrics (tested). What is made of
- * splines has the weights and Cartesian control points of its formula, of which each product and sum is rounded
- * once, those of revolved shapes once in all; ruled shapes also what makes their splines compatible.
+ * With size the largest coordinate among the control points, evaluated points lie within 4 eps * size of
+ * the true sphere, cylinder, cone or torus, and within 5 eps * size of the other quadrics (tested). What is
+ * made of splines has the weights and Cartesian control points of its formula, of which each product and
+ * sum is rounded once, those of revolved shapes once in all; ruled shapes also what makes their splines
+ * compatible.
  * @{ */
 
 /** \name Flags of constructions
  * @{ */
-/** \brief nurbs_ruled(): rulings divided evenly in Cartesian space, in place of those of homogeneous points. */
+/** \brief nurbs_ruled(): rulings of Cartesian points, divided evenly, in place of those of homogeneous ones. */
 #define NURBS_RULED_CARTESIAN 0x80000000u
 /** \brief nurbs_surface_sphere_patches(): the half towards Z. */
 #define NURBS_HEMISPHERE 0x01000000u
@@ -2602,23 +2605,24 @@ NURBS_API nurbs_status nurbs_surface_hyperboloid(const double *center, const dou
  * volume those of its axes 1 and 2 from boundary 0, and that of axis 0 from boundary 2. Domains of the
  * others are mapped to them. The result is clamped: unclamped boundaries are clamped, periodic ones opened.
  *
- * Corners, and whatever else is given twice, agree if they are at most `tolerance` apart; 0 asks for equality
- * of every bit, which ends of unclamped boundaries, and edges of faces with different knots, only reach by
- * chance. Where they differ by less, the means are used: a surface misses its boundaries by half of what
- * positions differ, and an eighth of the domain's length times what tangents do; a volume misses its faces by
- * at most three times the gap.
+ * Corners, and whatever else is given twice, agree if they are at most `tolerance` apart; 0 asks for
+ * equality of every bit, which ends of unclamped boundaries, and edges of faces with different knots, only
+ * reach by chance. Where they differ by less, the means are used: a surface misses its boundaries by half
+ * of what positions differ, and an eighth of the domain's length times what tangents do; a volume misses
+ * its faces by at most three times the gap.
  *
  * Barring that, every boundary of a surface is met to 2 eps of its hull everywhere, half an eps more where
- * means were used, and one more for each denominator with which it is multiplied (tested by exact comparison of
- * the curves, weights within a factor of 25); corners bit for bit. Cross tangents are met to the rounding of
- * the two layers of control points that they are differences of.
+ * means were used, and one more for each denominator with which it is multiplied (tested by exact
+ * comparison of the curves, weights within a factor of 25); corners bit for bit. Cross tangents are met to
+ * the rounding of the two layers of control points that they are differences of.
  *
  * Rational boundaries are blended in Cartesian space. The result is the sum over the product of the
  * denominators that are not equal bit for bit after both are brought to common knots and divided by their
  * first weight: degrees up to 2 p + 1 for surfaces from curves of degree p, 4 p + 3 with cross tangents. It
  * is polynomial where the weights of every boundary are equal. Weights of the faces of a volume are taken
- * apart into a factor for each axis where they are such products, to 8 eps, which gives degrees up to 4 p + 1;
- * where one face has others, the denominators of edges are factors too, up to 8 p + 1 in all.
+ * apart into a factor for each axis where they are such products, to 8 eps, which gives degrees up to 4 p +
+ * 1; where one face has others, the denominators of edges are factors too, up to 8 p + 1 in all, and edges
+ * follow the first of their faces in place of the mean.
  * @{ */
 
 /** \name Twists of nurbs_surface_coons_hermite()
@@ -2673,11 +2677,10 @@ NURBS_API nurbs_status nurbs_surface_coons(const nurbs *const *boundaries, doubl
  * the boundaries: S_u(0,v) = F0(v) S_u(0,0) + F1(v) S_u(0,1) + G0(v) S_uv(0,0) + G1(v) S_uv(0,1), and so
  * on.
  *
- * Boundaries are met everywhere; cross tangents are too, where the twists agree with them. Where they do not,
- * G0 and G1 times the differences are added to the cross tangents, so that the twists of the surface are the
- * ones used; M holds what results. Two surfaces
- * that share a boundary, its cross tangents and the twists at its ends join with one tangent plane along
- * it.
+ * Boundaries are met everywhere; cross tangents are too, where the twists agree with them. Where they do
+ * not, G0 and G1 times the differences are added to the cross tangents, so that the twists of the surface
+ * are the ones used; M holds what results. Two surfaces that share a boundary, its cross tangents and the
+ * twists at its ends join with one tangent plane along it.
  * \param[in] boundaries [4] curves of the same dimension, in the order above.
  * \param[in] cross [4] curves of the same dimension: the derivative of the surface by the fixed axis along
  *   each boundary (0: S_u(u0, v), 2: S_v(u, v0)); or NULL. Their domains are mapped to those of the
@@ -2692,8 +2695,8 @@ NURBS_API nurbs_status nurbs_surface_coons(const nurbs *const *boundaries, doubl
  * \param[out] out the new handle.
  * \return as nurbs_surface_coons(), and NURBS_ERROR_TWIST_RULE if twist is none of the constants or does
  *   not suit, or twists are given to another one, _POINT_NOT_FINITE if a twist is not finite, _TANGENT if a
- *   cross tangent differs from the tangent of the boundary at a corner by more than the tolerance, _TWIST if
- *   twists do; the message names the corner and the difference.
+ *   cross tangent differs from the tangent of the boundary at a corner by more than the tolerance, _TWIST
+ *   if twists do; the message names the corner and the difference.
  * \since 0.1 */
 NURBS_API nurbs_status nurbs_surface_coons_hermite(const nurbs *const *boundaries, const nurbs *const *cross,
                                                    int32_t twist, const double *twists, double tolerance,
@@ -2716,8 +2719,8 @@ NURBS_API nurbs_status nurbs_coons_gaps(const nurbs *const *boundaries, const nu
                                         double *positions, double *tangents, double *twists);
 
 /** \brief The volume that blends six faces linearly (Gordon & Hall 1973): the sum of the blends of opposite
- * faces, less those of the twelve edges, plus that of the eight corners. Gaps along edges are proven bounds,
- * at most a quarter above the largest distance but for rounding.
+ * faces, less those of the twelve edges, plus that of the eight corners. Gaps along edges are proven
+ * bounds, at most a quarter above the largest distance but for rounding.
  * \param[in] faces [6] surfaces of the same dimension, in the order above.
  * \param[in] tolerance largest gap along an edge, >= 0.
  * \param[out] out the new handle.
@@ -2747,12 +2750,13 @@ NURBS_API nurbs_status nurbs_volume_coons(const nurbs *const *faces, double tole
 
 /** \brief Whether a curve is a line, circle or conic, or a surface a plane, sphere, cylinder, cone or torus:
  * of a curve the first of point, line, circle, parabola, ellipse and hyperbola, of a surface the first of
- * plane, sphere, cylinder, cone and torus, from which no point of g is farther than the tolerance. (Parabolas
- * come before ellipses, which come as near to a parabola as one likes.) A shape is fitted to points of g; then
- * the distance of all of g from it is bounded through the Bernstein coefficients of the equation of the shape
- * along g, so that what is returned is proven, its rounding included. A closed or partial shape, and how it is
- * parametrized, make no difference. What does not fit may be within the tolerance of a shape all the same, if
- * by little: distances are made small in the mean, and the bound is within a factor of about 5/4.
+ * plane, sphere, cylinder, cone and torus, from which no point of g is farther than the tolerance.
+ * (Parabolas come before ellipses, which come as near to a parabola as one likes.) A shape is fitted to
+ * points of g; then the distance of all of g from it is bounded through the Bernstein coefficients of the
+ * equation of the shape along g, so that what is returned is proven, its rounding included. A closed or
+ * partial shape, and how it is parametrized, make no difference. What does not fit may be within the
+ * tolerance of a shape all the same, if by little: distances are made small in the mean, and the bound is
+ * within a factor of about 5/4.
  *
  * The numbers are a placement and two sizes; unused ones are 0:
  *
@@ -2769,29 +2773,29 @@ NURBS_API nurbs_status nurbs_volume_coons(const nurbs *const *faces, double tole
  *     CONE        apex          axis, into g      to the start       half the opening angle
  *     TORUS       centre        axis              to the start       major and minor radius
  *
- * The start is the point of g at the lower end of the domain, of a line and a cylinder its foot on the axis;
- * where it lies on the axis, x points to another point of g. A circle or ellipse runs counterclockwise about
- * its normal, a parabola or hyperbola in the direction Y = normal x X, so that the numbers are those with
- * which nurbs_curve_circle() and its neighbours make it. In dimension 2 third coordinates are 0 and normals
- * are (0, 0, 1) or (0, 0, -1). The normal of a plane is on the side of S_u x S_v; the axis of a cylinder points
- * from the start into g, the largest component of that of a torus is positive. Hyperbolas are one branch and
- * cones one half, and a torus with r > R is its outer part.
+ * The start is the point of g at the lower end of the domain, of a line and a cylinder its foot on the
+ * axis; where it lies on the axis, x points to another point of g. A circle or ellipse runs
+ * counterclockwise about its normal, a parabola or hyperbola in the direction Y = normal x X, so that the
+ * numbers are those with which nurbs_curve_circle() and its neighbours make it. In dimension 2 third
+ * coordinates are 0 and normals are (0, 0, 1) or (0, 0, -1). The normal of a plane is on the side of S_u x
+ * S_v; the axis of a cylinder points from the start into g, the largest component of that of a torus is
+ * positive. Hyperbolas are one branch and cones one half, and a torus with r > R is its outer part.
  *
- * On exact shapes the bound is some 1e-14 of the largest distance of g from the origin of the shape, for degree
- * 2, and a little more where coordinates are large beside g; it grows in proportion to the sum of the degrees,
- * and up to fiftyfold for tori that nearly reach their axis and long hyperbolas (measured). Tolerances below
- * that find nothing. Control points at infinity are allowed; where the weights of g cannot be shown to have one sign, the result is
- * NURBS_SHAPE_NONE. The time grows with the square of the number of control points of a Bezier piece, and is
- * that of some hundred evaluations beside.
+ * On exact shapes the bound is some 1e-14 of the largest distance of g from the origin of the shape, for
+ * degree 2, and a little more where coordinates are large beside g; it grows in proportion to the sum of
+ * the degrees, and up to fiftyfold for tori that nearly reach their axis and long hyperbolas (measured).
+ * Tolerances below that find nothing. Control points at infinity are allowed; where the weights of g cannot
+ * be shown to have one sign, the result is NURBS_SHAPE_NONE. The time grows with the square of the number
+ * of control points of a Bezier piece, and is that of some hundred evaluations beside.
  * \param[in] g a curve or surface of dimension 2 or 3.
  * \param[in] tolerance largest distance from the shape, > 0.
  * \param[out] shape one of the NURBS_SHAPE_ constants.
  * \param[out] placement [9] origin, axis and x, three each; or NULL.
  * \param[out] sizes [2] see above; or NULL.
- * \param[out] deviation a proven bound of the distance of points of g from the shape with these numbers, at most
- *   the tolerance; 0 for NURBS_SHAPE_NONE; or NULL.
- * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DIMENSION, _TOLERANCE, _OVERLAP; _NOT_REPRESENTABLE if a value
- *   overflows on the way.
+ * \param[out] deviation a proven bound of the distance of points of g from the shape with these numbers, at
+ *   most the tolerance; 0 for NURBS_SHAPE_NONE; or NULL.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DIMENSION, _TOLERANCE, _OVERLAP; _NOT_REPRESENTABLE if a
+ *   value overflows on the way.
  * \since 0.1 */
 NURBS_API nurbs_status nurbs_recognize(const nurbs *g, double tolerance, int32_t *shape, double *placement,
                                        double *sizes, double *deviation);

@@ -6,8 +6,8 @@
 
 namespace nrb {
 
-// high + low with |low| at most half a unit of rounding of high. Each operation is within 2^-102 of its value,
-// barring overflow and underflow; sums that cancel, within that of what was added.
+// high + low with |low| at most half a unit of rounding of high. Each operation is within 2^-102 of its
+// value, barring overflow and underflow; sums that cancel, within that of what was added.
 struct Wide {
     double high = 0;
     double low = 0;

@@ -47,8 +47,8 @@ inline Turn full_turn() noexcept {
     return {Angle::quarters(0), Angle::quarters(4)};
 }
 
-// Throws NURBS_ERROR_ANGLE, naming the angle, for starts that are not finite or above 2^22, and for sweeps that
-// are not finite, 0 or more than a full turn.
+// Throws NURBS_ERROR_ANGLE, naming the angle, for starts that are not finite or above 2^22, and for sweeps
+// that are not finite, 0 or more than a full turn.
 Turn make_turn(double start, double sweep, const char *start_name = "start",
                const char *sweep_name = "sweep");
 Angle make_angle(double radians, const char *name);

@@ -11,8 +11,8 @@ namespace nrb {
 
 namespace {
 
-// Pieces of at most `largest`, which divides the turn: sweeps that are as long as some to within rounding have no
-// piece more.
+// Pieces of at most `largest`, which divides the turn: sweeps that are as long as some to within rounding
+// have no piece more.
 int64_t piece_count(const Angle &sweep, double largest) noexcept {
     const double pieces = std::fabs(sweep.radians()) / largest;
     return std::max<int64_t>(1, static_cast<int64_t>(std::ceil(pieces * (1 - 0x1p-50))));

@@ -21,17 +21,17 @@ struct Arc {
     std::vector<ArcPoint> points;
 };
 
-// The arc (cos a, sin a) in one of the NURBS_ARC_ forms; a full turn ends with its first point. A piece of degree
-// 2 and angle d has the weights 1, cos(d / 2), 1. The smooth form beyond a third of a turn: the square of the
-// complex polynomial with the Bernstein coefficients 1, e^(i d / 4), e^(i d / 2) over the square of its
-// magnitude has the homogeneous points e^(i k d / 4) with the weights 1, c, (2 + cos(d / 2)) / 3, c, 1, c = cos(d /
-// 4), which is 0 for the full turn; raised to degree 5 all are positive. Throws NURBS_ERROR_FORM.
+// The arc (cos a, sin a) in one of the NURBS_ARC_ forms; a full turn ends with its first point. A piece of
+// degree 2 and angle d has the weights 1, cos(d / 2), 1. The smooth form beyond a third of a turn: the square
+// of the complex polynomial with the Bernstein coefficients 1, e^(i d / 4), e^(i d / 2) over the square of
+// its magnitude has the homogeneous points e^(i k d / 4) with the weights 1, c, (2 + cos(d / 2)) / 3, c, 1, c
+// = cos(d / 4), which is 0 for the full turn; raised to degree 5 all are positive. Throws NURBS_ERROR_FORM.
 Arc unit_arc(const Turn &turn, int32_t form);
 
-// The arc (cosh u, sinh u) from start to end, in pieces of degree 2 and equal lengths in u, at most 2, with the
-// weights 1, cosh(d / 2), 1 (the circle's at imaginary angles). Values that overflow come out as infinities.
-// Precondition: start < end, both finite. Throws NURBS_ERROR_NOT_REPRESENTABLE if end - start overflows or is too
-// long for its ends to be finite.
+// The arc (cosh u, sinh u) from start to end, in pieces of degree 2 and equal lengths in u, at most 2, with
+// the weights 1, cosh(d / 2), 1 (the circle's at imaginary angles). Values that overflow come out as
+// infinities. Precondition: start < end, both finite. Throws NURBS_ERROR_NOT_REPRESENTABLE if end - start
+// overflows or is too long for its ends to be finite.
 Arc unit_hyperbola(double start, double end);
 
 // Double knots at equal distances between triple ones at 0 and 1.

@@ -120,7 +120,8 @@ double last_step(const KnotVector &axis) noexcept {
     return (axis[n + r - 1] - axis[n - 1]) / r;
 }
 
-// Values at the ends, and for Hermite's functions derivatives: the layers of the margin in terms of those of D.
+// Values at the ends, and for Hermite's functions derivatives: the layers of the margin in terms of those of
+// D.
 void set_ends(BlendAxis &made) {
     const auto n = static_cast<size_t>(made.count());
     std::vector<std::vector<double>> &f = made.blends;
@@ -170,7 +171,8 @@ std::vector<SplinePtr> over_common_axis(std::vector<SplinePtr> functions) {
     return share_axis(functions) ? std::move(functions) : make_compatible(functions, 0, false).splines;
 }
 
-// 1 - t and t: their control points are their values at the Greville abscissae. Precondition: the degree is not 0.
+// 1 - t and t: their control points are their values at the Greville abscissae. Precondition: the degree is
+// not 0.
 std::vector<std::vector<double>> linear_blends(const KnotVector &axis) {
     const auto [lower, upper] = axis.domain();
     std::vector<std::vector<double>> blends(2);

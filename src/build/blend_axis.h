@@ -1,9 +1,9 @@
-// Functions of one parameter over common knots and one denominator: what a blended spline is made of along each
-// of its axes.
+// Functions of one parameter over common knots and one denominator: what a blended spline is made of along
+// each of its axes.
 //
-// A blended spline is a sum of products f(u) g(v) of blending functions and of boundaries. With the factors along
-// an axis over one denominator D, of one degree and over one knot vector, its control net is the same sum of
-// products of their control points; that of the denominators is the product of their weights.
+// A blended spline is a sum of products f(u) g(v) of blending functions and of boundaries. With the factors
+// along an axis over one denominator D, of one degree and over one knot vector, its control net is the same
+// sum of products of their control points; that of the denominators is the product of their weights.
 #pragma once
 
 #include "spline/spline.h"
@@ -19,11 +19,12 @@ struct Quotient {
     SplinePtr denominator; // of dimension 1, its first control point is 1; null: the function is polynomial
 };
 
-// A curve, its weights divided by the first one; equal weights are no denominator. Preconditions: clamped, the
-// weights at its ends are not 0.
+// A curve, its weights divided by the first one; equal weights are no denominator. Preconditions: clamped,
+// the weights at its ends are not 0.
 Quotient as_quotient(const SplinePtr &curve);
 
-// The ends of a function f over [a, b] that blending functions stand for, in this order: f(a), f(b), f'(a), f'(b).
+// The ends of a function f over [a, b] that blending functions stand for, in this order: f(a), f(b), f'(a),
+// f'(b).
 inline constexpr size_t max_blends = 4;
 
 struct BlendAxis {
@@ -46,12 +47,12 @@ struct BlendAxis {
     }
 };
 
-// The functions, and the blending functions of degree 1 (1 - t, t) or 3 (Hermite's F0, F1, G0, G1, the last two
-// times the length of the domain), t the parameter mapped to [0, 1]. D is the product of the denominators that
-// differ, bit for bit over common knots. Control points of the blending functions at the ends, on which the values
-// and derivatives there depend, are what these say, without the rounding of products. Every control point of a
-// function is within 2 eps of its hull, barring products with other denominators. Throws NURBS_ERROR_DEGREE and
-// what product() throws. Precondition: all have the same domain.
+// The functions, and the blending functions of degree 1 (1 - t, t) or 3 (Hermite's F0, F1, G0, G1, the last
+// two times the length of the domain), t the parameter mapped to [0, 1]. D is the product of the denominators
+// that differ, bit for bit over common knots. Control points of the blending functions at the ends, on which
+// the values and derivatives there depend, are what these say, without the rounding of products. Every
+// control point of a function is within 2 eps of its hull, barring products with other denominators. Throws
+// NURBS_ERROR_DEGREE and what product() throws. Precondition: all have the same domain.
 BlendAxis make_blend_axis(std::span<const Quotient> functions, int degree);
 
 } // namespace nrb

@@ -74,8 +74,8 @@ Part part_of(const Spline &spline) {
 enum class Stand { free, start, end };
 using Stands = std::array<Stand, 3>;
 
-// The records of a part at its place among the layers of a volume, which has `fixed` layers along axes that are not
-// free; 0 where these do not stand at their ends.
+// The records of a part at its place among the layers of a volume, which has `fixed` layers along axes that
+// are not free; 0 where these do not stand at their ends.
 std::vector<double> spread(const std::vector<double> &records, int width,
                            const std::array<int64_t, 3> &counts, const Stands &stands, double factor) {
     std::vector<double> result;

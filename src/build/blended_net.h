@@ -34,7 +34,8 @@ inline void add_product(const std::vector<double> &f, std::span<const double> re
     }
 }
 
-// out += f (x) x + g (x) y, x and y points. Coordinates one after the other: they are few, and the layers many.
+// out += f (x) x + g (x) y, x and y points. Coordinates one after the other: they are few, and the layers
+// many.
 inline void add_product_pair(const std::vector<double> &f, const double *x, const std::vector<double> &g,
                              const double *y, size_t dim, double *out) noexcept {
     for (size_t c = 0; c < dim; ++c) {
@@ -50,8 +51,8 @@ void clear_margins(const BlendAxis &axis, size_t width, std::vector<double> &fun
 // Room for a net over the axes, in their order. Throws NURBS_ERROR_OVERFLOW.
 std::vector<double> net_of_zeros(const std::vector<const BlendAxis *> &axes, int dim);
 
-// The spline of a net whose control points are numerators over the product of the divisors of the axes. Of the form
-// given where it is rational, if points at infinity do not make it a homogeneous one. Throws
+// The spline of a net whose control points are numerators over the product of the divisors of the axes. Of
+// the form given where it is rational, if points at infinity do not make it a homogeneous one. Throws
 // NURBS_ERROR_NOT_REPRESENTABLE and what make_spline() throws.
 SplinePtr blended_spline(const std::vector<const BlendAxis *> &axes, int dim, Form form,
                          std::vector<double> net);

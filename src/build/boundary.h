@@ -7,7 +7,8 @@
 
 namespace nrb {
 
-// By axis, then by end; bit for bit what iso() gives. Throws NURBS_ERROR_AXES for a curve, and what iso() throws.
+// By axis, then by end; bit for bit what iso() gives. Throws NURBS_ERROR_AXES for a curve, and what iso()
+// throws.
 std::vector<SplinePtr> boundaries_of(const Spline &spline);
 
 } // namespace nrb

@@ -41,7 +41,8 @@ ConicArc arc_in(const PlaneFrame &plane, Coordinates a, Coordinates b, const Poi
                           [&plane](const Point2 &v) { return plane.vector(v); });
 }
 
-// The circle that leaves the origin in a direction: the arc's half angle is that between the tangent and the chord.
+// The circle that leaves the origin in a direction: the arc's half angle is that between the tangent and the
+// chord.
 ConicArc circle_over(Coordinates a, Coordinates b, const PlaneFrame &plane, const Point2 &tangent) {
     const Point2 chord = plane.point(b);
     const Wide width = norm(chord), size = norm(tangent);
@@ -98,8 +99,8 @@ ConicArc arc_of_pencil(Coordinates a, Coordinates b, const PlaneFrame &plane, co
     return arc_in(plane, a, b, pencil.middle(factor), pencil.weight(factor));
 }
 
-// The tangent at p[0] of the conic through five points, by Pascal's theorem for the hexagon 0 0 1 2 3 4: the sides
-// 01 and 34, 12 and 40 and the tangent and 23 meet on one line.
+// The tangent at p[0] of the conic through five points, by Pascal's theorem for the hexagon 0 0 1 2 3 4: the
+// sides 01 and 34, 12 and 40 and the tangent and 23 meet on one line.
 Point2 pascal_tangent(const std::array<Projective, 5> &p) noexcept {
     const Projective first = cross(cross(p[0], p[1]), cross(p[3], p[4]));
     const Projective second = cross(cross(p[1], p[2]), cross(p[4], p[0]));
@@ -166,8 +167,8 @@ Wide wide_dot(std::span<const Wide> a, std::span<const Wide> b) noexcept {
     return sum;
 }
 
-// a + alpha s and b - beta t where they come closest. The directions are units, to rounding. In twice the precision, so
-// that lines at small angles meet as well as others do.
+// a + alpha s and b - beta t where they come closest. The directions are units, to rounding. In twice the
+// precision, so that lines at small angles meet as well as others do.
 Crossing closest(Coordinates a, Coordinates s, Coordinates b, Coordinates t) {
     const std::vector<Wide> u(s.begin(), s.end()), v(t.begin(), t.end());
     std::vector<Wide> chord;

@@ -10,8 +10,8 @@ namespace nrb {
 
 using Coordinates = std::span<const double>; // of one point or direction; as many in all arguments
 
-// These as nurbs.h has them; they throw NURBS_ERROR_COLLINEAR, _CONIC, _DIRECTION and what conic_curve() throws.
-// Preconditions: finite coordinates, at least two; directions are not 0.
+// These as nurbs.h has them; they throw NURBS_ERROR_COLLINEAR, _CONIC, _DIRECTION and what conic_curve()
+// throws. Preconditions: finite coordinates, at least two; directions are not 0.
 SplinePtr arc_through(Coordinates a, Coordinates b, Coordinates c, int32_t form);
 SplinePtr arc_tangent(Coordinates a, Coordinates tangent, Coordinates b, int32_t form);
 SplinePtr conic_shoulder(Coordinates a, Coordinates tangent_a, Coordinates b, Coordinates tangent_b,

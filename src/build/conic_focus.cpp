@@ -39,8 +39,8 @@ Ray ray_at(double parameter, double e, const Direction &d) {
     return {{Wide(parameter) * Wide(d.cos) / divisor, Wide(parameter) * Wide(d.sin) / divisor}, divisor};
 }
 
-// The arc of r (1 + e cos a) = e d between two angles at most half a turn apart: the homogeneous points (e d cos a,
-// e d sin a; 1 + e cos a) are a linear image of those of the circle.
+// The arc of r (1 + e cos a) = e d between two angles at most half a turn apart: the homogeneous points (e d
+// cos a, e d sin a; 1 + e cos a) are a linear image of those of the circle.
 ConicArc focal_arc(const Placement &place, double parameter, double e, const std::array<Angle, 3> &angles,
                    double half_cosine) {
     const Ray a = ray_at(parameter, e, angles[0].direction()),
@@ -54,7 +54,8 @@ ConicArc focal_arc(const Placement &place, double parameter, double e, const std
                           weight, [&place](const Point2 &v) { return vector_in(place, v); });
 }
 
-// With e >= 1 the curve goes to infinity where cos a = -1 / e: on the way, if half a turn is, and otherwise at an end.
+// With e >= 1 the curve goes to infinity where cos a = -1 / e: on the way, if half a turn is, and otherwise
+// at an end.
 void check_finite(const Turn &turn, double e) {
     constexpr double full = 2 * std::numbers::pi;
     const double sweep = turn.sweep.radians(), sign = sweep < 0 ? -1 : 1;

@@ -34,8 +34,8 @@ std::vector<double> correction(const BlendAxis &along, const CornerMatrix &own, 
     return total;
 }
 
-// Makes the functions along an axis agree with m at the ends, where the values then are bit for bit those of m.
-// They are rounded once.
+// Makes the functions along an axis agree with m at the ends, where the values then are bit for bit those of
+// m. They are rounded once.
 void correct(BlendAxis &along, const CornerMatrix &own, const CornerMatrix &m, Entry entry) {
     const auto dim = static_cast<size_t>(m.dim());
     for (size_t i = 0; i < along.functions.size(); ++i) {

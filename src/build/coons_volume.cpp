@@ -187,9 +187,9 @@ private:
         }
     }
 
-    // Moves a face by what takes one of its edges to another place, the opposite edge staying where it is. The other
-    // two move with it at their ends only, where they end in the same corners: in whatever order the edges of a face
-    // are pulled, all are at last where they should be.
+    // Moves a face by what takes one of its edges to another place, the opposite edge staying where it is.
+    // The other two move with it at their ends only, where they end in the same corners: in whatever order
+    // the edges of a face are pulled, all are at last where they should be.
     void pull_face(size_t face, int axis, bool upper, const std::vector<double> &wanted) {
         FaceNet &net = nets_[face];
         const int place = FaceAxes(face).place(axis);

@@ -10,8 +10,8 @@
 
 namespace nrb {
 
-// The four boundaries of a surface over its domain, clamped, and the derivatives across them or none; finite at
-// their ends.
+// The four boundaries of a surface over its domain, clamped, and the derivatives across them or none; finite
+// at their ends.
 struct PatchCurves {
     std::vector<SplinePtr> boundaries;
     std::vector<SplinePtr> cross;
@@ -24,23 +24,23 @@ struct PatchCurves {
 };
 
 // Clamps and maps the curves as nurbs.h has it. Throws NURBS_ERROR_AXES, _DIMENSION, _KNOTS_MERGE,
-// _WEIGHTS_VANISH for an end at infinity, and what clamping throws. Preconditions: 4 boundaries, 4 or no cross
-// tangents.
+// _WEIGHTS_VANISH for an end at infinity, and what clamping throws. Preconditions: 4 boundaries, 4 or no
+// cross tangents.
 PatchCurves make_patch_curves(const std::vector<SplinePtr> &boundaries, const std::vector<SplinePtr> &cross);
 
 // The spline with clamped ends over a domain.
 SplinePtr clamped_over(const SplinePtr &spline, int axis, Interval domain);
 
-// Value and derivative at an end of a clamped curve, Cartesian. With homogeneous points A and weights w at the end
-// (0) and next to it (1) the derivative is p / h (A_1 - w_1 P_0) / w_0.
+// Value and derivative at an end of a clamped curve, Cartesian. With homogeneous points A and weights w at
+// the end (0) and next to it (1) the derivative is p / h (A_1 - w_1 P_0) / w_0.
 struct EndJet {
     std::vector<double> value;
     std::vector<double> slope;
 };
 EndJet end_jet(const Spline &curve, bool upper);
 
-// Entry (i, j): value or derivative i by the parameter of axis 0 and j by that of axis 1, where 0 and 1 stand for
-// the values at the ends, 2 and 3 for the derivatives there.
+// Entry (i, j): value or derivative i by the parameter of axis 0 and j by that of axis 1, where 0 and 1 stand
+// for the values at the ends, 2 and 3 for the derivatives there.
 class CornerMatrix {
 public:
     // A matrix of 2 or 4 rows and columns.
@@ -63,8 +63,8 @@ private:
     std::vector<double> values_;
 };
 
-// The corners as the curves have them that run along axis 1 (boundaries 0 and 1 with the derivatives across them)
-// and those along axis 0 (2 and 3). Without cross tangents what only they say is left 0.
+// The corners as the curves have them that run along axis 1 (boundaries 0 and 1 with the derivatives across
+// them) and those along axis 0 (2 and 3). Without cross tangents what only they say is left 0.
 struct CornerPair {
     CornerMatrix along1;
     CornerMatrix along0;

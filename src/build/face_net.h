@@ -1,5 +1,5 @@
-// The faces of a volume on the way to common knots: numerators, over denominators that are products of one function
-// for each axis.
+// The faces of a volume on the way to common knots: numerators, over denominators that are products of one
+// function for each axis.
 #pragma once
 
 #include "build/blend_axis.h"
@@ -31,8 +31,8 @@ struct FaceNet {
 // Whether the weights are products of one factor for each axis, to rounding (8 eps of themselves).
 bool has_separate_weights(const Spline &face);
 
-// Clamped over the domains, the weights taken apart. Throws NURBS_ERROR_WEIGHTS_VANISH for a corner at infinity, naming
-// the face, and what clamping throws. Precondition: has_separate_weights().
+// Clamped over the domains, the weights taken apart. Throws NURBS_ERROR_WEIGHTS_VANISH for a corner at
+// infinity, naming the face, and what clamping throws. Precondition: has_separate_weights().
 FaceNet make_face_net(const SplinePtr &face, const std::array<Interval, 2> &domains, size_t index);
 
 // The net as a function of one axis, its records the rows along the other one; and back, over another axis.

@@ -37,7 +37,8 @@ Polynomial one(int degree) {
     return Polynomial(static_cast<size_t>(degree) + 1, 1.0);
 }
 
-// h(y) = atan(sqrt y) / sqrt y = sum (-y)^k / (2 k + 1), or its first or second derivative, for 0 <= y < 0.18.
+// h(y) = atan(sqrt y) / sqrt y = sum (-y)^k / (2 k + 1), or its first or second derivative, for 0 <= y <
+// 0.18.
 double arc_tangent_quotient(double y, int derivative) noexcept {
     double sum = 0;
     for (int k = 31; k >= derivative; --k) { // 0.18^31 < 1e-23
@@ -58,8 +59,8 @@ std::array<double, 3> taylor_of_angle(double y) noexcept {
     return {2 * s * s * s * h0, 2 * s * s * (3 * h0 + s * h1), s * (6 * h0 + s * (6 * h1 + s * h2))};
 }
 
-// What all pieces have in common: control points of one that is centred on the angle 0, for a radius of 1 and for a
-// radius that is the approximated angle, and that angle.
+// What all pieces have in common: control points of one that is centred on the angle 0, for a radius of 1 and
+// for a radius that is the approximated angle, and that angle.
 struct CoilPiece {
     int degree;
     Polynomial weights;

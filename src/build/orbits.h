@@ -17,13 +17,14 @@ struct AxisLine {
     std::array<Wide, 3> along;
 };
 
-// For many coordinates the values foot + x d + y e, each rounded once: foot, d and e are held in twice the precision.
-// Where the processor has no fused multiplication, coordinates above 2^990 come out as NaN.
+// For many coordinates the values foot + x d + y e, each rounded once: foot, d and e are held in twice the
+// precision. Where the processor has no fused multiplication, coordinates above 2^990 come out as NaN.
 class Orbits {
 public:
     explicit Orbits(int64_t coordinates);
-    // Those of the stored points of a spline of dimension 3: with foot the nearest point on the axis Z, d and e = Z x d
-    // are the ways from there. Weights of homogeneous records stay, and their feet are multiplied by them.
+    // Those of the stored points of a spline of dimension 3: with foot the nearest point on the axis Z, d and
+    // e = Z x d are the ways from there. Weights of homogeneous records stay, and their feet are multiplied
+    // by them.
     Orbits(const Spline &spline, const AxisLine &axis);
 
     void set(int64_t coordinate, const Wide &foot, const Wide &d, const Wide &e) noexcept;

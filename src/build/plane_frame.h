@@ -31,9 +31,9 @@ inline double length(const Point2 &a) noexcept {
     return std::hypot(a.x.value(), a.y.value());
 }
 
-// Coordinates are offsets from the first point, times a power of two that brings the largest of the three points'
-// to about 1; in dimension 2 they are along the coordinate axes and exact, otherwise along the chord to the
-// second point and across it towards the third.
+// Coordinates are offsets from the first point, times a power of two that brings the largest of the three
+// points' to about 1; in dimension 2 they are along the coordinate axes and exact, otherwise along the chord
+// to the second point and across it towards the third.
 class PlaneFrame {
 public:
     using Coordinates = std::span<const double>;
@@ -47,7 +47,8 @@ public:
     [[nodiscard]] Point2 direction(Coordinates v) const;
     // What rounding of the given coordinates can be in these ones.
     [[nodiscard]] double rounding() const noexcept { return rounding_; }
-    // Throws NURBS_ERROR_CONIC if a point, or a direction, is out of the plane by more than rounding explains.
+    // Throws NURBS_ERROR_CONIC if a point, or a direction, is out of the plane by more than rounding
+    // explains.
     void check_point(Coordinates x, const char *name) const;
     void check_direction(Coordinates v, const char *name) const;
 

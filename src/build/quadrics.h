@@ -9,8 +9,8 @@
 
 namespace nrb {
 
-// As nurbs.h has them: arcs in one of the NURBS_ARC_ forms as axis 0, over `turn`. All throw NURBS_ERROR_LENGTH,
-// naming the argument, _FORM, _NOT_REPRESENTABLE.
+// As nurbs.h has them: arcs in one of the NURBS_ARC_ forms as axis 0, over `turn`. All throw
+// NURBS_ERROR_LENGTH, naming the argument, _FORM, _NOT_REPRESENTABLE.
 
 // Latitudes from south to north. Throws NURBS_ERROR_ANGLE.
 SplinePtr spherical_patch(const Placement &place, double radius, const Turn &turn, double south, double north,

@@ -5,10 +5,10 @@
 
 namespace nrb {
 
-// Control point (i, j) is a function of control point i of a and j of b, the axes of b stand behind those of a, and
-// weights are multiplied. Control points are Cartesian where those of a and b are: each within 3 eps / 2 of the sum
-// of the magnitudes of its terms. All throw NURBS_ERROR_AXES, _DIMENSION, _OVERFLOW, _NOT_REPRESENTABLE,
-// _WEIGHTS_VANISH. Cost: linear in the points of the result.
+// Control point (i, j) is a function of control point i of a and j of b, the axes of b stand behind those of
+// a, and weights are multiplied. Control points are Cartesian where those of a and b are: each within 3 eps /
+// 2 of the sum of the magnitudes of its terms. All throw NURBS_ERROR_AXES, _DIMENSION, _OVERFLOW,
+// _NOT_REPRESENTABLE, _WEIGHTS_VANISH. Cost: linear in the points of the result.
 
 // alpha a(u) + beta b(v). Precondition: alpha and beta are finite.
 SplinePtr tensor_sum(const Spline &a, double alpha, const Spline &b, double beta);

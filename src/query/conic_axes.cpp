@@ -24,8 +24,8 @@ int exponent_of(double x) noexcept {
     return x == 0 ? -100000 : std::ilogb(x);
 }
 
-// The equation for coordinates divided by 2^exponent, times a power of two, so that the largest coefficients of
-// degree 2, and of the others, have a size near 1.
+// The equation for coordinates divided by 2^exponent, times a power of two, so that the largest coefficients
+// of degree 2, and of the others, have a size near 1.
 struct Scaled {
     Equation equation;
     int exponent = 0;

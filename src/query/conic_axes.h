@@ -6,8 +6,8 @@
 namespace nrb {
 
 // Of an ellipse: centre, semi-axes, x along the longer one; of a hyperbola: centre, semi-axes along x and
-// across, x towards a vertex; x[0] > 0, or x = (0, 1). Of a parabola: vertex, focal length and 0, x towards the
-// focus.
+// across, x towards a vertex; x[0] > 0, or x = (0, 1). Of a parabola: vertex, focal length and 0, x towards
+// the focus.
 struct ConicAxes {
     int32_t type; // NURBS_CONIC_ELLIPSE, _PARABOLA or _HYPERBOLA
     double origin[2];
@@ -15,10 +15,10 @@ struct ConicAxes {
     double sizes[2];
 };
 
-// Of A x^2 + B x y + C y^2 + D x + E y + F = 0, six coefficients in this order. The kind is that of the sign of
-// B^2 - 4 A C, without rounding; equations whose determinant is 0 to within about 100 eps^2 of its terms
-// describe lines or a point. Values are those of the coefficients as given to a few eps, times the condition of
-// the equation in its own scale. Throws NURBS_ERROR_FACTOR, _CONIC, _NOT_REPRESENTABLE.
+// Of A x^2 + B x y + C y^2 + D x + E y + F = 0, six coefficients in this order. The kind is that of the sign
+// of B^2 - 4 A C, without rounding; equations whose determinant is 0 to within about 100 eps^2 of its terms
+// describe lines or a point. Values are those of the coefficients as given to a few eps, times the condition
+// of the equation in its own scale. Throws NURBS_ERROR_FACTOR, _CONIC, _NOT_REPRESENTABLE.
 ConicAxes conic_axes(const double *coefficients);
 
 // The same for finite coefficients, without a check of the result; false if there is no such conic.

@@ -7,8 +7,8 @@ namespace nrb {
 int compare_products(double a, double b, double c, double d) noexcept;
 
 // a b - c d, within 1.5 eps of itself barring underflow and overflow (W. Kahan; C.-P. Jeannerod, N. Louvet,
-// J.-M. Muller, "Further analysis of Kahan's algorithm for the accurate computation of 2x2 determinants", Math.
-// Comp. 82 (2013)).
+// J.-M. Muller, "Further analysis of Kahan's algorithm for the accurate computation of 2x2 determinants",
+// Math. Comp. 82 (2013)).
 double difference_of_products(double a, double b, double c, double d) noexcept;
 
 } // namespace nrb

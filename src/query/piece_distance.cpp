@@ -129,8 +129,8 @@ DistanceBound PieceDistance::by_gradient(const ShapePiece &piece) const {
     return {f / divisor, value.error / divisor};
 }
 
-// With s the distance from the axis and G = s^2 + z^2 + R^2 - r^2, the product of (s - R)^2 + z^2 - r^2 = G - 2
-// R s and (s + R)^2 + z^2 - r^2 = G + 2 R s is G^2 - 4 R^2 s^2.
+// With s the distance from the axis and G = s^2 + z^2 + R^2 - r^2, the product of (s - R)^2 + z^2 - r^2 = G -
+// 2 R s and (s + R)^2 + z^2 - r^2 = G + 2 R s is G^2 - 4 R^2 s^2.
 DistanceBound PieceDistance::from_torus(const ShapePiece &piece) const {
     const double major = shape_.sizes[0], minor = shape_.sizes[1];
     const TorusForms torus = ShapeForms(piece).torus(major, minor);

@@ -23,8 +23,8 @@ void check_kind(const Spline &spline) {
     }
 }
 
-// The exponent of the largest extent of the box of the control points, or of the largest coordinate if that is
-// 0.
+// The exponent of the largest extent of the box of the control points, or of the largest coordinate if that
+// is 0.
 int size_exponent(const Spline &spline) {
     double largest = 0, extent = 0;
     for (int c = 0; c < spline.dim(); ++c) {

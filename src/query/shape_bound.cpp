@@ -40,7 +40,8 @@ public:
     }
 
 private:
-    // Rounding much above that of the points comes from a gradient that is bounded badly, which halving cures.
+    // Rounding much above that of the points comes from a gradient that is bounded badly, which halving
+    // cures.
     [[nodiscard]] bool done() const noexcept {
         const Candidate &top = heap_.front();
         const bool final = top.depth >= 6 || top.bound.noise <= 8 * top.piece.moved();

@@ -67,8 +67,8 @@ Segment bezier_segment(const Spline &curve) {
     return segment;
 }
 
-// Whether b lies on the line through a and c to within 4 eps of the largest coordinate. The distance of b from
-// it is that of the residual of the shorter leg, which is projected twice to get rid of cancellation.
+// Whether b lies on the line through a and c to within 4 eps of the largest coordinate. The distance of b
+// from it is that of the residual of the shorter leg, which is projected twice to get rid of cancellation.
 bool on_line(const double *a, const double *b, const double *c, int dim) {
     const auto n = static_cast<size_t>(dim);
     double size = 0;

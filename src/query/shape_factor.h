@@ -11,9 +11,9 @@ struct ShapeFactor {
 };
 
 // Of a curve of degree 2 with 3 control points. Its kind is decided without rounding for the weights of its
-// Bezier form, which are the stored ones unless the curve is unclamped; before that stands whether the control
-// points are on a line to within 4 eps of the largest coordinate. Throws NURBS_ERROR_AXES, _DEGREE, _COUNT,
-// _WEIGHT_SIGN.
+// Bezier form, which are the stored ones unless the curve is unclamped; before that stands whether the
+// control points are on a line to within 4 eps of the largest coordinate. Throws NURBS_ERROR_AXES, _DEGREE,
+// _COUNT, _WEIGHT_SIGN.
 ShapeFactor shape_factor(const Spline &curve);
 
 } // namespace nrb

@@ -243,8 +243,8 @@ Shape cone_through(const ShapeSamples &samples, double tolerance) {
     return refined_if(shape, samples.points, tolerance);
 }
 
-// A normal n at p meets the axis through c in the direction a where (p x n) a + n (c x a) = 0: linear in a and
-// c x a.
+// A normal n at p meets the axis through c in the direction a where (p x n) a + n (c x a) = 0: linear in a
+// and c x a.
 Shape torus_through(const ShapeSamples &samples, double tolerance) {
     std::vector<double> rows;
     for (size_t i = 0; i < samples.normals.size(); ++i) {

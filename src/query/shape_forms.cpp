@@ -11,8 +11,8 @@ namespace {
 constexpr double eps = std::numeric_limits<double>::epsilon();
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-// Of quotients of coefficients, of which the denominators are all >= 0. A rounding of the denominators moves a
-// mean of quotients by twice its share, and the quotients themselves take one.
+// Of quotients of coefficients, of which the denominators are all >= 0. A rounding of the denominators moves
+// a mean of quotients by twice its share, and the quotients themselves take one.
 FormRange range_of(const std::vector<double> &numerators, const std::vector<double> &denominators,
                    double error, double relative) noexcept {
     double least = infinite, most = -infinite;

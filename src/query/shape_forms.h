@@ -21,10 +21,11 @@ struct TorusForms {
     FormRange product;        // G^2 - 4 R^2 S
 };
 
-// Bernstein coefficients times their binomials, so that products are convolutions; in quotients of coefficients
-// the binomials of the product fall out. Of a term a b of two factors rounding takes at most product_error()
-// times the sum of the magnitudes of its products, which is at most the largest |a| / w times the largest |b| /
-// w, times w^2. Cost: for a piece of n coefficients n^2 operations a product, n^2 2^(2 axes) for the torus.
+// Bernstein coefficients times their binomials, so that products are convolutions; in quotients of
+// coefficients the binomials of the product fall out. Of a term a b of two factors rounding takes at most
+// product_error() times the sum of the magnitudes of its products, which is at most the largest |a| / w times
+// the largest |b| / w, times w^2. Cost: for a piece of n coefficients n^2 operations a product, n^2 2^(2
+// axes) for the torus.
 class ShapeForms {
 public:
     // Precondition: the piece is certified.

@@ -47,14 +47,14 @@ struct Quadric {
 // Precondition: not a point, line, plane or torus.
 Quadric quadric_of(const Shape &shape) noexcept;
 
-// A distance of a point in the frame of the shape from it, with a sign where the shape has sides: exact but for
-// conics that are no circles, where it is at most the true one and equal to it in the limit. For circles and
-// conics in their plane.
+// A distance of a point in the frame of the shape from it, with a sign where the shape has sides: exact but
+// for conics that are no circles, where it is at most the true one and equal to it in the limit. For circles
+// and conics in their plane.
 double signed_distance(const Shape &shape, const Vector3 &p) noexcept;
 // At most the true distance, with that from the plane of a curve.
 double least_distance(const Shape &shape, const Vector3 &p) noexcept;
-// At least the true distance, within a circle's or conic's plane, and from one half of a cone or one branch of
-// a hyperbola; almost always equal to it.
+// At least the true distance, within a circle's or conic's plane, and from one half of a cone or one branch
+// of a hyperbola; almost always equal to it.
 double most_distance(const Shape &shape, const Vector3 &p) noexcept;
 
 } // namespace nrb

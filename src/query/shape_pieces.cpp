@@ -12,8 +12,8 @@ namespace nrb {
 namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
-// The frame is orthonormal to 10 eps: z is a unit vector to 2 eps, x across it to 2 eps more, y their product;
-// three products and sums add 3 eps.
+// The frame is orthonormal to 10 eps: z is a unit vector to 2 eps, x across it to 2 eps more, y their
+// product; three products and sums add 3 eps.
 constexpr double frame_error = 16 * eps;
 
 double norm3(const double *p) noexcept {
@@ -100,8 +100,8 @@ void ShapePiece::balance() noexcept {
     }
 }
 
-// Each value is a mean of `degree` steps, off by degree eps / 2 of the same means of magnitudes: of the weight,
-// and of the size times the weight.
+// Each value is a mean of `degree` steps, off by degree eps / 2 of the same means of magnitudes: of the
+// weight, and of the size times the weight.
 bool ShapePiece::halve_into(ShapePiece &lower) {
     const int axis = widest_axis(*this);
     if (axis < 0) {

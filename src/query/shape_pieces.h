@@ -8,8 +8,8 @@
 
 namespace nrb {
 
-// Homogeneous coefficients (w x, w y, w z, w), and how far rounding may have moved what they stand for: if all
-// weights are > 0, every point of the piece is within moved() of that of the spline.
+// Homogeneous coefficients (w x, w y, w z, w), and how far rounding may have moved what they stand for: if
+// all weights are > 0, every point of the piece is within moved() of that of the spline.
 class ShapePiece {
 public:
     BernsteinShape shape; // width 4
@@ -28,14 +28,14 @@ public:
     [[nodiscard]] double size() const noexcept { return size_; } // of the largest point
     [[nodiscard]] double moved() const noexcept { return moved_; }
 
-    // Halves along the axis on which the control points spread most; the piece becomes the upper half. False if
-    // it has no degree.
+    // Halves along the axis on which the control points spread most; the piece becomes the upper half. False
+    // if it has no degree.
     bool halve_into(ShapePiece &lower);
 
 private:
     // A Moebius map of the parameter of every axis, by which the weights at its ends come near each other, so
-    // that the middle of the parameter is near that of the piece. Exact, since weights are multiplied by powers
-    // of two.
+    // that the middle of the parameter is near that of the piece. Exact, since weights are multiplied by
+    // powers of two.
     void balance() noexcept;
 
     friend std::vector<ShapePiece> shape_pieces(const Spline &spline, const Shape &shape);

@@ -24,8 +24,8 @@ void turn_over(Shape &shape) noexcept {
     shape.y = -1 * shape.y;
 }
 
-// The direction of x is that of the start, or if that is on the axis of the first point that is well away from
-// it.
+// The direction of x is that of the start, or if that is on the axis of the first point that is well away
+// from it.
 void point_x_at_start(Shape &shape, const Points &points) noexcept {
     const auto from_axis = [&shape](const Vector3 &p) {
         const Vector3 q = shape.local(p);

@@ -139,8 +139,7 @@ std::vector<double> newton_step(const Shape &shape, const std::vector<Freedom> &
     for (size_t i = 0; i < m; ++i) {
         right[i] = -values[i];
     }
-    std::vector<double> steps =
-        SmallSvd(rows, static_cast<int>(n), right).solution(1e-11);
+    std::vector<double> steps = SmallSvd(rows, static_cast<int>(n), right).solution(1e-11);
     for (size_t j = 0; j < n; ++j) {
         steps[j] *= scales[j];
     }

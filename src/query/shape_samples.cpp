@@ -50,8 +50,8 @@ Params evenly(Interval domain, int count) {
     return params;
 }
 
-// The breaks of an axis, `most` of them at most, and where there are few also inner parameters of their spans, since
-// the chord over a whole span says nothing where it is closed.
+// The breaks of an axis, `most` of them at most, and where there are few also inner parameters of their
+// spans, since the chord over a whole span says nothing where it is closed.
 Params some_breaks(const KnotVector &axis, size_t most) {
     const Params all = breaks_of(axis);
     Params some;

@@ -1,4 +1,5 @@
-// Least squares and null directions of many equations in few unknowns, by Eigen's singular value decomposition.
+// Least squares and null directions of many equations in few unknowns, by Eigen's singular value
+// decomposition.
 #pragma once
 
 #include <memory>
@@ -14,10 +15,11 @@ public:
     SmallSvd &operator=(const SmallSvd &) = delete;
     ~SmallSvd();
 
-    // The right singular vector of the singular value that has `rank` smaller ones: 0 for the unit vector that the
-    // matrix makes smallest.
+    // The right singular vector of the singular value that has `rank` smaller ones: 0 for the unit vector
+    // that the matrix makes smallest.
     [[nodiscard]] std::vector<double> direction(int rank) const;
-    // The shortest vector that solves the equations best; singular values below `cutoff` times the largest count as 0.
+    // The shortest vector that solves the equations best; singular values below `cutoff` times the largest
+    // count as 0.
     [[nodiscard]] std::vector<double> solution(double cutoff) const;
 
 private:

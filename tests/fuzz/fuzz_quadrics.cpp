@@ -1,4 +1,5 @@
-// Shapes that are defined by a few numbers: patches over corners, quadrics, the torus, the sphere without poles.
+// Shapes that are defined by a few numbers: patches over corners, quadrics, the torus, the sphere without
+// poles.
 #include "fuzz/harness.h"
 
 using fuzz::Input;

@@ -32,7 +32,8 @@ void factor(const nurbs *g) {
     }
 }
 
-// A quarter or half turn of a conic or segment about the axis z, or the profile itself, moved a little or not.
+// A quarter or half turn of a conic or segment about the axis z, or the profile itself, moved a little or
+// not.
 fuzz::Spline any_shape(Input &in) {
     fuzz::Spline s;
     const bool surface = in.coin();

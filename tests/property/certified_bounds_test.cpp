@@ -1,10 +1,11 @@
-// Bounds of lossy operations on curves against the true distance, by exact arithmetic. With homogeneous points A, w
-// and B, v of both curves the distance is at most d where
+// Bounds of lossy operations on curves against the true distance, by exact arithmetic. With homogeneous
+// points A, w and B, v of both curves the distance is at most d where
 //
 //     d^2 (w v)^2 - |A v - B w|^2 >= 0,
 //
-// a polynomial on each common span. Its Bernstein coefficients are integers here, after a common factor, and halving
-// the span until all of them are >= 0 proves it; a value < 0 at an end disproves it. No rounding comes in.
+// a polynomial on each common span. Its Bernstein coefficients are integers here, after a common factor, and
+// halving the span until all of them are >= 0 proves it; a value < 0 at an end disproves it. No rounding
+// comes in.
 #include "property/exact_polynomials.h"
 #include "property/same_shape.h"
 
@@ -106,7 +107,8 @@ TEST(CertifiedBounds, of_lossy_operations_hold_in_exact_arithmetic) {
     EXPECT_GE(moved, compared / 4);
 }
 
-// Both ends of the enclosure of a distance: the upper one holds, the lower one, a little enlarged inwards, does not.
+// Both ends of the enclosure of a distance: the upper one holds, the lower one, a little enlarged inwards,
+// does not.
 TEST(CertifiedBounds, of_distances_enclose_them) {
     for_each_case(991000, 150, [&](Random &random, uint64_t seed) {
         const SplineData data = random_curve(random);

@@ -18,8 +18,8 @@ struct Triangle {
     double weights[3];
 };
 
-// tau, the barycentric coordinates of (x, y), are (a x + b y + c) / D each; on the conic w0 w2 tau1^2 = 4 w1^2
-// tau0 tau2. B^2 - 4 A C of that equation, without the factor 1 / D^4.
+// tau, the barycentric coordinates of (x, y), are (a x + b y + c) / D each; on the conic w0 w2 tau1^2 = 4
+// w1^2 tau0 tau2. B^2 - 4 A C of that equation, without the factor 1 / D^4.
 Rational discriminant(const Triangle &triangle) {
     Rational a[3], b[3];
     for (int i = 0; i < 3; ++i) {

@@ -41,8 +41,8 @@ inline Corner end_of(const SplineData &curve, bool upper) {
     return {point[0], point[1], point[2]};
 }
 
-// Moves a curve by an affine map, which takes its ends to two places: x + (start - its start) + the rest of the
-// way in proportion to the place along the chord. Clamped ends are bit for bit there.
+// Moves a curve by an affine map, which takes its ends to two places: x + (start - its start) + the rest of
+// the way in proportion to the place along the chord. Clamped ends are bit for bit there.
 inline void move_ends(SplineData &curve, const Corner &start, const Corner &end) {
     const Corner from = end_of(curve, false), to = end_of(curve, true);
     double square = 0;

@@ -63,8 +63,8 @@ void set_end(SplineData &curve, bool upper, const std::vector<double> &value,
     }
 }
 
-// The tangent of the boundary that ends where boundary `i` has its end `upper`, to which the cross tangent there
-// belongs.
+// The tangent of the boundary that ends where boundary `i` has its end `upper`, to which the cross tangent
+// there belongs.
 std::vector<double> tangent_at(const Patch &patch, size_t i, bool upper) {
     const SplineData &other = patch.boundaries[(i < 2 ? 2 : 0) + (upper ? 1 : 0)];
     return rounded(reference::exact_slope(other, i % 2 == 0 ? other.lower(0) : other.upper(0)));
@@ -119,8 +119,9 @@ double unit_of(const Patch &patch) {
                                                patch.cross.empty() ? 0 : 8 * largest_extent(patch.cross));
 }
 
-// What the control points of the layer beside an edge may be off by, as the derivative that they give: the layer
-// is P_0 + h / p d with P_0, d within 3 eps and rounded, the weights of both layers are products that are rounded.
+// What the control points of the layer beside an edge may be off by, as the derivative that they give: the
+// layer is P_0 + h / p d with P_0, d within 3 eps and rounded, the weights of both layers are products that
+// are rounded.
 double allowed_slope(const SplineData &surface, size_t i, const Patch &patch) {
     const size_t axis = i < 2 ? 0 : 1;
     const std::vector<double> &t = surface.knots[axis];
@@ -186,7 +187,8 @@ void expect_edges(uint64_t base, int cases, int max_degree, bool rational, long 
 
 } // namespace
 
-// Half an eps more than where boundaries stay as they are, since tangents at the corners agree to rounding only.
+// Half an eps more than where boundaries stay as they are, since tangents at the corners agree to rounding
+// only.
 TEST(CoonsHermite, PolynomialEdgesAreMetEverywhere) {
     expect_edges(420000, 14, 7, false, 2.5L);
 }
@@ -363,8 +365,8 @@ SplineData times(SplineData curve, double factor) {
     return curve;
 }
 
-// Largest triple product of the cross tangents of two surfaces on both sides of an edge, axis 0 at the end of the
-// first one and at the start of the second one, with the tangent of the edge: 0 where the planes agree.
+// Largest triple product of the cross tangents of two surfaces on both sides of an edge, axis 0 at the end of
+// the first one and at the start of the second one, with the tangent of the edge: 0 where the planes agree.
 long double torn(const SplineData &first, const SplineData &second) {
     const std::vector<double> breaks =
         reference::united(reference::breaks_of(first, 1), reference::breaks_of(second, 1));
@@ -395,8 +397,8 @@ long double torn(const SplineData &first, const SplineData &second) {
     return largest;
 }
 
-// The patch behind the end of axis 0 of another one: it begins with the same curve, with cross tangents twice as
-// long.
+// The patch behind the end of axis 0 of another one: it begins with the same curve, with cross tangents twice
+// as long.
 Patch neighbour(Random &random, const Patch &patch, const Twists &twists) {
     Patch next{random_boundaries(random, 4, false, true).curves, {}};
     next.boundaries[0] = patch.boundaries[1];
@@ -431,8 +433,8 @@ TEST(CoonsHermite, NeighboursShareTangentPlanes) {
         const Patch patch = random_patch(random, 4, false, twists), next = neighbour(random, patch, twists);
         const SplineData first = hermite(patch, NURBS_TWIST_COMPATIBLE).surface,
                          second = hermite(next, NURBS_TWIST_COMPATIBLE).surface;
-        // The errors of both cross tangents, by the other one and the tangent along the edge; the corners' gaps are
-        // of the same order.
+        // The errors of both cross tangents, by the other one and the tangent along the edge; the corners'
+        // gaps are of the same order.
         const double slope = static_cast<double>(largest_extent(patch.cross)) * 2 + 1;
         const double along = 40 * largest_extent(patch.boundaries);
         const double allowed =

@@ -107,8 +107,8 @@ TEST(Coons, UnclampedBoundariesAreMetEverywhere) {
     expect_boundaries(412000, 30, 5, true, false, 4);
 }
 
-// Every control point is a sum of four products of factors that are within 2 eps, of magnitudes that add up to
-// three hulls; where denominators multiply, within 4.
+// Every control point is a sum of four products of factors that are within 2 eps, of magnitudes that add up
+// to three hulls; where denominators multiply, within 4.
 TEST(Coons, AgreesWithTheMatrixForm) {
     WorstErrors worst("Coons surfaces, in eps * hull");
     for_each_case(413000, 200, [&](Random &random, uint64_t seed) {

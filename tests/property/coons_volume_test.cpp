@@ -35,8 +35,8 @@ std::vector<SplineData> faces_of(const SplineData &volume) {
     return faces;
 }
 
-// A volume over [0, 8]^3, its weights products of one factor for each axis, of which those at the ends are 1 if
-// they are even.
+// A volume over [0, 8]^3, its weights products of one factor for each axis, of which those at the ends are 1
+// if they are even.
 SplineData random_volume(Random &random, int max_degree, bool rational, KnotForm form,
                          bool even_ends = true) {
     SplineData volume;
@@ -86,8 +86,8 @@ Point on_face(const std::vector<SplineData> &faces, size_t face, const std::vect
     return reference::exact_value(faces[face], own);
 }
 
-// The sum over the faces, less that over the edges, plus that over the corners, of faces that agree: for every
-// choice of axes that stand at an end, of the first of which the face is taken.
+// The sum over the faces, less that over the edges, plus that over the corners, of faces that agree: for
+// every choice of axes that stand at an end, of the first of which the face is taken.
 Point defined_volume(const std::vector<SplineData> &faces, const std::vector<double> &params) {
     Point sum(3);
     for (int chosen = 1; chosen < 27; ++chosen) { // of every axis: inside, at the start, at the end

@@ -241,7 +241,8 @@ TEST(Curves, conics_by_conditions_are_those_of_exact_points) {
         const int form = static_cast<int>(seed % 2);
         const Handle five =
             made([&](nurbs **out) { return nurbs_curve_conic_through(2, points.data(), 0, 0, form, out); });
-        // Each step loses digits to the condition of a triangle of neighbouring points, at most about 1e4 here.
+        // Each step loses digits to the condition of a triangle of neighbouring points, at most about 1e4
+        // here.
         expect_on(five.get(), conic, map, 1e-10, seed);
         const auto s = map.direction(conic.first_tangent), t = map.direction(conic.last_tangent);
         const Handle one = made([&](nurbs **out) {
@@ -300,8 +301,8 @@ double off_integer_circle(const nurbs *g, double radius) {
     return worst;
 }
 
-// Arcs from (R, 0) through (-R, 0) to (m^2 - 1, -2 m), R = m^2 + 1: all but 2 / m of a full turn, from data without
-// rounding.
+// Arcs from (R, 0) through (-R, 0) to (m^2 - 1, -2 m), R = m^2 + 1: all but 2 / m of a full turn, from data
+// without rounding.
 TEST(Curves, nearly_full_turns_are_as_accurate_as_their_data) {
     double worst = 0;
     for (const double m : {2.0, 3.0, 10.0, 100.0, 1e4, 1e6, 3e7}) {
@@ -329,8 +330,8 @@ TEST(Curves, nearly_full_turns_are_as_accurate_as_their_data) {
     std::printf("nearly full turns: %.2f eps\n", worst);
 }
 
-// From (0, 0) along x to (1, 1) along y through (1 - h, h): with barycentric coordinates 1 - x, x - y, y it is (x - y)^2
-// = 4 w^2 (1 - x) y, 4 w^2 = (1 - 2 h)^2 / h^2, as sharp as h is small.
+// From (0, 0) along x to (1, 1) along y through (1 - h, h): with barycentric coordinates 1 - x, x - y, y it
+// is (x - y)^2 = 4 w^2 (1 - x) y, 4 w^2 = (1 - 2 h)^2 / h^2, as sharp as h is small.
 TEST(Curves, sharp_hyperbolas_are_accurate) {
     const Vec a = {0, 0}, b = {1, 1}, s = {1, 0}, t = {0, 1};
     for (int k = 3; k <= 30; ++k) {

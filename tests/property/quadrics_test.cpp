@@ -283,7 +283,8 @@ TEST(Quadrics, points_satisfy_the_implicit_equations) {
     EXPECT_GE(worst.points(), 1000000);
 }
 
-// A shape 2^k times as large has the same weights and knots, and its points are 2^k times as large, bit for bit.
+// A shape 2^k times as large has the same weights and knots, and its points are 2^k times as large, bit for
+// bit.
 TEST(Quadrics, are_free_of_scale) {
     for (const auto &[name, of_shape] : makers()) {
         const Maker maker = of_shape;
@@ -354,7 +355,8 @@ TEST(Quadrics, seams_close_and_poles_are_points) {
     }
 }
 
-// Between parallels and meridians at multiples of 15 degrees, at the knots: no rounding but that of the coordinates.
+// Between parallels and meridians at multiples of 15 degrees, at the knots: no rounding but that of the
+// coordinates.
 TEST(Quadrics, points_at_knots_are_exact) {
     const double center[] = {0.1, -7, 1e3}, r = 0.3;
     nurbs *g = nullptr;

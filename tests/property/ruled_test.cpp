@@ -67,9 +67,10 @@ Point divided(Point point) {
     return point;
 }
 
-// Each step of raising a degree, and each of the new knots that a control point counts, at most its degree, gives 2
-// eps in homogeneous space, weights apart one more; the products with the other denominator 4 (p + q + 1). Division
-// by weights that are at least 1 / ratio of the largest multiplies by 2 ratio, as numerator and denominator err.
+// Each step of raising a degree, and each of the new knots that a control point counts, at most its degree,
+// gives 2 eps in homogeneous space, weights apart one more; the products with the other denominator 4 (p + q
+// + 1). Division by weights that are at least 1 / ratio of the largest multiplies by 2 ratio, as numerator
+// and denominator err.
 TEST(Ruled, surfaces) {
     WorstRatios standard("ruled"), cartesian("ruled, Cartesian");
     for_each_case(717000, 80, [&](Random &random, uint64_t seed) {

@@ -1,4 +1,5 @@
-// The distance of a point from a shape with the numbers of nurbs_recognize(), in long double by its definition.
+// The distance of a point from a shape with the numbers of nurbs_recognize(), in long double by its
+// definition.
 #pragma once
 
 #include "support/frames.h"

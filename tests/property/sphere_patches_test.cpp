@@ -171,7 +171,8 @@ TEST(SpherePatches, neighbours_share_their_edges) {
     }
 }
 
-// Edges lie in the planes |x| = |y|, |y| = |z| or |z| = |x| through the centre, the hemisphere's others in z = 0.
+// Edges lie in the planes |x| = |y|, |y| = |z| or |z| = |x| through the centre, the hemisphere's others in z
+// = 0.
 TEST(SpherePatches, edges_are_great_circles) {
     for (const uint32_t flags : {0U, NURBS_HEMISPHERE}) {
         for (const auto &[edge, times] : edges_of(faces_of(nullptr, nullptr, nullptr, 1, flags))) {

@@ -63,7 +63,8 @@ inline long double area(const nurbs *g, int parts = 12) {
                     [](const Vector &, const Vector &du, const Vector &dv) { return norm(cross(du, dv)); });
 }
 
-// Of the cone over the surface from a point: the volume inside closed ones, positive where S_u x S_v points outwards.
+// Of the cone over the surface from a point: the volume inside closed ones, positive where S_u x S_v points
+// outwards.
 inline long double volume_below(const nurbs *g, const Vector &from = {}, int parts = 12) {
     return integral(g, parts, [&](const Vector &point, const Vector &du, const Vector &dv) {
         return dot(minus(point, from), cross(du, dv)) / 3;

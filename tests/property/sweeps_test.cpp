@@ -11,7 +11,8 @@ using namespace support;
 
 namespace {
 
-// Degrees 0 to 9 of curves, to 3 of surfaces; clamped, unclamped and periodic; with weights of any kind or none.
+// Degrees 0 to 9 of curves, to 3 of surfaces; clamped, unclamped and periodic; with weights of any kind or
+// none.
 SplineData random_shape(Random &random, int axes, int dim) {
     Recipe recipe;
     for (int k = 0; k < axes; ++k) {
@@ -219,8 +220,8 @@ TEST(Sweeps, swung_surfaces) {
     });
 }
 
-// Half circles with a control point at infinity, homogeneous (1, 0, 0, 1), (0, 0, 1, 0), (-1, 0, 0, 1) in the plane
-// y = 0.
+// Half circles with a control point at infinity, homogeneous (1, 0, 0, 1), (0, 0, 1, 0), (-1, 0, 0, 1) in the
+// plane y = 0.
 Handle half_circle_to_infinity(double radius) {
     const int32_t degree = 2;
     const int64_t count = 3;

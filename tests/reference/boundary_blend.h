@@ -1,5 +1,5 @@
-// Coons surfaces as nurbs.h defines them, without rounding: the matrix form S = -[-1 f(u)] M [-1 g(v)]^T with the
-// boundary information matrix M.
+// Coons surfaces as nurbs.h defines them, without rounding: the matrix form S = -[-1 f(u)] M [-1 g(v)]^T with
+// the boundary information matrix M.
 #pragma once
 
 #include "reference/number.h"
@@ -16,7 +16,8 @@ using Point = std::vector<Rational>;
 Point exact_value(const support::SplineData &data, const std::vector<double> &param);
 Point exact_slope(const support::SplineData &curve, double t);
 
-// With two blending functions the linear ones, with four Hermite's F0, F1, G0, G1, the last two times the length.
+// With two blending functions the linear ones, with four Hermite's F0, F1, G0, G1, the last two times the
+// length.
 std::vector<Rational> blending_functions(size_t size, const Rational &lower, const Rational &upper,
                                          const Rational &t);
 
@@ -33,8 +34,8 @@ public:
     // The same as the curve along axis 1, or along axis 0, has it.
     [[nodiscard]] Point own(size_t i, size_t j, bool along1) const;
 
-    // S(u, v). The entries of M that are functions are the given curves, corrected by the blending functions where
-    // they differ from the corners.
+    // S(u, v). The entries of M that are functions are the given curves, corrected by the blending functions
+    // where they differ from the corners.
     [[nodiscard]] Point value(double u, double v) const;
 
 private:

@@ -1,5 +1,5 @@
-// Curves as quotients of Bernstein polynomials without rounding: sums, products and derivatives of them, and how
-// far two are apart, everywhere and not only at samples.
+// Curves as quotients of Bernstein polynomials without rounding: sums, products and derivatives of them, and
+// how far two are apart, everywhere and not only at samples.
 #pragma once
 
 #include "reference/number.h"
@@ -46,7 +46,8 @@ std::vector<Polynomial> polynomials(const std::vector<double> &knots, int degree
 QuotientPiece piece(const support::SplineData &curve, double lower, double upper);
 
 // What a clamped surface is at an end of an axis, as a function of the other one on [lower, upper], and its
-// derivative there: with layers A_0, w_0 at the end and A_1, w_1 next to it p / h (A_1 w_0 - A_0 w_1) / w_0^2.
+// derivative there: with layers A_0, w_0 at the end and A_1, w_1 next to it p / h (A_1 w_0 - A_0 w_1) /
+// w_0^2.
 QuotientPiece edge(const support::SplineData &surface, int axis, bool upper_end, double lower, double upper);
 QuotientPiece edge_derivative(const support::SplineData &surface, int axis, bool upper_end, double lower,
                               double upper);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/// \file placement.hpp
-/// \brief Where shapes stand, and the forms of their arcs.
+// / \file placement.hpp
+// / \brief Where shapes stand, and the forms of their arcs.
 #ifndef NURBS_CPP_PLACEMENT_HPP
 #define NURBS_CPP_PLACEMENT_HPP
 
@@ -14,15 +14,16 @@
 
 namespace libnurbs {
 
-/// Forms of an arc.
+// / Forms of an arc.
 inline constexpr std::int32_t arc_quarters = NURBS_ARC_QUARTERS;
 inline constexpr std::int32_t arc_thirds = NURBS_ARC_THIRDS;
 inline constexpr std::int32_t arc_smooth = NURBS_ARC_SMOOTH;
 
 inline constexpr double full_turn = 2 * std::numbers::pi;
 
-/// Origin (centre, vertex), axis and direction x of a shape, all of one length: its dimension. What is left empty is
-/// the default of nurbs.h; if all is, surfaces and helices stand in space and other curves in the plane.
+// / Origin (centre, vertex), axis and direction x of a shape, all of one length: its dimension. What is left
+// empty is / the default of nurbs.h; if all is, surfaces and helices stand in space and other curves in the
+// plane.
 struct Placement {
     std::vector<double> origin{};
     std::vector<double> axis{};
@@ -43,7 +44,8 @@ inline const double *pointer(View<double> values) noexcept {
     return values.empty() ? nullptr : values.data();
 }
 
-// The length of the first vector that is not empty, or another dimension if all are; the rest must have it too.
+// The length of the first vector that is not empty, or another dimension if all are; the rest must have it
+// too.
 inline std::int32_t dimension_of(std::initializer_list<View<double>> vectors, std::int32_t dim) {
     bool known = false;
     for (const View<double> &vector : vectors) {

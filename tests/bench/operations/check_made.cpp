@@ -90,8 +90,8 @@ void check_revolved(const Shape &surface, const Shape &profile) {
     });
 }
 
-// On the segment between the points of both curves, from the first to the second. How it is divided is free: Open CASCADE
-// gives the weights of both curves the same mean.
+// On the segment between the points of both curves, from the first to the second. How it is divided is free:
+// Open CASCADE gives the weights of both curves the same mean.
 void check_ruled(const Shape &surface, const Shape &a, const Shape &b) {
     on_grid([&](double s, double t) {
         const Point p = surface.at(s, t), from = a.at(s), to = b.at(s);

@@ -1,5 +1,5 @@
-// Open CASCADE: Geom_BSplineCurve, GeomConvert_BSplineCurveToBezierCurve, GeomFill_Profiler; for shapes GeomConvert of
-// Geom_Circle and Geom_SurfaceOfRevolution, GeomFill::Surface, GeomFill_BSplineCurves.
+// Open CASCADE: Geom_BSplineCurve, GeomConvert_BSplineCurveToBezierCurve, GeomFill_Profiler; for shapes
+// GeomConvert of Geom_Circle and Geom_SurfaceOfRevolution, GeomFill::Surface, GeomFill_BSplineCurves.
 #include "bench/operations/task.h"
 
 #include <GeomConvert.hxx>

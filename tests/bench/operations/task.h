@@ -19,8 +19,9 @@ struct Task {
     std::string name;
     std::string title;
     Operation operation;
-    // None for a circle; the profile, turned about the z axis; the two ends of a ruled surface; the boundaries of a
-    // Coons surface at u = 0, u = 1, v = 0, v = 1; many curves to be made compatible; otherwise one.
+    // None for a circle; the profile, turned about the z axis; the two ends of a ruled surface; the
+    // boundaries of a Coons surface at u = 0, u = 1, v = 0, v = 1; many curves to be made compatible;
+    // otherwise one.
     std::vector<support::SplineData> inputs;
     std::vector<double> knots; // to insert or to remove
     double tolerance = 0;
@@ -37,13 +38,14 @@ struct Work {
 };
 using Prepare = std::function<Work(const Task &)>; // a Work without functions: not offered
 
-// Throws std::runtime_error unless the circle or surface is what its defining formula says, to within rounding. How the
-// angle of a circle or a surface of revolution is parametrised, and how rulings are divided, is free.
+// Throws std::runtime_error unless the circle or surface is what its defining formula says, to within
+// rounding. How the angle of a circle or a surface of revolution is parametrised, and how rulings are
+// divided, is free.
 void check_made(const Task &task, const support::SplineData &result);
 
-// Names benchmarks task/library and checks every result: what is made by its formula, else the shape within the
-// tolerance of the task, the degree, and for removal and compatible curves the number of knots. The result is the exit
-// status.
+// Names benchmarks task/library and checks every result: what is made by its formula, else the shape within
+// the tolerance of the task, the degree, and for removal and compatible curves the number of knots. The
+// result is the exit status.
 int run(int argc, char **argv, const std::string &library, const Prepare &prepare);
 
 } // namespace bench

@@ -56,8 +56,8 @@ TEST_P(Orbiting, values_are_rounded_once) {
     }
 }
 
-// A third of a turn about the main diagonal moves the coordinates on by one; so do the directions of homogeneous
-// records without weight, and weights stay.
+// A third of a turn about the main diagonal moves the coordinates on by one; so do the directions of
+// homogeneous records without weight, and weights stay.
 TEST_P(Orbiting, records_turn_about_a_line) {
     const Wide third = Wide(1) / square_root(Wide(3)), half_root = square_root(Wide(3)) / Wide(2);
     const nrb::AxisLine diagonal{{10, 10, 10}, {third, third, third}};
