@@ -80,6 +80,7 @@ nurbs_status nurbs_surface_coons_hermite(const nurbs *const *boundaries, const n
         check_tolerance(tolerance);
         const PatchCurves curves = curves_of(boundaries, cross);
         check_rule(twist, twists, cross != nullptr, curves.dim());
+        check_apart({memory("bound", bound, 1)}, {memory("twists", twists, 4 * int64_t{curves.dim()})});
         HermitePatch made = surface_coons_hermite(curves, {twist, twists}, tolerance);
         give(std::move(made.surface), out);
         if (bound != nullptr) {

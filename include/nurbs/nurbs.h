@@ -2334,7 +2334,7 @@ NURBS_API nurbs_status nurbs_curve_helix(int32_t dim, const double *origin, cons
 
 /** \name Flags of constructions
  * @{ */
-/** \brief nurbs_ruled(): rulings of Cartesian points, divided evenly, in place of those of homogeneous ones. */
+/** \brief nurbs_ruled(): rulings of Cartesian points, divided evenly, not those of homogeneous ones. */
 #define NURBS_RULED_CARTESIAN 0x80000000u
 /** \brief nurbs_surface_sphere_patches(): the half towards Z. */
 #define NURBS_HEMISPHERE 0x01000000u
@@ -2613,8 +2613,9 @@ NURBS_API nurbs_status nurbs_surface_hyperboloid(const double *center, const dou
  *
  * Barring that, every boundary of a surface is met to 2 eps of its hull everywhere, half an eps more where
  * means were used, and one more for each denominator with which it is multiplied (tested by exact
- * comparison of the curves, weights within a factor of 25); corners bit for bit. Cross tangents are met to
- * the rounding of the two layers of control points that they are differences of.
+ * comparison of the curves, weights within a factor of 25); corners bit for bit. Where a domain is mapped
+ * to another one, its knots are rounded, which moves that boundary by its speed times the rounding. Cross
+ * tangents are met to the rounding of the two layers of control points that they are differences of.
  *
  * Rational boundaries are blended in Cartesian space. The result is the sum over the product of the
  * denominators that are not equal bit for bit after both are brought to common knots and divided by their
@@ -2622,7 +2623,8 @@ NURBS_API nurbs_status nurbs_surface_hyperboloid(const double *center, const dou
  * is polynomial where the weights of every boundary are equal. Weights of the faces of a volume are taken
  * apart into a factor for each axis where they are such products, to 8 eps, which gives degrees up to 4 p +
  * 1; where one face has others, the denominators of edges are factors too, up to 8 p + 1 in all, and edges
- * follow the first of their faces in place of the mean.
+ * follow the first of their faces in place of the mean; the time then grows with the cube of the number of
+ * knots of all those factors (seconds for six rational cubic faces of 7 x 7 points).
  * @{ */
 
 /** \name Twists of nurbs_surface_coons_hermite()
@@ -2693,10 +2695,10 @@ NURBS_API nurbs_status nurbs_surface_coons(const nurbs *const *boundaries, doubl
  * \param[out] bound largest difference between the twists used and those of the cross tangents, 0 without
  *   cross; or NULL.
  * \param[out] out the new handle.
- * \return as nurbs_surface_coons(), and NURBS_ERROR_TWIST_RULE if twist is none of the constants or does
- *   not suit, or twists are given to another one, _POINT_NOT_FINITE if a twist is not finite, _TANGENT if a
- *   cross tangent differs from the tangent of the boundary at a corner by more than the tolerance, _TWIST
- *   if twists do; the message names the corner and the difference.
+ * \return as nurbs_surface_coons(), and NURBS_ERROR_OVERLAP, _TWIST_RULE if twist is none of the constants
+ *   or does not suit, or twists are given to another one, _POINT_NOT_FINITE if a twist is not finite,
+ *   _TANGENT if a cross tangent differs from the tangent of the boundary at a corner by more than the
+ *   tolerance, _TWIST if twists do; the message names the corner and the difference.
  * \since 0.1 */
 NURBS_API nurbs_status nurbs_surface_coons_hermite(const nurbs *const *boundaries, const nurbs *const *cross,
                                                    int32_t twist, const double *twists, double tolerance,
@@ -2756,7 +2758,7 @@ NURBS_API nurbs_status nurbs_volume_coons(const nurbs *const *faces, double tole
  * equation of the shape along g, so that what is returned is proven, its rounding included. A closed or
  * partial shape, and how it is parametrized, make no difference. What does not fit may be within the
  * tolerance of a shape all the same, if by little: distances are made small in the mean, and the bound is
- * within a factor of about 5/4.
+ * within a factor of about 5/4, in the worst cases seen 3/2.
  *
  * The numbers are a placement and two sizes; unused ones are 0:
  *
@@ -2781,12 +2783,14 @@ NURBS_API nurbs_status nurbs_volume_coons(const nurbs *const *faces, double tole
  * S_v; the axis of a cylinder points from the start into g, the largest component of that of a torus is
  * positive. Hyperbolas are one branch and cones one half, and a torus with r > R is its outer part.
  *
- * On exact shapes the bound is some 1e-14 of the largest distance of g from the origin of the shape, for
- * degree 2, and a little more where coordinates are large beside g; it grows in proportion to the sum of
- * the degrees, and up to fiftyfold for tori that nearly reach their axis and long hyperbolas (measured).
- * Tolerances below that find nothing. Control points at infinity are allowed; where the weights of g cannot
- * be shown to have one sign, the result is NURBS_SHAPE_NONE. The time grows with the square of the number
- * of control points of a Bezier piece, and is that of some hundred evaluations beside.
+ * On exact shapes the bound is some 1e-14 of the largest distance of a Bezier point of g from the origin of
+ * the shape, for degree 2, and a little more where coordinates are large beside g; it grows in proportion
+ * to the sum of the degrees, and up to fiftyfold for tori that nearly reach their axis and long hyperbolas
+ * (measured). Tolerances below that find nothing, and control points far beyond a shape, of small weights,
+ * cost digits in proportion. Control points at infinity are allowed; where the weights of g cannot be shown
+ * to have one sign, the result is NURBS_SHAPE_NONE. The time is that of up to 60 subdivisions of each
+ * Bezier piece, each in proportion to the square of the number of its control points; for most shapes one
+ * or two are enough.
  * \param[in] g a curve or surface of dimension 2 or 3.
  * \param[in] tolerance largest distance from the shape, > 0.
  * \param[out] shape one of the NURBS_SHAPE_ constants.

@@ -66,6 +66,9 @@ Angle Angle::from_radians(double radians) noexcept {
 Angle Angle::plus(const Angle &other, int64_t numerator, int64_t denominator) const noexcept {
     const int64_t product = other.steps_ * numerator;
     const int64_t whole = product / denominator;
+    if (whole * denominator == product && other.rest_ == 0) { // full steps
+        return {steps_ + whole, rest_};
+    }
     const double fraction = static_cast<double>(product % denominator) / static_cast<double>(denominator);
     const double share = other.rest_ * static_cast<double>(numerator) / static_cast<double>(denominator);
     const double rest = fraction * step + (rest_ + share);

@@ -3,10 +3,12 @@
 #include "bounds/deviation.h"
 #include "build/blend_sum.h"
 #include "build/blended_net.h"
+#include "build/boundary.h"
 #include "build/face_net.h"
 #include "build/volume_edge.h"
 #include "reduce/deviation.h"
 #include "refine/homogeneous.h"
+#include "refine/weights.h"
 
 #include <algorithm>
 #include <numeric>
@@ -33,6 +35,9 @@ void check_faces(const std::vector<SplinePtr> &faces) {
 class FaceBlend {
 public:
     FaceBlend(const std::vector<SplinePtr> &faces, double tolerance) : dim_(faces[0]->dim()) {
+        for (const SplinePtr &face : faces) {
+            stored_.push_back(boundaries_of(*face));
+        }
         const std::array<Interval, 3> domains = volume_domains(faces);
         for (size_t i = 0; i < face_count; ++i) {
             const FaceAxes axes(i);
@@ -141,11 +146,24 @@ private:
         return deviation(*first, *second).upper;
     }
 
+    // Whether both faces hold the edge with the same bits: taking their weights apart rounds differently.
+    [[nodiscard]] bool stored_alike(const VolumeEdge &edge) const {
+        const Spline &a = stored_boundary(edge.face(), edge.second, edge.second_upper);
+        const Spline &b = stored_boundary(edge.other_face(), edge.first, edge.first_upper);
+        return std::ranges::equal(a.axis(0).knots(), b.axis(0).knots()) &&
+               std::ranges::equal(a.points(), b.points()) && same_weights(a, b);
+    }
+    [[nodiscard]] const Spline &stored_boundary(size_t face, int axis, bool upper) const {
+        return *stored_[face][face_at(FaceAxes(face).place(axis), upper)];
+    }
+
     // The mean of what the two faces have, and of the corners at its ends.
     [[nodiscard]] std::vector<double> mean_edge(const VolumeEdge &edge, double tolerance) const {
         std::vector<double> a = layer(edge.face(), edge.second, edge.second_upper);
         const std::vector<double> b = layer(edge.other_face(), edge.first, edge.first_upper);
-        edge.check(gap(edge.axis, a, b, tolerance), tolerance);
+        if (!stored_alike(edge)) {
+            edge.check(gap(edge.axis, a, b, tolerance), tolerance);
+        }
         std::ranges::transform(a, b, a.begin(), [](double x, double y) { return std::midpoint(x, y); });
         const BlendAxis &blend = blends_[static_cast<size_t>(edge.axis)];
         for (size_t end = 0; end < 2; ++end) {
@@ -273,6 +291,7 @@ private:
     }
 
     int dim_;
+    std::vector<std::vector<SplinePtr>> stored_; // boundaries of the faces as they were given
     std::vector<FaceNet> nets_;
     std::vector<BlendAxis> blends_;
 };

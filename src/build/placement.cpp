@@ -23,9 +23,17 @@ Wide dot(const WideVector &a, const WideVector &b) noexcept {
 WideVector cross(const WideVector &a, const WideVector &b) noexcept {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
+// Exact along the coordinate axes, where most frames are.
 WideVector unit(const WideVector &a) noexcept {
-    const Wide length = square_root(dot(a, a));
-    return {a[0] / length, a[1] / length, a[2] / length};
+    for (size_t k = 0; k < 3; ++k) {
+        if (a[(k + 1) % 3].high == 0 && a[(k + 2) % 3].high == 0) {
+            WideVector along{};
+            along[k] = std::copysign(1.0, a[k].high);
+            return along;
+        }
+    }
+    const Wide scale = Wide(1) / square_root(dot(a, a));
+    return {a[0] * scale, a[1] * scale, a[2] * scale};
 }
 // The unit vector of the part of a across the unit vector t.
 WideVector unit_across(const WideVector &a, const WideVector &t) noexcept {
@@ -50,6 +58,9 @@ WideVector least_direction(const WideVector &a) noexcept {
 
 // Adds a product, its rounding error and what the rests give.
 void add_product(const Wide &a, const Wide &b, CompensatedSum &sum) noexcept {
+    if (a.high == 0 || b.high == 0) { // most of them, in planes and along the axes
+        return;
+    }
     const double product = a.high * b.high;
     sum.add(product);
     sum.rest += std::fma(a.high, b.high, -product) + (a.high * b.low + a.low * b.high);

@@ -154,7 +154,7 @@ bool find_conic_axes(const double *coefficients, ConicAxes &axes) noexcept {
     }
     axes.type = sign > 0 ? NURBS_CONIC_ELLIPSE : sign == 0 ? NURBS_CONIC_PARABOLA : NURBS_CONIC_HYPERBOLA;
     for (double *x : {&axes.origin[0], &axes.origin[1], &axes.sizes[0], &axes.sizes[1]}) {
-        *x = std::ldexp(*x, scaled.exponent);
+        *x = std::ldexp(*x, scaled.exponent) + 0.0; // no -0
     }
     return true;
 }
@@ -167,7 +167,10 @@ ConicAxes conic_axes(const double *coefficients) {
     }
     ConicAxes axes{};
     if (!find_conic_axes(coefficients, axes)) {
-        fail(NURBS_ERROR_CONIC, "coefficients describe no ellipse, parabola or hyperbola");
+        const double discriminant =
+            difference_of_products(coefficients[1], coefficients[1], 4 * coefficients[0], coefficients[2]);
+        fail(NURBS_ERROR_CONIC, "coefficients describe no ellipse, parabola or hyperbola: B^2 - 4 A C = %s",
+             Number(discriminant).text);
     }
     for (const double x :
          {axes.origin[0], axes.origin[1], axes.x[0], axes.x[1], axes.sizes[0], axes.sizes[1]}) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace nrb {
 
@@ -143,7 +144,15 @@ DistanceBound PieceDistance::from_torus(const ShapePiece &piece) const {
     const FormRange &product = torus.product;
     const DistanceBound bound =
         from_square(product.least / factor, product.most / factor, product.error / factor, minor);
-    return extent.upper < bound.upper ? extent : bound;
+    return extent.upper < bound.upper || across_axis(torus, bound.upper) ? extent : bound;
+}
+
+// Whether the nearest point of a circle that crosses the axis may be beyond it, where a torus has no points: at
+// s - R + R d / r, times r / d, which is positive if s r >= R (r - d).
+bool PieceDistance::across_axis(const TorusForms &torus, double distance) const noexcept {
+    const double major = shape_.sizes[0], minor = shape_.sizes[1];
+    const double least = std::sqrt(std::max(0.0, torus.squared_radius.least));
+    return minor > major && !(least * minor >= major * distance * (1 + 8 * eps));
 }
 
 // The distance of a point and the radius of a ball round it that holds all control points.

@@ -1,6 +1,7 @@
 // How far a Bezier piece is from a shape at most.
 #pragma once
 
+#include "query/shape_forms.h"
 #include "query/shape_pieces.h"
 
 #include <limits>
@@ -30,6 +31,7 @@ private:
     [[nodiscard]] DistanceBound by_gradient(const ShapePiece &piece) const;
     [[nodiscard]] DistanceBound from_torus(const ShapePiece &piece) const;
     [[nodiscard]] double by_extent(const ShapePiece &piece) const;
+    [[nodiscard]] bool across_axis(const TorusForms &torus, double distance) const noexcept;
     [[nodiscard]] bool beyond(const ShapePiece &piece, double distance) const noexcept;
 
     Shape shape_;

@@ -46,7 +46,8 @@ private:
         const Candidate &top = heap_.front();
         const bool final = top.depth >= 6 || top.bound.noise <= 8 * top.piece.moved();
         const double noise = final ? top.bound.noise : 8 * top.piece.moved();
-        return lower_ > tolerance_ || top.bound.upper - noise <= 1.25 * (lower_ + noise);
+        const bool hopeless = lower_ > tolerance_ || top.piece.moved() > tolerance_; // rounding alone is more
+        return hopeless || top.bound.upper - noise <= 1.25 * (lower_ + noise);
     }
 
     bool refine() {

@@ -99,6 +99,17 @@ double conic_distance(const Shape &shape, const Vector3 &p) noexcept {
     return distance;
 }
 
+// From the outer part of a torus that cuts itself: where the nearest point of its circle is beyond the axis, a cusp is
+// nearest.
+double torus_distance(const Shape &shape, const Vector3 &p) noexcept {
+    const double major = shape.sizes[0], minor = shape.sizes[1];
+    const double s = std::hypot(p.x, p.y), d = std::hypot(s - major, p.z);
+    if (minor > major && (major - s) * minor > major * d) {
+        return std::hypot(s, std::abs(p.z) - std::sqrt((minor - major) * (minor + major)));
+    }
+    return std::abs(d - minor);
+}
+
 } // namespace
 
 double most_distance(const Shape &shape, const Vector3 &p) noexcept {
@@ -108,6 +119,8 @@ double most_distance(const Shape &shape, const Vector3 &p) noexcept {
         return std::hypot(p.x, p.y) * std::sin(a) + p.z * std::cos(a) > 0
                    ? std::abs(signed_distance(shape, p))
                    : length(p);
+    case NURBS_SHAPE_TORUS:
+        return torus_distance(shape, p);
     case NURBS_SHAPE_ELLIPSE:
     case NURBS_SHAPE_PARABOLA:
     case NURBS_SHAPE_HYPERBOLA:

@@ -1,7 +1,10 @@
 #include "query/small_svd.h"
 
+#include "base/finite.h"
+
 #include <Eigen/QR>
 #include <Eigen/SVD>
+#include <limits>
 
 namespace nrb {
 
@@ -32,7 +35,11 @@ struct SmallSvd::Decomposition {
     }
 };
 
-SmallSvd::SmallSvd(const std::vector<double> &rows, int n, const std::vector<double> &right) {
+SmallSvd::SmallSvd(const std::vector<double> &rows, int n, const std::vector<double> &right)
+    : unknowns_(static_cast<size_t>(n)) {
+    if (!all_finite(rows) || !all_finite(right)) { // which Eigen does not promise to survive
+        return;
+    }
     const Eigen::Index given = static_cast<Eigen::Index>(rows.size()) / n,
                        m = std::max<Eigen::Index>(given, n);
     Matrix matrix = Matrix::Zero(m, n);
@@ -46,11 +53,17 @@ SmallSvd::SmallSvd(const std::vector<double> &rows, int n, const std::vector<dou
 SmallSvd::~SmallSvd() = default;
 
 std::vector<double> SmallSvd::direction(int rank) const {
+    if (decomposition_ == nullptr) {
+        return std::vector<double>(unknowns_, std::numeric_limits<double>::quiet_NaN());
+    }
     const Eigen::MatrixXd &v = decomposition_->svd.matrixV();
     return values_of(v.col(v.cols() - 1 - rank));
 }
 
 std::vector<double> SmallSvd::solution(double cutoff) const {
+    if (decomposition_ == nullptr) {
+        return std::vector<double>(unknowns_, std::numeric_limits<double>::quiet_NaN());
+    }
     Rotations &svd = decomposition_->svd;
     svd.setThreshold(cutoff);
     return values_of(svd.solve(decomposition_->right));

@@ -9,7 +9,7 @@ namespace nrb {
 
 class SmallSvd {
 public:
-    // `rows` is [m][n], all finite, `right` [m] or empty.
+    // `rows` is [m][n], `right` [m] or empty. Where a value is not finite all results are NaN.
     SmallSvd(const std::vector<double> &rows, int n, const std::vector<double> &right = {});
     SmallSvd(const SmallSvd &) = delete;
     SmallSvd &operator=(const SmallSvd &) = delete;
@@ -24,7 +24,8 @@ public:
 
 private:
     struct Decomposition; // keeps Eigen's templates out of this header
-    std::unique_ptr<Decomposition> decomposition_;
+    size_t unknowns_;
+    std::unique_ptr<Decomposition> decomposition_; // null: no finite equations
 };
 
 } // namespace nrb

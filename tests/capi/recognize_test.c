@@ -168,11 +168,27 @@ static void bad_input(void) {
     CHECK_UNTOUCHED(f.sizes);
 }
 
+/* Coordinates whose squares overflow: found or not, but no crash. */
+static void enormous(void) {
+    static const int32_t degree = 2;
+    static const double weights[] = {1, 1e-160, 1};
+    for (double size = 1e140; size < 1e170; size *= 100) {
+        const double points[] = {1, 0, 0, size, -1, 0};
+        nurbs *g = NULL;
+        int32_t shape = -1;
+        CHECK_OK(nurbs_create_bezier(1, &degree, 2, points, 0, 0, weights, 0, &g));
+        nurbs_status status = nurbs_recognize(g, 1e-3, &shape, NULL, NULL, NULL);
+        CHECK(status == NURBS_OK || status == NURBS_ERROR_NOT_REPRESENTABLE);
+        nurbs_destroy(g);
+    }
+}
+
 int main(void) {
     curves();
     surfaces();
     scales();
     other_weights();
     bad_input();
+    enormous();
     return check_summary("recognize");
 }

@@ -87,8 +87,11 @@ double distance(int32_t shape, const double *placement, const double *sizes, con
         return std::fabs(s - sizes[0]);
     case NURBS_SHAPE_CONE:
         return std::fabs(s * std::cos(sizes[0]) - z * std::sin(sizes[0]));
-    case NURBS_SHAPE_TORUS:
-        return std::fabs(std::hypot(s - sizes[0], z) - sizes[1]);
+    case NURBS_SHAPE_TORUS: {
+        const double d = std::hypot(s - sizes[0], z), a = sizes[0], b = sizes[1];
+        const bool inner = b > a && (a - s) * b > a * d; // the nearest point is on the part beyond the axis
+        return inner ? std::hypot(s, std::fabs(z) - std::sqrt((b - a) * (b + a))) : std::fabs(d - b);
+    }
     default:
         return 0;
     }

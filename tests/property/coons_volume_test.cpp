@@ -132,6 +132,33 @@ double face_error(const SplineData &volume, const std::vector<SplineData> &faces
     return largest;
 }
 
+// However the weights of the faces are taken apart.
+TEST(CoonsVolume, FacesOfAVolumeMeetAtTolerance0) {
+    for_each_case(46900, 40, [&](Random &random, uint64_t seed) {
+        SplineData volume = random_volume(random, 3, true, KnotForm::clamped, false);
+        for (double &weight : volume.weights) {
+            weight *= 0.1; // no more of few bits
+        }
+        if (seed % 2 == 0) { // nor products any more
+            volume.weights[volume.weights.size() / 2] *= 1.5;
+        }
+        if (volume.weights.size() <= 64) {
+            Handle made;
+            ASSERT_EQ(blend(faces_of(volume), 0, made), NURBS_OK) << last_error() << " seed " << seed;
+        }
+    });
+    const SplineData block = {{1, 1, 1},
+                              {2, 2, 2},
+                              {{0, 0, 1, 1}, {0, 0, 1, 1}, {0, 0, 1, 1}},
+                              3,
+                              {.1,  .2, .3, .1,  .2, 1.3, .1,  1.2, .3, .1,  1.2, 1.3,
+                               1.1, .2, .3, 1.1, .2, 1.3, 1.1, 1.2, .3, 1.1, 1.2, 1.3},
+                              {3, 1, 3, 1, 3, 1, 3, 1},
+                              0};
+    Handle made;
+    ASSERT_EQ(blend(faces_of(block), 0, made), NURBS_OK) << last_error();
+}
+
 } // namespace
 
 TEST(CoonsVolume, AgreesWithItsDefinition) {

@@ -88,8 +88,11 @@ inline long double shape_distance(const FoundShape &shape, const std::vector<lon
         const long double along = s * std::sin(a) + z * std::cos(a);
         return along > 0 ? std::fabs(s * std::cos(a) - z * std::sin(a)) : std::hypot(s, z);
     }
-    case NURBS_SHAPE_TORUS:
-        return std::fabs(std::hypot(s - a, z) - shape.sizes[1]);
+    case NURBS_SHAPE_TORUS: {
+        const long double b = shape.sizes[1], d = std::hypot(s - a, z);
+        const bool inner = b > a && (a - s) * b > a * d; // the nearest point is on the part beyond the axis
+        return inner ? std::hypot(s, std::fabs(z) - std::sqrt((b - a) * (b + a))) : std::fabs(d - b);
+    }
     default:
         break;
     }

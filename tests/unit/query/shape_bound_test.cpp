@@ -44,6 +44,15 @@ void expect_distance(const SplinePtr &spline, const Shape &shape, double distanc
     EXPECT_LE(found.upper, 1.25 * distance + 1e-13);
 }
 
+// On the axis of a torus that cuts itself the cusp at sqrt(r^2 - R^2) = 0.75 is nearest, not the part beyond the axis,
+// which is 0.25 away.
+TEST(ShapeBound, a_torus_that_cuts_itself_is_its_outer_part) {
+    expect_distance(curve(3, {0, 0, 0, 0, 0, 0.05, 0, 0, 0.1}, {}), shape_of(NURBS_SHAPE_TORUS, 1, 1.25),
+                    0.75);
+    expect_distance(curve(3, {0, 0, 0.8, 0.01, 0, 0.8, 0.02, 0, 0.8}, {}),
+                    shape_of(NURBS_SHAPE_TORUS, 1, 1.25), std::hypot(1, 0.8) - 1.25);
+}
+
 TEST(ShapeBound, encloses_known_distances) {
     for (const double d : {0.0, 1e-12, 1e-6, 1e-2, 0.3}) {
         expect_distance(quarter(1), shape_of(NURBS_SHAPE_CIRCLE, 1 + d), d);

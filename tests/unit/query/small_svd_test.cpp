@@ -78,4 +78,12 @@ TEST(SmallSvd, takes_the_shortest_solution) {
     EXPECT_EQ(nrb::SmallSvd({0, 0}, 2, {1}).solution(1e-12), (std::vector<double>{0, 0}));
 }
 
+TEST(SmallSvd, what_is_not_finite_stays_so) {
+    for (const double bad : {std::nan(""), INFINITY}) {
+        EXPECT_TRUE(std::isnan(nrb::SmallSvd({1, 2, bad, 4}, 2, {1, 2}).solution(0)[1]));
+        EXPECT_TRUE(std::isnan(nrb::SmallSvd({1, 2, 3, 4}, 2, {bad, 2}).solution(0)[0]));
+        EXPECT_TRUE(std::isnan(nrb::SmallSvd({1, 2, bad, 4}, 2).direction(0)[0]));
+    }
+}
+
 } // namespace
