@@ -24,7 +24,7 @@ static void check_axes(const double *q, int32_t type, const double *values) {
 }
 
 static void kinds(void) {
-    check_axes(EQUATION(1, 0, 1, 0, 0, -4), NURBS_CONIC_ELLIPSE, EQUATION(0, 0, 0, 1, 2, 2));
+    check_axes(EQUATION(1, 0, 1, 0, 0, -4), NURBS_CONIC_ELLIPSE, EQUATION(0, 0, 1, 0, 2, 2));
     check_axes(EQUATION(4, 0, 1, -8, 0, 0), NURBS_CONIC_ELLIPSE, EQUATION(1, 0, 0, 1, 2, 1));
     check_axes(EQUATION(-1, 0, -4, 0, 0, 4), NURBS_CONIC_ELLIPSE, EQUATION(0, 0, 1, 0, 2, 1));
     check_axes(EQUATION(0, 0, 1, -4, 0, 0), NURBS_CONIC_PARABOLA, EQUATION(0, 0, 1, 0, 1, 0));
@@ -35,7 +35,7 @@ static void kinds(void) {
                EQUATION(0, 0, sqrt(0.5), sqrt(0.5), 2, 2));
     /* any factor, any scale */
     check_axes(EQUATION(1e-300, 0, -4e-300, 0, 0, 4e-300), NURBS_CONIC_HYPERBOLA, EQUATION(0, 0, 0, 1, 1, 2));
-    check_axes(EQUATION(1, 0, 1, 0, 0, -1e-40), NURBS_CONIC_ELLIPSE, EQUATION(0, 0, 0, 1, 1e-20, 1e-20));
+    check_axes(EQUATION(1, 0, 1, 0, 0, -1e-40), NURBS_CONIC_ELLIPSE, EQUATION(0, 0, 1, 0, 1e-20, 1e-20));
     /* the smallest ellipse and hyperbola beside a parabola */
     Axes a;
     CHECK_OK(try_axes(EQUATION(1, 2, 1 + 0x1p-52, 1, 0, -1), &a));

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <gtest/gtest.h>
+#include <limits>
 
 namespace {
 
@@ -79,7 +80,8 @@ TEST(SmallSvd, takes_the_shortest_solution) {
 }
 
 TEST(SmallSvd, what_is_not_finite_stays_so) {
-    for (const double bad : {std::nan(""), INFINITY}) {
+    for (const double bad :
+         {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
         EXPECT_TRUE(std::isnan(nrb::SmallSvd({1, 2, bad, 4}, 2, {1, 2}).solution(0)[1]));
         EXPECT_TRUE(std::isnan(nrb::SmallSvd({1, 2, 3, 4}, 2, {bad, 2}).solution(0)[0]));
         EXPECT_TRUE(std::isnan(nrb::SmallSvd({1, 2, bad, 4}, 2).direction(0)[0]));
