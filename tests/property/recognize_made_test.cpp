@@ -299,6 +299,22 @@ TEST(RecognizeMade, every_surface_however_it_is_written) {
     recognise_all(surfaces, 41500, 240);
 }
 
+TEST(RecognizeMade, both_parts_of_a_conic_that_is_split) {
+    for_each_case(42500, 240, [&](Random &random, uint64_t seed) {
+        const Place place(random);
+        const auto &[name, maker] = curves[seed % curves.size()];
+        const Made shape = maker(place);
+        std::array<double, 2> domain{};
+        require_ok(nurbs_domain(shape.g.get(), 0, domain.data()));
+        const double at = domain[0] + (domain[1] - domain[0]) * random.between(0.2, 0.8);
+        nurbs *lower = nullptr, *upper = nullptr;
+        require_ok(nurbs_split(shape.g.get(), 0, at, &lower, &upper));
+        for (const Handle &part : {Handle(lower), Handle(upper)}) {
+            expect_shape(shape, part.get(), name, seed);
+        }
+    });
+}
+
 // An affine map takes conics and planes to the same kinds, circles to ellipses.
 TEST(RecognizeMade, affine_images_of_conics_and_planes) {
     for_each_case(41800, 160, [&](Random &random, uint64_t seed) {
