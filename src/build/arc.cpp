@@ -93,17 +93,11 @@ Arc unit_hyperbola(double start, double end) {
 Arc unit_arc(const Turn &turn, int32_t form) {
     check_arc_form(form);
     constexpr double third = 2 * std::numbers::pi / 3;
-    Arc arc;
     if (form == NURBS_ARC_QUARTERS) {
-        arc = pieced_arc(turn, piece_count(turn.sweep, std::numbers::pi / 2));
-    } else {
-        const int64_t pieces = piece_count(turn.sweep, third);
-        arc = form == NURBS_ARC_THIRDS || pieces == 1 ? pieced_arc(turn, pieces) : smooth_arc(turn);
+        return pieced_arc(turn, piece_count(turn.sweep, std::numbers::pi / 2));
     }
-    if (turn.sweep.full_turn()) {
-        arc.points.back() = arc.points.front();
-    }
-    return arc;
+    const int64_t pieces = piece_count(turn.sweep, third);
+    return form == NURBS_ARC_THIRDS || pieces == 1 ? pieced_arc(turn, pieces) : smooth_arc(turn);
 }
 
 } // namespace nrb
