@@ -1,6 +1,7 @@
 #include "query/conic_axes.h"
 
 #include "base/error.h"
+#include "base/finite.h"
 #include "base/sum.h"
 #include "query/exact_products.h"
 
@@ -135,6 +136,9 @@ int discriminant_sign(const double *q) noexcept {
 } // namespace
 
 bool find_conic_axes(const double *coefficients, ConicAxes &axes) noexcept {
+    if (!all_finite({coefficients, 6})) {
+        return false;
+    }
     const Scaled scaled(coefficients);
     Equation q = scaled.equation;
     if (q.a + q.c < 0) {

@@ -21,7 +21,7 @@ struct ConicAxes {
 // of the equation in its own scale. Throws NURBS_ERROR_FACTOR, _CONIC, _NOT_REPRESENTABLE.
 ConicAxes conic_axes(const double *coefficients);
 
-// The same for finite coefficients, without a check of the result; false if there is no such conic.
+// The same without a check of the result; false if there is no such conic, or a coefficient is not finite.
 bool find_conic_axes(const double *coefficients, ConicAxes &axes) noexcept;
 
 } // namespace nrb

@@ -141,7 +141,7 @@ TEST(Sweeps, revolved_shapes_follow_the_arc) {
             along.push_back(exact(axis.along[c]));
         }
         const Point want =
-            turned(point_at(data, params), center, along, exact(axis.length), point_at(arc, {u}));
+            turned(point_at(data, params), center, along, exact(axis.length), point_at(arc, {u, 0}));
         const auto all = joined({u}, params);
         const long double error = ratio(point_at(got, all), want, 1.5L * eps * hull(got, all));
         worst.add(error);
