@@ -1,29 +1,13 @@
 #include "build/blend_axis.h"
 
 #include "base/representable.h"
+#include "build/functions.h"
 #include "reduce/compatible.h"
-#include "refine/product.h"
+#include "refine/weights.h"
 
 #include <algorithm>
 
 namespace nrb {
-
-namespace {
-
-SplinePtr polynomial(const Spline::Axes &axes, int dim, std::vector<double> points) {
-    return std::make_shared<const Spline>(axes, dim, Form::polynomial, std::move(points),
-                                          std::vector<double>());
-}
-
-bool equal_weights(const Spline &curve) noexcept {
-    bool equal = true;
-    for (int64_t i = 1; equal && i < curve.point_count(); ++i) {
-        equal = curve.weight(i) == curve.weight(0);
-    }
-    return equal;
-}
-
-} // namespace
 
 Quotient as_quotient(const SplinePtr &curve) {
     if (curve->form() == Form::polynomial) {
@@ -42,21 +26,11 @@ Quotient as_quotient(const SplinePtr &curve) {
     }
     require_representable(points, "numerators");
     require_representable(weights, "denominators");
-    return {polynomial(curve->knot_vectors(), curve->dim(), std::move(points)),
-            equal ? nullptr : polynomial(curve->knot_vectors(), 1, std::move(weights))};
+    return {polynomial_spline(curve->knot_vectors(), curve->dim(), std::move(points)),
+            equal ? nullptr : polynomial_spline(curve->knot_vectors(), 1, std::move(weights))};
 }
 
 namespace {
-
-bool same_function(const SplinePtr &a, const SplinePtr &b) {
-    const SplinePtr both[] = {a, b};
-    const Compatible made = make_compatible(both, 0, false);
-    return std::ranges::equal(made.splines[0]->points(), made.splines[1]->points());
-}
-
-SplinePtr times(const SplinePtr &a, const SplinePtr &factor) {
-    return factor == nullptr ? a : a == nullptr ? factor : product(*a, *factor, ProductKind::components);
-}
 
 // The denominators that differ, and which of them each function has.
 class Denominators {
@@ -103,8 +77,8 @@ SplinePtr blending_functions(Interval domain, int degree) {
     const double third = (domain.upper - domain.lower) / 3;
     const std::vector<double> linear = {1, 0, 0, 1};
     const std::vector<double> cubic = {1, 0, 0, 0, 1, 0, third, 0, 0, 1, 0, -third, 0, 1, 0, 0};
-    return polynomial({std::make_shared<const KnotVector>(degree, std::move(knots))}, degree + 1,
-                      degree == 1 ? linear : cubic);
+    return polynomial_spline({std::make_shared<const KnotVector>(degree, std::move(knots))}, degree + 1,
+                             degree == 1 ? linear : cubic);
 }
 
 // The length of parameter after which a unit of derivative has moved control point 1 by 1, and back from the

@@ -3,6 +3,7 @@
 #include "base/representable.h"
 #include "bounds/deviation.h"
 #include "build/corner.h"
+#include "build/functions.h"
 #include "build/volume_edge.h"
 #include "reduce/compatible.h"
 #include "refine/homogeneous.h"
@@ -15,20 +16,14 @@ namespace nrb {
 
 namespace {
 
-SplinePtr polynomial(Spline::Axes axes, int dim, std::vector<double> points) {
+SplinePtr checked_terms(Spline::Axes axes, int dim, std::vector<double> points) {
     require_representable(points, "terms of the volume");
-    return std::make_shared<const Spline>(std::move(axes), dim, Form::polynomial, std::move(points),
-                                          std::vector<double>());
+    return polynomial_spline(std::move(axes), dim, std::move(points));
 }
 
 std::vector<SplinePtr> made_compatible(const SplinePtr &a, const SplinePtr &b) {
     const SplinePtr both[] = {a, b};
     return make_compatible(both, 0, false).splines;
-}
-
-bool same_function(const SplinePtr &a, const SplinePtr &b) {
-    const std::vector<SplinePtr> both = made_compatible(a, b);
-    return std::ranges::equal(both[0]->points(), both[1]->points());
 }
 
 SplinePtr plus(const SplinePtr &a, const SplinePtr &b) {
@@ -38,11 +33,7 @@ SplinePtr plus(const SplinePtr &a, const SplinePtr &b) {
     const std::vector<SplinePtr> both = made_compatible(a, b);
     std::vector<double> points(both[0]->points().begin(), both[0]->points().end());
     std::ranges::transform(points, both[1]->points(), points.begin(), std::plus());
-    return polynomial(both[0]->knot_vectors(), a->dim(), std::move(points));
-}
-
-SplinePtr times(const SplinePtr &a, const SplinePtr &factor) {
-    return a == nullptr ? factor : factor == nullptr ? a : product(*a, *factor, ProductKind::components);
+    return checked_terms(both[0]->knot_vectors(), a->dim(), std::move(points));
 }
 
 // A boundary of any dimension: a face, an edge or a corner, as numerators over weights.
@@ -158,7 +149,7 @@ private:
             }
             counts[k] = axes.back()->count();
         }
-        return polynomial(std::move(axes), width, spread(records, width, counts, stands, factor));
+        return checked_terms(std::move(axes), width, spread(records, width, counts, stands, factor));
     }
     // The product of all denominators, or of all but that of a group.
     [[nodiscard]] SplinePtr product_without(const Group *left_out) const {

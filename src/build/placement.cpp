@@ -116,9 +116,14 @@ void set_space_frame(Placement &place, const double *axis, const double *x) {
 } // namespace
 
 Placement::Component Placement::component(int c) const noexcept {
-    constexpr double Vector3::*members[] = {&Vector3::x, &Vector3::y, &Vector3::z};
-    const auto i = members[c];
-    return {origin.*i, Wide(x.*i, x_rest.*i), Wide(y.*i, y_rest.*i), Wide(z.*i, z_rest.*i)};
+    switch (c) {
+    case 0:
+        return {origin.x, {x.x, x_rest.x}, {y.x, y_rest.x}, {z.x, z_rest.x}};
+    case 1:
+        return {origin.y, {x.y, x_rest.y}, {y.y, y_rest.y}, {z.y, z_rest.y}};
+    default:
+        return {origin.z, {x.z, x_rest.z}, {y.z, y_rest.z}, {z.z, z_rest.z}};
+    }
 }
 
 void Placement::point(const Wide &a, const Wide &b, const Wide &c, double *out) const noexcept {

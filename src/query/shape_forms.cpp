@@ -86,29 +86,27 @@ FormRange ShapeForms::range(const Values &numerators, double error) const noexce
     return range_of(numerators, squares_, error, product_error_);
 }
 
-// Each product has a rounding of its own, one of its coefficient, which is itself within 3 eps, and 4 of the
-// sum.
-FormRange ShapeForms::quadratic(const Quadric &quadric) const {
+ShapeForms::Values ShapeForms::numerators(const Quadric &quadric) const {
     Values sum(squares_.size(), 0.0);
     add_product(sum, quadric.k.x, x_, x_);
     add_product(sum, quadric.k.y, y_, y_);
     add_product(sum, quadric.k.z, z_, z_);
     add_product(sum, 2 * quadric.l, x_, w_);
     add_product(sum, quadric.c, w_, w_);
-    return range(sum, 1.01 * (product_error_ + 6 * eps) * largest(quadric, quadric.l));
+    return sum;
+}
+
+// Each product has a rounding of its own, one of its coefficient, which is itself within 3 eps, and 4 of the
+// sum.
+FormRange ShapeForms::quadratic(const Quadric &quadric) const {
+    return range(numerators(quadric), 1.01 * (product_error_ + 6 * eps) * largest(quadric, quadric.l));
 }
 
 // (k.x x + l w)^2 + (k.y y)^2 + (k.z z)^2.
 FormRange ShapeForms::squared_gradient(const Quadric &quadric) const {
     const Vector3 &k = quadric.k;
     const Quadric squares{{k.x * k.x, k.y * k.y, k.z * k.z}, k.x * quadric.l, quadric.l * quadric.l};
-    Values sum(squares_.size(), 0.0);
-    add_product(sum, squares.k.x, x_, x_);
-    add_product(sum, squares.k.y, y_, y_);
-    add_product(sum, squares.k.z, z_, z_);
-    add_product(sum, 2 * squares.l, x_, w_);
-    add_product(sum, squares.c, w_, w_);
-    return range(sum, 1.01 * (product_error_ + 10 * eps) * largest(squares, squares.l));
+    return range(numerators(squares), 1.01 * (product_error_ + 10 * eps) * largest(squares, squares.l));
 }
 
 // G^2 - 4 R^2 S, or with K = G - 2 R^2 and V = z^2 - r^2 the same as K^2 + 4 R^2 V: near the axis G and S are

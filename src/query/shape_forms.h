@@ -49,6 +49,7 @@ private:
     [[nodiscard]] Fourth fourth(const Values &a, double a_error, const Values &b, double b_error,
                                 double factor) const;
     [[nodiscard]] FormRange product(const Fourth &form) const;
+    [[nodiscard]] Values numerators(const Quadric &quadric) const;
     void add_product(Values &sum, double factor, const Values &a, const Values &b) const;
     [[nodiscard]] double largest(const Quadric &squares, double linear) const noexcept;
     [[nodiscard]] FormRange range(const Values &numerators, double error) const noexcept;

@@ -25,14 +25,6 @@ double dominant_weight(const Spline &spline) noexcept {
     return dominant;
 }
 
-bool equal_weights(const Spline &spline) noexcept {
-    bool equal = true;
-    for (int64_t i = 1; equal && i < spline.point_count(); ++i) {
-        equal = spline.weight(i) == spline.weight(0);
-    }
-    return equal;
-}
-
 // The stored values with control point i multiplied by factor(i); Cartesian points stay.
 template <class Map>
 SplinePtr with_weights(const Spline &spline, Spline::Axes axes, Map &&map) {
@@ -159,6 +151,14 @@ double common_ratio(const std::vector<double> &lower, const std::vector<double> 
 }
 
 } // namespace
+
+bool equal_weights(const Spline &spline) noexcept {
+    bool equal = true;
+    for (int64_t i = 1; equal && i < spline.point_count(); ++i) {
+        equal = spline.weight(i) == spline.weight(0);
+    }
+    return equal;
+}
 
 bool same_weights(const Spline &a, const Spline &b) noexcept {
     bool same = a.form() == b.form();

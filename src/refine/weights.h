@@ -5,6 +5,9 @@
 
 namespace nrb {
 
+// Whether all weights are one number.
+bool equal_weights(const Spline &spline) noexcept;
+
 // Whether two splines of as many control points have the same form and weights.
 bool same_weights(const Spline &a, const Spline &b) noexcept;
 
