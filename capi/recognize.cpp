@@ -3,7 +3,7 @@
 #include "guard.h"
 
 #include "query/conic_axes.h"
-#include "query/recognize.h"
+#include "query/recognition/recognize.h"
 #include "query/shape_factor.h"
 
 #include <algorithm>

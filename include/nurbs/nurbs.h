@@ -183,31 +183,36 @@ enum {
     NURBS_ERROR_NOT_A_KNOT = 31, /**< a value that has to be a knot of the axis is none */
     NURBS_ERROR_MATRIX = 32,     /**< an entry of a matrix or translation is NaN or infinite */
     NURBS_ERROR_RATIONAL = 33,   /**< the spline is rational, which the function is not for */
-    NURBS_ERROR_INCOMPATIBLE = 40, /**< splines differ in what they have to share */
-    NURBS_ERROR_GAP = 41,          /**< ends that are to be joined lie farther apart than the tolerance */
-    NURBS_ERROR_TOLERANCE = 42,    /**< a tolerance is negative or NaN */
-    NURBS_ERROR_NOT_PERIODIC = 43, /**< an axis that has to be periodic was not declared so */
-    NURBS_ERROR_END_WEIGHTS = 44,  /**< no one factor makes the weights at the ends of an axis equal */
-    NURBS_ERROR_FACTOR = 45,       /**< a factor is not finite, or not positive where it has to be */
-    NURBS_ERROR_CONTINUITY = 46,   /**< a knot is less smooth than the function needs */
-    NURBS_ERROR_WEIGHT_SIGN = 47,  /**< a weight of the result would not be positive */
-    NURBS_ERROR_PERIODIC = 48,     /**< an axis is periodic, which the function is not for */
-    NURBS_ERROR_END = 49,          /**< an end is neither NURBS_START nor NURBS_END */
-    NURBS_ERROR_BASIS = 50,        /**< not one of the NURBS_BASIS_ constants */
-    NURBS_ERROR_NOT_MONOTONE = 51, /**< a function neither increases nor decreases strictly */
-    NURBS_ERROR_ANGLE = 52,        /**< an angle is not finite, or a sweep is 0 or more than a full turn */
-    NURBS_ERROR_LENGTH = 53,       /**< a radius or another length is not finite or out of range */
-    NURBS_ERROR_COLLINEAR = 54,    /**< points that must not be on a line are on one */
-    NURBS_ERROR_CONIC = 55,        /**< no conic, or no arc of one in one piece, fulfils the conditions */
-    NURBS_ERROR_FORM = 56,         /**< not one of the NURBS_ARC_ constants that are allowed here */
-    NURBS_ERROR_TANGENT = 57,      /**< tangents that have to agree differ by more than the tolerance */
-    NURBS_ERROR_TWIST = 58,        /**< twists that have to agree differ by more than the tolerance */
-    NURBS_ERROR_TWIST_RULE = 59,   /**< not one of the NURBS_TWIST_ constants, or one that does not suit */
+    NURBS_ERROR_INCOMPATIBLE = 40,  /**< splines differ in what they have to share */
+    NURBS_ERROR_GAP = 41,           /**< ends that are to be joined lie farther apart than the tolerance */
+    NURBS_ERROR_TOLERANCE = 42,     /**< a tolerance is negative or NaN */
+    NURBS_ERROR_NOT_PERIODIC = 43,  /**< an axis that has to be periodic was not declared so */
+    NURBS_ERROR_END_WEIGHTS = 44,   /**< no one factor makes the weights at the ends of an axis equal */
+    NURBS_ERROR_FACTOR = 45,        /**< a factor is not finite, or not positive where it has to be */
+    NURBS_ERROR_CONTINUITY = 46,    /**< a knot is less smooth than the function needs */
+    NURBS_ERROR_WEIGHT_SIGN = 47,   /**< a weight of the result would not be positive */
+    NURBS_ERROR_PERIODIC = 48,      /**< an axis is periodic, which the function is not for */
+    NURBS_ERROR_END = 49,           /**< an end is neither NURBS_START nor NURBS_END */
+    NURBS_ERROR_BASIS = 50,         /**< not one of the NURBS_BASIS_ constants */
+    NURBS_ERROR_NOT_MONOTONE = 51,  /**< a function neither increases nor decreases strictly */
+    NURBS_ERROR_ANGLE = 52,         /**< an angle is not finite, or a sweep is 0 or more than a full turn */
+    NURBS_ERROR_LENGTH = 53,        /**< a radius or another length is not finite or out of range */
+    NURBS_ERROR_COLLINEAR = 54,     /**< points that must not be on a line are on one */
+    NURBS_ERROR_CONIC = 55,         /**< no conic, or no arc of one in one piece, fulfils the conditions */
+    NURBS_ERROR_FORM = 56,          /**< not one of the NURBS_ARC_ constants that are allowed here */
+    NURBS_ERROR_TANGENT = 57,       /**< tangents that have to agree differ by more than the tolerance */
+    NURBS_ERROR_TWIST = 58,         /**< twists that have to agree differ by more than the tolerance */
+    NURBS_ERROR_TWIST_RULE = 59,    /**< not one of the NURBS_TWIST_ constants, or one that does not suit */
+    NURBS_ERROR_INFLUENCE = 60,     /**< a control point has no influence at the parameter */
+    NURBS_ERROR_CONTRADICTION = 61, /**< constraints contradict each other */
+    NURBS_ERROR_CONSTRAINT = 62,    /**< not one of the NURBS_CONSTRAIN_ constants */
+    NURBS_ERROR_OFF_POLYGON = 63,   /**< a point is not on the control polygon */
     /* domain */
     NURBS_ERROR_OUTSIDE_DOMAIN = 100, /**< a parameter or knot lies outside the domain */
     /* numeric */
     NURBS_ERROR_NOT_REPRESENTABLE = 200, /**< a value of the result overflows double precision */
     NURBS_ERROR_KNOTS_MERGE = 202,       /**< knots that differ would become equal or change their order */
+    NURBS_ERROR_NOT_CONVERGED = 203,     /**< an iteration did not reach its goal */
     /* resource */
     NURBS_ERROR_MEMORY = 300,    /**< an allocation failed */
     NURBS_ERROR_FILE = 301,      /**< a file cannot be opened or read */
@@ -266,6 +271,8 @@ enum {
 #define NURBS_HOMOGENEOUS 0x20000000u
 /** \brief nurbs_make_compatible(): map the domains of all splines to that of the first one. */
 #define NURBS_MAP_DOMAINS 0x40000000u
+/** \brief nurbs_closest_points() and its neighbours: a point that is not finite gives NaN in place of an error. */
+#define NURBS_NAN_POINTS 0x01000000u
 /** @} */
 
 /** \name Form of a knot vector, as reported by nurbs_knot_form()
@@ -2803,6 +2810,257 @@ NURBS_API nurbs_status nurbs_volume_coons(const nurbs *const *faces, double tole
  * \since 0.1 */
 NURBS_API nurbs_status nurbs_recognize(const nurbs *g, double tolerance, int32_t *shape, double *placement,
                                        double *sizes, double *deviation);
+/** @} */
+
+/** \defgroup closest Distances and closest points
+ * All distances are Euclidean, in the Cartesian space of the points. The first query of a handle builds a locator,
+ * the Bezier pieces with bounds, which the handle keeps; batches are what is fast.
+ *
+ * A result is certified where it is proven that no point of g is nearer (of the farthest: farther) by more than the
+ * tolerance and rounding, which is at most 64 (p + 1) eps (s + |x|): p is the highest degree, s the largest
+ * coordinate of g, x the query point; with weights that differ by a factor q, q times as much. The proof is by
+ * polynomials: with the homogeneous form A / w of a piece, |A - x w|^2 - r^2 w^2 >= 0 says that the piece is not
+ * nearer than r, and holds if all Bernstein coefficients are >= 0; around a minimum a factor that cannot be negative
+ * is divided out first (curves), or the polynomial is shown to be convex (surfaces, volumes). Pieces that give no
+ * answer are halved, at most `budget` of them for a point: then the best point found is returned with
+ * NURBS_CLOSEST_BUDGET in place of NURBS_CLOSEST_CERTIFIED. Weights have to be > 0; splines with others are
+ * searched in the same way, and certified where the Bezier pieces have positive weights all the same.
+ *
+ * At a jump both limits belong to g. A seam, a pole or a collapsed edge has several parameters for one point; any
+ * of them is returned. Ends and edges of the domain are part of it.
+ * @{ */
+
+/** \name Status of a closest point
+ * @{ */
+#define NURBS_CLOSEST_CERTIFIED 0x01 /**< proven to be the nearest, or farthest, point to the tolerance */
+#define NURBS_CLOSEST_BOUNDARY                                                                               \
+    0x02 /**< at an end of a curve, on the boundary of a surface or volume, or of range */
+#define NURBS_CLOSEST_NOT_UNIQUE 0x04 /**< points elsewhere are as near to the tolerance */
+#define NURBS_CLOSEST_BUDGET 0x08     /**< the budget ended before a proof was found */
+#define NURBS_CLOSEST_INVALID 0x10    /**< the query point is not finite; results are NaN */
+/** @} */
+
+/** \name Kind of a critical point
+ * @{ */
+#define NURBS_CRITICAL_MINIMUM 1   /**< a local minimum of the distance */
+#define NURBS_CRITICAL_MAXIMUM 2   /**< a local maximum of the distance */
+#define NURBS_CRITICAL_SADDLE 3    /**< neither */
+#define NURBS_CRITICAL_UNDECIDED 4 /**< rounding leaves the kind open */
+/** @} */
+
+/** \brief The points of a spline that are nearest to given points: parameters, points and distances, each with its
+ * status. With a volume this is inversion: a point inside has the distance 0 to rounding. Points equally near to
+ * within the tolerance are told by NURBS_CLOSEST_NOT_UNIQUE, and found by nurbs_closest_all().
+ * \param[in] g a spline.
+ * \param[in] n number of query points.
+ * \param[in] points [n][dim].
+ * \param[in] point_stride,point_component_stride layout of points, 0 = packed.
+ * \param[in] range [axes][2] the part of the domain that is searched, or NULL for all of it.
+ * \param[in] tolerance how much nearer another point may be, >= 0.
+ * \param[in] budget most pieces looked at for a point, 0 for 20000.
+ * \param[out] params [n][axes], or NULL.
+ * \param[in] param_stride,param_component_stride layout of params, 0 = packed.
+ * \param[out] feet [n][dim] the nearest points, as nurbs_eval() gives them, or NULL.
+ * \param[in] foot_stride,foot_component_stride layout of feet, 0 = packed.
+ * \param[out] distances [n], or NULL.
+ * \param[in] distance_stride distance between values of distances, 0 = 1.
+ * \param[out] status [n] sum of NURBS_CLOSEST_ bits, or NULL.
+ * \param[in] flags NURBS_NAN_POINTS: a query point that is not finite gives NaN and NURBS_CLOSEST_INVALID in place
+ *   of an error; or 0.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERFLOW, _STRIDE, _OVERLAP, _FLAGS, _TOLERANCE,
+ *   _POINT_NOT_FINITE; _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN or _EMPTY_DOMAIN if range is no interval of the
+ *   domain.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_closest_points(const nurbs *g, int64_t n, const double *points,
+                                            int64_t point_stride, int64_t point_component_stride,
+                                            const double *range, double tolerance, int64_t budget,
+                                            double *params, int64_t param_stride,
+                                            int64_t param_component_stride, double *feet, int64_t foot_stride,
+                                            int64_t foot_component_stride, double *distances,
+                                            int64_t distance_stride, int32_t *status, uint32_t flags);
+
+/** \brief The points of a spline that are farthest from given points; otherwise as nurbs_closest_points().
+ * \param[in] g a spline.
+ * \param[in] n number of query points.
+ * \param[in] points [n][dim].
+ * \param[in] point_stride,point_component_stride layout of points, 0 = packed.
+ * \param[in] range [axes][2] the part of the domain that is searched, or NULL for all of it.
+ * \param[in] tolerance how much farther another point may be, >= 0.
+ * \param[in] budget most pieces looked at for a point, 0 for 20000.
+ * \param[out] params [n][axes], or NULL.
+ * \param[in] param_stride,param_component_stride layout of params, 0 = packed.
+ * \param[out] feet [n][dim] the farthest points, or NULL.
+ * \param[in] foot_stride,foot_component_stride layout of feet, 0 = packed.
+ * \param[out] distances [n], or NULL.
+ * \param[in] distance_stride distance between values of distances, 0 = 1.
+ * \param[out] status [n] sum of NURBS_CLOSEST_ bits, or NULL.
+ * \param[in] flags NURBS_NAN_POINTS, or 0.
+ * \return as for nurbs_closest_points().
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_farthest_points(
+    const nurbs *g, int64_t n, const double *points, int64_t point_stride, int64_t point_component_stride,
+    const double *range, double tolerance, int64_t budget, double *params, int64_t param_stride,
+    int64_t param_component_stride, double *feet, int64_t foot_stride, int64_t foot_component_stride,
+    double *distances, int64_t distance_stride, int32_t *status, uint32_t flags);
+
+/** \brief Local minima of the distance to given points, each the one that a descent from a guess comes to: Newton's
+ * method with a trust region, box-constrained to the domain, across knots. Never certified.
+ * \param[in] g a spline.
+ * \param[in] n number of query points.
+ * \param[in] points [n][dim].
+ * \param[in] point_stride,point_component_stride layout of points, 0 = packed.
+ * \param[in] guesses [n][axes] parameters in the domain.
+ * \param[in] guess_stride,guess_component_stride layout of guesses, 0 = packed.
+ * \param[out] params [n][axes], or NULL.
+ * \param[in] param_stride,param_component_stride layout of params, 0 = packed.
+ * \param[out] feet [n][dim], or NULL.
+ * \param[in] foot_stride,foot_component_stride layout of feet, 0 = packed.
+ * \param[out] distances [n], or NULL.
+ * \param[in] distance_stride distance between values of distances, 0 = 1.
+ * \param[out] status [n] NURBS_CLOSEST_BOUNDARY, NURBS_CLOSEST_BUDGET where 100 steps did not converge,
+ *   NURBS_CLOSEST_INVALID; or NULL.
+ * \param[in] flags NURBS_NAN_POINTS, or 0.
+ * \return as for nurbs_closest_points(); _PARAMETER_NOT_FINITE or _OUTSIDE_DOMAIN naming a guess.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_closest_local(const nurbs *g, int64_t n, const double *points,
+                                           int64_t point_stride, int64_t point_component_stride,
+                                           const double *guesses, int64_t guess_stride,
+                                           int64_t guess_component_stride, double *params,
+                                           int64_t param_stride, int64_t param_component_stride, double *feet,
+                                           int64_t foot_stride, int64_t foot_component_stride,
+                                           double *distances, int64_t distance_stride, int32_t *status,
+                                           uint32_t flags);
+
+/** \brief All points of a spline whose distance to a point exceeds the smallest one by at most a tolerance and that
+ * are local minima of it. Where they are not isolated (an arc around its centre) every piece of g that has some
+ * gives one, and the status has NURBS_CLOSEST_NOT_UNIQUE without NURBS_CLOSEST_CERTIFIED.
+ * \param[in] g a spline.
+ * \param[in] point [dim].
+ * \param[in] range [axes][2] the part of the domain that is searched, or NULL for all of it.
+ * \param[in] tolerance >= 0.
+ * \param[in] budget most pieces looked at, 0 for 20000.
+ * \param[in] cap length of the outputs: 0, or at least the number of points.
+ * \param[out] params [cap][axes] in rising order, or NULL.
+ * \param[out] distances [cap], or NULL.
+ * \param[out] count number of points, or NULL.
+ * \param[out] status sum of NURBS_CLOSEST_ bits: certified if no other is as near; or NULL.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERLAP, _TOLERANCE, _POINT_NOT_FINITE; _SIZE if cap is neither 0
+ *   nor enough; _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN or _EMPTY_DOMAIN if range is no interval of the domain.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_closest_all(const nurbs *g, const double *point, const double *range,
+                                         double tolerance, int64_t budget, int64_t cap, double *params,
+                                         double *distances, int64_t *count, int32_t *status);
+
+/** \brief All critical points of the distance from a point: where x - C is perpendicular to the tangents of g, and
+ * at ends and kinks of a curve, where the distance has a minimum or maximum. Of surfaces and volumes those inside,
+ * and on edges those that are critical along them.
+ * \param[in] g a spline.
+ * \param[in] point [dim].
+ * \param[in] range [axes][2] the part of the domain that is searched, or NULL for all of it.
+ * \param[in] tolerance >= 0, how far apart points of g are told apart.
+ * \param[in] budget most pieces looked at, 0 for 20000.
+ * \param[in] cap length of the outputs: 0, or at least the number of points.
+ * \param[out] params [cap][axes] in rising order, or NULL.
+ * \param[out] distances [cap], or NULL.
+ * \param[out] kinds [cap] NURBS_CRITICAL_ constants, or NULL.
+ * \param[out] count number of points, or NULL.
+ * \param[out] status NURBS_CLOSEST_CERTIFIED if there are no others, NURBS_CLOSEST_NOT_UNIQUE if they are not
+ *   isolated, NURBS_CLOSEST_BUDGET; or NULL.
+ * \return as for nurbs_closest_all().
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_critical_points(const nurbs *g, const double *point, const double *range,
+                                             double tolerance, int64_t budget, int64_t cap, double *params,
+                                             double *distances, int32_t *kinds, int64_t *count,
+                                             int32_t *status);
+
+/** \brief Signed distances of points in the plane from a curve: positive to the left of its direction, so inside a
+ * closed curve that runs counterclockwise without crossing itself. At a kink the side is that of the corner, beyond
+ * the end of an open curve that of the tangent there; 0 has no sign.
+ * \param[in] g a curve of dimension 2.
+ * \param[in] n number of query points.
+ * \param[in] points [n][2].
+ * \param[in] point_stride,point_component_stride layout of points, 0 = packed.
+ * \param[in] tolerance how much nearer another point may be, >= 0.
+ * \param[in] budget most pieces looked at for a point, 0 for 20000.
+ * \param[out] distances [n] with their sign.
+ * \param[in] distance_stride distance between values of distances, 0 = 1.
+ * \param[out] params [n], or NULL.
+ * \param[in] param_stride distance between values of params, 0 = 1.
+ * \param[out] status [n] as for nurbs_closest_points(), or NULL.
+ * \param[in] flags NURBS_NAN_POINTS, or 0.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DIMENSION, _COUNT, _OVERFLOW, _STRIDE, _OVERLAP, _FLAGS,
+ *   _TOLERANCE, _POINT_NOT_FINITE.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_curve_signed_distances(const nurbs *g, int64_t n, const double *points,
+                                                    int64_t point_stride, int64_t point_component_stride,
+                                                    double tolerance, int64_t budget, double *distances,
+                                                    int64_t distance_stride, double *params,
+                                                    int64_t param_stride, int32_t *status, uint32_t flags);
+
+/** \brief The smallest distance between two splines, of any number of axes each, enclosed: at_least <= distance of
+ * the nearest points <= at_most, which is the distance of the two points returned; they differ by at most the
+ * tolerance and rounding unless the budget ends.
+ * \param[in] a,b two splines of the same dimension.
+ * \param[in] tolerance >= 0.
+ * \param[in] budget most pairs of pieces looked at, 0 for 200000.
+ * \param[out] at_least,at_most the bounds, or NULL.
+ * \param[out] params_a [axes of a] the parameters of the point of a, or NULL.
+ * \param[out] params_b [axes of b] those of the point of b, or NULL.
+ * \param[out] status NURBS_CLOSEST_CERTIFIED, NURBS_CLOSEST_BUDGET; or NULL.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERLAP, _TOLERANCE; _INCOMPATIBLE if the dimensions differ,
+ *   _NOT_REPRESENTABLE if a distance overflows.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_distance(const nurbs *a, const nurbs *b, double tolerance, int64_t budget,
+                                      double *at_least, double *at_most, double *params_a, double *params_b,
+                                      int32_t *status);
+
+/** \brief The Hausdorff distances of two splines as sets of points, whatever their parameters: how far the point of
+ * a that is farthest from b is from it, and the other way round; the larger of the two is the symmetric distance.
+ * at_least[i] <= distance <= at_most[i], both proven; they differ by at most the tolerance and rounding unless the
+ * budget ends.
+ * \param[in] a,b two splines of the same dimension.
+ * \param[in] tolerance >= 0.
+ * \param[in] budget most pieces looked at, 0 for 200000.
+ * \param[out] at_least [2] from a to b, from b to a.
+ * \param[out] at_most [2] the same, from above.
+ * \param[out] params_a [axes of a] the parameters of a point of a that is at_least[0] away from b, or NULL.
+ * \param[out] params_b [axes of b] those of a point of b that is at_least[1] away from a, or NULL.
+ * \param[out] status NURBS_CLOSEST_CERTIFIED, NURBS_CLOSEST_BUDGET; or NULL.
+ * \return as for nurbs_distance().
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_hausdorff_distance(const nurbs *a, const nurbs *b, double tolerance,
+                                                int64_t budget, double *at_least, double *at_most,
+                                                double *params_a, double *params_b, int32_t *status);
+/** @} */
+
+/** \defgroup measure Lengths, areas and moments
+ * @{ */
+
+/** @} */
+
+/** \defgroup bounds Boxes and cones
+ * @{ */
+
+/** @} */
+
+/** \defgroup analysis Features of a shape
+ * @{ */
+
+/** @} */
+
+/** \defgroup edit Weights and control points
+ * @{ */
+
+/** @} */
+
+/** \defgroup constrain Constraints
+ * @{ */
+
+/** @} */
+
+/** \defgroup deform Deformations
+ * @{ */
+
 /** @} */
 
 /** \defgroup linear Derivatives with respect to data

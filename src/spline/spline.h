@@ -87,6 +87,13 @@ public:
     // memory. Precondition: has_piece(span).
     void curve_piece(int64_t span, double *points, double *piece) const noexcept;
 
+    // Tables of the rooms that use splines, of types that only they know, each built at first use.
+    enum class Table { locator, lengths, count };
+    using AnyTable = std::shared_ptr<const void>;
+    [[nodiscard]] const Lazy<AnyTable> &slot(Table table) const noexcept {
+        return slots_[static_cast<size_t>(table)];
+    }
+
 private:
     static bool even(WeightRange range) noexcept;
     [[nodiscard]] WeightRange weight_range(int64_t first, int64_t count) const noexcept;
@@ -109,6 +116,7 @@ private:
     WeightRange all_weights_;
     Lazy<std::vector<double>> records_;
     Lazy<PieceArray> pieces_;
+    std::array<Lazy<AnyTable>, static_cast<size_t>(Table::count)> slots_;
     Uses uses_;
 };
 

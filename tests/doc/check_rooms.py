@@ -39,7 +39,7 @@ def include_problem(src, room, rooms, angled, target):
 
 def file_problems(src, path, rooms):
     room = path.relative_to(src).parts[0]
-    if room not in rooms or len(path.relative_to(src).parts) != 2:
+    if room not in rooms or len(path.relative_to(src).parts) not in (2, 3):
         yield f"{path}: not a file of a room"
         return
     for number, angled, target in includes(path):

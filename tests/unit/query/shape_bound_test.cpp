@@ -1,5 +1,5 @@
 // Shapes beside which a curve or surface has a distance that is known.
-#include "query/shape_bound.h"
+#include "query/recognition/shape_bound.h"
 
 #include <cmath>
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "bounds/largest_quotient.h"
-#include "query/shape_model.h"
+#include "query/recognition/shape_model.h"
 #include "spline/spline.h"
 
 namespace nrb {

@@ -1,7 +1,7 @@
 // Polynomials of the coordinates along a piece, over powers of its weight.
 #pragma once
 
-#include "query/shape_pieces.h"
+#include "query/recognition/shape_pieces.h"
 
 #include <vector>
 

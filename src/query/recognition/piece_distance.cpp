@@ -1,6 +1,6 @@
-#include "query/piece_distance.h"
+#include "query/recognition/piece_distance.h"
 
-#include "query/shape_forms.h"
+#include "query/recognition/shape_forms.h"
 
 #include <algorithm>
 #include <cmath>

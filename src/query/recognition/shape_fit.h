@@ -1,8 +1,8 @@
 // Shapes fitted to samples.
 #pragma once
 
-#include "query/shape_model.h"
-#include "query/shape_samples.h"
+#include "query/recognition/shape_model.h"
+#include "query/recognition/shape_samples.h"
 
 namespace nrb {
 

@@ -1,4 +1,4 @@
-#include "query/small_svd.h"
+#include "query/recognition/small_svd.h"
 
 #include "base/finite.h"
 

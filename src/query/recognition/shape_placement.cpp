@@ -1,4 +1,4 @@
-#include "query/shape_fit.h"
+#include "query/recognition/shape_fit.h"
 
 #include <algorithm>
 #include <cmath>

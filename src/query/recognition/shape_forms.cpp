@@ -1,4 +1,4 @@
-#include "query/shape_forms.h"
+#include "query/recognition/shape_forms.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,10 @@
-#include "query/recognize.h"
+#include "query/recognition/recognize.h"
 
 #include "base/representable.h"
-#include "query/shape_bound.h"
-#include "query/shape_fit.h"
-#include "query/shape_refine.h"
-#include "query/shape_samples.h"
+#include "query/recognition/shape_bound.h"
+#include "query/recognition/shape_fit.h"
+#include "query/recognition/shape_refine.h"
+#include "query/recognition/shape_samples.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 // How far a Bezier piece is from a shape at most.
 #pragma once
 
-#include "query/shape_forms.h"
-#include "query/shape_pieces.h"
+#include "query/recognition/shape_forms.h"
+#include "query/recognition/shape_pieces.h"
 
 #include <limits>
 

@@ -1,6 +1,6 @@
-#include "query/shape_refine.h"
+#include "query/recognition/shape_refine.h"
 
-#include "query/small_svd.h"
+#include "query/recognition/small_svd.h"
 
 #include <cmath>
 #include <limits>

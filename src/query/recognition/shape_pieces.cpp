@@ -1,4 +1,4 @@
-#include "query/shape_pieces.h"
+#include "query/recognition/shape_pieces.h"
 
 #include "bounds/bernstein_net.h"
 #include "refine/bezier_rows.h"

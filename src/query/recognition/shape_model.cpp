@@ -1,4 +1,4 @@
-#include "query/shape_model.h"
+#include "query/recognition/shape_model.h"
 
 #include <cmath>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "bounds/bernstein.h"
-#include "query/shape_model.h"
+#include "query/recognition/shape_model.h"
 
 #include <vector>
 

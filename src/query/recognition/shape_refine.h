@@ -1,7 +1,7 @@
 // A shape moved and resized until it fits points best.
 #pragma once
 
-#include "query/shape_model.h"
+#include "query/recognition/shape_model.h"
 
 #include <span>
 

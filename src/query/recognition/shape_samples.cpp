@@ -1,4 +1,4 @@
-#include "query/shape_samples.h"
+#include "query/recognition/shape_samples.h"
 
 #include "eval/evaluate.h"
 #include "refine/bezier_rows.h"

@@ -1,6 +1,6 @@
-#include "query/shape_bound.h"
+#include "query/recognition/shape_bound.h"
 
-#include "query/piece_distance.h"
+#include "query/recognition/piece_distance.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // Which simple shape a curve or surface has.
 #pragma once
 
-#include "query/shape_model.h"
+#include "query/recognition/shape_model.h"
 #include "spline/spline.h"
 
 namespace nrb {

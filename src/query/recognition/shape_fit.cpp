@@ -1,8 +1,8 @@
-#include "query/shape_fit.h"
+#include "query/recognition/shape_fit.h"
 
 #include "query/conic_axes.h"
-#include "query/shape_refine.h"
-#include "query/small_svd.h"
+#include "query/recognition/shape_refine.h"
+#include "query/recognition/small_svd.h"
 
 #include <algorithm>
 #include <cmath>
