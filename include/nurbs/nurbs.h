@@ -271,6 +271,10 @@ enum {
 #define NURBS_HOMOGENEOUS 0x20000000u
 /** \brief nurbs_make_compatible(): map the domains of all splines to that of the first one. */
 #define NURBS_MAP_DOMAINS 0x40000000u
+/** \brief nurbs_curve_divide(): equal distances of consecutive points in place of equal lengths. */
+#define NURBS_EQUAL_CHORDS 0x02000000u
+/** \brief nurbs_snap_boundary(): the two boundaries run against each other. */
+#define NURBS_REVERSED 0x04000000u
 /** \brief nurbs_closest_points() and its neighbours: a point that is not finite gives NaN in place of an error. */
 #define NURBS_NAN_POINTS 0x01000000u
 /** @} */
@@ -2813,21 +2817,22 @@ NURBS_API nurbs_status nurbs_recognize(const nurbs *g, double tolerance, int32_t
 /** @} */
 
 /** \defgroup closest Distances and closest points
- * All distances are Euclidean, in the Cartesian space of the points. The first query of a handle builds a locator,
- * the Bezier pieces with bounds, which the handle keeps; batches are what is fast.
+ * All distances are Euclidean, in the Cartesian space of the points. The first query of a handle builds a
+ * locator, the Bezier pieces with bounds, which the handle keeps; batches are what is fast.
  *
- * A result is certified where it is proven that no point of g is nearer (of the farthest: farther) by more than the
- * tolerance and rounding, which is at most 64 (p + 1) eps (s + |x|): p is the highest degree, s the largest
- * coordinate of g, x the query point; with weights that differ by a factor q, q times as much. The proof is by
- * polynomials: with the homogeneous form A / w of a piece, |A - x w|^2 - r^2 w^2 >= 0 says that the piece is not
- * nearer than r, and holds if all Bernstein coefficients are >= 0; around a minimum a factor that cannot be negative
- * is divided out first (curves), or the polynomial is shown to be convex (surfaces, volumes). Pieces that give no
- * answer are halved, at most `budget` of them for a point: then the best point found is returned with
- * NURBS_CLOSEST_BUDGET in place of NURBS_CLOSEST_CERTIFIED. Weights have to be > 0; splines with others are
- * searched in the same way, and certified where the Bezier pieces have positive weights all the same.
+ * A result is certified where it is proven that no point of g is nearer (of the farthest: farther) by more
+ * than the tolerance and rounding, which is at most 64 (p + 1) eps (s + |x|): p is the highest degree, s
+ * the largest coordinate of g, x the query point; with weights that differ by a factor q, q times as much.
+ * The proof is by polynomials: with the homogeneous form A / w of a piece, |A - x w|^2 - r^2 w^2 >= 0 says
+ * that the piece is not nearer than r, and holds if all Bernstein coefficients are >= 0; around a minimum a
+ * factor that cannot be negative is divided out first (curves), or the polynomial is shown to be convex
+ * (surfaces, volumes). Pieces that give no answer are halved, at most `budget` of them for a point: then
+ * the best point found is returned with NURBS_CLOSEST_BUDGET in place of NURBS_CLOSEST_CERTIFIED. Weights
+ * have to be > 0; splines with others are searched in the same way, and certified where the Bezier pieces
+ * have positive weights all the same.
  *
- * At a jump both limits belong to g. A seam, a pole or a collapsed edge has several parameters for one point; any
- * of them is returned. Ends and edges of the domain are part of it.
+ * At a jump both limits belong to g. A seam, a pole or a collapsed edge has several parameters for one
+ * point; any of them is returned. Ends and edges of the domain are part of it.
  * @{ */
 
 /** \name Status of a closest point
@@ -2848,9 +2853,10 @@ NURBS_API nurbs_status nurbs_recognize(const nurbs *g, double tolerance, int32_t
 #define NURBS_CRITICAL_UNDECIDED 4 /**< rounding leaves the kind open */
 /** @} */
 
-/** \brief The points of a spline that are nearest to given points: parameters, points and distances, each with its
- * status. With a volume this is inversion: a point inside has the distance 0 to rounding. Points equally near to
- * within the tolerance are told by NURBS_CLOSEST_NOT_UNIQUE, and found by nurbs_closest_all().
+/** \brief The points of a spline that are nearest to given points: parameters, points and distances, each
+ * with its status. With a volume this is inversion: a point inside has the distance 0 to rounding. Points
+ * equally near to within the tolerance are told by NURBS_CLOSEST_NOT_UNIQUE, and found by
+ * nurbs_closest_all().
  * \param[in] g a spline.
  * \param[in] n number of query points.
  * \param[in] points [n][dim].
@@ -2865,11 +2871,11 @@ NURBS_API nurbs_status nurbs_recognize(const nurbs *g, double tolerance, int32_t
  * \param[out] distances [n], or NULL.
  * \param[in] distance_stride distance between values of distances, 0 = 1.
  * \param[out] status [n] sum of NURBS_CLOSEST_ bits, or NULL.
- * \param[in] flags NURBS_NAN_POINTS: a query point that is not finite gives NaN and NURBS_CLOSEST_INVALID in place
- *   of an error; or 0.
+ * \param[in] flags NURBS_NAN_POINTS: a query point that is not finite gives NaN and NURBS_CLOSEST_INVALID
+ *   in place of an error; or 0.
  * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERFLOW, _STRIDE, _OVERLAP, _FLAGS, _TOLERANCE,
- *   _POINT_NOT_FINITE; _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN or _EMPTY_DOMAIN if range is no interval of the
- *   domain.
+ *   _POINT_NOT_FINITE; _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN or _EMPTY_DOMAIN if range is no interval of
+ *   the domain.
  * \since 0.1 */
 NURBS_API nurbs_status nurbs_closest_points(const nurbs *g, int64_t n, const double *points,
                                             int64_t point_stride, int64_t point_component_stride,
@@ -2903,8 +2909,8 @@ NURBS_API nurbs_status nurbs_farthest_points(
     int64_t param_component_stride, double *feet, int64_t foot_stride, int64_t foot_component_stride,
     double *distances, int64_t distance_stride, int32_t *status, uint32_t flags);
 
-/** \brief Local minima of the distance to given points, each the one that a descent from a guess comes to: Newton's
- * method with a trust region, box-constrained to the domain, across knots. Never certified.
+/** \brief Local minima of the distance to given points, each the one that a descent from a guess comes to:
+ * Newton's method with a trust region, box-constrained to the domain, across knots. Never certified.
  * \param[in] g a spline.
  * \param[in] n number of query points.
  * \param[in] points [n][dim].
@@ -2931,9 +2937,9 @@ NURBS_API nurbs_status nurbs_closest_local(const nurbs *g, int64_t n, const doub
                                            double *distances, int64_t distance_stride, int32_t *status,
                                            uint32_t flags);
 
-/** \brief All points of a spline whose distance to a point exceeds the smallest one by at most a tolerance and that
- * are local minima of it. Where they are not isolated (an arc around its centre) every piece of g that has some
- * gives one, and the status has NURBS_CLOSEST_NOT_UNIQUE without NURBS_CLOSEST_CERTIFIED.
+/** \brief All points of a spline whose distance to a point exceeds the smallest one by at most a tolerance
+ * and that are local minima of it. Where they are not isolated (an arc around its centre) every piece of g
+ * that has some gives one, and the status has NURBS_CLOSEST_NOT_UNIQUE without NURBS_CLOSEST_CERTIFIED.
  * \param[in] g a spline.
  * \param[in] point [dim].
  * \param[in] range [axes][2] the part of the domain that is searched, or NULL for all of it.
@@ -2944,16 +2950,17 @@ NURBS_API nurbs_status nurbs_closest_local(const nurbs *g, int64_t n, const doub
  * \param[out] distances [cap], or NULL.
  * \param[out] count number of points, or NULL.
  * \param[out] status sum of NURBS_CLOSEST_ bits: certified if no other is as near; or NULL.
- * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERLAP, _TOLERANCE, _POINT_NOT_FINITE; _SIZE if cap is neither 0
- *   nor enough; _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN or _EMPTY_DOMAIN if range is no interval of the domain.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERLAP, _TOLERANCE, _POINT_NOT_FINITE; _SIZE if cap is
+ *   neither 0 nor enough; _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN or _EMPTY_DOMAIN if range is no interval
+ *   of the domain.
  * \since 0.1 */
 NURBS_API nurbs_status nurbs_closest_all(const nurbs *g, const double *point, const double *range,
                                          double tolerance, int64_t budget, int64_t cap, double *params,
                                          double *distances, int64_t *count, int32_t *status);
 
-/** \brief All critical points of the distance from a point: where x - C is perpendicular to the tangents of g, and
- * at ends and kinks of a curve, where the distance has a minimum or maximum. Of surfaces and volumes those inside,
- * and on edges those that are critical along them.
+/** \brief All critical points of the distance from a point: where x - C is perpendicular to the tangents of
+ * g, and at ends and kinks of a curve, where the distance has a minimum or maximum. Of surfaces and volumes
+ * those inside, and on edges those that are critical along them.
  * \param[in] g a spline.
  * \param[in] point [dim].
  * \param[in] range [axes][2] the part of the domain that is searched, or NULL for all of it.
@@ -2964,8 +2971,8 @@ NURBS_API nurbs_status nurbs_closest_all(const nurbs *g, const double *point, co
  * \param[out] distances [cap], or NULL.
  * \param[out] kinds [cap] NURBS_CRITICAL_ constants, or NULL.
  * \param[out] count number of points, or NULL.
- * \param[out] status NURBS_CLOSEST_CERTIFIED if there are no others, NURBS_CLOSEST_NOT_UNIQUE if they are not
- *   isolated, NURBS_CLOSEST_BUDGET; or NULL.
+ * \param[out] status NURBS_CLOSEST_CERTIFIED if there are no others, NURBS_CLOSEST_NOT_UNIQUE if they are
+ *   not isolated, NURBS_CLOSEST_BUDGET; or NULL.
  * \return as for nurbs_closest_all().
  * \since 0.1 */
 NURBS_API nurbs_status nurbs_critical_points(const nurbs *g, const double *point, const double *range,
@@ -2973,9 +2980,9 @@ NURBS_API nurbs_status nurbs_critical_points(const nurbs *g, const double *point
                                              double *distances, int32_t *kinds, int64_t *count,
                                              int32_t *status);
 
-/** \brief Signed distances of points in the plane from a curve: positive to the left of its direction, so inside a
- * closed curve that runs counterclockwise without crossing itself. At a kink the side is that of the corner, beyond
- * the end of an open curve that of the tangent there; 0 has no sign.
+/** \brief Signed distances of points in the plane from a curve: positive to the left of its direction, so
+ * inside a closed curve that runs counterclockwise without crossing itself. At a kink the side is that of
+ * the corner, beyond the end of an open curve that of the tangent there; 0 has no sign.
  * \param[in] g a curve of dimension 2.
  * \param[in] n number of query points.
  * \param[in] points [n][2].
@@ -2997,9 +3004,9 @@ NURBS_API nurbs_status nurbs_curve_signed_distances(const nurbs *g, int64_t n, c
                                                     int64_t distance_stride, double *params,
                                                     int64_t param_stride, int32_t *status, uint32_t flags);
 
-/** \brief The smallest distance between two splines, of any number of axes each, enclosed: at_least <= distance of
- * the nearest points <= at_most, which is the distance of the two points returned; they differ by at most the
- * tolerance and rounding unless the budget ends.
+/** \brief The smallest distance between two splines, of any number of axes each, enclosed: at_least <=
+ * distance of the nearest points <= at_most, which is the distance of the two points returned; they differ
+ * by at most the tolerance and rounding unless the budget ends.
  * \param[in] a,b two splines of the same dimension.
  * \param[in] tolerance >= 0.
  * \param[in] budget most pairs of pieces looked at, 0 for 200000.
@@ -3014,10 +3021,10 @@ NURBS_API nurbs_status nurbs_distance(const nurbs *a, const nurbs *b, double tol
                                       double *at_least, double *at_most, double *params_a, double *params_b,
                                       int32_t *status);
 
-/** \brief The Hausdorff distances of two splines as sets of points, whatever their parameters: how far the point of
- * a that is farthest from b is from it, and the other way round; the larger of the two is the symmetric distance.
- * at_least[i] <= distance <= at_most[i], both proven; they differ by at most the tolerance and rounding unless the
- * budget ends.
+/** \brief The Hausdorff distances of two splines as sets of points, whatever their parameters: how far the
+ * point of a that is farthest from b is from it, and the other way round; the larger of the two is the
+ * symmetric distance. at_least[i] <= distance <= at_most[i], both proven; they differ by at most the
+ * tolerance and rounding unless the budget ends.
  * \param[in] a,b two splines of the same dimension.
  * \param[in] tolerance >= 0.
  * \param[in] budget most pieces looked at, 0 for 200000.
@@ -3034,33 +3041,709 @@ NURBS_API nurbs_status nurbs_hausdorff_distance(const nurbs *a, const nurbs *b, 
 /** @} */
 
 /** \defgroup measure Lengths, areas and moments
+ * Integrals over splines, by Gauss-Legendre rules on each span between knots, never across one, halved
+ * where two rules disagree. `relative_tolerance` is asked of the result (of a centroid and of moments:
+ * relative to the size of the shape); 0, and whatever is below rounding, asks for what double precision
+ * gives. `error` receives an estimate of the absolute error, rounding included; it is a difference of two
+ * rules, not a proof. Cusps, poles and other places where the speed vanishes are found by the halving and
+ * cost more, not accuracy.
+ *
+ * Inertia is the tensor about the centroid, integral of |y|^2 E - y y^T with y = x - centroid and the unit
+ * matrix E, for the density 1, symmetric, rows one after the other.
  * @{ */
 
+/** \brief Length of a curve or of a part of it.
+ * \param[in] g a curve.
+ * \param[in] range [2] the part of the domain, or NULL for all of it.
+ * \param[in] relative_tolerance >= 0.
+ * \param[out] length the integral of |C'(t)|.
+ * \param[out] error estimate of the error, or NULL.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _TOLERANCE; _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN or
+ *   _EMPTY_DOMAIN if range is no interval of the domain; _NOT_CONVERGED naming the error reached,
+ *   _NOT_REPRESENTABLE if the length overflows.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_curve_length(const nurbs *g, const double *range, double relative_tolerance,
+                                          double *length, double *error);
+
+/** \brief Lengths from the start of the domain to given parameters.
+ * \param[in] g a curve.
+ * \param[in] n number of parameters.
+ * \param[in] params [n] in the domain.
+ * \param[in] param_stride distance between parameters, 0 = 1.
+ * \param[in] relative_tolerance >= 0, of the whole length.
+ * \param[out] lengths [n].
+ * \param[in] length_stride distance between lengths, 0 = 1.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _COUNT, _OVERFLOW, _STRIDE, _OVERLAP, _TOLERANCE,
+ *   _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN, _NOT_CONVERGED, _NOT_REPRESENTABLE.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_curve_lengths(const nurbs *g, int64_t n, const double *params,
+                                           int64_t param_stride, double relative_tolerance, double *lengths,
+                                           int64_t length_stride);
+
+/** \brief Parameters at given lengths from the start of the domain. Where the curve stands still the first
+ * parameter is given.
+ * \param[in] g a curve.
+ * \param[in] n number of lengths.
+ * \param[in] lengths [n] from 0 to the length of the curve, which rounding may exceed.
+ * \param[in] length_stride distance between lengths, 0 = 1.
+ * \param[in] relative_tolerance >= 0, of the whole length.
+ * \param[out] params [n].
+ * \param[in] param_stride distance between parameters, 0 = 1.
+ * \param[in] flags NURBS_CLAMP: a length outside gives the nearer end in place of an error; or 0.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _COUNT, _OVERFLOW, _STRIDE, _OVERLAP, _FLAGS, _TOLERANCE;
+ *   _LENGTH if a length is not finite or outside, _NOT_CONVERGED, _NOT_REPRESENTABLE.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_curve_params_at_lengths(const nurbs *g, int64_t n, const double *lengths,
+                                                     int64_t length_stride, double relative_tolerance,
+                                                     double *params, int64_t param_stride, uint32_t flags);
+
+/** \brief Divides a curve into parts of equal length, or so that consecutive points have equal distances.
+ * \param[in] g a curve.
+ * \param[in] range [2] the part of the domain, or NULL for all of it.
+ * \param[in] parts number of parts, > 0.
+ * \param[in] relative_tolerance >= 0, of a part.
+ * \param[in] flags NURBS_EQUAL_CHORDS: distances in place of lengths; or 0.
+ * \param[out] params [parts + 1] rising, the first and last one the ends of range.
+ * \param[out] size length or chord of a part, or NULL.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _COUNT, _OVERFLOW, _OVERLAP, _FLAGS, _TOLERANCE;
+ *   _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN or _EMPTY_DOMAIN if range is no interval of the domain; _LENGTH
+ *   if the curve has none, _NOT_CONVERGED (chords also where none of equal size exist), _NOT_REPRESENTABLE.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_curve_divide(const nurbs *g, const double *range, int64_t parts,
+                                          double relative_tolerance, uint32_t flags, double *params,
+                                          double *size);
+
+/** \brief Area of a surface, in any dimension.
+ * \param[in] g a surface.
+ * \param[in] range [2][2] the part of the domain, or NULL for all of it.
+ * \param[in] relative_tolerance >= 0.
+ * \param[out] area the integral of |S_u x S_v|, in other dimensions sqrt(|S_u|^2 |S_v|^2 - (S_u . S_v)^2).
+ * \param[out] error estimate of the error, or NULL.
+ * \return as nurbs_curve_length(), _AXES if g is no surface.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_surface_area(const nurbs *g, const double *range, double relative_tolerance,
+                                          double *area, double *error);
+
+/** \brief Content, centroid and inertia of a spline itself: of a curve as a wire, of a surface as a sheet,
+ * of a volume as a body (the integral of |det J|, J its derivatives).
+ * \param[in] g a spline; a volume of dimension 3.
+ * \param[in] relative_tolerance >= 0.
+ * \param[out] content length, area or volume.
+ * \param[out] centroid [dim], or NULL.
+ * \param[out] inertia [dim][dim], or NULL.
+ * \param[out] error estimate of the error of content, or NULL.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _OVERLAP, _TOLERANCE; _DIMENSION if g is a volume of another
+ *   dimension, _LENGTH if the content is 0 and centroid or inertia are wanted, _NOT_CONVERGED,
+ *   _NOT_REPRESENTABLE.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_moments(const nurbs *g, double relative_tolerance, double *content,
+                                     double *centroid, double *inertia, double *error);
+
+/** \brief Area, centroid and inertia of the region of the plane that closed chains of curves enclose, by
+ * Green's theorem: 1/2 integral of x dy - y dx. What a chain that runs counterclockwise encloses counts
+ * positive, so that holes run clockwise. The curves may come in any order but not in any direction.
+ * \param[in] count number of curves, > 0.
+ * \param[in] curves [count] curves of dimension 2.
+ * \param[in] tolerance largest gap between an end and the start that is nearest to it, >= 0.
+ * \param[in] relative_tolerance >= 0.
+ * \param[out] area signed.
+ * \param[out] centroid [2], or NULL.
+ * \param[out] inertia [2][2], or NULL.
+ * \param[out] error estimate of the error of area, gaps not included, or NULL.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _AXES, _DIMENSION, _OVERLAP, _TOLERANCE; _GAP naming the
+ *   curve and the gap, _LENGTH if the area is 0 and centroid or inertia are wanted, _NOT_CONVERGED,
+ *   _NOT_REPRESENTABLE.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_enclosed_area(int64_t count, const nurbs *const *curves, double tolerance,
+                                           double relative_tolerance, double *area, double *centroid,
+                                           double *inertia, double *error);
+
+/** \brief Volume, centroid and inertia of the body that surfaces enclose, by the divergence theorem: 1/3
+ * integral of S . (S_u x S_v). Normals S_u x S_v point outwards (all inwards: the volume is negative).
+ * Whether the surfaces close is told by the vector area, the integral of S_u x S_v, which is zero for
+ * closed shells.
+ * \param[in] count number of surfaces, > 0.
+ * \param[in] surfaces [count] surfaces of dimension 3.
+ * \param[in] relative_tolerance >= 0.
+ * \param[out] volume signed.
+ * \param[out] centroid [3], or NULL.
+ * \param[out] inertia [3][3], or NULL.
+ * \param[out] openness length of the vector area, or NULL.
+ * \param[out] error estimate of the error of volume, gaps not included, or NULL.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _AXES, _DIMENSION, _OVERLAP, _TOLERANCE; _LENGTH if the
+ *   volume is 0 and centroid or inertia are wanted, _NOT_CONVERGED, _NOT_REPRESENTABLE.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_enclosed_volume(int64_t count, const nurbs *const *surfaces,
+                                             double relative_tolerance, double *volume, double *centroid,
+                                             double *inertia, double *openness, double *error);
 /** @} */
 
 /** \defgroup bounds Boxes and cones
+ * What contains a spline, proven: bounds come from Bernstein coefficients, which are halved where a tighter
+ * one is asked for, and are rounded outwards. Weights have to be > 0 on every Bezier piece after some
+ * halvings; where they never are, boxes are infinite and cones the whole space.
  * @{ */
 
+/** \brief An axis-aligned box that contains a spline.
+ * \param[in] g a spline.
+ * \param[in] range [axes][2] the part of the domain, or NULL for all of it.
+ * \param[in] tolerance how far a face may be from the nearest point of g, >= 0; infinite: the box of the
+ *   Bezier points.
+ * \param[out] lower [dim].
+ * \param[out] upper [dim].
+ * \param[out] gap largest distance of a face from the spline, proven, at most the tolerance beside rounding
+ *   unless 20000 halvings do not reach it; or NULL.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _OVERLAP, _TOLERANCE; _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN or
+ *   _EMPTY_DOMAIN if range is no interval of the domain.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_box(const nurbs *g, const double *range, double tolerance, double *lower,
+                                 double *upper, double *gap);
+
+/** \brief A box with axes of its own that contains a spline: { center + sum_k x_k axes[k], |x_k| <= half[k]
+ * }. Its axes are the principal ones of the control points, longest first, or the coordinate axes where
+ * that box has no larger content.
+ * \param[in] g a spline.
+ * \param[in] tolerance how far a face may be from the nearest point of g, >= 0, may be infinite.
+ * \param[out] center [dim].
+ * \param[out] axes [dim][dim] orthonormal to rounding, right-handed in dimension 3.
+ * \param[out] half [dim] half the lengths of the sides.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _OVERLAP, _TOLERANCE; _DIMENSION if it exceeds 16,
+ *   _NOT_REPRESENTABLE.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_oriented_box(const nurbs *g, double tolerance, double *center, double *axes,
+                                          double *half);
+
+/** \brief A cone that contains the directions of all derivatives along an axis, zero vectors and kinks
+ * included.
+ * \param[in] g a spline.
+ * \param[in] axis 0-based axis.
+ * \param[in] range [axes][2] the part of the domain, or NULL for all of it.
+ * \param[in] tolerance halving ends when the angle is within this of that of a cone that has to be, >= 0,
+ *   in radians, may be infinite.
+ * \param[out] direction [dim] unit vector, the axis of the cone.
+ * \param[out] angle half its opening, in radians; pi if no smaller one is found, and direction is then a
+ *   unit vector without meaning.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _OVERLAP, _TOLERANCE, _NOT_REPRESENTABLE;
+ *   _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN or _EMPTY_DOMAIN if range is no interval of the domain.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_tangent_cone(const nurbs *g, int32_t axis, const double *range, double tolerance,
+                                          double *direction, double *angle);
+
+/** \brief A cone that contains the directions of all normals S_u x S_v of a surface in space.
+ * \param[in] g a surface of dimension 3.
+ * \param[in] range [2][2] the part of the domain, or NULL for all of it.
+ * \param[in] tolerance as for nurbs_tangent_cone().
+ * \param[out] direction [3] unit vector, the axis of the cone.
+ * \param[out] angle half its opening, in radians; pi if no smaller one is found.
+ * \return as nurbs_tangent_cone(), and NURBS_ERROR_AXES, _DIMENSION.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_normal_cone(const nurbs *g, const double *range, double tolerance,
+                                         double *direction, double *angle);
+
+/** \brief The point of a spline that is farthest in a direction: the largest value of direction . C(t).
+ * \param[in] g a spline.
+ * \param[in] direction [dim], not zero.
+ * \param[in] range [axes][2] the part of the domain, or NULL for all of it.
+ * \param[in] tolerance how much farther another point may be, as a length, >= 0.
+ * \param[out] params [axes] of the point, or NULL.
+ * \param[out] value direction . C there, or NULL.
+ * \param[out] bound no point has more, proven; at most value + tolerance |direction| beside rounding unless
+ *   20000 halvings do not reach it; or NULL.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _OVERLAP, _TOLERANCE, _DIRECTION, _NOT_REPRESENTABLE;
+ *   _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN or _EMPTY_DOMAIN if range is no interval of the domain.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_extreme_point(const nurbs *g, const double *direction, const double *range,
+                                           double tolerance, double *params, double *value, double *bound);
 /** @} */
 
 /** \defgroup analysis Features of a shape
+ * Where something happens on a curve or surface. Features are the zeros of polynomials, of which the signs
+ * of Bernstein coefficients tell how many there are: `complete` receives 1 where it is proven that nothing
+ * was missed and each was seen once, 0 where zeros lie so close together, or are so flat, that double
+ * precision does not tell.
  * @{ */
 
+/** \name Features of curves
+ * Any sum of them may be asked for.
+ * @{ */
+#define NURBS_FEATURE_INFLECTION 0x01        /**< the curvature changes its sign; in space: it vanishes */
+#define NURBS_FEATURE_CURVATURE_MAXIMUM 0x02 /**< a local maximum of |curvature| */
+#define NURBS_FEATURE_CURVATURE_MINIMUM 0x04 /**< a local minimum of |curvature|, where it is not 0 */
+#define NURBS_FEATURE_CUSP 0x08              /**< the first derivative vanishes */
+#define NURBS_FEATURE_KINK 0x10              /**< a knot where the direction of the tangent jumps */
+#define NURBS_FEATURE_JUMP 0x20              /**< a knot where the curve jumps */
+#define NURBS_FEATURE_TORSION 0x40           /**< the torsion changes its sign (dimension 3) */
+/** @} */
+
+/** \name Convexity of a curve in the plane
+ * @{ */
+#define NURBS_CONVEXITY_NONE 0      /**< turns both ways, or through more than a full turn, or has a cusp */
+#define NURBS_CONVEXITY_LEFT 1      /**< turns to the left only, by at most a full turn */
+#define NURBS_CONVEXITY_RIGHT 2     /**< turns to the right only, by at most a full turn */
+#define NURBS_CONVEXITY_STRAIGHT 3  /**< a straight line that does not turn back, to rounding */
+#define NURBS_CONVEXITY_UNDECIDED 4 /**< double precision does not tell */
+/** @} */
+
+/** \name Folds
+ * @{ */
+#define NURBS_FOLD_NONE 0      /**< proven: there is none */
+#define NURBS_FOLD_FOUND 1     /**< proven: there is one */
+#define NURBS_FOLD_UNDECIDED 2 /**< neither */
+/** @} */
+
+/** \brief Inflections, extrema of curvature, cusps, kinks, jumps and changes of torsion along a curve.
+ * \param[in] g a curve of dimension 2 or 3.
+ * \param[in] kinds sum of NURBS_FEATURE_ constants.
+ * \param[in] cap length of the outputs: 0, or at least the number of features.
+ * \param[out] params [cap] where, rising, or NULL.
+ * \param[out] found [cap] one NURBS_FEATURE_ constant each, or NULL.
+ * \param[out] values [cap] the curvature there (signed in the plane; infinite at most cusps), the turning
+ *   angle of a kink, the width of a jump, or NULL.
+ * \param[out] count number of features, or NULL.
+ * \param[out] complete 1 or 0, or NULL.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DIMENSION, _FLAGS, _COUNT, _OVERLAP; _SIZE if cap is neither
+ *   0 nor enough; _NOT_REPRESENTABLE if a coefficient overflows.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_curve_features(const nurbs *g, uint32_t kinds, int64_t cap, double *params,
+                                            int32_t *found, double *values, int64_t *count,
+                                            int32_t *complete);
+
+/** \brief The pieces of a curve on which it runs one way along a direction: direction . C(t) rises, falls or
+ * stays.
+ * \param[in] g a curve.
+ * \param[in] direction [dim], not zero.
+ * \param[in] cap length of the outputs: 0, or at least the number of pieces.
+ * \param[out] starts [cap] the lower ends of the pieces, rising, or NULL.
+ * \param[out] signs [cap] 1, -1 or 0, or NULL.
+ * \param[out] count number of pieces, or NULL.
+ * \param[out] complete 1 or 0, or NULL.
+ * \return as nurbs_curve_features(), and NURBS_ERROR_DIRECTION.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_curve_monotone_pieces(const nurbs *g, const double *direction, int64_t cap,
+                                                   double *starts, int32_t *signs, int64_t *count,
+                                                   int32_t *complete);
+
+/** \brief Whether a curve in the plane is convex: turns one way only and by at most a full turn, kinks
+ * included.
+ * \param[in] g a curve of dimension 2.
+ * \param[out] convexity one of the NURBS_CONVEXITY_ constants.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DIMENSION, _NOT_REPRESENTABLE.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_curve_convexity(const nurbs *g, int32_t *convexity);
+
+/** \brief How far a spline is from a straight line: a line near the best one, and a proven bound.
+ * \param[in] g a spline.
+ * \param[out] origin [dim] a point of the line, or NULL.
+ * \param[out] direction [dim] unit vector, from the start of a curve towards its end where they differ; or
+ *   NULL.
+ * \param[out] bound no point of g is farther from the line.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _OVERLAP, _NOT_REPRESENTABLE.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_straightness(const nurbs *g, double *origin, double *direction, double *bound);
+
+/** \brief How far a spline in space is from a plane: a plane near the best one, and a proven bound.
+ * \param[in] g a spline of dimension 3.
+ * \param[out] origin [3] a point of the plane, or NULL.
+ * \param[out] normal [3] unit vector, its largest component positive; or NULL.
+ * \param[out] bound no point of g is farther from the plane.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _DIMENSION, _OVERLAP, _NOT_REPRESENTABLE.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_planarity(const nurbs *g, double *origin, double *normal, double *bound);
+
+/** \brief Which axes of a spline close and which of its boundaries collapse, with proven bounds. Boundaries
+ * are counted by axis, then by end.
+ * \param[in] g a spline.
+ * \param[in] tolerance >= 0.
+ * \param[out] closed [axes] 1 where the two boundaries of an axis are nowhere farther apart than the
+ *   tolerance, at equal parameters, else 0; or NULL.
+ * \param[out] gaps [axes] no point of one is farther than this from that of the other; or NULL.
+ * \param[out] collapsed [2 * axes] 1 where a boundary lies within the tolerance of one point (the pole),
+ *   else 0; of a curve always 1; or NULL.
+ * \param[out] sizes [2 * axes] the boundary lies within this distance of a point; or NULL.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _OVERLAP, _TOLERANCE, _NOT_REPRESENTABLE.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_boundary_contacts(const nurbs *g, double tolerance, int32_t *closed,
+                                               double *gaps, int32_t *collapsed, double *sizes);
+
+/** \brief Places where a curve or surface is singular: C' = 0, or S_u x S_v = 0 (the two first derivatives
+ * are parallel, or one of them vanishes). Singular lines, such as collapsed edges, are given by one point
+ * on each piece that they cross.
+ * \param[in] g a curve or a surface.
+ * \param[in] tolerance how far apart in the parameters, as a part of the domain, places are told apart, >
+ *   0.
+ * \param[in] cap length of the outputs: 0, or at least the number of places.
+ * \param[out] params [cap][axes] where, or NULL.
+ * \param[out] boxes [cap][axes][2] intervals of the parameters in which the singular set around it lies, or
+ *   NULL.
+ * \param[out] count number of places, or NULL.
+ * \param[out] complete 1 if it is proven that g is regular everywhere outside the boxes, else 0; or NULL.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _TOLERANCE, _COUNT, _OVERLAP, _NOT_REPRESENTABLE; _SIZE if cap
+ *   is neither 0 nor enough.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_singular_points(const nurbs *g, double tolerance, int64_t cap, double *params,
+                                             double *boxes, int64_t *count, int32_t *complete);
+
+/** \brief Whether a surface or volume folds over: whether the sign of J changes, J being the determinant of
+ * the first derivatives of a surface in the plane or a volume in space, of a surface in space (S_u x S_v) .
+ * reference. Where J is 0 only on collapsed boundaries there is no fold.
+ * \param[in] g a surface of dimension 2 or 3, or a volume of dimension 3.
+ * \param[in] reference [3] of a surface in space: the direction that normals are compared with, or NULL:
+ *   the vector area, the integral of S_u x S_v; else NULL.
+ * \param[out] result one of the NURBS_FOLD_ constants.
+ * \param[out] positive [axes] parameters with J > 0, NaN if none are known; or NULL.
+ * \param[out] negative [axes] parameters with J < 0, NaN if none are known; or NULL.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DIMENSION, _OVERLAP, _NOT_REPRESENTABLE; _DIRECTION if
+ *   reference is zero, not finite or does not suit.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_fold_test(const nurbs *g, const double *reference, int32_t *result,
+                                       double *positive, double *negative);
 /** @} */
 
 /** \defgroup edit Weights and control points
+ * Changes of one or a few control points or weights that bring a point of the shape where it is wanted;
+ * Piegl & Tiller, "The NURBS Book", chapter 11. R_i(t) is the rational basis function of control point i, a
+ * flat index, last axis fastest. Where R_i(t) is 0 the control point cannot move that point:
+ * NURBS_ERROR_INFLUENCE, and the message names those that can. On a periodic axis the copies of a layer
+ * change with it, and R_i is the sum of theirs.
  * @{ */
 
+/** \brief Changes a weight so that the point at a parameter moves by a distance towards the control point,
+ * or away from it if the distance is negative:
+ *
+ *     w_i* = w_i (1 + d / (R_i(t) (|P_i S| - d))),   S = C(t).
+ *
+ * The point stays on the line through P_i and B, its place at weight 0: -|S B| < d < |P_i S|.
+ * \param[in] g a spline.
+ * \param[in] index control point.
+ * \param[in] params [axes] parameter.
+ * \param[in] distance d.
+ * \param[out] weight the new weight, or NULL.
+ * \param[out] out the new handle.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _INDEX, _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN, _INFLUENCE; _LENGTH
+ *   if the distance is not finite or d >= |P_i S|, _WEIGHT_SIGN if d <= -|S B|, so that the weight would
+ *   not be positive; _NOT_REPRESENTABLE if the weight overflows.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_pull_weight(const nurbs *g, int64_t index, const double *params, double distance,
+                                         double *weight, nurbs **out);
+
+/** \brief Multiplies several weights by one factor so that the point at a parameter moves by a distance
+ * towards (or away from) their common centre Q = sum R_i P_i / sum R_i: the formula of nurbs_pull_weight()
+ * with Q and sum R_i. Two neighbours pull a curve to the leg between them.
+ * \param[in] g a spline.
+ * \param[in] count number of control points, > 0.
+ * \param[in] indices [count] control points, all different.
+ * \param[in] params [axes] parameter.
+ * \param[in] distance d.
+ * \param[out] factor by which the weights were multiplied, or NULL.
+ * \param[out] out the new handle.
+ * \return as nurbs_pull_weight(), and NURBS_ERROR_COUNT; _INDEX also if an index occurs twice.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_pull_weights(const nurbs *g, int64_t count, const int64_t *indices,
+                                          const double *params, double distance, double *factor, nurbs **out);
+
+/** \brief Sets weights; control points stay, and a polynomial spline becomes rational.
+ * \param[in] g a spline.
+ * \param[in] count number of weights.
+ * \param[in] indices [count] control points, all different.
+ * \param[in] weights [count] >= 0.
+ * \param[out] out the new handle.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _INDEX, _WEIGHT_NOT_FINITE, _WEIGHT_NEGATIVE,
+ *   _WEIGHTS_VANISH; _POINT_NOT_FINITE if g has a control point at infinity.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_set_weights(const nurbs *g, int64_t count, const int64_t *indices,
+                                         const double *weights, nurbs **out);
+
+/** \brief The points at a parameter for the weights 0, 1 and the present one of a control point. They lie on
+ * a line with P_i, which is the point at an infinite weight.
+ * \param[in] g a spline.
+ * \param[in] index control point.
+ * \param[in] params [axes] parameter.
+ * \param[out] at_zero [dim] the point m at weight 0; NaN if no other weight acts there; or NULL.
+ * \param[out] at_one [dim] the point n at weight 1, or NULL.
+ * \param[out] at_weight [dim] the point p at the present weight, or NULL.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _INDEX, _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN, _OVERLAP,
+ *   _NOT_REPRESENTABLE.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_weight_points(const nurbs *g, int64_t index, const double *params,
+                                           double *at_zero, double *at_one, double *at_weight);
+
+/** \brief The weight as the cross ratio of four points on a line: w = (P n / n m) / (P p / p m), signed
+ * lengths, where m, n, p are the points of nurbs_weight_points(). The points are projected onto the line
+ * through P and m.
+ * \param[in] dim dimension.
+ * \param[in] control_point [dim] P.
+ * \param[in] at_zero,at_one,at_weight [dim] m, n, p.
+ * \param[out] weight w; infinite if p = P.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _DIMENSION, _OVERLAP, _POINT_NOT_FINITE; _COLLINEAR if P = m or n is
+ *   one of them, so that there is no ratio.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_weight_cross_ratio(int32_t dim, const double *control_point,
+                                                const double *at_zero, const double *at_one,
+                                                const double *at_weight, double *weight);
+
+/** \brief Sets the weight of a control point so that the point at a parameter becomes a given one, on the
+ * line through P_i and the point at weight 0, by the cross ratio.
+ * \param[in] g a spline.
+ * \param[in] index control point.
+ * \param[in] params [axes] parameter.
+ * \param[in] target [dim] between P_i and the point at weight 0.
+ * \param[in] tolerance largest distance of target from the line, >= 0.
+ * \param[out] weight the new weight, or NULL.
+ * \param[out] out the new handle.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _INDEX, _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN, _INFLUENCE,
+ *   _TOLERANCE, _POINT_NOT_FINITE; _GAP naming the distance if target is not on the line, _WEIGHT_SIGN if
+ *   it is not between the two points, _NOT_REPRESENTABLE if the weight overflows.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_weight_through(const nurbs *g, int64_t index, const double *params,
+                                            const double *target, double tolerance, double *weight,
+                                            nurbs **out);
+
+/** \brief Moves a control point so that the point at a parameter moves by a distance along a direction:
+ *
+ *     P_i* = P_i + alpha V,   alpha = d / (|V| R_i(t)).
+ *
+ * \param[in] g a spline.
+ * \param[in] index control point.
+ * \param[in] params [axes] parameter.
+ * \param[in] direction [dim] V, not zero.
+ * \param[in] distance d.
+ * \param[out] moved how far the control point moved, with the sign of d; or NULL.
+ * \param[out] out the new handle.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _INDEX, _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN, _INFLUENCE,
+ *   _DIRECTION; _LENGTH if the distance is not finite, _NOT_REPRESENTABLE if the point overflows.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_pull_point(const nurbs *g, int64_t index, const double *params,
+                                        const double *direction, double distance, double *moved, nurbs **out);
+
+/** \brief The control point with the largest |R_i(t)|, the first of several.
+ * \param[in] g a spline.
+ * \param[in] n number of parameters.
+ * \param[in] params [n][axes].
+ * \param[in] param_stride,param_component_stride layout of params, 0 = packed.
+ * \param[out] indices [n] control points, or NULL.
+ * \param[out] influences [n] R_i(t), or NULL.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERFLOW, _STRIDE, _OVERLAP, _PARAMETER_NOT_FINITE,
+ *   _OUTSIDE_DOMAIN.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_most_influential(const nurbs *g, int64_t n, const double *params,
+                                              int64_t param_stride, int64_t param_component_stride,
+                                              int64_t *indices, double *influences);
+
+/** \brief Inverse knot insertion: inserts the knot that makes a point of a leg of the control polygon a
+ * control point. The leg from P_i to its neighbour P_j along the axis, the point Q = P_i + ratio (P_j -
+ * P_i):
+ *
+ *     s = w_i |Q - P_i| / (w_i |Q - P_i| + w_j |P_j - Q|),   knot = t_(i+1) + s (t_(i+p+1) - t_(i+1)),
+ *
+ * where i also counts along the axis and p is the degree. In a surface or volume Q is the point of this
+ * leg, all rows along the axis get the knot. The knot may lie outside the domain at an unclamped end; it
+ * has to be inside the knot vector.
+ * \param[in] g a spline of degree >= 1 along the axis.
+ * \param[in] axis 0-based axis.
+ * \param[in] index control point P_i, not the last one along the axis.
+ * \param[in] ratio from 0 to 1.
+ * \param[out] knot the knot, or NULL.
+ * \param[out] out the new handle.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _INDEX, _OVERFLOW; _DEGREE if it is 0, _FACTOR if ratio is not
+ *   in [0, 1], _MULTIPLICITY if the knot occurs degree + 1 times already, _OUTSIDE_DOMAIN if it cannot be
+ *   inserted.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_insert_on_leg(const nurbs *g, int32_t axis, int64_t index, double ratio,
+                                           double *knot, nurbs **out);
+
+/** \brief Inverse knot insertion at a point of the control polygon: the leg along the axis that is nearest
+ * to the point is taken, and the knot inserted as by nurbs_insert_on_leg().
+ * \param[in] g a spline of degree >= 1 along the axis.
+ * \param[in] axis 0-based axis.
+ * \param[in] point [dim].
+ * \param[in] tolerance largest distance of the point from the leg, >= 0.
+ * \param[out] index control point where the leg starts, or NULL.
+ * \param[out] ratio where on the leg, or NULL.
+ * \param[out] knot the knot, or NULL.
+ * \param[out] out the new handle.
+ * \return as nurbs_insert_on_leg(), and NURBS_ERROR_TOLERANCE, _POINT_NOT_FINITE; _OFF_POLYGON naming the
+ *   distance if the point is farther from every leg.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_insert_at_point(const nurbs *g, int32_t axis, const double *point,
+                                             double tolerance, int64_t *index, double *ratio, double *knot,
+                                             nurbs **out);
 /** @} */
 
 /** \defgroup constrain Constraints
  * @{ */
 
+/** \name Kinds of constraints
+ * @{ */
+#define NURBS_CONSTRAIN_VALUE 0 /**< the derivative of the given orders is the target; orders 0: the point */
+#define NURBS_CONSTRAIN_DIRECTION 1 /**< the derivative is parallel to the target, either way */
+#define NURBS_CONSTRAIN_NORMAL 2    /**< all first derivatives are perpendicular to the target */
+#define NURBS_CONSTRAIN_CURVATURE                                                                            \
+    3 /**< the curvature vector (C'' - (C'' T) T) / |C'|^2 of a curve is the target */
+/** @} */
+
+/** \brief The smallest change of control points, and if wanted of weights, that makes a shape meet
+ * constraints:
+ *
+ *     minimise sum_i costs[i] |e_i|^2 + sum_i weight_costs[i] (w_i* / w_i - 1)^2,   P_i* = P_i + e_i,
+ *
+ * subject to count constraints at parameters. With the weights fixed and no CURVATURE the constraints are
+ * linear and solved by Lagrange multipliers, by an orthogonal factorisation; one point of one control point
+ * gives e = (T - S) / R_i, over a range e_i = R_i / (sum R_j^2) (T - S). Otherwise by sequential quadratic
+ * programming, to a local minimum. Constraints that follow from others count once (rank). On a periodic
+ * axis the copies of a layer are one control point.
+ * \param[in] g a spline.
+ * \param[in] count number of constraints, > 0.
+ * \param[in] kinds [count] NURBS_CONSTRAIN_ constants, or NULL: all VALUE.
+ * \param[in] orders [count][axes] orders of the derivatives (VALUE, DIRECTION), else 0; or NULL: all 0,
+ *   DIRECTION of a curve 1.
+ * \param[in] params [count][axes] parameters; a knot belongs to the span above it.
+ * \param[in] targets [count][dim].
+ * \param[in] keep [axes][2] highest order of derivatives that stay at the start and end of every axis, -1
+ *   for none; or NULL for none.
+ * \param[in] costs [N] > 0, infinite for control points that stay; or NULL: all 1.
+ * \param[in] weight_costs [N] > 0, infinite for weights that stay; or NULL: all stay.
+ * \param[in] tolerance largest residual, as a length for points, >= 0; 0 means 64 eps times the size of the
+ *   terms.
+ * \param[out] residuals [count] how far each constraint is missed, or NULL.
+ * \param[out] rank number of independent equations, or NULL.
+ * \param[out] moved largest distance by which a control point moved, or NULL.
+ * \param[out] optimality length of the gradient of the Lagrangian relative to its terms, or NULL.
+ * \param[out] out the new handle.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERFLOW, _OVERLAP, _CONSTRAINT, _ORDER,
+ *   _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN, _POINT_NOT_FINITE, _TOLERANCE; _FACTOR if a cost is not
+ *   positive, _DIRECTION if a target that has to be a direction is zero, _DIMENSION or _AXES if a kind does
+ *   not suit, _INFLUENCE if no control point that may move acts on a constraint, _CONTRADICTION naming the
+ *   constraint with the largest residual and that, _WEIGHT_SIGN if a weight would not be positive,
+ *   _NOT_CONVERGED, _NOT_REPRESENTABLE.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_constrain(const nurbs *g, int64_t count, const int32_t *kinds,
+                                       const int32_t *orders, const double *params, const double *targets,
+                                       const int32_t *keep, const double *costs, const double *weight_costs,
+                                       double tolerance, double *residuals, int64_t *rank, double *moved,
+                                       double *optimality, nurbs **out);
 /** @} */
 
 /** \defgroup deform Deformations
+ * Changes of a whole shape or of a region of it. `range` is a box of parameters; its ends become knots, so
+ * that what is outside stays the same shape, and control points whose basis functions reach outside stay.
  * @{ */
 
+/** \brief Raises a region along a direction: adds distance * b(t) * direction / |direction|, where b is 1 in
+ * the middle of the range, 0 at its ends with the first `order` derivatives, and rises and falls once along
+ * each axis.
+ * \param[in] g a spline.
+ * \param[in] range [axes][2] the region, or NULL for the whole domain.
+ * \param[in] direction [dim], not zero.
+ * \param[in] distance signed.
+ * \param[in] order derivatives that stay at the ends of the region, 0 to 7.
+ * \param[out] out the new handle.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _DIRECTION, _ORDER, _OVERFLOW, _PERIODIC; _PARAMETER_NOT_FINITE,
+ *   _OUTSIDE_DOMAIN or _EMPTY_DOMAIN if range is no interval of the domain; _LENGTH if the distance is not
+ *   finite, _DEGREE if a degree would exceed NURBS_MAX_DEGREE, _NOT_REPRESENTABLE if a point overflows.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_warp(const nurbs *g, const double *range, const double *direction,
+                                  double distance, int32_t order, nurbs **out);
+
+/** \brief Flattens a region to a plane (in the plane: to a line): control points of the region are projected
+ * onto it along a direction; those inside it only, so that the shape joins what is outside as smoothly as
+ * the degree allows.
+ * \param[in] g a spline.
+ * \param[in] range [axes][2] the region, or NULL for the whole domain.
+ * \param[in] point [dim] a point of the plane.
+ * \param[in] normal [dim] its normal.
+ * \param[in] direction [dim] direction of projection, or NULL: the normal.
+ * \param[out] moved largest distance by which a control point moved, which bounds that of the shape if all
+ *   weights are >= 0; or NULL.
+ * \param[out] out the new handle.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _OVERFLOW, _POINT_NOT_FINITE; _DIRECTION if the normal or the
+ *   direction is zero or not finite, or they are perpendicular; _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN or
+ *   _EMPTY_DOMAIN if range is no interval of the domain; _NOT_REPRESENTABLE if a point overflows.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_flatten(const nurbs *g, const double *range, const double *point,
+                                     const double *normal, const double *direction, double *moved,
+                                     nurbs **out);
+
+/** \brief Bends a shape about an axis (Barr 1984). With unit vectors e along and n across (away from the
+ * centre), at x = origin + a e + b n + rest, the bend of curvature k maps
+ *
+ *     a -> (1/k + b) sin(k a),   b -> (1/k + b) cos(k a) - 1/k
+ *
+ * for a between lower and upper, and goes on straight outside; the rest stays. The exact image is no
+ * spline; g is refined until the difference at equal parameters is at most the tolerance.
+ * \param[in] g a spline of dimension >= 2.
+ * \param[in] origin [dim].
+ * \param[in] along [dim] e, made a unit vector.
+ * \param[in] across [dim] n, made perpendicular to e and a unit vector.
+ * \param[in] curvature k, signed; 0 changes nothing.
+ * \param[in] lower,upper the bent part, lower < upper, infinite ones allowed.
+ * \param[in] tolerance > 0.
+ * \param[out] deviation largest distance from the exact image, or NULL: a bound if proven is 1, else of
+ *   samples.
+ * \param[out] proven 1 or 0, or NULL.
+ * \param[out] out the new handle.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _DIMENSION, _POINT_NOT_FINITE, _DIRECTION, _OVERFLOW, _TOLERANCE;
+ *   _FACTOR if k is not finite, _EMPTY_DOMAIN unless lower < upper, _NOT_CONVERGED if the tolerance is not
+ *   reached, _NOT_REPRESENTABLE.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_bend(const nurbs *g, const double *origin, const double *along,
+                                  const double *across, double curvature, double lower, double upper,
+                                  double tolerance, double *deviation, int32_t *proven, nurbs **out);
+
+/** \brief Free-form deformation (Sederberg & Parry 1986): maps a shape by a volume, C -> V(A C), where A
+ * maps the box from lower to upper to the domain of V. The exact image of a curve has a high degree
+ * (nurbs_compose()); here g is refined until the difference at equal parameters is at most the tolerance.
+ * \param[in] g a spline of dimension m, the number of axes of volume.
+ * \param[in] volume V, with m axes and of dimension m.
+ * \param[in] lower,upper [m] the box, lower < upper; g has to be inside.
+ * \param[in] tolerance > 0.
+ * \param[out] deviation largest distance from the exact image, or NULL: a bound if proven is 1, else of
+ *   samples.
+ * \param[out] proven 1 or 0, or NULL.
+ * \param[out] out the new handle.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _DIMENSION, _POINT_NOT_FINITE, _OVERFLOW, _TOLERANCE; _EMPTY_DOMAIN
+ *   unless lower < upper, _OUTSIDE_DOMAIN if g leaves the box, _NOT_CONVERGED if the tolerance is not
+ *   reached, _NOT_REPRESENTABLE.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_free_form_deform(const nurbs *g, const nurbs *volume, const double *lower,
+                                              const double *upper, double tolerance, double *deviation,
+                                              int32_t *proven, nurbs **out);
+
+/** \brief Fairs a shape: among the splines with the same knots and weights whose control points are at most
+ * a tolerance away, one with small energy, the integral of the squared derivatives of an order, summed over
+ * the axes (of homogeneous coordinates about the centre when rational). The bound is that of
+ * nurbs_deviation().
+ * \param[in] g a spline.
+ * \param[in] order of the derivatives: 1 (membrane), 2 (thin plate) or 3.
+ * \param[in] keep [axes][2] highest order of derivatives that stay at the start and end of every axis, -1
+ *   for none; or NULL: 0 for all, so that boundaries stay.
+ * \param[in] tolerance largest distance from g, >= 0.
+ * \param[out] energies [2] before and after, or NULL.
+ * \param[out] bound proven bound of the distance from g, at most the tolerance; or NULL.
+ * \param[out] out the new handle.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _ORDER, _TOLERANCE, _OVERLAP, _OVERFLOW, _NOT_REPRESENTABLE; _DEGREE
+ *   if no axis has a degree of at least order.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_fair(const nurbs *g, int32_t order, const int32_t *keep, double tolerance,
+                                  double *energies, double *bound, nurbs **out);
+
+/** \brief Moves a boundary of a spline onto one of another: a curve's end onto an end, a surface's edge onto
+ * an edge. Layers of control points at the boundary change, after both were made compatible along it; with
+ * order 1 the second layer is moved too, so that tangents (of a surface: tangent planes) agree, the size of
+ * derivatives across staying as it was.
+ * \param[in] g a curve or surface.
+ * \param[in] axis,end the boundary of g: axis, and NURBS_START or NURBS_END.
+ * \param[in] other a spline with as many axes, of the same dimension.
+ * \param[in] other_axis,other_end its boundary.
+ * \param[in] order 0 (positions) or 1 (tangents too).
+ * \param[in] flags NURBS_REVERSED: the boundaries of surfaces run against each other; or 0.
+ * \param[out] bound proven bound of the distance from g, or NULL.
+ * \param[out] out the new handle.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _AXIS, _END, _ORDER, _FLAGS, _INCOMPATIBLE, _PERIODIC,
+ *   _DEGREE, _OVERFLOW, _KNOTS_MERGE; _TANGENT if a tangent that is needed vanishes, _NOT_REPRESENTABLE.
+ * \since 0.1 */
+NURBS_API nurbs_status nurbs_snap_boundary(const nurbs *g, int32_t axis, int32_t end, const nurbs *other,
+                                           int32_t other_axis, int32_t other_end, int32_t order,
+                                           uint32_t flags, double *bound, nurbs **out);
 /** @} */
 
 /** \defgroup linear Derivatives with respect to data

@@ -14,9 +14,11 @@ from dataclasses import dataclass, field
 HANDLES = ("nurbs", "nurbs_list")
 STRUCTS = ("nurbs_read_options",)
 # Pointers to one value that is written; arrays have names in the plural.
-SINGLE_RESULTS = ("angle", "at_least", "at_most", "axes", "bound", "count", "curvature_gap", "degree", "deviation",
-                  "dim", "entity_type", "entries", "error", "factor", "form", "gap", "geometric", "length", "line", "metres", "order",
-                  "periodic", "position_gap", "rational", "reason", "removed", "shape", "slots", "type")
+SINGLE_RESULTS = ("angle", "area", "at_least", "at_most", "axes", "bound", "complete", "content", "convexity",
+                  "count", "curvature_gap", "degree", "deviation", "dim", "entity_type", "entries", "error", "factor",
+                  "form", "gap", "geometric", "index", "knot", "length", "line", "metres", "moved", "openness",
+                  "optimality", "order", "periodic", "position_gap", "proven", "rank", "ratio", "rational", "reason",
+                  "removed", "result", "shape", "size", "slots", "status", "type", "value", "volume", "weight")
 
 
 @dataclass
