@@ -1,0 +1,35 @@
+// Nearest and farthest points of surfaces and volumes, with proof.
+//
+// The pieces of a spline stand in a tree of discs; a query takes those that may hold a point that counts, finds
+// a minimum by Newton's method, and proves of each part of a piece that is left that it holds no better one:
+// all Bernstein coefficients of |A - x w|^2 - r^2 w^2 are >= 0, or that polynomial is convex, or its halves are
+// looked at. The idea of eliminating by these coefficients is Chen, Yong, Wang, Paul & Xu's ("Computing the
+// minimum distance between a point and a NURBS curve", CAD 40, 2008). All rounding is in the proofs.
+#pragma once
+
+#include "query/closest/foot.h"
+#include "query/closest/patch_tree.h"
+
+#include <vector>
+
+namespace nrb {
+
+// Immutable after its construction.
+class PatchLocator {
+public:
+    explicit PatchLocator(const Spline &spline) : pieces_(spline), tree_(pieces_) {}
+    PatchLocator(const PatchLocator &) = delete;
+    PatchLocator &operator=(const PatchLocator &) = delete;
+
+    // Preconditions: the point is finite, the range lies in the domain and is not empty.
+    [[nodiscard]] Foot nearest(const Query &query) const;
+    // All minima that are as near as the nearest one to the tolerance, in rising order of parameters.
+    [[nodiscard]] std::vector<Foot> nearest_all(const Query &query) const;
+    [[nodiscard]] Foot local(const double *point, const double *guess) const;
+
+private:
+    PatchPieces pieces_;
+    PatchTree tree_;
+};
+
+} // namespace nrb
