@@ -4,6 +4,10 @@
 
 namespace nrb {
 
+double PatchLocator::noise(const double *point) const noexcept {
+    return PatchSearch::noise(pieces_, point);
+}
+
 Foot PatchLocator::nearest(const Query &query) const {
     return PatchSearch(pieces_, tree_, query).nearest();
 }

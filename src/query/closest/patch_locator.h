@@ -7,25 +7,22 @@
 // minimum distance between a point and a NURBS curve", CAD 40, 2008). All rounding is in the proofs.
 #pragma once
 
-#include "query/closest/foot.h"
+#include "query/closest/locator.h"
 #include "query/closest/patch_tree.h"
 
 #include <vector>
 
 namespace nrb {
 
-// Immutable after its construction.
-class PatchLocator {
+class PatchLocator final : public Locator {
 public:
     explicit PatchLocator(const Spline &spline) : pieces_(spline), tree_(pieces_) {}
-    PatchLocator(const PatchLocator &) = delete;
-    PatchLocator &operator=(const PatchLocator &) = delete;
 
-    // Preconditions: the point is finite, the range lies in the domain and is not empty.
-    [[nodiscard]] Foot nearest(const Query &query) const;
+    [[nodiscard]] double noise(const double *point) const noexcept override;
+    [[nodiscard]] Foot nearest(const Query &query) const override;
+    [[nodiscard]] Foot local(const double *point, const double *guess) const override;
     // All minima that are as near as the nearest one to the tolerance, in rising order of parameters.
     [[nodiscard]] std::vector<Foot> nearest_all(const Query &query) const;
-    [[nodiscard]] Foot local(const double *point, const double *guess) const;
 
 private:
     PatchPieces pieces_;

@@ -187,16 +187,8 @@ int64_t PatchPieces::piece(const Index &index) const noexcept {
     return result;
 }
 
-Interval PatchPieces::span(int axis, int64_t i) const noexcept {
-    const double lower = break_at(axis, i), upper = break_at(axis, i + 1);
-    const bool last = i + 1 == count(axis);
-    const bool jump = jumps_[static_cast<size_t>(axis)][static_cast<size_t>(i + 1)] != 0;
-    return {lower, jump && !last ? std::nextafter(upper, lower) : upper};
-}
-
 int64_t PatchPieces::neighbour(int axis, int64_t i, bool up) const noexcept {
     const int64_t n = count(axis), next = up ? i + 1 : i - 1;
-    const auto &jumps = jumps_[static_cast<size_t>(axis)];
     const bool wraps = (next < 0 || next == n) && periodic(axis);
     if ((next < 0 || next == n) && !wraps) {
         return -1;

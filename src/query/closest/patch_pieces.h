@@ -36,9 +36,10 @@ public:
     [[nodiscard]] double break_at(int axis, int64_t i) const noexcept {
         return breaks_[static_cast<size_t>(axis)][static_cast<size_t>(i)];
     }
-    // Where the piece of index i on an axis begins and ends, as parameters that evaluate to it: at a jump the
-    // end is the number before it.
-    [[nodiscard]] Interval span(int axis, int64_t i) const noexcept;
+    // Whether the spline jumps at break i.
+    [[nodiscard]] bool jumps(int axis, int64_t i) const noexcept {
+        return jumps_[static_cast<size_t>(axis)][static_cast<size_t>(i)] != 0;
+    }
     // The piece next to i upwards or downwards, or -1 at an end, and where the spline jumps.
     [[nodiscard]] int64_t neighbour(int axis, int64_t i, bool up) const noexcept;
     [[nodiscard]] bool periodic(int axis) const noexcept { return periodic_[static_cast<size_t>(axis)]; }

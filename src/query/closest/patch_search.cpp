@@ -25,11 +25,10 @@ PatchSearch::PatchSearch(const PatchPieces &pieces, const PatchTree &tree, const
     set_scales();
 }
 
-void PatchSearch::set_scales() {
-    const double reach = pieces_.size() + pieces_.magnitude(query_.point);
+void PatchSearch::set_scales() noexcept {
     tolerance_ = pieces_.scaled(query_.tolerance);
-    noise_ = pieces_.allowance() * pieces_.weight_ratio() * reach;
-    floor_ = 8 * eps * reach;
+    noise_ = scaled_noise(pieces_, query_.point);
+    floor_ = 8 * eps * (pieces_.size() + pieces_.magnitude(query_.point));
     const int64_t count = pieces_.shape().coefficients();
     cost_ = std::max<int64_t>(1, count * count / 65536);
 }
@@ -475,16 +474,18 @@ void PatchSearch::set_params(const Place &place, Foot &foot) const noexcept {
     }
     for (int axis = 0; axis < pieces_.spline_axes(); ++axis) {
         const auto i = static_cast<size_t>(axis);
-        const Interval span = pieces_.span(axis, index[i]);
-        const double end = pieces_.break_at(axis, index[i] + 1);
-        const double s = shape_axis[i] < 0 ? 0.5 : place.at[static_cast<size_t>(shape_axis[i])];
-        double low = span.lower, high = span.upper;
+        const double first = pieces_.break_at(axis, index[i]), last = pieces_.break_at(axis, index[i] + 1);
+        double low = first, high = last;
         if (query_.range != nullptr) {
             low = std::max(low, query_.range[axis].lower);
-            high = std::max(low, std::min(high, query_.range[axis].upper));
+            high = std::min(high, query_.range[axis].upper);
         }
-        const double t = s == 1 ? end : span.lower + s * (end - span.lower);
-        foot.params[i] = std::clamp(shape_axis[i] < 0 ? low / 2 + high / 2 : t, low, high);
+        const double s = shape_axis[i] < 0 ? -1 : place.at[static_cast<size_t>(shape_axis[i])];
+        const double t = s < 0 ? low / 2 + high / 2 : s == 1 ? last : first + s * (last - first);
+        foot.params[i] = std::clamp(t, low, high);
+        if (foot.params[i] == last && pieces_.jumps(axis, index[i] + 1)) {
+            foot.left |= 1U << i;
+        }
     }
 }
 

@@ -13,6 +13,10 @@ class PatchSearch {
 public:
     PatchSearch(const PatchPieces &pieces, const PatchTree &tree, const Query &query);
 
+    // What is allowed for rounding, as a distance of the caller.
+    static double noise(const PatchPieces &pieces, const double *point) noexcept {
+        return pieces.unscaled(scaled_noise(pieces, point));
+    }
     Foot nearest();
     std::vector<Foot> all();
     // The minimum that a descent from these parameters comes to.
@@ -32,7 +36,10 @@ private:
     };
     using Candidates = ShortList<Candidate, 96>;
 
-    void set_scales();
+    static double scaled_noise(const PatchPieces &pieces, const double *point) noexcept {
+        return pieces.allowance() * pieces.weight_ratio() * (pieces.size() + pieces.magnitude(point));
+    }
+    void set_scales() noexcept;
     [[nodiscard]] bool far_away() const noexcept;
     [[nodiscard]] PatchBox box(int64_t piece) const noexcept;
     enum class Part { none, some, all };
