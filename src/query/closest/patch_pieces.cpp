@@ -82,7 +82,10 @@ void PatchPieces::set_axes(const Spline &spline) {
     allowance_ = 64 * (highest + 1) * eps;
 }
 
-// Sums of squares take dim roundings more than products of single polynomials, the gap two more.
+// Of a coefficient of |Q|^2, relative to the sum of the magnitudes of what it is the sum of: factors and
+// the quotient by binomials are rounded twice each, then there is a rounding for every term, of which there are
+// (coefficients + 2) / 2 at most, since each pair of them is taken once, and one for each coordinate; the
+// gap takes two more. Bernstein functions take three roundings for each degree, their sums one.
 void PatchPieces::set_tables() {
     BernsteinShape once{{}, 1};
     std::copy_n(shape_.degrees.begin(), shape_.axes, once.degrees.begin());
@@ -99,7 +102,8 @@ void PatchPieces::set_tables() {
             }
         }
     }
-    product_error_ = nrb::product_error(once, once) + (shape_.dim + 4) * eps;
+    const auto terms = static_cast<double>(shape_.coefficients() + 2) / 2;
+    product_error_ = eps / 2 * (terms + shape_.dim + 6);
     value_error_ = eps;
     for (int k = 0; k < shape_.axes; ++k) {
         value_error_ += (2 * shape_.degree(k) + 1) * eps;
@@ -193,8 +197,7 @@ int64_t PatchPieces::neighbour(int axis, int64_t i, bool up) const noexcept {
     if ((next < 0 || next == n) && !wraps) {
         return -1;
     }
-    const bool jump =
-        wraps ? jumps.front() != 0 || jumps.back() != 0 : jumps[static_cast<size_t>(std::max(i, next))] != 0;
+    const bool jump = wraps ? jumps(axis, 0) || jumps(axis, n) : jumps(axis, std::max(i, next));
     return jump ? -1 : (next + n) % n;
 }
 

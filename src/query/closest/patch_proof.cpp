@@ -17,7 +17,7 @@ PatchProof::PatchProof(const PatchPieces &pieces, const PatchDescent &descent, c
                        const PatchGoal &goal, const PatchGap &gap)
     : pieces_(pieces), shape_(pieces.shape()), descent_(descent), item_(item), goal_(goal), gap_(gap) {
     const double size = item.reach * item.reach + goal.rho * goal.rho;
-    error_ = 1.5 * pieces.product_error() * size * item.most_weight * item.most_weight;
+    error_ = 1.05 * pieces.product_error() * size * item.most_weight * item.most_weight;
     face_.fill(-1);
     int64_t step = 1;
     for (int k = shape_.axes; k-- > 0; step *= 2 * shape_.degree(k) + 1) {
@@ -88,7 +88,7 @@ PatchProof::Range PatchProof::second_differences(int k, int l) const noexcept {
 
 // F falls by at most n times the largest fall of a coefficient.
 bool PatchProof::drop_axes() noexcept {
-    const double allowed = 0.1 * goal_.margin * item_.least_weight * item_.least_weight;
+    const double allowed = 0.3 * goal_.margin * item_.least_weight * item_.least_weight;
     bool dropped = false;
     for (int k = 0; k < shape_.axes; ++k) {
         const auto at = static_cast<size_t>(k);

@@ -209,7 +209,7 @@ PatchGoal PatchSearch::goal(double value, const PatchItem &item) const noexcept 
     const double error = item.moved + best_.error;
     result.sign = sign_;
     result.rho = sign_ * (value + error);
-    result.margin = 2 * std::abs(result.rho) * std::max(0.0, tolerance_ + noise_ - error);
+    result.margin = 2 * std::abs(result.rho) * std::max(0.0, tolerance_ + 0.875 * noise_ - error);
     return result;
 }
 
@@ -314,12 +314,10 @@ bool PatchSearch::settled(PatchItem &item, bool &fresh, int &axis) {
             return true;
         }
         extra_ += not_nearer ? 1 : 0;
-        if (not_nearer && proof.flat(4 * noise_ + 2 * tolerance_) && item.reach > 4 * (tolerance_ + noise_)) {
+        if (not_nearer && proof.flat(4 * noise_)) {
             const AxisValues middle{0.5, 0.5, 0.5};
             consider(item, middle, descent_.distance(item.values, middle), false);
-            if (several_) {
-                return true;
-            }
+            return true;
         }
         AxisValues guess{};
         bool known = best_.piece == item.piece;
@@ -343,7 +341,7 @@ bool PatchSearch::settled(PatchItem &item, bool &fresh, int &axis) {
             }
         }
         axis = proof.widest_axis();
-        return false;
+        return not_nearer && item.depth > deepest;
     }
 }
 
@@ -543,7 +541,8 @@ Foot PatchSearch::nearest() {
     }
     search();
     Foot result = foot(best_);
-    const bool certified = !incomplete_ && std::isfinite(best_.value);
+    const double rounded = sign_ * pieces_.scaled(result.distance) - best_.value;
+    const bool certified = !incomplete_ && rounded <= noise_ / 8;
     result.status |= certified ? NURBS_CLOSEST_CERTIFIED : NURBS_CLOSEST_BUDGET;
     result.status |= several_ ? NURBS_CLOSEST_NOT_UNIQUE : 0;
     return result;

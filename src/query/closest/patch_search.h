@@ -62,8 +62,9 @@ private:
     bool improve_to(const PatchItem &item, const AxisValues &at, double distance);
     [[nodiscard]] PatchGoal goal(double value, const PatchItem &item) const noexcept;
     [[nodiscard]] double upper() const noexcept { return best_.value + tolerance_ + noise_; }
-    [[nodiscard]] double lower() const noexcept { return best_.value - tolerance_ - noise_; }
-    [[nodiscard]] bool asks_for_others() const noexcept { return all_ || (!several_ && extra_ < 64); }
+    // An eighth of the noise is for the rounding of the parameters.
+    [[nodiscard]] double lower() const noexcept { return best_.value - tolerance_ - 0.875 * noise_; }
+    [[nodiscard]] bool asks_for_others() const noexcept { return all_ || (!several_ && extra_ < 24); }
 
     // A minimum of an item as near as the best one: whether it is one of the spline, and elsewhere.
     void consider(const PatchItem &item, const AxisValues &at, double distance, bool strict);
