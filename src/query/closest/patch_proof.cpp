@@ -131,8 +131,8 @@ void PatchProof::set_matrix() noexcept {
     }
 }
 
-double PatchProof::least_corner() const noexcept {
-    double least = infinite;
+PatchProof::Corner PatchProof::least_corner() const noexcept {
+    Corner least{infinite, false};
     for (unsigned corner = 0; corner < 1U << static_cast<unsigned>(shape_.axes); ++corner) {
         int64_t place = 0;
         for (int k = 0; k < shape_.axes; ++k) {
@@ -140,7 +140,11 @@ double PatchProof::least_corner() const noexcept {
             const bool upper = face_[at] >= 0 ? face_[at] == 1 : (corner >> at & 1U) != 0;
             place += upper ? 2 * shape_.degree(k) * step_[at] : 0;
         }
-        least = std::min(least, gap_.values[place]);
+        if (gap_.values[place] < least.gap) {
+            const double w = gap_.weights != nullptr ? gap_.weights[place] : 1;
+            const double value = goal_.sign * std::sqrt(std::max(0.0, gap_.squares[place] / w));
+            least = {gap_.values[place], least.is_better || value < goal_.worth};
+        }
     }
     return least;
 }
@@ -242,13 +246,13 @@ bool PatchProof::convex(const AxisValues *guess) {
     while (drop_axes()) {
     }
     set_matrix();
-    const double corner = least_corner();
+    const Corner corner = least_corner();
     int free = 0;
     for (int k = 0; k < shape_.axes; ++k) {
         free += face_[static_cast<size_t>(k)] < 0 ? 1 : 0;
     }
-    const double most = free > 0 ? std::max(0.0, corner) / free : 0;
-    if (free > 0 && loss({}, most) < 0) {
+    const double most = free > 0 ? std::max(0.0, corner.gap) / free : 0;
+    if (free > 0 && !corner.is_better && loss({}, most) < 0) {
         return false;
     }
     PatchBox box;
