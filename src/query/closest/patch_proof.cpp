@@ -200,10 +200,20 @@ double PatchProof::loss(const AxisValues &gradient, double more) const noexcept 
     return 0.55 * sum;
 }
 
+// At the ends of an axis its functions are exact.
+double PatchProof::value_error(const AxisValues &at) const noexcept {
+    double error = eps;
+    for (int k = 0; k < shape_.axes; ++k) {
+        const double t = at[static_cast<size_t>(k)];
+        error += t == 0 || t == 1 ? 0 : (2 * shape_.degree(k) + 1) * eps;
+    }
+    return 1.1 * error;
+}
+
 // |Q| and Q_k are within value_error() of the means of magnitudes, reach w and 2 p reach w_max.
 bool PatchProof::holds_at(const AxisValues &at) {
     const PatchValues v = descent_.values(item_.values, at);
-    const double rho = goal_.rho, w = v.weight, reach = item_.reach, kappa = 1.1 * pieces_.value_error();
+    const double rho = goal_.rho, w = v.weight, reach = item_.reach, kappa = value_error(at);
     const double sum = v.length + rho * w;
     const double gap = goal_.sign * (v.length - rho * w) * sum;
     const double gap_error = 2 * sum * kappa * (reach + rho) * w + 8 * eps * sum * sum;

@@ -61,6 +61,7 @@ private:
     };
     [[nodiscard]] Corner least_corner() const noexcept;
     [[nodiscard]] AxisValues lowest() const noexcept;
+    [[nodiscard]] double value_error(const AxisValues &at) const noexcept;
     [[nodiscard]] bool holds_at(const AxisValues &at);
     // 1/2 g^T (C + diag(more))^-1 g; negative if that matrix is not positive definite.
     [[nodiscard]] double loss(const AxisValues &gradient, double more) const noexcept;

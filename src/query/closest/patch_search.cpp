@@ -215,11 +215,25 @@ PatchGoal PatchSearch::goal(double value, const PatchItem &item) const noexcept 
     return result;
 }
 
+// The axis along which the coefficients spread most.
 int PatchSearch::longest_axis(const PatchItem &item) const noexcept {
+    const PatchShape &shape = pieces_.shape();
     int longest = -1;
-    for (int k = 0; k < pieces_.shape().axes; ++k) {
-        const auto at = static_cast<size_t>(k);
-        if (longest < 0 || item.length[at] > item.length[static_cast<size_t>(longest)]) {
+    double most = -1;
+    int64_t step = shape.lanes;
+    for (int k = shape.axes; k-- > 0; step *= shape.degree(k) + 1) {
+        double spread = 0;
+        const int64_t period = step * (shape.degree(k) + 1);
+        for (int64_t i = 0; i < shape.values(); i += shape.lanes) {
+            const double *q = item.values + i;
+            const double w = q[shape.dim], other = i % period + step < period ? q[step + shape.dim] : 0;
+            if (w > 0 && other > 0) {
+                spread += norm_of(shape.dim, [&](int c) { return q[c] / w - q[step + c] / other; });
+            }
+        }
+        spread *= 1 + 1.0 / shape.degree(k);
+        if (spread > most) {
+            most = spread;
             longest = k;
         }
     }
@@ -342,7 +356,9 @@ bool PatchSearch::settled(PatchItem &item, bool &fresh, int &axis) {
                 continue;
             }
         }
-        axis = proof.widest_axis();
+        // Rounding counts by the reach, so that now and then all axes have their turn.
+        const bool wide = item.depth % 3 == 2 && item.reach > 1.25 * least.rho;
+        axis = wide ? longest_axis(item) : proof.widest_axis();
         return not_nearer && item.depth > deepest;
     }
     return false;
@@ -527,8 +543,8 @@ void PatchSearch::polish(const PatchItem &item, Foot &foot) const {
             const double low = pieces_.break_at(k, index[at]), high = pieces_.break_at(k, index[at] + 1);
             const double t = centre.params[at];
             const double moved = rest % 3 == 0 ? t : std::nextafter(t, rest % 3 == 1 ? low : high);
-            const bool inside = query_.range == nullptr ||
-                                (moved >= query_.range[k].lower && moved <= query_.range[k].upper);
+            const bool inside =
+                query_.range == nullptr || (moved >= query_.range[k].lower && moved <= query_.range[k].upper);
             other.params[at] = inside && (centre.left >> k & 1U) == 0 && moved < high ? moved : t;
         }
         other.distance = pieces_.unscaled(distance_at(item, other));
