@@ -128,10 +128,8 @@ public:
 
 private:
     static constexpr int most_candidates = 96;
-    static constexpr int stack_height = 60;
+    static constexpr int stack_height = 64; // halvings of a leaf, after which nothing is left of it
     static constexpr int most_rivals = 16;
-    // Halvings of a leaf beyond which nothing is left of it.
-    static constexpr double shortest = 0x1p-46;
     static constexpr double at_end = 0x1p-40;
 
     struct Candidate {
@@ -288,7 +286,7 @@ private:
             note_end(records, shape_.degree(), part.b);
             return height - 1;
         }
-        if (part.b - part.a < shortest || height == stack_height) {
+        if (height == stack_height) {
             certified_ = false;
             return height - 1;
         }
