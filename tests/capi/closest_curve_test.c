@@ -96,10 +96,12 @@ static void ranges_and_strides(void) {
     nurbs *g = segment();
     Request r = request(g, 2, points);
     r.range = range;
+    r.point_stride = 1;
     r.point_component_stride = 2; /* x of both, then y of both: (1, 3) and (9, 3) */
     r.params = wide;
     r.param_stride = 3;
     r.feet = apart;
+    r.foot_stride = 1;
     r.foot_component_stride = 2;
     CHECK_OK(closest(&r));
     CHECK_DOUBLE(wide[0], expected[0]);
@@ -140,7 +142,7 @@ static void points_that_are_no_numbers(void) {
     nurbs *g = segment();
     Request r = request(g, 3, bad);
     FILL(params);
-    CHECK_FAILS(closest(&r), NURBS_ERROR_POINT_NOT_FINITE, "points[1][0]|NaN");
+    CHECK_FAILS(closest(&r), NURBS_ERROR_POINT_NOT_FINITE, "points[1][0]|nan");
     CHECK_UNTOUCHED(params);
     r.flags = NURBS_NAN_POINTS;
     CHECK_OK(closest(&r));

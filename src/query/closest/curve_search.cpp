@@ -296,7 +296,7 @@ private:
     int divide(int height) {
         Part &part = parts_[height - 1];
         double *records = segment(height - 1);
-        double s = 0.5;
+        double s = 0;
         int known = 0;
         if (part.known == 0) {
             current_ = height - 1;
@@ -307,6 +307,8 @@ private:
             }
             s = found;
             known = 3;
+        } else {
+            s = middle_of(records);
         }
         tools_.split(records, s, segment(height), records);
         const Part whole = part;
@@ -315,6 +317,18 @@ private:
         parts_[height - 1] = {middle, whole.b, (known & 1) | (whole.known & 2)};
         parts_[height] = {whole.a, middle, (known & 2) | (whole.known & 1)};
         return height + 1;
+    }
+
+    // The middle of the parameter that makes the weights at both ends equal: where they are far apart, the curve is
+    // crowded at one end of its own.
+    [[nodiscard]] double middle_of(const double *records) const noexcept {
+        const int p = shape_.degree(), lanes = shape_.lanes();
+        const double ratio = records[lanes - 1] / records[(p + 1) * lanes - 1];
+        if (!(ratio < 0.25 || ratio > 4) || p == 0) {
+            return 0.5;
+        }
+        const double root = std::pow(ratio, 1.0 / p);
+        return std::clamp(root / (1 + root), 0x1p-10, 1 - 0x1p-10);
     }
 
     // Where the nearest point of the chord is, or the end that is farther.
