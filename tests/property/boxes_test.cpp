@@ -4,6 +4,7 @@
 #include "support/cases.h"
 #include "support/handle.h"
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
@@ -90,6 +91,11 @@ TEST(Boxes, ContainExactPoints) {
         const Vec range = any_range(random, data);
         const double tolerance = random.chance(20) ? infinite : random.magnitude(1e-9, 1) * size_of(data);
         const Box box = box_of(g.get(), data.dim, tolerance, range.data());
+        Vec direction(static_cast<size_t>(data.dim));
+        std::generate(direction.begin(), direction.end(), [&] { return random.between(-1, 1); });
+        double bound = 0;
+        require_ok(nurbs_extreme_point(g.get(), direction.data(), range.data(), tolerance, nullptr, nullptr,
+                                       &bound));
         for (int i = 0; i < 20; ++i) {
             const Vec param = param_in(random, range);
             reference::Sides left{};
@@ -97,10 +103,13 @@ TEST(Boxes, ContainExactPoints) {
                 left[k] = param[k] == range[2 * k + 1];
             }
             const auto point = reference::exact_point(data, param.data(), left);
+            Rational along = 0;
             for (size_t c = 0; c < point.size(); ++c) {
                 const Rational x(point[c].numerator, point[c].denominator);
                 ASSERT_TRUE(exact(box.lower[c]) <= x && x <= exact(box.upper[c])) << where(seed, data);
+                along += exact(direction[c]) * x;
             }
+            ASSERT_TRUE(std::isinf(bound) || along <= exact(bound)) << where(seed, data);
         }
     });
 }
