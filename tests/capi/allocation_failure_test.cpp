@@ -388,6 +388,23 @@ const Case cases[] = {
      [](Inputs &in, Output &) { return nurbs_deviation(in.surface, in.surface, in.values, in.values + 1); }},
     {"curve_shape_factor",
      [](Inputs &in, Output &) { return nurbs_curve_shape_factor(in.segment, in.values, in.states); }},
+    {"box", [](Inputs &in, Output &) { return nurbs_box(in.volume, nullptr, 1e-3, in.values, in.values + 4, nullptr); }},
+    {"oriented_box",
+     [](Inputs &in, Output &) {
+         return nurbs_oriented_box(in.surface, 1e-3, in.values, in.values + 3, in.values + 12);
+     }},
+    {"tangent_cone",
+     [](Inputs &in, Output &) {
+         return nurbs_tangent_cone(in.segment, 0, nullptr, 0.1, in.values, in.values + 2);
+     }},
+    {"normal_cone",
+     [](Inputs &in, Output &) {
+         return nurbs_normal_cone(in.surface, nullptr, 0.1, in.values, in.values + 3);
+     }},
+    {"extreme_point",
+     [](Inputs &in, Output &) {
+         return nurbs_extreme_point(in.curve, params, nullptr, 1e-6, in.values, in.values + 1, in.values + 2);
+     }},
     {"recognize curve",
      [](Inputs &in, Output &) {
          return nurbs_recognize(in.curve, 1e-9, in.states, in.values, in.values + 9, in.values + 11);
