@@ -578,7 +578,7 @@ const Case cases[] = {
          return nurbs_transform_projective(in.curve, 2, map, &o.out);
      }},
     {"pull_weight",
-     [](Inputs &in, Output &o) { return nurbs_pull_weight(in.curve, 1, new_knots, 0.01, in.values, &o.out); }},
+     [](Inputs &in, Output &o) { return nurbs_pull_weight(in.curve, 3, new_knots, 0.01, in.values, &o.out); }},
     {"pull_weights",
      [](Inputs &in, Output &o) {
          static const int64_t both[] = {2, 3};
