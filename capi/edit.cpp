@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 using namespace nrb;
 using namespace nrb::capi;
@@ -33,11 +34,10 @@ int64_t checked_point(const Spline &spline, int64_t index, int64_t place = -1) {
 
 void check_different(const int64_t *indices, const std::vector<int64_t> &originals) {
     std::vector<size_t> order(originals.size());
-    for (size_t i = 0; i < order.size(); ++i) {
-        order[i] = i;
-    }
-    std::stable_sort(order.begin(), order.end(),
-                     [&](size_t a, size_t b) { return originals[a] < originals[b]; });
+    std::iota(order.begin(), order.end(), size_t{0});
+    std::sort(order.begin(), order.end(), [&](size_t a, size_t b) {
+        return originals[a] < originals[b] || (originals[a] == originals[b] && a < b);
+    });
     for (size_t i = 1; i < order.size(); ++i) {
         if (originals[order[i]] == originals[order[i - 1]]) {
             fail(NURBS_ERROR_INDEX, "indices[%zu] = %lld is the same control point as indices[%zu] = %lld",
