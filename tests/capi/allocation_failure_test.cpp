@@ -594,6 +594,46 @@ const Case cases[] = {
          static const double map[] = {1, 0, 0, 0, 1, 0, 0, 0, 2};
          return nurbs_transform_projective(in.curve, 2, map, &o.out);
      }},
+    {"pull_weight",
+     [](Inputs &in, Output &o) { return nurbs_pull_weight(in.curve, 3, new_knots, 0.01, in.values, &o.out); }},
+    {"pull_weights",
+     [](Inputs &in, Output &o) {
+         static const int64_t both[] = {2, 3};
+         return nurbs_pull_weights(in.curve, 2, both, new_knots, 0.01, in.values, &o.out);
+     }},
+    {"set_weights",
+     [](Inputs &in, Output &o) {
+         static const int64_t both[] = {2, 3};
+         return nurbs_set_weights(in.loop, 2, both, new_knots, &o.out);
+     }},
+    {"weight_points",
+     [](Inputs &in, Output &) {
+         return nurbs_weight_points(in.surface, 1, params, in.values, in.values + 3, in.values + 6);
+     }},
+    {"weight_cross_ratio",
+     [](Inputs &in, Output &) {
+         return nurbs_weight_cross_ratio(1, params, params + 1, params + 2, params + 3, in.values);
+     }},
+    {"weight_through",
+     [](Inputs &in, Output &o) {
+         static const double target[] = {0.75, 0.75}, at = 0.125;
+         return nurbs_weight_through(in.curve, 1, &at, target, 1, in.values, &o.out);
+     }},
+    {"pull_point",
+     [](Inputs &in, Output &o) {
+         return nurbs_pull_point(in.volume, 0, params, params, 1, in.values, &o.out);
+     }},
+    {"most_influential",
+     [](Inputs &in, Output &) {
+         return nurbs_most_influential(in.surface, 3, params, 0, 0, in.spans, in.values);
+     }},
+    {"insert_on_leg",
+     [](Inputs &in, Output &o) { return nurbs_insert_on_leg(in.segment, 0, 0, 0.5, in.values, &o.out); }},
+    {"insert_at_point",
+     [](Inputs &in, Output &o) {
+         static const double corner[] = {0, 1};
+         return nurbs_insert_at_point(in.loop, 0, corner, 1, in.spans, in.values, in.values + 1, &o.out);
+     }},
     {"read", [](Inputs &, Output &o) { return nurbs_read(file.bytes, file.size, nullptr, &o.list); }},
     {"read_file", [](Inputs &, Output &o) { return nurbs_read_file(path, nullptr, &o.list); }, true},
     {"list_get", [](Inputs &in, Output &o) { return nurbs_list_get(in.list, 0, &o.out); }},
