@@ -1,14 +1,15 @@
 // Closest and farthest points.
 #include "checks.h"
 #include "guard.h"
+#include "part.h"
 
 #include "base/checked.h"
 #include "base/tolerance.h"
 #include "query/closest/closest.h"
 #include "query/closest/signed_distance.h"
 
-#include <array>
 #include <cmath>
+#include <cstdio>
 
 using namespace nrb;
 using namespace nrb::capi;
@@ -20,26 +21,6 @@ constexpr int64_t default_budget = 20000;
 int64_t checked_budget(int64_t budget) {
     check_length(budget, "budget");
     return budget == 0 ? default_budget : budget;
-}
-
-using Range = std::array<Interval, max_axes>;
-
-// The box that is searched: that of the caller, which has to be one, or null.
-const Interval *checked_range(const Spline &spline, const double *range, Range &box) {
-    if (range == nullptr) {
-        return nullptr;
-    }
-    for (int k = 0; k < spline.axes(); ++k) {
-        Interval &part = box[static_cast<size_t>(k)];
-        part = {range[2 * k], range[2 * k + 1]};
-        check_place(part.lower, spline.axis(k).domain(), "range", k);
-        check_place(part.upper, spline.axis(k).domain(), "range", k);
-        if (!(part.lower < part.upper)) {
-            fail(NURBS_ERROR_EMPTY_DOMAIN, "range[%d] = [%s, %s] is empty", k, Number(part.lower).text,
-                 Number(part.upper).text);
-        }
-    }
-    return box.data();
 }
 
 bool check_flag(uint32_t flags) {
@@ -56,6 +37,16 @@ void check_finite(const char *name, const ConstRecords &points) {
                 fail(NURBS_ERROR_POINT_NOT_FINITE, "%s[%lld][%lld] = %s, expected a number", name,
                      static_cast<long long>(i), static_cast<long long>(c), Number(points(i, c)).text);
             }
+        }
+    }
+}
+
+void check_guesses(const Spline &spline, const ConstRecords &guesses) {
+    for (int64_t i = 0; i < guesses.count; ++i) {
+        for (int k = 0; k < spline.axes(); ++k) {
+            char name[48];
+            std::snprintf(name, sizeof name, "guesses[%lld]", static_cast<long long>(i));
+            check_place(guesses(i, k), spline.axis(k).domain(), name, k);
         }
     }
 }
@@ -150,8 +141,8 @@ void check_curve_in_plane(const Spline &spline) {
 void extremal_points(const PointBatch &batch, const double *range, double tolerance, int64_t budget,
                      bool farthest, const FeetArrays &arrays) {
     check_tolerance(tolerance);
-    Range box;
-    const Query query{nullptr, checked_range(batch.spline, range, box), tolerance, checked_budget(budget),
+    const Part part = checked_part(batch.spline, range);
+    const Query query{nullptr, range == nullptr ? nullptr : part.data(), tolerance, checked_budget(budget),
                       farthest};
     const FeetOutputs &out = arrays.checked(memory("range", range, 2 * int64_t{batch.spline.axes()}));
     batch.admit();
@@ -210,11 +201,7 @@ nurbs_status nurbs_closest_local(const nurbs *g, int64_t n, const double *points
         arrays.distances(distances, distance_stride);
         arrays.status(status);
         const FeetOutputs &out = arrays.checked(memory("guesses", guesses, 0), &starts);
-        for (int64_t i = 0; i < n; ++i) {
-            for (int k = 0; k < batch.spline.axes(); ++k) {
-                check_place(starts(i, k), batch.spline.axis(k).domain(), "guesses", k);
-            }
-        }
+        check_guesses(batch.spline, starts);
         batch.admit();
         closest_local(batch.spline, batch.points, starts, out);
     });
