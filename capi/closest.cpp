@@ -8,6 +8,7 @@
 #include "query/closest/closest.h"
 #include "query/closest/signed_distance.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -149,6 +150,69 @@ void extremal_points(const PointBatch &batch, const double *range, double tolera
     closest_points(batch.spline, batch.points, query, out);
 }
 
+// A query at one point.
+struct PointQuery {
+    PointQuery(const nurbs *g, const double *point, const double *range_values, double tolerance,
+               int64_t budget)
+        : spline(spline_of(g)), range(range_values) {
+        require(point, "point");
+        part = checked_part(spline, range);
+        check_tolerance(tolerance);
+        query = {point, range == nullptr ? nullptr : part.data(), tolerance, checked_budget(budget)};
+    }
+    [[nodiscard]] const Locator &locator() const { return locator_of(spline); }
+
+    const Spline &spline;
+    const double *range;
+    Part part;
+    Query query{};
+};
+
+struct CriticalOutputs {
+    int64_t cap;
+    double *params;
+    double *distances;
+    int32_t *kinds;
+    int64_t *count;
+    int32_t *status;
+
+    void check(const PointQuery &query) const {
+        check_length(cap, "cap");
+        const int64_t axes = query.spline.axes();
+        const int64_t size = checked_product(cap, axes, "params");
+        check_apart(
+            {memory("params", params, size), memory("distances", distances, cap), memory("kinds", kinds, cap),
+             memory("count", count, 1), memory("status", status, 1)},
+            {memory("point", query.query.point, query.spline.dim()), memory("range", query.range, 2 * axes)});
+        check_finite("point", {query.query.point, 1, query.spline.dim(), query.spline.dim(), 1});
+    }
+    void write(const Spline &spline, const CriticalSet &found) const {
+        const auto n = static_cast<int64_t>(found.points.size());
+        if (cap != 0 && cap < n) {
+            fail(NURBS_ERROR_SIZE, "cap = %lld, expected 0 or at least %lld", static_cast<long long>(cap),
+                 static_cast<long long>(n));
+        }
+        for (int64_t i = 0; i < std::min(cap, n); ++i) {
+            const CriticalPoint &one = found.points[static_cast<size_t>(i)];
+            if (params != nullptr) {
+                std::copy_n(one.foot.params.data(), spline.axes(), params + i * spline.axes());
+            }
+            if (distances != nullptr) {
+                distances[i] = one.foot.distance;
+            }
+            if (kinds != nullptr) {
+                kinds[i] = one.kind;
+            }
+        }
+        if (count != nullptr) {
+            *count = n;
+        }
+        if (status != nullptr) {
+            *status = found.status;
+        }
+    }
+};
+
 } // namespace
 
 nurbs_status nurbs_closest_points(const nurbs *g, int64_t n, const double *points, int64_t point_stride,
@@ -204,6 +268,28 @@ nurbs_status nurbs_closest_local(const nurbs *g, int64_t n, const double *points
         check_guesses(batch.spline, starts);
         batch.admit();
         closest_local(batch.spline, batch.points, starts, out);
+    });
+}
+
+nurbs_status nurbs_closest_all(const nurbs *g, const double *point, const double *range, double tolerance,
+                               int64_t budget, int64_t cap, double *params, double *distances, int64_t *count,
+                               int32_t *status) {
+    return guard([&] {
+        const PointQuery query(g, point, range, tolerance, budget);
+        const CriticalOutputs out{cap, params, distances, nullptr, count, status};
+        out.check(query);
+        out.write(query.spline, query.locator().minima(query.query));
+    });
+}
+
+nurbs_status nurbs_critical_points(const nurbs *g, const double *point, const double *range, double tolerance,
+                                   int64_t budget, int64_t cap, double *params, double *distances,
+                                   int32_t *kinds, int64_t *count, int32_t *status) {
+    return guard([&] {
+        const PointQuery query(g, point, range, tolerance, budget);
+        const CriticalOutputs out{cap, params, distances, kinds, count, status};
+        out.check(query);
+        out.write(query.spline, query.locator().critical(query.query));
     });
 }
 

@@ -152,8 +152,9 @@ HomogeneousPiece PieceMaker::piece(int64_t index) const {
     const Spline sub = sub_spline(spans);
     const bool homogeneous = sub.form() == Form::homogeneous;
     const bool weighted = weighted_ || homogeneous;
+    piece.centre = centre_of(sub);
     const CentredRecords records =
-        centred_records(sub, centre_of(sub), weighted, weighted ? weight_exponent(sub) : 0);
+        centred_records(sub, piece.centre, weighted, weighted ? weight_exponent(sub) : 0);
     const BernsteinNet net(sub, records, ends, degrees);
     piece.positive = net.positive();
 

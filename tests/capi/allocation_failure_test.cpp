@@ -405,6 +405,31 @@ const Case cases[] = {
      [](Inputs &in, Output &) {
          return nurbs_extreme_point(in.curve, params, nullptr, 1e-6, in.values, in.values + 1, in.values + 2);
      }},
+    {"closest_points",
+     [](Inputs &in, Output &) {
+         return nurbs_closest_points(in.curve, 1, params, 0, 0, nullptr, 0, 0, in.values, 0, 0, in.values + 1, 0, 0,
+                                     nullptr, 0, in.states, 0);
+     }},
+    {"closest_local",
+     [](Inputs &in, Output &) {
+         return nurbs_closest_local(in.curve, 1, params, 0, 0, params, 0, 0, in.values, 0, 0, nullptr, 0, 0,
+                                    nullptr, 0, nullptr, 0);
+     }},
+    {"curve_signed_distances",
+     [](Inputs &in, Output &) {
+         return nurbs_curve_signed_distances(in.curve, 1, params, 0, 0, 0, 0, in.values, 0, nullptr, 0, nullptr, 0);
+     }},
+    {"closest_all",
+     [](Inputs &in, Output &) {
+         return nurbs_closest_all(in.curve, params, nullptr, 0, 0, 8, in.values, nullptr, nullptr, nullptr);
+     },
+     true},
+    {"critical_points",
+     [](Inputs &in, Output &) {
+         return nurbs_critical_points(in.curve, params, nullptr, 0, 0, 8, in.values, nullptr, nullptr, nullptr,
+                                      nullptr);
+     },
+     true},
     {"recognize curve",
      [](Inputs &in, Output &) {
          return nurbs_recognize(in.curve, 1e-9, in.states, in.values, in.values + 9, in.values + 11);

@@ -242,6 +242,51 @@ static void sides(void) {
     nurbs_destroy(space);
 }
 
+static void lists_of_points(void) {
+    static const double point[] = {2, 1}, range[] = {0.75, 1}, empty[] = {1, 1};
+    const double no_number[] = {2, NAN};
+    nurbs *g = segment();
+    int32_t kinds[4], status = -1;
+    int64_t count = -1;
+    CHECK_OK(nurbs_critical_points(g, point, NULL, 0, 0, 4, params, distances, kinds, &count, &status));
+    CHECK_INT(count, 3);
+    CHECK_DOUBLES(params, ((const double[]){0, 0.5, 1}), 3);
+    CHECK_NEAR(distances, ((const double[]){2.2360679774997898, 1, 2.2360679774997898}), 3, 1e-15);
+    CHECK_INT(kinds[0], NURBS_CRITICAL_MAXIMUM);
+    CHECK_INT(kinds[1], NURBS_CRITICAL_MINIMUM);
+    CHECK_INT(kinds[2], NURBS_CRITICAL_MAXIMUM);
+    CHECK_INT(status, NURBS_CLOSEST_CERTIFIED);
+    CHECK_OK(nurbs_critical_points(g, point, range, 0, 0, 0, NULL, NULL, NULL, &count, NULL));
+    CHECK_INT(count, 2);
+    CHECK_OK(nurbs_closest_all(g, point, NULL, 0, 0, 1, params, NULL, &count, &status));
+    CHECK_INT(count, 1);
+    CHECK_DOUBLE(params[0], 0.5);
+    CHECK_INT(status, NURBS_CLOSEST_CERTIFIED);
+    CHECK_OK(nurbs_closest_all(g, point, NULL, 0, 0, 0, NULL, NULL, NULL, NULL));
+
+    FILL(params);
+    CHECK_FAILS(nurbs_critical_points(g, point, NULL, 0, 0, 2, params, NULL, NULL, NULL, NULL),
+                NURBS_ERROR_SIZE, "cap = 2|3");
+    CHECK_FAILS(nurbs_critical_points(g, point, NULL, 0, 0, -1, params, NULL, NULL, NULL, NULL),
+                NURBS_ERROR_COUNT, "cap|-1");
+    CHECK_FAILS(nurbs_critical_points(g, NULL, NULL, 0, 0, 4, params, NULL, NULL, NULL, NULL),
+                NURBS_ERROR_NULL, "point");
+    CHECK_FAILS(nurbs_critical_points(NULL, point, NULL, 0, 0, 4, params, NULL, NULL, NULL, NULL),
+                NURBS_ERROR_NULL, "g");
+    CHECK_FAILS(nurbs_critical_points(g, no_number, NULL, 0, 0, 4, params, NULL, NULL, NULL, NULL),
+                NURBS_ERROR_POINT_NOT_FINITE, "point|nan");
+    CHECK_FAILS(nurbs_critical_points(g, point, empty, 0, 0, 4, params, NULL, NULL, NULL, NULL),
+                NURBS_ERROR_EMPTY_DOMAIN, "range");
+    CHECK_FAILS(nurbs_critical_points(g, point, NULL, 0, 0, 4, params, params, NULL, NULL, NULL),
+                NURBS_ERROR_OVERLAP, "params|distances");
+    CHECK_FAILS(nurbs_closest_all(g, point, NULL, -1, 0, 4, params, NULL, NULL, NULL), NURBS_ERROR_TOLERANCE,
+                "tolerance");
+    CHECK_FAILS(nurbs_closest_all(g, point, NULL, 0, -5, 4, params, NULL, NULL, NULL), NURBS_ERROR_COUNT,
+                "budget|-5");
+    CHECK_UNTOUCHED(params);
+    nurbs_destroy(g);
+}
+
 int main(void) {
     known_answers();
     ranges_and_strides();
@@ -250,5 +295,6 @@ int main(void) {
     bad_input();
     local_minima();
     sides();
+    lists_of_points();
     return check_summary("closest_curve_test");
 }

@@ -24,6 +24,10 @@ public:
     [[nodiscard]] virtual Foot nearest(const Query &query) const = 0;
     // The local minimum that a descent from a guess in the domain comes to.
     [[nodiscard]] virtual Foot local(const double *point, const double *guess) const = 0;
+    // All critical points of the distance, query.tolerance being how near to each other they are told apart.
+    [[nodiscard]] virtual CriticalSet critical(const Query &query) const = 0;
+    // The minima that are farther than the nearest point by at most query.tolerance.
+    [[nodiscard]] virtual CriticalSet minima(const Query &query) const = 0;
 };
 
 // Built at the first use.
