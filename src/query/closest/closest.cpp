@@ -3,6 +3,7 @@
 #include "base/norm.h"
 #include "eval/evaluate.h"
 #include "query/closest/curve_locator.h"
+#include "query/closest/patch_locator.h"
 
 #include <cmath>
 #include <limits>
@@ -18,7 +19,7 @@ std::shared_ptr<const Locator> make_locator(const Spline &spline) {
     if (spline.axes() == 1) {
         return std::make_shared<CurveLocator>(spline);
     }
-    fail(NURBS_ERROR_AXES, "g has %d axes", spline.axes());
+    return std::make_shared<PatchLocator>(spline);
 }
 
 // Copies a record; whether it is finite.
