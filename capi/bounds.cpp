@@ -15,21 +15,6 @@ using namespace nrb::capi;
 
 namespace {
 
-// Finite and not zero.
-void check_direction(const double *direction, int dim) {
-    require(direction, "direction");
-    bool zero = true;
-    for (int c = 0; c < dim; ++c) {
-        zero = zero && direction[c] == 0;
-        if (!std::isfinite(direction[c])) {
-            fail(NURBS_ERROR_DIRECTION, "direction[%d] = %s is not finite", c, Number(direction[c]).text);
-        }
-    }
-    if (zero) {
-        fail(NURBS_ERROR_DIRECTION, "direction is zero");
-    }
-}
-
 void check_surface_in_space(const Spline &spline) {
     if (spline.axes() != 2) {
         fail(NURBS_ERROR_AXES, "g has %d axes, expected a surface", spline.axes());
@@ -129,7 +114,8 @@ nurbs_status nurbs_extreme_point(const nurbs *g, const double *direction, const 
                                  double tolerance, double *params, double *value, double *bound) {
     return guard([&] {
         const Spline &spline = spline_of(g);
-        check_direction(direction, spline.dim());
+        require(direction, "direction");
+        check_direction(direction, spline.dim(), "direction");
         const Part part = checked_part(spline, range);
         check_tolerance(tolerance);
         const int64_t axes = spline.axes();

@@ -1,9 +1,11 @@
-// A part of the domain as an argument.
+// A part of the domain, and a direction, as arguments.
 #pragma once
 
 #include "checks.h"
 
 #include "bounds/spline_pieces.h"
+
+#include <cmath>
 
 namespace nrb::capi {
 
@@ -21,6 +23,20 @@ inline Part checked_part(const Spline &spline, const double *range) {
         part[static_cast<size_t>(k)] = {lower, upper};
     }
     return part;
+}
+
+// Finite and not zero, else NURBS_ERROR_DIRECTION.
+inline void check_direction(const double *direction, int dim, const char *name) {
+    bool zero = true;
+    for (int c = 0; c < dim; ++c) {
+        zero = zero && direction[c] == 0;
+        if (!std::isfinite(direction[c])) {
+            fail(NURBS_ERROR_DIRECTION, "%s[%d] = %s is not finite", name, c, Number(direction[c]).text);
+        }
+    }
+    if (zero) {
+        fail(NURBS_ERROR_DIRECTION, "%s is zero", name);
+    }
 }
 
 } // namespace nrb::capi

@@ -1,7 +1,6 @@
 #include "bounds/cone.h"
 
 #include "base/norm.h"
-#include "bounds/box.h"
 #include "bounds/derivative_pieces.h"
 
 #include <algorithm>
@@ -222,6 +221,9 @@ std::vector<Vector> directions(int64_t pieces, const Numerators &source) {
     return units;
 }
 
+// Where derivatives vanish along lines inside pieces no number of halvings is enough.
+constexpr int most_cone_halvings = 2000;
+
 Cone cone_of(int64_t pieces, int dim, const Numerators &source, double tolerance) {
     Vector direction = middle_direction(directions(pieces, source));
     if (direction.empty()) {
@@ -234,7 +236,7 @@ Cone cone_of(int64_t pieces, int dim, const Numerators &source, double tolerance
     for (int64_t e = 0; e < pieces; ++e) {
         uppers.push_back(problem.upper(source(e)));
     }
-    const Enclosure found = BranchAndBound(problem, uppers, 0).run(most_halvings);
+    const Enclosure found = BranchAndBound(problem, uppers, 0).run(most_cone_halvings);
     return {direction, std::min(pi, found.upper)};
 }
 

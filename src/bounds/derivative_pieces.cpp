@@ -1,6 +1,6 @@
 #include "bounds/derivative_pieces.h"
 
-#include "base/finite.h"
+#include "base/representable.h"
 #include "refine/weights.h"
 
 #include <algorithm>
@@ -73,6 +73,16 @@ RoundedPolynomial wedge(const Jet1 &a, const Jet1 &p, const Jet1 &q, const Jet1 
 
 RoundedPolynomial with_sign(const HomogeneousPiece &piece, RoundedPolynomial numerator) {
     return piece.positive ? std::move(numerator) : numerator * piece.weight;
+}
+
+// (A, w) and (-A, -w) are the same piece.
+void make_positive(HomogeneousPiece &piece) {
+    const int sign = certain_sign(piece.weight);
+    if (sign < 0) {
+        piece.points = scaled(std::move(piece.points), -1);
+        piece.weight = scaled(std::move(piece.weight), -1);
+    }
+    piece.positive = sign != 0;
 }
 
 double scaled_size(double x, int exponent) noexcept {
@@ -176,8 +186,12 @@ HomogeneousPiece PieceMaker::piece(int64_t index) const {
         points.values[i] = scaled_size(points.values[i], piece.exponent);
     }
     points.steps = weight.steps = net.error() / eps;
+    require_representable(points.values, "Bernstein coefficients");
+    require_representable(points.sizes, "Bernstein coefficients");
     if (!weighted) {
         weight = constant(1);
+    } else if (!piece.positive) {
+        make_positive(piece);
     }
     return piece;
 }

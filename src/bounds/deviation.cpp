@@ -234,10 +234,11 @@ std::vector<double> DeviationPieces::uppers() const {
                                          int64_t i, QuotientPiece &out) mutable { difference.fill(i, out); });
 }
 
-Enclosure DeviationPieces::enclosure(std::span<const double> uppers) const {
-    return largest_quotient(uppers, [difference = Difference(f_, g_)](int64_t i, QuotientPiece &out) mutable {
+Enclosure DeviationPieces::enclosure(std::span<const double> uppers, const SearchLimits &limits) const {
+    const PieceSource source = [difference = Difference(f_, g_)](int64_t i, QuotientPiece &out) mutable {
         difference.fill(i, out);
-    });
+    };
+    return largest_quotient(uppers, source, limits);
 }
 
 Enclosure deviation(const Spline &f, const Spline &g) {

@@ -179,7 +179,7 @@ public:
         }
     }
     [[nodiscard]] bool reached(double lower, double upper, double noise) const noexcept {
-        return upper - lower <= gap_ + 4 * noise;
+        return std::isfinite(upper - lower) && upper - lower <= gap_ + 4 * noise;
     }
     [[nodiscard]] static double upper(const Piece &piece) noexcept;
     [[nodiscard]] const LargestValue &best() const noexcept { return best_; }

@@ -49,7 +49,10 @@ std::vector<double> breaks_in(const KnotVector &axis, Interval part) {
 }
 
 SplinePieces::SplinePieces(const Spline &spline, const Part &part)
-    : axes_(spline.axes()), centre_(centre_of(spline)), breaks_(breaks_of_part(spline, part)),
+    : SplinePieces(spline, part, centre_of(spline)) {}
+
+SplinePieces::SplinePieces(const Spline &spline, const Part &part, std::vector<double> centre)
+    : axes_(spline.axes()), centre_(std::move(centre)), breaks_(breaks_of_part(spline, part)),
       net_(spline, centred_records(spline, centre_, spline.rational(), weight_exponent(spline)), breaks_,
            degrees_of(spline)) {
     coordinates_.resize(static_cast<size_t>(net_.shape().coefficients()) * centre_.size());

@@ -18,6 +18,8 @@ std::vector<double> breaks_in(const KnotVector &axis, Interval part);
 class SplinePieces {
 public:
     SplinePieces(const Spline &spline, const Part &part);
+    // About another centre.
+    SplinePieces(const Spline &spline, const Part &part, std::vector<double> centre);
 
     [[nodiscard]] int64_t count() const noexcept { return net_.pieces(); }
     [[nodiscard]] const std::vector<double> &centre() const noexcept { return centre_; }
