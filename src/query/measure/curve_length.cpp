@@ -255,6 +255,12 @@ Integral integrate(const SpeedPieces &pieces, double relative_tolerance, std::ve
     return result;
 }
 
+double rule_length(const SpeedForm &form, const double *net, int level) noexcept {
+    alignas(64) std::array<double, rule_capacity> values;
+    speeds(form, net, 0, rule_size(level), values.data());
+    return weighted_sum(level, values.data());
+}
+
 Integral scaled_result(Integral integral, int exponent, double relative_tolerance, const char *what) {
     const double value = std::ldexp(integral.value, exponent), error = std::ldexp(integral.error, exponent);
     if (std::isfinite(integral.value) && !std::isfinite(value)) {

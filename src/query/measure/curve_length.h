@@ -59,6 +59,9 @@ struct LengthLeaf {
 Integral integrate(const SpeedPieces &pieces, double relative_tolerance,
                    std::vector<LengthLeaf> *leaves = nullptr, std::vector<double> *nets = nullptr);
 
+// The integral of the speed of one net by the rule of a level >= 2.
+double rule_length(const SpeedForm &form, const double *net, int level) noexcept;
+
 // Throws NURBS_ERROR_NOT_CONVERGED, _NOT_REPRESENTABLE.
 Integral curve_length(const Spline &curve, Interval range, double relative_tolerance);
 

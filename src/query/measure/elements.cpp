@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace nrb {
@@ -18,25 +19,26 @@ bool placed(const Spline &spline, int64_t i) noexcept {
 } // namespace
 
 ModelFrame model_frame(const Spline *const *splines, int64_t count) {
-    ModelFrame frame;
-    double extent = 0;
+    const auto dim = static_cast<size_t>(splines[0]->dim());
+    std::vector<double> lower(dim, std::numeric_limits<double>::infinity()), upper(dim, -lower[0]);
     for (int64_t s = 0; s < count; ++s) {
         const Spline &spline = *splines[s];
         for (int64_t i = 0; i < spline.point_count(); ++i) {
-            if (!placed(spline, i)) {
-                continue;
-            }
-            for (int c = 0; c < spline.dim(); ++c) {
-                const double x = spline.coordinate(i, c);
-                if (std::ssize(frame.centre) <= c) {
-                    frame.centre.push_back(x);
-                }
-                const double away = std::abs(x / 4 - frame.centre[static_cast<size_t>(c)] / 4);
-                extent = away < extent ? extent : away;
+            for (size_t c = 0; c < dim && placed(spline, i); ++c) {
+                const double x = spline.coordinate(i, static_cast<int>(c));
+                lower[c] = std::min(lower[c], x);
+                upper[c] = std::max(upper[c], x);
             }
         }
     }
-    frame.exponent = extent > 0 && std::isfinite(extent) ? std::max(std::ilogb(extent) + 3, -1000) : 0;
+    ModelFrame frame;
+    double extent = 0; // half of it
+    for (size_t c = 0; c < dim; ++c) {
+        const bool any = std::isfinite(lower[c]) && std::isfinite(upper[c]);
+        frame.centre.push_back(any ? lower[c] / 2 + upper[c] / 2 : 0);
+        extent = std::max(extent, any ? upper[c] / 2 - lower[c] / 2 : 0);
+    }
+    frame.exponent = extent > 0 ? std::max(std::ilogb(extent) + 1, -1000) : 0;
     return frame;
 }
 
