@@ -43,7 +43,7 @@ public:
     [[nodiscard]] double difference() const noexcept { return std::abs(sums_[2] - sums_[1]); }
     [[nodiscard]] int level() const noexcept { return level_; }
     [[nodiscard]] double error() const noexcept {
-        return difference() <= 8 * eps * value() ? 0 : extrapolated_error(sums_[0], sums_[1], sums_[2]);
+        return extrapolated_error(sums_[0], sums_[1], sums_[2], value());
     }
 
     // Climbs as long as the next level but one is likely to be good enough; false if none is.

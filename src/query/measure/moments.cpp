@@ -52,6 +52,10 @@ public:
         return 1 + (order_ >= MomentOrder::centroid ? dim_ : 0) +
                (order_ == MomentOrder::inertia ? dim_ * (dim_ + 1) / 2 : 0);
     }
+    [[nodiscard]] bool absolute() const noexcept override { return axes_ == dim_; }
+    [[nodiscard]] int degree(int places) const noexcept override {
+        return axes_ == dim_ ? (dim_ + static_cast<int>(order_)) * places : -1;
+    }
     void operator()(const double *x, const double *derivatives, double *out) const noexcept override {
         const double f = density(x, derivatives);
         *out++ = f;
@@ -67,22 +71,20 @@ public:
 
 protected:
     [[nodiscard]] virtual double density(const double *, const double *d) const noexcept {
-        switch (axes_) {
-        case 1: {
-            double square = 0;
-            for (int c = 0; c < dim_; ++c) {
-                square += d[c] * d[c];
-            }
-            return std::sqrt(square);
+        if (axes_ == dim_) { // a polynomial, whose sign is left to absolute()
+            return axes_ == 1 ? d[0] : axes_ == 2 ? d[0] * d[3] - d[1] * d[2] : determinant(d, d + 3, d + 6);
         }
-        case 2:
+        if (axes_ == 2) {
             return parallelogram(d, d + dim_, dim_);
-        default:
-            return std::abs(determinant(d, d + 3, d + 6));
         }
+        double square = 0;
+        for (int c = 0; c < dim_; ++c) {
+            square += d[c] * d[c];
+        }
+        return std::sqrt(square);
     }
-    [[nodiscard]] int axes() const noexcept { return axes_; }
     [[nodiscard]] int dim() const noexcept { return dim_; }
+    [[nodiscard]] MomentOrder order() const noexcept { return order_; }
 
 private:
     int axes_, dim_;
@@ -94,6 +96,10 @@ class BoundaryIntegrand : public MomentIntegrand {
 public:
     using MomentIntegrand::MomentIntegrand;
 
+    [[nodiscard]] bool absolute() const noexcept override { return false; }
+    [[nodiscard]] int degree(int places) const noexcept override {
+        return (dim() + static_cast<int>(order())) * places;
+    }
     [[nodiscard]] int independent() const noexcept override { return dim() == 3 ? 3 : 0; }
     [[nodiscard]] int values() const noexcept override { return MomentIntegrand::values() + independent(); }
     void operator()(const double *x, const double *d, double *out) const noexcept override {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace nrb {
 
@@ -192,9 +193,16 @@ void rule_basis_derivatives(int degree, double *derivatives) noexcept {
     }
 }
 
-double extrapolated_error(double first, double second, double third) noexcept {
+double extrapolated_error(double first, double second, double third, double magnitude) noexcept {
+    constexpr double safety = 100; // the ratio seen may be better than those to come
+    constexpr double noise = 8 * std::numeric_limits<double>::epsilon();
     const double before = std::abs(second - first), last = std::abs(third - second);
-    return last < before ? last * (last / before) : last;
+    const double ratio = magnitude > 0 ? before / magnitude : 0;
+    const double expected = ratio * ratio * ratio * before;
+    if (last <= noise * magnitude) {
+        return expected;
+    }
+    return std::max(safety * last < before ? last * (safety * last / before) : last, expected);
 }
 
 } // namespace nrb

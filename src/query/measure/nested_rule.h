@@ -14,6 +14,10 @@ constexpr int rule_size(int level) noexcept {
     return 4 << level;
 }
 
+constexpr int rule_exactness(int level) noexcept {
+    return level == 0 ? 5 : (12 << (level - 1)) - 1;
+}
+
 // The nodes in [0, 1], and how far they are from 1.
 const double *rule_places() noexcept;
 const double *rule_rests() noexcept;
@@ -25,9 +29,11 @@ const double *rule_weights(int level) noexcept;
 void rule_basis(int degree, double *values) noexcept;                  // [degree + 1][rule_capacity]
 void rule_basis_derivatives(int degree, double *derivatives) noexcept; // [degree + 1][rule_capacity]
 
-// What three rules of consecutive levels say about the error of the last: their differences fall like rho^-12l
-// where the integrand is analytic, like a power of the level where it is not. One more step of the ratio seen
-// is above the first and close to the second.
-double extrapolated_error(double first, double second, double third) noexcept;
+// What three rules of consecutive levels say about the error of the last. Where the integrand is analytic the
+// errors are squared from level to level: the second difference is about the square of the first, and the error
+// their fourth power, relative to the integral of the magnitude. Elsewhere they fall by a ratio. One more step of
+// the ratio seen is above the former and close to the latter; a second difference that is small by accident
+// does not count for more than the first one promises.
+double extrapolated_error(double first, double second, double third, double magnitude) noexcept;
 
 } // namespace nrb

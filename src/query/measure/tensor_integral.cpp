@@ -16,7 +16,7 @@ constexpr int most_halvings = 200;
 
 // By the number of axes: the level to begin with, the highest one, and how many elements may be made.
 constexpr std::array<int, max_axes> first_levels = {2, 2, 1}, last_levels = {4, 3, 2};
-constexpr std::array<int64_t, max_axes> least_budgets = {20000, 10000, 2000};
+constexpr std::array<int64_t, max_axes> least_budgets = {20000, 10000, 8000};
 constexpr int64_t budget_for_an_element = 32;
 
 // What is known of the whole before the parts are integrated.

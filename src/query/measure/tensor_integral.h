@@ -15,6 +15,10 @@ public:
     virtual ~Integrand() = default;
     [[nodiscard]] virtual int values() const noexcept = 0;
     [[nodiscard]] virtual int independent() const noexcept { return 0; }
+    // Whether all values change their sign where the first one is negative, so that its magnitude counts.
+    [[nodiscard]] virtual bool absolute() const noexcept { return false; }
+    // The degree, before signs are changed, along an axis along which the places have this degree, if it is a polynomial, else -1.
+    [[nodiscard]] virtual int degree(int places) const noexcept = 0;
     // `place` [dim] in the frame of the model, `derivatives` [axes][dim] with respect to coordinates in [0, 1] of
     // the element.
     virtual void operator()(const double *place, const double *derivatives, double *out) const noexcept = 0;

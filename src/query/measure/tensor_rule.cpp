@@ -2,14 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace nrb {
 
 namespace {
-
-constexpr double eps = std::numeric_limits<double>::epsilon();
 
 // The middle alone is the rule below the first level.
 double weight(int level, int node) noexcept {
@@ -83,6 +80,12 @@ void TensorRule::visit_node(int64_t node, const std::vector<double> &origin) {
         }
     }
     integrand_(place_.data(), first_.data(), out_.data());
+    const bool change = integrand_.absolute() && out_[0] < 0;
+    negative_ = negative_ || change;
+    positive_ = positive_ || !change;
+    if (change) {
+        std::for_each(out_.begin(), out_.end(), [](double &x) { x = -x; });
+    }
 }
 
 void TensorRule::add(const std::array<int, max_axes> &at, const Levels &levels) {
@@ -107,6 +110,7 @@ void TensorRule::add(const std::array<int, max_axes> &at, const Levels &levels) 
 }
 
 void TensorRule::evaluate(const double *net, const std::vector<double> &origin, const Levels &levels) {
+    positive_ = negative_ = false;
     expand(net, levels);
     std::fill(sums_.begin(), sums_.end(), 0.0);
     std::fill(magnitudes_.begin(), magnitudes_.end(), 0.0);
@@ -128,17 +132,25 @@ void TensorRule::evaluate(const double *net, const std::vector<double> &origin, 
             }
         }
     }
+    for (size_t k = 0; k < static_cast<size_t>(axes_); ++k) {
+        const int degree = rational_ ? -1 : integrand_.degree(degrees_[k]);
+        const bool one_sign = !integrand_.absolute() || !positive_ || !negative_;
+        exact_[k] = one_sign && degree >= 0 && degree <= rule_exactness(levels[k]);
+    }
 }
 
 double TensorRule::difference(int axis, int j) const noexcept {
+    if (exact_[static_cast<size_t>(axis)]) {
+        return 0;
+    }
     return std::abs(value(j) - lower(axis, 1, j));
 }
 
 double TensorRule::error(int axis, int j) const noexcept {
-    if (difference(axis, j) <= 8 * eps * magnitude(j)) {
+    if (exact_[static_cast<size_t>(axis)]) {
         return 0;
     }
-    return extrapolated_error(lower(axis, 2, j), lower(axis, 1, j), value(j));
+    return extrapolated_error(lower(axis, 2, j), lower(axis, 1, j), value(j), magnitude(j));
 }
 
 } // namespace nrb

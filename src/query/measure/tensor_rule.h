@@ -19,7 +19,7 @@ public:
 
     [[nodiscard]] double value(int j) const noexcept { return sums_[static_cast<size_t>(j)]; }
     [[nodiscard]] double magnitude(int j) const noexcept { return magnitudes_[static_cast<size_t>(j)]; }
-    // Of the rule along one axis; 0 where only rounding is left.
+    // Of the rule along one axis; 0 for polynomials that it integrates exactly.
     [[nodiscard]] double error(int axis, int j) const noexcept;
     [[nodiscard]] double difference(int axis, int j) const noexcept;
 
@@ -43,6 +43,8 @@ private:
     int64_t node_count_ = 1;
     std::vector<double> place_, first_, out_;
     std::vector<double> sums_, magnitudes_;
+    std::array<bool, max_axes> exact_{};
+    bool positive_ = false, negative_ = false; // values of the first function seen
 };
 
 } // namespace nrb
