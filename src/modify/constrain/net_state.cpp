@@ -200,7 +200,9 @@ std::vector<double> LocalBasis::functions(const Orders &a) const {
 
 std::vector<double> LocalBasis::value(const Orders &a, const std::vector<double> &functions) const {
     const auto dim = static_cast<size_t>(state_.start().dim());
-    const double *const from = state_.point(points_[0]);
+    const auto most = std::max_element(functions.begin(), functions.end(),
+                                       [](double x, double y) { return std::abs(x) < std::abs(y); });
+    const double *const from = state_.point(points_[static_cast<size_t>(most - functions.begin())]);
     std::vector<double> sum(dim, 0.0);
     for (size_t i = 0; i < points_.size(); ++i) {
         const double *const point = state_.point(points_[i]);

@@ -61,7 +61,7 @@ public:
     [[nodiscard]] const std::vector<int64_t> &points() const noexcept { return points_; }
     // R_i^(a) of the active control points; a is at most a derivative of the condition along each axis.
     [[nodiscard]] std::vector<double> functions(const Orders &a) const;
-    // sum R_i^(a) P_i, from differences of control points.
+    // sum R_i^(a) P_i, from differences to the control point that contributes most.
     [[nodiscard]] std::vector<double> value(const Orders &a, const std::vector<double> &functions) const;
     // The same of magnitudes.
     [[nodiscard]] double magnitude(const std::vector<double> &functions) const noexcept;
