@@ -659,6 +659,25 @@ const Case cases[] = {
          static const double corner[] = {0, 1};
          return nurbs_insert_at_point(in.loop, 0, corner, 1, in.spans, in.values, in.values + 1, &o.out);
      }},
+    {"constrain",
+     [](Inputs &in, Output &o) {
+         static const int32_t keep[] = {0, 0};
+         return nurbs_constrain(in.curve, 2, nullptr, nullptr, new_knots, params, keep, nullptr, nullptr, 0, in.values,
+                                in.spans, in.values + 2, in.values + 3, &o.out);
+     }},
+    {"constrain directions",
+     [](Inputs &in, Output &o) {
+         static const int32_t kinds[] = {NURBS_CONSTRAIN_NORMAL, NURBS_CONSTRAIN_VALUE};
+         return nurbs_constrain(in.surface, 2, kinds, nullptr, params, params, nullptr, nullptr, nullptr, 0, in.values,
+                                in.spans, in.values + 2, in.values + 3, &o.out);
+     }},
+    {"constrain curvature",
+     [](Inputs &in, Output &o) {
+         static const int32_t kinds[] = {NURBS_CONSTRAIN_CURVATURE};
+         static const double costs[] = {1, 1, 1, 1, 1, 1, 1, 1, 1}, target[] = {-1, 0.1};
+         return nurbs_constrain(in.curve, 1, kinds, nullptr, params, target, nullptr, nullptr, costs, 1e-9, in.values,
+                                in.spans, in.values + 2, in.values + 3, &o.out);
+     }},
     {"read", [](Inputs &, Output &o) { return nurbs_read(file.bytes, file.size, nullptr, &o.list); }},
     {"read_file", [](Inputs &, Output &o) { return nurbs_read_file(path, nullptr, &o.list); }, true},
     {"list_get", [](Inputs &in, Output &o) { return nurbs_list_get(in.list, 0, &o.out); }},
