@@ -63,7 +63,7 @@ def bare(c_type):
 
 def header_constants(text):
     enumerated = re.findall(r"(NURBS_\w+)\s*=\s*(\d+)", text)
-    defined = re.findall(r"#define (NURBS_[A-Z_]+) (0x[0-9a-fA-F]+|\d+)u?\s", text)
+    defined = re.findall(r"#define (NURBS_[A-Z_]+)[ \\\n]+(0x[0-9a-fA-F]+|\d+)u?\s", text)
     constants = {name: int(value, 0) for name, value in enumerated + defined}
     part = [constants[f"NURBS_VERSION_{which}"] for which in ("MAJOR", "MINOR", "PATCH")]
     return constants | {"NURBS_VERSION": part[0] * 10000 + part[1] * 100 + part[2]}
