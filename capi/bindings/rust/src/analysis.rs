@@ -142,7 +142,8 @@ impl Spline {
         check(unsafe { sys::nurbs_singular_points(g, tolerance, n, p, b, &mut n, &mut complete) })?;
         Ok(SingularPoints { params, boxes, complete: complete != 0 })
     }
-    /// Whether a surface or volume folds over; `reference` `[3]` is the direction that normals are compared with, or empty.
+    /// Whether a surface or volume folds over; `reference` `[3]` is the direction that normals are compared with, or
+    /// empty.
     pub fn fold_test(&self, reference: &[f64]) -> Result<Fold> {
         let (axes, toward) = (self.axes()? as usize, if_given(reference, 3, "reference")?);
         let mut fold = Fold { positive: vec![0.0; axes], negative: vec![0.0; axes], ..Fold::default() };

@@ -40,8 +40,8 @@ impl Spline {
         let (along, part) = (self.vector(direction, "direction")?, self.range(range)?);
         Spline::made(|out| unsafe { sys::nurbs_warp(self.raw(), part, along, distance, order, out) })
     }
-    /// A region flattened to the plane through a point, along a direction or, if that is empty, its normal; and how far a
-    /// control point moved.
+    /// A region flattened to the plane through a point, along a direction or, if that is empty, its normal; and how far
+    /// a control point moved.
     pub fn flatten(
         &self,
         point: &[f64],
@@ -93,8 +93,8 @@ impl Spline {
             Spline::made(|out| unsafe { sys::nurbs_fair(g, order, stay, tolerance, e, &mut bound, out) })?;
         Ok(Faired { spline, energies, bound })
     }
-    /// A boundary (axis, `NURBS_START` or `NURBS_END`) moved onto one of another spline, with order 1 tangents too; flags:
-    /// 0 or `NURBS_REVERSED`.
+    /// A boundary (axis, `NURBS_START` or `NURBS_END`) moved onto one of another spline, with order 1 tangents too;
+    /// flags: 0 or `NURBS_REVERSED`.
     pub fn snap_boundary(
         &self,
         boundary: (i32, i32),
