@@ -1,0 +1,211 @@
+// Closest and farthest points.
+#include "checks.h"
+#include "guard.h"
+
+#include "base/checked.h"
+#include "base/tolerance.h"
+#include "query/closest/closest.h"
+
+#include <array>
+#include <cmath>
+
+using namespace nrb;
+using namespace nrb::capi;
+
+namespace {
+
+constexpr int64_t default_budget = 20000;
+
+int64_t checked_budget(int64_t budget) {
+    check_length(budget, "budget");
+    return budget == 0 ? default_budget : budget;
+}
+
+using Range = std::array<Interval, max_axes>;
+
+// The box that is searched: that of the caller, which has to be one, or null.
+const Interval *checked_range(const Spline &spline, const double *range, Range &box) {
+    if (range == nullptr) {
+        return nullptr;
+    }
+    for (int k = 0; k < spline.axes(); ++k) {
+        Interval &part = box[static_cast<size_t>(k)];
+        part = {range[2 * k], range[2 * k + 1]};
+        check_place(part.lower, spline.axis(k).domain(), "range", k);
+        check_place(part.upper, spline.axis(k).domain(), "range", k);
+        if (!(part.lower < part.upper)) {
+            fail(NURBS_ERROR_EMPTY_DOMAIN, "range[%d] = [%s, %s] is empty", k, Number(part.lower).text,
+                 Number(part.upper).text);
+        }
+    }
+    return box.data();
+}
+
+bool check_flag(uint32_t flags) {
+    if ((flags & ~NURBS_NAN_POINTS) != 0) {
+        fail(NURBS_ERROR_FLAGS, "flags = 0x%08x, expected NURBS_NAN_POINTS or 0", flags);
+    }
+    return flags != 0;
+}
+
+void check_finite(const char *name, const ConstRecords &points) {
+    for (int64_t i = 0; i < points.count; ++i) {
+        for (int64_t c = 0; c < points.width; ++c) {
+            if (!std::isfinite(points(i, c))) {
+                fail(NURBS_ERROR_POINT_NOT_FINITE, "%s[%lld][%lld] = %s, expected a number", name,
+                     static_cast<long long>(i), static_cast<long long>(c), Number(points(i, c)).text);
+            }
+        }
+    }
+}
+
+// The arguments that all batches share.
+struct PointBatch {
+    const Spline &spline;
+    ConstRecords points;
+    bool admit_nan;
+
+    void admit() const {
+        if (!admit_nan) {
+            check_finite("points", points);
+        }
+    }
+};
+
+PointBatch point_batch(const nurbs *g, int64_t n, const double *points, int64_t stride,
+                       int64_t component_stride, uint32_t flags) {
+    const Spline &spline = spline_of(g);
+    const bool admit_nan = check_flag(flags);
+    check_length(n, "n");
+    return {spline, input("points", points, n, spline.dim(), stride, component_stride), admit_nan};
+}
+
+// The caller's arrays, of which those that are NULL are not wanted.
+class FeetArrays {
+public:
+    explicit FeetArrays(const PointBatch &batch) noexcept : batch_(batch) {}
+
+    void params(double *data, int64_t stride, int64_t component_stride) {
+        out_.params = optional("params", data, batch_.spline.axes(), stride, component_stride);
+    }
+    void feet(double *data, int64_t stride, int64_t component_stride) {
+        out_.feet = optional("feet", data, batch_.spline.dim(), stride, component_stride);
+    }
+    void distances(double *data, int64_t stride) {
+        out_.distances = optional("distances", data, 1, stride, 0);
+    }
+    void status(int32_t *data) noexcept { out_.status = data; }
+
+    // No output touches another one, the points, or one more input.
+    const FeetOutputs &checked(const Memory &more, const ConstRecords *guesses = nullptr) const {
+        const Named all[] = {{"params", out_.params}, {"feet", out_.feet}, {"distances", out_.distances}};
+        const int64_t status_bytes =
+            out_.status == nullptr ? 0 : batch_.points.count * static_cast<int64_t>(sizeof(int32_t));
+        for (const Named &one : all) {
+            check_overlap(one.name, one.out, "points", batch_.points);
+            check_overlap(one.name, one.out.data, bytes(one.out), more.name, more.data, more.bytes);
+            check_overlap(one.name, one.out.data, bytes(one.out), "status", out_.status, status_bytes);
+            if (guesses != nullptr) {
+                check_overlap(one.name, one.out, "guesses", *guesses);
+            }
+            for (const Named *other = all; other != &one; ++other) {
+                check_overlap(one.name, one.out, other->name, read_only(other->out));
+            }
+        }
+        check_overlap("status", out_.status, status_bytes, "points", batch_.points.data,
+                      bytes(batch_.points));
+        check_overlap("status", out_.status, status_bytes, more.name, more.data, more.bytes);
+        return out_;
+    }
+
+private:
+    struct Named {
+        const char *name;
+        const Records &out;
+    };
+    template <class T>
+    static int64_t bytes(const RecordView<T> &view) noexcept {
+        return view.data == nullptr ? 0 : view.extent() * static_cast<int64_t>(sizeof(double));
+    }
+    Records optional(const char *name, double *data, int64_t width, int64_t stride,
+                     int64_t component_stride) {
+        return data == nullptr ? Records{nullptr, 0, width, width, 1}
+                               : output(name, data, batch_.points.count, width, stride, component_stride);
+    }
+
+    const PointBatch &batch_;
+    FeetOutputs out_;
+};
+
+void extremal_points(const PointBatch &batch, const double *range, double tolerance, int64_t budget,
+                     bool farthest, const FeetArrays &arrays) {
+    check_tolerance(tolerance);
+    Range box;
+    const Query query{nullptr, checked_range(batch.spline, range, box), tolerance, checked_budget(budget),
+                      farthest};
+    const FeetOutputs &out = arrays.checked(memory("range", range, 2 * int64_t{batch.spline.axes()}));
+    batch.admit();
+    closest_points(batch.spline, batch.points, query, out);
+}
+
+} // namespace
+
+nurbs_status nurbs_closest_points(const nurbs *g, int64_t n, const double *points, int64_t point_stride,
+                                  int64_t point_component_stride, const double *range, double tolerance,
+                                  int64_t budget, double *params, int64_t param_stride,
+                                  int64_t param_component_stride, double *feet, int64_t foot_stride,
+                                  int64_t foot_component_stride, double *distances, int64_t distance_stride,
+                                  int32_t *status, uint32_t flags) {
+    return guard([&] {
+        const PointBatch batch = point_batch(g, n, points, point_stride, point_component_stride, flags);
+        FeetArrays arrays(batch);
+        arrays.params(params, param_stride, param_component_stride);
+        arrays.feet(feet, foot_stride, foot_component_stride);
+        arrays.distances(distances, distance_stride);
+        arrays.status(status);
+        extremal_points(batch, range, tolerance, budget, false, arrays);
+    });
+}
+
+nurbs_status nurbs_farthest_points(const nurbs *g, int64_t n, const double *points, int64_t point_stride,
+                                   int64_t point_component_stride, const double *range, double tolerance,
+                                   int64_t budget, double *params, int64_t param_stride,
+                                   int64_t param_component_stride, double *feet, int64_t foot_stride,
+                                   int64_t foot_component_stride, double *distances, int64_t distance_stride,
+                                   int32_t *status, uint32_t flags) {
+    return guard([&] {
+        const PointBatch batch = point_batch(g, n, points, point_stride, point_component_stride, flags);
+        FeetArrays arrays(batch);
+        arrays.params(params, param_stride, param_component_stride);
+        arrays.feet(feet, foot_stride, foot_component_stride);
+        arrays.distances(distances, distance_stride);
+        arrays.status(status);
+        extremal_points(batch, range, tolerance, budget, true, arrays);
+    });
+}
+
+nurbs_status nurbs_closest_local(const nurbs *g, int64_t n, const double *points, int64_t point_stride,
+                                 int64_t point_component_stride, const double *guesses, int64_t guess_stride,
+                                 int64_t guess_component_stride, double *params, int64_t param_stride,
+                                 int64_t param_component_stride, double *feet, int64_t foot_stride,
+                                 int64_t foot_component_stride, double *distances, int64_t distance_stride,
+                                 int32_t *status, uint32_t flags) {
+    return guard([&] {
+        const PointBatch batch = point_batch(g, n, points, point_stride, point_component_stride, flags);
+        const ConstRecords starts =
+            input("guesses", guesses, n, batch.spline.axes(), guess_stride, guess_component_stride);
+        FeetArrays arrays(batch);
+        arrays.params(params, param_stride, param_component_stride);
+        arrays.feet(feet, foot_stride, foot_component_stride);
+        arrays.distances(distances, distance_stride);
+        arrays.status(status);
+        const FeetOutputs &out = arrays.checked(memory("guesses", guesses, 0), &starts);
+        for (int64_t i = 0; i < n; ++i) {
+            for (int k = 0; k < batch.spline.axes(); ++k) {
+                check_place(starts(i, k), batch.spline.axis(k).domain(), "guesses", k);
+            }
+        }
+        batch.admit();
+        closest_local(batch.spline, batch.points, starts, out);
+    });
+}

@@ -1,0 +1,68 @@
+#include "query/closest/curve_locator.h"
+
+#include "query/closest/curve_search.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nrb {
+
+CurveLocator::CurveLocator(const Spline &curve)
+    : tree_(curve), domain_(curve.axis(0).domain()), periodic_(curve.axis(0).periodic()) {}
+
+bool CurveLocator::at_end(double t, const Interval *range) const noexcept {
+    const Interval ends = range != nullptr ? *range : domain_;
+    const bool seam = periodic_ && ends.lower == domain_.lower && ends.upper == domain_.upper;
+    return !seam && (t == ends.lower || t == ends.upper);
+}
+
+double CurveLocator::noise(const double *point) const noexcept {
+    return distance_noise(tree_, point);
+}
+
+Foot CurveLocator::foot_of(const CurvePlace &place, const Interval *range) const noexcept {
+    const Interval leaf = tree_.domain(place.leaf);
+    const bool inside = place.s > 0 && place.s < 1;
+    double t =
+        inside ? leaf.lower + place.s * (leaf.upper - leaf.lower) : (place.s <= 0 ? leaf.lower : leaf.upper);
+    t = std::clamp(t, leaf.lower, leaf.upper);
+    if (range != nullptr) {
+        t = std::clamp(t, range->lower, range->upper);
+    }
+    const bool left = t == leaf.upper && t < domain_.upper && !tree_.joined(place.leaf);
+    return {{t}, std::sqrt(place.square), at_end(t, range) ? NURBS_CLOSEST_BOUNDARY : 0, left ? 1u : 0u};
+}
+
+Foot CurveLocator::nearest(const Query &query) const {
+    const CurveSearchResult found = search(tree_, query);
+    Foot foot = foot_of(found.place, query.range);
+    foot.status |= found.certified ? NURBS_CLOSEST_CERTIFIED : NURBS_CLOSEST_BUDGET;
+    foot.status |= found.unique ? 0 : NURBS_CLOSEST_NOT_UNIQUE;
+    return foot;
+}
+
+// From leaf to leaf as long as the distance falls.
+Foot CurveLocator::local(const double *point, const double *guess) const {
+    constexpr int most_leaves = 100;
+    int64_t leaf = tree_.leaf_at(*guess);
+    Interval part = tree_.domain(leaf);
+    CurvePlace place = descend(tree_, point, leaf, (*guess - part.lower) / (part.upper - part.lower));
+    for (int i = 0; i < most_leaves; ++i) {
+        const bool up = place.s >= 1, down = place.s <= 0;
+        const int64_t next = up ? leaf + 1 : leaf - 1;
+        if (!(up || down) || !tree_.joined(up ? leaf : next)) {
+            return foot_of(place, nullptr);
+        }
+        const CurvePlace further = descend(tree_, point, next, up ? 0 : 1);
+        if (!(further.square < place.square)) {
+            return foot_of(place, nullptr);
+        }
+        leaf = next;
+        place = further;
+    }
+    Foot foot = foot_of(place, nullptr);
+    foot.status |= NURBS_CLOSEST_BUDGET;
+    return foot;
+}
+
+} // namespace nrb

@@ -1,0 +1,30 @@
+// The search of a tree of curve pieces for the point that is nearest to a given one.
+#pragma once
+
+#include "query/closest/curve_tree.h"
+
+namespace nrb {
+
+// A place on a leaf, and the square of its distance.
+struct CurvePlace {
+    int64_t leaf = -1;
+    double s = 0; // of the leaf's interval
+    double square = 0;
+};
+
+struct CurveSearchResult {
+    CurvePlace place;
+    bool certified = false;
+    bool unique = true; // no place elsewhere was seen that is as near
+};
+
+// What double precision leaves open in a distance from a point: half of it in the positions of the leaves, half for
+// what is computed from them.
+double distance_noise(const CurveTree &tree, const double *point) noexcept;
+
+CurveSearchResult search(const CurveTree &tree, const Query &query);
+
+// The place of a local minimum that a descent comes to from s on a leaf.
+CurvePlace descend(const CurveTree &tree, const double *point, int64_t leaf, double s);
+
+} // namespace nrb
