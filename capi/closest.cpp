@@ -5,6 +5,7 @@
 #include "base/checked.h"
 #include "base/tolerance.h"
 #include "query/closest/closest.h"
+#include "query/closest/signed_distance.h"
 
 #include <array>
 #include <cmath>
@@ -137,6 +138,15 @@ private:
     FeetOutputs out_;
 };
 
+void check_curve_in_plane(const Spline &spline) {
+    if (spline.axes() != 1) {
+        fail(NURBS_ERROR_AXES, "g has %d axes, expected a curve", spline.axes());
+    }
+    if (spline.dim() != 2) {
+        fail(NURBS_ERROR_DIMENSION, "g has dimension %d, expected 2", spline.dim());
+    }
+}
+
 void extremal_points(const PointBatch &batch, const double *range, double tolerance, int64_t budget,
                      bool farthest, const FeetArrays &arrays) {
     check_tolerance(tolerance);
@@ -207,5 +217,28 @@ nurbs_status nurbs_closest_local(const nurbs *g, int64_t n, const double *points
         }
         batch.admit();
         closest_local(batch.spline, batch.points, starts, out);
+    });
+}
+
+nurbs_status nurbs_curve_signed_distances(const nurbs *g, int64_t n, const double *points,
+                                          int64_t point_stride, int64_t point_component_stride,
+                                          double tolerance, int64_t budget, double *distances,
+                                          int64_t distance_stride, double *params, int64_t param_stride,
+                                          int32_t *status, uint32_t flags) {
+    return guard([&] {
+        check_curve_in_plane(spline_of(g));
+        const PointBatch batch = point_batch(g, n, points, point_stride, point_component_stride, flags);
+        if (n > 0) {
+            require(distances, "distances");
+        }
+        FeetArrays arrays(batch);
+        arrays.params(params, param_stride, 0);
+        arrays.distances(distances, distance_stride);
+        arrays.status(status);
+        check_tolerance(tolerance);
+        const Query query{nullptr, nullptr, tolerance, checked_budget(budget)};
+        const FeetOutputs &out = arrays.checked(memory("points", points, 0));
+        batch.admit();
+        signed_distances(batch.spline, batch.points, query, out);
     });
 }

@@ -16,10 +16,6 @@ bool CurveLocator::at_end(double t, const Interval *range) const noexcept {
     return !seam && (t == ends.lower || t == ends.upper);
 }
 
-double CurveLocator::noise(const double *point) const noexcept {
-    return distance_noise(tree_, point);
-}
-
 Foot CurveLocator::foot_of(const CurvePlace &place, const Interval *range) const noexcept {
     const Interval leaf = tree_.domain(place.leaf);
     const bool inside = place.s > 0 && place.s < 1;
@@ -30,12 +26,13 @@ Foot CurveLocator::foot_of(const CurvePlace &place, const Interval *range) const
         t = std::clamp(t, range->lower, range->upper);
     }
     const bool left = t == leaf.upper && t < domain_.upper && !tree_.joined(place.leaf);
-    return {{t}, std::sqrt(place.square), at_end(t, range) ? NURBS_CLOSEST_BOUNDARY : 0, left ? 1u : 0u};
+    return {{t}, std::sqrt(place.square), at_end(t, range) ? NURBS_CLOSEST_BOUNDARY : 0, 0, left ? 1u : 0u};
 }
 
 Foot CurveLocator::nearest(const Query &query) const {
     const CurveSearchResult found = search(tree_, query);
     Foot foot = foot_of(found.place, query.range);
+    foot.noise = distance_noise(tree_, query.point);
     foot.status |= found.certified ? NURBS_CLOSEST_CERTIFIED : NURBS_CLOSEST_BUDGET;
     foot.status |= found.unique ? 0 : NURBS_CLOSEST_NOT_UNIQUE;
     return foot;

@@ -10,7 +10,6 @@ class CurveLocator final : public Locator {
 public:
     explicit CurveLocator(const Spline &curve);
 
-    [[nodiscard]] double noise(const double *point) const noexcept override;
     [[nodiscard]] Foot nearest(const Query &query) const override;
     [[nodiscard]] Foot local(const double *point, const double *guess) const override;
 

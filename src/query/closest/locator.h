@@ -20,8 +20,6 @@ public:
     Locator &operator=(const Locator &) = delete;
     virtual ~Locator() = default;
 
-    // What rounding leaves open in a distance from a point.
-    [[nodiscard]] virtual double noise(const double *point) const noexcept = 0;
     // The nearest or farthest point. Distances are those of the Bezier pieces, to rounding those of the spline.
     [[nodiscard]] virtual Foot nearest(const Query &query) const = 0;
     // The local minimum that a descent from a guess in the domain comes to.
