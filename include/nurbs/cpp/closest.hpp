@@ -19,6 +19,7 @@ inline constexpr std::int32_t closest_boundary = NURBS_CLOSEST_BOUNDARY;
 inline constexpr std::int32_t closest_not_unique = NURBS_CLOSEST_NOT_UNIQUE;
 inline constexpr std::int32_t closest_budget = NURBS_CLOSEST_BUDGET;
 inline constexpr std::int32_t closest_invalid = NURBS_CLOSEST_INVALID;
+inline constexpr std::int32_t closest_coarse = NURBS_CLOSEST_COARSE;
 
 /// Kinds of critical points.
 inline constexpr std::int32_t critical_minimum = NURBS_CRITICAL_MINIMUM;
