@@ -73,11 +73,12 @@ public:
         std::vector<double> params(2 * static_cast<size_t>(count));
         std::ranges::generate(params, [this] { return uniform(0, 1); });
         std::vector<double> points = support::eval(support::create(surface).get(), params);
-        for (auto point = points.begin(); point != points.end(); point += 3) {
+        for (size_t i = 0; i < points.size(); i += 3) {
             const std::array<double, 3> v = {uniform(-1, 1), uniform(-1, 1), uniform(-1, 1)};
             const double far = std::pow(10, uniform(-3, 0)) / std::hypot(v[0], v[1], v[2]);
-            std::ranges::transform(v, std::span(point, 3), point,
-                                   [&](double x, double p) { return p + far * x; });
+            for (size_t c = 0; c < 3; ++c) {
+                points[i + c] += far * v[c];
+            }
         }
         return points;
     }
