@@ -10,6 +10,7 @@
 #include <Geom_BSplineCurve.hxx>
 #include <Geom_BSplineSurface.hxx>
 #include <array>
+#include <deque>
 #include <limits>
 #include <memory>
 
@@ -81,6 +82,8 @@ struct Best {
 // A curve to project onto, with its ends if they count.
 class Projector {
 public:
+    Projector(const Projector &) = delete; // the projection points into itself
+    Projector &operator=(const Projector &) = delete;
     Projector(const Curve &curve, bool ends) : curve_(curve), ends_(ends) {
         projection_.Init(curve, curve->FirstParameter(), curve->LastParameter());
     }
@@ -134,7 +137,7 @@ public:
 
 private:
     GeomAPI_ProjectPointOnSurf projection_;
-    std::vector<Projector> edges_;
+    std::deque<Projector> edges_;
 };
 
 template <class F>

@@ -76,15 +76,19 @@ public:
     SISLIntcurve **curves = nullptr;
 };
 
+double length(const Curve &curve, double tolerance) {
+    double length = 0;
+    int status = 0;
+    s1240(curve.get(), tolerance, &length, &status);
+    require(status);
+    return length;
+}
+
 Ask robust(const Question &question) {
     if (question.kind == Kind::length) {
-        return [curve = make_curve(question.shape), tolerance = question.tolerance] {
-            double length = 0;
-            int status = 0;
-            s1240(curve.get(), tolerance, &length, &status);
-            require(status);
-            return std::vector{length};
-        };
+        const Curve curve = make_curve(question.shape);
+        const double tolerance = question.tolerance * length(curve, 1e-3);
+        return [=] { return std::vector{length(curve, tolerance)}; };
     }
     if (question.shape.axes() == 2) {
         return each(question, [surface = make_surface(question.shape)](double *point, auto &params) {
