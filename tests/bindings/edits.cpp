@@ -65,9 +65,9 @@ static void point_edits() {
     EXPECT((most.indices == std::vector<std::int64_t>{1, 0}) && near(most.influences, {0.5, 1}));
     const LegEdit leg = insert_on_leg(arch(), 0, 0, 0.5);
     EXPECT(near({leg.knot}, {0.5}) && near(leg.spline.points(), {0, 0, 0.5, 1, 1.5, 1, 2, 0}));
-    const LegEdit found = insert_at_point(arch(), 0, {1.5, 1}, 1e-9);
-    EXPECT(found.index == 1 && near({found.ratio, found.knot}, {0.5, 0.5}));
-    EXPECT(near(found.spline.points(), {0, 0, 0.5, 1, 1.5, 1, 2, 0}));
+    const LegEdit found = insert_at_point(arch().reparametrize(0, 0, 2), 0, {1.25, 1.5}, 1e-9);
+    EXPECT(found.index == 1 && near({found.ratio, found.knot}, {0.25, 0.5}));
+    EXPECT(near(found.spline.points(), {0, 0, 0.25, 0.5, 1.25, 1.5, 2, 0}));
     EXPECT(status_of([] { (void)insert_at_point(arch(), 0, {5, 5}, 0.1); }) == Status::off_polygon);
 }
 

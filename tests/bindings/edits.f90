@@ -110,14 +110,16 @@ contains
     end subroutine point_edits
 
     subroutine legs()
-        type(nurbs_spline) :: g
+        type(nurbs_spline) :: g, longer
         real(c_double) :: ratio, knot
         integer :: leg
         integer(c_int32_t) :: code
         call insert_on_leg(arch, 1, 1, 0.5d0, g, knot)
         call expect(has_points(g, [0d0, 0.5d0, 1.5d0, 2d0, 0d0, 1d0, 1d0, 0d0]) .and. near([knot], [0.5d0]), 'a leg')
-        call insert_at_point(arch, 1, [1.5d0, 1d0], 1d-9, g, leg, ratio, knot)
-        call expect(leg == 2 .and. near([ratio, knot], [0.5d0, 0.5d0]), 'a point of a leg')
+        call arch%reparametrize(1, 0d0, 2d0, longer)
+        call insert_at_point(longer, 1, [1.25d0, 1.5d0], 1d-9, g, leg, ratio, knot)
+        call expect(leg == 2 .and. near([ratio, knot], [0.25d0, 0.5d0]), 'a point of a leg')
+        call expect(has_points(g, [0d0, 0.25d0, 1.25d0, 2d0, 0d0, 0.5d0, 1.5d0, 0d0]), 'its control points')
         call insert_at_point(arch, 1, [5d0, 5d0], 0.1d0, g, status=code)
         call expect(code == NURBS_ERROR_OFF_POLYGON, 'a point elsewhere')
     end subroutine legs

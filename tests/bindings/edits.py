@@ -71,10 +71,10 @@ class Points(unittest.TestCase):
         made = nurbs.insert_on_leg(arch(), 0, 0.5)
         near(made.knot, 0.5)
         near(made.spline.points()[1], [0.5, 1])
-        same = nurbs.insert_at_point(arch(), [1.5, 1], 1e-9)
-        self.assertEqual(same.index, 1)
-        near([same.ratio, same.knot], 0.5)
-        near(same.spline.points()[2], [1.5, 1])
+        made = nurbs.insert_at_point(arch().reparametrize(0, 2), [1.25, 1.5], 1e-9)
+        self.assertEqual(made.index, 1)
+        near([made.ratio, made.knot], [0.25, 0.5])
+        near(made.spline.points(), [[0, 0], [0.25, 0.5], [1.25, 1.5], [2, 0]])
 
 
 class Constraints(unittest.TestCase):
@@ -162,7 +162,8 @@ class Errors(unittest.TestCase):
         self.assertEqual(status_of(nurbs.fair, arch(), -1), nurbs.NURBS_ERROR_TOLERANCE)
 
     def test_arrays_that_do_not_fit(self):
-        for call in (lambda: nurbs.pull_weight(arch(), 1, [0.5, 0.5], 1), lambda: nurbs.set_weights(arch(), [1], [1, 2]),
+        for call in (lambda: nurbs.pull_weight(arch(), 1, [0.5, 0.5], 1),
+                     lambda: nurbs.set_weights(arch(), [1], [1, 2]),
                      lambda: nurbs.weight_cross_ratio([1, 2], [1], [1, 2], [1, 2]),
                      lambda: nurbs.constrain(arch(), [0.5], [1, 2, 3]),
                      lambda: nurbs.constrain(arch(), [0.5], [1, 2], costs=[1, 1]),

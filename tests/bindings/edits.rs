@@ -45,12 +45,11 @@ fn point_edits() -> Result<()> {
     let most = arch()?.most_influential(&[0.5, 0.])?;
     assert!(most[0].index == 1 && most[1].index == 0);
     assert!(near(&[most[0].influence, most[1].influence], &[0.5, 1.]));
-    let refined = [0., 0., 0.5, 1., 1.5, 1., 2., 0.];
     let leg = arch()?.insert_on_leg(0, 0, 0.5)?;
-    assert!(near(&[leg.knot], &[0.5]) && near(&leg.spline.points()?, &refined));
-    let found = arch()?.insert_at_point(0, &[1.5, 1.], 1e-9)?;
-    assert!(found.index == 1 && near(&[found.ratio, found.knot], &[0.5; 2]));
-    assert!(near(&found.spline.points()?, &refined));
+    assert!(near(&[leg.knot], &[0.5]) && near(&leg.spline.points()?, &[0., 0., 0.5, 1., 1.5, 1., 2., 0.]));
+    let found = arch()?.reparametrize(0, 0., 2.)?.insert_at_point(0, &[1.25, 1.5], 1e-9)?;
+    assert!(found.index == 1 && near(&[found.ratio, found.knot], &[0.25, 0.5]));
+    assert!(near(&found.spline.points()?, &[0., 0., 0.25, 0.5, 1.25, 1.5, 2., 0.]));
     assert_eq!(status_of(arch()?.insert_at_point(0, &[5.; 2], 0.1)), sys::NURBS_ERROR_OFF_POLYGON);
     Ok(())
 }
