@@ -1,13 +1,16 @@
 // Closest and farthest points.
 #include "checks.h"
 #include "guard.h"
+#include "part.h"
 
 #include "base/checked.h"
 #include "base/tolerance.h"
 #include "query/closest/closest.h"
+#include "query/closest/signed_distance.h"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 using namespace nrb;
 using namespace nrb::capi;
@@ -19,26 +22,6 @@ constexpr int64_t default_budget = 20000;
 int64_t checked_budget(int64_t budget) {
     check_length(budget, "budget");
     return budget == 0 ? default_budget : budget;
-}
-
-using Range = std::array<Interval, max_axes>;
-
-// The box that is searched: that of the caller, which has to be one, or null.
-const Interval *checked_range(const Spline &spline, const double *range, Range &box) {
-    if (range == nullptr) {
-        return nullptr;
-    }
-    for (int k = 0; k < spline.axes(); ++k) {
-        Interval &part = box[static_cast<size_t>(k)];
-        part = {range[2 * k], range[2 * k + 1]};
-        check_place(part.lower, spline.axis(k).domain(), "range", k);
-        check_place(part.upper, spline.axis(k).domain(), "range", k);
-        if (!(part.lower < part.upper)) {
-            fail(NURBS_ERROR_EMPTY_DOMAIN, "range[%d] = [%s, %s] is empty", k, Number(part.lower).text,
-                 Number(part.upper).text);
-        }
-    }
-    return box.data();
 }
 
 bool check_flag(uint32_t flags) {
@@ -55,6 +38,16 @@ void check_finite(const char *name, const ConstRecords &points) {
                 fail(NURBS_ERROR_POINT_NOT_FINITE, "%s[%lld][%lld] = %s, expected a number", name,
                      static_cast<long long>(i), static_cast<long long>(c), Number(points(i, c)).text);
             }
+        }
+    }
+}
+
+void check_guesses(const Spline &spline, const ConstRecords &guesses) {
+    for (int64_t i = 0; i < guesses.count; ++i) {
+        for (int k = 0; k < spline.axes(); ++k) {
+            char name[48];
+            std::snprintf(name, sizeof name, "guesses[%lld]", static_cast<long long>(i));
+            check_place(guesses(i, k), spline.axis(k).domain(), name, k);
         }
     }
 }
@@ -137,16 +130,88 @@ private:
     FeetOutputs out_;
 };
 
+void check_curve_in_plane(const Spline &spline) {
+    if (spline.axes() != 1) {
+        fail(NURBS_ERROR_AXES, "g has %d axes, expected a curve", spline.axes());
+    }
+    if (spline.dim() != 2) {
+        fail(NURBS_ERROR_DIMENSION, "g has dimension %d, expected 2", spline.dim());
+    }
+}
+
 void extremal_points(const PointBatch &batch, const double *range, double tolerance, int64_t budget,
                      bool farthest, const FeetArrays &arrays) {
     check_tolerance(tolerance);
-    Range box;
-    const Query query{nullptr, checked_range(batch.spline, range, box), tolerance, checked_budget(budget),
+    const Part part = checked_part(batch.spline, range);
+    const Query query{nullptr, range == nullptr ? nullptr : part.data(), tolerance, checked_budget(budget),
                       farthest};
     const FeetOutputs &out = arrays.checked(memory("range", range, 2 * int64_t{batch.spline.axes()}));
     batch.admit();
     closest_points(batch.spline, batch.points, query, out);
 }
+
+// A query at one point.
+struct PointQuery {
+    PointQuery(const nurbs *g, const double *point, const double *range_values, double tolerance,
+               int64_t budget)
+        : spline(spline_of(g)), range(range_values) {
+        require(point, "point");
+        part = checked_part(spline, range);
+        check_tolerance(tolerance);
+        query = {point, range == nullptr ? nullptr : part.data(), tolerance, checked_budget(budget)};
+    }
+    [[nodiscard]] const Locator &locator() const { return locator_of(spline); }
+
+    const Spline &spline;
+    const double *range;
+    Part part;
+    Query query{};
+};
+
+struct CriticalOutputs {
+    int64_t cap;
+    double *params;
+    double *distances;
+    int32_t *kinds;
+    int64_t *count;
+    int32_t *status;
+
+    void check(const PointQuery &query) const {
+        check_length(cap, "cap");
+        const int64_t axes = query.spline.axes();
+        const int64_t size = checked_product(cap, axes, "params");
+        check_apart(
+            {memory("params", params, size), memory("distances", distances, cap), memory("kinds", kinds, cap),
+             memory("count", count, 1), memory("status", status, 1)},
+            {memory("point", query.query.point, query.spline.dim()), memory("range", query.range, 2 * axes)});
+        check_finite("point", {query.query.point, 1, query.spline.dim(), query.spline.dim(), 1});
+    }
+    void write(const Spline &spline, const CriticalSet &found) const {
+        const auto n = static_cast<int64_t>(found.points.size());
+        if (cap != 0 && cap < n) {
+            fail(NURBS_ERROR_SIZE, "cap = %lld, expected 0 or at least %lld", static_cast<long long>(cap),
+                 static_cast<long long>(n));
+        }
+        for (int64_t i = 0; i < std::min(cap, n); ++i) {
+            const CriticalPoint &one = found.points[static_cast<size_t>(i)];
+            if (params != nullptr) {
+                std::copy_n(one.foot.params.data(), spline.axes(), params + i * spline.axes());
+            }
+            if (distances != nullptr) {
+                distances[i] = one.foot.distance;
+            }
+            if (kinds != nullptr) {
+                kinds[i] = one.kind;
+            }
+        }
+        if (count != nullptr) {
+            *count = n;
+        }
+        if (status != nullptr) {
+            *status = found.status;
+        }
+    }
+};
 
 } // namespace
 
@@ -200,12 +265,53 @@ nurbs_status nurbs_closest_local(const nurbs *g, int64_t n, const double *points
         arrays.distances(distances, distance_stride);
         arrays.status(status);
         const FeetOutputs &out = arrays.checked(memory("guesses", guesses, 0), &starts);
-        for (int64_t i = 0; i < n; ++i) {
-            for (int k = 0; k < batch.spline.axes(); ++k) {
-                check_place(starts(i, k), batch.spline.axis(k).domain(), "guesses", k);
-            }
-        }
+        check_guesses(batch.spline, starts);
         batch.admit();
         closest_local(batch.spline, batch.points, starts, out);
+    });
+}
+
+nurbs_status nurbs_closest_all(const nurbs *g, const double *point, const double *range, double tolerance,
+                               int64_t budget, int64_t cap, double *params, double *distances, int64_t *count,
+                               int32_t *status) {
+    return guard([&] {
+        const PointQuery query(g, point, range, tolerance, budget);
+        const CriticalOutputs out{cap, params, distances, nullptr, count, status};
+        out.check(query);
+        out.write(query.spline, query.locator().minima(query.query));
+    });
+}
+
+nurbs_status nurbs_critical_points(const nurbs *g, const double *point, const double *range, double tolerance,
+                                   int64_t budget, int64_t cap, double *params, double *distances,
+                                   int32_t *kinds, int64_t *count, int32_t *status) {
+    return guard([&] {
+        const PointQuery query(g, point, range, tolerance, budget);
+        const CriticalOutputs out{cap, params, distances, kinds, count, status};
+        out.check(query);
+        out.write(query.spline, query.locator().critical(query.query));
+    });
+}
+
+nurbs_status nurbs_curve_signed_distances(const nurbs *g, int64_t n, const double *points,
+                                          int64_t point_stride, int64_t point_component_stride,
+                                          double tolerance, int64_t budget, double *distances,
+                                          int64_t distance_stride, double *params, int64_t param_stride,
+                                          int32_t *status, uint32_t flags) {
+    return guard([&] {
+        check_curve_in_plane(spline_of(g));
+        const PointBatch batch = point_batch(g, n, points, point_stride, point_component_stride, flags);
+        if (n > 0) {
+            require(distances, "distances");
+        }
+        FeetArrays arrays(batch);
+        arrays.params(params, param_stride, 0);
+        arrays.distances(distances, distance_stride);
+        arrays.status(status);
+        check_tolerance(tolerance);
+        const Query query{nullptr, nullptr, tolerance, checked_budget(budget)};
+        const FeetOutputs &out = arrays.checked(memory("points", points, 0));
+        batch.admit();
+        signed_distances(batch.spline, batch.points, query, out);
     });
 }

@@ -35,8 +35,10 @@ bool copy(const ConstRecords &from, int64_t i, std::vector<double> &to) noexcept
 // Turns what locators find into what is returned: points and distances are those of the parameters.
 class Feet {
 public:
-    Feet(const Spline &spline, const ConstRecords &points, const FeetOutputs &out)
-        : spline_(spline), points_(points), out_(out), params_(static_cast<size_t>(block * spline.axes())),
+    // asked: null for local searches, which prove nothing.
+    Feet(const Spline &spline, const ConstRecords &points, const Query *asked, const FeetOutputs &out)
+        : spline_(spline), points_(points), asked_(asked), out_(out),
+          params_(static_cast<size_t>(block * spline.axes())),
           feet_(static_cast<size_t>(block * spline.dim())), found_(static_cast<size_t>(block)) {}
 
     void set(int64_t i, const Foot &foot) {
@@ -57,7 +59,8 @@ private:
     void write(int64_t first, int64_t count) {
         evaluate(count);
         for (int64_t k = 0; k < count; ++k) {
-            const Foot &foot = found_[static_cast<size_t>(k)];
+            Foot &foot = found_[static_cast<size_t>(k)];
+            settle(foot, distance(first + k, point(k)));
             for (int64_t c = 0; out_.params.data != nullptr && c < spline_.axes(); ++c) {
                 out_.params(first + k, c) = foot.params[static_cast<size_t>(c)];
             }
@@ -65,12 +68,21 @@ private:
                 out_.feet(first + k, c) = point(k)[c];
             }
             if (out_.distances.data != nullptr) {
-                out_.distances(first + k, 0) = distance(first + k, point(k));
+                out_.distances(first + k, 0) = foot.distance;
             }
             if (out_.status != nullptr) {
                 out_.status[first + k] = foot.status;
             }
         }
+    }
+    // What is proven holds for the place that was found; the distance of its parameter, which is rounded, may differ.
+    void settle(Foot &foot, double distance) const {
+        const bool proven = (foot.status & NURBS_CLOSEST_CERTIFIED) != 0;
+        if (proven && (asked_->farthest ? foot.distance - distance : distance - foot.distance) >
+                          asked_->tolerance + foot.noise) {
+            foot.status ^= NURBS_CLOSEST_CERTIFIED | NURBS_CLOSEST_COARSE;
+        }
+        foot.distance = distance;
     }
     [[nodiscard]] double *point(int64_t k) noexcept { return feet_.data() + k * spline_.dim(); }
     [[nodiscard]] double distance(int64_t i, const double *foot) const noexcept {
@@ -103,6 +115,7 @@ private:
 
     const Spline &spline_;
     const ConstRecords &points_;
+    const Query *asked_;
     const FeetOutputs &out_;
     std::vector<double> params_;
     std::vector<double> feet_;
@@ -123,7 +136,7 @@ void closest_points(const Spline &spline, const ConstRecords &points, const Quer
     std::vector<double> point(static_cast<size_t>(spline.dim()));
     Query query = asked;
     query.point = point.data();
-    Feet feet(spline, points, out);
+    Feet feet(spline, points, &asked, out);
     for (int64_t i = 0; i < points.count; ++i) {
         if (copy(points, i, point)) {
             feet.set(i, locator.nearest(query));
@@ -137,7 +150,7 @@ void closest_local(const Spline &spline, const ConstRecords &points, const Const
                    const FeetOutputs &out) {
     const Locator &locator = locator_of(spline);
     std::vector<double> point(static_cast<size_t>(spline.dim())), guess(static_cast<size_t>(spline.axes()));
-    Feet feet(spline, points, out);
+    Feet feet(spline, points, nullptr, out);
     for (int64_t i = 0; i < points.count; ++i) {
         copy(guesses, i, guess);
         if (copy(points, i, point)) {

@@ -1,16 +1,9 @@
 // The search of a tree of curve pieces for the point that is nearest to a given one.
 #pragma once
 
-#include "query/closest/curve_tree.h"
+#include "query/closest/curve_best.h"
 
 namespace nrb {
-
-// A place on a leaf, and the square of its distance.
-struct CurvePlace {
-    int64_t leaf = -1;
-    double s = 0; // of the leaf's interval
-    double square = 0;
-};
 
 struct CurveSearchResult {
     CurvePlace place;

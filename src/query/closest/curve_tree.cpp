@@ -105,7 +105,8 @@ CurveTree::CurveTree(const Spline &curve)
     BernsteinNet::Breaks breaks{breaks_of(curve.axis(0)), {}, {}};
     const int degrees[] = {degree_, 0, 0};
     const BernsteinNet net(curve, records, breaks, degrees);
-    rounding_ = net.error() / std::numeric_limits<double>::epsilon() + 4 * degree_ + 4;
+    // of the net, of halvings and of what a search computes
+    rounding_ = net.error() / std::numeric_limits<double>::epsilon() + 6 * degree_ + 2 * lanes_ + 20;
     size_ = std::max(largest_magnitude(records.sizes), largest_magnitude(centre_));
     const auto count = static_cast<size_t>(degree_ + 1);
     std::vector<double> points(count * static_cast<size_t>(dim_)), weights(count, 1.0);

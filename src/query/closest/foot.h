@@ -14,6 +14,7 @@ struct Foot {
     std::array<double, max_axes> params{};
     double distance = 0;
     int32_t status = 0;
+    double noise = 0;  // what rounding leaves open in the distance
     uint32_t left = 0; // bit k: at parameter k the limit from below is meant
 };
 

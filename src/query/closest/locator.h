@@ -20,12 +20,14 @@ public:
     Locator &operator=(const Locator &) = delete;
     virtual ~Locator() = default;
 
-    // What rounding leaves open in a distance from a point.
-    [[nodiscard]] virtual double noise(const double *point) const noexcept = 0;
     // The nearest or farthest point. Distances are those of the Bezier pieces, to rounding those of the spline.
     [[nodiscard]] virtual Foot nearest(const Query &query) const = 0;
     // The local minimum that a descent from a guess in the domain comes to.
     [[nodiscard]] virtual Foot local(const double *point, const double *guess) const = 0;
+    // All critical points of the distance, query.tolerance being how near to each other they are told apart.
+    [[nodiscard]] virtual CriticalSet critical(const Query &query) const = 0;
+    // The minima that are farther than the nearest point by at most query.tolerance.
+    [[nodiscard]] virtual CriticalSet minima(const Query &query) const = 0;
 };
 
 // Built at the first use.

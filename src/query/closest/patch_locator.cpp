@@ -4,16 +4,23 @@
 
 namespace nrb {
 
-double PatchLocator::noise(const double *point) const noexcept {
-    return PatchSearch::noise(pieces_, point);
-}
-
 Foot PatchLocator::nearest(const Query &query) const {
-    return PatchSearch(pieces_, tree_, query).nearest();
+    Foot foot = PatchSearch(pieces_, tree_, query).nearest();
+    foot.noise = PatchSearch::noise(pieces_, query.point);
+    return foot;
 }
 
-std::vector<Foot> PatchLocator::nearest_all(const Query &query) const {
-    return PatchSearch(pieces_, tree_, query).all();
+CriticalSet PatchLocator::minima(const Query &query) const {
+    CriticalSet set;
+    for (const Foot &foot : PatchSearch(pieces_, tree_, query).all()) {
+        set.points.push_back({foot, NURBS_CRITICAL_MINIMUM});
+        set.status |= foot.status;
+    }
+    return set;
+}
+
+CriticalSet PatchLocator::critical(const Query &query) const {
+    return minima(query);
 }
 
 Foot PatchLocator::local(const double *point, const double *guess) const {

@@ -18,11 +18,10 @@ class PatchLocator final : public Locator {
 public:
     explicit PatchLocator(const Spline &spline) : pieces_(spline), tree_(pieces_) {}
 
-    [[nodiscard]] double noise(const double *point) const noexcept override;
     [[nodiscard]] Foot nearest(const Query &query) const override;
     [[nodiscard]] Foot local(const double *point, const double *guess) const override;
-    // All minima that are as near as the nearest one to the tolerance, in rising order of parameters.
-    [[nodiscard]] std::vector<Foot> nearest_all(const Query &query) const;
+    [[nodiscard]] CriticalSet critical(const Query &query) const override;
+    [[nodiscard]] CriticalSet minima(const Query &query) const override;
 
 private:
     PatchPieces pieces_;

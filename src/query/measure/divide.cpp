@@ -1,0 +1,160 @@
+#include "query/measure/divide.h"
+
+#include "base/error.h"
+#include "base/norm.h"
+#include "eval/evaluate.h"
+#include "query/measure/length_table.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace nrb {
+
+namespace {
+
+constexpr double eps = std::numeric_limits<double>::epsilon();
+constexpr int most_bisections = 200, most_steps = 100000;
+
+// A part of a curve by its length, in units of the table.
+class Arc {
+public:
+    Arc(const Spline &curve, Interval range, int64_t parts, double relative_tolerance)
+        : curve_(curve), table_(LengthTable::of(curve)), range_(range), work_(table_.work_size()),
+          point_(static_cast<size_t>(curve.dim())) {
+        const Interval domain = curve.axis(0).domain();
+        start_ = range.lower == domain.lower ? 0 : table_.length_at(range.lower, work_.data());
+        end_ = range.upper == domain.upper ? table_.total() : table_.length_at(range.upper, work_.data());
+        table_.check(relative_tolerance, (end_ - start_) / static_cast<double>(parts));
+        if (!(end_ > start_)) {
+            fail(NURBS_ERROR_LENGTH, "the curve has no length between %s and %s", Number(range.lower).text,
+                 Number(range.upper).text);
+        }
+    }
+
+    [[nodiscard]] double length() const noexcept { return end_ - start_; }
+    [[nodiscard]] double to_model(double length) const noexcept {
+        return std::ldexp(length, table_.exponent());
+    }
+    [[nodiscard]] double param(double s) {
+        const double t = table_.param_at(std::clamp(start_ + s, start_, end_), work_.data());
+        return std::clamp(t, range_.lower, range_.upper);
+    }
+    // The distance of two places in units of the table.
+    [[nodiscard]] double distance_from(const std::vector<double> &from, double t, bool left) {
+        place(t, left, point_);
+        return std::ldexp(distance(from.data(), point_.data(), curve_.dim()), -table_.exponent());
+    }
+    void place(double t, bool left, std::vector<double> &point) const {
+        AxisRules rules{};
+        rules[0].left = left;
+        evaluate_points(curve_, rules, 0, {&t, 1}, {point.data(), 1, curve_.dim(), curve_.dim()});
+    }
+
+private:
+    const Spline &curve_;
+    const LengthTable &table_;
+    Interval range_;
+    std::vector<double> work_;
+    std::vector<double> point_;
+    double start_ = 0, end_ = 0;
+};
+
+// Walks along an arc in steps of equal chords.
+class ChordWalk {
+public:
+    ChordWalk(const Spline &curve, Arc &arc, Interval range, int64_t parts, std::vector<double> &params)
+        : arc_(arc), range_(range), parts_(parts), params_(params), from_(static_cast<size_t>(curve.dim())) {}
+
+    // By how much the last chord is longer than the others; negative if the end comes too early.
+    double excess(double chord) {
+        params_.assign(1, range_.lower);
+        arc_.place(range_.lower, false, from_);
+        double s = 0;
+        for (int64_t i = 1; i < parts_; ++i) {
+            s = next(s, chord);
+            if (!(s < arc_.length())) {
+                return -chord;
+            }
+            params_.push_back(arc_.param(s));
+            arc_.place(params_.back(), false, from_);
+        }
+        params_.push_back(range_.upper);
+        return arc_.distance_from(from_, range_.upper, true) - chord;
+    }
+
+private:
+    // The first place whose distance is `chord`: a distance grows no faster than the length, so that what is
+    // missing may always be gone (as in the tracing of spheres).
+    double next(double s, double chord) {
+        for (int step = 0; step < most_steps && s < arc_.length(); ++step) {
+            const double missing = chord - arc_.distance_from(from_, arc_.param(s), false);
+            if (missing <= 4 * eps * chord) {
+                return s;
+            }
+            s += missing;
+        }
+        return arc_.length();
+    }
+
+    Arc &arc_;
+    Interval range_;
+    int64_t parts_;
+    std::vector<double> &params_;
+    std::vector<double> from_;
+};
+
+} // namespace
+
+double divide_by_length(const Spline &curve, Interval range, int64_t parts, double relative_tolerance,
+                        std::vector<double> &params) {
+    Arc arc(curve, range, parts, relative_tolerance);
+    const double part = arc.length() / static_cast<double>(parts);
+    params.assign(1, range.lower);
+    for (int64_t i = 1; i < parts; ++i) {
+        params.push_back(arc.param(static_cast<double>(i) * part));
+    }
+    params.push_back(range.upper);
+    return arc.to_model(part);
+}
+
+// Chords are no longer than arcs. Bisection, with the step of regula falsi as modified by Illinois (M. Dowell,
+// P. Jarratt, BIT 11 (1971)) wherever it stays inside.
+double divide_by_chord(const Spline &curve, Interval range, int64_t parts, double relative_tolerance,
+                       std::vector<double> &params) {
+    Arc arc(curve, range, parts, relative_tolerance);
+    ChordWalk walk(curve, arc, range, parts, params);
+    double upper = arc.length() / static_cast<double>(parts), lower = 0;
+    double above = walk.excess(upper), below = arc.length();
+    double chord = upper, rest = above;
+    const double allowed = std::max(relative_tolerance, 64 * eps * static_cast<double>(parts));
+    for (int step = 0; step < most_bisections && std::abs(rest) > 4 * eps * arc.length(); ++step) {
+        const double falsi = (lower * above - upper * below) / (above - below);
+        chord = step % 3 < 2 && falsi > lower && falsi < upper ? falsi : lower / 2 + upper / 2;
+        if (!(chord > lower && chord < upper)) {
+            break;
+        }
+        rest = walk.excess(chord);
+        if (rest > 0) {
+            lower = chord;
+            below = rest;
+            above /= 2;
+        } else {
+            upper = chord;
+            above = rest;
+            below /= 2;
+        }
+    }
+    if (parts == 1) {
+        rest = 0;
+        chord = walk.excess(0);
+    }
+    if (!(std::abs(rest) <= allowed * chord) && parts > 1) {
+        fail(NURBS_ERROR_NOT_CONVERGED,
+             "no division into %lld equal chords was found: the last one differs by %s",
+             static_cast<long long>(parts), Number(arc.to_model(rest)).text);
+    }
+    return arc.to_model(chord);
+}
+
+} // namespace nrb

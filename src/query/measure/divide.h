@@ -1,0 +1,19 @@
+// Division of curves into equal parts.
+#pragma once
+
+#include "query/measure/curve_length.h"
+
+namespace nrb {
+
+// params: [parts + 1], the ends of the range among them. Returns the length of a part. Throws
+// NURBS_ERROR_LENGTH if the range has none, _NOT_CONVERGED, _NOT_REPRESENTABLE.
+double divide_by_length(const Spline &curve, Interval range, int64_t parts, double relative_tolerance,
+                        std::vector<double> &params);
+
+// So that consecutive points have equal distances, each point the first one at its distance from the one
+// before. Returns the distance. Throws as divide_by_length(); _NOT_CONVERGED also where there is no such
+// distance.
+double divide_by_chord(const Spline &curve, Interval range, int64_t parts, double relative_tolerance,
+                       std::vector<double> &params);
+
+} // namespace nrb

@@ -1,0 +1,85 @@
+// The polynomial pieces of a spline as integrals want them: each about a point of its own, so that neither the
+// place of the model nor its size enters the rounding of derivatives.
+#pragma once
+
+#include "spline/spline.h"
+
+#include <array>
+#include <vector>
+
+namespace nrb {
+
+// Where a model is and how large: coordinates become (x - centre) * scale, at most about 1, with a power of two
+// as scale. The ratio of a scaled content of some axes to the true one is scale^axes.
+struct ModelFrame {
+    std::vector<double> centre;
+    int exponent = 0; // scale = 2^-exponent
+};
+// Of the control points that are not at infinity.
+ModelFrame model_frame(const Spline *const *splines, int64_t count);
+inline ModelFrame model_frame(const Spline &spline) {
+    const Spline *one = &spline;
+    return model_frame(&one, 1);
+}
+
+// Component by component (coordinates, and the weight if rational), the Bernstein coefficients of
+// w (x - origin) * scale, last axis fastest.
+struct Element {
+    std::vector<double> net;    // [width][coefficients]
+    std::vector<double> origin; // (origin - centre) * scale
+    double spread = 0;          // largest |x - origin| * scale of a control point
+    double weight_scale = 1;    // a power of two by which the weights are multiplied
+    std::vector<double> work;
+};
+
+using Ranges = std::array<Interval, max_axes>;
+Ranges whole_ranges(const Spline &spline) noexcept;
+
+// Cost: degree^3 / 2 for each span of every axis, and then (axes + 1) contractions with its matrices for each
+// element. Preconditions: every range is an interval of the domain and not empty.
+class Elements {
+public:
+    Elements(const Spline &spline, const ModelFrame &frame, const Ranges &ranges);
+
+    [[nodiscard]] int64_t size() const noexcept;
+    [[nodiscard]] int axes() const noexcept { return spline_.axes(); }
+    [[nodiscard]] int dim() const noexcept { return spline_.dim(); }
+    [[nodiscard]] int width() const noexcept { return spline_.width(); }
+    [[nodiscard]] bool rational() const noexcept { return spline_.rational(); }
+    [[nodiscard]] int degree(int k) const noexcept { return spline_.axis(k).degree(); }
+    [[nodiscard]] int64_t coefficients() const noexcept { return coefficients_; }
+    // The part of an axis that an element stands for; last axis fastest.
+    [[nodiscard]] Interval interval(int64_t element, int axis) const noexcept;
+    void load(int64_t element, Element &out) const;
+
+private:
+    struct AxisElements {
+        std::vector<double> matrices; // [degree + 1][degree + 1] each
+        std::vector<int64_t> firsts;
+        std::vector<Interval> intervals;
+    };
+    [[nodiscard]] std::array<size_t, max_axes> places(int64_t element) const noexcept;
+    void add_span(AxisElements &elements, const KnotVector &axis, int64_t span, Interval range);
+    void gather(const std::array<int64_t, max_axes> &first, Element &out) const;
+    void add_point(int64_t index, int64_t at, Element &out) const;
+    [[nodiscard]] int64_t origin_point(const std::array<int64_t, max_axes> &first) const noexcept;
+    template <class Visit>
+    void for_each_active(const std::array<int64_t, max_axes> &first, Visit &&visit) const;
+
+    const Spline &spline_;
+    const ModelFrame &frame_;
+    double scale_;
+    std::array<AxisElements, max_axes> axes_;
+    int64_t coefficients_ = 1;
+};
+
+// out[o][k][i] = sum over j < terms of in[o][j][i] matrix[j][k], k < count, rows of the matrix `stride` apart.
+void contract(const double *in, int64_t outer, int terms, int64_t inner, const double *matrix, int stride,
+              int count, double *out) noexcept;
+
+// Halves along the middle one of [outer][degree + 1][inner] (de Casteljau); `values` becomes the upper half.
+void halve_rows(int64_t outer, int degree, int64_t inner, double *values, double *lower) noexcept;
+// Coefficients over [lower, upper] of [0, 1] in place of those over [0, 1].
+void cut_row(int degree, double lower, double upper, double *values) noexcept;
+
+} // namespace nrb

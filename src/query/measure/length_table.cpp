@@ -1,0 +1,194 @@
+#include "query/measure/length_table.h"
+
+#include "base/error.h"
+#include "base/scratch.h"
+#include "base/sum.h"
+#include "basis/binomial.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace nrb {
+
+namespace {
+
+constexpr double eps = std::numeric_limits<double>::epsilon();
+constexpr int most_steps = 100;
+constexpr size_t max_row = max_product_degree + 1;
+
+// The value at x of a row of Bernstein coefficients.
+double value_at(int degree, const double *row, double x, double *work) noexcept {
+    std::copy_n(row, degree + 1, work);
+    for (int r = degree; r > 0; --r) {
+        for (int i = 0; i < r; ++i) {
+            work[i] = (1 - x) * work[i] + x * work[i + 1];
+        }
+    }
+    return work[0];
+}
+
+} // namespace
+
+LengthTable::LengthTable(const Spline &curve) : pieces_(curve, curve.axis(0).domain()) {
+    const Integral whole = integrate(pieces_, 0, &leaves_, &nets_);
+    error_ = whole.error;
+    CompensatedSum sum;
+    starts_.reserve(leaves_.size() + 1);
+    params_.reserve(leaves_.size());
+    for (const LengthLeaf &leaf : leaves_) {
+        const Interval part = pieces_.interval(leaf.piece);
+        params_.push_back(part.lower + leaf.lower * (part.upper - part.lower));
+        starts_.push_back(sum.value());
+        sum.add(leaf.length);
+    }
+    starts_.push_back(sum.value());
+}
+
+const LengthTable &LengthTable::of(const Spline &curve) {
+    const Spline::AnyTable &table = curve.slot(Spline::Table::lengths).get([&] {
+        return Spline::AnyTable(std::make_shared<const LengthTable>(curve));
+    });
+    return *static_cast<const LengthTable *>(table.get());
+}
+
+// Over [lower, upper] of a leaf.
+double LengthTable::part_length(size_t leaf, double lower, double upper, double *work) const noexcept {
+    const SpeedForm &form = pieces_.form();
+    std::copy_n(net(leaf), form.size(), work);
+    double *row = work;
+    for (int c = 0; c < form.dim; ++c, row += form.degree + 1) {
+        cut_row(form.degree, lower, upper, row);
+    }
+    if (form.weight_degree >= 0) {
+        cut_row(form.weight_degree, lower, upper, row);
+    }
+    return (upper - lower) * rule_length(form, work, leaves_[leaf].level);
+}
+
+double LengthTable::from_start(size_t leaf, double x, double *work) const noexcept {
+    return x <= 0.5 ? part_length(leaf, 0, x, work) : leaves_[leaf].length - part_length(leaf, x, 1, work);
+}
+
+double LengthTable::speed(size_t leaf, double x, double *work) const noexcept {
+    const SpeedForm &form = pieces_.form();
+    const double *row = net(leaf);
+    double square = 0;
+    for (int c = 0; c < form.dim; ++c, row += form.degree + 1) {
+        const double y = value_at(form.degree, row, x, work);
+        square += y * y;
+    }
+    const double w = form.weight_degree < 0 ? 1 : value_at(form.weight_degree, row, x, work);
+    return std::sqrt(square) / (w * w);
+}
+
+size_t LengthTable::work_size() const noexcept {
+    return static_cast<size_t>(pieces_.form().size()) + max_row;
+}
+
+double LengthTable::length_at(double t, double *work) const noexcept {
+    const auto next = std::upper_bound(params_.begin() + 1, params_.end(), t);
+    const auto leaf = static_cast<size_t>(next - params_.begin() - 1);
+    const LengthLeaf &at = leaves_[leaf];
+    const Interval part = pieces_.interval(at.piece);
+    const double u = (t - part.lower) / (part.upper - part.lower);
+    const double x = std::clamp((u - at.lower) / (at.upper - at.lower), 0.0, 1.0);
+    return starts_[leaf] + from_start(leaf, x, work);
+}
+
+double LengthTable::param_at(double length, double *work) const noexcept {
+    // The first leaf that ends at or behind the length.
+    const auto end = std::lower_bound(starts_.begin() + 1, starts_.end() - 1, length);
+    const auto leaf = static_cast<size_t>(end - starts_.begin() - 1);
+    const LengthLeaf &at = leaves_[leaf];
+    const double x = solve(leaf, length - starts_[leaf], work);
+    const Interval part = pieces_.interval(at.piece);
+    const double u = at.lower + x * (at.upper - at.lower);
+    return u >= 1 ? part.upper : std::min(part.lower + u * (part.upper - part.lower), part.upper);
+}
+
+// As if the speed ran straight from one end of the leaf to the other.
+double LengthTable::guess(size_t leaf, double part, double *work) const noexcept {
+    const double first = speed(leaf, 0, work), last = speed(leaf, 1, work);
+    const double share = part / leaves_[leaf].length * (first + last);
+    const double root = first + std::sqrt(std::max(first * first + share * (last - first), 0.0));
+    const double x = share / root;
+    return x > 0 && x < 1 ? x : part / leaves_[leaf].length;
+}
+
+double LengthTable::solve(size_t leaf, double part, double *work) const noexcept {
+    const double whole = leaves_[leaf].length;
+    if (!(part > 0)) {
+        return 0;
+    }
+    if (part >= whole) {
+        return 1;
+    }
+    double lower = 0, upper = 1, x = guess(leaf, part, work);
+    double length = from_start(leaf, x, work);
+    for (int step = 0; step < most_steps; ++step) {
+        const double rest = part - length;
+        (rest > 0 ? lower : upper) = x;
+        if (std::abs(rest) <= eps / 2 * (part + whole / 8)) {
+            break;
+        }
+        double next = x + rest / speed(leaf, x, work);
+        if (!(next > lower && next < upper)) {
+            next = lower / 2 + upper / 2;
+        }
+        const double moved = next - x;
+        if (next == x || std::abs(moved) <= eps / 2 * x) {
+            return next;
+        }
+        // Short steps are added up, which is cheaper and loses nothing.
+        length =
+            moved > 0 ? length + part_length(leaf, x, next, work) : length - part_length(leaf, next, x, work);
+        x = next;
+    }
+    return x;
+}
+
+void LengthTable::check(double relative_tolerance, double part) const {
+    const Integral result = scaled_result({total(), error_}, exponent(), relative_tolerance, "length");
+    if (error_ >
+        2 * std::max(relative_tolerance * std::min(part, total()), pieces_.rounding() + 8 * eps * total())) {
+        fail(NURBS_ERROR_NOT_CONVERGED,
+             "length = %s: the error reached is %s, expected relative_tolerance = %s",
+             Number(result.value).text, Number(result.error).text, Number(relative_tolerance).text);
+    }
+}
+
+void curve_lengths(const Spline &curve, const ConstRecords &params, double relative_tolerance,
+                   const Records &out) {
+    const LengthTable &table = LengthTable::of(curve);
+    table.check(relative_tolerance, table.total());
+    Scratch work(table.work_size());
+    double *rows = work.take(table.work_size());
+    for (int64_t i = 0; i < params.count; ++i) {
+        out(i, 0) = std::ldexp(table.length_at(params(i, 0), rows), table.exponent());
+    }
+}
+
+void curve_params_at_lengths(const Spline &curve, const ConstRecords &lengths, double relative_tolerance,
+                             bool clamp, const Records &out) {
+    const LengthTable &table = LengthTable::of(curve);
+    table.check(relative_tolerance, table.total());
+    const double total = std::ldexp(table.total(), table.exponent());
+    const double allowed = total + std::ldexp(table.error(), table.exponent()) + relative_tolerance * total;
+    for (int64_t i = 0; i < lengths.count; ++i) {
+        const double s = lengths(i, 0);
+        if (std::isnan(s) || (!clamp && !(s >= 0 && s <= allowed))) {
+            fail(NURBS_ERROR_LENGTH, "lengths[%lld] = %s, expected a length in [0, %s]",
+                 static_cast<long long>(i), Number(s).text, Number(total).text);
+        }
+    }
+    Scratch work(table.work_size());
+    double *rows = work.take(table.work_size());
+    for (int64_t i = 0; i < lengths.count; ++i) {
+        const double s = std::clamp(std::ldexp(lengths(i, 0), -table.exponent()), 0.0, table.total());
+        out(i, 0) = table.param_at(s, rows);
+    }
+}
+
+} // namespace nrb

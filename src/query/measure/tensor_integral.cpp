@@ -1,0 +1,220 @@
+#include "query/measure/tensor_integral.h"
+
+#include "base/sum.h"
+#include "query/measure/tensor_rule.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace nrb {
+
+namespace {
+
+constexpr double eps = std::numeric_limits<double>::epsilon();
+constexpr int most_halvings = 200;
+
+// By the number of axes: the level to begin with, the highest one, and how many elements may be made.
+constexpr std::array<int, max_axes> first_levels = {2, 2, 1}, last_levels = {4, 3, 2};
+constexpr std::array<int64_t, max_axes> least_budgets = {20000, 10000, 8000};
+constexpr int64_t budget_for_an_element = 32;
+
+// What is known of the whole before the parts are integrated.
+struct Goal {
+    std::vector<double> tolerances; // of each value
+    double size = 0;
+    double share = 0; // of the tolerances, for however small an element
+};
+
+class TensorSearch {
+public:
+    TensorSearch(const std::vector<Elements> &splines, const Integrand &integrand)
+        : splines_(splines), integrand_(integrand), values_(static_cast<size_t>(integrand.values())) {
+        for (const Elements &elements : splines) {
+            count_ += elements.size();
+        }
+    }
+
+    // The rules of the first levels alone.
+    Integrals rough() {
+        start();
+        for (const Elements &elements : splines_) {
+            TensorRule rule(elements, integrand_);
+            Element element;
+            for (int64_t e = 0; e < elements.size(); ++e) {
+                elements.load(e, element);
+                rule.evaluate(element.net.data(), element.origin, first(elements));
+                accept(rule, elements.axes(), true);
+            }
+        }
+        return finish();
+    }
+
+    Integrals run(const Goal &goal) {
+        start();
+        for (const Elements &elements : splines_) {
+            TensorRule rule(elements, integrand_);
+            Element element;
+            budget_ = least_budgets[axis_index(elements)] + budget_for_an_element * elements.size();
+            for (int64_t e = 0; e < elements.size(); ++e) {
+                elements.load(e, element);
+                run_element(elements, element, rule, goal);
+            }
+        }
+        return finish();
+    }
+
+    [[nodiscard]] int64_t count() const noexcept { return count_; }
+
+private:
+    static size_t axis_index(const Elements &elements) noexcept {
+        return static_cast<size_t>(elements.axes() - 1);
+    }
+    static Levels first(const Elements &elements) noexcept {
+        Levels levels{};
+        levels.fill(first_levels[axis_index(elements)]);
+        return levels;
+    }
+
+    void start() {
+        sums_.assign(values_, {});
+        errors_.assign(values_, {});
+        size_ = {};
+    }
+
+    Integrals finish() const {
+        Integrals result;
+        for (size_t j = 0; j < values_; ++j) {
+            result.values.push_back(sums_[j].value());
+            result.errors.push_back(errors_[j].value());
+        }
+        result.size = size_.value();
+        return result;
+    }
+
+    struct Verdict {
+        int axis = -1;      // the one that is to be refined, or -1
+        bool raise = false; // by a higher rule, else by halving
+    };
+
+    // The axis whose error exceeds what is allowed most.
+    [[nodiscard]] Verdict judge(const TensorRule &rule, const Levels &levels, int axes,
+                                const Goal &goal) const {
+        Verdict verdict;
+        double worst = 1;
+        const double part = std::max(goal.share, goal.size > 0 ? rule.magnitude(0) / goal.size / 2 : 1);
+        for (int k = 0; k < axes; ++k) {
+            bool promising = levels[static_cast<size_t>(k)] < last_levels[static_cast<size_t>(axes - 1)];
+            double most = 0;
+            for (int j = 0; j < static_cast<int>(values_); ++j) {
+                const double allowed = part * goal.tolerances[static_cast<size_t>(j)];
+                const double r = rule.difference(k, j) / rule.magnitude(j);
+                const double error = rule.error(k, j) * axes;
+                if (error > allowed) {
+                    most = std::max(most, error / allowed);
+                    promising = promising && r * r * r * rule.magnitude(j) <= allowed;
+                }
+            }
+            if (most > worst) {
+                worst = most;
+                verdict = {k, promising};
+            }
+        }
+        return verdict;
+    }
+
+    void run_element(const Elements &elements, const Element &element, TensorRule &rule, const Goal &goal) {
+        const int axes = elements.axes();
+        const size_t size = element.net.size();
+        nets_.assign(element.net.begin(), element.net.end());
+        depths_.assign(1, 0);
+        while (!depths_.empty()) {
+            Levels levels = first(elements);
+            Verdict verdict;
+            do {
+                rule.evaluate(nets_.data() + nets_.size() - size, element.origin, levels);
+                verdict = judge(rule, levels, axes, goal);
+            } while (verdict.axis >= 0 && verdict.raise && ++levels[static_cast<size_t>(verdict.axis)] > 0);
+            const bool good = verdict.axis < 0;
+            if (good || depths_.back() >= most_halvings || --budget_ < 0 || !std::isfinite(rule.value(0))) {
+                accept(rule, axes, good);
+                nets_.resize(nets_.size() - size);
+                depths_.pop_back();
+                continue;
+            }
+            halve_top(elements, size, verdict.axis);
+        }
+    }
+
+    void halve_top(const Elements &elements, size_t size, int axis) {
+        int64_t outer = elements.width(), inner = elements.coefficients();
+        for (int k = 0; k <= axis; ++k) {
+            inner /= elements.degree(k) + 1;
+            outer *= k < axis ? elements.degree(k) + 1 : 1;
+        }
+        nets_.resize(nets_.size() + size);
+        double *top = nets_.data() + nets_.size() - 2 * size;
+        halve_rows(outer, elements.degree(axis), inner, top, top + size);
+        ++depths_.back();
+        depths_.push_back(depths_.back());
+    }
+
+    // Of an element that could not be made good the last difference is the error.
+    void accept(const TensorRule &rule, int axes, bool good) {
+        for (size_t j = 0; j < values_; ++j) {
+            sums_[j].add(rule.value(static_cast<int>(j)));
+            double error = 4 * eps * rule.magnitude(static_cast<int>(j));
+            for (int k = 0; k < axes; ++k) {
+                error += good ? rule.error(k, static_cast<int>(j)) : rule.difference(k, static_cast<int>(j));
+            }
+            errors_[j].add(std::isfinite(error) ? error : std::numeric_limits<double>::infinity());
+        }
+        size_.add(rule.magnitude(0));
+    }
+
+    const std::vector<Elements> &splines_;
+    const Integrand &integrand_;
+    size_t values_;
+    int64_t count_ = 0;
+    int64_t budget_ = 0;
+    std::vector<double> nets_;
+    std::vector<int> depths_;
+    std::vector<CompensatedSum> sums_, errors_;
+    CompensatedSum size_;
+};
+
+Goal goal_of(const Integrals &known, const Integrand &integrand, double tolerance, double share) {
+    Goal goal{{}, known.size, share};
+    const size_t dependent = known.values.size() - static_cast<size_t>(integrand.independent());
+    for (size_t j = 0; j < known.values.size(); ++j) {
+        const double own = j < dependent ? std::abs(known.values[0]) : known.size;
+        goal.tolerances.push_back(std::max(tolerance * own, 16 * eps * known.size));
+    }
+    return goal;
+}
+
+} // namespace
+
+Integrals integrate(const std::vector<Elements> &splines, const Integrand &integrand,
+                    double relative_tolerance) {
+    const double tolerance = std::clamp(relative_tolerance, 4 * eps, 0.5);
+    TensorSearch search(splines, integrand);
+    Integrals result = search.rough();
+    double share = 1 / (32.0 * static_cast<double>(std::max<int64_t>(search.count(), 1)));
+    for (int attempt = 0; attempt < 3; ++attempt, share /= 64) {
+        const Goal goal = goal_of(result, integrand, tolerance, share);
+        result = search.run(goal);
+        const Goal reached = goal_of(result, integrand, tolerance, share);
+        result.converged = true;
+        for (size_t j = 0; j < result.values.size(); ++j) {
+            const double rounding = 4 * eps * result.size;
+            result.converged = result.converged && result.errors[j] <= 2 * (reached.tolerances[j] + rounding);
+        }
+        if (result.converged) {
+            break;
+        }
+    }
+    return result;
+}
+
+} // namespace nrb

@@ -1,0 +1,156 @@
+#include "query/measure/tensor_rule.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace nrb {
+
+namespace {
+
+// The middle alone is the rule below the first level.
+double weight(int level, int node) noexcept {
+    if (level < 0) {
+        return node == 1 ? 1 : 0;
+    }
+    return node < rule_size(level) ? rule_weights(level)[node] : 0;
+}
+
+} // namespace
+
+TensorRule::TensorRule(const Elements &elements, const Integrand &integrand)
+    : integrand_(integrand), axes_(elements.axes()), dim_(elements.dim()), values_(integrand.values()),
+      rational_(elements.rational()), coefficients_(elements.coefficients()) {
+    for (int k = 0; k < axes_; ++k) {
+        const auto at = static_cast<size_t>(k);
+        degrees_[at] = elements.degree(k);
+        const auto size = static_cast<size_t>((degrees_[at] + 1) * rule_capacity);
+        basis_[at].resize(size);
+        derivatives_[at].resize(size);
+        rule_basis(degrees_[at], basis_[at].data());
+        rule_basis_derivatives(degrees_[at], derivatives_[at].data());
+    }
+    place_.resize(static_cast<size_t>(dim_));
+    first_.resize(static_cast<size_t>(dim_ * axes_));
+    out_.resize(static_cast<size_t>(values_));
+    sums_.resize(static_cast<size_t>((2 * axes_ + 1) * values_));
+    magnitudes_.resize(static_cast<size_t>(values_));
+}
+
+// Axis by axis from the last one: the values, and each derivative from the axis on which it is taken.
+void TensorRule::expand(const double *net, const Levels &levels) {
+    const int width = dim_ + (rational_ ? 1 : 0);
+    auto &values = nodes_[static_cast<size_t>(axes_)];
+    values.assign(net, net + width * coefficients_);
+    int64_t outer = width * coefficients_, inner = 1;
+    for (int k = axes_; k-- > 0;) {
+        const auto at = static_cast<size_t>(k);
+        const int terms = degrees_[at] + 1, count = rule_size(levels[at]);
+        outer /= terms;
+        const auto apply = [&](const std::vector<double> &matrix, const std::vector<double> &from,
+                               std::vector<double> &to) {
+            work_.resize(static_cast<size_t>(outer * count * inner));
+            contract(from.data(), outer, terms, inner, matrix.data(), rule_capacity, count, work_.data());
+            to.assign(work_.begin(), work_.end());
+        };
+        for (int l = k + 1; l < axes_; ++l) {
+            apply(basis_[at], nodes_[static_cast<size_t>(l)], nodes_[static_cast<size_t>(l)]);
+        }
+        apply(derivatives_[at], values, nodes_[at]);
+        apply(basis_[at], values, values);
+        inner *= count;
+    }
+    node_count_ = inner;
+}
+
+// x = A / w and x_k = (A_k - x w_k) / w.
+void TensorRule::visit_node(int64_t node, const std::vector<double> &origin) {
+    const auto component = [&](size_t slot, int c) {
+        return nodes_[slot][static_cast<size_t>(c * node_count_ + node)];
+    };
+    const auto values = static_cast<size_t>(axes_);
+    const double factor = rational_ ? 1 / component(values, dim_) : 1;
+    for (int c = 0; c < dim_; ++c) {
+        const double x = component(values, c) * factor;
+        place_[static_cast<size_t>(c)] = x + origin[static_cast<size_t>(c)];
+        for (int k = 0; k < axes_; ++k) {
+            const auto at = static_cast<size_t>(k);
+            const double slope = rational_ ? x * component(at, dim_) : 0;
+            first_[static_cast<size_t>(k * dim_ + c)] = (component(at, c) - slope) * factor;
+        }
+    }
+    integrand_(place_.data(), first_.data(), out_.data());
+    const bool change = integrand_.absolute() && out_[0] < 0;
+    negative_ = negative_ || change;
+    positive_ = positive_ || !change;
+    if (change) {
+        std::for_each(out_.begin(), out_.end(), [](double &x) { x = -x; });
+    }
+}
+
+void TensorRule::add(const std::array<int, max_axes> &at, const Levels &levels) {
+    std::array<double, 2 * max_axes + 1> weights;
+    weights.fill(1);
+    for (int k = 0; k < axes_; ++k) {
+        const auto a = static_cast<size_t>(k);
+        for (int rule = 0; rule <= 2 * axes_; ++rule) {
+            const int below = rule == 2 * k + 1 ? 1 : rule == 2 * k + 2 ? 2 : 0;
+            weights[static_cast<size_t>(rule)] *= weight(levels[a] - below, at[a]);
+        }
+    }
+    for (int rule = 0; rule <= 2 * axes_; ++rule) {
+        double *sums = sums_.data() + rule * values_;
+        for (int j = 0; j < values_; ++j) {
+            sums[j] += weights[static_cast<size_t>(rule)] * out_[static_cast<size_t>(j)];
+        }
+    }
+    for (size_t j = 0; j < magnitudes_.size(); ++j) {
+        magnitudes_[j] += weights[0] * std::abs(out_[j]);
+    }
+}
+
+void TensorRule::evaluate(const double *net, const std::vector<double> &origin, const Levels &levels) {
+    positive_ = negative_ = false;
+    expand(net, levels);
+    std::fill(sums_.begin(), sums_.end(), 0.0);
+    std::fill(magnitudes_.begin(), magnitudes_.end(), 0.0);
+    std::array<int, max_axes> sizes{1, 1, 1}, at{};
+    for (size_t k = 0; k < static_cast<size_t>(axes_); ++k) {
+        sizes[k] = rule_size(levels[k]);
+    }
+    const auto counts = [&](int k) {
+        return k >= axes_ || weight(levels[static_cast<size_t>(k)], at[static_cast<size_t>(k)]) != 0;
+    };
+    int64_t node = 0;
+    for (at[0] = 0; at[0] < sizes[0]; ++at[0]) {
+        for (at[1] = 0; at[1] < sizes[1]; ++at[1]) {
+            for (at[2] = 0; at[2] < sizes[2]; ++at[2], ++node) {
+                if (counts(0) && counts(1) && counts(2)) {
+                    visit_node(node, origin);
+                    add(at, levels);
+                }
+            }
+        }
+    }
+    for (size_t k = 0; k < static_cast<size_t>(axes_); ++k) {
+        const int degree = rational_ ? -1 : integrand_.degree(degrees_[k]);
+        const bool one_sign = !integrand_.absolute() || !positive_ || !negative_;
+        exact_[k] = one_sign && degree >= 0 && degree <= rule_exactness(levels[k]);
+    }
+}
+
+double TensorRule::difference(int axis, int j) const noexcept {
+    if (exact_[static_cast<size_t>(axis)]) {
+        return 0;
+    }
+    return std::abs(value(j) - lower(axis, 1, j));
+}
+
+double TensorRule::error(int axis, int j) const noexcept {
+    if (exact_[static_cast<size_t>(axis)]) {
+        return 0;
+    }
+    return extrapolated_error(lower(axis, 2, j), lower(axis, 1, j), value(j), magnitude(j));
+}
+
+} // namespace nrb
