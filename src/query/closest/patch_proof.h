@@ -53,7 +53,8 @@ private:
     void for_face(const std::array<int, max_axes> &shrink, Visit &&visit) const noexcept;
     [[nodiscard]] Range first_differences(int k) const noexcept;
     [[nodiscard]] Range second_differences(int k, int l) const noexcept;
-    bool drop_axes() noexcept;
+    bool drop_axes(double allowed) noexcept;
+    bool convex_on_face(const AxisValues *guess);
     void set_matrix() noexcept;
     struct Corner {
         double gap;     // F

@@ -150,7 +150,7 @@ void PatchSearch::search_piece(int64_t piece, const Candidate *first, const Cand
     PatchItem whole = items_.whole(piece);
     items_.measure(whole);
     const PatchBox part = box(piece);
-    if (number > 5) { // most of the piece: all of it may be settled at once
+    if (number > 5 && query_.range == nullptr) { // most of the piece: all of it may be settled at once
         const PatchMemory::Hold again(memory_);
         PatchItem item = whole;
         bool fresh = false;
