@@ -14,9 +14,13 @@ namespace nrb {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-// Halvings of a span at most, and how far a leaf may be from its chord as a part of the chord without another.
-constexpr int most_halvings = 3;
+// How far a leaf may be from its chord, as a part of the chord, without another halving.
 constexpr double straight = 1.0 / 16;
+
+// Halvings of a span at most: leaves take ten times the memory of control points, so many spans stay whole.
+constexpr int most_halvings(int64_t spans) noexcept {
+    return spans <= 1 << 12 ? 3 : spans <= 1 << 16 ? 1 : 0;
+}
 
 std::vector<double> middle_of(const Spline &curve) {
     const int dim = curve.dim();
@@ -119,7 +123,7 @@ CurveTree::CurveTree(const Spline &curve)
             record[lanes_ - 1] = weights[i];
         }
         const auto e = static_cast<size_t>(piece);
-        add_span(padded.data(), {breaks[0][e], breaks[0][e + 1]}, 0);
+        add_span(padded.data(), {breaks[0][e], breaks[0][e + 1]}, most_halvings(net.pieces()));
     }
     if (!net.positive()) {
         rounding_ *= weight_ratio();
@@ -138,20 +142,20 @@ double CurveTree::weight_ratio() const noexcept {
     return largest / smallest;
 }
 
-void CurveTree::add_span(const double *records, Interval span, int depth) {
+void CurveTree::add_span(const double *records, Interval span, int halvings) {
     const PieceView view(records, degree_, dim_, lanes_);
     const double middle = span.lower / 2 + span.upper / 2;
     const double deviation = view.deviation();
     const bool divisible = span.lower < middle && middle < span.upper;
-    if (deviation <= straight * view.chord() || depth == most_halvings || !divisible) {
+    if (deviation <= straight * view.chord() || halvings == 0 || !divisible) {
         records_.insert(records_.end(), records, records + (degree_ + 1) * lanes_);
         domains_.push_back(span);
         return;
     }
     std::vector<double> upper(records, records + (degree_ + 1) * lanes_), lower(upper.size());
     halve({{0, 0, degree_}, lanes_}, 2, upper.data(), lower.data());
-    add_span(lower.data(), {span.lower, middle}, depth + 1);
-    add_span(upper.data(), {middle, span.upper}, depth + 1);
+    add_span(lower.data(), {span.lower, middle}, halvings - 1);
+    add_span(upper.data(), {middle, span.upper}, halvings - 1);
 }
 
 void CurveTree::add_blocks() {
