@@ -127,7 +127,8 @@ private:
                 return run(std::move(upper), middle, to);
             }
         }
-        append(runs_, {from, to, 0});
+        const bool changes = f.sign(0) != f.sign(f.values.size() - 1);
+        append(runs_, {from, to, 0, false, changes ? from + (to - from) * bracketed_zero(f.values) : -1});
     }
 
     std::vector<SignRun> &runs_;
@@ -229,15 +230,27 @@ private:
     std::vector<ZeroPlace> places_;
 };
 
+// With f = x^m q the zeros of f + e are where q x^m = -e.
+bool doubtful_end(const RoundedPolynomial &f, double q, int times, bool upper) noexcept {
+    double error = 0;
+    for (size_t i = 0; i < static_cast<size_t>(times); ++i) {
+        error = std::max(error, f.error(upper ? f.values.size() - 1 - i : i));
+    }
+    return !(error <= 0x1p-32 * std::abs(q));
+}
+
 } // namespace
 
 SignRuns sign_runs(RoundedPolynomial f) {
     SignRuns result;
+    const RoundedPolynomial whole = f;
     result.zeros_at_start = divide_end(f, axis, false);
     if (result.zeros_at_start < 0) {
-        return {{{0, 1, 0}}, 0, 0, true};
+        return {{{0, 1, 0}}, 0, 0, true, false};
     }
     result.zeros_at_end = divide_end(f, axis, true);
+    result.doubtful = doubtful_end(whole, f.values.front(), result.zeros_at_start, false) ||
+                      doubtful_end(whole, f.values.back(), result.zeros_at_end, true);
     Isolation(result.runs).run(std::move(f), 0, 1);
     return result;
 }
