@@ -8,8 +8,9 @@ namespace nrb {
 
 namespace {
 
-constexpr int axis = 2;           // of the three, which curves lie along
-constexpr double least = 0x1p-48; // parts are not halved any further
+constexpr int axis = 2;             // of the three, which curves lie along
+constexpr double least = 0x1p-48;   // parts are not halved any further
+constexpr int most_halvings = 4096; // of one polynomial, where rounding leaves many parts open
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
 // How often the sign of coefficients changes: at least and, if those without a certain sign are chosen so that it
@@ -116,9 +117,10 @@ private:
     void halve(const RoundedPolynomial &f, double from, double to) {
         static constexpr double places[] = {0.5, 0.4375, 0.5625, 0.375, 0.625, 0.25, 0.75, 0.125, 0.875};
         for (const double place : places) {
-            if (to - from < least) {
+            if (to - from < least || halvings_ > most_halvings) {
                 break;
             }
+            ++halvings_;
             RoundedPolynomial upper = f;
             RoundedPolynomial lower = split(upper, axis, place);
             if (upper.sign(0) != 0) {
@@ -132,6 +134,7 @@ private:
     }
 
     std::vector<SignRun> &runs_;
+    int halvings_ = 0;
 };
 
 // Halving until every part has no zero, or one.
@@ -198,7 +201,7 @@ private:
                 return;
             }
         }
-        if (to - from < least) {
+        if (to - from < least || ++halvings_ > most_halvings) {
             return note({from, to, false});
         }
         RoundedPolynomial lower = split(v, axis);
@@ -228,6 +231,7 @@ private:
     }
 
     std::vector<ZeroPlace> places_;
+    int halvings_ = 0;
 };
 
 // With f = x^m q the zeros of f + e are where q x^m = -e.
