@@ -430,6 +430,40 @@ const Case cases[] = {
                                       nullptr);
      },
      true},
+    {"curve_features",
+     [](Inputs &in, Output &) {
+         return nurbs_curve_features(in.twist, 0x7f, 0, nullptr, nullptr, nullptr, in.spans, in.states);
+     }},
+    {"curve_features periodic",
+     [](Inputs &in, Output &) {
+         return nurbs_curve_features(in.loop, 0x3f, 16, in.values, in.states, in.values + 16, in.spans, nullptr);
+     },
+     true},
+    {"curve_monotone_pieces",
+     [](Inputs &in, Output &) {
+         return nurbs_curve_monotone_pieces(in.curve, params, 16, in.values, in.states, in.spans, nullptr);
+     }},
+    {"curve_convexity", [](Inputs &in, Output &) { return nurbs_curve_convexity(in.curve, in.states); }},
+    {"straightness",
+     [](Inputs &in, Output &) {
+         return nurbs_straightness(in.segment, in.values, in.values + 2, in.values + 4);
+     },
+     true},
+    {"planarity",
+     [](Inputs &in, Output &) { return nurbs_planarity(in.surface, in.values, in.values + 3, in.values + 6); }},
+    {"boundary_contacts",
+     [](Inputs &in, Output &) {
+         return nurbs_boundary_contacts(in.surface, 0.1, in.states, in.values, in.states + 2, in.values + 2);
+     },
+     true},
+    {"singular_points",
+     [](Inputs &in, Output &) {
+         return nurbs_singular_points(in.surface, 0.1, 0, nullptr, nullptr, in.spans, in.states);
+     }},
+    {"fold_test",
+     [](Inputs &in, Output &) {
+         return nurbs_fold_test(in.surface, nullptr, in.states, in.values, in.values + 2);
+     }},
     {"recognize curve",
      [](Inputs &in, Output &) {
          return nurbs_recognize(in.curve, 1e-9, in.states, in.values, in.values + 9, in.values + 11);
