@@ -77,7 +77,7 @@ public:
             if (!(s < arc_.length())) {
                 return -chord;
             }
-            params_.push_back(arc_.param(s));
+            params_.push_back(std::max(params_.back(), arc_.param(s)));
             arc_.place(params_.back(), false, from_);
         }
         params_.push_back(range_.upper);
@@ -148,7 +148,7 @@ double divide_by_length(const Spline &curve, Interval range, int64_t parts, doub
     const double part = arc.length() / static_cast<double>(parts);
     params.assign(1, range.lower);
     for (int64_t i = 1; i < parts; ++i) {
-        params.push_back(arc.param(static_cast<double>(i) * part));
+        params.push_back(std::max(params.back(), arc.param(static_cast<double>(i) * part)));
     }
     params.push_back(range.upper);
     return arc.to_model(part);
@@ -163,7 +163,8 @@ double divide_by_chord(const Spline &curve, Interval range, int64_t parts, doubl
     double upper = arc.length() / static_cast<double>(parts), lower = 0;
     double above = walk.excess(upper), below = arc.length();
     double chord = upper, rest = above;
-    const double allowed = std::max(relative_tolerance, 64 * eps * static_cast<double>(parts));
+    // Below 1, so that a walk that ends too early is never taken.
+    const double allowed = std::min(std::max(relative_tolerance, 64 * eps * static_cast<double>(parts)), 0.5);
     for (int step = 0; step < most_bisections && std::abs(rest) > allowed / 8 * chord; ++step) {
         const double falsi = (lower * above - upper * below) / (above - below);
         chord = step % 3 < 2 && falsi > lower && falsi < upper ? falsi : lower / 2 + upper / 2;
