@@ -2821,8 +2821,8 @@ NURBS_API nurbs_status nurbs_recognize(const nurbs *g, double tolerance, int32_t
  * locator, the Bezier pieces with bounds, which the handle keeps; batches are what is fast.
  *
  * A result is certified where it is proven that no point of g is nearer (of the farthest: farther) by more
- * than the tolerance and rounding, which is at most 64 (p + 1) eps (s + |x|): p is the highest degree, s
- * the largest coordinate of g, x the query point; with weights that differ by a factor q, q times as much.
+ * than the tolerance and rounding, which is at most (64 (p + 1) + 2 dim) eps (sqrt(dim) s + |x|): p is the
+ * highest degree, s the largest coordinate of g, x the query point; with weights that differ by a factor q, q times as much.
  * The proof is by polynomials: with the homogeneous form A / w of a piece, |A - x w|^2 - r^2 w^2 >= 0 says
  * that the piece is not nearer than r, and holds if all Bernstein coefficients are >= 0; around a minimum a
  * factor that cannot be negative is divided out first (curves), or the polynomial is shown to be convex
@@ -2837,12 +2837,12 @@ NURBS_API nurbs_status nurbs_recognize(const nurbs *g, double tolerance, int32_t
 
 /** \name Status of a closest point
  * @{ */
-#define NURBS_CLOSEST_CERTIFIED 0x01 /**< proven to be the nearest, or farthest, point to the tolerance */
-#define NURBS_CLOSEST_BOUNDARY                                                                               \
-    0x02 /**< at an end of a curve, on the boundary of a surface or volume, or of range */
+#define NURBS_CLOSEST_CERTIFIED 0x01  /**< proven to be the nearest, or farthest, point to the tolerance */
+#define NURBS_CLOSEST_BOUNDARY 0x02   /**< on an end or an edge of the domain, or of range */
 #define NURBS_CLOSEST_NOT_UNIQUE 0x04 /**< points elsewhere are as near to the tolerance */
 #define NURBS_CLOSEST_BUDGET 0x08     /**< the budget ended before a proof was found */
 #define NURBS_CLOSEST_INVALID 0x10    /**< the query point is not finite; results are NaN */
+#define NURBS_CLOSEST_COARSE 0x20     /**< proven, but rounding the parameters moves the point by more */
 /** @} */
 
 /** \name Kind of a critical point

@@ -11,17 +11,24 @@
 #ifndef NURBS_NURBS_HPP
 #define NURBS_NURBS_HPP
 
+#include <nurbs/cpp/analysis.hpp>
 #include <nurbs/cpp/arrays.hpp>
+#include <nurbs/cpp/bounds.hpp>
 #include <nurbs/cpp/calculus.hpp>
+#include <nurbs/cpp/closest.hpp>
 #include <nurbs/cpp/compatible.hpp>
+#include <nurbs/cpp/constrain.hpp>
 #include <nurbs/cpp/continuation.hpp>
 #include <nurbs/cpp/continuity.hpp>
 #include <nurbs/cpp/coons.hpp>
 #include <nurbs/cpp/curves.hpp>
+#include <nurbs/cpp/deform.hpp>
+#include <nurbs/cpp/edit.hpp>
 #include <nurbs/cpp/frames.hpp>
 #include <nurbs/cpp/knots.hpp>
 #include <nurbs/cpp/linear.hpp>
 #include <nurbs/cpp/list.hpp>
+#include <nurbs/cpp/measure.hpp>
 #include <nurbs/cpp/parts.hpp>
 #include <nurbs/cpp/placement.hpp>
 #include <nurbs/cpp/projections.hpp>

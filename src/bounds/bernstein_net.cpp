@@ -76,6 +76,31 @@ std::vector<double> active_maxima(const std::vector<double> &sizes, const AxisVi
 
 } // namespace
 
+std::vector<double> centre_of(const Spline &f) {
+    const auto dim = static_cast<size_t>(f.dim());
+    std::vector<double> centre(dim);
+    if (f.form() == Form::homogeneous) {
+        return centre;
+    }
+    for (size_t c = 0; c < dim; ++c) {
+        double low = f.points()[c], high = low;
+        for (size_t i = c; i < f.points().size(); i += dim) {
+            low = std::min(low, f.points()[i]);
+            high = std::max(high, f.points()[i]);
+        }
+        centre[c] = low / 2 + high / 2;
+    }
+    return centre;
+}
+
+int weight_exponent(const Spline &spline) {
+    double largest = 0;
+    for (int64_t i = 0; i < spline.point_count(); ++i) {
+        largest = std::max(largest, std::abs(spline.weight(i)));
+    }
+    return std::ilogb(largest);
+}
+
 CentredRecords centred_records(const Spline &spline, const std::vector<double> &centre, bool weighted,
                                int exponent) {
     const int dim = spline.dim(), stored = spline.stored_width();

@@ -16,6 +16,11 @@ struct CentredRecords {
     std::vector<double> sizes;  // what a record is accurate to 2 eps of, by its weight: |x - c| if positive
 };
 
+// The middle of the control points' box; the origin for points that have no Cartesian place.
+std::vector<double> centre_of(const Spline &spline);
+// The power of two of the largest weight.
+int weight_exponent(const Spline &spline);
+
 // (w (x - c), w) with the weights divided by 2^exponent.
 CentredRecords centred_records(const Spline &spline, const std::vector<double> &centre, bool weighted,
                                int exponent);

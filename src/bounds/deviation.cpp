@@ -39,32 +39,6 @@ std::vector<double> common_breaks(const KnotVector &f, const KnotVector &g, Inte
     return breaks;
 }
 
-// The middle of the control points' box; the origin for points that have no Cartesian place.
-std::vector<double> centre_of(const Spline &f) {
-    const auto dim = static_cast<size_t>(f.dim());
-    std::vector<double> centre(dim);
-    if (f.form() == Form::homogeneous) {
-        return centre;
-    }
-    for (size_t c = 0; c < dim; ++c) {
-        double low = f.points()[c], high = low;
-        for (size_t i = c; i < f.points().size(); i += dim) {
-            low = std::min(low, f.points()[i]);
-            high = std::max(high, f.points()[i]);
-        }
-        centre[c] = low / 2 + high / 2;
-    }
-    return centre;
-}
-
-int weight_exponent(const Spline &spline) {
-    double largest = 0;
-    for (int64_t i = 0; i < spline.point_count(); ++i) {
-        largest = std::max(largest, std::abs(spline.weight(i)));
-    }
-    return std::ilogb(largest);
-}
-
 } // namespace
 
 // What both nets have in common.
@@ -260,10 +234,11 @@ std::vector<double> DeviationPieces::uppers() const {
                                          int64_t i, QuotientPiece &out) mutable { difference.fill(i, out); });
 }
 
-Enclosure DeviationPieces::enclosure(std::span<const double> uppers) const {
-    return largest_quotient(uppers, [difference = Difference(f_, g_)](int64_t i, QuotientPiece &out) mutable {
+Enclosure DeviationPieces::enclosure(std::span<const double> uppers, const SearchLimits &limits) const {
+    const PieceSource source = [difference = Difference(f_, g_)](int64_t i, QuotientPiece &out) mutable {
         difference.fill(i, out);
-    });
+    };
+    return largest_quotient(uppers, source, limits);
 }
 
 Enclosure deviation(const Spline &f, const Spline &g) {

@@ -24,7 +24,7 @@ public:
     // A bound for each piece.
     [[nodiscard]] std::vector<double> uppers() const;
     // Of the largest distance.
-    [[nodiscard]] Enclosure enclosure(std::span<const double> uppers) const;
+    [[nodiscard]] Enclosure enclosure(std::span<const double> uppers, const SearchLimits &limits = {}) const;
 
 private:
     struct Setting;

@@ -20,6 +20,7 @@ public:
     explicit Denominators(const QuotientPiece &piece)
         : piece_(piece), sign_(piece.denominators.empty() || piece.denominators.front() >= 0 ? 1.0 : -1.0) {}
 
+    [[nodiscard]] double sign() const noexcept { return sign_; }
     [[nodiscard]] double value(int64_t i) const noexcept {
         return piece_.denominators.empty() ? 1.0 : sign_ * piece_.denominators[static_cast<size_t>(i)];
     }
@@ -62,16 +63,21 @@ double upper_bound(const QuotientPiece &piece) noexcept {
     return std::isnan(upper) ? infinite : upper;
 }
 
+// Index of a corner, whose bit k tells the end of axis k.
+int64_t corner_index(const BernsteinShape &shape, int corner) noexcept {
+    int64_t i = 0;
+    for (int k = 0; k < max_axes; ++k) {
+        const int n = shape.degrees[static_cast<size_t>(k)];
+        i = i * (n + 1) + ((corner >> k & 1) != 0 ? n : 0);
+    }
+    return i;
+}
+
 double lower_bound(const QuotientPiece &piece) noexcept {
-    const auto &degrees = piece.shape.degrees;
     const Denominators denominators(piece);
     double largest = 0;
     for (int corner = 0; corner < 8; ++corner) {
-        int64_t i = 0;
-        for (int k = 0; k < max_axes; ++k) {
-            const int n = degrees[static_cast<size_t>(k)];
-            i = i * (n + 1) + ((corner >> k & 1) != 0 ? n : 0);
-        }
+        const int64_t i = corner_index(piece.shape, corner);
         const double most = denominators.most(i);
         const double quotient = (norm_at(piece, i) - piece.numerator_error) / most;
         if (most > 0 && quotient > largest && std::isfinite(quotient)) {
@@ -119,80 +125,146 @@ void add_rounding(QuotientPiece &piece, int degree) {
     piece.denominator_error += share * largest_magnitude(piece.denominators);
 }
 
-// A piece in the heap: one of the source, or a part of it.
-struct Candidate {
-    double upper;
-    double noise;
-    int64_t index;
-    QuotientPiece part; // empty: the piece of the source, not looked at yet
-
-    [[nodiscard]] bool operator<(const Candidate &other) const noexcept { return upper < other.upper; }
-};
-
-class Search {
+// |N| / W.
+class LengthProblem {
 public:
-    Search(std::span<const double> uppers, const PieceSource &source, const SearchLimits &limits)
-        : source_(source), limits_(limits) {
-        heap_.reserve(uppers.size());
-        for (size_t i = 0; i < uppers.size(); ++i) {
-            heap_.push_back({uppers[i], 0, static_cast<int64_t>(i), {}});
-        }
-        std::make_heap(heap_.begin(), heap_.end());
-    }
+    using Piece = QuotientPiece;
+    LengthProblem(const PieceSource &source, double ratio) : source_(source), ratio_(ratio) {}
 
-    Enclosure run() {
-        for (int step = 0; step < limits_.steps && !done(); ++step) {
-            if (!refine()) {
-                break;
-            }
-        }
-        return {lower_, heap_.empty() ? 0.0 : heap_.front().upper};
+    [[nodiscard]] Piece load(int64_t index) const {
+        Piece piece;
+        source_(index, piece);
+        return piece;
+    }
+    [[nodiscard]] static Enclosure bounds(const Piece &piece) { return quotient_bounds(piece); }
+    [[nodiscard]] static double noise(const Piece &piece) noexcept { return piece.quotient_error; }
+    [[nodiscard]] static std::optional<Piece> split(Piece &piece) {
+        return next_axis(piece) < 0 ? std::nullopt : std::optional(halve(piece));
+    }
+    void found(int64_t /*index*/, const Piece & /*piece*/) const noexcept {}
+    [[nodiscard]] bool reached(double lower, double upper, double noise) const noexcept {
+        return upper - noise <= (1 + ratio_) * (lower + noise);
     }
 
 private:
-    [[nodiscard]] bool done() const noexcept {
-        if (heap_.empty()) {
-            return true;
-        }
-        const Candidate &top = heap_.front();
-        return top.upper - top.noise <= (1 + limits_.ratio) * (lower_ + top.noise);
-    }
+    const PieceSource &source_;
+    double ratio_;
+};
 
-    // Halves the piece with the largest upper bound, of which at first no more than that is known; false if it
-    // has no degree.
-    bool refine() {
-        std::pop_heap(heap_.begin(), heap_.end());
-        Candidate top = std::move(heap_.back());
-        heap_.pop_back();
-        QuotientPiece piece = std::move(top.part);
-        const bool known = !piece.numerators.empty();
-        if (!known) {
-            source_(top.index, piece);
-        }
-        if (!known || next_axis(piece) < 0) {
-            push(std::move(piece), top);
-            return !known;
-        }
-        QuotientPiece lower = halve(piece);
-        push(std::move(lower), top);
-        push(std::move(piece), top);
-        return true;
-    }
+// N / W, N having one component.
+class ValueProblem {
+public:
+    using Piece = QuotientPiece;
+    ValueProblem(const PieceSource &source, double gap) : source_(source), gap_(gap) {}
 
-    // A part has no larger values than the whole.
-    void push(QuotientPiece &&piece, const Candidate &whole) {
-        const Enclosure bounds = quotient_bounds(piece);
-        lower_ = std::max(lower_, bounds.lower);
-        heap_.push_back(
-            {std::min(bounds.upper, whole.upper), piece.quotient_error, whole.index, std::move(piece)});
-        std::push_heap(heap_.begin(), heap_.end());
+    [[nodiscard]] Piece load(int64_t index) const {
+        Piece piece;
+        source_(index, piece);
+        return piece;
     }
+    [[nodiscard]] static Enclosure bounds(const Piece &piece) noexcept {
+        return {best_corner(piece).lower, upper(piece)};
+    }
+    [[nodiscard]] static double noise(const Piece &piece) noexcept { return piece.quotient_error; }
+    [[nodiscard]] static std::optional<Piece> split(Piece &piece) {
+        const int axis = most_curved_axis(piece);
+        return axis < 0 ? std::nullopt : std::optional(halve(piece, axis));
+    }
+    void found(int64_t index, const Piece &piece) noexcept {
+        best_.piece = index;
+        const int corner = best_corner(piece).corner;
+        for (size_t k = 0; k < best_.place.size(); ++k) {
+            const bool end = (corner >> k & 1) != 0;
+            best_.place[k] = piece.start[k] + (end ? piece.extent[k] : 0);
+        }
+    }
+    [[nodiscard]] bool reached(double lower, double upper, double noise) const noexcept {
+        return std::isfinite(upper - lower) && upper - lower <= gap_ + 4 * noise;
+    }
+    [[nodiscard]] static double upper(const Piece &piece) noexcept;
+    [[nodiscard]] const LargestValue &best() const noexcept { return best_; }
+
+private:
+    struct Corner {
+        double lower;
+        int corner;
+    };
+    static Corner best_corner(const Piece &piece) noexcept;
+    static int most_curved_axis(const Piece &piece) noexcept;
 
     const PieceSource &source_;
-    const SearchLimits &limits_;
-    std::vector<Candidate> heap_;
-    double lower_ = 0;
+    double gap_;
+    LargestValue best_{{-infinite, infinite}, -1, {}};
 };
+
+// The mediant inequality. Where W* is between `least` and `most` and N* at most n, N* / W* is at most n divided by
+// the one or the other. A coefficient that is 0 without rounding, weight and all, adds nothing.
+double ValueProblem::upper(const Piece &piece) noexcept {
+    const Denominators denominators(piece);
+    const double share = piece.quotient_error * (1 + 2 * piece.denominator_factor);
+    const bool exact = piece.numerator_error == 0 && piece.denominator_error == 0;
+    double largest = -infinite;
+    for (int64_t i = 0; i < piece.shape.coefficients(); ++i) {
+        const double n = denominators.sign() * piece.numerators[static_cast<size_t>(i)];
+        const double least = denominators.least(i), most = denominators.most(i);
+        if (exact && n == 0 && denominators.value(i) == 0) {
+            continue;
+        }
+        const double top = n + piece.numerator_error;
+        const double quotient = top >= 0 ? top / least : top / most;
+        if (!(least > 0) || std::isnan(quotient)) {
+            return infinite;
+        }
+        largest = std::max(largest, quotient + share + 4 * eps * std::abs(quotient));
+    }
+    return std::isfinite(largest) ? largest : infinite;
+}
+
+ValueProblem::Corner ValueProblem::best_corner(const Piece &piece) noexcept {
+    const Denominators denominators(piece);
+    const double share = piece.quotient_error * (1 + 2 * piece.denominator_factor);
+    Corner best{-infinite, 0};
+    for (int corner = 0; corner < 8; ++corner) {
+        const int64_t i = corner_index(piece.shape, corner);
+        const double n = denominators.sign() * piece.numerators[static_cast<size_t>(i)];
+        const double least = denominators.least(i), bottom = n - piece.numerator_error;
+        const double quotient = bottom >= 0 ? bottom / denominators.most(i) : bottom / least;
+        const double lower = quotient - share - 4 * eps * std::abs(quotient);
+        if (least > 0 && std::isfinite(lower) && lower > best.lower) {
+            best = {lower, corner};
+        }
+    }
+    return best;
+}
+
+// Along the axis on which the coefficients are farthest from those of a function linear in it, for which bounds
+// are attained at corners. Parts of 2^-40 are not halved any more.
+int ValueProblem::most_curved_axis(const Piece &piece) noexcept {
+    const double slope = ratio_bound(piece);
+    const auto second = [](const std::vector<double> &x, size_t i, size_t step) {
+        return x.empty() ? 0 : std::abs(x[i] - 2 * x[i + step] + x[i + 2 * step]);
+    };
+    int best = -1;
+    double most = -1;
+    size_t step = 1;
+    for (size_t k = piece.shape.degrees.size(); k-- > 0;) {
+        const auto n = static_cast<size_t>(piece.shape.degrees[k]);
+        double bend = 0;
+        for (size_t i = 0; n > 1 && i < piece.numerators.size(); ++i) {
+            if (i / step % (n + 1) + 2 <= n) {
+                const double w = second(piece.denominators, i, step);
+                bend += second(piece.numerators, i, step) + (w == 0 || !std::isfinite(slope) ? w : slope * w);
+            }
+        }
+        bend *= static_cast<double>(n) * static_cast<double>(n);
+        if (n > 0 && piece.extent[k] > 0x1p-40 && !(bend <= most)) {
+            best = static_cast<int>(k);
+            most = bend;
+        }
+        step *= n + 1;
+    }
+    return best;
+}
 
 } // namespace
 
@@ -201,10 +273,16 @@ Enclosure quotient_bounds(const QuotientPiece &piece) {
 }
 
 QuotientPiece halve(QuotientPiece &piece) {
-    const int axis = next_axis(piece);
+    return halve(piece, next_axis(piece));
+}
+
+QuotientPiece halve(QuotientPiece &piece, int axis) {
     add_rounding(piece, piece.shape.degrees[static_cast<size_t>(axis)]);
     piece.last_axis = axis;
+    double &extent = piece.extent[static_cast<size_t>(axis)];
+    extent /= 2;
     QuotientPiece lower = piece;
+    piece.start[static_cast<size_t>(axis)] += extent;
     halve(piece.shape, axis, piece.numerators.data(), lower.numerators.data());
     if (!piece.denominators.empty()) {
         BernsteinShape scalar = piece.shape;
@@ -216,7 +294,8 @@ QuotientPiece halve(QuotientPiece &piece) {
 
 Enclosure largest_quotient(std::span<const double> uppers, const PieceSource &source,
                            const SearchLimits &limits) {
-    return Search(uppers, source, limits).run();
+    LengthProblem problem(source, limits.ratio);
+    return BranchAndBound(problem, uppers, 0).run(limits.steps);
 }
 
 std::vector<double> quotient_uppers(int64_t count, const PieceSource &source) {
@@ -236,6 +315,24 @@ std::vector<double> quotient_uppers(int64_t count, const PieceSource &source) {
         uppers.push_back(upper);
     }
     return uppers;
+}
+
+LargestValue largest_value(int64_t count, const PieceSource &source, double gap, int steps) {
+    constexpr int64_t room = int64_t{1} << 26; // doubles
+    ValueProblem problem(source, gap);
+    std::vector<double> uppers;
+    uppers.reserve(static_cast<size_t>(count));
+    QuotientPiece piece;
+    for (int64_t i = 0; i < count; ++i) {
+        source(i, piece);
+        uppers.push_back(ValueProblem::upper(piece));
+    }
+    const int64_t most = std::max<int64_t>(1, room / piece.shape.coefficients());
+    BranchAndBound search(problem, uppers, -infinite);
+    const Enclosure found = search.run(static_cast<int>(std::min<int64_t>(steps, most)));
+    LargestValue result = problem.best();
+    result.bounds = found;
+    return result;
 }
 
 } // namespace nrb

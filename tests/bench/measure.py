@@ -28,6 +28,7 @@ OPERATIONS = {
     "bench_operations_occt": "Open CASCADE",
     "bench_operations_snl": "SNL",
 }
+QUERIES = ("bench_queries_nurbs", "bench_queries_sisl", "bench_queries_occt")
 # One thread; freed memory stays in the process, which helps those who return new arrays.
 ENVIRONMENT = {
     **os.environ,
@@ -71,6 +72,8 @@ class Results:
         self.jobs = jobs
         self.times = {}  # [job][library][route]: a list
         self.operations = {}  # [name]: {title, points, times: {library: a list, microseconds of process time}}
+        # [name]: {title, routes: {route: {times: a list, microseconds of process time for each answer; wrong, error}}}
+        self.queries = {}
         self.scaling = {}  # [name]: a list
         self.spans = None
         self.errors = set()
@@ -91,6 +94,16 @@ class Results:
         new = {"title": entry.get("label", ""), "points": entry["points"], "times": {}}
         times = self.operations.setdefault(name, new)["times"]
         times.setdefault(library, []).append(entry["cpu_time"])
+
+    def add_query(self, entry):
+        name, route = entry["name"].split("/")[:2]
+        if entry.get("error_occurred"):
+            self.errors.add(f"{name}, {route}: {entry['error_message']}")
+            return
+        routes = self.queries.setdefault(name, {"title": entry["label"], "routes": {}})["routes"]
+        misses = {key: entry[key] for key in ("wrong", "error") if key in entry}
+        found = routes.setdefault(route, {"times": [], **misses})
+        found["times"].append(entry["cpu_time"] / entry["answers"])
 
     def add_scaling(self, entry):
         if entry.get("error_occurred"):
@@ -119,6 +132,11 @@ def one_pass(results, folder, arguments):
             if (folder / "operations" / program).exists():
                 for entry in entries([str(folder / "operations" / program)], options):
                     results.add_operation(library, entry)
+    if re.search(arguments.only, "queries"):
+        for program in QUERIES:
+            if (folder / "queries" / program).exists():
+                for entry in entries([str(folder / "queries" / program)], options):
+                    results.add_query(entry)
     large = ["--large"] if arguments.large else []
     if re.search(arguments.only, "scaling"):
         for entry in entries([str(folder / "bench_scaling"), data, *large], options):
@@ -129,7 +147,8 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("folder", type=Path, help="where the programs are, and the folder data")
     parser.add_argument("--passes", type=int, default=5)
-    parser.add_argument("--only", default="", metavar="REGEX", help="jobs whose name matches, operations or scaling")
+    parser.add_argument("--only", default="", metavar="REGEX",
+                        help="jobs whose name matches, operations, queries or scaling")
     parser.add_argument("--large", action="store_true", help="also a call with 1e8 points (4 GB)")
     parser.add_argument("--min-time", type=float, default=0.05, help="seconds for each time")
     arguments = parser.parse_args()

@@ -18,6 +18,9 @@ PEERS = {
     "SciPy": "python3-scipy",
 }
 OPERATION_PEERS = {**{name: PEERS[name] for name in ("SISL", "Open CASCADE")}, "SNL": "libsnl-dev"}
+QUERY_ROUTES = (OURS, "SISL", "SISL, fast routines", "Open CASCADE", "Open CASCADE, thorough")
+# Answers that count as right in the ratio: none is wrong, or the relative error is at most this.
+RIGHT = 1e-10
 BEGIN, END = "<!-- speed: written by tests/bench/run --readme -->", "<!-- end of speed -->"
 
 
@@ -64,6 +67,30 @@ def operation_row(operation):
 def operation_table(results):
     rows = [["microseconds", OURS, *OPERATION_PEERS, "best other / ours"]]
     rows += [operation_row(operation) for operation in results["operations"].values() if operation["title"]]
+    return table(rows) if len(rows) > 1 else ""
+
+
+def query_cell(found):
+    """Time, and how wrong the answers are."""
+    if found is None:
+        return "–"
+    miss = f"{100 * found['wrong']:.3g} % wrong" if "wrong" in found else f"error {found['error']:.0e}"
+    miss = miss.replace("0e+00", "0")
+    return f"{number(median(found['times']))} ({miss})"
+
+
+def query_row(query):
+    routes = query["routes"]
+    ours = routes.get(OURS)
+    right = [median(found["times"]) for route, found in routes.items()
+             if route != OURS and found.get("wrong", 0) == 0 and found.get("error", 0) <= RIGHT]
+    ratio = f"{min(right) / median(ours['times']):.1f}" if right and ours else "–"
+    return [query["title"], *(query_cell(routes.get(route)) for route in QUERY_ROUTES), ratio]
+
+
+def query_table(results):
+    rows = [["microseconds for each answer", *QUERY_ROUTES, "best right other / ours"]]
+    rows += [query_row(query) for query in results["queries"].values()]
     return table(rows) if len(rows) > 1 else ""
 
 
@@ -143,9 +170,10 @@ def main():
         scaling_tables(results),
     ]
     errors = [f"**error**: {error}" for error in results["errors"]]
-    print("\n\n".join(part for part in (main_table(results, True), operation_table(results), machine(), *own, *errors) if part))
+    tables = operation_table(results), query_table(results), machine()
+    print("\n\n".join(part for part in (main_table(results, True), *tables, *own, *errors) if part))
     if arguments.readme:
-        update_readme("\n\n".join([main_table(results, False), operation_table(results), machine()]))
+        update_readme("\n\n".join([main_table(results, False), *tables]))
 
 
 if __name__ == "__main__":

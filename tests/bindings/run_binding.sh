@@ -30,7 +30,8 @@ run_fortran() {
     local flags=(-std=f2018 -O2 -Wall -Wextra -Wno-compare-reals -Werror)
     for module in nurbs_constants nurbs_c nurbs_support nurbs_handles nurbs_splines nurbs_frames nurbs_calculus \
         nurbs_reduction nurbs_lists nurbs_compatible nurbs_continuities nurbs_continuation nurbs_projections \
-        nurbs_segments nurbs_placements nurbs_curves nurbs_shapes nurbs_coons nurbs_recognition nurbs; do
+        nurbs_segments nurbs_placements nurbs_curves nurbs_shapes nurbs_coons nurbs_recognition \
+        nurbs_closest nurbs_measures nurbs_bounds nurbs_features nurbs_edits nurbs_deformations nurbs; do
         "$compiler" "${flags[@]}" -J"$work" -c "$bindings/fortran/$module.f90" -o "$work/$module.o"
         objects+=("$work/$module.o")
     done

@@ -388,6 +388,48 @@ const Case cases[] = {
      [](Inputs &in, Output &) { return nurbs_deviation(in.surface, in.surface, in.values, in.values + 1); }},
     {"curve_shape_factor",
      [](Inputs &in, Output &) { return nurbs_curve_shape_factor(in.segment, in.values, in.states); }},
+    {"box", [](Inputs &in, Output &) { return nurbs_box(in.volume, nullptr, 1e-3, in.values, in.values + 4, nullptr); }},
+    {"oriented_box",
+     [](Inputs &in, Output &) {
+         return nurbs_oriented_box(in.surface, 1e-3, in.values, in.values + 3, in.values + 12);
+     }},
+    {"tangent_cone",
+     [](Inputs &in, Output &) {
+         return nurbs_tangent_cone(in.segment, 0, nullptr, 0.1, in.values, in.values + 2);
+     }},
+    {"normal_cone",
+     [](Inputs &in, Output &) {
+         return nurbs_normal_cone(in.surface, nullptr, 0.1, in.values, in.values + 3);
+     }},
+    {"extreme_point",
+     [](Inputs &in, Output &) {
+         return nurbs_extreme_point(in.curve, params, nullptr, 1e-6, in.values, in.values + 1, in.values + 2);
+     }},
+    {"closest_points",
+     [](Inputs &in, Output &) {
+         return nurbs_closest_points(in.curve, 1, params, 0, 0, nullptr, 0, 0, in.values, 0, 0, in.values + 1, 0, 0,
+                                     nullptr, 0, in.states, 0);
+     }},
+    {"closest_local",
+     [](Inputs &in, Output &) {
+         return nurbs_closest_local(in.curve, 1, params, 0, 0, params, 0, 0, in.values, 0, 0, nullptr, 0, 0,
+                                    nullptr, 0, nullptr, 0);
+     }},
+    {"curve_signed_distances",
+     [](Inputs &in, Output &) {
+         return nurbs_curve_signed_distances(in.curve, 1, params, 0, 0, 0, 0, in.values, 0, nullptr, 0, nullptr, 0);
+     }},
+    {"closest_all",
+     [](Inputs &in, Output &) {
+         return nurbs_closest_all(in.curve, params, nullptr, 0, 0, 8, in.values, nullptr, nullptr, nullptr);
+     },
+     true},
+    {"critical_points",
+     [](Inputs &in, Output &) {
+         return nurbs_critical_points(in.curve, params, nullptr, 0, 0, 8, in.values, nullptr, nullptr, nullptr,
+                                      nullptr);
+     },
+     true},
     {"recognize curve",
      [](Inputs &in, Output &) {
          return nurbs_recognize(in.curve, 1e-9, in.states, in.values, in.values + 9, in.values + 11);
@@ -608,6 +650,65 @@ const Case cases[] = {
      [](Inputs &in, Output &o) {
          static const double map[] = {1, 0, 0, 0, 1, 0, 0, 0, 2};
          return nurbs_transform_projective(in.curve, 2, map, &o.out);
+     }},
+    {"pull_weight",
+     [](Inputs &in, Output &o) { return nurbs_pull_weight(in.curve, 3, new_knots, 0.01, in.values, &o.out); }},
+    {"pull_weights",
+     [](Inputs &in, Output &o) {
+         static const int64_t both[] = {2, 3};
+         return nurbs_pull_weights(in.curve, 2, both, new_knots, 0.01, in.values, &o.out);
+     }},
+    {"set_weights",
+     [](Inputs &in, Output &o) {
+         static const int64_t both[] = {2, 3};
+         return nurbs_set_weights(in.loop, 2, both, new_knots, &o.out);
+     }},
+    {"weight_points",
+     [](Inputs &in, Output &) {
+         return nurbs_weight_points(in.surface, 1, params, in.values, in.values + 3, in.values + 6);
+     }},
+    {"weight_cross_ratio",
+     [](Inputs &in, Output &) {
+         return nurbs_weight_cross_ratio(1, params, params + 1, params + 2, params + 3, in.values);
+     }},
+    {"weight_through",
+     [](Inputs &in, Output &o) {
+         static const double target[] = {0.75, 0.75}, at = 0.125;
+         return nurbs_weight_through(in.curve, 1, &at, target, 1, in.values, &o.out);
+     }},
+    {"pull_point",
+     [](Inputs &in, Output &o) {
+         return nurbs_pull_point(in.volume, 0, params, params, 1, in.values, &o.out);
+     }},
+    {"most_influential",
+     [](Inputs &in, Output &) {
+         return nurbs_most_influential(in.surface, 3, params, 0, 0, in.spans, in.values);
+     }},
+    {"insert_on_leg",
+     [](Inputs &in, Output &o) { return nurbs_insert_on_leg(in.segment, 0, 0, 0.5, in.values, &o.out); }},
+    {"insert_at_point",
+     [](Inputs &in, Output &o) {
+         static const double corner[] = {0, 1};
+         return nurbs_insert_at_point(in.loop, 0, corner, 1, in.spans, in.values, in.values + 1, &o.out);
+     }},
+    {"constrain",
+     [](Inputs &in, Output &o) {
+         static const int32_t keep[] = {0, 0};
+         return nurbs_constrain(in.curve, 2, nullptr, nullptr, new_knots, params, keep, nullptr, nullptr, 0, in.values,
+                                in.spans, in.values + 2, in.values + 3, &o.out);
+     }},
+    {"constrain directions",
+     [](Inputs &in, Output &o) {
+         static const int32_t kinds[] = {NURBS_CONSTRAIN_NORMAL, NURBS_CONSTRAIN_VALUE};
+         return nurbs_constrain(in.surface, 2, kinds, nullptr, params, params, nullptr, nullptr, nullptr, 0, in.values,
+                                in.spans, in.values + 2, in.values + 3, &o.out);
+     }},
+    {"constrain curvature",
+     [](Inputs &in, Output &o) {
+         static const int32_t kinds[] = {NURBS_CONSTRAIN_CURVATURE};
+         static const double costs[] = {1, 1, 1, 1, 1, 1, 1, 1, 1}, target[] = {-1, 0.1};
+         return nurbs_constrain(in.curve, 1, kinds, nullptr, params, target, nullptr, nullptr, costs, 1e-9, in.values,
+                                in.spans, in.values + 2, in.values + 3, &o.out);
      }},
     {"read", [](Inputs &, Output &o) { return nurbs_read(file.bytes, file.size, nullptr, &o.list); }},
     {"read_file", [](Inputs &, Output &o) { return nurbs_read_file(path, nullptr, &o.list); }, true},

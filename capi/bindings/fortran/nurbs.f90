@@ -14,7 +14,8 @@
 !> Order of compilation: nurbs_constants, nurbs_c, nurbs_support, nurbs_handles, nurbs_splines, nurbs_frames,
 !> nurbs_calculus, nurbs_reduction, nurbs_lists, nurbs_compatible, nurbs_continuities,
 !> nurbs_continuation, nurbs_projections, nurbs_segments, nurbs_placements, nurbs_curves, nurbs_shapes, nurbs_coons,
-!> nurbs_recognition, nurbs.
+!> nurbs_recognition, nurbs_closest, nurbs_measures, nurbs_bounds, nurbs_features, nurbs_edits, nurbs_deformations,
+!> nurbs.
 module nurbs
     use nurbs_constants ! statuses, flags and limits
     use nurbs_c         ! the C functions; knot generators, span search and bases are called by these names
@@ -33,6 +34,12 @@ module nurbs
     use nurbs_shapes
     use nurbs_coons
     use nurbs_recognition
+    use nurbs_closest
+    use nurbs_measures
+    use nurbs_bounds
+    use nurbs_features
+    use nurbs_edits
+    use nurbs_deformations
     implicit none
     public
 end module nurbs

@@ -1223,6 +1223,477 @@ module nurbs_c
             real(c_double), intent(inout), optional :: placement(*), sizes(*), deviation
             integer(c_int32_t) :: r
         end function nurbs_recognize
+        function nurbs_closest_points(g, n, points, point_stride, point_component_stride, range, &
+            tolerance, budget, params, param_stride, param_component_stride, feet, foot_stride, &
+            foot_component_stride, distances, distance_stride, status, flags) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int64_t), value :: n, point_stride, point_component_stride, budget, &
+                param_stride, param_component_stride, foot_stride, foot_component_stride, distance_stride
+            real(c_double), intent(in) :: points(*)
+            real(c_double), intent(in), optional :: range(*)
+            real(c_double), value :: tolerance
+            real(c_double), intent(inout), optional :: params(*), feet(*), distances(*)
+            integer(c_int32_t), intent(inout), optional :: status(*)
+            integer(c_int32_t), value :: flags
+            integer(c_int32_t) :: r
+        end function nurbs_closest_points
+        function nurbs_farthest_points(g, n, points, point_stride, point_component_stride, range, &
+            tolerance, budget, params, param_stride, param_component_stride, feet, foot_stride, &
+            foot_component_stride, distances, distance_stride, status, flags) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int64_t), value :: n, point_stride, point_component_stride, budget, &
+                param_stride, param_component_stride, foot_stride, foot_component_stride, distance_stride
+            real(c_double), intent(in) :: points(*)
+            real(c_double), intent(in), optional :: range(*)
+            real(c_double), value :: tolerance
+            real(c_double), intent(inout), optional :: params(*), feet(*), distances(*)
+            integer(c_int32_t), intent(inout), optional :: status(*)
+            integer(c_int32_t), value :: flags
+            integer(c_int32_t) :: r
+        end function nurbs_farthest_points
+        function nurbs_closest_local(g, n, points, point_stride, point_component_stride, guesses, &
+            guess_stride, guess_component_stride, params, param_stride, param_component_stride, feet, &
+            foot_stride, foot_component_stride, distances, distance_stride, status, flags) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int64_t), value :: n, point_stride, point_component_stride, guess_stride, &
+                guess_component_stride, param_stride, param_component_stride, foot_stride, &
+                foot_component_stride, distance_stride
+            real(c_double), intent(in) :: points(*), guesses(*)
+            real(c_double), intent(inout), optional :: params(*), feet(*), distances(*)
+            integer(c_int32_t), intent(inout), optional :: status(*)
+            integer(c_int32_t), value :: flags
+            integer(c_int32_t) :: r
+        end function nurbs_closest_local
+        function nurbs_closest_all(g, point, range, tolerance, budget, cap, params, distances, count, &
+            status) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            real(c_double), intent(in) :: point(*)
+            real(c_double), intent(in), optional :: range(*)
+            real(c_double), value :: tolerance
+            integer(c_int64_t), value :: budget, cap
+            real(c_double), intent(inout), optional :: params(*), distances(*)
+            integer(c_int64_t), intent(inout), optional :: count
+            integer(c_int32_t), intent(inout), optional :: status
+            integer(c_int32_t) :: r
+        end function nurbs_closest_all
+        function nurbs_critical_points(g, point, range, tolerance, budget, cap, params, distances, &
+            kinds, count, status) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            real(c_double), intent(in) :: point(*)
+            real(c_double), intent(in), optional :: range(*)
+            real(c_double), value :: tolerance
+            integer(c_int64_t), value :: budget, cap
+            real(c_double), intent(inout), optional :: params(*), distances(*)
+            integer(c_int32_t), intent(inout), optional :: kinds(*), status
+            integer(c_int64_t), intent(inout), optional :: count
+            integer(c_int32_t) :: r
+        end function nurbs_critical_points
+        function nurbs_curve_signed_distances(g, n, points, point_stride, point_component_stride, &
+            tolerance, budget, distances, distance_stride, params, param_stride, status, flags) bind(c) &
+            result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int64_t), value :: n, point_stride, point_component_stride, budget, &
+                distance_stride, param_stride
+            real(c_double), intent(in) :: points(*)
+            real(c_double), value :: tolerance
+            real(c_double), intent(inout) :: distances(*)
+            real(c_double), intent(inout), optional :: params(*)
+            integer(c_int32_t), intent(inout), optional :: status(*)
+            integer(c_int32_t), value :: flags
+            integer(c_int32_t) :: r
+        end function nurbs_curve_signed_distances
+        function nurbs_distance(a, b, tolerance, budget, at_least, at_most, params_a, params_b, status) &
+            bind(c) result(r)
+            import
+            type(c_ptr), value :: a, b
+            real(c_double), value :: tolerance
+            integer(c_int64_t), value :: budget
+            real(c_double), intent(inout), optional :: at_least, at_most, params_a(*), params_b(*)
+            integer(c_int32_t), intent(inout), optional :: status
+            integer(c_int32_t) :: r
+        end function nurbs_distance
+        function nurbs_hausdorff_distance(a, b, tolerance, budget, at_least, at_most, params_a, &
+            params_b, status) bind(c) result(r)
+            import
+            type(c_ptr), value :: a, b
+            real(c_double), value :: tolerance
+            integer(c_int64_t), value :: budget
+            real(c_double), intent(inout) :: at_least(*), at_most(*)
+            real(c_double), intent(inout), optional :: params_a(*), params_b(*)
+            integer(c_int32_t), intent(inout), optional :: status
+            integer(c_int32_t) :: r
+        end function nurbs_hausdorff_distance
+        function nurbs_curve_length(g, range, relative_tolerance, length, error) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            real(c_double), intent(in), optional :: range(*)
+            real(c_double), value :: relative_tolerance
+            real(c_double), intent(inout) :: length
+            real(c_double), intent(inout), optional :: error
+            integer(c_int32_t) :: r
+        end function nurbs_curve_length
+        function nurbs_curve_lengths(g, n, params, param_stride, relative_tolerance, lengths, &
+            length_stride) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int64_t), value :: n, param_stride, length_stride
+            real(c_double), intent(in) :: params(*)
+            real(c_double), value :: relative_tolerance
+            real(c_double), intent(inout) :: lengths(*)
+            integer(c_int32_t) :: r
+        end function nurbs_curve_lengths
+        function nurbs_curve_params_at_lengths(g, n, lengths, length_stride, relative_tolerance, params, &
+            param_stride, flags) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int64_t), value :: n, length_stride, param_stride
+            real(c_double), intent(in) :: lengths(*)
+            real(c_double), value :: relative_tolerance
+            real(c_double), intent(inout) :: params(*)
+            integer(c_int32_t), value :: flags
+            integer(c_int32_t) :: r
+        end function nurbs_curve_params_at_lengths
+        function nurbs_curve_divide(g, range, parts, relative_tolerance, flags, params, size) bind(c) &
+            result(r)
+            import
+            type(c_ptr), value :: g
+            real(c_double), intent(in), optional :: range(*)
+            integer(c_int64_t), value :: parts
+            real(c_double), value :: relative_tolerance
+            integer(c_int32_t), value :: flags
+            real(c_double), intent(inout) :: params(*)
+            real(c_double), intent(inout), optional :: size
+            integer(c_int32_t) :: r
+        end function nurbs_curve_divide
+        function nurbs_surface_area(g, range, relative_tolerance, area, error) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            real(c_double), intent(in), optional :: range(*)
+            real(c_double), value :: relative_tolerance
+            real(c_double), intent(inout) :: area
+            real(c_double), intent(inout), optional :: error
+            integer(c_int32_t) :: r
+        end function nurbs_surface_area
+        function nurbs_moments(g, relative_tolerance, content, centroid, inertia, error) bind(c) &
+            result(r)
+            import
+            type(c_ptr), value :: g
+            real(c_double), value :: relative_tolerance
+            real(c_double), intent(inout) :: content
+            real(c_double), intent(inout), optional :: centroid(*), inertia(*), error
+            integer(c_int32_t) :: r
+        end function nurbs_moments
+        function nurbs_enclosed_area(count, curves, tolerance, relative_tolerance, area, centroid, &
+            inertia, error) bind(c) result(r)
+            import
+            integer(c_int64_t), value :: count
+            type(c_ptr), intent(in) :: curves(*)
+            real(c_double), value :: tolerance, relative_tolerance
+            real(c_double), intent(inout) :: area
+            real(c_double), intent(inout), optional :: centroid(*), inertia(*), error
+            integer(c_int32_t) :: r
+        end function nurbs_enclosed_area
+        function nurbs_enclosed_volume(count, surfaces, relative_tolerance, volume, centroid, inertia, &
+            openness, error) bind(c) result(r)
+            import
+            integer(c_int64_t), value :: count
+            type(c_ptr), intent(in) :: surfaces(*)
+            real(c_double), value :: relative_tolerance
+            real(c_double), intent(inout) :: volume
+            real(c_double), intent(inout), optional :: centroid(*), inertia(*), openness, error
+            integer(c_int32_t) :: r
+        end function nurbs_enclosed_volume
+        function nurbs_box(g, range, tolerance, lower, upper, gap) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            real(c_double), intent(in), optional :: range(*)
+            real(c_double), value :: tolerance
+            real(c_double), intent(inout) :: lower(*), upper(*)
+            real(c_double), intent(inout), optional :: gap
+            integer(c_int32_t) :: r
+        end function nurbs_box
+        function nurbs_oriented_box(g, tolerance, center, axes, half) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            real(c_double), value :: tolerance
+            real(c_double), intent(inout) :: center(*), axes(*), half(*)
+            integer(c_int32_t) :: r
+        end function nurbs_oriented_box
+        function nurbs_tangent_cone(g, axis, range, tolerance, direction, angle) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int32_t), value :: axis
+            real(c_double), intent(in), optional :: range(*)
+            real(c_double), value :: tolerance
+            real(c_double), intent(inout) :: direction(*), angle
+            integer(c_int32_t) :: r
+        end function nurbs_tangent_cone
+        function nurbs_normal_cone(g, range, tolerance, direction, angle) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            real(c_double), intent(in), optional :: range(*)
+            real(c_double), value :: tolerance
+            real(c_double), intent(inout) :: direction(*), angle
+            integer(c_int32_t) :: r
+        end function nurbs_normal_cone
+        function nurbs_extreme_point(g, direction, range, tolerance, params, value, bound) bind(c) &
+            result(r)
+            import
+            type(c_ptr), value :: g
+            real(c_double), intent(in) :: direction(*)
+            real(c_double), intent(in), optional :: range(*)
+            real(c_double), value :: tolerance
+            real(c_double), intent(inout), optional :: params(*), value, bound
+            integer(c_int32_t) :: r
+        end function nurbs_extreme_point
+        function nurbs_curve_features(g, kinds, cap, params, found, values, count, complete) bind(c) &
+            result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int32_t), value :: kinds
+            integer(c_int64_t), value :: cap
+            real(c_double), intent(inout), optional :: params(*), values(*)
+            integer(c_int32_t), intent(inout), optional :: found(*), complete
+            integer(c_int64_t), intent(inout), optional :: count
+            integer(c_int32_t) :: r
+        end function nurbs_curve_features
+        function nurbs_curve_monotone_pieces(g, direction, cap, starts, signs, count, complete) bind(c) &
+            result(r)
+            import
+            type(c_ptr), value :: g
+            real(c_double), intent(in) :: direction(*)
+            integer(c_int64_t), value :: cap
+            real(c_double), intent(inout), optional :: starts(*)
+            integer(c_int32_t), intent(inout), optional :: signs(*), complete
+            integer(c_int64_t), intent(inout), optional :: count
+            integer(c_int32_t) :: r
+        end function nurbs_curve_monotone_pieces
+        function nurbs_curve_convexity(g, convexity) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int32_t), intent(inout) :: convexity
+            integer(c_int32_t) :: r
+        end function nurbs_curve_convexity
+        function nurbs_straightness(g, origin, direction, bound) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            real(c_double), intent(inout), optional :: origin(*), direction(*)
+            real(c_double), intent(inout) :: bound
+            integer(c_int32_t) :: r
+        end function nurbs_straightness
+        function nurbs_planarity(g, origin, normal, bound) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            real(c_double), intent(inout), optional :: origin(*), normal(*)
+            real(c_double), intent(inout) :: bound
+            integer(c_int32_t) :: r
+        end function nurbs_planarity
+        function nurbs_boundary_contacts(g, tolerance, closed, gaps, collapsed, sizes) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            real(c_double), value :: tolerance
+            integer(c_int32_t), intent(inout), optional :: closed(*), collapsed(*)
+            real(c_double), intent(inout), optional :: gaps(*), sizes(*)
+            integer(c_int32_t) :: r
+        end function nurbs_boundary_contacts
+        function nurbs_singular_points(g, tolerance, cap, params, boxes, count, complete) bind(c) &
+            result(r)
+            import
+            type(c_ptr), value :: g
+            real(c_double), value :: tolerance
+            integer(c_int64_t), value :: cap
+            real(c_double), intent(inout), optional :: params(*), boxes(*)
+            integer(c_int64_t), intent(inout), optional :: count
+            integer(c_int32_t), intent(inout), optional :: complete
+            integer(c_int32_t) :: r
+        end function nurbs_singular_points
+        function nurbs_fold_test(g, reference, result, positive, negative) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            real(c_double), intent(in), optional :: reference(*)
+            integer(c_int32_t), intent(inout) :: result
+            real(c_double), intent(inout), optional :: positive(*), negative(*)
+            integer(c_int32_t) :: r
+        end function nurbs_fold_test
+        function nurbs_pull_weight(g, index, params, distance, weight, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int64_t), value :: index
+            real(c_double), intent(in) :: params(*)
+            real(c_double), value :: distance
+            real(c_double), intent(inout), optional :: weight
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_pull_weight
+        function nurbs_pull_weights(g, count, indices, params, distance, factor, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int64_t), value :: count
+            integer(c_int64_t), intent(in) :: indices(*)
+            real(c_double), intent(in) :: params(*)
+            real(c_double), value :: distance
+            real(c_double), intent(inout), optional :: factor
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_pull_weights
+        function nurbs_set_weights(g, count, indices, weights, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int64_t), value :: count
+            integer(c_int64_t), intent(in) :: indices(*)
+            real(c_double), intent(in) :: weights(*)
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_set_weights
+        function nurbs_weight_points(g, index, params, at_zero, at_one, at_weight) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int64_t), value :: index
+            real(c_double), intent(in) :: params(*)
+            real(c_double), intent(inout), optional :: at_zero(*), at_one(*), at_weight(*)
+            integer(c_int32_t) :: r
+        end function nurbs_weight_points
+        function nurbs_weight_cross_ratio(dim, control_point, at_zero, at_one, at_weight, weight) &
+            bind(c) result(r)
+            import
+            integer(c_int32_t), value :: dim
+            real(c_double), intent(in) :: control_point(*), at_zero(*), at_one(*), at_weight(*)
+            real(c_double), intent(inout) :: weight
+            integer(c_int32_t) :: r
+        end function nurbs_weight_cross_ratio
+        function nurbs_weight_through(g, index, params, target, tolerance, weight, out) bind(c) &
+            result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int64_t), value :: index
+            real(c_double), intent(in) :: params(*), target(*)
+            real(c_double), value :: tolerance
+            real(c_double), intent(inout), optional :: weight
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_weight_through
+        function nurbs_pull_point(g, index, params, direction, distance, moved, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int64_t), value :: index
+            real(c_double), intent(in) :: params(*), direction(*)
+            real(c_double), value :: distance
+            real(c_double), intent(inout), optional :: moved
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_pull_point
+        function nurbs_most_influential(g, n, params, param_stride, param_component_stride, indices, &
+            influences) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int64_t), value :: n, param_stride, param_component_stride
+            real(c_double), intent(in) :: params(*)
+            integer(c_int64_t), intent(inout), optional :: indices(*)
+            real(c_double), intent(inout), optional :: influences(*)
+            integer(c_int32_t) :: r
+        end function nurbs_most_influential
+        function nurbs_insert_on_leg(g, axis, index, ratio, knot, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int32_t), value :: axis
+            integer(c_int64_t), value :: index
+            real(c_double), value :: ratio
+            real(c_double), intent(inout), optional :: knot
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_insert_on_leg
+        function nurbs_insert_at_point(g, axis, point, tolerance, index, ratio, knot, out) bind(c) &
+            result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int32_t), value :: axis
+            real(c_double), intent(in) :: point(*)
+            real(c_double), value :: tolerance
+            integer(c_int64_t), intent(inout), optional :: index
+            real(c_double), intent(inout), optional :: ratio, knot
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_insert_at_point
+        function nurbs_constrain(g, count, kinds, orders, params, targets, keep, costs, weight_costs, &
+            tolerance, residuals, rank, moved, optimality, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int64_t), value :: count
+            integer(c_int32_t), intent(in), optional :: kinds(*), orders(*), keep(*)
+            real(c_double), intent(in) :: params(*), targets(*)
+            real(c_double), intent(in), optional :: costs(*), weight_costs(*)
+            real(c_double), value :: tolerance
+            real(c_double), intent(inout), optional :: residuals(*), moved, optimality
+            integer(c_int64_t), intent(inout), optional :: rank
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_constrain
+        function nurbs_warp(g, range, direction, distance, order, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            real(c_double), intent(in), optional :: range(*)
+            real(c_double), intent(in) :: direction(*)
+            real(c_double), value :: distance
+            integer(c_int32_t), value :: order
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_warp
+        function nurbs_flatten(g, range, point, normal, direction, moved, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            real(c_double), intent(in), optional :: range(*), direction(*)
+            real(c_double), intent(in) :: point(*), normal(*)
+            real(c_double), intent(inout), optional :: moved
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_flatten
+        function nurbs_bend(g, origin, along, across, curvature, lower, upper, tolerance, deviation, &
+            proven, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            real(c_double), intent(in) :: origin(*), along(*), across(*)
+            real(c_double), value :: curvature, lower, upper, tolerance
+            real(c_double), intent(inout), optional :: deviation
+            integer(c_int32_t), intent(inout), optional :: proven
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_bend
+        function nurbs_free_form_deform(g, volume, lower, upper, tolerance, deviation, proven, out) &
+            bind(c) result(r)
+            import
+            type(c_ptr), value :: g, volume
+            real(c_double), intent(in) :: lower(*), upper(*)
+            real(c_double), value :: tolerance
+            real(c_double), intent(inout), optional :: deviation
+            integer(c_int32_t), intent(inout), optional :: proven
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_free_form_deform
+        function nurbs_fair(g, order, keep, tolerance, energies, bound, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int32_t), value :: order
+            integer(c_int32_t), intent(in), optional :: keep(*)
+            real(c_double), value :: tolerance
+            real(c_double), intent(inout), optional :: energies(*), bound
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_fair
+        function nurbs_snap_boundary(g, axis, end, other, other_axis, other_end, order, flags, bound, &
+            out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g, other
+            integer(c_int32_t), value :: axis, end, other_axis, other_end, order, flags
+            real(c_double), intent(inout), optional :: bound
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_snap_boundary
         function nurbs_collocation(axes, degrees, counts, knots, knot_count, orders, n, params, param_stride, &
             param_component_stride, cap, values, columns, row_pointers, entries, flags) bind(c) result(r)
             import

@@ -69,9 +69,14 @@ module nurbs_constants
     integer(c_int32_t), parameter :: NURBS_ERROR_TANGENT = 57
     integer(c_int32_t), parameter :: NURBS_ERROR_TWIST = 58
     integer(c_int32_t), parameter :: NURBS_ERROR_TWIST_RULE = 59
+    integer(c_int32_t), parameter :: NURBS_ERROR_INFLUENCE = 60
+    integer(c_int32_t), parameter :: NURBS_ERROR_CONTRADICTION = 61
+    integer(c_int32_t), parameter :: NURBS_ERROR_CONSTRAINT = 62
+    integer(c_int32_t), parameter :: NURBS_ERROR_OFF_POLYGON = 63
     integer(c_int32_t), parameter :: NURBS_ERROR_OUTSIDE_DOMAIN = 100
     integer(c_int32_t), parameter :: NURBS_ERROR_NOT_REPRESENTABLE = 200
     integer(c_int32_t), parameter :: NURBS_ERROR_KNOTS_MERGE = 202
+    integer(c_int32_t), parameter :: NURBS_ERROR_NOT_CONVERGED = 203
     integer(c_int32_t), parameter :: NURBS_ERROR_MEMORY = 300
     integer(c_int32_t), parameter :: NURBS_ERROR_FILE = 301
     integer(c_int32_t), parameter :: NURBS_ERROR_TOO_LARGE = 302
@@ -100,6 +105,9 @@ module nurbs_constants
     integer(c_int32_t), parameter :: NURBS_RULED_CARTESIAN = int(z'80000000', c_int32_t)
     integer(c_int32_t), parameter :: NURBS_HEMISPHERE = int(z'01000000', c_int32_t)
     integer(c_int32_t), parameter :: NURBS_TWO_SHEETS = int(z'02000000', c_int32_t)
+    integer(c_int32_t), parameter :: NURBS_EQUAL_CHORDS = int(z'02000000', c_int32_t)
+    integer(c_int32_t), parameter :: NURBS_REVERSED = int(z'04000000', c_int32_t)
+    integer(c_int32_t), parameter :: NURBS_NAN_POINTS = int(z'01000000', c_int32_t)
 
     ! Bases of a polynomial segment
     integer(c_int32_t), parameter :: NURBS_BASIS_POWER = 0
@@ -156,4 +164,45 @@ module nurbs_constants
     integer(c_int32_t), parameter :: NURBS_SHAPE_CYLINDER = 9
     integer(c_int32_t), parameter :: NURBS_SHAPE_CONE = 10
     integer(c_int32_t), parameter :: NURBS_SHAPE_TORUS = 11
+
+    ! Bits of the status of a closest point
+    integer(c_int32_t), parameter :: NURBS_CLOSEST_CERTIFIED = int(z'01', c_int32_t)
+    integer(c_int32_t), parameter :: NURBS_CLOSEST_BOUNDARY = int(z'02', c_int32_t)
+    integer(c_int32_t), parameter :: NURBS_CLOSEST_NOT_UNIQUE = int(z'04', c_int32_t)
+    integer(c_int32_t), parameter :: NURBS_CLOSEST_BUDGET = int(z'08', c_int32_t)
+    integer(c_int32_t), parameter :: NURBS_CLOSEST_INVALID = int(z'10', c_int32_t)
+    integer(c_int32_t), parameter :: NURBS_CLOSEST_COARSE = int(z'20', c_int32_t)
+
+    ! Kinds of critical points
+    integer(c_int32_t), parameter :: NURBS_CRITICAL_MINIMUM = 1
+    integer(c_int32_t), parameter :: NURBS_CRITICAL_MAXIMUM = 2
+    integer(c_int32_t), parameter :: NURBS_CRITICAL_SADDLE = 3
+    integer(c_int32_t), parameter :: NURBS_CRITICAL_UNDECIDED = 4
+
+    ! Features of curves
+    integer(c_int32_t), parameter :: NURBS_FEATURE_INFLECTION = int(z'01', c_int32_t)
+    integer(c_int32_t), parameter :: NURBS_FEATURE_CURVATURE_MAXIMUM = int(z'02', c_int32_t)
+    integer(c_int32_t), parameter :: NURBS_FEATURE_CURVATURE_MINIMUM = int(z'04', c_int32_t)
+    integer(c_int32_t), parameter :: NURBS_FEATURE_CUSP = int(z'08', c_int32_t)
+    integer(c_int32_t), parameter :: NURBS_FEATURE_KINK = int(z'10', c_int32_t)
+    integer(c_int32_t), parameter :: NURBS_FEATURE_JUMP = int(z'20', c_int32_t)
+    integer(c_int32_t), parameter :: NURBS_FEATURE_TORSION = int(z'40', c_int32_t)
+
+    ! Convexity of a curve in the plane
+    integer(c_int32_t), parameter :: NURBS_CONVEXITY_NONE = 0
+    integer(c_int32_t), parameter :: NURBS_CONVEXITY_LEFT = 1
+    integer(c_int32_t), parameter :: NURBS_CONVEXITY_RIGHT = 2
+    integer(c_int32_t), parameter :: NURBS_CONVEXITY_STRAIGHT = 3
+    integer(c_int32_t), parameter :: NURBS_CONVEXITY_UNDECIDED = 4
+
+    ! Folds
+    integer(c_int32_t), parameter :: NURBS_FOLD_NONE = 0
+    integer(c_int32_t), parameter :: NURBS_FOLD_FOUND = 1
+    integer(c_int32_t), parameter :: NURBS_FOLD_UNDECIDED = 2
+
+    ! Kinds of constraints
+    integer(c_int32_t), parameter :: NURBS_CONSTRAIN_VALUE = 0
+    integer(c_int32_t), parameter :: NURBS_CONSTRAIN_DIRECTION = 1
+    integer(c_int32_t), parameter :: NURBS_CONSTRAIN_NORMAL = 2
+    integer(c_int32_t), parameter :: NURBS_CONSTRAIN_CURVATURE = 3
 end module nurbs_constants

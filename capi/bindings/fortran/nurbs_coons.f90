@@ -94,13 +94,4 @@ contains
         code = nurbs_volume_coons(handles_of(faces), given(tolerance, 0d0), made)
         call hand_over(code, made, out, status)
     end subroutine create_coons_volume
-
-    function handles_of(splines) result(handles)
-        type(nurbs_spline), intent(in) :: splines(:)
-        type(c_ptr) :: handles(size(splines))
-        integer :: i
-        do i = 1, size(splines)
-            handles(i) = splines(i)%handle
-        end do
-    end function handles_of
 end module nurbs_coons

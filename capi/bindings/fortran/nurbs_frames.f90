@@ -117,37 +117,4 @@ contains
             binormals, apart(rows), rows, states, bits(flags))
         call settle(code, status)
     end subroutine rotation_minimizing_frames
-
-    pure integer(c_int32_t) function fitting(conditions)
-        logical, intent(in) :: conditions(:)
-        fitting = merge(NURBS_OK, shape_error, all(conditions))
-    end function fitting
-
-    pure logical function has_shape(rows, columns, array)
-        integer(c_int64_t), intent(in) :: rows
-        integer, intent(in) :: columns
-        real(c_double), intent(in), optional :: array(:, :)
-        has_shape = .true.
-        if (present(array)) has_shape = size(array, 1, c_int64_t) == rows .and. size(array, 2) == columns
-    end function has_shape
-
-    pure logical function has_size(rows, array)
-        integer(c_int64_t), intent(in) :: rows
-        real(c_double), intent(in), optional :: array(:)
-        has_size = .true.
-        if (present(array)) has_size = size(array, kind=c_int64_t) == rows
-    end function has_size
-
-    pure logical function has_length(rows, states)
-        integer(c_int64_t), intent(in) :: rows
-        integer(c_int32_t), intent(in), optional :: states(:)
-        has_length = .true.
-        if (present(states)) has_length = size(states, kind=c_int64_t) == rows
-    end function has_length
-
-    !> Stride between the rows of a column-wise array; a single row is simply packed.
-    pure integer(c_int64_t) function apart(rows)
-        integer(c_int64_t), intent(in) :: rows
-        apart = merge(1_c_int64_t, 0_c_int64_t, rows > 1)
-    end function apart
 end module nurbs_frames

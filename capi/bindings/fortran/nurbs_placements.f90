@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: MIT
-!> What the shapes share: the dimension of vectors some of which may be left out, defaults, and the end of a call.
+!> What shapes and edits share: the dimension of vectors some of which may be left out, defaults, and the end of a call.
 module nurbs_placements
     use, intrinsic :: iso_c_binding
     use nurbs_constants
@@ -7,7 +7,7 @@ module nurbs_placements
     use nurbs_splines
     implicit none
     private
-    public :: full_turn, dimension_of, given, arc_form, hand_over
+    public :: full_turn, dimension_of, given, arc_form, hand_over, handles_of
 
     real(c_double), parameter :: full_turn = 8 * atan(1.0_c_double)
 
@@ -54,4 +54,13 @@ contains
         call out%replace(made)
         call settle(code, status)
     end subroutine hand_over
+
+    function handles_of(splines) result(handles)
+        type(nurbs_spline), intent(in) :: splines(:)
+        type(c_ptr) :: handles(size(splines))
+        integer :: i
+        do i = 1, size(splines)
+            handles(i) = splines(i)%handle
+        end do
+    end function handles_of
 end module nurbs_placements

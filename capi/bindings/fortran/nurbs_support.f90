@@ -147,4 +147,47 @@ contains
         code = nurbs_dimension(handle, dim)
         dim_of = merge(dim, 0, code == NURBS_OK)
     end function dim_of
+
+    !> Number of axes of a spline, 0 for a null handle.
+    integer function axes_of(handle)
+        type(c_ptr), intent(in) :: handle
+        integer(c_int32_t) :: code, axes
+        code = nurbs_axes(handle, axes)
+        axes_of = merge(axes, 0, code == NURBS_OK)
+    end function axes_of
+
+    ! Shapes of arrays that may be absent
+
+    pure integer(c_int32_t) function fitting(conditions)
+        logical, intent(in) :: conditions(:)
+        fitting = merge(NURBS_OK, shape_error, all(conditions))
+    end function fitting
+
+    pure logical function has_shape(rows, columns, array)
+        integer(c_int64_t), intent(in) :: rows
+        integer, intent(in) :: columns
+        real(c_double), intent(in), optional :: array(:, :)
+        has_shape = .true.
+        if (present(array)) has_shape = size(array, 1, c_int64_t) == rows .and. size(array, 2) == columns
+    end function has_shape
+
+    pure logical function has_size(rows, array)
+        integer(c_int64_t), intent(in) :: rows
+        real(c_double), intent(in), optional :: array(:)
+        has_size = .true.
+        if (present(array)) has_size = size(array, kind=c_int64_t) == rows
+    end function has_size
+
+    pure logical function has_length(rows, states)
+        integer(c_int64_t), intent(in) :: rows
+        integer(c_int32_t), intent(in), optional :: states(:)
+        has_length = .true.
+        if (present(states)) has_length = size(states, kind=c_int64_t) == rows
+    end function has_length
+
+    !> Stride between the rows of a column-wise array; a single row is simply packed.
+    pure integer(c_int64_t) function apart(rows)
+        integer(c_int64_t), intent(in) :: rows
+        apart = merge(1_c_int64_t, 0_c_int64_t, rows > 1)
+    end function apart
 end module nurbs_support

@@ -155,6 +155,41 @@ using Input = Records<const double>;
 using Output = Records<double>;
 using FloatOutput = Records<float>; ///< results in single precision; strides count floats
 
+namespace detail {
+
+// The number of records, all of which are in the array.
+inline std::int64_t records(Input values, std::int64_t width, const char *what) {
+    const std::int64_t n = values.count(width, what);
+    values.require(n, width, what);
+    return n;
+}
+
+// The pointer of an output that is not wanted if it has no elements.
+inline double *wanted(Output out, std::int64_t n, std::int64_t width, const char *what) {
+    if (out.empty()) {
+        return nullptr;
+    }
+    out.require(n, width, what);
+    return out.data();
+}
+
+// The pointer of an array that has to be of one length.
+template <class T>
+T *exactly(std::span<T> values, std::int64_t size, const char *what) {
+    if (length(values) != size) {
+        wrong_size(what, values.size(), std::to_string(size));
+    }
+    return values.data();
+}
+
+// The same, or NULL for an array that was left out.
+template <class T>
+T *if_given(std::span<T> values, std::int64_t size, const char *what) {
+    return values.empty() ? nullptr : exactly(values, size, what);
+}
+
+} // namespace detail
+
 } // namespace libnurbs
 
 #endif // NURBS_CPP_ARRAYS_HPP

@@ -36,10 +36,7 @@ struct Compatible {
 /// Splines brought to one degree, domain and knot vector on every axis.
 inline Compatible make_compatible(std::span<const Spline> splines, double tolerance = 0,
                                   std::uint32_t flags = 0) {
-    std::vector<const nurbs *> handles;
-    for (const Spline &spline : splines) {
-        handles.push_back(spline.get());
-    }
+    const std::vector<const nurbs *> handles = detail::handle_list(splines);
     nurbs_list *list = nullptr;
     double deviation = 0;
     detail::check(

@@ -52,20 +52,6 @@ inline const std::int32_t *orders_for(View<std::int32_t> orders, std::size_t axe
     return orders.empty() ? nullptr : orders.data();
 }
 
-inline std::int64_t records(Input params, std::int32_t axes) {
-    const std::int64_t n = params.count(axes, "params");
-    params.require(n, axes, "params");
-    return n;
-}
-
-inline double *wanted(Output out, std::int64_t n, std::int64_t width, const char *what) {
-    if (out.empty()) {
-        return nullptr;
-    }
-    out.require(n, width, what);
-    return out.data();
-}
-
 } // namespace detail
 
 /// Matrix of B-spline basis functions or of a derivative of them; without orders, of the functions themselves.
@@ -76,7 +62,7 @@ inline SparseMatrix collocation(View<std::int32_t> degrees, View<std::int64_t> c
     }
     const std::int32_t axes = degrees.size() > 3 ? max_axes + 1 : static_cast<std::int32_t>(degrees.size());
     const std::int32_t *of = detail::orders_for(orders, degrees.size());
-    const std::int64_t n = detail::records(params, axes);
+    const std::int64_t n = detail::records(params, axes, "params");
     return detail::sparse(n, [&](std::int64_t cap, double *values, std::int64_t *columns, std::int64_t *rows,
                                  std::int64_t *entries) {
         return nurbs_collocation(axes, degrees.data(), counts.data(), knots.data(), detail::length(knots), of,
@@ -90,7 +76,7 @@ inline SparseMatrix rational_collocation(const Spline &g, Input params, View<std
                                          std::uint32_t flags = 0) {
     const std::int32_t axes = g.axes();
     const std::int32_t *of = detail::orders_for(orders, detail::to_size(axes));
-    const std::int64_t n = detail::records(params, axes);
+    const std::int64_t n = detail::records(params, axes, "params");
     return detail::sparse(n, [&](std::int64_t cap, double *values, std::int64_t *columns, std::int64_t *rows,
                                  std::int64_t *entries) {
         return nurbs_rational_collocation(g.get(), of, n, params.data(), params.stride(),
@@ -127,7 +113,7 @@ inline void eval_adjoint(const Spline &g, std::int32_t order, Input params, Inpu
                          Output grad_points, Output grad_weights, Output grad_params,
                          std::uint32_t flags = 0) {
     const std::int32_t axes = g.axes();
-    const std::int64_t n = detail::records(params, axes);
+    const std::int64_t n = detail::records(params, axes, "params");
     cotangents.require(n, derivative_slots(axes, order) * g.dimension(), "cotangents");
     double *points = detail::wanted(grad_points, g.point_count(), g.dimension(), "grad_points");
     double *weights = detail::wanted(grad_weights, g.point_count(), 1, "grad_weights");
@@ -140,7 +126,7 @@ inline void eval_adjoint(const Spline &g, std::int32_t order, Input params, Inpu
 }
 inline Gradients eval_adjoint(const Spline &g, std::int32_t order, Input params, Input cotangents,
                               std::uint32_t flags = 0) {
-    const std::int64_t n = detail::records(params, g.axes());
+    const std::int64_t n = detail::records(params, g.axes(), "params");
     Gradients result{std::vector<double>(detail::to_size(g.point_count() * g.dimension())),
                      std::vector<double>(detail::to_size(g.point_count())),
                      std::vector<double>(detail::to_size(n * g.axes()))};

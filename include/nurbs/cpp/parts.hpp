@@ -36,10 +36,7 @@ struct Joined {
 /// Splines joined end to end along an axis.
 inline Joined join(std::span<const Spline> parts, std::int32_t axis, double tolerance = 0,
                    std::uint32_t flags = 0) {
-    std::vector<const nurbs *> handles;
-    for (const Spline &part : parts) {
-        handles.push_back(part.get());
-    }
+    const std::vector<const nurbs *> handles = detail::handle_list(parts);
     nurbs *joined = nullptr;
     double gap = 0;
     detail::check(nurbs_join(detail::length(handles), handles.data(), axis, tolerance, flags, &gap, &joined));

@@ -427,6 +427,31 @@ private:
     }
 };
 
+namespace detail {
+
+inline std::vector<const nurbs *> handle_list(std::span<const Spline> splines) {
+    std::vector<const nurbs *> handles;
+    for (const Spline &spline : splines) {
+        handles.push_back(spline.get());
+    }
+    return handles;
+}
+
+// A part of the domain, [axes][2], or NULL for all of it.
+inline const double *range_of(const Spline &g, View<double> range) {
+    return if_given(std::span(range), 2 * g.axes(), "range");
+}
+
+// A parameter [axes], a point [dim].
+inline const double *param_of(const Spline &g, View<double> params) {
+    return exactly(std::span(params), g.axes(), "params");
+}
+inline const double *point_of(const Spline &g, View<double> point, const char *what) {
+    return exactly(std::span(point), g.dimension(), what);
+}
+
+} // namespace detail
+
 } // namespace libnurbs
 
 #endif // NURBS_CPP_SPLINE_HPP

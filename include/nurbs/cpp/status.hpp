@@ -68,9 +68,14 @@ enum class Status : nurbs_status {
     tangent = NURBS_ERROR_TANGENT,
     twist = NURBS_ERROR_TWIST,
     twist_rule = NURBS_ERROR_TWIST_RULE,
+    influence = NURBS_ERROR_INFLUENCE,
+    contradiction = NURBS_ERROR_CONTRADICTION,
+    constraint = NURBS_ERROR_CONSTRAINT,
+    off_polygon = NURBS_ERROR_OFF_POLYGON,
     outside_domain = NURBS_ERROR_OUTSIDE_DOMAIN,
     not_representable = NURBS_ERROR_NOT_REPRESENTABLE,
     knots_merge = NURBS_ERROR_KNOTS_MERGE,
+    not_converged = NURBS_ERROR_NOT_CONVERGED,
     memory = NURBS_ERROR_MEMORY,
     file = NURBS_ERROR_FILE,
     too_large = NURBS_ERROR_TOO_LARGE,
@@ -108,6 +113,9 @@ inline constexpr std::uint32_t map_domains = NURBS_MAP_DOMAINS;
 inline constexpr std::uint32_t ruled_cartesian = NURBS_RULED_CARTESIAN;
 inline constexpr std::uint32_t hemisphere = NURBS_HEMISPHERE;
 inline constexpr std::uint32_t two_sheets = NURBS_TWO_SHEETS;
+inline constexpr std::uint32_t equal_chords = NURBS_EQUAL_CHORDS;
+inline constexpr std::uint32_t reversed = NURBS_REVERSED;
+inline constexpr std::uint32_t nan_points = NURBS_NAN_POINTS;
 inline constexpr std::int32_t start_of_axis = NURBS_START;
 inline constexpr std::int32_t end_of_axis = NURBS_END;
 

@@ -50,6 +50,24 @@ def vector(values, dtype=numpy.float64):
     return numpy.ascontiguousarray(values, dtype=dtype).reshape(-1)
 
 
+def exactly(values, size, what, dtype=numpy.float64):
+    """A packed vector of one length."""
+    array = vector(values, dtype)
+    if array.size != size:
+        raise ValueError(f"{what} of {array.size} numbers, expected {size}")
+    return array
+
+
+def if_given(values, size, what, dtype=numpy.float64):
+    """The same, or None."""
+    return None if values is None else exactly(values, size, what, dtype)
+
+
+def address(array):
+    """The pointer of an array, NULL for None."""
+    return None if array is None else array.ctypes.data
+
+
 def _as_table(array, width, dtype):
     """The array as (records, width) without a copy, or None."""
     table = array.view()

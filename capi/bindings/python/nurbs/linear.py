@@ -6,7 +6,7 @@ from collections import namedtuple
 
 import numpy
 
-from ._arrays import Output, records, vector
+from ._arrays import Output, address, records, vector
 from ._library import check, get, lib
 from .constants import NURBS_ACCUMULATE
 from .spline import _concatenated, derivative_slots
@@ -33,10 +33,6 @@ def _orders(orders, axes):
     return orders
 
 
-def _address(array):
-    return None if array is None else array.ctypes.data
-
-
 def collocation(degrees, knots, params, orders=None, flags=0):
     """The matrix of B-spline basis functions, or of their derivative `orders`: (values, columns, row_pointers), as
     scipy.sparse.csr_matrix takes them. `degrees` a number or one for each axis, `knots` a vector or one for each axis,
@@ -47,7 +43,7 @@ def collocation(degrees, knots, params, orders=None, flags=0):
     counts = vector(lengths, numpy.int64) - degrees - 1
     orders, given = _orders(orders, axes), records(params, axes)
     return _sparse(given.n, lambda *arrays: lib.nurbs_collocation(
-        axes, degrees.ctypes.data, counts.ctypes.data, knots.ctypes.data, knots.size, _address(orders), given.n,
+        axes, degrees.ctypes.data, counts.ctypes.data, knots.ctypes.data, knots.size, address(orders), given.n,
         *given.layout, *arrays, flags))
 
 
@@ -56,7 +52,7 @@ def rational_collocation(spline, params, orders=None, flags=0):
     given, _ = spline._params(params)
     orders = _orders(orders, spline.axes)
     return _sparse(given.n, lambda *arrays: lib.nurbs_rational_collocation(
-        spline._handle, _address(orders), given.n, *given.layout, *arrays, flags))
+        spline._handle, address(orders), given.n, *given.layout, *arrays, flags))
 
 
 def refinement_matrix(spline, knots, axis=0):

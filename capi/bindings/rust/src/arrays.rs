@@ -2,6 +2,7 @@
 //! Slices as arrays of records, with lengths checked before the library sees a pointer.
 
 use crate::error::{Error, Result};
+use std::ptr::{null, null_mut};
 
 #[derive(Clone, Copy)]
 struct Layout {
@@ -112,4 +113,36 @@ impl<'a, T, A: AsMut<[T]> + ?Sized> From<&'a mut A> for RecordsMut<'a, T> {
     fn from(values: &'a mut A) -> Self {
         RecordsMut { values: values.as_mut(), layout: Layout::PACKED }
     }
+}
+
+/// A pointer and strides for an output that may be absent.
+pub(crate) fn layout(
+    out: &mut Option<RecordsMut>,
+    n: usize,
+    width: usize,
+    what: &str,
+) -> Result<(*mut f64, i64, i64)> {
+    match out {
+        None => Ok((null_mut(), 0, 0)),
+        Some(o) => {
+            o.require(n, width, what)?;
+            Ok((o.pointer(), o.stride(), o.component_stride()))
+        }
+    }
+}
+
+/// The pointer of an array that has to be of one length.
+pub(crate) fn exactly<T>(values: &[T], size: usize, what: &str) -> Result<*const T> {
+    if values.len() != size {
+        return Err(Error::size(what, values.len(), size.to_string()));
+    }
+    Ok(values.as_ptr())
+}
+
+/// The same, or NULL for an array that is empty because it was left out.
+pub(crate) fn if_given<T>(values: &[T], size: usize, what: &str) -> Result<*const T> {
+    if values.is_empty() {
+        return Ok(null());
+    }
+    exactly(values, size, what)
 }

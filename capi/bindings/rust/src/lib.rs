@@ -12,13 +12,19 @@
 //! # Ok(()) }
 //! ```
 
+mod analysis;
 mod arrays;
+mod bounds;
 mod calculus;
+mod closest;
 mod compatible;
+mod constrain;
 mod continuation;
 mod continuity;
 mod coons;
 mod curves;
+mod deform;
+mod edit;
 mod error;
 mod eval;
 mod forms;
@@ -27,6 +33,7 @@ mod inspect;
 mod knots;
 mod linear;
 mod list;
+mod measure;
 mod parts;
 mod placement;
 mod projections;
@@ -37,12 +44,23 @@ mod shapes;
 mod spline;
 pub mod sys;
 
+pub use analysis::{
+    BoundaryContacts, Feature, Features, Fold, MonotonePieces, Planarity, SingularPoints, Straightness,
+};
 pub use arrays::{Records, RecordsMut};
+pub use bounds::{BoundingBox, DirectionCone, ExtremePoint, OrientedBox};
+pub use closest::{
+    ClosestAll, ClosestPoints, ClosestPointsMut, CriticalPoints, Distance, HausdorffDistance, Search,
+    SignedDistances,
+};
 pub use compatible::make_compatible;
+pub use constrain::{ConstrainOptions, Constrained, Constraints};
 pub use continuation::PeriodicForm;
 pub use continuity::{continuity_between, Continuity, ContinuityTolerances, KnotContinuity};
 pub use coons::{coons_gaps, CoonsGaps, HermiteBoundaries};
 pub use curves::{conic_axes, ConicAxes, HelixShape};
+pub use deform::{Bend, Deformed, Faired};
+pub use edit::{weight_cross_ratio, Influence, LegEdit, WeightPoints};
 pub use error::{last_error, status_name, version, Error, Result};
 pub use frames::{CurveFrames, Curvatures, MinimalFrames, SurfaceFrames};
 pub use knots::{
@@ -51,6 +69,9 @@ pub use knots::{
 };
 pub use linear::{collocation, Extraction, Gradients, GradientsMut, SparseMatrix};
 pub use list::{List, Note, ReadOptions};
+pub use measure::{
+    enclosed_area, enclosed_volume, Division, EnclosedArea, EnclosedVolume, Measured, Moments,
+};
 pub use parts::{join, Joined};
 pub use placement::{Placement, Turn};
 pub use recognize::Recognized;

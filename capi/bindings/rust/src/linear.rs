@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //! Derivatives with respect to data: collocation matrices, Bezier extraction, gradients.
 
-use crate::arrays::{Records, RecordsMut};
+use crate::arrays::{layout, Records, RecordsMut};
 use crate::error::{check, value, Error, Result};
 use crate::spline::{derivative_slots, Spline};
 use crate::sys;
@@ -97,22 +97,6 @@ pub fn collocation<'a>(
             flags,
         )
     })
-}
-
-/// A pointer and strides for an output that may be absent.
-fn layout(
-    out: &mut Option<RecordsMut>,
-    n: usize,
-    width: usize,
-    what: &str,
-) -> Result<(*mut f64, i64, i64)> {
-    match out {
-        None => Ok((null_mut(), 0, 0)),
-        Some(o) => {
-            o.require(n, width, what)?;
-            Ok((o.pointer(), o.stride(), o.component_stride()))
-        }
-    }
 }
 
 /// Derivatives with respect to data.

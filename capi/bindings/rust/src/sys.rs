@@ -91,9 +91,14 @@ pub const NURBS_ERROR_FORM: nurbs_status = 56;
 pub const NURBS_ERROR_TANGENT: nurbs_status = 57;
 pub const NURBS_ERROR_TWIST: nurbs_status = 58;
 pub const NURBS_ERROR_TWIST_RULE: nurbs_status = 59;
+pub const NURBS_ERROR_INFLUENCE: nurbs_status = 60;
+pub const NURBS_ERROR_CONTRADICTION: nurbs_status = 61;
+pub const NURBS_ERROR_CONSTRAINT: nurbs_status = 62;
+pub const NURBS_ERROR_OFF_POLYGON: nurbs_status = 63;
 pub const NURBS_ERROR_OUTSIDE_DOMAIN: nurbs_status = 100;
 pub const NURBS_ERROR_NOT_REPRESENTABLE: nurbs_status = 200;
 pub const NURBS_ERROR_KNOTS_MERGE: nurbs_status = 202;
+pub const NURBS_ERROR_NOT_CONVERGED: nurbs_status = 203;
 pub const NURBS_ERROR_MEMORY: nurbs_status = 300;
 pub const NURBS_ERROR_FILE: nurbs_status = 301;
 pub const NURBS_ERROR_TOO_LARGE: nurbs_status = 302;
@@ -122,6 +127,9 @@ pub const NURBS_MAP_DOMAINS: u32 = 0x40000000;
 pub const NURBS_RULED_CARTESIAN: u32 = 0x80000000;
 pub const NURBS_HEMISPHERE: u32 = 0x01000000;
 pub const NURBS_TWO_SHEETS: u32 = 0x02000000;
+pub const NURBS_EQUAL_CHORDS: u32 = 0x02000000;
+pub const NURBS_REVERSED: u32 = 0x04000000;
+pub const NURBS_NAN_POINTS: u32 = 0x01000000;
 pub const NURBS_BASIS_POWER: i32 = 0;
 pub const NURBS_BASIS_BERNSTEIN: i32 = 1;
 pub const NURBS_BASIS_HERMITE: i32 = 2;
@@ -174,6 +182,47 @@ pub const NURBS_SHAPE_SPHERE: i32 = 8;
 pub const NURBS_SHAPE_CYLINDER: i32 = 9;
 pub const NURBS_SHAPE_CONE: i32 = 10;
 pub const NURBS_SHAPE_TORUS: i32 = 11;
+
+// Bits of the status of a closest point
+pub const NURBS_CLOSEST_CERTIFIED: i32 = 0x01;
+pub const NURBS_CLOSEST_BOUNDARY: i32 = 0x02;
+pub const NURBS_CLOSEST_NOT_UNIQUE: i32 = 0x04;
+pub const NURBS_CLOSEST_BUDGET: i32 = 0x08;
+pub const NURBS_CLOSEST_INVALID: i32 = 0x10;
+pub const NURBS_CLOSEST_COARSE: i32 = 0x20;
+
+// Kinds of critical points
+pub const NURBS_CRITICAL_MINIMUM: i32 = 1;
+pub const NURBS_CRITICAL_MAXIMUM: i32 = 2;
+pub const NURBS_CRITICAL_SADDLE: i32 = 3;
+pub const NURBS_CRITICAL_UNDECIDED: i32 = 4;
+
+// Features of curves
+pub const NURBS_FEATURE_INFLECTION: u32 = 0x01;
+pub const NURBS_FEATURE_CURVATURE_MAXIMUM: u32 = 0x02;
+pub const NURBS_FEATURE_CURVATURE_MINIMUM: u32 = 0x04;
+pub const NURBS_FEATURE_CUSP: u32 = 0x08;
+pub const NURBS_FEATURE_KINK: u32 = 0x10;
+pub const NURBS_FEATURE_JUMP: u32 = 0x20;
+pub const NURBS_FEATURE_TORSION: u32 = 0x40;
+
+// Convexity of a curve in the plane
+pub const NURBS_CONVEXITY_NONE: i32 = 0;
+pub const NURBS_CONVEXITY_LEFT: i32 = 1;
+pub const NURBS_CONVEXITY_RIGHT: i32 = 2;
+pub const NURBS_CONVEXITY_STRAIGHT: i32 = 3;
+pub const NURBS_CONVEXITY_UNDECIDED: i32 = 4;
+
+// Folds
+pub const NURBS_FOLD_NONE: i32 = 0;
+pub const NURBS_FOLD_FOUND: i32 = 1;
+pub const NURBS_FOLD_UNDECIDED: i32 = 2;
+
+// Kinds of constraints
+pub const NURBS_CONSTRAIN_VALUE: i32 = 0;
+pub const NURBS_CONSTRAIN_DIRECTION: i32 = 1;
+pub const NURBS_CONSTRAIN_NORMAL: i32 = 2;
+pub const NURBS_CONSTRAIN_CURVATURE: i32 = 3;
 
 #[link(name = "nurbs")]
 extern "C" {
@@ -1195,6 +1244,456 @@ extern "C" {
         placement: *mut f64,
         sizes: *mut f64,
         deviation: *mut f64,
+    ) -> nurbs_status;
+    pub fn nurbs_closest_points(
+        g: *const nurbs,
+        n: i64,
+        points: *const f64,
+        point_stride: i64,
+        point_component_stride: i64,
+        range: *const f64,
+        tolerance: f64,
+        budget: i64,
+        params: *mut f64,
+        param_stride: i64,
+        param_component_stride: i64,
+        feet: *mut f64,
+        foot_stride: i64,
+        foot_component_stride: i64,
+        distances: *mut f64,
+        distance_stride: i64,
+        status: *mut i32,
+        flags: u32,
+    ) -> nurbs_status;
+    pub fn nurbs_farthest_points(
+        g: *const nurbs,
+        n: i64,
+        points: *const f64,
+        point_stride: i64,
+        point_component_stride: i64,
+        range: *const f64,
+        tolerance: f64,
+        budget: i64,
+        params: *mut f64,
+        param_stride: i64,
+        param_component_stride: i64,
+        feet: *mut f64,
+        foot_stride: i64,
+        foot_component_stride: i64,
+        distances: *mut f64,
+        distance_stride: i64,
+        status: *mut i32,
+        flags: u32,
+    ) -> nurbs_status;
+    pub fn nurbs_closest_local(
+        g: *const nurbs,
+        n: i64,
+        points: *const f64,
+        point_stride: i64,
+        point_component_stride: i64,
+        guesses: *const f64,
+        guess_stride: i64,
+        guess_component_stride: i64,
+        params: *mut f64,
+        param_stride: i64,
+        param_component_stride: i64,
+        feet: *mut f64,
+        foot_stride: i64,
+        foot_component_stride: i64,
+        distances: *mut f64,
+        distance_stride: i64,
+        status: *mut i32,
+        flags: u32,
+    ) -> nurbs_status;
+    pub fn nurbs_closest_all(
+        g: *const nurbs,
+        point: *const f64,
+        range: *const f64,
+        tolerance: f64,
+        budget: i64,
+        cap: i64,
+        params: *mut f64,
+        distances: *mut f64,
+        count: *mut i64,
+        status: *mut i32,
+    ) -> nurbs_status;
+    pub fn nurbs_critical_points(
+        g: *const nurbs,
+        point: *const f64,
+        range: *const f64,
+        tolerance: f64,
+        budget: i64,
+        cap: i64,
+        params: *mut f64,
+        distances: *mut f64,
+        kinds: *mut i32,
+        count: *mut i64,
+        status: *mut i32,
+    ) -> nurbs_status;
+    pub fn nurbs_curve_signed_distances(
+        g: *const nurbs,
+        n: i64,
+        points: *const f64,
+        point_stride: i64,
+        point_component_stride: i64,
+        tolerance: f64,
+        budget: i64,
+        distances: *mut f64,
+        distance_stride: i64,
+        params: *mut f64,
+        param_stride: i64,
+        status: *mut i32,
+        flags: u32,
+    ) -> nurbs_status;
+    pub fn nurbs_distance(
+        a: *const nurbs,
+        b: *const nurbs,
+        tolerance: f64,
+        budget: i64,
+        at_least: *mut f64,
+        at_most: *mut f64,
+        params_a: *mut f64,
+        params_b: *mut f64,
+        status: *mut i32,
+    ) -> nurbs_status;
+    pub fn nurbs_hausdorff_distance(
+        a: *const nurbs,
+        b: *const nurbs,
+        tolerance: f64,
+        budget: i64,
+        at_least: *mut f64,
+        at_most: *mut f64,
+        params_a: *mut f64,
+        params_b: *mut f64,
+        status: *mut i32,
+    ) -> nurbs_status;
+    pub fn nurbs_curve_length(
+        g: *const nurbs,
+        range: *const f64,
+        relative_tolerance: f64,
+        length: *mut f64,
+        error: *mut f64,
+    ) -> nurbs_status;
+    pub fn nurbs_curve_lengths(
+        g: *const nurbs,
+        n: i64,
+        params: *const f64,
+        param_stride: i64,
+        relative_tolerance: f64,
+        lengths: *mut f64,
+        length_stride: i64,
+    ) -> nurbs_status;
+    pub fn nurbs_curve_params_at_lengths(
+        g: *const nurbs,
+        n: i64,
+        lengths: *const f64,
+        length_stride: i64,
+        relative_tolerance: f64,
+        params: *mut f64,
+        param_stride: i64,
+        flags: u32,
+    ) -> nurbs_status;
+    pub fn nurbs_curve_divide(
+        g: *const nurbs,
+        range: *const f64,
+        parts: i64,
+        relative_tolerance: f64,
+        flags: u32,
+        params: *mut f64,
+        size: *mut f64,
+    ) -> nurbs_status;
+    pub fn nurbs_surface_area(
+        g: *const nurbs,
+        range: *const f64,
+        relative_tolerance: f64,
+        area: *mut f64,
+        error: *mut f64,
+    ) -> nurbs_status;
+    pub fn nurbs_moments(
+        g: *const nurbs,
+        relative_tolerance: f64,
+        content: *mut f64,
+        centroid: *mut f64,
+        inertia: *mut f64,
+        error: *mut f64,
+    ) -> nurbs_status;
+    pub fn nurbs_enclosed_area(
+        count: i64,
+        curves: *const *const nurbs,
+        tolerance: f64,
+        relative_tolerance: f64,
+        area: *mut f64,
+        centroid: *mut f64,
+        inertia: *mut f64,
+        error: *mut f64,
+    ) -> nurbs_status;
+    pub fn nurbs_enclosed_volume(
+        count: i64,
+        surfaces: *const *const nurbs,
+        relative_tolerance: f64,
+        volume: *mut f64,
+        centroid: *mut f64,
+        inertia: *mut f64,
+        openness: *mut f64,
+        error: *mut f64,
+    ) -> nurbs_status;
+    pub fn nurbs_box(
+        g: *const nurbs,
+        range: *const f64,
+        tolerance: f64,
+        lower: *mut f64,
+        upper: *mut f64,
+        gap: *mut f64,
+    ) -> nurbs_status;
+    pub fn nurbs_oriented_box(
+        g: *const nurbs,
+        tolerance: f64,
+        center: *mut f64,
+        axes: *mut f64,
+        half: *mut f64,
+    ) -> nurbs_status;
+    pub fn nurbs_tangent_cone(
+        g: *const nurbs,
+        axis: i32,
+        range: *const f64,
+        tolerance: f64,
+        direction: *mut f64,
+        angle: *mut f64,
+    ) -> nurbs_status;
+    pub fn nurbs_normal_cone(
+        g: *const nurbs,
+        range: *const f64,
+        tolerance: f64,
+        direction: *mut f64,
+        angle: *mut f64,
+    ) -> nurbs_status;
+    pub fn nurbs_extreme_point(
+        g: *const nurbs,
+        direction: *const f64,
+        range: *const f64,
+        tolerance: f64,
+        params: *mut f64,
+        value: *mut f64,
+        bound: *mut f64,
+    ) -> nurbs_status;
+    pub fn nurbs_curve_features(
+        g: *const nurbs,
+        kinds: u32,
+        cap: i64,
+        params: *mut f64,
+        found: *mut i32,
+        values: *mut f64,
+        count: *mut i64,
+        complete: *mut i32,
+    ) -> nurbs_status;
+    pub fn nurbs_curve_monotone_pieces(
+        g: *const nurbs,
+        direction: *const f64,
+        cap: i64,
+        starts: *mut f64,
+        signs: *mut i32,
+        count: *mut i64,
+        complete: *mut i32,
+    ) -> nurbs_status;
+    pub fn nurbs_curve_convexity(g: *const nurbs, convexity: *mut i32) -> nurbs_status;
+    pub fn nurbs_straightness(
+        g: *const nurbs,
+        origin: *mut f64,
+        direction: *mut f64,
+        bound: *mut f64,
+    ) -> nurbs_status;
+    pub fn nurbs_planarity(
+        g: *const nurbs,
+        origin: *mut f64,
+        normal: *mut f64,
+        bound: *mut f64,
+    ) -> nurbs_status;
+    pub fn nurbs_boundary_contacts(
+        g: *const nurbs,
+        tolerance: f64,
+        closed: *mut i32,
+        gaps: *mut f64,
+        collapsed: *mut i32,
+        sizes: *mut f64,
+    ) -> nurbs_status;
+    pub fn nurbs_singular_points(
+        g: *const nurbs,
+        tolerance: f64,
+        cap: i64,
+        params: *mut f64,
+        boxes: *mut f64,
+        count: *mut i64,
+        complete: *mut i32,
+    ) -> nurbs_status;
+    pub fn nurbs_fold_test(
+        g: *const nurbs,
+        reference: *const f64,
+        result: *mut i32,
+        positive: *mut f64,
+        negative: *mut f64,
+    ) -> nurbs_status;
+    pub fn nurbs_pull_weight(
+        g: *const nurbs,
+        index: i64,
+        params: *const f64,
+        distance: f64,
+        weight: *mut f64,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    pub fn nurbs_pull_weights(
+        g: *const nurbs,
+        count: i64,
+        indices: *const i64,
+        params: *const f64,
+        distance: f64,
+        factor: *mut f64,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    pub fn nurbs_set_weights(
+        g: *const nurbs,
+        count: i64,
+        indices: *const i64,
+        weights: *const f64,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    pub fn nurbs_weight_points(
+        g: *const nurbs,
+        index: i64,
+        params: *const f64,
+        at_zero: *mut f64,
+        at_one: *mut f64,
+        at_weight: *mut f64,
+    ) -> nurbs_status;
+    pub fn nurbs_weight_cross_ratio(
+        dim: i32,
+        control_point: *const f64,
+        at_zero: *const f64,
+        at_one: *const f64,
+        at_weight: *const f64,
+        weight: *mut f64,
+    ) -> nurbs_status;
+    pub fn nurbs_weight_through(
+        g: *const nurbs,
+        index: i64,
+        params: *const f64,
+        target: *const f64,
+        tolerance: f64,
+        weight: *mut f64,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    pub fn nurbs_pull_point(
+        g: *const nurbs,
+        index: i64,
+        params: *const f64,
+        direction: *const f64,
+        distance: f64,
+        moved: *mut f64,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    pub fn nurbs_most_influential(
+        g: *const nurbs,
+        n: i64,
+        params: *const f64,
+        param_stride: i64,
+        param_component_stride: i64,
+        indices: *mut i64,
+        influences: *mut f64,
+    ) -> nurbs_status;
+    pub fn nurbs_insert_on_leg(
+        g: *const nurbs,
+        axis: i32,
+        index: i64,
+        ratio: f64,
+        knot: *mut f64,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    pub fn nurbs_insert_at_point(
+        g: *const nurbs,
+        axis: i32,
+        point: *const f64,
+        tolerance: f64,
+        index: *mut i64,
+        ratio: *mut f64,
+        knot: *mut f64,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    pub fn nurbs_constrain(
+        g: *const nurbs,
+        count: i64,
+        kinds: *const i32,
+        orders: *const i32,
+        params: *const f64,
+        targets: *const f64,
+        keep: *const i32,
+        costs: *const f64,
+        weight_costs: *const f64,
+        tolerance: f64,
+        residuals: *mut f64,
+        rank: *mut i64,
+        moved: *mut f64,
+        optimality: *mut f64,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    pub fn nurbs_warp(
+        g: *const nurbs,
+        range: *const f64,
+        direction: *const f64,
+        distance: f64,
+        order: i32,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    pub fn nurbs_flatten(
+        g: *const nurbs,
+        range: *const f64,
+        point: *const f64,
+        normal: *const f64,
+        direction: *const f64,
+        moved: *mut f64,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    pub fn nurbs_bend(
+        g: *const nurbs,
+        origin: *const f64,
+        along: *const f64,
+        across: *const f64,
+        curvature: f64,
+        lower: f64,
+        upper: f64,
+        tolerance: f64,
+        deviation: *mut f64,
+        proven: *mut i32,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    pub fn nurbs_free_form_deform(
+        g: *const nurbs,
+        volume: *const nurbs,
+        lower: *const f64,
+        upper: *const f64,
+        tolerance: f64,
+        deviation: *mut f64,
+        proven: *mut i32,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    pub fn nurbs_fair(
+        g: *const nurbs,
+        order: i32,
+        keep: *const i32,
+        tolerance: f64,
+        energies: *mut f64,
+        bound: *mut f64,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    pub fn nurbs_snap_boundary(
+        g: *const nurbs,
+        axis: i32,
+        end: i32,
+        other: *const nurbs,
+        other_axis: i32,
+        other_end: i32,
+        order: i32,
+        flags: u32,
+        bound: *mut f64,
+        out: *mut *mut nurbs,
     ) -> nurbs_status;
     pub fn nurbs_collocation(
         axes: i32,

@@ -1,0 +1,252 @@
+// Features of a shape.
+#include "checks.h"
+#include "guard.h"
+#include "part.h"
+
+#include "base/checked.h"
+#include "base/tolerance.h"
+#include "query/analysis/contacts.h"
+#include "query/analysis/convexity.h"
+#include "query/analysis/features.h"
+#include "query/analysis/flatness.h"
+#include "query/analysis/folds.h"
+#include "query/analysis/monotone.h"
+#include "query/analysis/singular.h"
+
+#include <algorithm>
+#include <limits>
+
+using namespace nrb;
+using namespace nrb::capi;
+
+namespace {
+
+constexpr uint32_t all_features = NURBS_FEATURE_INFLECTION | NURBS_FEATURE_CURVATURE_MAXIMUM |
+                                  NURBS_FEATURE_CURVATURE_MINIMUM | NURBS_FEATURE_CUSP | NURBS_FEATURE_KINK |
+                                  NURBS_FEATURE_JUMP | NURBS_FEATURE_TORSION;
+
+// Arrays that are null are not filled.
+template <class T>
+void put(T *array, size_t i, T value) noexcept {
+    if (array != nullptr) {
+        array[i] = value;
+    }
+}
+
+const Spline &curve_of(const ::nurbs *g) {
+    const Spline &spline = spline_of(g);
+    if (spline.axes() != 1) {
+        fail(NURBS_ERROR_AXES, "g has %d axes, expected a curve", spline.axes());
+    }
+    return spline;
+}
+
+void check_dimension(const Spline &spline, int least, int most) {
+    if (spline.dim() < least || spline.dim() > most) {
+        fail(NURBS_ERROR_DIMENSION, "g has dimension %d, expected %d to %d", spline.dim(), least, most);
+    }
+}
+
+void check_cap(int64_t cap, size_t count) {
+    if (cap != 0 && cap < static_cast<int64_t>(count)) {
+        fail(NURBS_ERROR_SIZE, "cap = %lld, expected 0 or at least %lld", static_cast<long long>(cap),
+             static_cast<long long>(count));
+    }
+}
+
+uint32_t checked_kinds(uint32_t kinds, int dim) {
+    if ((kinds & ~all_features) != 0) {
+        fail(NURBS_ERROR_FLAGS, "kinds = 0x%x, expected a sum of NURBS_FEATURE_ constants", kinds);
+    }
+    if (dim != 3 && (kinds & NURBS_FEATURE_TORSION) != 0) {
+        fail(NURBS_ERROR_DIMENSION, "kinds = 0x%x: NURBS_FEATURE_TORSION needs dimension 3, not %d", kinds,
+             dim);
+    }
+    return kinds;
+}
+
+// A positive part of the domain.
+void check_part(double tolerance) {
+    if (!(tolerance > 0)) {
+        fail(NURBS_ERROR_TOLERANCE, "tolerance = %s, expected > 0", Number(tolerance).text);
+    }
+}
+
+// A direction is for surfaces in space.
+const double *checked_reference(const Spline &spline, const double *reference) {
+    if (reference == nullptr) {
+        return nullptr;
+    }
+    if (spline.axes() != 2 || spline.dim() != 3) {
+        fail(NURBS_ERROR_DIRECTION, "reference is for surfaces in space, expected NULL");
+    }
+    check_direction(reference, 3, "reference");
+    return reference;
+}
+
+void check_folding(const Spline &spline) {
+    if (spline.axes() == 1) {
+        fail(NURBS_ERROR_AXES, "g has 1 axis, expected a surface or volume");
+    }
+    check_dimension(spline, spline.axes(), 3);
+}
+
+void put_place(const std::optional<std::array<double, max_axes>> &place, int axes, double *out) {
+    for (size_t k = 0; k < static_cast<size_t>(axes); ++k) {
+        put(out, k, place ? (*place)[k] : std::numeric_limits<double>::quiet_NaN());
+    }
+}
+
+} // namespace
+
+nurbs_status nurbs_curve_features(const nurbs *g, uint32_t kinds, int64_t cap, double *params, int32_t *found,
+                                  double *values, int64_t *count, int32_t *complete) {
+    return guard([&] {
+        const Spline &curve = curve_of(g);
+        check_dimension(curve, 2, 3);
+        const uint32_t wanted = checked_kinds(kinds, curve.dim());
+        check_length(cap, "cap");
+        check_apart({memory("params", params, cap), memory("found", found, cap),
+                     memory("values", values, cap), memory("count", count, 1),
+                     memory("complete", complete, 1)},
+                    {});
+        const Features features = curve_features(curve, wanted);
+        check_cap(cap, features.list.size());
+        for (size_t i = 0; cap != 0 && i < features.list.size(); ++i) {
+            put(params, i, features.list[i].at);
+            put(found, i, features.list[i].kind);
+            put(values, i, features.list[i].value);
+        }
+        put(count, 0, static_cast<int64_t>(features.list.size()));
+        put(complete, 0, int32_t{features.complete});
+    });
+}
+
+nurbs_status nurbs_curve_monotone_pieces(const nurbs *g, const double *direction, int64_t cap, double *starts,
+                                         int32_t *signs, int64_t *count, int32_t *complete) {
+    return guard([&] {
+        const Spline &curve = curve_of(g);
+        require(direction, "direction");
+        check_direction(direction, curve.dim(), "direction");
+        check_length(cap, "cap");
+        check_apart({memory("starts", starts, cap), memory("signs", signs, cap), memory("count", count, 1),
+                     memory("complete", complete, 1)},
+                    {memory("direction", direction, curve.dim())});
+        const MonotonePieces found = monotone_pieces(curve, direction);
+        check_cap(cap, found.pieces.size());
+        for (size_t i = 0; cap != 0 && i < found.pieces.size(); ++i) {
+            put(starts, i, found.pieces[i].start);
+            put(signs, i, int32_t{found.pieces[i].sign});
+        }
+        put(count, 0, static_cast<int64_t>(found.pieces.size()));
+        put(complete, 0, int32_t{found.complete});
+    });
+}
+
+nurbs_status nurbs_curve_convexity(const nurbs *g, int32_t *result) {
+    return guard([&] {
+        const Spline &curve = curve_of(g);
+        check_dimension(curve, 2, 2);
+        require(result, "convexity");
+        *result = convexity(curve);
+    });
+}
+
+nurbs_status nurbs_straightness(const nurbs *g, double *origin, double *direction, double *bound) {
+    return guard([&] {
+        const Spline &spline = spline_of(g);
+        require(bound, "bound");
+        const int64_t dim = spline.dim();
+        check_apart(
+            {memory("origin", origin, dim), memory("direction", direction, dim), memory("bound", bound, 1)},
+            {});
+        const Flatness found = straightness(spline);
+        for (size_t c = 0; c < found.origin.size(); ++c) {
+            put(origin, c, found.origin[c]);
+            put(direction, c, found.direction[c]);
+        }
+        *bound = found.bound;
+    });
+}
+
+nurbs_status nurbs_planarity(const nurbs *g, double *origin, double *normal, double *bound) {
+    return guard([&] {
+        const Spline &spline = spline_of(g);
+        check_dimension(spline, 3, 3);
+        require(bound, "bound");
+        check_apart({memory("origin", origin, 3), memory("normal", normal, 3), memory("bound", bound, 1)},
+                    {});
+        const Flatness found = planarity(spline);
+        for (size_t c = 0; c < 3; ++c) {
+            put(origin, c, found.origin[c]);
+            put(normal, c, found.direction[c]);
+        }
+        *bound = found.bound;
+    });
+}
+
+nurbs_status nurbs_boundary_contacts(const nurbs *g, double tolerance, int32_t *closed, double *gaps,
+                                     int32_t *collapsed, double *sizes) {
+    return guard([&] {
+        const Spline &spline = spline_of(g);
+        check_tolerance(tolerance);
+        const int64_t axes = spline.axes();
+        check_apart({memory("closed", closed, axes), memory("gaps", gaps, axes),
+                     memory("collapsed", collapsed, 2 * axes), memory("sizes", sizes, 2 * axes)},
+                    {});
+        const Contacts found = boundary_contacts(spline, tolerance);
+        for (size_t k = 0; k < found.axes.size(); ++k) {
+            put(closed, k, int32_t{found.axes[k].closed});
+            put(gaps, k, found.axes[k].gap);
+        }
+        for (size_t i = 0; i < found.boundaries.size(); ++i) {
+            put(collapsed, i, int32_t{found.boundaries[i].collapsed});
+            put(sizes, i, found.boundaries[i].size);
+        }
+    });
+}
+
+nurbs_status nurbs_singular_points(const nurbs *g, double tolerance, int64_t cap, double *params,
+                                   double *boxes, int64_t *count, int32_t *complete) {
+    return guard([&] {
+        const Spline &spline = spline_of(g);
+        if (spline.axes() > 2) {
+            fail(NURBS_ERROR_AXES, "g has %d axes, expected a curve or surface", spline.axes());
+        }
+        check_part(tolerance);
+        check_length(cap, "cap");
+        const auto axes = static_cast<size_t>(spline.axes());
+        check_apart({memory("params", params, checked_product(cap, spline.axes(), "params")),
+                     memory("boxes", boxes, checked_product(cap, 2 * spline.axes(), "boxes")),
+                     memory("count", count, 1), memory("complete", complete, 1)},
+                    {});
+        const SingularPlaces found = singular_places(spline, tolerance);
+        check_cap(cap, found.places.size());
+        for (size_t i = 0; cap != 0 && i < found.places.size(); ++i) {
+            for (size_t k = 0; k < axes; ++k) {
+                put(params, i * axes + k, found.places[i].at[k]);
+                put(boxes, 2 * (i * axes + k), found.places[i].box[k].lower);
+                put(boxes, 2 * (i * axes + k) + 1, found.places[i].box[k].upper);
+            }
+        }
+        put(count, 0, static_cast<int64_t>(found.places.size()));
+        put(complete, 0, int32_t{found.complete});
+    });
+}
+
+nurbs_status nurbs_fold_test(const nurbs *g, const double *reference, int32_t *result, double *positive,
+                             double *negative) {
+    return guard([&] {
+        const Spline &spline = spline_of(g);
+        check_folding(spline);
+        require(result, "result");
+        const double *direction = checked_reference(spline, reference);
+        check_apart({memory("result", result, 1), memory("positive", positive, spline.axes()),
+                     memory("negative", negative, spline.axes())},
+                    {memory("reference", reference, reference == nullptr ? 0 : 3)});
+        const FoldTest test = fold_test(spline, direction);
+        *result = test.result;
+        put_place(test.positive, spline.axes(), positive);
+        put_place(test.negative, spline.axes(), negative);
+    });
+}

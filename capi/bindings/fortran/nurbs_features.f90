@@ -1,0 +1,154 @@
+! SPDX-License-Identifier: MIT
+!> Features of curves and surfaces; complete tells that nothing was missed. Conventions: see the module nurbs.
+module nurbs_features
+    use, intrinsic :: iso_c_binding
+    use nurbs_constants
+    use nurbs_c
+    use nurbs_support
+    use nurbs_splines
+    use nurbs_placements, only: given
+    implicit none
+    private
+    public :: curve_features, monotone_pieces, curve_convexity, straightness, planarity, boundary_contacts
+    public :: singular_points, fold_test
+
+contains
+
+    !> params(n) in rising order, found(n) one NURBS_FEATURE_ constant each, and values(n): curvature, turning angle or
+    !> width there. kinds: a sum of NURBS_FEATURE_ constants.
+    subroutine curve_features(g, kinds, params, found, values, complete, status)
+        class(nurbs_spline), intent(in) :: g
+        integer(c_int32_t), intent(in) :: kinds
+        real(c_double), allocatable, intent(inout) :: params(:), values(:)
+        integer(c_int32_t), allocatable, intent(inout) :: found(:)
+        logical, intent(inout), optional :: complete
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code, answer
+        integer(c_int64_t) :: n
+        n = 0
+        answer = 0
+        code = nurbs_curve_features(g%handle, kinds, 0_c_int64_t, count=n)
+        if (allocated(params)) deallocate (params)
+        if (allocated(found)) deallocate (found)
+        if (allocated(values)) deallocate (values)
+        allocate (params(n), found(n), values(n))
+        if (code == NURBS_OK) code = nurbs_curve_features(g%handle, kinds, n, params, found, values, complete=answer)
+        if (present(complete)) complete = answer /= 0
+        call settle(code, status)
+    end subroutine curve_features
+
+    !> Lower ends starts(n) of the pieces on which a curve runs one way along a direction(dim), with signs(n): 1, -1 or
+    !> 0 where it rises, falls or stays.
+    subroutine monotone_pieces(g, direction, starts, signs, complete, status)
+        class(nurbs_spline), intent(in) :: g
+        real(c_double), intent(in) :: direction(:)
+        real(c_double), allocatable, intent(inout) :: starts(:)
+        integer(c_int32_t), allocatable, intent(inout) :: signs(:)
+        logical, intent(inout), optional :: complete
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code, answer
+        integer(c_int64_t) :: n
+        n = 0
+        answer = 0
+        code = fitting([size(direction) == dim_of(g%handle)])
+        if (code == NURBS_OK) code = nurbs_curve_monotone_pieces(g%handle, direction, 0_c_int64_t, count=n)
+        if (allocated(starts)) deallocate (starts)
+        if (allocated(signs)) deallocate (signs)
+        allocate (starts(n), signs(n))
+        if (code == NURBS_OK) code = nurbs_curve_monotone_pieces(g%handle, direction, n, starts, signs, complete=answer)
+        if (present(complete)) complete = answer /= 0
+        call settle(code, status)
+    end subroutine monotone_pieces
+
+    !> A NURBS_CONVEXITY_ constant of a curve in the plane.
+    subroutine curve_convexity(g, convexity, status)
+        class(nurbs_spline), intent(in) :: g
+        integer(c_int32_t), intent(inout) :: convexity
+        integer(c_int32_t), intent(out), optional :: status
+        call settle(nurbs_curve_convexity(g%handle, convexity), status)
+    end subroutine curve_convexity
+
+    !> A proven bound of the distance from the line through origin(dim) along direction(dim).
+    subroutine straightness(g, bound, origin, direction, status)
+        class(nurbs_spline), intent(in) :: g
+        real(c_double), intent(inout) :: bound
+        real(c_double), intent(inout), optional :: origin(:), direction(:)
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        integer(c_int64_t) :: dim
+        dim = dim_of(g%handle)
+        code = fitting([has_size(dim, origin), has_size(dim, direction)])
+        if (code == NURBS_OK) code = nurbs_straightness(g%handle, origin, direction, bound)
+        call settle(code, status)
+    end subroutine straightness
+
+    !> A proven bound of the distance of a spline in space from a plane.
+    subroutine planarity(g, bound, origin, normal, status)
+        class(nurbs_spline), intent(in) :: g
+        real(c_double), intent(inout) :: bound
+        real(c_double), intent(inout), optional :: origin(3), normal(3)
+        integer(c_int32_t), intent(out), optional :: status
+        call settle(nurbs_planarity(g%handle, origin, normal, bound), status)
+    end subroutine planarity
+
+    !> closed(k) and gaps(k): whether axis k closes, and a bound of the gap; collapsed(1, k) and sizes(1, k): whether
+    !> the boundary at its start collapses, and its size, (2, k) at its end.
+    subroutine boundary_contacts(g, closed, gaps, collapsed, sizes, tolerance, status)
+        class(nurbs_spline), intent(in) :: g
+        logical, allocatable, intent(inout) :: closed(:), collapsed(:, :)
+        real(c_double), allocatable, intent(inout) :: gaps(:), sizes(:, :)
+        real(c_double), intent(in), optional :: tolerance
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t), allocatable :: seams(:), poles(:, :)
+        integer(c_int32_t) :: code
+        integer :: axes
+        axes = axes_of(g%handle)
+        if (allocated(gaps)) deallocate (gaps)
+        if (allocated(sizes)) deallocate (sizes)
+        allocate (gaps(axes), sizes(2, axes), seams(axes), poles(2, axes))
+        seams = 0
+        poles = 0
+        code = nurbs_boundary_contacts(g%handle, given(tolerance, 0d0), seams, gaps, poles, sizes)
+        closed = seams /= 0
+        collapsed = poles /= 0
+        call settle(code, status)
+    end subroutine boundary_contacts
+
+    !> params(n, axes) where a curve or surface is singular, and boxes(2, axes, n) in which the singular sets lie; the
+    !> tolerance is a part of the domain.
+    subroutine singular_points(g, tolerance, params, boxes, complete, status)
+        class(nurbs_spline), intent(in) :: g
+        real(c_double), intent(in) :: tolerance
+        real(c_double), allocatable, intent(inout) :: params(:, :), boxes(:, :, :)
+        logical, intent(inout), optional :: complete
+        integer(c_int32_t), intent(out), optional :: status
+        real(c_double), allocatable :: columns(:, :)
+        integer(c_int32_t) :: code, answer
+        integer(c_int64_t) :: n
+        n = 0
+        answer = 0
+        code = nurbs_singular_points(g%handle, tolerance, 0_c_int64_t, count=n)
+        if (allocated(boxes)) deallocate (boxes)
+        allocate (boxes(2, axes_of(g%handle), n), columns(axes_of(g%handle), n))
+        if (code == NURBS_OK) code = nurbs_singular_points(g%handle, tolerance, n, columns, boxes, complete=answer)
+        params = transpose(columns)
+        if (present(complete)) complete = answer /= 0
+        call settle(code, status)
+    end subroutine singular_points
+
+    !> A NURBS_FOLD_ constant, and parameters positive(axes) and negative(axes) of either sign, NaN if none are known;
+    !> reference: the direction that normals are compared with.
+    subroutine fold_test(g, fold, positive, negative, reference, status)
+        class(nurbs_spline), intent(in) :: g
+        integer(c_int32_t), intent(inout) :: fold
+        real(c_double), intent(inout), optional :: positive(:), negative(:)
+        real(c_double), intent(in), optional :: reference(3)
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        integer(c_int64_t) :: axes
+        axes = axes_of(g%handle)
+        code = fitting([has_size(axes, positive), has_size(axes, negative)])
+        if (code == NURBS_OK) code = nurbs_fold_test(g%handle, reference, fold, positive, negative)
+        call settle(code, status)
+    end subroutine fold_test
+end module nurbs_features

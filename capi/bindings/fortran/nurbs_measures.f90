@@ -1,0 +1,126 @@
+! SPDX-License-Identifier: MIT
+!> Lengths, areas and moments. range is a part of the domain; tolerances are relative, 0 if absent, and error receives
+!> an estimate of the absolute error. Conventions: see the module nurbs.
+module nurbs_measures
+    use, intrinsic :: iso_c_binding
+    use nurbs_constants
+    use nurbs_c
+    use nurbs_support
+    use nurbs_splines
+    use nurbs_placements, only: given, handles_of
+    implicit none
+    private
+    public :: curve_length, curve_lengths, params_at_lengths, divide_curve, surface_area, spline_moments
+    public :: enclosed_area, enclosed_volume
+
+contains
+
+    subroutine curve_length(g, length, error, range, tolerance, status)
+        class(nurbs_spline), intent(in) :: g
+        real(c_double), intent(inout) :: length
+        real(c_double), intent(inout), optional :: error
+        real(c_double), intent(in), optional :: range(2), tolerance
+        integer(c_int32_t), intent(out), optional :: status
+        call settle(nurbs_curve_length(g%handle, range, given(tolerance, 0d0), length, error), status)
+    end subroutine curve_length
+
+    !> lengths(n) from the start of the domain to params(n).
+    subroutine curve_lengths(g, params, lengths, tolerance, status)
+        class(nurbs_spline), intent(in) :: g
+        real(c_double), intent(in) :: params(:)
+        real(c_double), intent(inout) :: lengths(:)
+        real(c_double), intent(in), optional :: tolerance
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        code = fitting([size(lengths) == size(params)])
+        if (code == NURBS_OK) code = nurbs_curve_lengths(g%handle, size(params, kind=c_int64_t), params, 0_c_int64_t, &
+            given(tolerance, 0d0), lengths, 0_c_int64_t)
+        call settle(code, status)
+    end subroutine curve_lengths
+
+    !> params(n) at lengths(n) from the start of the domain; flags: 0 or NURBS_CLAMP.
+    subroutine params_at_lengths(g, lengths, params, tolerance, flags, status)
+        class(nurbs_spline), intent(in) :: g
+        real(c_double), intent(in) :: lengths(:)
+        real(c_double), intent(inout) :: params(:)
+        real(c_double), intent(in), optional :: tolerance
+        integer(c_int32_t), intent(in), optional :: flags
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        code = fitting([size(lengths) == size(params)])
+        if (code == NURBS_OK) code = nurbs_curve_params_at_lengths(g%handle, size(lengths, kind=c_int64_t), lengths, &
+            0_c_int64_t, given(tolerance, 0d0), params, 0_c_int64_t, bits(flags))
+        call settle(code, status)
+    end subroutine params_at_lengths
+
+    !> params(parts + 1) of parts of equal length, or with NURBS_EQUAL_CHORDS of points at equal distances; size: length
+    !> or chord of a part.
+    subroutine divide_curve(g, parts, params, size, range, tolerance, flags, status)
+        class(nurbs_spline), intent(in) :: g
+        integer, intent(in) :: parts
+        real(c_double), allocatable, intent(inout) :: params(:)
+        real(c_double), intent(inout), optional :: size
+        real(c_double), intent(in), optional :: range(2), tolerance
+        integer(c_int32_t), intent(in), optional :: flags
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        if (allocated(params)) deallocate (params)
+        allocate (params(max(parts, 0) + 1))
+        code = nurbs_curve_divide(g%handle, range, int(parts, c_int64_t), given(tolerance, 0d0), bits(flags), params, &
+            size)
+        call settle(code, status)
+    end subroutine divide_curve
+
+    !> range(:, k) is a part of domain(k).
+    subroutine surface_area(g, area, error, range, tolerance, status)
+        class(nurbs_spline), intent(in) :: g
+        real(c_double), intent(inout) :: area
+        real(c_double), intent(inout), optional :: error
+        real(c_double), intent(in), optional :: range(2, 2), tolerance
+        integer(c_int32_t), intent(out), optional :: status
+        call settle(nurbs_surface_area(g%handle, range, given(tolerance, 0d0), area, error), status)
+    end subroutine surface_area
+
+    !> Length, area or volume, centroid(dim) and inertia(dim, dim) about it, of a spline itself.
+    subroutine spline_moments(g, content, centroid, inertia, error, tolerance, status)
+        class(nurbs_spline), intent(in) :: g
+        real(c_double), intent(inout) :: content
+        real(c_double), intent(inout), optional :: centroid(:), inertia(:, :), error
+        real(c_double), intent(in), optional :: tolerance
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        integer(c_int64_t) :: dim
+        dim = dim_of(g%handle)
+        code = fitting([has_size(dim, centroid), has_shape(dim, int(dim), inertia)])
+        if (code == NURBS_OK) code = nurbs_moments(g%handle, given(tolerance, 0d0), content, centroid, inertia, error)
+        call settle(code, status)
+    end subroutine spline_moments
+
+    !> Of the region of the plane that closed chains of curves enclose; counterclockwise counts positive. gap: the
+    !> largest one allowed.
+    subroutine enclosed_area(curves, area, centroid, inertia, error, gap, tolerance, status)
+        type(nurbs_spline), intent(in) :: curves(:)
+        real(c_double), intent(inout) :: area
+        real(c_double), intent(inout), optional :: centroid(2), inertia(2, 2), error
+        real(c_double), intent(in), optional :: gap, tolerance
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        code = nurbs_enclosed_area(size(curves, kind=c_int64_t), handles_of(curves), given(gap, 0d0), &
+            given(tolerance, 0d0), area, centroid, inertia, error)
+        call settle(code, status)
+    end subroutine enclosed_area
+
+    !> Of the body that surfaces enclose whose normals point outwards; openness: the length of the vector area, 0 of a
+    !> closed shell.
+    subroutine enclosed_volume(surfaces, volume, centroid, inertia, openness, error, tolerance, status)
+        type(nurbs_spline), intent(in) :: surfaces(:)
+        real(c_double), intent(inout) :: volume
+        real(c_double), intent(inout), optional :: centroid(3), inertia(3, 3), openness, error
+        real(c_double), intent(in), optional :: tolerance
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        code = nurbs_enclosed_volume(size(surfaces, kind=c_int64_t), handles_of(surfaces), given(tolerance, 0d0), &
+            volume, centroid, inertia, openness, error)
+        call settle(code, status)
+    end subroutine enclosed_volume
+end module nurbs_measures

@@ -1,0 +1,129 @@
+// Boxes, cones and extreme points.
+#include "checks.h"
+#include "guard.h"
+#include "part.h"
+
+#include "base/tolerance.h"
+#include "bounds/box.h"
+#include "bounds/cone.h"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace nrb;
+using namespace nrb::capi;
+
+namespace {
+
+void check_surface_in_space(const Spline &spline) {
+    if (spline.axes() != 2) {
+        fail(NURBS_ERROR_AXES, "g has %d axes, expected a surface", spline.axes());
+    }
+    if (spline.dim() != 3) {
+        fail(NURBS_ERROR_DIMENSION, "g has dimension %d, expected 3", spline.dim());
+    }
+}
+
+template <class Range>
+void put(const Range &values, double *out) noexcept {
+    if (out != nullptr) {
+        std::copy(values.begin(), values.end(), out);
+    }
+}
+
+void put(double value, double *out) noexcept {
+    if (out != nullptr) {
+        *out = value;
+    }
+}
+
+void put_cone(const Cone &cone, double *direction, double *angle) {
+    std::copy(cone.direction.begin(), cone.direction.end(), direction);
+    *angle = cone.angle;
+}
+
+} // namespace
+
+nurbs_status nurbs_box(const nurbs *g, const double *range, double tolerance, double *lower, double *upper,
+                       double *gap) {
+    return guard([&] {
+        const Spline &spline = spline_of(g);
+        const Part part = checked_part(spline, range);
+        check_tolerance(tolerance);
+        require(lower, "lower");
+        require(upper, "upper");
+        check_apart({memory("lower", lower, spline.dim()), memory("upper", upper, spline.dim()),
+                     memory("gap", gap, 1)},
+                    {memory("range", range, 2 * spline.axes())});
+        const Box box = bounding_box(spline, part, tolerance);
+        put(box.lower, lower);
+        put(box.upper, upper);
+        put(box.gap, gap);
+    });
+}
+
+nurbs_status nurbs_oriented_box(const nurbs *g, double tolerance, double *center, double *axes,
+                                double *half) {
+    return guard([&] {
+        const Spline &spline = spline_of(g);
+        check_tolerance(tolerance);
+        require(center, "center");
+        require(axes, "axes");
+        require(half, "half");
+        const int64_t dim = spline.dim();
+        check_apart(
+            {memory("center", center, dim), memory("axes", axes, dim * dim), memory("half", half, dim)}, {});
+        const OrientedBox box = oriented_box(spline, tolerance);
+        put(box.center, center);
+        put(box.axes, axes);
+        put(box.half, half);
+    });
+}
+
+nurbs_status nurbs_tangent_cone(const nurbs *g, int32_t axis, const double *range, double tolerance,
+                                double *direction, double *angle) {
+    return guard([&] {
+        const Spline &spline = spline_of(g);
+        check_axis(spline, axis);
+        const Part part = checked_part(spline, range);
+        check_tolerance(tolerance);
+        require(direction, "direction");
+        require(angle, "angle");
+        check_apart({memory("direction", direction, spline.dim()), memory("angle", angle, 1)},
+                    {memory("range", range, 2 * spline.axes())});
+        put_cone(tangent_cone(spline, axis, part, tolerance), direction, angle);
+    });
+}
+
+nurbs_status nurbs_normal_cone(const nurbs *g, const double *range, double tolerance, double *direction,
+                               double *angle) {
+    return guard([&] {
+        const Spline &spline = spline_of(g);
+        check_surface_in_space(spline);
+        const Part part = checked_part(spline, range);
+        check_tolerance(tolerance);
+        require(direction, "direction");
+        require(angle, "angle");
+        check_apart({memory("direction", direction, 3), memory("angle", angle, 1)},
+                    {memory("range", range, 4)});
+        put_cone(normal_cone(spline, part, tolerance), direction, angle);
+    });
+}
+
+nurbs_status nurbs_extreme_point(const nurbs *g, const double *direction, const double *range,
+                                 double tolerance, double *params, double *value, double *bound) {
+    return guard([&] {
+        const Spline &spline = spline_of(g);
+        require(direction, "direction");
+        check_direction(direction, spline.dim(), "direction");
+        const Part part = checked_part(spline, range);
+        check_tolerance(tolerance);
+        const int64_t axes = spline.axes();
+        check_apart({memory("params", params, axes), memory("value", value, 1), memory("bound", bound, 1)},
+                    {memory("direction", direction, spline.dim()), memory("range", range, 2 * axes)});
+        const ExtremePoint point = extreme_point(spline, direction, part, tolerance);
+        put(std::span(point.params).first(static_cast<size_t>(axes)), params);
+        put(point.value, value);
+        put(point.bound, bound);
+    });
+}

@@ -1,0 +1,317 @@
+// Closest and farthest points.
+#include "checks.h"
+#include "guard.h"
+#include "part.h"
+
+#include "base/checked.h"
+#include "base/tolerance.h"
+#include "query/closest/closest.h"
+#include "query/closest/signed_distance.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+using namespace nrb;
+using namespace nrb::capi;
+
+namespace {
+
+constexpr int64_t default_budget = 20000;
+
+int64_t checked_budget(int64_t budget) {
+    check_length(budget, "budget");
+    return budget == 0 ? default_budget : budget;
+}
+
+bool check_flag(uint32_t flags) {
+    if ((flags & ~NURBS_NAN_POINTS) != 0) {
+        fail(NURBS_ERROR_FLAGS, "flags = 0x%08x, expected NURBS_NAN_POINTS or 0", flags);
+    }
+    return flags != 0;
+}
+
+void check_finite(const char *name, const ConstRecords &points) {
+    for (int64_t i = 0; i < points.count; ++i) {
+        for (int64_t c = 0; c < points.width; ++c) {
+            if (!std::isfinite(points(i, c))) {
+                fail(NURBS_ERROR_POINT_NOT_FINITE, "%s[%lld][%lld] = %s, expected a number", name,
+                     static_cast<long long>(i), static_cast<long long>(c), Number(points(i, c)).text);
+            }
+        }
+    }
+}
+
+void check_guesses(const Spline &spline, const ConstRecords &guesses) {
+    for (int64_t i = 0; i < guesses.count; ++i) {
+        for (int k = 0; k < spline.axes(); ++k) {
+            char name[48];
+            std::snprintf(name, sizeof name, "guesses[%lld]", static_cast<long long>(i));
+            check_place(guesses(i, k), spline.axis(k).domain(), name, k);
+        }
+    }
+}
+
+// The arguments that all batches share.
+struct PointBatch {
+    const Spline &spline;
+    ConstRecords points;
+    bool admit_nan;
+
+    void admit() const {
+        if (!admit_nan) {
+            check_finite("points", points);
+        }
+    }
+};
+
+PointBatch point_batch(const nurbs *g, int64_t n, const double *points, int64_t stride,
+                       int64_t component_stride, uint32_t flags) {
+    const Spline &spline = spline_of(g);
+    const bool admit_nan = check_flag(flags);
+    check_length(n, "n");
+    return {spline, input("points", points, n, spline.dim(), stride, component_stride), admit_nan};
+}
+
+// The caller's arrays, of which those that are NULL are not wanted.
+class FeetArrays {
+public:
+    explicit FeetArrays(const PointBatch &batch) noexcept : batch_(batch) {}
+
+    void params(double *data, int64_t stride, int64_t component_stride) {
+        out_.params = optional("params", data, batch_.spline.axes(), stride, component_stride);
+    }
+    void feet(double *data, int64_t stride, int64_t component_stride) {
+        out_.feet = optional("feet", data, batch_.spline.dim(), stride, component_stride);
+    }
+    void distances(double *data, int64_t stride) {
+        out_.distances = optional("distances", data, 1, stride, 0);
+    }
+    void status(int32_t *data) noexcept { out_.status = data; }
+
+    // No output touches another one, the points, or one more input.
+    const FeetOutputs &checked(const Memory &more, const ConstRecords *guesses = nullptr) const {
+        const Named all[] = {{"params", out_.params}, {"feet", out_.feet}, {"distances", out_.distances}};
+        const int64_t status_bytes =
+            out_.status == nullptr ? 0 : batch_.points.count * static_cast<int64_t>(sizeof(int32_t));
+        for (const Named &one : all) {
+            check_overlap(one.name, one.out, "points", batch_.points);
+            check_overlap(one.name, one.out.data, bytes(one.out), more.name, more.data, more.bytes);
+            check_overlap(one.name, one.out.data, bytes(one.out), "status", out_.status, status_bytes);
+            if (guesses != nullptr) {
+                check_overlap(one.name, one.out, "guesses", *guesses);
+            }
+            for (const Named *other = all; other != &one; ++other) {
+                check_overlap(one.name, one.out, other->name, read_only(other->out));
+            }
+        }
+        check_overlap("status", out_.status, status_bytes, "points", batch_.points.data,
+                      bytes(batch_.points));
+        check_overlap("status", out_.status, status_bytes, more.name, more.data, more.bytes);
+        return out_;
+    }
+
+private:
+    struct Named {
+        const char *name;
+        const Records &out;
+    };
+    template <class T>
+    static int64_t bytes(const RecordView<T> &view) noexcept {
+        return view.data == nullptr ? 0 : view.extent() * static_cast<int64_t>(sizeof(double));
+    }
+    Records optional(const char *name, double *data, int64_t width, int64_t stride,
+                     int64_t component_stride) {
+        return data == nullptr ? Records{nullptr, 0, width, width, 1}
+                               : output(name, data, batch_.points.count, width, stride, component_stride);
+    }
+
+    const PointBatch &batch_;
+    FeetOutputs out_;
+};
+
+void check_curve_in_plane(const Spline &spline) {
+    if (spline.axes() != 1) {
+        fail(NURBS_ERROR_AXES, "g has %d axes, expected a curve", spline.axes());
+    }
+    if (spline.dim() != 2) {
+        fail(NURBS_ERROR_DIMENSION, "g has dimension %d, expected 2", spline.dim());
+    }
+}
+
+void extremal_points(const PointBatch &batch, const double *range, double tolerance, int64_t budget,
+                     bool farthest, const FeetArrays &arrays) {
+    check_tolerance(tolerance);
+    const Part part = checked_part(batch.spline, range);
+    const Query query{nullptr, range == nullptr ? nullptr : part.data(), tolerance, checked_budget(budget),
+                      farthest};
+    const FeetOutputs &out = arrays.checked(memory("range", range, 2 * int64_t{batch.spline.axes()}));
+    batch.admit();
+    closest_points(batch.spline, batch.points, query, out);
+}
+
+// A query at one point.
+struct PointQuery {
+    PointQuery(const nurbs *g, const double *point, const double *range_values, double tolerance,
+               int64_t budget)
+        : spline(spline_of(g)), range(range_values) {
+        require(point, "point");
+        part = checked_part(spline, range);
+        check_tolerance(tolerance);
+        query = {point, range == nullptr ? nullptr : part.data(), tolerance, checked_budget(budget)};
+    }
+    [[nodiscard]] const Locator &locator() const { return locator_of(spline); }
+
+    const Spline &spline;
+    const double *range;
+    Part part;
+    Query query{};
+};
+
+struct CriticalOutputs {
+    int64_t cap;
+    double *params;
+    double *distances;
+    int32_t *kinds;
+    int64_t *count;
+    int32_t *status;
+
+    void check(const PointQuery &query) const {
+        check_length(cap, "cap");
+        const int64_t axes = query.spline.axes();
+        const int64_t size = checked_product(cap, axes, "params");
+        check_apart(
+            {memory("params", params, size), memory("distances", distances, cap), memory("kinds", kinds, cap),
+             memory("count", count, 1), memory("status", status, 1)},
+            {memory("point", query.query.point, query.spline.dim()), memory("range", query.range, 2 * axes)});
+        check_finite("point", {query.query.point, 1, query.spline.dim(), query.spline.dim(), 1});
+    }
+    void write(const Spline &spline, const CriticalSet &found) const {
+        const auto n = static_cast<int64_t>(found.points.size());
+        if (cap != 0 && cap < n) {
+            fail(NURBS_ERROR_SIZE, "cap = %lld, expected 0 or at least %lld", static_cast<long long>(cap),
+                 static_cast<long long>(n));
+        }
+        for (int64_t i = 0; i < std::min(cap, n); ++i) {
+            const CriticalPoint &one = found.points[static_cast<size_t>(i)];
+            if (params != nullptr) {
+                std::copy_n(one.foot.params.data(), spline.axes(), params + i * spline.axes());
+            }
+            if (distances != nullptr) {
+                distances[i] = one.foot.distance;
+            }
+            if (kinds != nullptr) {
+                kinds[i] = one.kind;
+            }
+        }
+        if (count != nullptr) {
+            *count = n;
+        }
+        if (status != nullptr) {
+            *status = found.status;
+        }
+    }
+};
+
+} // namespace
+
+nurbs_status nurbs_closest_points(const nurbs *g, int64_t n, const double *points, int64_t point_stride,
+                                  int64_t point_component_stride, const double *range, double tolerance,
+                                  int64_t budget, double *params, int64_t param_stride,
+                                  int64_t param_component_stride, double *feet, int64_t foot_stride,
+                                  int64_t foot_component_stride, double *distances, int64_t distance_stride,
+                                  int32_t *status, uint32_t flags) {
+    return guard([&] {
+        const PointBatch batch = point_batch(g, n, points, point_stride, point_component_stride, flags);
+        FeetArrays arrays(batch);
+        arrays.params(params, param_stride, param_component_stride);
+        arrays.feet(feet, foot_stride, foot_component_stride);
+        arrays.distances(distances, distance_stride);
+        arrays.status(status);
+        extremal_points(batch, range, tolerance, budget, false, arrays);
+    });
+}
+
+nurbs_status nurbs_farthest_points(const nurbs *g, int64_t n, const double *points, int64_t point_stride,
+                                   int64_t point_component_stride, const double *range, double tolerance,
+                                   int64_t budget, double *params, int64_t param_stride,
+                                   int64_t param_component_stride, double *feet, int64_t foot_stride,
+                                   int64_t foot_component_stride, double *distances, int64_t distance_stride,
+                                   int32_t *status, uint32_t flags) {
+    return guard([&] {
+        const PointBatch batch = point_batch(g, n, points, point_stride, point_component_stride, flags);
+        FeetArrays arrays(batch);
+        arrays.params(params, param_stride, param_component_stride);
+        arrays.feet(feet, foot_stride, foot_component_stride);
+        arrays.distances(distances, distance_stride);
+        arrays.status(status);
+        extremal_points(batch, range, tolerance, budget, true, arrays);
+    });
+}
+
+nurbs_status nurbs_closest_local(const nurbs *g, int64_t n, const double *points, int64_t point_stride,
+                                 int64_t point_component_stride, const double *guesses, int64_t guess_stride,
+                                 int64_t guess_component_stride, double *params, int64_t param_stride,
+                                 int64_t param_component_stride, double *feet, int64_t foot_stride,
+                                 int64_t foot_component_stride, double *distances, int64_t distance_stride,
+                                 int32_t *status, uint32_t flags) {
+    return guard([&] {
+        const PointBatch batch = point_batch(g, n, points, point_stride, point_component_stride, flags);
+        const ConstRecords starts =
+            input("guesses", guesses, n, batch.spline.axes(), guess_stride, guess_component_stride);
+        FeetArrays arrays(batch);
+        arrays.params(params, param_stride, param_component_stride);
+        arrays.feet(feet, foot_stride, foot_component_stride);
+        arrays.distances(distances, distance_stride);
+        arrays.status(status);
+        const FeetOutputs &out = arrays.checked(memory("guesses", guesses, 0), &starts);
+        check_guesses(batch.spline, starts);
+        batch.admit();
+        closest_local(batch.spline, batch.points, starts, out);
+    });
+}
+
+nurbs_status nurbs_closest_all(const nurbs *g, const double *point, const double *range, double tolerance,
+                               int64_t budget, int64_t cap, double *params, double *distances, int64_t *count,
+                               int32_t *status) {
+    return guard([&] {
+        const PointQuery query(g, point, range, tolerance, budget);
+        const CriticalOutputs out{cap, params, distances, nullptr, count, status};
+        out.check(query);
+        out.write(query.spline, query.locator().minima(query.query));
+    });
+}
+
+nurbs_status nurbs_critical_points(const nurbs *g, const double *point, const double *range, double tolerance,
+                                   int64_t budget, int64_t cap, double *params, double *distances,
+                                   int32_t *kinds, int64_t *count, int32_t *status) {
+    return guard([&] {
+        const PointQuery query(g, point, range, tolerance, budget);
+        const CriticalOutputs out{cap, params, distances, kinds, count, status};
+        out.check(query);
+        out.write(query.spline, query.locator().critical(query.query));
+    });
+}
+
+nurbs_status nurbs_curve_signed_distances(const nurbs *g, int64_t n, const double *points,
+                                          int64_t point_stride, int64_t point_component_stride,
+                                          double tolerance, int64_t budget, double *distances,
+                                          int64_t distance_stride, double *params, int64_t param_stride,
+                                          int32_t *status, uint32_t flags) {
+    return guard([&] {
+        check_curve_in_plane(spline_of(g));
+        const PointBatch batch = point_batch(g, n, points, point_stride, point_component_stride, flags);
+        if (n > 0) {
+            require(distances, "distances");
+        }
+        FeetArrays arrays(batch);
+        arrays.params(params, param_stride, 0);
+        arrays.distances(distances, distance_stride);
+        arrays.status(status);
+        check_tolerance(tolerance);
+        const Query query{nullptr, nullptr, tolerance, checked_budget(budget)};
+        const FeetOutputs &out = arrays.checked(memory("points", points, 0));
+        batch.admit();
+        signed_distances(batch.spline, batch.points, query, out);
+    });
+}

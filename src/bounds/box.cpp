@@ -1,0 +1,100 @@
+#include "bounds/box.h"
+
+#include "base/norm.h"
+#include "eval/evaluate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace nrb {
+
+namespace {
+
+constexpr double eps = std::numeric_limits<double>::epsilon();
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+double rounded_up(double x) noexcept {
+    return std::nextafter(x, infinite);
+}
+
+// Of one coordinate times a sign.
+LargestValue face(const SplinePieces &pieces, int coordinate, double sign, double tolerance) {
+    const PieceSource source = [&](int64_t i, QuotientPiece &out) { pieces.fill(i, coordinate, sign, out); };
+    return largest_value(pieces.count(), source, tolerance, most_halvings);
+}
+
+double dot(const double *a, const double *b, int n) noexcept {
+    double sum = 0;
+    for (int c = 0; c < n; ++c) {
+        sum += a[c] * b[c];
+    }
+    return sum;
+}
+
+// Where a place is the end of a piece the spline is the limit from inside of it.
+double value_at(const Spline &spline, const double *direction, const std::array<double, max_axes> &params,
+                const std::array<double, max_axes> &place) {
+    AxisRules rules{};
+    for (int k = 0; k < spline.axes(); ++k) {
+        rules[static_cast<size_t>(k)].left = place[static_cast<size_t>(k + max_axes - spline.axes())] == 1;
+    }
+    std::vector<double> point(static_cast<size_t>(spline.dim()));
+    evaluate_points(spline, rules, 0, {params.data(), 1, spline.axes(), spline.axes(), 1},
+                    {point.data(), 1, spline.dim(), spline.dim(), 1});
+    return dot(direction, point.data(), spline.dim());
+}
+
+} // namespace
+
+Box bounding_box(const Spline &spline, const Part &part, double tolerance) {
+    const SplinePieces pieces(spline, part);
+    Box box;
+    for (int c = 0; c < spline.dim(); ++c) {
+        const double centre = pieces.centre()[static_cast<size_t>(c)];
+        const Enclosure low = face(pieces, c, -1, tolerance).bounds;
+        const Enclosure high = face(pieces, c, 1, tolerance).bounds;
+        box.lower.push_back(-rounded_up(low.upper - centre));
+        box.upper.push_back(rounded_up(centre + high.upper));
+        const double gap = rounded_up(std::max(low.upper - low.lower, high.upper - high.lower));
+        // the faces were rounded
+        const double moved = eps * std::max(std::abs(box.lower.back()), std::abs(box.upper.back()));
+        box.gap = std::max(box.gap, std::isnan(gap + moved) ? infinite : rounded_up(gap + 2 * moved));
+    }
+    return box;
+}
+
+ExtremePoint extreme_point(const Spline &spline, const double *direction, const Part &part,
+                           double tolerance) {
+    const SplinePieces pieces(spline, part);
+    const int dim = spline.dim();
+    double largest = 0;
+    for (int c = 0; c < dim; ++c) {
+        largest = std::max(largest, std::abs(direction[c]));
+    }
+    // a direction of about 1, so that only results can overflow
+    const int exponent = std::ilogb(largest);
+    std::vector<double> unit(direction, direction + dim);
+    std::for_each(unit.begin(), unit.end(), [exponent](double &x) { x = std::ldexp(x, -exponent); });
+    const double length = norm(unit.data(), dim);
+    const PieceSource source = [&](int64_t i, QuotientPiece &out) { pieces.fill(i, unit.data(), out); };
+    const LargestValue found = largest_value(pieces.count(), source, tolerance * length, most_halvings);
+    if (found.piece < 0) {
+        fail(NURBS_ERROR_NOT_REPRESENTABLE,
+             "no value is known: the weights cannot be shown to be positive anywhere");
+    }
+    ExtremePoint point;
+    point.params = pieces.parameter(found.piece, found.place);
+    const double value = value_at(spline, unit.data(), point.params, found.place);
+    const double middle = dot(unit.data(), pieces.centre().data(), dim);
+    const double far = norm(pieces.centre().data(), dim);
+    const double rounding = eps * ((dim + 2) * length * far + std::abs(found.bounds.upper));
+    point.value = std::ldexp(value, exponent);
+    point.bound = std::ldexp(std::max(value, rounded_up(middle + found.bounds.upper + rounding)), exponent);
+    if (!std::isfinite(point.value)) {
+        fail(NURBS_ERROR_NOT_REPRESENTABLE, "value: the extreme value overflows");
+    }
+    return point;
+}
+
+} // namespace nrb

@@ -1,0 +1,43 @@
+// Boxes that contain a spline, and its extreme points.
+#pragma once
+
+#include "bounds/spline_pieces.h"
+
+namespace nrb {
+
+struct Box {
+    std::vector<double> lower;
+    std::vector<double> upper;
+    double gap = 0; // no face is farther than this from the spline
+};
+
+// Each face is the largest value of a coordinate or its negative, to the tolerance, rounded outwards. Infinite
+// where weights cannot be shown to be positive. Cost: linear in the number of pieces, and the halvings of those
+// that reach the faces.
+Box bounding_box(const Spline &spline, const Part &part, double tolerance);
+
+struct OrientedBox {
+    std::vector<double> center;
+    std::vector<double> axes; // row by row
+    std::vector<double> half;
+};
+
+// Along the principal axes of the control points, longest first, or along the coordinate axes where that box has no
+// larger content. Throws NURBS_ERROR_DIMENSION, _NOT_REPRESENTABLE.
+inline constexpr int max_box_dimension = 16;
+OrientedBox oriented_box(const Spline &spline, double tolerance);
+
+struct ExtremePoint {
+    std::array<double, max_axes> params{};
+    double value = 0; // direction . C there
+    double bound = 0; // no point has more
+};
+
+// Throws NURBS_ERROR_NOT_REPRESENTABLE if no value is known or it overflows. Precondition: the direction is
+// finite and not 0.
+ExtremePoint extreme_point(const Spline &spline, const double *direction, const Part &part, double tolerance);
+
+// How many halvings a search may take.
+inline constexpr int most_halvings = 20000;
+
+} // namespace nrb

@@ -1,0 +1,118 @@
+#include "modify/constrain/condition.h"
+
+#include "base/finite.h"
+#include "base/norm.h"
+
+#include <cmath>
+#include <nurbs/nurbs.h>
+
+namespace nrb {
+
+namespace {
+
+std::vector<double> unit_vector(const double *direction, int dim) {
+    std::vector<double> unit(direction, direction + dim);
+    const int exponent = -std::ilogb(largest_magnitude(unit)); // so that no length over- or underflows
+    for (double &x : unit) {
+        x = std::ldexp(x, exponent);
+    }
+    const double length = norm(unit.data(), dim);
+    for (double &x : unit) {
+        x /= length;
+    }
+    return unit;
+}
+
+double dot(const double *a, const double *b, int dim) noexcept {
+    double sum = 0;
+    for (int c = 0; c < dim; ++c) {
+        sum += a[c] * b[c];
+    }
+    return sum;
+}
+
+} // namespace
+
+Condition::Condition(int32_t kind, const Orders &orders, const double *param, const double *target, int axes,
+                     int dim)
+    : kind_(kind), dim_(dim), param_(param), target_(target) {
+    switch (kind) {
+    case NURBS_CONSTRAIN_DIRECTION:
+        derivatives_ = {orders};
+        add_complement(target);
+        equations_ = dim - 1;
+        break;
+    case NURBS_CONSTRAIN_NORMAL:
+        for (int k = 0; k < axes; ++k) {
+            derivatives_.push_back({k == 0 ? 1 : 0, k == 1 ? 1 : 0, k == 2 ? 1 : 0});
+        }
+        rows_ = unit_vector(target, dim);
+        equations_ = axes;
+        break;
+    case NURBS_CONSTRAIN_CURVATURE:
+        derivatives_ = {Orders{1}, Orders{2}};
+        equations_ = dim;
+        target_size_ = norm(target, dim);
+        break;
+    default:
+        derivatives_ = {orders};
+        equations_ = dim;
+        target_size_ = norm(target, dim);
+    }
+}
+
+// All but the first column of the Householder reflection that takes the direction to an axis.
+void Condition::add_complement(const double *direction) {
+    std::vector<double> v = unit_vector(direction, dim_);
+    v[0] += std::copysign(1.0, v[0]);
+    const double square = dot(v.data(), v.data(), dim_);
+    for (int r = 1; r < dim_; ++r) {
+        for (int c = 0; c < dim_; ++c) {
+            rows_.push_back((r == c ? 1 : 0) -
+                            2 * v[static_cast<size_t>(r)] * v[static_cast<size_t>(c)] / square);
+        }
+    }
+}
+
+bool Condition::linear() const noexcept {
+    return kind_ != NURBS_CONSTRAIN_CURVATURE;
+}
+
+void Condition::evaluate(const double *values, double *residual, double *jacobian) const noexcept {
+    const auto width = static_cast<int64_t>(derivatives_.size()) * dim_;
+    std::fill_n(jacobian, equations_ * width, 0.0);
+    if (kind_ == NURBS_CONSTRAIN_CURVATURE) {
+        return curvature(values, residual, jacobian);
+    }
+    for (int k = 0; k < equations_; ++k) {
+        double *const row = jacobian + k * width;
+        if (kind_ == NURBS_CONSTRAIN_VALUE) {
+            row[k] = 1;
+            residual[k] = values[k] - target_[k];
+            continue;
+        }
+        const bool normal = kind_ == NURBS_CONSTRAIN_NORMAL;
+        const double *const along = rows_.data() + (normal ? 0 : k * dim_);
+        const int from = normal ? k * dim_ : 0;
+        std::copy_n(along, dim_, row + from);
+        residual[k] = dot(along, values + from, dim_);
+    }
+}
+
+// With a = C', b = C'', s = a.a: b / s - (a.b) a / s^2.
+void Condition::curvature(const double *values, double *residual, double *jacobian) const noexcept {
+    const double *const a = values, *const b = values + dim_;
+    const double s = dot(a, a, dim_), ab = dot(a, b, dim_) / s;
+    for (int k = 0; k < dim_; ++k) {
+        residual[k] = (b[k] - ab * a[k]) / s - target_[k];
+        double *const to_a = jacobian + int64_t{2} * k * dim_, *const to_b = to_a + dim_;
+        for (int c = 0; c < dim_; ++c) {
+            to_a[c] = (4 * ab * (a[k] * (a[c] / s)) - 2 * b[k] * (a[c] / s) - a[k] * (b[c] / s)) / s;
+            to_b[c] = -a[k] * (a[c] / s) / s;
+        }
+        to_a[k] -= ab / s;
+        to_b[k] += 1 / s;
+    }
+}
+
+} // namespace nrb

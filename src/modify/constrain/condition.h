@@ -1,0 +1,43 @@
+// What constraints ask of a point and its derivatives: equations, and how they change with them.
+#pragma once
+
+#include "eval/slots.h"
+
+#include <span>
+#include <vector>
+
+namespace nrb {
+
+// One constraint at a parameter. Its equations are functions of some derivatives of the spline.
+class Condition {
+public:
+    // Kind, orders and target have been checked; `param` and `target` must outlive this.
+    Condition(int32_t kind, const Orders &orders, const double *param, const double *target, int axes,
+              int dim);
+
+    [[nodiscard]] const double *param() const noexcept { return param_; }
+    [[nodiscard]] std::span<const Orders> derivatives() const noexcept { return derivatives_; }
+    [[nodiscard]] int equations() const noexcept { return equations_; }
+    // Whether every equation is linear in one derivative: its coefficients do not change.
+    [[nodiscard]] bool linear() const noexcept;
+
+    // `values` and each row of `jacobian` are [derivatives][dim]: the left sides less the right ones, and their
+    // derivatives [equations][derivatives][dim]. Also the size of the right sides, for rounding.
+    void evaluate(const double *values, double *residual, double *jacobian) const noexcept;
+    [[nodiscard]] double target_size() const noexcept { return target_size_; }
+
+private:
+    void add_complement(const double *direction);
+    void curvature(const double *values, double *residual, double *jacobian) const noexcept;
+
+    int32_t kind_;
+    int dim_;
+    int equations_ = 0;
+    const double *param_;
+    const double *target_;
+    double target_size_ = 0;
+    std::vector<Orders> derivatives_;
+    std::vector<double> rows_; // unit vectors along which derivatives vanish, [..][dim]
+};
+
+} // namespace nrb

@@ -1,0 +1,110 @@
+#include "modify/constrain/equations.h"
+
+#include "base/norm.h"
+
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace nrb {
+
+namespace {
+
+double sum_of_magnitudes(const std::vector<double> &values) noexcept {
+    return std::accumulate(values.begin(), values.end(), 0.0,
+                           [](double sum, double x) { return sum + std::abs(x); });
+}
+
+// For each equation, the sum over the derivatives of a size times the coefficients.
+double largest_limit(const LocalEquations &local, const std::vector<double> &sizes, int dim) {
+    double largest = 0;
+    const size_t width = sizes.size() * static_cast<size_t>(dim);
+    for (size_t k = 0; k < local.residual.size(); ++k) {
+        double limit = 0;
+        for (size_t i = 0; i < width; ++i) {
+            limit += std::abs(local.jacobian[k * width + i]) * sizes[i / static_cast<size_t>(dim)];
+        }
+        largest = std::max(largest, limit);
+    }
+    return largest;
+}
+
+} // namespace
+
+double LocalEquations::length() const noexcept {
+    return norm(residual.data(), static_cast<int>(residual.size()));
+}
+
+LocalEquations local_equations(const NetState &state, const Condition &condition, double tolerance) {
+    constexpr double rounding = 64 * std::numeric_limits<double>::epsilon();
+    const LocalBasis basis(state, condition);
+    const int dim = state.start().dim();
+    LocalEquations local;
+    local.points = basis.points();
+    std::vector<double> values, sizes;
+    for (const Orders &a : condition.derivatives()) {
+        const std::vector<double> &functions = local.functions.emplace_back(basis.functions(a));
+        const std::vector<double> value = basis.value(a, functions);
+        values.insert(values.end(), value.begin(), value.end());
+        sizes.push_back(tolerance > 0 ? tolerance * sum_of_magnitudes(functions)
+                                      : rounding * basis.magnitude(functions));
+        if (!state.columns().weight_costs.empty()) {
+            local.slopes.push_back(basis.weight_slopes(a));
+        }
+    }
+    local.residual.resize(static_cast<size_t>(condition.equations()));
+    local.jacobian.resize(local.residual.size() * values.size());
+    condition.evaluate(values.data(), local.residual.data(), local.jacobian.data());
+    local.limit = largest_limit(local, sizes, dim) + (tolerance > 0 ? 0 : rounding * condition.target_size());
+    return local;
+}
+
+std::vector<LocalEquations> all_equations(const NetState &state, const std::vector<Condition> &conditions,
+                                          double tolerance) {
+    std::vector<LocalEquations> all;
+    for (const Condition &condition : conditions) {
+        all.push_back(local_equations(state, condition, tolerance));
+    }
+    return all;
+}
+
+void check_influence(const NetState &state, const std::vector<LocalEquations> &all) {
+    for (size_t i = 0; i < all.size(); ++i) {
+        bool acts = false;
+        for (size_t j = 0; j < all[i].points.size(); ++j) {
+            const auto point = static_cast<size_t>(all[i].points[j]);
+            const bool free = state.columns().points[point] >= 0 || state.columns().weights[point] >= 0;
+            for (const std::vector<double> &functions : all[i].functions) {
+                acts = acts || (free && functions[j] != 0);
+            }
+        }
+        if (!acts) {
+            fail(NURBS_ERROR_INFLUENCE, "constraint %zu: no control point that may move acts on it", i);
+        }
+    }
+}
+
+int64_t worst_missed(const std::vector<LocalEquations> &all) noexcept {
+    int64_t worst = -1;
+    double most = 1;
+    for (size_t i = 0; i < all.size(); ++i) {
+        const double length = all[i].length(), times = length == 0 ? 0 : length / all[i].limit;
+        if (!(times <= most)) {
+            most = times;
+            worst = static_cast<int64_t>(i);
+        }
+    }
+    return worst;
+}
+
+void fail_missed(nurbs_status status, const std::vector<LocalEquations> &all) {
+    const int64_t worst = worst_missed(all);
+    const LocalEquations &local = all[static_cast<size_t>(worst)];
+    if (!std::isfinite(local.length())) {
+        status = NURBS_ERROR_NOT_REPRESENTABLE;
+    }
+    fail(status, "constraint %lld is missed by %s, more than %s", static_cast<long long>(worst),
+         Number(local.length()).text, Number(local.limit).text);
+}
+
+} // namespace nrb

@@ -1,0 +1,80 @@
+// The control points and weights that constraints change, and how derivatives depend on them.
+#pragma once
+
+#include "eval/active_points.h"
+#include "eval/leibniz.h"
+#include "modify/constrain/condition.h"
+
+#include <optional>
+#include <vector>
+
+namespace nrb {
+
+// What may change, and at what cost; each null for its default.
+struct ChangeRule {
+    const int32_t *keep;        // [axes][2] orders of derivatives that stay at the ends, -1 for none
+    const double *costs;        // of moves: 1
+    const double *weight_costs; // of relative changes: weights stay
+};
+
+// A column for each control point that may move, and for each weight that may change, of those that act on a
+// condition; -1 for all others. Copies on periodic axes have the column of their original.
+struct Columns {
+    std::vector<int64_t> points;
+    std::vector<int64_t> weights;
+    std::vector<double> point_costs; // by column
+    std::vector<double> weight_costs;
+};
+Columns make_columns(const Spline &spline, const std::vector<Condition> &conditions, const ChangeRule &rule);
+
+// Cartesian control points and weights during an iteration.
+class NetState {
+public:
+    // The spline must outlive this. Throws NURBS_ERROR_POINT_NOT_FINITE if there is a control point at infinity.
+    NetState(const Spline &spline, const Columns &columns);
+
+    [[nodiscard]] const Spline &start() const noexcept { return spline_; }
+    [[nodiscard]] const Columns &columns() const noexcept { return columns_; }
+    [[nodiscard]] const double *point(int64_t i) const noexcept { return points_.data() + i * spline_.dim(); }
+    [[nodiscard]] double weight(int64_t i) const noexcept {
+        return weights_.empty() ? 1 : weights_[static_cast<size_t>(i)];
+    }
+    [[nodiscard]] bool rational() const noexcept { return !weights_.empty(); }
+    // The control points moved by e[column][dim], the weights multiplied by 1 + r[column].
+    void set(const std::vector<double> &moves, const std::vector<double> &changes) noexcept;
+    // Throws what make_spline() throws.
+    [[nodiscard]] SplinePtr spline() const;
+
+private:
+    const Spline &spline_;
+    const Columns &columns_;
+    std::vector<double> start_;
+    std::vector<double> points_;
+    std::vector<double> weights_; // empty: polynomial
+};
+
+// Rational basis functions at one parameter, for the weights of a state.
+class LocalBasis {
+public:
+    LocalBasis(const NetState &state, const Condition &condition);
+
+    [[nodiscard]] const std::vector<int64_t> &points() const noexcept { return points_; }
+    // R_i^(a) of the active control points; a is at most a derivative of the condition along each axis.
+    [[nodiscard]] std::vector<double> functions(const Orders &a) const;
+    // sum R_i^(a) P_i, from differences to the control point that contributes most.
+    [[nodiscard]] std::vector<double> value(const Orders &a, const std::vector<double> &functions) const;
+    // The same of magnitudes.
+    [[nodiscard]] double magnitude(const std::vector<double> &functions) const noexcept;
+    // What derivative a changes by for each relative change of a weight, w_i = w_i* (1 + r): [active][dim], times the
+    // quotient of its weight at the start and now. With w_i S = sum w N P the derivative of (S w)^(a) is
+    //     R_i^(a) P_i - sum over b <= a of binomial(a, b) R_i^(b) S^(a-b).
+    [[nodiscard]] std::vector<double> weight_slopes(const Orders &a) const;
+
+private:
+    const NetState &state_;
+    ActivePoints active_;
+    std::vector<int64_t> points_;
+    std::optional<Reciprocal> reciprocal_; // of w(t), if rational
+};
+
+} // namespace nrb

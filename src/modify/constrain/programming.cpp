@@ -1,0 +1,246 @@
+#include "modify/constrain/programming.h"
+
+#include "base/checked.h"
+#include "base/norm.h"
+#include "modify/constrain/minimum_norm.h"
+#include "modify/constrain/scaling.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace nrb {
+
+namespace {
+
+// All equations linearised: rows over the scaled moves and relative changes of weights, each of length 1.
+struct Linearised {
+    std::vector<double> rows;
+    std::vector<double> scale; // by which equations were multiplied for it
+    std::vector<double> residual;
+};
+
+class Programming {
+public:
+    Programming(NetState &state, const std::vector<Condition> &conditions, double tolerance)
+        : state_(state), conditions_(conditions), tolerance_(tolerance), columns_(state.columns()),
+          dim_(static_cast<size_t>(state.start().dim())), moves_(columns_.point_costs.size() * dim_),
+          unknowns_(moves_ + columns_.weight_costs.size()), x_(unknowns_, 0.0) {}
+
+    Constrained run() {
+        all_ = all_equations(state_, conditions_, tolerance_);
+        check_influence(state_, all_);
+        static_cast<void>(checked_product(static_cast<int64_t>(unknowns_), equation_count(), "equations"));
+        for (int step = 0; step < max_steps; ++step) {
+            if (advance()) {
+                break;
+            }
+            check_weights();
+        }
+        return finish();
+    }
+
+private:
+    static constexpr int max_steps = 300;
+    static constexpr double enough = 1e-10;   // relative length of the last step
+    static constexpr double vanishing = 1e-9; // part of a weight
+    static constexpr double optimal = 1e-6;   // what a minimum has to be
+
+    [[nodiscard]] int64_t equation_count() const noexcept {
+        int64_t count = 0;
+        for (const Condition &condition : conditions_) {
+            count += condition.equations();
+        }
+        return count;
+    }
+
+    [[nodiscard]] Linearised linearised() const {
+        Linearised system;
+        for (const LocalEquations &local : all_) {
+            for (size_t k = 0; k < local.residual.size(); ++k) {
+                system.rows.resize(system.rows.size() + unknowns_, 0.0);
+                double *const row = system.rows.data() + (system.rows.size() - unknowns_);
+                fill_row(local, k, row);
+                const double size = norm(row, static_cast<int>(unknowns_)), scale = size > 0 ? 1 / size : 1;
+                std::transform(row, row + unknowns_, row, [scale](double x) { return x * scale; });
+                system.scale.push_back(scale);
+                system.residual.push_back(local.residual[k] * scale);
+            }
+        }
+        return system;
+    }
+
+    void fill_row(const LocalEquations &local, size_t k, double *row) const noexcept {
+        const size_t derivatives = local.functions.size();
+        for (size_t d = 0; d < derivatives; ++d) {
+            const double *const along = local.jacobian.data() + (k * derivatives + d) * dim_;
+            for (size_t i = 0; i < local.points.size(); ++i) {
+                const auto point = static_cast<size_t>(local.points[i]);
+                if (const int64_t column = columns_.points[point]; column >= 0) {
+                    const auto at = static_cast<size_t>(column);
+                    const double scale = local.functions[d][i] / std::sqrt(columns_.point_costs[at]);
+                    for (size_t c = 0; c < dim_; ++c) {
+                        row[at * dim_ + c] += along[c] * scale;
+                    }
+                }
+                if (const int64_t column = columns_.weights[point]; column >= 0) {
+                    const auto at = static_cast<size_t>(column);
+                    for (size_t c = 0; c < dim_; ++c) {
+                        row[moves_ + at] +=
+                            along[c] * local.slopes[d][i * dim_ + c] / std::sqrt(columns_.weight_costs[at]);
+                    }
+                }
+            }
+        }
+    }
+
+    void split(const std::vector<double> &x, std::vector<double> &moves, std::vector<double> &changes) const {
+        moves.assign(x.begin(), x.begin() + static_cast<int64_t>(moves_));
+        changes.assign(x.begin() + static_cast<int64_t>(moves_), x.end());
+        divide_by_root(moves, columns_.point_costs, dim_);
+        divide_by_root(changes, columns_.weight_costs, 1);
+    }
+
+    void move_to(const std::vector<double> &x) {
+        std::vector<double> moves, changes;
+        split(x, moves, changes);
+        state_.set(moves, changes);
+        all_ = all_equations(state_, conditions_, tolerance_);
+    }
+
+    // The largest part of a step, at most 1, that leaves every weight a tenth of what it was at least.
+    [[nodiscard]] double longest_step(const std::vector<double> &step) const {
+        std::vector<double> moves, changes, before, old;
+        split(step, moves, changes);
+        split(x_, before, old);
+        double part = 1;
+        for (size_t i = 0; i < changes.size(); ++i) {
+            if (1 + old[i] + changes[i] < 0.1 * (1 + old[i])) {
+                part = std::min(part, 0.9 * (1 + old[i]) / -changes[i]);
+            }
+        }
+        return part;
+    }
+
+    // |x|^2 / 2 + mu |g|_1 at the present state.
+    [[nodiscard]] double merit(const std::vector<double> &x, const std::vector<double> &scale) const {
+        double sum = 0;
+        size_t k = 0;
+        for (const LocalEquations &local : all_) {
+            for (const double residual : local.residual) {
+                sum += std::abs(residual * scale[k++]);
+            }
+        }
+        const double length = length_of(x);
+        return length * length / 2 + penalty_ * sum;
+    }
+
+    // One step; whether the last one was too short to matter.
+    bool advance() {
+        const Linearised system = linearised();
+        const auto unknowns = static_cast<int64_t>(unknowns_);
+        const MinimumNorm solver(system.rows, unknowns,
+                                 pivot_threshold(state_.start(), system.residual.size(), unknowns));
+        rank_ = solver.rank();
+        const std::vector<double> next = solver.solve(right_side(system), 1);
+        std::vector<double> step(unknowns_);
+        std::transform(next.begin(), next.end(), x_.begin(), step.begin(), std::minus<>());
+        const double rest = solver.multipliers(x_).rest;
+        optimality_ = rest == 0 ? 0 : rest / length_of(x_);
+        if (worst_missed(all_) < 0 && length_of(step) <= enough * length_of(next)) {
+            return true;
+        }
+        for (const double multiplier : solver.multipliers(next).values) {
+            penalty_ = std::max(penalty_, 2 * std::abs(multiplier));
+        }
+        search(system, step);
+        return false;
+    }
+
+    // J x - g.
+    [[nodiscard]] std::vector<double> right_side(const Linearised &system) const {
+        std::vector<double> right;
+        for (size_t k = 0; k < system.residual.size(); ++k) {
+            double sum = -system.residual[k];
+            for (size_t i = 0; i < unknowns_; ++i) {
+                sum += system.rows[k * unknowns_ + i] * x_[i];
+            }
+            right.push_back(sum);
+        }
+        return right;
+    }
+
+    // Goes along a step as far as the merit function falls in proportion (Armijo).
+    void search(const Linearised &system, const std::vector<double> &step) {
+        constexpr int halvings = 30;
+        constexpr double share = 1e-4, rounding = 1e-14;
+        double descent = 0;
+        for (size_t i = 0; i < unknowns_; ++i) {
+            descent += x_[i] * step[i];
+        }
+        for (const double residual : system.residual) {
+            descent -= penalty_ * std::abs(residual);
+        }
+        const double before = merit(x_, system.scale);
+        const std::vector<double> from = x_;
+        double part = longest_step(step);
+        for (int i = 0; i < halvings; ++i, part /= 2) {
+            std::transform(from.begin(), from.end(), step.begin(), x_.begin(),
+                           [part](double x, double s) { return x + part * s; });
+            move_to(x_);
+            if (merit(x_, system.scale) <= before + share * part * descent + rounding * before) {
+                return;
+            }
+        }
+    }
+
+    [[nodiscard]] Constrained finish() {
+        if (worst_missed(all_) >= 0) {
+            fail_missed(rank_ < equation_count() ? NURBS_ERROR_CONTRADICTION : NURBS_ERROR_NOT_CONVERGED,
+                        all_);
+        }
+        if (!(optimality_ <= optimal)) {
+            fail(NURBS_ERROR_NOT_CONVERGED,
+                 "the gradient of the Lagrangian is %s after %d steps, expected at most %s",
+                 Number(optimality_).text, max_steps, Number(optimal).text);
+        }
+        std::vector<double> moves, changes;
+        split(x_, moves, changes);
+        return {state_.spline(), lengths(all_), rank_, largest_move(moves, static_cast<int>(dim_)),
+                optimality_};
+    }
+
+    // A weight that went towards 0 is what is in the way.
+    void check_weights() const {
+        std::vector<double> moves, changes;
+        split(x_, moves, changes);
+        for (size_t i = 0; i < columns_.weights.size(); ++i) {
+            const int64_t column = columns_.weights[i];
+            if (column >= 0 && 1 + changes[static_cast<size_t>(column)] < vanishing) {
+                fail(NURBS_ERROR_WEIGHT_SIGN, "the weight of control point %zu would not be positive", i);
+            }
+        }
+    }
+
+    NetState &state_;
+    const std::vector<Condition> &conditions_;
+    double tolerance_;
+    const Columns &columns_;
+    size_t dim_;
+    size_t moves_;    // scaled coordinates of moves
+    size_t unknowns_; // and of weights
+    std::vector<double> x_;
+    std::vector<LocalEquations> all_;
+    double penalty_ = 0;
+    double optimality_ = 0;
+    int64_t rank_ = 0;
+};
+
+} // namespace
+
+Constrained solve_by_programming(NetState &state, const std::vector<Condition> &conditions,
+                                 double tolerance) {
+    return Programming(state, conditions, tolerance).run();
+}
+
+} // namespace nrb

@@ -1,0 +1,11 @@
+// Constraints that are no linear equations, by sequential quadratic programming.
+#pragma once
+
+#include "modify/constrain/constrain.h"
+
+namespace nrb {
+
+// See constrain(). Precondition: something may change.
+Constrained solve_by_programming(NetState &state, const std::vector<Condition> &conditions, double tolerance);
+
+} // namespace nrb

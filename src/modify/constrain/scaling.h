@@ -1,0 +1,23 @@
+// Scaled unknowns x = sqrt(cost) e, and what is told of a change.
+#pragma once
+
+#include "modify/constrain/equations.h"
+
+namespace nrb {
+
+// Pivots of equations of length 1 below this part of the largest are rounding of the basis functions, which are within
+// 3 p eps of themselves.
+double pivot_threshold(const Spline &spline, size_t equations, int64_t unknowns) noexcept;
+
+// `width` unknowns for each cost.
+void divide_by_root(std::vector<double> &x, const std::vector<double> &costs, size_t width) noexcept;
+
+double length_of(const std::vector<double> &x) noexcept;
+
+// The longest of moves[..][dim].
+double largest_move(const std::vector<double> &moves, int dim) noexcept;
+
+// Of the residuals, by conditions.
+std::vector<double> lengths(const std::vector<LocalEquations> &all);
+
+} // namespace nrb

@@ -1,0 +1,182 @@
+#include "modify/edit/inverse_insertion.h"
+
+#include "base/norm.h"
+#include "basis/bspline.h"
+#include "refine/insert.h"
+#include "spline/axis_view.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace nrb {
+
+namespace {
+
+void check_degree_of(const Spline &spline, int axis) {
+    if (spline.axis(axis).degree() == 0) {
+        fail(NURBS_ERROR_DEGREE, "degree 0 of axis %d, expected at least 1: no knot moves its control points",
+             axis);
+    }
+}
+
+bool at_infinity(const Spline &spline, int64_t point) noexcept {
+    return spline.form() == Form::homogeneous && spline.weight(point) == 0;
+}
+
+// The layer of a control point along an axis.
+int64_t layer_of(const AxisView &view, int64_t point) noexcept {
+    return point / view.inner % view.count;
+}
+
+// w_i |Q - P_i| / (w_i |Q - P_i| + w_j |P_j - Q|); without weights the ratio itself, where the Cartesian points are
+// combined.
+double rational_ratio(const Spline &spline, int64_t from, int64_t to, double ratio) {
+    const double before = spline.weight(from), behind = spline.weight(to);
+    if (ratio == 0 || ratio == 1 || (before == 0 && behind == 0)) {
+        return ratio;
+    }
+    if (before == 0 || behind == 0 || std::signbit(before) != std::signbit(behind)) {
+        fail(
+            NURBS_ERROR_WEIGHT_SIGN,
+            "the weights at the ends of the leg from control point %lld to %lld are %s and %s: no knot makes "
+            "a point inside it a control point",
+            static_cast<long long>(from), static_cast<long long>(to), Number(before).text,
+            Number(behind).text);
+    }
+    // Two quotients rather than products of weights, which might overflow.
+    return ratio / (ratio + (1 - ratio) * (behind / before));
+}
+
+// The knot at a ratio of the knots of leg `layer`.
+double knot_at(const KnotVector &axis, int64_t layer, double s) noexcept {
+    const double lower = axis[layer + 1], upper = axis[layer + axis.degree() + 1];
+    const double length = upper - lower;
+    const double knot = s <= 0.5 ? lower + s * length : upper - (1 - s) * length;
+    return std::clamp(knot, lower, upper);
+}
+
+// The same with the knots of the period in which it is inside the domain.
+double periodic_knot(const KnotVector &axis, int64_t layer, double s) noexcept {
+    const auto [lower, upper] = axis.domain();
+    double knot = knot_at(axis, layer, s);
+    while (knot < lower) {
+        layer += axis.distinct_layers();
+        knot = knot_at(axis, layer, s);
+    }
+    while (knot >= upper) {
+        layer -= axis.distinct_layers();
+        knot = knot_at(axis, layer, s);
+    }
+    return knot;
+}
+
+// Where knots of a leg reach over more than a period, copies of the new knot would be among them, and the control
+// point another one.
+void check_period(const KnotVector &axis, int k) {
+    if (axis.periodic() && axis.distinct_layers() < axis.degree()) {
+        fail(NURBS_ERROR_PERIODIC,
+             "axis %d is periodic with %lld different layers, fewer than its degree %d: the knots of a leg "
+             "reach over "
+             "more than a period",
+             k, static_cast<long long>(axis.distinct_layers()), axis.degree());
+    }
+}
+
+void check_room(const KnotVector &axis, int k, double knot) {
+    const int present = multiplicity(axis.knots(), knot);
+    if (present > axis.degree()) {
+        fail(NURBS_ERROR_MULTIPLICITY,
+             "knot = %s occurs %d times on axis %d already, degree %d allows no more", Number(knot).text,
+             present, k, axis.degree());
+    }
+}
+
+// Boehm's means, t_span <= knot < t_(span + 1) outside the domain. New layer i counts from 1 below it.
+AxisTable table_outside(const KnotVector &axis, double knot) {
+    const bool below = knot < axis.domain().lower;
+    const int p = axis.degree();
+    const auto behind = std::upper_bound(axis.knots().begin(), axis.knots().end(), knot);
+    const int64_t span = behind - axis.knots().begin() - 1;
+    std::vector<double> knots(axis.knots().begin(), axis.knots().end());
+    knots.insert(knots.begin() + span + 1, knot);
+    knots.erase(below ? knots.begin() : knots.end() - 1);
+    LayerTable table;
+    for (int64_t i = below ? 1 : 0; i < axis.count() + (below ? 1 : 0); ++i) {
+        if (i <= span - p) {
+            table.add_copy(i);
+        } else if (i > span) {
+            table.add_copy(i - 1);
+        } else {
+            const auto [alpha, beta] = split(1, axis[i], knot, axis[i + p]);
+            const double coefficients[] = {beta, alpha};
+            table.add_row(i - 1, coefficients, 2);
+        }
+    }
+    return {std::make_shared<const KnotVector>(p, std::move(knots)), std::move(table)};
+}
+
+} // namespace
+
+LegInsertion insert_on_leg(const SplinePtr &spline, int axis, int64_t point, double ratio) {
+    check_degree_of(*spline, axis);
+    const AxisView view = axis_view(*spline, axis, 1);
+    const KnotVector &knots = spline->axis(axis);
+    const int64_t layer = layer_of(view, point), next = point + view.inner;
+    if (layer + 1 == view.count) {
+        fail(NURBS_ERROR_INDEX, "index = %lld is the last control point along axis %d, where no leg begins",
+             static_cast<long long>(point), axis);
+    }
+    for (const int64_t end : {point, next}) {
+        if (at_infinity(*spline, end)) {
+            fail(NURBS_ERROR_POINT_NOT_FINITE, "g: control point %lld is at infinity",
+                 static_cast<long long>(end));
+        }
+    }
+    check_period(knots, axis);
+    const double s = rational_ratio(*spline, point, next, ratio);
+    const double knot = knots.periodic() ? periodic_knot(knots, layer, s) : knot_at(knots, layer, s);
+    check_room(knots, axis, knot);
+    const auto [lower, upper] = knots.domain();
+    if (knot < lower || knot > upper) {
+        return {knot, with_axis(*spline, axis, table_outside(knots, knot))};
+    }
+    return {knot, insert_knot(spline, axis, knot, 1)};
+}
+
+namespace {
+
+// Of the point from the leg between two control points.
+Leg leg_at(const Spline &spline, int64_t from, int64_t to, const double *point) noexcept {
+    const int dim = spline.dim();
+    const auto along = [&](int c) { return spline.coordinate(to, c) - spline.coordinate(from, c); };
+    const auto offset = [&](int c) { return point[c] - spline.coordinate(from, c); };
+    const double length = norm_of(dim, along);
+    double place = 0;
+    for (int c = 0; c < dim && length > 0; ++c) {
+        place += offset(c) * (along(c) / length);
+    }
+    const double ratio = length > 0 ? std::clamp(place / length, 0.0, 1.0) : 0;
+    const double gap = ratio == 1 ? norm_of(dim, [&](int c) { return point[c] - spline.coordinate(to, c); })
+                                  : norm_of(dim, [&](int c) { return offset(c) - ratio * along(c); });
+    return {from, ratio, gap};
+}
+
+} // namespace
+
+Leg nearest_leg(const Spline &spline, int axis, const double *point) {
+    check_degree_of(spline, axis);
+    const AxisView view = axis_view(spline, axis, 1);
+    Leg nearest{-1, 0, std::numeric_limits<double>::infinity()};
+    for (int64_t i = 0; i < spline.point_count(); ++i) {
+        const int64_t next = i + view.inner;
+        if (layer_of(view, i) + 1 == view.count || at_infinity(spline, i) || at_infinity(spline, next)) {
+            continue;
+        }
+        const Leg leg = leg_at(spline, i, next, point);
+        nearest = leg.distance < nearest.distance ? leg : nearest;
+    }
+    return nearest;
+}
+
+} // namespace nrb

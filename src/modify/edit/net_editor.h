@@ -1,0 +1,36 @@
+// Control points and weights of a spline replaced one by one; copies on periodic axes go with them.
+#pragma once
+
+#include "spline/spline.h"
+
+#include <vector>
+
+namespace nrb {
+
+// The first of the copies that periodic axes make of a control point.
+int64_t original_of(const Spline &spline, int64_t point) noexcept;
+
+class NetEditor {
+public:
+    // The spline must outlive this.
+    explicit NetEditor(const Spline &spline);
+
+    // In place of that of an original control point, which keeps its place. A polynomial spline becomes
+    // rational. Throws NURBS_ERROR_POINT_NOT_FINITE if it has no place.
+    void set_weight(int64_t point, double weight);
+    // Moves an original control point by scale * offset, its weight stays.
+    void move(int64_t point, const double *offset, double scale) noexcept;
+    // Throws what make_spline() throws, and NURBS_ERROR_NOT_REPRESENTABLE when a value overflows.
+    [[nodiscard]] SplinePtr finish();
+
+private:
+    [[nodiscard]] double *record(int64_t point) noexcept {
+        return points_.data() + point * spline_.stored_width();
+    }
+
+    const Spline &spline_;
+    std::vector<double> points_;
+    std::vector<double> weights_;
+};
+
+} // namespace nrb

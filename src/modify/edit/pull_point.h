@@ -1,0 +1,18 @@
+// Control points moved so that a point of the shape does (Piegl & Tiller 11.2).
+#pragma once
+
+#include "spline/spline.h"
+
+namespace nrb {
+
+struct PointEdit {
+    double moved; // how far, with the sign of the distance
+    SplinePtr spline;
+};
+
+// P_i + alpha V with alpha = d / (|V| R_i(t)). Throws NURBS_ERROR_INFLUENCE, _NOT_REPRESENTABLE. Preconditions: the
+// parameter has been admitted, the direction is not 0, `original` is a first copy (net_editor.h).
+PointEdit pull_point(const Spline &spline, int64_t original, const double *param, const double *direction,
+                     double distance);
+
+} // namespace nrb

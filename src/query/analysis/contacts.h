@@ -1,0 +1,27 @@
+// Boundaries that meet, and boundaries that are points.
+#pragma once
+
+#include "spline/spline.h"
+
+#include <vector>
+
+namespace nrb {
+
+struct AxisContact {
+    bool closed; // the gap is at most the tolerance
+    double gap;  // the two boundaries of the axis are nowhere farther apart, at equal parameters
+};
+struct BoundarySize {
+    bool collapsed; // the size is at most the tolerance
+    double size;    // no point of the boundary is farther from some point
+};
+struct Contacts {
+    std::vector<AxisContact> axes;
+    std::vector<BoundarySize> boundaries; // by axis, then by end
+};
+
+// Boundaries whose values are the same bit for bit have a gap of 0, points a size of 0. Other bounds are proven;
+// their searches go on where they do not tell on which side of the tolerance the truth is.
+Contacts boundary_contacts(const Spline &spline, double tolerance);
+
+} // namespace nrb

@@ -1,0 +1,98 @@
+#include "query/closest/curve_locator.h"
+
+#include "query/closest/curve_critical.h"
+#include "query/closest/curve_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace nrb {
+
+CurveLocator::CurveLocator(const Spline &curve)
+    : curve_(curve), tree_(curve), domain_(curve.axis(0).domain()), periodic_(curve.axis(0).periodic()) {}
+
+bool CurveLocator::at_end(double t, const Interval *range) const noexcept {
+    const Interval ends = range != nullptr ? *range : domain_;
+    const bool seam = periodic_ && ends.lower == domain_.lower && ends.upper == domain_.upper;
+    return !seam && (t == ends.lower || t == ends.upper);
+}
+
+Foot CurveLocator::foot_of(const CurvePlace &place, const Interval *range) const noexcept {
+    const Interval leaf = tree_.domain(place.leaf);
+    const bool inside = place.s > 0 && place.s < 1;
+    double t =
+        inside ? leaf.lower + place.s * (leaf.upper - leaf.lower) : (place.s <= 0 ? leaf.lower : leaf.upper);
+    t = std::clamp(t, leaf.lower, leaf.upper);
+    if (range != nullptr) {
+        t = std::clamp(t, range->lower, range->upper);
+    }
+    const bool left = t == leaf.upper && t < domain_.upper && !tree_.joined(place.leaf);
+    return {{t}, std::sqrt(place.square), at_end(t, range) ? NURBS_CLOSEST_BOUNDARY : 0, 0, left ? 1u : 0u};
+}
+
+Foot CurveLocator::nearest(const Query &query) const {
+    const CurveSearchResult found = search(tree_, query);
+    Foot foot = foot_of(found.place, query.range);
+    foot.noise = distance_noise(tree_, query.point);
+    foot.status |= found.certified ? NURBS_CLOSEST_CERTIFIED : NURBS_CLOSEST_BUDGET;
+    foot.status |= found.unique ? 0 : NURBS_CLOSEST_NOT_UNIQUE;
+    return foot;
+}
+
+// From leaf to leaf as long as the distance falls.
+Foot CurveLocator::local(const double *point, const double *guess) const {
+    constexpr int most_leaves = 100;
+    int64_t leaf = tree_.leaf_at(*guess);
+    Interval part = tree_.domain(leaf);
+    CurvePlace place = descend(tree_, point, leaf, (*guess - part.lower) / (part.upper - part.lower));
+    for (int i = 0; i < most_leaves; ++i) {
+        const bool up = place.s >= 1, down = place.s <= 0;
+        const int64_t next = up ? leaf + 1 : leaf - 1;
+        if (!(up || down) || !tree_.joined(up ? leaf : next)) {
+            return foot_of(place, nullptr);
+        }
+        const CurvePlace further = descend(tree_, point, next, up ? 0 : 1);
+        if (!(further.square < place.square)) {
+            return foot_of(place, nullptr);
+        }
+        leaf = next;
+        place = further;
+    }
+    Foot foot = foot_of(place, nullptr);
+    foot.status |= NURBS_CLOSEST_BUDGET;
+    return foot;
+}
+
+CriticalSet CurveLocator::critical(const Query &query, double apart, double within) const {
+    Part part = whole_domain(curve_);
+    const bool whole = query.range == nullptr ||
+                       (query.range->lower == part[0].lower && query.range->upper == part[0].upper);
+    if (!whole) {
+        part[0] = *query.range;
+    }
+    return critical_points(curve_, {query.point, part, whole, apart, query.budget, within});
+}
+
+CriticalSet CurveLocator::critical(const Query &query) const {
+    return critical(query, query.tolerance, std::numeric_limits<double>::infinity());
+}
+
+CriticalSet CurveLocator::minima(const Query &query) const {
+    Query exact = query;
+    exact.tolerance = 0;
+    const Foot best = nearest(exact);
+    const double reach = best.distance + query.tolerance + 2 * best.noise;
+    CriticalSet set = critical(query, 0, reach);
+    std::erase_if(set.points, [reach](const CriticalPoint &c) {
+        const bool minimum = c.kind == NURBS_CRITICAL_MINIMUM || c.kind == NURBS_CRITICAL_UNDECIDED;
+        return !minimum || c.foot.distance > reach;
+    });
+    const bool certified = (best.status & set.status & NURBS_CLOSEST_CERTIFIED) != 0;
+    set.status &= ~NURBS_CLOSEST_CERTIFIED;
+    set.status |= (certified ? NURBS_CLOSEST_CERTIFIED : 0) | (best.status & NURBS_CLOSEST_BUDGET);
+    set.status |= set.points.size() > 1 ? NURBS_CLOSEST_NOT_UNIQUE : 0;
+    return set;
+}
+
+} // namespace nrb

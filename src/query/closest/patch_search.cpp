@@ -1,0 +1,601 @@
+#include "query/closest/patch_search.h"
+
+#include "base/norm.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace nrb {
+
+namespace {
+
+constexpr double eps = std::numeric_limits<double>::epsilon();
+constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr int64_t default_budget = 20000;
+constexpr int64_t most_squared = 1024; // coefficients of patches whose squares are worth their cost
+constexpr int deepest = 48;            // halvings of an axis
+
+} // namespace
+
+PatchSearch::PatchSearch(const PatchPieces &pieces, const PatchTree &tree, const Query &query)
+    : pieces_(pieces), tree_(tree), query_(query), x_(memory_.take(pieces.shape().lanes)),
+      items_(pieces, x_, memory_), descent_(pieces.shape(), memory_), sign_(query.farthest ? -1.0 : 1.0) {
+    pieces.place(query.point, x_);
+    set_scales();
+}
+
+void PatchSearch::set_scales() noexcept {
+    tolerance_ = pieces_.scaled(query_.tolerance);
+    noise_ = scaled_noise(pieces_, query_.point);
+    floor_ = 8 * eps * (pieces_.size() + pieces_.magnitude(query_.point));
+    const int64_t count = pieces_.shape().coefficients();
+    cost_ = std::max<int64_t>(1, count * count / 65536);
+}
+
+// Where all points of the spline are equally far to rounding.
+bool PatchSearch::far_away() const noexcept {
+    return !(norm(x_, pieces_.shape().dim) < 0x1p100);
+}
+
+PatchBox PatchSearch::box(int64_t piece) const noexcept {
+    PatchBox result;
+    if (query_.range == nullptr) {
+        return result;
+    }
+    const PatchPieces::Index index = pieces_.index(piece);
+    for (int k = 0; k < pieces_.shape().axes; ++k) {
+        const int axis = pieces_.spline_axis(k);
+        const int64_t i = index[static_cast<size_t>(axis)];
+        const double first = pieces_.break_at(axis, i), length = pieces_.break_at(axis, i + 1) - first;
+        const auto at = static_cast<size_t>(k);
+        result.lower[at] = std::clamp((query_.range[axis].lower - first) / length, 0.0, 1.0);
+        result.upper[at] = std::clamp((query_.range[axis].upper - first) / length, 0.0, 1.0);
+    }
+    return result;
+}
+
+PatchSearch::Part PatchSearch::inside(const PatchTree::Extent &extent) const noexcept {
+    Part part = Part::all;
+    for (int k = 0; query_.range != nullptr && k < pieces_.spline_axes(); ++k) {
+        const auto at = static_cast<size_t>(k);
+        const double first = pieces_.break_at(k, extent.lower[at]),
+                     last = pieces_.break_at(k, extent.upper[at]);
+        const Interval &range = query_.range[k];
+        if (last <= range.lower || first >= range.upper) {
+            return Part::none;
+        }
+        part = first < range.lower || last > range.upper ? Part::some : part;
+    }
+    return part;
+}
+
+void PatchSearch::visit_children(int level, const Candidate &parent, Candidates &next) {
+    const PatchTree::Family &family = tree_.family(level, parent.node);
+    double bounds[PatchTree::most_width], centres[PatchTree::most_width];
+    bound_discs(tree_.discs(family), family.width, pieces_.shape().dim, tree_.normals(), x_, query_.farthest,
+                {bounds, centres});
+    const bool leaves = level + 2 == tree_.levels();
+    const double more = tolerance_ + noise_;
+    for (int64_t i = 0; i < family.count; ++i) {
+        if (!(bounds[i] <= start_bound_ + more)) {
+            continue;
+        }
+        const int64_t node = family.first + i;
+        const Part part = query_.range == nullptr ? Part::all : inside(tree_.extent(level + 1, node));
+        if (part == Part::none) {
+            continue;
+        }
+        if (part == Part::all && centres[i] < start_bound_) {
+            start_bound_ = centres[i];
+        }
+        if (leaves && (start_leaf_ < 0 || centres[i] <= start_bound_)) {
+            start_leaf_ = node;
+        }
+        next.push_back({bounds[i], node});
+    }
+}
+
+void PatchSearch::collect(Candidates &leaves) {
+    Candidates other;
+    Candidates *now = &leaves, *next = &other;
+    start_bound_ = infinite;
+    now->push_back({-infinite, 0});
+    for (int level = 0; level + 1 < tree_.levels(); ++level) {
+        next->clear();
+        for (const Candidate &candidate : *now) {
+            if (candidate.bound <= start_bound_ + tolerance_ + noise_) {
+                visit_children(level, candidate, *next);
+            }
+        }
+        std::swap(now, next);
+    }
+    if (now != &leaves) {
+        leaves.clear();
+        for (const Candidate &candidate : *now) {
+            leaves.push_back(candidate);
+        }
+    }
+}
+
+// From the middle of the leaf whose centre is nearest.
+void PatchSearch::start() {
+    const PatchMemory::Hold hold(memory_);
+    const PatchTree::Leaf leaf = tree_.leaf(start_leaf_);
+    const PatchItem whole = items_.whole(leaf.piece);
+    const PatchBox part = box(leaf.piece);
+    best_.piece = leaf.piece;
+    for (int k = 0; k < pieces_.shape().axes; ++k) {
+        const auto at = static_cast<size_t>(k);
+        best_.at[at] = std::clamp((leaf.part[at] + 0.5) / tree_.parts(), part.lower[at], part.upper[at]);
+    }
+    best_.value = sign_ * descent_.descend(whole.values, part, sign_, floor_, best_.at).distance;
+    best_.error = whole.moved + pieces_.value_error() * (std::abs(best_.value) + pieces_.radius());
+    if (!std::isfinite(best_.value)) {
+        best_.value = infinite;
+    }
+}
+
+void PatchSearch::search() {
+    Candidates leaves;
+    collect(leaves);
+    start();
+    Candidate *const end = leaves.end();
+    for (Candidate *first = leaves.begin(); first != end;) {
+        const int64_t piece = tree_.leaf(first->node).piece;
+        Candidate *last = first;
+        while (last != end && tree_.leaf(last->node).piece == piece) {
+            ++last;
+        }
+        search_piece(piece, first, last);
+        first = last;
+    }
+}
+
+void PatchSearch::search_piece(int64_t piece, const Candidate *first, const Candidate *last) {
+    const auto counts = [&](const Candidate &c) { return c.bound <= upper(); };
+    const int64_t number = std::count_if(first, last, counts);
+    if (number == 0) {
+        return;
+    }
+    const PatchMemory::Hold hold(memory_);
+    PatchItem whole = items_.whole(piece);
+    items_.measure(whole);
+    const PatchBox part = box(piece);
+    if (number > 5) { // most of the piece: all of it may be settled at once
+        const PatchMemory::Hold again(memory_);
+        PatchItem item = whole;
+        bool fresh = false;
+        int axis = -1;
+        spent_ += cost_;
+        if (item.sound && settled(item, fresh, axis)) {
+            return;
+        }
+    }
+    for (; first != last; ++first) {
+        if (counts(*first)) {
+            search_leaf(whole, part, tree_.leaf(first->node));
+        }
+    }
+}
+
+// The leaf, as far as it is in the range that was asked for.
+void PatchSearch::search_leaf(const PatchItem &whole, const PatchBox &part, const PatchTree::Leaf &leaf) {
+    const PatchMemory::Hold hold(memory_);
+    PatchItem item = whole;
+    if (tree_.parts() == 1) { // halving writes into it
+        item.values = memory_.take(pieces_.shape().values());
+        std::copy_n(whole.values, pieces_.shape().values(), item.values);
+    }
+    for (int k = 0; k < pieces_.shape().axes; ++k) {
+        const auto at = static_cast<size_t>(k);
+        const int i = leaf.part[at], n = tree_.parts();
+        const double first = static_cast<double>(i) / n, last = static_cast<double>(i + 1) / n;
+        const double lower = std::max(first, part.lower[at]), upper = std::min(last, part.upper[at]);
+        if (!(lower < upper)) {
+            return;
+        }
+        if (lower != first || upper != last) {
+            item = items_.part(item, k, lower, upper);
+        } else if (n > 1) {
+            item = items_.part(item, k, lower, upper, tree_.matrix(k, i));
+        }
+    }
+    examine(item, true);
+}
+
+PatchGoal PatchSearch::goal(double value, const PatchItem &item) const noexcept {
+    PatchGoal result;
+    const double error = item.moved + best_.error;
+    result.sign = sign_;
+    result.rho = sign_ * (value + error);
+    result.margin = 2 * std::abs(result.rho) * std::max(0.0, tolerance_ + 0.875 * noise_ - error);
+    return result;
+}
+
+int PatchSearch::longest_axis(const PatchItem &item) const noexcept {
+    int longest = -1;
+    for (int k = 0; k < pieces_.shape().axes; ++k) {
+        const auto at = static_cast<size_t>(k);
+        if (longest < 0 || item.length[at] > item.length[static_cast<size_t>(longest)]) {
+            longest = k;
+        }
+    }
+    return longest;
+}
+
+void PatchSearch::examine(PatchItem &item, bool fresh) {
+    const int64_t budget = query_.budget > 0 ? query_.budget : default_budget;
+    if (spent_ + cost_ > budget) {
+        incomplete_ = true;
+        return;
+    }
+    spent_ += cost_;
+    items_.measure(item);
+    int axis = -1;
+    if (!item.sound) {
+        if (fresh) {
+            improve(item, {0.5, 0.5, 0.5});
+        }
+    } else if (settled(item, fresh, axis)) {
+        return;
+    }
+    split(item, axis >= 0 ? axis : longest_axis(item));
+}
+
+void PatchSearch::split(PatchItem &item, int axis) {
+    if (axis < 0 || item.length[static_cast<size_t>(axis)] < std::ldexp(1.0, -deepest)) {
+        incomplete_ = true;
+        return;
+    }
+    const PatchMemory::Hold hold(memory_);
+    PatchItem lower = items_.halve_item(item, axis);
+    examine(lower, false);
+    examine(item, false);
+}
+
+// For patches of so many coefficients that their squares cost too much: the ball of the coefficients, and the
+// half space beyond the middle.
+bool PatchSearch::settled_by_plane(const PatchItem &item) {
+    const double limit = lower() + item.moved + best_.error + 4 * pieces_.value_error() * item.reach;
+    if (query_.farthest) {
+        return item.reach <= -limit;
+    }
+    if (limit <= 0) {
+        return true;
+    }
+    const PatchMemory::Hold hold(memory_);
+    const PatchShape &shape = pieces_.shape();
+    double *direction = memory_.take(shape.dim);
+    descent_.point(item.values, {0.5, 0.5, 0.5}, direction);
+    const double length = norm(direction, shape.dim) * (1 + (shape.dim + 8) * eps);
+    const double *q = item.values;
+    for (int64_t i = 0; i < shape.coefficients(); ++i, q += shape.lanes) {
+        double height = 0;
+        for (int c = 0; c < shape.dim; ++c) {
+            height += q[c] * direction[c];
+        }
+        if (!(height >= limit * length * q[shape.dim])) {
+            return false;
+        }
+    }
+    return true;
+}
+
+// Whether no point of the item counts any more, after what it may have shown has been kept.
+bool PatchSearch::settled(PatchItem &item, bool &fresh, int &axis) {
+    const PatchShape &shape = pieces_.shape();
+    if (shape.coefficients() > most_squared) {
+        if (!settled_by_plane(item)) {
+            const bool better = fresh && improve(item, {0.5, 0.5, 0.5});
+            fresh = false;
+            return better && settled_by_plane(item);
+        }
+        return true;
+    }
+    const PatchMemory::Hold hold(memory_);
+    const int64_t products = shape.products();
+    double *work = memory_.take(product_work(shape));
+    double *squares = memory_.take(products), *values = memory_.take(products);
+    double *weights = shape.weighted ? memory_.take(products) : nullptr;
+    square_patch(shape, pieces_.tables(), item.values, work, squares, weights);
+    const PatchGap gap{squares, weights, values};
+    for (;;) {
+        const PatchGoal other = goal(upper(), item);
+        if (other.rho >= 0 ? PatchProof(pieces_, descent_, item, other, gap).positive() : sign_ > 0) {
+            return true;
+        }
+        PatchGoal least = goal(lower(), item);
+        const bool beyond = least.rho <= 0 && sign_ > 0;
+        least.rho = std::max(0.0, least.rho);
+        PatchProof proof(pieces_, descent_, item, least, gap);
+        const bool not_nearer = proof.positive() || beyond;
+        if (not_nearer && !asks_for_others()) {
+            return true;
+        }
+        extra_ += not_nearer ? 1 : 0;
+        if (not_nearer && proof.flat(4 * noise_)) {
+            const AxisValues middle{0.5, 0.5, 0.5};
+            consider(item, middle, descent_.distance(item.values, middle), false);
+            return true;
+        }
+        AxisValues guess{};
+        bool known = best_.piece == item.piece;
+        for (int k = 0; known && k < shape.axes; ++k) {
+            const auto i = static_cast<size_t>(k);
+            guess[i] = (best_.at[i] - item.lower[i]) / item.length[i];
+            known = guess[i] >= 0 && guess[i] <= 1;
+        }
+        const bool convex = proof.convex(known ? &guess : nullptr);
+        if (proof.found() && improve_to(item, proof.at(), proof.distance())) {
+            continue;
+        }
+        if (convex) {
+            consider(item, proof.at(), proof.distance(), proof.strict());
+            return true;
+        }
+        if (fresh && !not_nearer) {
+            fresh = false;
+            if (improve(item, {0.5, 0.5, 0.5})) {
+                continue;
+            }
+        }
+        axis = proof.widest_axis();
+        return not_nearer && item.depth > deepest;
+    }
+}
+
+bool PatchSearch::improve(const PatchItem &item, AxisValues at) {
+    const double distance = descent_.descend(item.values, {}, sign_, floor_, at).distance;
+    return improve_to(item, at, distance);
+}
+
+bool PatchSearch::improve_to(const PatchItem &item, const AxisValues &at, double distance) {
+    const double value = sign_ * distance;
+    if (!(value < best_.value - 1e-3 * noise_) && !(best_.value == infinite && std::isfinite(value))) {
+        return false;
+    }
+    if (all_ && best_.value < infinite) {
+        others_.push_back(best_);
+    }
+    best_.piece = item.piece;
+    best_.value = value;
+    best_.error = item.moved + pieces_.value_error() * item.reach;
+    for (int k = 0; k < pieces_.shape().axes; ++k) {
+        const auto i = static_cast<size_t>(k);
+        best_.at[i] = std::clamp(item.to_piece(k, at[i]), 0.0, 1.0);
+    }
+    return true;
+}
+
+// Rounding cannot tell points apart that are nearer to each other than this on a sphere about x.
+bool PatchSearch::same_point(const Place &a, const Place &b) {
+    const PatchMemory::Hold hold(memory_);
+    const int dim = pieces_.shape().dim;
+    double *p = memory_.take(dim), *q = memory_.take(dim);
+    descent_.point(items_.whole(a.piece).values, a.at, p);
+    descent_.point(items_.whole(b.piece).values, b.at, q);
+    const double apart = 8 * std::sqrt(noise_ * (std::abs(a.value) + noise_));
+    return distance(p, q, dim) <= apart;
+}
+
+void PatchSearch::consider(const PatchItem &item, const AxisValues &at, double distance, bool strict) {
+    Place place{item.piece, {}, sign_ * distance, item.moved};
+    if (!(place.value <= upper()) || (several_ && !all_)) {
+        return;
+    }
+    for (int k = 0; k < pieces_.shape().axes; ++k) {
+        const auto i = static_cast<size_t>(k);
+        place.at[i] = std::clamp(item.to_piece(k, at[i]), 0.0, 1.0);
+    }
+    if (same_point(place, best_)) {
+        return;
+    }
+    const Place before = place;
+    walk(place);
+    if (place.value < best_.value - noise_) {
+        improve_to(items_.whole(place.piece), place.at, sign_ * place.value);
+    }
+    if (same_point(place, best_)) {
+        return;
+    }
+    if (all_) {
+        connected_ = connected_ || !strict;
+        const bool is_minimum = before.value - place.value <= noise_;
+        if (is_minimum && others_.size() < 4096) {
+            others_.push_back(before);
+        }
+        return;
+    }
+    several_ = true;
+}
+
+// The pieces around a place at a side of its piece: the first in which the distance falls further.
+bool PatchSearch::walk_on(Place &place) {
+    const PatchShape &shape = pieces_.shape();
+    const PatchPieces::Index index = pieces_.index(place.piece);
+    const auto subsets = 1U << static_cast<unsigned>(shape.axes);
+    for (unsigned subset = 1; subset < subsets; ++subset) {
+        PatchPieces::Index next = index;
+        AxisValues at = place.at;
+        bool exists = true;
+        for (int k = 0; k < shape.axes; ++k) {
+            const auto i = static_cast<size_t>(k);
+            if ((subset >> i & 1U) == 0) {
+                continue;
+            }
+            const auto axis = static_cast<size_t>(pieces_.spline_axis(k));
+            const bool up = at[i] == 1;
+            exists = exists && (up || at[i] == 0);
+            next[axis] = exists ? pieces_.neighbour(pieces_.spline_axis(k), index[axis], up) : -1;
+            exists = exists && next[axis] >= 0;
+            at[i] = up ? 0 : 1;
+        }
+        if (!exists) {
+            continue;
+        }
+        const PatchMemory::Hold hold(memory_);
+        const int64_t piece = pieces_.piece(next);
+        const PatchBox part = box(piece);
+        for (size_t k = 0; k < static_cast<size_t>(shape.axes); ++k) {
+            exists = exists && part.lower[k] < part.upper[k];
+            at[k] = std::clamp(at[k], part.lower[k], part.upper[k]);
+        }
+        if (!exists) {
+            continue;
+        }
+        const PatchItem item = items_.whole(piece);
+        const double value = sign_ * descent_.descend(item.values, part, sign_, floor_, at).distance;
+        if (value < place.value - 1e-2 * noise_) {
+            place = {piece, at, value, item.moved};
+            return true;
+        }
+    }
+    return false;
+}
+
+bool PatchSearch::walk(Place &place) {
+    for (int i = 0; i < 100; ++i) {
+        if (!walk_on(place)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+void PatchSearch::set_params(const Place &place, Foot &foot) const noexcept {
+    const PatchPieces::Index index = pieces_.index(place.piece);
+    std::array<int, max_axes> shape_axis{};
+    shape_axis.fill(-1);
+    for (int k = 0; k < pieces_.shape().axes; ++k) {
+        shape_axis[static_cast<size_t>(pieces_.spline_axis(k))] = k;
+    }
+    for (int axis = 0; axis < pieces_.spline_axes(); ++axis) {
+        const auto i = static_cast<size_t>(axis);
+        const double first = pieces_.break_at(axis, index[i]), last = pieces_.break_at(axis, index[i] + 1);
+        double low = first, high = last;
+        if (query_.range != nullptr) {
+            low = std::max(low, query_.range[axis].lower);
+            high = std::min(high, query_.range[axis].upper);
+        }
+        const double s = shape_axis[i] < 0 ? -1 : place.at[static_cast<size_t>(shape_axis[i])];
+        const double t = s < 0 ? low / 2 + high / 2 : s == 1 ? last : first + s * (last - first);
+        foot.params[i] = std::clamp(t, low, high);
+        if (foot.params[i] == last && pieces_.jumps(axis, index[i] + 1)) {
+            foot.left |= 1U << i;
+        }
+    }
+}
+
+int32_t PatchSearch::boundary(const Foot &foot) const noexcept {
+    for (int axis = 0; axis < pieces_.spline_axes(); ++axis) {
+        const double t = foot.params[static_cast<size_t>(axis)];
+        const double first = pieces_.break_at(axis, 0), last = pieces_.break_at(axis, pieces_.count(axis));
+        const Interval range = query_.range != nullptr ? query_.range[axis] : Interval{first, last};
+        const bool whole = range.lower == first && range.upper == last;
+        if ((t == range.lower || t == range.upper) && !(whole && pieces_.periodic(axis))) {
+            return NURBS_CLOSEST_BOUNDARY;
+        }
+    }
+    return 0;
+}
+
+// The distance is that at the parameters after their rounding.
+Foot PatchSearch::foot(const Place &place) {
+    const PatchMemory::Hold hold(memory_);
+    Foot result;
+    set_params(place, result);
+    const PatchPieces::Index index = pieces_.index(place.piece);
+    AxisValues at{};
+    for (int k = 0; k < pieces_.shape().axes; ++k) {
+        const int axis = pieces_.spline_axis(k);
+        const auto i = static_cast<size_t>(axis);
+        const double first = pieces_.break_at(axis, index[i]), last = pieces_.break_at(axis, index[i] + 1);
+        at[static_cast<size_t>(k)] = std::clamp((result.params[i] - first) / (last - first), 0.0, 1.0);
+    }
+    result.distance = pieces_.unscaled(descent_.distance(items_.whole(place.piece).values, at));
+    result.status = boundary(result);
+    return result;
+}
+
+Foot PatchSearch::any_point() {
+    PatchPieces::Index index{};
+    for (int axis = 0; axis < pieces_.spline_axes(); ++axis) {
+        const Interval whole{pieces_.break_at(axis, 0), pieces_.break_at(axis, pieces_.count(axis))};
+        const Interval range = query_.range != nullptr ? query_.range[axis] : whole;
+        index[static_cast<size_t>(axis)] = pieces_.find(axis, range.lower / 2 + range.upper / 2);
+    }
+    Place place;
+    place.piece = pieces_.piece(index);
+    place.at = {0.5, 0.5, 0.5};
+    Foot result;
+    set_params(place, result);
+    result.distance = pieces_.unscaled(norm(x_, pieces_.shape().dim));
+    result.status = boundary(result) | NURBS_CLOSEST_CERTIFIED;
+    return result;
+}
+
+Foot PatchSearch::nearest() {
+    if (far_away()) {
+        return any_point();
+    }
+    search();
+    Foot result = foot(best_);
+    const double rounded = sign_ * pieces_.scaled(result.distance) - best_.value;
+    const bool certified = !incomplete_ && rounded <= noise_ / 8;
+    result.status |= certified ? NURBS_CLOSEST_CERTIFIED : NURBS_CLOSEST_BUDGET;
+    result.status |= several_ ? NURBS_CLOSEST_NOT_UNIQUE : 0;
+    return result;
+}
+
+std::vector<Foot> PatchSearch::all() {
+    if (far_away()) {
+        return {any_point()};
+    }
+    all_ = true;
+    search();
+    others_.push_back(best_);
+    std::vector<Place> kept;
+    std::sort(others_.begin(), others_.end(),
+              [](const Place &a, const Place &b) { return a.value < b.value; });
+    for (const Place &place : others_) {
+        const auto same = [&](const Place &other) { return same_point(place, other); };
+        if (place.value <= upper() && std::none_of(kept.begin(), kept.end(), same)) {
+            kept.push_back(place);
+        }
+    }
+    std::vector<Foot> result;
+    int32_t status = incomplete_ ? NURBS_CLOSEST_BUDGET : connected_ ? 0 : NURBS_CLOSEST_CERTIFIED;
+    status |= kept.size() > 1 || connected_ ? NURBS_CLOSEST_NOT_UNIQUE : 0;
+    for (const Place &place : kept) {
+        result.push_back(foot(place));
+        result.back().status |= status;
+    }
+    std::sort(result.begin(), result.end(), [](const Foot &a, const Foot &b) { return a.params < b.params; });
+    return result;
+}
+
+Foot PatchSearch::local(const double *guess) {
+    const PatchMemory::Hold hold(memory_);
+    PatchPieces::Index index{};
+    for (int axis = 0; axis < pieces_.spline_axes(); ++axis) {
+        index[static_cast<size_t>(axis)] = pieces_.find(axis, guess[axis]);
+    }
+    Place place;
+    place.piece = pieces_.piece(index);
+    for (int k = 0; k < pieces_.shape().axes; ++k) {
+        const int axis = pieces_.spline_axis(k);
+        const int64_t i = index[static_cast<size_t>(axis)];
+        const double first = pieces_.break_at(axis, i), last = pieces_.break_at(axis, i + 1);
+        place.at[static_cast<size_t>(k)] = std::clamp((guess[axis] - first) / (last - first), 0.0, 1.0);
+    }
+    const PatchItem item = items_.whole(place.piece);
+    const auto found = descent_.descend(item.values, {}, sign_, floor_, place.at, 100);
+    place.value = sign_ * found.distance;
+    const bool done = found.converged && walk(place);
+    Foot result = foot(place);
+    result.status |= done ? 0 : NURBS_CLOSEST_BUDGET;
+    return result;
+}
+
+} // namespace nrb

@@ -1,0 +1,344 @@
+// Closest and farthest points of curves. With homogeneous points A, w the distance from x is at least d where
+//
+//     |A - x w|^2 - d^2 w^2 >= 0,
+//
+// a polynomial on each span. Its Bernstein coefficients are integers here, after a common factor; halving proves it
+// nonnegative or finds a place where it is not. No rounding comes in.
+#include "property/exact_polynomials.h"
+#include "property/same_shape.h"
+
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+using namespace support;
+using reference::Integer;
+using reference::Rational;
+
+namespace {
+
+constexpr double unit = std::numeric_limits<double>::epsilon();
+
+struct Answer {
+    double t = 0;
+    std::vector<double> foot;
+    double distance = 0;
+    int32_t status = 0;
+};
+
+struct Asked {
+    const double *range = nullptr;
+    double tolerance = 0;
+    int64_t budget = 0;
+    bool farthest = false;
+};
+
+std::vector<Answer> ask(const nurbs *g, int dim, const std::vector<double> &points, const Asked &asked = {}) {
+    const auto n = static_cast<int64_t>(points.size()) / dim;
+    std::vector<double> params(static_cast<size_t>(n)), feet(points.size()),
+        distances(static_cast<size_t>(n));
+    std::vector<int32_t> status(static_cast<size_t>(n));
+    const auto call = asked.farthest ? nurbs_farthest_points : nurbs_closest_points;
+    require_ok(call(g, n, points.data(), 0, 0, asked.range, asked.tolerance, asked.budget, params.data(), 0,
+                    0, feet.data(), 0, 0, distances.data(), 0, status.data(), 0));
+    std::vector<Answer> answers;
+    for (int64_t i = 0; i < n; ++i) {
+        const auto at = static_cast<size_t>(i);
+        const double *foot = feet.data() + i * dim;
+        answers.push_back({params[at], {foot, foot + dim}, distances[at], status[at]});
+    }
+    return answers;
+}
+
+double largest(const std::vector<double> &values) {
+    return std::transform_reduce(
+        values.begin(), values.end(), 0.0, [](double a, double b) { return std::max(a, b); },
+        [](double x) { return std::fabs(x); });
+}
+
+// What the header allows rounding.
+double noise(const SplineData &data, const double *point) {
+    const double x = std::sqrt(std::inner_product(point, point + data.dim, point, 0.0));
+    return 64 * (data.degrees[0] + 1) * unit * (largest(data.points) + x);
+}
+
+// Whether sign (|A - x w|^2 - d^2 w^2) >= 0 on [from, to] of one span.
+bool beyond(const SplineData &data, double from, double to, const double *x, double d, int sign) {
+    const std::vector<Polynomial> parts = piece(data, from, to);
+    const Polynomial &w = parts.back();
+    const Rational square = reference::exact(d) * reference::exact(d);
+    Polynomial rest = product(w, w);
+    const Integer common = denominator(square);
+    for (Integer &value : rest) {
+        value *= -numerator(square);
+    }
+    Rational shared = 1; // a common denominator of the coordinates of x, so that all stays whole
+    for (int c = 0; c < data.dim; ++c) {
+        shared *= denominator(reference::exact(x[c]));
+    }
+    const Integer scale = numerator(shared);
+    for (Integer &value : rest) {
+        value *= scale * scale;
+    }
+    for (int c = 0; c < data.dim; ++c) {
+        Polynomial offset = parts[static_cast<size_t>(c)];
+        for (Integer &value : offset) {
+            value *= scale;
+        }
+        const Rational at = reference::exact(x[c]) * shared;
+        add(offset, w, -numerator(at));
+        add(rest, product(offset, offset), common);
+    }
+    if (sign < 0) {
+        for (Integer &value : rest) {
+            value = -value;
+        }
+    }
+    return nonnegative(rest);
+}
+
+// Whether no point of the part of the curve is nearer than d (farther, for the farthest point).
+bool beyond_everywhere(const SplineData &data, double lower, double upper, const double *x, double d,
+                       int sign) {
+    std::vector<double> breaks = data.knots[0];
+    breaks.push_back(lower);
+    breaks.push_back(upper);
+    std::erase_if(breaks, [&](double t) { return t < lower || t > upper; });
+    std::sort(breaks.begin(), breaks.end());
+    breaks.erase(std::unique(breaks.begin(), breaks.end()), breaks.end());
+    for (size_t i = 0; i + 1 < breaks.size(); ++i) {
+        if (!beyond(data, breaks[i], breaks[i + 1], x, d, sign)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+SplineData random_curve(Random &random, int max_degree) {
+    Recipe recipe = random_recipe(random, 1, max_degree);
+    recipe.axes[0].spans = random.whole(2, 6);
+    recipe.dim = random.whole(1, 4);
+    return random_spline(random, recipe);
+}
+
+// Points about a curve, on it, and near it.
+std::vector<double> query_points(Random &random, const SplineData &data, const nurbs *g, int n) {
+    const double size = largest(data.points);
+    std::vector<double> points;
+    for (int i = 0; i < n; ++i) {
+        const int kind = random.whole(0, 3);
+        const double t = random_param(random, data.knots[0], data.degrees[0]);
+        const std::vector<double> on = eval(g, {t});
+        const double far = kind == 0 ? 0 : size * (kind == 1 ? random.magnitude(1e-15, 1e-3) : 1.0);
+        for (int c = 0; c < data.dim; ++c) {
+            const double away = far * random.between(-1, 1);
+            points.push_back(kind == 3 ? 1.5 * away : on[static_cast<size_t>(c)] + away);
+        }
+    }
+    return points;
+}
+
+void expect_proven(const SplineData &data, double lower, double upper, const double *x, const Answer &answer,
+                   bool farthest, uint64_t seed) {
+    const double margin = noise(data, x);
+    if ((answer.status & NURBS_CLOSEST_COARSE) != 0) {
+        return; // parameters far from 0 or close together
+    }
+    ASSERT_TRUE((answer.status & NURBS_CLOSEST_CERTIFIED) != 0) << answer.status << where(seed, data);
+    const double d = farthest ? answer.distance + margin : std::max(0.0, answer.distance - margin);
+    EXPECT_TRUE(d == 0 || beyond_everywhere(data, lower, upper, x, d, farthest ? -1 : 1))
+        << "x = " << hex({x, x + data.dim}) << ", t = " << hex(answer.t) << ", d = " << hex(answer.distance)
+        << where(seed, data);
+}
+
+} // namespace
+
+TEST(ClosestOnCurve, certified_answers_are_right_in_exact_arithmetic) {
+    for_each_case(0x6001, 250, [](Random &random, uint64_t seed) {
+        const SplineData data = random_curve(random, 5);
+        const Handle g = create(data);
+        const std::vector<double> points = query_points(random, data, g.get(), 4);
+        const Asked asked{nullptr, 0, 0, random.chance(30)};
+        const std::vector<Answer> answers = ask(g.get(), data.dim, points, asked);
+        for (size_t i = 0; i < answers.size(); ++i) {
+            const double *x = points.data() + i * static_cast<size_t>(data.dim);
+            expect_proven(data, data.lower(0), data.upper(0), x, answers[i], asked.farthest, seed);
+        }
+    });
+}
+
+TEST(ClosestOnCurve, a_range_is_all_that_is_searched) {
+    for_each_case(0x6002, 150, [](Random &random, uint64_t seed) {
+        const SplineData data = random_curve(random, 4);
+        const Handle g = create(data);
+        double range[2] = {random_param(random, data.knots[0], data.degrees[0]),
+                           random_param(random, data.knots[0], data.degrees[0])};
+        if (range[1] < range[0]) {
+            std::swap(range[0], range[1]);
+        }
+        if (!(range[1] > range[0])) {
+            return;
+        }
+        const std::vector<double> points = query_points(random, data, g.get(), 2);
+        const Asked asked{range, 0, 0, random.chance(30)};
+        const std::vector<Answer> answers = ask(g.get(), data.dim, points, asked);
+        for (size_t i = 0; i < answers.size(); ++i) {
+            EXPECT_GE(answers[i].t, range[0]);
+            EXPECT_LE(answers[i].t, range[1]);
+            const bool end = answers[i].t == range[0] || answers[i].t == range[1];
+            const bool whole = range[0] == data.lower(0) && range[1] == data.upper(0) && data.periodic(0);
+            EXPECT_EQ((answers[i].status & NURBS_CLOSEST_BOUNDARY) != 0, end && !whole) << where(seed, data);
+            const double *x = points.data() + i * static_cast<size_t>(data.dim);
+            expect_proven(data, range[0], range[1], x, answers[i], asked.farthest, seed);
+        }
+    });
+}
+
+// The point is that of the parameter, from one side or the other, and the distance that of the point.
+TEST(ClosestOnCurve, feet_are_points_of_the_curve) {
+    for_each_case(0x6003, 300, [](Random &random, uint64_t seed) {
+        const SplineData data = random_curve(random, 9);
+        const Handle g = create(data);
+        const std::vector<double> points = query_points(random, data, g.get(), 5);
+        const std::vector<Answer> answers = ask(g.get(), data.dim, points);
+        for (size_t i = 0; i < answers.size(); ++i) {
+            const std::vector<double> right = eval(g.get(), {answers[i].t});
+            const std::vector<double> left = eval(g.get(), {answers[i].t}, NURBS_LEFT);
+            EXPECT_TRUE(same_bits(answers[i].foot, right) || same_bits(answers[i].foot, left))
+                << where(seed, data);
+            double square = 0;
+            for (size_t c = 0; c < right.size(); ++c) {
+                const double d = answers[i].foot[c] - points[i * right.size() + c];
+                square += d * d;
+            }
+            EXPECT_NEAR(answers[i].distance, std::sqrt(square), 8 * unit * answers[i].distance)
+                << where(seed, data);
+        }
+    });
+}
+
+TEST(ClosestOnCurve, a_batch_gives_the_bits_of_single_queries) {
+    for_each_case(0x6004, 40, [](Random &random, uint64_t seed) {
+        const SplineData data = random_curve(random, 5);
+        const Handle g = create(data);
+        const std::vector<double> points = query_points(random, data, g.get(), 150);
+        const std::vector<Answer> together = ask(g.get(), data.dim, points);
+        for (size_t i = 0; i < together.size(); i += 7) {
+            const double *x = points.data() + i * static_cast<size_t>(data.dim);
+            const Answer alone = ask(g.get(), data.dim, {x, x + data.dim})[0];
+            EXPECT_TRUE(same_bits(alone.t, together[i].t) && same_bits(alone.foot, together[i].foot) &&
+                        alone.status == together[i].status)
+                << where(seed, data);
+        }
+    });
+}
+
+// Many queries against the best of many samples.
+TEST(ClosestOnCurve, no_sample_is_nearer) {
+    for_each_case(0x6005, 200, [](Random &random, uint64_t seed) {
+        Recipe recipe = random_recipe(random, 1, 15);
+        recipe.axes[0].spans = random.whole(1, 40);
+        recipe.dim = random.whole(1, 3);
+        const SplineData data = random_spline(random, recipe);
+        const Handle g = create(data);
+        const std::vector<double> points = query_points(random, data, g.get(), 50);
+        const std::vector<Answer> answers = ask(g.get(), data.dim, points);
+        constexpr int samples = 2000;
+        std::vector<double> params;
+        for (int i = 0; i <= samples; ++i) {
+            params.push_back(std::lerp(data.lower(0), data.upper(0), static_cast<double>(i) / samples));
+        }
+        const std::vector<double> curve = eval(g.get(), params);
+        for (size_t q = 0; q < answers.size(); ++q) {
+            const double *x = points.data() + q * static_cast<size_t>(data.dim);
+            const double limit = answers[q].distance - noise(data, x);
+            if ((answers[q].status & NURBS_CLOSEST_COARSE) != 0) {
+                continue;
+            }
+            EXPECT_TRUE((answers[q].status & NURBS_CLOSEST_CERTIFIED) != 0) << where(seed, data);
+            for (size_t i = 0; i < params.size(); ++i) {
+                double square = 0;
+                for (int c = 0; c < data.dim; ++c) {
+                    const double d = curve[i * static_cast<size_t>(data.dim) + static_cast<size_t>(c)] - x[c];
+                    square += d * d;
+                }
+                ASSERT_GE(std::sqrt(square), limit) << hex(params[i]) << where(seed, data);
+            }
+        }
+    });
+}
+
+namespace {
+
+Handle circle(double radius) {
+    const double center[] = {0, 0}, x[] = {1, 0};
+    nurbs *g = nullptr;
+    require_ok(nurbs_curve_circle(2, center, nullptr, x, radius, NURBS_ARC_QUARTERS, &g));
+    return Handle(g);
+}
+
+} // namespace
+
+TEST(ClosestOnCurve, distances_from_a_circle) {
+    const Handle g = circle(2);
+    Random random(0x6006);
+    for (int i = 0; i < 2000; ++i) {
+        const double angle = random.between(0, 2 * std::numbers::pi), r = random.magnitude(1e-9, 1e4);
+        const std::vector<double> x{r * std::cos(angle), r * std::sin(angle)};
+        const Answer near = ask(g.get(), 2, x)[0], far = ask(g.get(), 2, x, {nullptr, 0, 0, true})[0];
+        EXPECT_NEAR(near.distance, std::fabs(std::hypot(x[0], x[1]) - 2), 64 * 3 * unit * (2 + r));
+        EXPECT_NEAR(far.distance, std::hypot(x[0], x[1]) + 2, 64 * 3 * unit * (2 + r));
+        EXPECT_EQ(near.status & far.status & NURBS_CLOSEST_CERTIFIED, NURBS_CLOSEST_CERTIFIED);
+    }
+}
+
+TEST(ClosestOnCurve, the_centre_of_a_circle_has_no_one_nearest_point) {
+    const Handle g = circle(2);
+    const Answer near = ask(g.get(), 2, {0, 0})[0], beside = ask(g.get(), 2, {1e-3, 1e-3})[0];
+    EXPECT_EQ(near.status & ~NURBS_CLOSEST_BOUNDARY, NURBS_CLOSEST_CERTIFIED | NURBS_CLOSEST_NOT_UNIQUE);
+    EXPECT_EQ(beside.status, NURBS_CLOSEST_CERTIFIED);
+    EXPECT_NEAR(near.distance, 2, 8 * unit);
+}
+
+// Inside a closed curve that runs counterclockwise about the origin, with corners and without, is its left side.
+TEST(ClosestOnCurve, signed_distances_tell_inside_from_outside) {
+    for_each_case(0x6007, 60, [](Random &random, uint64_t seed) {
+        const int n = random.whole(3, 12), p = random.whole(1, 3);
+        SplineData data;
+        data.degrees = {p};
+        data.counts = {n * p + 1};
+        data.dim = 2;
+        data.knots.resize(1);
+        for (int i = 0; i <= n; ++i) { // p-fold knots: a kink at each
+            data.knots[0].insert(data.knots[0].end(), static_cast<size_t>(i % n == 0 ? p + 1 : p), i);
+        }
+        for (int i = 0; i <= n * p; ++i) {
+            const double angle = 2 * std::numbers::pi * (i % (n * p)) / (n * p);
+            const double r = i == n * p ? 0 : random.between(0.3, 2);
+            data.points.push_back(i == n * p ? data.points[0] : r * std::cos(angle));
+            data.points.push_back(i == n * p ? data.points[1] : r * std::sin(angle));
+        }
+        const Handle g = create(data);
+        std::vector<double> params, points, distances(100);
+        for (int i = 0; i < 4000; ++i) {
+            params.push_back(n * (i / 4000.0));
+        }
+        const std::vector<double> polygon = eval(g.get(), params);
+        for (int i = 0; i < 200; ++i) {
+            points.push_back(random.between(-2, 2));
+        }
+        require_ok(nurbs_curve_signed_distances(g.get(), 100, points.data(), 0, 0, 0, 0, distances.data(), 0,
+                                                nullptr, 0, nullptr, 0));
+        for (size_t q = 0; q < 100; ++q) {
+            const double x = points[2 * q], y = points[2 * q + 1];
+            bool inside = false;
+            for (size_t i = 0, j = polygon.size() - 2; i < polygon.size(); j = i, i += 2) {
+                const double ax = polygon[i], ay = polygon[i + 1], bx = polygon[j], by = polygon[j + 1];
+                inside ^= (ay > y) != (by > y) && x < (bx - ax) * (y - ay) / (by - ay) + ax;
+            }
+            if (std::fabs(distances[q]) > 1e-4) { // the polygon is not the curve
+                EXPECT_EQ(distances[q] > 0, inside) << x << " " << y << where(seed, data);
+            }
+        }
+    });
+}

@@ -1,0 +1,164 @@
+// Critical points of the distance from curves: their number where it is known, and their kinds by samples.
+#include "property/same_shape.h"
+
+#include <cmath>
+#include <numbers>
+
+using namespace support;
+
+namespace {
+
+struct Critical {
+    std::vector<double> params, distances;
+    std::vector<int32_t> kinds;
+    int32_t status = 0;
+
+    [[nodiscard]] int64_t number(int32_t kind) const { return std::count(kinds.begin(), kinds.end(), kind); }
+};
+
+Critical critical(const nurbs *g, const std::vector<double> &x, double tolerance = 0) {
+    Critical found;
+    int64_t count = 0;
+    for (int64_t cap = 0; cap == 0 || cap < count; cap = std::max<int64_t>(count, 1)) {
+        require_ok(nurbs_critical_points(g, x.data(), nullptr, tolerance, 0, cap, found.params.data(),
+                                         found.distances.data(), found.kinds.data(), &count, &found.status));
+        found.params.resize(static_cast<size_t>(count));
+        found.distances.resize(static_cast<size_t>(count));
+        found.kinds.resize(static_cast<size_t>(count));
+    }
+    require_ok(nurbs_critical_points(g, x.data(), nullptr, tolerance, 0, count, found.params.data(),
+                                     found.distances.data(), found.kinds.data(), &count, &found.status));
+    return found;
+}
+
+Critical all_nearest(const nurbs *g, const std::vector<double> &x, double tolerance) {
+    Critical found;
+    int64_t count = 0;
+    require_ok(nurbs_closest_all(g, x.data(), nullptr, tolerance, 0, 0, nullptr, nullptr, &count, nullptr));
+    found.params.resize(static_cast<size_t>(count));
+    found.distances.resize(static_cast<size_t>(count));
+    require_ok(nurbs_closest_all(g, x.data(), nullptr, tolerance, 0, count, found.params.data(),
+                                 found.distances.data(), &count, &found.status));
+    return found;
+}
+
+double distance(const nurbs *g, double t, const std::vector<double> &x, uint32_t flags = 0) {
+    const std::vector<double> point = eval(g, {t}, flags);
+    double square = 0;
+    for (size_t c = 0; c < x.size(); ++c) {
+        square += (point[c] - x[c]) * (point[c] - x[c]);
+    }
+    return std::sqrt(square);
+}
+
+Handle ellipse(double a, double b) {
+    const double center[] = {0, 0}, x[] = {1, 0};
+    nurbs *g = nullptr;
+    require_ok(
+        nurbs_curve_ellipse(2, center, nullptr, x, a, b, 0, 2 * std::numbers::pi, NURBS_ARC_QUARTERS, &g));
+    return Handle(g);
+}
+
+Handle square() {
+    SplineData data;
+    data.degrees = {1};
+    data.counts = {5};
+    data.dim = 2;
+    data.knots = {{0, 0, 1, 2, 3, 4, 4}};
+    data.points = {-1, -1, 1, -1, 1, 1, -1, 1, -1, -1};
+    return create(data);
+}
+
+// Four normals of an ellipse go through a point inside its evolute (x a)^(2/3) + (y b)^(2/3) = (a^2 - b^2)^(2/3), two
+// through a point outside.
+TEST(CriticalPoints, normals_of_an_ellipse) {
+    Random random(0x6021);
+    const Handle g = ellipse(3, 2);
+    for (int i = 0; i < 500; ++i) {
+        const double x = random.between(-3, 3), y = random.between(-3, 3);
+        const double evolute = std::pow(std::fabs(3 * x), 2.0 / 3) + std::pow(std::fabs(2 * y), 2.0 / 3);
+        const double limit = std::pow(5.0, 2.0 / 3);
+        if (std::fabs(evolute - limit) < 1e-6) {
+            continue;
+        }
+        const Critical found = critical(g.get(), {x, y});
+        const int64_t each = evolute < limit ? 2 : 1;
+        EXPECT_EQ(found.number(NURBS_CRITICAL_MINIMUM), each) << x << " " << y;
+        EXPECT_EQ(found.number(NURBS_CRITICAL_MAXIMUM), each) << x << " " << y;
+        EXPECT_EQ(found.kinds.size(), static_cast<size_t>(2 * each)) << x << " " << y;
+        EXPECT_NE(found.status & NURBS_CLOSEST_CERTIFIED, 0) << x << " " << y;
+    }
+}
+
+TEST(CriticalPoints, kinks_and_middles_of_a_square) {
+    const Handle g = square();
+    const Critical found = critical(g.get(), {0.25, 0.125});
+    EXPECT_EQ(found.number(NURBS_CRITICAL_MINIMUM), 4);
+    EXPECT_EQ(found.number(NURBS_CRITICAL_MAXIMUM), 4);
+    EXPECT_EQ(found.status, NURBS_CLOSEST_CERTIFIED);
+    EXPECT_EQ(found.params, (std::vector<double>{0, 0.625, 1, 1.5625, 2, 2.375, 3, 3.4375}));
+}
+
+// Every event is what samples beside it say, and samples show no other change of direction.
+TEST(CriticalPoints, samples_agree) {
+    for_each_case(0x6022, 150, [](Random &random, uint64_t seed) {
+        Recipe recipe = random_recipe(random, 1, 6);
+        recipe.axes[0].spans = random.whole(1, 6);
+        recipe.axes[0].degree = random.whole(1, 6);
+        recipe.axes[0].placement = Placement::origin;
+        recipe.axes[0].spacing = Spacing::integers;
+        recipe.weights = random.chance(50) ? Weights::none : Weights::moderate;
+        recipe.dim = random.whole(1, 3);
+        const SplineData data = random_spline(random, recipe);
+        const Handle g = create(data);
+        std::vector<double> x;
+        for (int c = 0; c < data.dim; ++c) {
+            x.push_back(random.between(-1, 1));
+        }
+        const Critical found = critical(g.get(), x);
+        if ((found.status & NURBS_CLOSEST_CERTIFIED) == 0) {
+            return;
+        }
+        constexpr int samples = 3000;
+        std::vector<double> values;
+        for (int i = 0; i <= samples; ++i) {
+            values.push_back(
+                distance(g.get(), std::lerp(data.lower(0), data.upper(0), i / double{samples}), x));
+        }
+        int64_t minima = 0;
+        for (size_t i = 1; i + 1 < values.size(); ++i) {
+            minima += values[i - 1] > values[i] && values[i] < values[i + 1] ? 1 : 0;
+        }
+        const auto [low, high] = std::minmax_element(values.begin(), values.end());
+        ASSERT_FALSE(found.distances.empty()) << where(seed, data);
+        EXPECT_GE(found.number(NURBS_CRITICAL_MINIMUM) + found.number(NURBS_CRITICAL_SADDLE), minima)
+            << where(seed, data);
+        EXPECT_LE(*std::min_element(found.distances.begin(), found.distances.end()),
+                  *low * (1 + 1e-12) + 1e-12)
+            << where(seed, data);
+        EXPECT_GE(*std::max_element(found.distances.begin(), found.distances.end()), *high * (1 - 1e-12))
+            << where(seed, data);
+    });
+}
+
+TEST(ClosestAll, equally_near_points_are_all_found) {
+    const Handle g = square();
+    const Critical four = all_nearest(g.get(), {0, 0}, 0), two = all_nearest(g.get(), {0.5, 0.5}, 1e-9);
+    EXPECT_EQ(four.params, (std::vector<double>{0.5, 1.5, 2.5, 3.5}));
+    EXPECT_EQ(four.status, NURBS_CLOSEST_CERTIFIED | NURBS_CLOSEST_NOT_UNIQUE);
+    EXPECT_EQ(two.params, (std::vector<double>{1.75, 2.25}));
+    const Critical one = all_nearest(g.get(), {0.5, 0.25}, 0.1),
+                   more = all_nearest(g.get(), {0.5, 0.25}, 0.3);
+    EXPECT_EQ(one.params, (std::vector<double>{1.625}));
+    EXPECT_EQ(one.status, NURBS_CLOSEST_CERTIFIED);
+    EXPECT_EQ(more.params, (std::vector<double>{1.625, 2.25}));
+}
+
+TEST(ClosestAll, an_arc_around_its_centre_is_a_continuum) {
+    const Handle g = ellipse(2, 2);
+    const Critical found = all_nearest(g.get(), {0, 0}, 0);
+    EXPECT_EQ(found.params.size(), 4U);
+    EXPECT_EQ(found.status, NURBS_CLOSEST_NOT_UNIQUE);
+}
+
+} // namespace
