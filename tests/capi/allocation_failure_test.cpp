@@ -28,7 +28,7 @@ struct Inputs {
 const IgesText file = small_file();
 constexpr const char *path = "allocation_failure_test.igs";
 const double new_knots[] = {0.3, 0.6};
-const double params[] = {0.1, 0.9, 0.3, 0.7, 0.2, 0.6};
+const double params[] = {0.1, 0.9, 0.3, 0.7, 0.2, 0.6}, four[] = {4};
 
 nurbs *make_homogeneous() {
     static const int32_t degree = 2;
@@ -474,6 +474,38 @@ const Case cases[] = {
          return nurbs_recognize(in.surface, 0.2, in.states, in.values, in.values + 9, in.values + 11);
      },
      true},
+    {"curve_length",
+     [](Inputs &in, Output &) { return nurbs_curve_length(in.curve, nullptr, 1e-9, in.values, nullptr); }},
+    {"curve_lengths",
+     [](Inputs &in, Output &) { return nurbs_curve_lengths(in.loop, 1, four, 0, 1e-9, in.values, 0); }},
+    {"curve_params_at_lengths",
+     [](Inputs &in, Output &) {
+         return nurbs_curve_params_at_lengths(in.curve, 1, four, 0, 1e-9, in.values, 0, 0);
+     }},
+    {"curve_divide",
+     [](Inputs &in, Output &) {
+         return nurbs_curve_divide(in.curve, nullptr, 5, 1e-9, 0, in.values, in.values + 6);
+     }},
+    {"curve_divide chords",
+     [](Inputs &in, Output &) {
+         return nurbs_curve_divide(in.curve, nullptr, 5, 1e-9, NURBS_EQUAL_CHORDS, in.values, nullptr);
+     }},
+    {"surface_area",
+     [](Inputs &in, Output &) { return nurbs_surface_area(in.surface, nullptr, 1e-9, in.values, nullptr); }},
+    {"moments",
+     [](Inputs &in, Output &) {
+         return nurbs_moments(in.surface, 1e-9, in.values, in.values + 1, in.values + 4, in.values + 13);
+     }},
+    {"enclosed_area",
+     [](Inputs &in, Output &) {
+         const nurbs *curves[] = {in.loop};
+         return nurbs_enclosed_area(1, curves, 1e-9, 1e-9, in.values, in.values + 1, in.values + 3, nullptr);
+     }},
+    {"enclosed_volume",
+     [](Inputs &in, Output &) {
+         const nurbs *surfaces[] = {in.surface};
+         return nurbs_enclosed_volume(1, surfaces, 1e-9, in.values, nullptr, nullptr, in.values + 1, nullptr);
+     }},
     {"remove_knot",
      [](Inputs &in, Output &o) {
          return nurbs_remove_knot(in.curve, 0, 0.5, 1, 9, nullptr, nullptr, &o.out);
