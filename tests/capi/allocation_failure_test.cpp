@@ -744,6 +744,50 @@ const Case cases[] = {
          return nurbs_constrain(in.curve, 1, kinds, nullptr, params, target, nullptr, nullptr, costs, 1e-9, in.values,
                                 in.spans, in.values + 2, in.values + 3, &o.out);
      }},
+    {"warp", [](Inputs &in, Output &o) { return nurbs_warp(in.curve, new_knots, params, 1, 1, &o.out); }},
+    {"warp periodic", [](Inputs &in, Output &o) { return nurbs_warp(in.loop, nullptr, params, 1, 1, &o.out); }},
+    {"flatten",
+     [](Inputs &in, Output &o) {
+         return nurbs_flatten(in.curve, new_knots, params, params, nullptr, in.values, &o.out);
+     }},
+    {"bend",
+     [](Inputs &in, Output &o) {
+         static const double along[] = {1, 0, 0}, across[] = {0, 1, 0};
+         return nurbs_bend(in.curve, params, along, across, 1, -9, 9, 0.1, in.values, in.states, &o.out);
+     }},
+    {"free_form_deform",
+     [](Inputs &in, Output &o) {
+         static const double lower[] = {-1, -1}, upper[] = {1, 1};
+         nurbs *square = nullptr;
+         static const int32_t degrees[] = {1, 1};
+         static const double points[] = {0, 0, 0, 1, 1, 0, 1, 2};
+         nurbs_status status = nurbs_create_bezier(2, degrees, 2, points, 0, 0, nullptr, 0, &square);
+         if (status == NURBS_OK) {
+             status = nurbs_free_form_deform(in.curve, square, lower, upper, 0.1, in.values, in.states, &o.out);
+         } else {
+             o.out = nullptr;
+         }
+         nurbs_destroy(square);
+         return status;
+     }},
+    {"fair",
+     [](Inputs &in, Output &o) {
+         return nurbs_fair(in.curve, 2, nullptr, 0.1, in.values, in.values + 2, &o.out);
+     }},
+    {"fair surface",
+     [](Inputs &in, Output &o) {
+         static const int32_t none[] = {-1, -1, -1, -1};
+         return nurbs_fair(in.surface, 1, none, 0.1, in.values, in.values + 2, &o.out);
+     }},
+    {"snap_boundary",
+     [](Inputs &in, Output &o) {
+         return nurbs_snap_boundary(in.curve, 0, NURBS_END, in.segment, 0, NURBS_START, 1, 0, in.values, &o.out);
+     }},
+    {"snap_boundary surface",
+     [](Inputs &in, Output &o) {
+         return nurbs_snap_boundary(in.surface, 0, NURBS_END, in.surface, 1, NURBS_START, 1, NURBS_REVERSED,
+                                    in.values, &o.out);
+     }},
     {"read", [](Inputs &, Output &o) { return nurbs_read(file.bytes, file.size, nullptr, &o.list); }},
     {"read_file", [](Inputs &, Output &o) { return nurbs_read_file(path, nullptr, &o.list); }, true},
     {"list_get", [](Inputs &in, Output &o) { return nurbs_list_get(in.list, 0, &o.out); }},
