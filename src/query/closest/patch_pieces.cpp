@@ -63,7 +63,7 @@ void PatchPieces::set_axes(const Spline &spline) {
     shape_.dim = spline.dim();
     shape_.lanes = (spline.dim() + 1 + 3) / 4 * 4;
     shape_.weighted = spline.rational();
-    int highest = 0;
+    int steps = 0;
     for (int k = 0; k < axes_; ++k) {
         const KnotVector &axis = spline.axis(k);
         const auto at = static_cast<size_t>(k);
@@ -73,13 +73,13 @@ void PatchPieces::set_axes(const Spline &spline) {
             jumps_[at].push_back(multiplicity(axis, t) > axis.degree() ? 1 : 0);
         }
         count_ *= count(k);
-        highest = std::max(highest, axis.degree());
+        steps += axis.degree() + 1;
         if (axis.degree() > 0) {
             map_[static_cast<size_t>(shape_.axes)] = k;
             shape_.degrees[static_cast<size_t>(shape_.axes++)] = axis.degree();
         }
     }
-    allowance_ = 64 * (highest + 1) * eps;
+    allowance_ = 64 * steps * eps;
 }
 
 // Of a coefficient of |Q|^2, relative to the sum of the magnitudes of what it is the sum of: factors and
@@ -145,7 +145,7 @@ void PatchPieces::copy(const Spline &spline) {
     positive_ = net.positive();
     set_sizes(spline, records.sizes);
     if (positive_) { // |A - A*| <= error H w and |w - w*| <= error w
-        moved_ = 2.02 * net.error() * radius_;
+        moved_ = (net.weighted() ? 2.02 : 1.01) * net.error() * radius_;
     } else {
         record_error_ = net.error() * std::ldexp(net.largest_record(), -exponent_);
         weight_error_ = net.error() * net.largest_weight();

@@ -64,7 +64,7 @@ public:
     // Relative to the sum of the magnitudes: of coefficients of products, and of values at a place.
     [[nodiscard]] double product_error() const noexcept { return product_error_; }
     [[nodiscard]] double value_error() const noexcept { return value_error_; }
-    // 64 (p + 1) eps, what a certificate allows for rounding.
+    // 64 eps times the sum of p + 1 over the axes: what a certificate allows for rounding.
     [[nodiscard]] double allowance() const noexcept { return allowance_; }
 
 private:

@@ -131,8 +131,8 @@ void PatchProof::set_matrix() noexcept {
     }
 }
 
-double PatchProof::least_corner() const noexcept {
-    double least = infinite;
+PatchProof::Corner PatchProof::least_corner() const noexcept {
+    Corner least{infinite, false};
     for (unsigned corner = 0; corner < 1U << static_cast<unsigned>(shape_.axes); ++corner) {
         int64_t place = 0;
         for (int k = 0; k < shape_.axes; ++k) {
@@ -140,7 +140,11 @@ double PatchProof::least_corner() const noexcept {
             const bool upper = face_[at] >= 0 ? face_[at] == 1 : (corner >> at & 1U) != 0;
             place += upper ? 2 * shape_.degree(k) * step_[at] : 0;
         }
-        least = std::min(least, gap_.values[place]);
+        if (gap_.values[place] < least.gap) {
+            const double w = gap_.weights != nullptr ? gap_.weights[place] : 1;
+            const double value = goal_.sign * std::sqrt(std::max(0.0, gap_.squares[place] / w));
+            least = {gap_.values[place], least.is_better || value < goal_.worth};
+        }
     }
     return least;
 }
@@ -196,10 +200,20 @@ double PatchProof::loss(const AxisValues &gradient, double more) const noexcept 
     return 0.55 * sum;
 }
 
+// At the ends of an axis its functions are exact.
+double PatchProof::value_error(const AxisValues &at) const noexcept {
+    double error = eps;
+    for (int k = 0; k < shape_.axes; ++k) {
+        const double t = at[static_cast<size_t>(k)];
+        error += t == 0 || t == 1 ? 0 : (2 * shape_.degree(k) + 1) * eps;
+    }
+    return 1.1 * error;
+}
+
 // |Q| and Q_k are within value_error() of the means of magnitudes, reach w and 2 p reach w_max.
 bool PatchProof::holds_at(const AxisValues &at) {
     const PatchValues v = descent_.values(item_.values, at);
-    const double rho = goal_.rho, w = v.weight, reach = item_.reach, kappa = 1.1 * pieces_.value_error();
+    const double rho = goal_.rho, w = v.weight, reach = item_.reach, kappa = value_error(at);
     const double sum = v.length + rho * w;
     const double gap = goal_.sign * (v.length - rho * w) * sum;
     const double gap_error = 2 * sum * kappa * (reach + rho) * w + 8 * eps * sum * sum;
@@ -242,13 +256,13 @@ bool PatchProof::convex(const AxisValues *guess) {
     while (drop_axes()) {
     }
     set_matrix();
-    const double corner = least_corner();
+    const Corner corner = least_corner();
     int free = 0;
     for (int k = 0; k < shape_.axes; ++k) {
         free += face_[static_cast<size_t>(k)] < 0 ? 1 : 0;
     }
-    const double most = free > 0 ? std::max(0.0, corner) / free : 0;
-    if (free > 0 && loss({}, most) < 0) {
+    const double most = free > 0 ? std::max(0.0, corner.gap) / free : 0;
+    if (free > 0 && !corner.is_better && loss({}, most) < 0) {
         return false;
     }
     PatchBox box;

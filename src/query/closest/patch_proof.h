@@ -15,6 +15,7 @@ struct PatchGoal {
     double sign = 1;   // -1: farther
     double rho = 0;    // >= 0
     double margin = 0; // of F at the minimum that rounding may use up, in units of w^2
+    double worth = 0;  // sign * distance below which a point is new
 };
 
 // The coefficients of F, and of what it is made.
@@ -54,8 +55,13 @@ private:
     [[nodiscard]] Range second_differences(int k, int l) const noexcept;
     bool drop_axes() noexcept;
     void set_matrix() noexcept;
-    [[nodiscard]] double least_corner() const noexcept;
+    struct Corner {
+        double gap;     // F
+        bool is_better; // it is a point that is new
+    };
+    [[nodiscard]] Corner least_corner() const noexcept;
     [[nodiscard]] AxisValues lowest() const noexcept;
+    [[nodiscard]] double value_error(const AxisValues &at) const noexcept;
     [[nodiscard]] bool holds_at(const AxisValues &at);
     // 1/2 g^T (C + diag(more))^-1 g; negative if that matrix is not positive definite.
     [[nodiscard]] double loss(const AxisValues &gradient, double more) const noexcept;

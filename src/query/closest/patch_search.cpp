@@ -15,6 +15,7 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr int64_t default_budget = 20000;
 constexpr int64_t most_squared = 1024; // coefficients of patches whose squares are worth their cost
 constexpr int deepest = 48;            // halvings of an axis
+constexpr int most_rounds = 8;         // of improvements by one item
 
 } // namespace
 
@@ -208,16 +209,31 @@ PatchGoal PatchSearch::goal(double value, const PatchItem &item) const noexcept 
     PatchGoal result;
     const double error = item.moved + best_.error;
     result.sign = sign_;
+    result.worth = best_.value - 1e-2 * noise_;
     result.rho = sign_ * (value + error);
     result.margin = 2 * std::abs(result.rho) * std::max(0.0, tolerance_ + 0.875 * noise_ - error);
     return result;
 }
 
+// The axis along which the coefficients spread most.
 int PatchSearch::longest_axis(const PatchItem &item) const noexcept {
+    const PatchShape &shape = pieces_.shape();
     int longest = -1;
-    for (int k = 0; k < pieces_.shape().axes; ++k) {
-        const auto at = static_cast<size_t>(k);
-        if (longest < 0 || item.length[at] > item.length[static_cast<size_t>(longest)]) {
+    double most = -1;
+    int64_t step = shape.lanes;
+    for (int k = shape.axes; k-- > 0; step *= shape.degree(k) + 1) {
+        double spread = 0;
+        const int64_t period = step * (shape.degree(k) + 1);
+        for (int64_t i = 0; i < shape.values(); i += shape.lanes) {
+            const double *q = item.values + i;
+            const double w = q[shape.dim], other = i % period + step < period ? q[step + shape.dim] : 0;
+            if (w > 0 && other > 0) {
+                spread += norm_of(shape.dim, [&](int c) { return q[c] / w - q[step + c] / other; });
+            }
+        }
+        spread *= 1 + 1.0 / shape.degree(k);
+        if (spread > most) {
+            most = spread;
             longest = k;
         }
     }
@@ -300,7 +316,7 @@ bool PatchSearch::settled(PatchItem &item, bool &fresh, int &axis) {
     double *weights = shape.weighted ? memory_.take(products) : nullptr;
     square_patch(shape, pieces_.tables(), item.values, work, squares, weights);
     const PatchGap gap{squares, weights, values};
-    for (;;) {
+    for (int round = 0; round < most_rounds; ++round) {
         const PatchGoal other = goal(upper(), item);
         if (other.rho >= 0 ? PatchProof(pieces_, descent_, item, other, gap).positive() : sign_ > 0) {
             return true;
@@ -340,9 +356,12 @@ bool PatchSearch::settled(PatchItem &item, bool &fresh, int &axis) {
                 continue;
             }
         }
-        axis = proof.widest_axis();
+        // Rounding counts by the reach, so that now and then all axes have their turn.
+        const bool wide = item.depth % 3 == 2 && item.reach > 1.25 * least.rho;
+        axis = wide ? longest_axis(item) : proof.widest_axis();
         return not_nearer && item.depth > deepest;
     }
+    return false;
 }
 
 bool PatchSearch::improve(const PatchItem &item, AxisValues at) {
@@ -352,7 +371,7 @@ bool PatchSearch::improve(const PatchItem &item, AxisValues at) {
 
 bool PatchSearch::improve_to(const PatchItem &item, const AxisValues &at, double distance) {
     const double value = sign_ * distance;
-    if (!(value < best_.value - 1e-3 * noise_) && !(best_.value == infinite && std::isfinite(value))) {
+    if (!(value < best_.value - 1e-2 * noise_) && !(best_.value == infinite && std::isfinite(value))) {
         return false;
     }
     if (all_ && best_.value < infinite) {
@@ -500,20 +519,51 @@ int32_t PatchSearch::boundary(const Foot &foot) const noexcept {
     return 0;
 }
 
-// The distance is that at the parameters after their rounding.
-Foot PatchSearch::foot(const Place &place) {
-    const PatchMemory::Hold hold(memory_);
-    Foot result;
-    set_params(place, result);
-    const PatchPieces::Index index = pieces_.index(place.piece);
+// At the parameters of a foot, which are rounded.
+double PatchSearch::distance_at(const PatchItem &item, const Foot &foot) const {
+    const PatchPieces::Index index = pieces_.index(item.piece);
     AxisValues at{};
     for (int k = 0; k < pieces_.shape().axes; ++k) {
         const int axis = pieces_.spline_axis(k);
         const auto i = static_cast<size_t>(axis);
         const double first = pieces_.break_at(axis, index[i]), last = pieces_.break_at(axis, index[i] + 1);
-        at[static_cast<size_t>(k)] = std::clamp((result.params[i] - first) / (last - first), 0.0, 1.0);
+        at[static_cast<size_t>(k)] = std::clamp((foot.params[i] - first) / (last - first), 0.0, 1.0);
     }
-    result.distance = pieces_.unscaled(descent_.distance(items_.whole(place.piece).values, at));
+    return descent_.distance(item.values, at);
+}
+
+// The best of the parameters around, where rounding them moves the point by more than it may.
+void PatchSearch::polish(const PatchItem &item, Foot &foot) const {
+    const Foot centre = foot;
+    const PatchPieces::Index index = pieces_.index(item.piece);
+    for (int i = 0; i < 27; ++i) {
+        Foot other = centre;
+        for (int k = 0, rest = i; k < pieces_.spline_axes(); ++k, rest /= 3) {
+            const auto at = static_cast<size_t>(k);
+            const double low = pieces_.break_at(k, index[at]), high = pieces_.break_at(k, index[at] + 1);
+            const double t = centre.params[at];
+            const double moved = rest % 3 == 0 ? t : std::nextafter(t, rest % 3 == 1 ? low : high);
+            const bool inside =
+                query_.range == nullptr || (moved >= query_.range[k].lower && moved <= query_.range[k].upper);
+            other.params[at] = inside && (centre.left >> k & 1U) == 0 && moved < high ? moved : t;
+        }
+        other.distance = pieces_.unscaled(distance_at(item, other));
+        if (sign_ * other.distance < sign_ * foot.distance) {
+            foot = other;
+        }
+    }
+}
+
+// The distance is that at the parameters after their rounding.
+Foot PatchSearch::foot(const Place &place) {
+    const PatchMemory::Hold hold(memory_);
+    Foot result;
+    set_params(place, result);
+    const PatchItem item = items_.whole(place.piece);
+    result.distance = pieces_.unscaled(distance_at(item, result));
+    if (!(sign_ * pieces_.scaled(result.distance) - place.value <= noise_ / 8)) {
+        polish(item, result);
+    }
     result.status = boundary(result);
     return result;
 }

@@ -72,6 +72,8 @@ private:
     bool walk(Place &place);
     bool walk_on(Place &place);
     [[nodiscard]] bool same_point(const Place &a, const Place &b);
+    [[nodiscard]] double distance_at(const PatchItem &item, const Foot &foot) const;
+    void polish(const PatchItem &item, Foot &foot) const;
     [[nodiscard]] Foot foot(const Place &place);
     [[nodiscard]] Foot any_point(); // if far_away()
     void set_params(const Place &place, Foot &foot) const noexcept;
