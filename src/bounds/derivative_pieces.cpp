@@ -184,22 +184,12 @@ HomogeneousPiece PieceMaker::piece(int64_t index) const {
     const Spline sub = sub_spline(spans);
     const bool homogeneous = sub.form() == Form::homogeneous;
     const bool weighted = weighted_ || homogeneous;
-    piece.centre = centre_of(sub);
+    piece.centre = local_centre(sub);
     const CentredRecords records =
-<<<<<<< /tmp/me/m2
         centred_records(sub, piece.centre, weighted, weighted ? weight_exponent(sub) : 0);
-    const BernsteinNet net(sub, records, ends, degrees);
-    piece.positive = net.positive();
-||||||| /tmp/me/m1
-        centred_records(sub, centre_of(sub), weighted, weighted ? weight_exponent(sub) : 0);
-    const BernsteinNet net(sub, records, ends, degrees);
-    piece.positive = net.positive();
-=======
-        centred_records(sub, local_centre(sub), weighted, weighted ? weight_exponent(sub) : 0);
     const BernsteinNet net(sub, records, ends, degrees),
         sizes(sub, magnitudes_of(records, sub.form()), ends, degrees);
     piece.positive = !weighted || net.positive();
->>>>>>> /tmp/me/m3
 
     RoundedPolynomial &points = piece.points, &weight = piece.weight;
     points.shape = weight.shape = net.shape();
