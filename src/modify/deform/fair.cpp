@@ -5,6 +5,7 @@
 #include "base/norm.h"
 #include "base/representable.h"
 #include "base/sum.h"
+#include "bounds/bernstein_net.h"
 #include "bounds/deviation.h"
 #include "modify/deform/sparse_system.h"
 #include "modify/edit/kept_layers.h"
@@ -18,24 +19,6 @@
 namespace nrb {
 
 namespace {
-
-// The middle of the box of the control points.
-std::vector<double> centre_of(const Spline &spline) {
-    const auto dim = static_cast<size_t>(spline.dim());
-    std::vector<double> lower(dim, std::numeric_limits<double>::max()),
-        upper(dim, std::numeric_limits<double>::lowest());
-    for (int64_t i = 0; i < spline.point_count(); ++i) {
-        for (size_t c = 0; c < dim && spline.weight(i) != 0; ++c) {
-            const double x = spline.coordinate(i, static_cast<int>(c));
-            lower[c] = std::min(lower[c], x);
-            upper[c] = std::max(upper[c], x);
-        }
-    }
-    for (size_t c = 0; c < dim; ++c) {
-        lower[c] = lower[c] + (upper[c] - lower[c]) / 2;
-    }
-    return lower;
-}
 
 // w (P - centre) of the first copies, 0 of the others.
 std::vector<double> centred(const Spline &spline, const std::vector<double> &centre) {

@@ -22,23 +22,6 @@ constexpr int most_halvings(int64_t spans) noexcept {
     return spans <= 1 << 12 ? 3 : spans <= 1 << 16 ? 1 : 0;
 }
 
-std::vector<double> middle_of(const Spline &curve) {
-    const int dim = curve.dim();
-    std::vector<double> middle(static_cast<size_t>(dim));
-    for (int c = 0; c < dim; ++c) {
-        double lower = infinity, upper = -infinity;
-        for (int64_t i = 0; i < curve.point_count(); ++i) {
-            const double x = curve.coordinate(i, c);
-            if (std::isfinite(x)) {
-                lower = std::min(lower, x);
-                upper = std::max(upper, x);
-            }
-        }
-        middle[static_cast<size_t>(c)] = lower <= upper ? lower / 2 + upper / 2 : 0;
-    }
-    return middle;
-}
-
 // Control points as seen by bounds: those of a piece, divided by their weights.
 class PieceView {
 public:
@@ -99,13 +82,9 @@ struct CurveTree::Boxes {
 
 CurveTree::CurveTree(const Spline &curve)
     : dim_(curve.dim()), degree_(curve.axis(0).degree()), lanes_((curve.dim() + 4) / 4 * 4),
-      centre_(middle_of(curve)) {
-    double largest_weight = 0;
-    for (int64_t i = 0; i < curve.point_count(); ++i) {
-        largest_weight = std::max(largest_weight, std::abs(curve.weight(i)));
-    }
+      centre_(centre_of(curve)) {
     const CentredRecords records =
-        centred_records(curve, centre_, curve.rational(), std::ilogb(largest_weight));
+        centred_records(curve, centre_, curve.rational(), curve.rational() ? weight_exponent(curve) : 0);
     BernsteinNet::Breaks breaks{breaks_of(curve.axis(0)), {}, {}};
     const int degrees[] = {degree_, 0, 0};
     const BernsteinNet net(curve, records, breaks, degrees);
