@@ -48,7 +48,7 @@ def check_same(drawn, shown):
 
 def constructions(top):
     header = (top / "include/nurbs/nurbs.h").read_text()
-    text = header[header.index("\\defgroup curves"):header.index("\\defgroup linear")]
+    text = header[header.index("\\defgroup curves"):header.index("\\defgroup closest")]
     return list(header_functions(without_comments("/*" + text)))
 
 
