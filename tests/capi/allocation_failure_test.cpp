@@ -772,12 +772,12 @@ const Case cases[] = {
      }},
     {"fair",
      [](Inputs &in, Output &o) {
-         return nurbs_fair(in.curve, 2, nullptr, 0.1, in.values, in.values + 2, &o.out);
+         return nurbs_fair(in.curve, 2, nullptr, 1e3, in.values, in.values + 2, &o.out);
      }},
     {"fair surface",
      [](Inputs &in, Output &o) {
          static const int32_t none[] = {-1, -1, -1, -1};
-         return nurbs_fair(in.surface, 1, none, 0.1, in.values, in.values + 2, &o.out);
+         return nurbs_fair(in.surface, 1, none, 1e3, in.values, in.values + 2, &o.out);
      }},
     {"snap_boundary",
      [](Inputs &in, Output &o) {

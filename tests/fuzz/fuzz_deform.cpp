@@ -77,7 +77,7 @@ void flatten(Input &in, const nurbs *g, const fuzz::Spline &s) {
 void bend(Input &in, const nurbs *g, const fuzz::Spline &s) {
     const std::vector<double> origin = any_vector(in, s.dim), along = any_vector(in, s.dim),
                               across = any_vector(in, s.dim);
-    const double curvature = in.rarely() ? in.anything() : in.number();
+    const double curvature = (4 * in.unit() - 2) / (s.size() + 1); // a turn or two
     const double lower = in.coin() ? -HUGE_VAL : in.number(), upper = in.coin() ? HUGE_VAL : in.number();
     const double tolerance = in.rarely() ? in.anything() : 0.05 * s.size();
     double deviation = -7;

@@ -110,7 +110,7 @@ public:
 private:
     static constexpr int max_rounds = 80;
     static constexpr int max_stalled = 3;
-    static constexpr int64_t max_points = int64_t{1} << 20;
+    static constexpr int64_t max_points = int64_t{1} << 18;
 
     // More control points that bring it no nearer mean that what is left is rounding.
     void note_progress(const FittedImage &image) {

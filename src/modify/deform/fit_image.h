@@ -23,7 +23,7 @@ struct FittedImage {
 // interpolation by polynomials of the degree is off by more than a share of the tolerance at the places between its
 // nodes, in as many parts as its order promises, on the lines of the nodes of the other axes. The whole is judged
 // by `judge`, or by 2 degree + 3 samples along each axis of every cell. Throws NURBS_ERROR_NOT_CONVERGED if that
-// takes more than 2^20 control points, or spans that cannot be cut, and what the map and refine() throw.
+// takes more than 2^18 control points, or spans that cannot be cut, and what the map and refine() throw.
 FittedImage fit_image(const SplinePtr &g, const PointMap &map, double tolerance,
                       const Judge &judge = nullptr);
 

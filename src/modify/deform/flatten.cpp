@@ -80,9 +80,9 @@ std::vector<char> inner_points(const Spline &spline, const Region &region) {
 
 Flattened flatten(const SplinePtr &spline, const Region &region, const double *point, const double *normal,
                   const double *direction) {
-    constexpr int spans_per_degree = 3;
+    constexpr int cells_per_degree = 3;
     const Projection project(point, normal, direction, spline->dim());
-    const SplinePtr fine = refined_to(spline, region, spans_per_degree);
+    const SplinePtr fine = refined_to(spline, region, cells_per_degree);
     const std::vector<char> inner = inner_points(*fine, region);
     std::vector<double> points(fine->points().begin(), fine->points().end());
     double moved = 0;

@@ -58,14 +58,15 @@ SplinePtr in_parameters(const Spline &curve, const Box &box) {
     return transform(curve, {dim, dim, matrix.data()}, offset.data());
 }
 
-// 0 if it would be too high, or the curve is rational.
+// 0 if it would be too high, or the curve is rational or moves on a line, where it may turn back.
 int image_degree(const Spline &spline, const Spline &volume) noexcept {
     int degree = 0;
     for (int k = 0; k < volume.axes(); ++k) {
         degree += volume.axis(k).degree();
     }
     degree *= spline.axis(0).degree();
-    return spline.axes() == 1 && !spline.rational() && degree <= NURBS_MAX_DEGREE ? degree : 0;
+    const bool composed = spline.axes() == 1 && volume.axes() > 1 && !spline.rational();
+    return composed && degree <= NURBS_MAX_DEGREE ? degree : 0;
 }
 
 } // namespace

@@ -5,7 +5,7 @@
 
 namespace nrb {
 
-// x -> V(A x), A the map of the box to the domain of the volume. Where g is a polynomial curve and the degree of the
+// x -> V(A x), A the map of the box to the domain of the volume. Where g is a polynomial curve in the plane or in space and the degree of the
 // image at most NURBS_MAX_DEGREE, the image is composed (refine/compose.h) and the bound of the distance from it is
 // proven, but for the rounding of its control points, for which 64 eps of the volume's size are added for each
 // degree. Otherwise it is that of samples. Throws NURBS_ERROR_OUTSIDE_DOMAIN if a point is outside the box, and what

@@ -23,26 +23,31 @@ std::vector<double> missing_ends(const KnotVector &axis, Interval range) {
     return missing;
 }
 
-// Knots that cut every span of a range in equal parts, so that there are enough.
-std::vector<double> dividing(const KnotVector &axis, int k, Interval range, int64_t enough) {
-    const auto begins = [&](int64_t s) { return axis[s] >= range.lower && axis[s] < range.upper; };
-    const auto indices = axis.spans().indices();
-    const int64_t spans = std::count_if(indices.begin(), indices.end(), begins);
-    std::vector<double> knots = uniform_new_knots(axis, k, (enough + spans - 1) / spans);
-    std::erase_if(knots, [range](double t) { return !(range.lower < t && t < range.upper); });
+// Knots so that each of `cells` equal parts of a range has one.
+std::vector<double> filling(const KnotVector &axis, Interval range, int cells) {
+    std::vector<double> knots;
+    for (int i = 1; i < cells; ++i) {
+        const double from = range.lower + (range.upper - range.lower) * (static_cast<double>(i) / cells);
+        const double to = range.lower + (range.upper - range.lower) * (static_cast<double>(i + 1) / cells);
+        const auto first = std::lower_bound(axis.knots().begin(), axis.knots().end(), from);
+        const bool apart = range.lower < from && from < range.upper && (knots.empty() || knots.back() < from);
+        if (apart && (first == axis.knots().end() || *first >= to)) {
+            knots.push_back(from);
+        }
+    }
     return knots;
 }
 
 } // namespace
 
-SplinePtr refined_to(const SplinePtr &spline, const Region &region, int spans_per_degree) {
+SplinePtr refined_to(const SplinePtr &spline, const Region &region, int cells_per_degree) {
     SplinePtr result = spline;
     for (int k = 0; k < spline->axes(); ++k) {
         const Interval range = region[static_cast<size_t>(k)];
         if (!whole(spline->axis(k), range)) {
             result = refine(result, k, missing_ends(result->axis(k), range));
-            const int64_t enough = int64_t{spans_per_degree} * (result->axis(k).degree() + 1);
-            result = refine(result, k, dividing(result->axis(k), k, range, enough));
+            const int cells = cells_per_degree * (result->axis(k).degree() + 1);
+            result = refine(result, k, filling(result->axis(k), range, cells));
         }
     }
     return result;

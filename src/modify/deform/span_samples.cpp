@@ -119,38 +119,52 @@ std::vector<double> polar_row(const KnotVector &axis, int64_t span, int64_t laye
     return row;
 }
 
-// The number of the span of a layer's support in the domain that is nearest to its Greville abscissa.
-size_t central_span(const KnotVector &axis, int64_t layer) noexcept {
+// How far a place is from the inside of a span, negative in it.
+double outside(const KnotVector &axis, int64_t span, double t) noexcept {
+    const double half = (axis[span + 1] - axis[span]) / 2;
+    return std::abs(t - (axis[span] + half)) - half;
+}
+
+// Where a control point is found: a copy of its layer, and the number of the span of its support in the domain that is
+// nearest to its Greville abscissa.
+struct Source {
+    int64_t layer;
+    int64_t number;
+    double far; // infinite: the support is outside the domain
+};
+
+Source source_of(const KnotVector &axis, int64_t layer) noexcept {
     const auto spans = axis.spans().indices();
     const double centre = greville(axis, layer);
-    size_t best = 0;
-    double least = std::numeric_limits<double>::infinity();
-    for (size_t i = 0; i < spans.size(); ++i) {
-        const int64_t s = spans[i];
-        const bool supported = s >= layer && s <= layer + axis.degree();
-        const double middle = axis[s] + (axis[s + 1] - axis[s]) / 2, half = (axis[s + 1] - axis[s]) / 2;
-        const double far = std::abs(centre - middle) - half;
-        if (far < least && (supported || least == std::numeric_limits<double>::infinity())) {
-            least = supported ? far : least;
-            best = i;
+    const int64_t near = axis.spans().number(centre, false), p = axis.degree();
+    Source best{layer, near, std::numeric_limits<double>::infinity()};
+    for (int64_t i = std::max<int64_t>(0, near - p - 1); i < std::min(std::ssize(spans), near + p + 2); ++i) {
+        const int64_t s = spans[static_cast<size_t>(i)];
+        if (s >= layer && s <= layer + p && outside(axis, s, centre) < best.far) {
+            best = {layer, i, outside(axis, s, centre)};
         }
     }
     return best;
 }
 
-// Of the copies of a layer the one that stands most inside the domain.
-int64_t central_copy(const KnotVector &axis, int64_t layer) noexcept {
-    const int64_t first = layer % axis.distinct_layers(), next = first + axis.distinct_layers();
-    return axis.periodic() && 2 * first < axis.degree() && next < axis.count() ? next : first;
+// Of all copies that are stored, the same for each of them.
+Source best_source(const KnotVector &axis, int64_t layer) noexcept {
+    const int64_t distinct = axis.distinct_layers();
+    Source best = source_of(axis, layer % distinct);
+    for (int64_t copy = layer % distinct + distinct; copy < axis.count(); copy += distinct) {
+        const Source other = source_of(axis, copy);
+        best = other.far < best.far ? other : best;
+    }
+    return best;
 }
 
 LayerTable control_table(const KnotVector &axis, const LocalNodes &nodes) {
     const size_t size = nodes.nodes().size();
     LayerTable table;
     for (int64_t i = 0; i < axis.count(); ++i) {
-        const int64_t layer = central_copy(axis, i);
-        const size_t number = central_span(axis, layer);
-        const std::vector<double> polar = polar_row(axis, axis.spans().indices()[number], layer);
+        const Source source = best_source(axis, i);
+        const auto number = static_cast<size_t>(source.number);
+        const std::vector<double> polar = polar_row(axis, axis.spans().indices()[number], source.layer);
         std::vector<double> row(size, 0.0);
         for (size_t k = 0; k < size; ++k) {
             for (size_t j = 0; j < size; ++j) {
