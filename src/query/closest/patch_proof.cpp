@@ -42,18 +42,19 @@ bool PatchProof::flat(double by) const noexcept {
 // Visits the coefficients of the face, the last shrink[k] along each axis left out.
 template <class Visit>
 void PatchProof::for_face(const std::array<int, max_axes> &shrink, Visit &&visit) const noexcept {
-    std::array<int64_t, max_axes> first{}, end{1, 1, 1};
-    for (int k = 0; k < shape_.axes; ++k) {
-        const auto at = static_cast<size_t>(k);
+    std::array<int64_t, max_axes> first{}, end{1, 1, 1}, step{};
+    for (int k = 0; k < shape_.axes; ++k) { // the last axis innermost
+        const auto at = static_cast<size_t>(k), place = at + max_axes - static_cast<size_t>(shape_.axes);
         const int64_t n = 2 * shape_.degree(k);
-        first[at] = face_[at] == 1 ? n : 0;
-        end[at] = face_[at] == 0 ? 1 : n + 1 - shrink[at];
+        step[place] = step_[at];
+        first[place] = face_[at] == 1 ? n : 0;
+        end[place] = face_[at] == 0 ? 1 : n + 1 - shrink[at];
     }
     for (int64_t i = first[0]; i < end[0]; ++i) {
         for (int64_t j = first[1]; j < end[1]; ++j) {
-            const double *row = gap_.values + i * step_[0] + j * step_[1];
+            const double *row = gap_.values + i * step[0] + j * step[1];
             for (int64_t k = first[2]; k < end[2]; ++k) {
-                visit(row + k * step_[2]);
+                visit(row + k * step[2]);
             }
         }
     }
@@ -216,6 +217,7 @@ bool PatchProof::holds_at(const AxisValues &at) {
     const double rho = goal_.rho, w = v.weight, reach = item_.reach, kappa = value_error(at);
     const double sum = v.length + rho * w;
     const double gap = goal_.sign * (v.length - rho * w) * sum;
+    distance_ = v.length / w;
     const double gap_error = 2 * sum * kappa * (reach + rho) * w + 8 * eps * sum * sum;
     const double rest = gap - gap_error - lost_;
     if (!(rest > 0)) {
@@ -266,6 +268,7 @@ bool PatchProof::convex(const AxisValues *guess) {
         return false;
     }
     PatchBox box;
+    const bool strict = strict_;
     at_ = guess != nullptr ? *guess : lowest();
     for (size_t k = 0; k < static_cast<size_t>(shape_.axes); ++k) {
         if (face_[k] >= 0) {
@@ -273,9 +276,13 @@ bool PatchProof::convex(const AxisValues *guess) {
         }
         at_[k] = std::clamp(at_[k], box.lower[k], box.upper[k]);
     }
+    found_ = true;
+    if (guess != nullptr && holds_at(at_)) {
+        return true;
+    }
+    strict_ = strict;
     const double floor = 16 * eps * item_.reach;
     distance_ = descent_.descend(item_.values, box, goal_.sign, floor, at_).distance;
-    found_ = true;
     return holds_at(at_);
 }
 

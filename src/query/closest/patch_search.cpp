@@ -40,20 +40,7 @@ bool PatchSearch::far_away() const noexcept {
 }
 
 PatchBox PatchSearch::box(int64_t piece) const noexcept {
-    PatchBox result;
-    if (query_.range == nullptr) {
-        return result;
-    }
-    const PatchPieces::Index index = pieces_.index(piece);
-    for (int k = 0; k < pieces_.shape().axes; ++k) {
-        const int axis = pieces_.spline_axis(k);
-        const int64_t i = index[static_cast<size_t>(axis)];
-        const double first = pieces_.break_at(axis, i), length = pieces_.break_at(axis, i + 1) - first;
-        const auto at = static_cast<size_t>(k);
-        result.lower[at] = std::clamp((query_.range[axis].lower - first) / length, 0.0, 1.0);
-        result.upper[at] = std::clamp((query_.range[axis].upper - first) / length, 0.0, 1.0);
-    }
-    return result;
+    return box_in_range(pieces_, piece, query_.range);
 }
 
 PatchSearch::Part PatchSearch::inside(const PatchTree::Extent &extent) const noexcept {
@@ -482,43 +469,6 @@ bool PatchSearch::walk(Place &place) {
     return false;
 }
 
-void PatchSearch::set_params(const Place &place, Foot &foot) const noexcept {
-    const PatchPieces::Index index = pieces_.index(place.piece);
-    std::array<int, max_axes> shape_axis{};
-    shape_axis.fill(-1);
-    for (int k = 0; k < pieces_.shape().axes; ++k) {
-        shape_axis[static_cast<size_t>(pieces_.spline_axis(k))] = k;
-    }
-    for (int axis = 0; axis < pieces_.spline_axes(); ++axis) {
-        const auto i = static_cast<size_t>(axis);
-        const double first = pieces_.break_at(axis, index[i]), last = pieces_.break_at(axis, index[i] + 1);
-        double low = first, high = last;
-        if (query_.range != nullptr) {
-            low = std::max(low, query_.range[axis].lower);
-            high = std::min(high, query_.range[axis].upper);
-        }
-        const double s = shape_axis[i] < 0 ? -1 : place.at[static_cast<size_t>(shape_axis[i])];
-        const double t = s < 0 ? low / 2 + high / 2 : s == 1 ? last : first + s * (last - first);
-        foot.params[i] = std::clamp(t, low, high);
-        if (foot.params[i] == last && pieces_.jumps(axis, index[i] + 1)) {
-            foot.left |= 1U << i;
-        }
-    }
-}
-
-int32_t PatchSearch::boundary(const Foot &foot) const noexcept {
-    for (int axis = 0; axis < pieces_.spline_axes(); ++axis) {
-        const double t = foot.params[static_cast<size_t>(axis)];
-        const double first = pieces_.break_at(axis, 0), last = pieces_.break_at(axis, pieces_.count(axis));
-        const Interval range = query_.range != nullptr ? query_.range[axis] : Interval{first, last};
-        const bool whole = range.lower == first && range.upper == last;
-        if ((t == range.lower || t == range.upper) && !(whole && pieces_.periodic(axis))) {
-            return NURBS_CLOSEST_BOUNDARY;
-        }
-    }
-    return 0;
-}
-
 // At the parameters of a foot, which are rounded.
 double PatchSearch::distance_at(const PatchItem &item, const Foot &foot) const {
     const PatchPieces::Index index = pieces_.index(item.piece);
@@ -557,14 +507,13 @@ void PatchSearch::polish(const PatchItem &item, Foot &foot) const {
 // The distance is that at the parameters after their rounding.
 Foot PatchSearch::foot(const Place &place) {
     const PatchMemory::Hold hold(memory_);
-    Foot result;
-    set_params(place, result);
+    Foot result = foot_at(pieces_, place.piece, place.at, query_.range);
     const PatchItem item = items_.whole(place.piece);
     result.distance = pieces_.unscaled(distance_at(item, result));
     if (!(sign_ * pieces_.scaled(result.distance) - place.value <= noise_ / 8)) {
         polish(item, result);
     }
-    result.status = boundary(result);
+    result.status = boundary_bit(pieces_, result, query_.range);
     return result;
 }
 
@@ -575,13 +524,9 @@ Foot PatchSearch::any_point() {
         const Interval range = query_.range != nullptr ? query_.range[axis] : whole;
         index[static_cast<size_t>(axis)] = pieces_.find(axis, range.lower / 2 + range.upper / 2);
     }
-    Place place;
-    place.piece = pieces_.piece(index);
-    place.at = {0.5, 0.5, 0.5};
-    Foot result;
-    set_params(place, result);
+    Foot result = foot_at(pieces_, pieces_.piece(index), {0.5, 0.5, 0.5}, query_.range);
     result.distance = pieces_.unscaled(norm(x_, pieces_.shape().dim));
-    result.status = boundary(result) | NURBS_CLOSEST_CERTIFIED;
+    result.status |= NURBS_CLOSEST_CERTIFIED;
     return result;
 }
 

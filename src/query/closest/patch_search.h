@@ -1,7 +1,7 @@
 // The search for the nearest or farthest points of one query: branch and bound.
 #pragma once
 
-#include "query/closest/foot.h"
+#include "query/closest/patch_place.h"
 #include "query/closest/patch_proof.h"
 #include "query/closest/patch_tree.h"
 
@@ -76,8 +76,6 @@ private:
     void polish(const PatchItem &item, Foot &foot) const;
     [[nodiscard]] Foot foot(const Place &place);
     [[nodiscard]] Foot any_point(); // if far_away()
-    void set_params(const Place &place, Foot &foot) const noexcept;
-    [[nodiscard]] int32_t boundary(const Foot &foot) const noexcept;
 
     const PatchPieces &pieces_;
     const PatchTree &tree_;
