@@ -8,8 +8,9 @@ namespace nrb {
 
 namespace {
 
-constexpr int axis = 2;           // of the three, which curves lie along
-constexpr double least = 0x1p-48; // parts are not halved any further
+constexpr int axis = 2;             // of the three, which curves lie along
+constexpr double least = 0x1p-48;   // parts are not halved any further
+constexpr int most_halvings = 4096; // of one polynomial, where rounding leaves many parts open
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
 // How often the sign of coefficients changes: at least and, if those without a certain sign are chosen so that it
@@ -116,9 +117,10 @@ private:
     void halve(const RoundedPolynomial &f, double from, double to) {
         static constexpr double places[] = {0.5, 0.4375, 0.5625, 0.375, 0.625, 0.25, 0.75, 0.125, 0.875};
         for (const double place : places) {
-            if (to - from < least) {
+            if (to - from < least || halvings_ > most_halvings) {
                 break;
             }
+            ++halvings_;
             RoundedPolynomial upper = f;
             RoundedPolynomial lower = split(upper, axis, place);
             if (upper.sign(0) != 0) {
@@ -127,10 +129,12 @@ private:
                 return run(std::move(upper), middle, to);
             }
         }
-        append(runs_, {from, to, 0});
+        const bool changes = f.sign(0) != f.sign(f.values.size() - 1);
+        append(runs_, {from, to, 0, false, changes ? from + (to - from) * bracketed_zero(f.values) : -1});
     }
 
     std::vector<SignRun> &runs_;
+    int halvings_ = 0;
 };
 
 // Halving until every part has no zero, or one.
@@ -197,7 +201,7 @@ private:
                 return;
             }
         }
-        if (to - from < least) {
+        if (to - from < least || ++halvings_ > most_halvings) {
             return note({from, to, false});
         }
         RoundedPolynomial lower = split(v, axis);
@@ -227,17 +231,30 @@ private:
     }
 
     std::vector<ZeroPlace> places_;
+    int halvings_ = 0;
 };
+
+// With f = x^m q the zeros of f + e are where q x^m = -e.
+bool doubtful_end(const RoundedPolynomial &f, double q, int times, bool upper) noexcept {
+    double error = 0;
+    for (size_t i = 0; i < static_cast<size_t>(times); ++i) {
+        error = std::max(error, f.error(upper ? f.values.size() - 1 - i : i));
+    }
+    return !(error <= 0x1p-32 * std::abs(q));
+}
 
 } // namespace
 
 SignRuns sign_runs(RoundedPolynomial f) {
     SignRuns result;
+    const RoundedPolynomial whole = f;
     result.zeros_at_start = divide_end(f, axis, false);
     if (result.zeros_at_start < 0) {
-        return {{{0, 1, 0}}, 0, 0, true};
+        return {{{0, 1, 0}}, 0, 0, true, false};
     }
     result.zeros_at_end = divide_end(f, axis, true);
+    result.doubtful = doubtful_end(whole, f.values.front(), result.zeros_at_start, false) ||
+                      doubtful_end(whole, f.values.back(), result.zeros_at_end, true);
     Isolation(result.runs).run(std::move(f), 0, 1);
     return result;
 }

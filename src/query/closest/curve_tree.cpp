@@ -14,25 +14,12 @@ namespace nrb {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-// Halvings of a span at most, and how far a leaf may be from its chord as a part of the chord without another.
-constexpr int most_halvings = 3;
+// How far a leaf may be from its chord, as a part of the chord, without another halving.
 constexpr double straight = 1.0 / 16;
 
-std::vector<double> middle_of(const Spline &curve) {
-    const int dim = curve.dim();
-    std::vector<double> middle(static_cast<size_t>(dim));
-    for (int c = 0; c < dim; ++c) {
-        double lower = infinity, upper = -infinity;
-        for (int64_t i = 0; i < curve.point_count(); ++i) {
-            const double x = curve.coordinate(i, c);
-            if (std::isfinite(x)) {
-                lower = std::min(lower, x);
-                upper = std::max(upper, x);
-            }
-        }
-        middle[static_cast<size_t>(c)] = lower <= upper ? lower / 2 + upper / 2 : 0;
-    }
-    return middle;
+// Halvings of a span at most: leaves take ten times the memory of control points, so many spans stay whole.
+constexpr int most_halvings(int64_t spans) noexcept {
+    return spans <= 1 << 12 ? 3 : spans <= 1 << 16 ? 1 : 0;
 }
 
 // Control points as seen by bounds: those of a piece, divided by their weights.
@@ -95,13 +82,9 @@ struct CurveTree::Boxes {
 
 CurveTree::CurveTree(const Spline &curve)
     : dim_(curve.dim()), degree_(curve.axis(0).degree()), lanes_((curve.dim() + 4) / 4 * 4),
-      centre_(middle_of(curve)) {
-    double largest_weight = 0;
-    for (int64_t i = 0; i < curve.point_count(); ++i) {
-        largest_weight = std::max(largest_weight, std::abs(curve.weight(i)));
-    }
+      centre_(centre_of(curve)) {
     const CentredRecords records =
-        centred_records(curve, centre_, curve.rational(), std::ilogb(largest_weight));
+        centred_records(curve, centre_, curve.rational(), curve.rational() ? weight_exponent(curve) : 0);
     BernsteinNet::Breaks breaks{breaks_of(curve.axis(0)), {}, {}};
     const int degrees[] = {degree_, 0, 0};
     const BernsteinNet net(curve, records, breaks, degrees);
@@ -119,7 +102,7 @@ CurveTree::CurveTree(const Spline &curve)
             record[lanes_ - 1] = weights[i];
         }
         const auto e = static_cast<size_t>(piece);
-        add_span(padded.data(), {breaks[0][e], breaks[0][e + 1]}, 0);
+        add_span(padded.data(), {breaks[0][e], breaks[0][e + 1]}, most_halvings(net.pieces()));
     }
     if (!net.positive()) {
         rounding_ *= weight_ratio();
@@ -138,20 +121,20 @@ double CurveTree::weight_ratio() const noexcept {
     return largest / smallest;
 }
 
-void CurveTree::add_span(const double *records, Interval span, int depth) {
+void CurveTree::add_span(const double *records, Interval span, int halvings) {
     const PieceView view(records, degree_, dim_, lanes_);
     const double middle = span.lower / 2 + span.upper / 2;
     const double deviation = view.deviation();
     const bool divisible = span.lower < middle && middle < span.upper;
-    if (deviation <= straight * view.chord() || depth == most_halvings || !divisible) {
+    if (deviation <= straight * view.chord() || halvings == 0 || !divisible) {
         records_.insert(records_.end(), records, records + (degree_ + 1) * lanes_);
         domains_.push_back(span);
         return;
     }
     std::vector<double> upper(records, records + (degree_ + 1) * lanes_), lower(upper.size());
     halve({{0, 0, degree_}, lanes_}, 2, upper.data(), lower.data());
-    add_span(lower.data(), {span.lower, middle}, depth + 1);
-    add_span(upper.data(), {middle, span.upper}, depth + 1);
+    add_span(lower.data(), {span.lower, middle}, halvings - 1);
+    add_span(upper.data(), {middle, span.upper}, halvings - 1);
 }
 
 void CurveTree::add_blocks() {

@@ -55,7 +55,7 @@ public:
 
 private:
     struct Boxes;
-    void add_span(const double *records, Interval span, int depth);
+    void add_span(const double *records, Interval span, int halvings);
     [[nodiscard]] double weight_ratio() const noexcept;
     void add_blocks();
     [[nodiscard]] Boxes leaf_boxes() const;

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace nrb {
 
@@ -18,16 +19,55 @@ constexpr int first_level = 2; // 15 nodes
 constexpr int most_halvings = 200;
 constexpr int64_t leaves_for_a_piece = 256, leaves_at_least = 20000;
 
-double weighted_sum(int level, const double *values) noexcept {
-    const double *weights = rule_weights(level);
-    const int size = std::max(16, rule_size(level));
-    std::array<double, 8> sums{};
-    for (int i = 0; i < size; i += 8) {
-        for (size_t k = 0; k < 8; ++k) {
-            sums[k] += weights[i + static_cast<int>(k)] * values[i + static_cast<int>(k)];
+// What the coefficients of a net tell of features that are narrower than the nodes are apart: peaks where the
+// weights differ much, dips and zeros where the curve turns sharply.
+struct NetShape {
+    // The weights are of one sign, all coefficients of N are within 75 degrees of their sum, and both differ by a
+    // factor of at most 64; but a dip of relative width 1e-8 is worth its square, and none.
+    bool even;
+    double bound; // of the length; infinite if the weights are not of one sign
+};
+
+template <int kCount>
+NetShape net_shape(const SpeedForm &form, const double *net) noexcept {
+    constexpr double least_cosine = 0.25, most_ratio = 64, none = 1e-8;
+    const int count = kCount == 0 ? form.degree + 1 : kCount;
+    constexpr size_t room = kCount == 0 ? max_product_degree + 1 : kCount;
+    std::array<double, room> along{}, squares{};
+    double square = 0;
+    for (int c = 0; c < form.dim; ++c, net += count) {
+        double sum = 0;
+        for (int i = 0; i < count; ++i) {
+            sum += net[i];
         }
+        for (int i = 0; i < count; ++i) {
+            along[static_cast<size_t>(i)] += sum * net[i];
+            squares[static_cast<size_t>(i)] += net[i] * net[i];
+        }
+        square += sum * sum;
     }
-    return ((sums[0] + sums[4]) + (sums[1] + sums[5])) + ((sums[2] + sums[6]) + (sums[3] + sums[7]));
+    const double largest = *std::max_element(squares.begin(), squares.begin() + count);
+    bool even = true;
+    for (size_t i = 0; i < static_cast<size_t>(count); ++i) {
+        const double part = along[i];
+        const bool alike =
+            squares[i] >= largest / (most_ratio * most_ratio) || squares[i] <= none * none * largest;
+        even &= part >= 0 && part * part >= least_cosine * least_cosine * squares[i] * square && alike;
+    }
+    double least = 1, most = 1;
+    for (int i = 0; i <= form.weight_degree; ++i) {
+        const double w = net[0] < 0 ? -net[i] : net[i];
+        least = i == 0 ? w : std::min(least, w);
+        most = i == 0 ? w : std::max(most, w);
+    }
+    return {even && most <= most_ratio * least,
+            least > 0 ? std::sqrt(largest) / (least * least) : std::numeric_limits<double>::infinity()};
+}
+
+NetShape net_shape(const SpeedForm &form, const double *net) noexcept {
+    return form.degree == 4   ? net_shape<5>(form, net)
+           : form.degree == 2 ? net_shape<3>(form, net)
+                              : net_shape<0>(form, net);
 }
 
 // Rules of rising levels on one part of a piece.
@@ -35,16 +75,13 @@ class Ladder {
 public:
     Ladder(const SpeedForm &form, const double *net) : form_(form), net_(net) {
         speeds(form, net, 0, rule_size(first_level), speeds_.data());
-        sums_ = {weighted_sum(0, speeds_.data()), weighted_sum(1, speeds_.data()),
-                 weighted_sum(2, speeds_.data())};
+        decay_ = rule_decay(first_level, speeds_.data());
     }
 
-    [[nodiscard]] double value() const noexcept { return sums_[2]; }
-    [[nodiscard]] double difference() const noexcept { return std::abs(sums_[2] - sums_[1]); }
+    [[nodiscard]] double value() const noexcept { return decay_.integral; }
+    [[nodiscard]] double error() const noexcept { return decay_.error(decay_.integral); }
+    [[nodiscard]] double last() const noexcept { return decay_.last; }
     [[nodiscard]] int level() const noexcept { return level_; }
-    [[nodiscard]] double error() const noexcept {
-        return extrapolated_error(sums_[0], sums_[1], sums_[2], value());
-    }
 
     // Climbs as long as the next level but one is likely to be good enough; false if none is.
     bool climb(double tolerance) noexcept {
@@ -52,30 +89,23 @@ public:
             if (level_ + 1 == rule_levels || !promising(tolerance)) {
                 return false;
             }
-            raise();
+            const int before = rule_size(level_++);
+            speeds(form_, net_, before, rule_size(level_) - before, speeds_.data());
+            decay_ = rule_decay(level_, speeds_.data());
         }
         return true;
     }
 
 private:
-    // From level to level errors are squared, so that the estimate becomes the cube of the difference; over two
-    // levels its sixth power.
     [[nodiscard]] bool promising(double tolerance) const noexcept {
-        const double r = difference() / value();
-        const double next = r * r * r;
-        return next * value() <= tolerance ||
-               (level_ + 2 < rule_levels && next * next * value() <= tolerance);
-    }
-    void raise() noexcept {
-        const int before = rule_size(level_++);
-        speeds(form_, net_, before, rule_size(level_) - before, speeds_.data());
-        sums_ = {sums_[1], sums_[2], weighted_sum(level_, speeds_.data())};
+        return decay_.one_higher() * value() <= tolerance ||
+               (level_ + 2 < rule_levels && decay_.two_higher() * value() <= tolerance);
     }
 
     const SpeedForm &form_;
     const double *net_;
     int level_ = first_level;
-    std::array<double, 3> sums_{};
+    RuleDecay decay_{};
     alignas(64) std::array<double, rule_capacity> speeds_;
 };
 
@@ -113,6 +143,8 @@ public:
         return {total_.value(), error_.value()};
     }
 
+    [[nodiscard]] bool spent() const noexcept { return budget_ < 0; }
+
 private:
     void run_piece(int64_t piece) {
         const auto size = static_cast<size_t>(pieces_.form().size());
@@ -122,9 +154,12 @@ private:
             const Part part = parts_.back();
             double *net = stack_.data() + stack_.size() - size;
             Ladder ladder(pieces_.form(), net);
-            const bool good = ladder.climb(std::max(least_, tolerance_ / 2 * ladder.value()));
-            if (good || part.halvings == most_halvings || --budget_ < 0 || !std::isfinite(ladder.value())) {
-                accept(piece, part, ladder, good ? ladder.error() : ladder.difference(), net);
+            const double allowed = std::max(least_, tolerance_ / 2 * ladder.value());
+            const NetShape shape = net_shape(pieces_.form(), net);
+            const bool good = shape.even && ladder.climb(allowed), negligible = shape.bound <= allowed;
+            if (good || negligible || part.halvings == most_halvings || --budget_ < 0 ||
+                !(ladder.value() < std::numeric_limits<double>::infinity())) {
+                accept(piece, part, ladder, good ? ladder.error() : shape.bound, net);
                 stack_.resize(stack_.size() - size);
                 parts_.pop_back();
                 continue;
@@ -169,11 +204,25 @@ private:
 double rough_length(const SpeedPieces &pieces) noexcept {
     double total = 0;
     for (int64_t e = 0; e < pieces.size(); ++e) {
-        std::array<double, 16> values{};
+        std::array<double, 8> values{};
         speeds(pieces.form(), pieces.net(e), 0, rule_size(1), values.data());
-        total += weighted_sum(1, values.data());
+        total += std::inner_product(values.begin(), values.end(), rule_weights(1), 0.0);
     }
     return total;
+}
+
+} // namespace
+
+namespace {
+
+// How much larger the largest weight is than the smallest.
+double weight_ratio(const double *weights, int degree) noexcept {
+    double least = degree < 0 ? 1 : std::abs(weights[0]), most = least;
+    for (int i = 1; i <= degree; ++i) {
+        least = std::min(least, std::abs(weights[i]));
+        most = std::max(most, std::abs(weights[i]));
+    }
+    return least > 0 ? std::min(most / least, 64.0) : 64;
 }
 
 } // namespace
@@ -196,6 +245,7 @@ SpeedPieces::SpeedPieces(const Spline &curve, Interval range) {
         rule_basis(p, weight_basis_.data());
         form_.weight_basis = weight_basis_.data();
     }
+    intervals_.reserve(static_cast<size_t>(elements.size()));
     nets_.reserve(static_cast<size_t>(elements.size() * form_.size()));
     Element element;
     for (int64_t e = 0; e < elements.size(); ++e) {
@@ -212,7 +262,7 @@ void SpeedPieces::add_piece(const Element &element, int degree) {
     nets_.resize(start + static_cast<size_t>(form_.size()), 0.0);
     double *out = nets_.data() + start;
     const double *w = element.net.data() + form_.dim * (p + 1);
-    rounding_ += 2 * (3 * p + 2) * eps * element.spread;
+    rounding_ += 2 * (3 * p + 2) * eps * element.spread * weight_ratio(w, form_.weight_degree);
     for (int c = 0; p > 0 && c < form_.dim; ++c, out += form_.degree + 1) {
         const double *a = element.net.data() + c * (p + 1);
         if (form_.weight_degree < 0) {
@@ -247,7 +297,7 @@ Integral integrate(const SpeedPieces &pieces, double relative_tolerance, std::ve
     for (int attempt = 0; attempt < 4; ++attempt, share /= 64) {
         result = search.run(length, share);
         length = result.value;
-        if (!(result.error > std::max(tolerance * result.value, pieces.rounding()))) {
+        if (search.spent() || !(result.error > std::max(tolerance * result.value, pieces.rounding()))) {
             break;
         }
     }
@@ -258,7 +308,7 @@ Integral integrate(const SpeedPieces &pieces, double relative_tolerance, std::ve
 double rule_length(const SpeedForm &form, const double *net, int level) noexcept {
     alignas(64) std::array<double, rule_capacity> values;
     speeds(form, net, 0, rule_size(level), values.data());
-    return weighted_sum(level, values.data());
+    return std::inner_product(values.begin(), values.begin() + rule_size(level), rule_weights(level), 0.0);
 }
 
 Integral scaled_result(Integral integral, int exponent, double relative_tolerance, const char *what) {

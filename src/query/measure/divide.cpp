@@ -15,6 +15,7 @@ namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 constexpr int most_bisections = 200, most_steps = 100000;
+constexpr double shortest_step = 1024; // of a chord: what comes that near without reaching it is left
 
 // A part of a curve by its length, in units of the table.
 class Arc {
@@ -76,7 +77,7 @@ public:
             if (!(s < arc_.length())) {
                 return -chord;
             }
-            params_.push_back(arc_.param(s));
+            params_.push_back(std::max(params_.back(), arc_.param(s)));
             arc_.place(params_.back(), false, from_);
         }
         params_.push_back(range_.upper);
@@ -84,19 +85,54 @@ public:
     }
 
 private:
-    // The first place whose distance is `chord`: a distance grows no faster than the length, so that what is
-    // missing may always be gone (as in the tracing of spheres).
-    double next(double s, double chord) {
+    double beyond(double s, double chord) { return arc_.distance_from(from_, arc_.param(s), false) - chord; }
+
+    // A place whose distance is `chord`. A distance grows no faster than the length, so that what is missing may
+    // always be gone (as in the tracing of spheres); up to eight times that if the last step promises it.
+    double next(double start, double chord) {
+        double s = start, rest = -chord;
         for (int step = 0; step < most_steps && s < arc_.length(); ++step) {
-            const double missing = chord - arc_.distance_from(from_, arc_.param(s), false);
-            if (missing <= 4 * eps * chord) {
+            const double before = s, missing = rest;
+            s += std::max(std::clamp(step_, -rest, -8 * rest), chord / shortest_step);
+            rest = beyond(std::min(s, arc_.length()), chord);
+            if (rest >= 0) {
+                return between(before, missing, s, rest, chord);
+            }
+            if (rest >= -4 * eps * chord) {
                 return s;
             }
-            s += missing;
+            const double slope = (rest - missing) / (s - before);
+            step_ = slope > 0 ? -rest / slope : 0;
         }
         return arc_.length();
     }
 
+    // By regula falsi as modified by Illinois (M. Dowell, P. Jarratt, BIT 11 (1971)).
+    double between(double lower, double below, double upper, double above, double chord) {
+        for (int step = 0; step < most_bisections && above > 4 * eps * chord; ++step) {
+            const double falsi = (lower * above - upper * below) / (above - below);
+            const double middle = falsi > lower && falsi < upper ? falsi : lower / 2 + upper / 2;
+            if (!(middle > lower && middle < upper)) {
+                break;
+            }
+            const double rest = beyond(middle, chord);
+            if (rest < 0) {
+                lower = middle;
+                below = rest;
+                above /= 2;
+                if (rest >= -4 * eps * chord) {
+                    return middle;
+                }
+            } else {
+                upper = middle;
+                above = rest;
+                below /= 2;
+            }
+        }
+        return upper;
+    }
+
+    double step_ = 0;
     Arc &arc_;
     Interval range_;
     int64_t parts_;
@@ -112,14 +148,14 @@ double divide_by_length(const Spline &curve, Interval range, int64_t parts, doub
     const double part = arc.length() / static_cast<double>(parts);
     params.assign(1, range.lower);
     for (int64_t i = 1; i < parts; ++i) {
-        params.push_back(arc.param(static_cast<double>(i) * part));
+        params.push_back(std::max(params.back(), arc.param(static_cast<double>(i) * part)));
     }
     params.push_back(range.upper);
     return arc.to_model(part);
 }
 
-// Chords are no longer than arcs. Bisection, with the step of regula falsi as modified by Illinois (M. Dowell,
-// P. Jarratt, BIT 11 (1971)) wherever it stays inside.
+// Chords are no longer than arcs. Regula falsi as modified by Illinois, every third step a bisection, since
+// the excess may jump.
 double divide_by_chord(const Spline &curve, Interval range, int64_t parts, double relative_tolerance,
                        std::vector<double> &params) {
     Arc arc(curve, range, parts, relative_tolerance);
@@ -127,8 +163,9 @@ double divide_by_chord(const Spline &curve, Interval range, int64_t parts, doubl
     double upper = arc.length() / static_cast<double>(parts), lower = 0;
     double above = walk.excess(upper), below = arc.length();
     double chord = upper, rest = above;
-    const double allowed = std::max(relative_tolerance, 64 * eps * static_cast<double>(parts));
-    for (int step = 0; step < most_bisections && std::abs(rest) > 4 * eps * arc.length(); ++step) {
+    // Below 1, so that a walk that ends too early is never taken.
+    const double allowed = std::min(std::max(relative_tolerance, 64 * eps * static_cast<double>(parts)), 0.5);
+    for (int step = 0; step < most_bisections && std::abs(rest) > allowed / 8 * chord; ++step) {
         const double falsi = (lower * above - upper * below) / (above - below);
         chord = step % 3 < 2 && falsi > lower && falsi < upper ? falsi : lower / 2 + upper / 2;
         if (!(chord > lower && chord < upper)) {

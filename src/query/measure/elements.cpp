@@ -36,7 +36,8 @@ ModelFrame model_frame(const Spline *const *splines, int64_t count) {
     for (size_t c = 0; c < dim; ++c) {
         const bool any = std::isfinite(lower[c]) && std::isfinite(upper[c]);
         frame.centre.push_back(any ? lower[c] / 2 + upper[c] / 2 : 0);
-        extent = std::max(extent, any ? upper[c] / 2 - lower[c] / 2 : 0);
+        const double half = any ? upper[c] / 2 - lower[c] / 2 : 0;
+        extent = std::max(extent, any && half < 0x1p-1000 ? upper[c] - lower[c] : half);
     }
     frame.exponent = extent > 0 ? std::max(std::ilogb(extent) + 1, -1000) : 0;
     return frame;
@@ -130,6 +131,10 @@ Elements::Elements(const Spline &spline, const ModelFrame &frame, const Ranges &
         const KnotVector &axis = spline.axis(k);
         const auto at = static_cast<size_t>(k);
         coefficients_ *= axis.degree() + 1;
+        const auto spans = static_cast<size_t>(axis.count() - axis.degree());
+        axes_[at].matrices.reserve(spans * static_cast<size_t>((axis.degree() + 1) * (axis.degree() + 1)));
+        axes_[at].firsts.reserve(spans);
+        axes_[at].intervals.reserve(spans);
         for (int64_t span = axis.degree(); span < axis.count(); ++span) {
             if (axis[span] < axis[span + 1] && axis[span] < ranges[at].upper &&
                 axis[span + 1] > ranges[at].lower) {

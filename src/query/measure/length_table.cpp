@@ -102,7 +102,9 @@ double LengthTable::param_at(double length, double *work) const noexcept {
     const auto end = std::lower_bound(starts_.begin() + 1, starts_.end() - 1, length);
     const auto leaf = static_cast<size_t>(end - starts_.begin() - 1);
     const LengthLeaf &at = leaves_[leaf];
-    const double x = solve(leaf, length - starts_[leaf], work);
+    const double x = length <= starts_[leaf]       ? 0
+                     : length >= starts_[leaf + 1] ? 1
+                                                   : solve(leaf, length - starts_[leaf], work);
     const Interval part = pieces_.interval(at.piece);
     const double u = at.lower + x * (at.upper - at.lower);
     return u >= 1 ? part.upper : std::min(part.lower + u * (part.upper - part.lower), part.upper);

@@ -53,6 +53,7 @@ public:
                (order_ == MomentOrder::inertia ? dim_ * (dim_ + 1) / 2 : 0);
     }
     [[nodiscard]] bool absolute() const noexcept override { return axes_ == dim_; }
+    [[nodiscard]] bool metric() const noexcept override { return true; }
     [[nodiscard]] int degree(int places) const noexcept override {
         return axes_ == dim_ ? (dim_ + static_cast<int>(order_)) * places : -1;
     }
@@ -97,6 +98,7 @@ public:
     using MomentIntegrand::MomentIntegrand;
 
     [[nodiscard]] bool absolute() const noexcept override { return false; }
+    [[nodiscard]] bool metric() const noexcept override { return false; }
     [[nodiscard]] int degree(int places) const noexcept override {
         return (dim() + static_cast<int>(order())) * places;
     }
@@ -171,26 +173,13 @@ void check_finite(const Moments &found) {
     }
 }
 
-int degree_sum(const std::vector<Elements> &splines) noexcept {
-    int most = 0;
-    for (const Elements &elements : splines) {
-        int sum = 0;
-        for (int k = 0; k < elements.axes(); ++k) {
-            sum += elements.degree(k) + 1;
-        }
-        most = std::max(most, sum);
-    }
-    return most;
-}
-
 Moments moments_of(const std::vector<Elements> &splines, const Integrand &integrand, const Factors &factors,
                    const ModelFrame &frame, MomentOrder order, double relative_tolerance) {
     const Integrals sums = integrate(splines, integrand, relative_tolerance);
     const int power = frame.exponent * factors.dimension;
-    const double rounding = 4 * degree_sum(splines) * eps * sums.size;
     Moments result;
     result.content = std::ldexp(sums.values[0] * factors.content, power);
-    result.error = std::ldexp((sums.errors[0] + rounding) * factors.content, power);
+    result.error = std::ldexp((sums.errors[0] + sums.rounding) * factors.content, power);
     if (!sums.converged || !std::isfinite(sums.values[0])) {
         fail(NURBS_ERROR_NOT_CONVERGED,
              "content = %s: the error reached is %s, expected relative_tolerance = %s",

@@ -1,6 +1,7 @@
 #include "query/measure/nested_rule.h"
 
 #include "basis/binomial.h"
+#include "query/measure/speed_kernel.h"
 
 #include <algorithm>
 #include <array>
@@ -141,6 +142,50 @@ constexpr double weights_63[] = {
     0.01553677555584398244,    0.012934839663607373455,  0.010297116957956355575,  0.0077033752332797489011,
     0.0052491234548106609491,  0.0030577534110586231698, 0.0012895248973428441362, 0.00018161074092276532985};
 
+constexpr std::array<const double *, rule_levels> weight_tables = {weights_3, weights_7, weights_15,
+                                                                   weights_31, weights_63};
+
+// For each level the factors (2 k + 1) P_k(x_i) w_i of six Legendre coefficients: three high ones, up to half the
+// exactness, and three about half as high.
+class DecayRows {
+public:
+    constexpr DecayRows() {
+        for (size_t level = 1; level < rule_levels; ++level) {
+            for (size_t row = 0; row < 6; ++row) {
+                for (size_t i = 0; i < static_cast<size_t>(rule_size(static_cast<int>(level))); ++i) {
+                    const int k = degrees[level][row];
+                    rows_[level][row][i] =
+                        (2 * k + 1) * legendre(k, 2 * places[i] - 1) * weight_tables[level][i];
+                }
+            }
+        }
+    }
+    [[nodiscard]] const double *row(int level, size_t row) const noexcept {
+        return rows_[static_cast<size_t>(level)][row].data();
+    }
+
+private:
+    static constexpr int degrees[rule_levels][6] = {{0, 0, 0, 0, 0, 0},
+                                                    {5, 4, 3, 3, 2, 1},
+                                                    {11, 10, 9, 6, 5, 4},
+                                                    {23, 22, 21, 12, 11, 10},
+                                                    {47, 46, 45, 24, 23, 22}};
+
+    static constexpr double legendre(int n, double x) {
+        double before = 1, value = x;
+        for (int k = 1; k < n; ++k) {
+            const double next = ((2 * k + 1) * x * value - k * before) / (k + 1);
+            before = value;
+            value = next;
+        }
+        return value;
+    }
+
+    std::array<std::array<std::array<double, rule_capacity>, 6>, rule_levels> rows_{};
+};
+
+constexpr DecayRows decay_rows;
+
 // u^0, ..., u^degree.
 void powers(double u, int degree, double *out) noexcept {
     out[0] = 1;
@@ -160,9 +205,7 @@ const double *rule_rests() noexcept {
 }
 
 const double *rule_weights(int level) noexcept {
-    static constexpr std::array<const double *, rule_levels> all = {weights_3, weights_7, weights_15,
-                                                                    weights_31, weights_63};
-    return all[static_cast<size_t>(level)];
+    return weight_tables[static_cast<size_t>(level)];
 }
 
 void rule_basis(int degree, double *values) noexcept {
@@ -193,16 +236,31 @@ void rule_basis_derivatives(int degree, double *derivatives) noexcept {
     }
 }
 
-double extrapolated_error(double first, double second, double third, double magnitude) noexcept {
-    constexpr double safety = 100; // the ratio seen may be better than those to come
-    constexpr double noise = 8 * std::numeric_limits<double>::epsilon();
-    const double before = std::abs(second - first), last = std::abs(third - second);
-    const double ratio = magnitude > 0 ? before / magnitude : 0;
-    const double expected = ratio * ratio * ratio * before;
-    if (last <= noise * magnitude) {
-        return expected;
+double RuleDecay::error(double magnitude) const noexcept {
+    constexpr double noise = 64 * std::numeric_limits<double>::epsilon();
+    return last <= noise * magnitude ? 0 : last * rate * rate;
+}
+
+double RuleDecay::one_higher() const noexcept {
+    const double square = rate * rate, fourth = square * square;
+    return fourth * fourth;
+}
+
+double RuleDecay::two_higher() const noexcept {
+    const double one = one_higher();
+    return one * one;
+}
+
+RuleDecay rule_decay(int level, const double *values) noexcept {
+    std::array<const double *, 7> rows{rule_weights(level)};
+    for (size_t row = 1; row < rows.size(); ++row) {
+        rows[row] = decay_rows.row(level, row - 1);
     }
-    return std::max(safety * last < before ? last * (safety * last / before) : last, expected);
+    std::array<double, 7> sums;
+    rule_sums(rows.data(), values, std::max(8, rule_size(level)), sums.data());
+    const double last = std::max({std::abs(sums[1]), std::abs(sums[2]), std::abs(sums[3])});
+    const double low = std::max({std::abs(sums[4]), std::abs(sums[5]), std::abs(sums[6])});
+    return {sums[0], last, last < low ? last / low : 1};
 }
 
 } // namespace nrb

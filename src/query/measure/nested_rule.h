@@ -29,11 +29,22 @@ const double *rule_weights(int level) noexcept;
 void rule_basis(int degree, double *values) noexcept;                  // [degree + 1][rule_capacity]
 void rule_basis_derivatives(int degree, double *derivatives) noexcept; // [degree + 1][rule_capacity]
 
-// What three rules of consecutive levels say about the error of the last. Where the integrand is analytic the
-// errors are squared from level to level: the second difference is about the square of the first, and the error
-// their fourth power, relative to the integral of the magnitude. Elsewhere they fall by a ratio. One more step of
-// the ratio seen is above the former and close to the latter; a second difference that is small by accident
-// does not count for more than the first one promises.
-double extrapolated_error(double first, double second, double third, double magnitude) noexcept;
+// What the values of a function at the nodes of a level >= 1 tell, relative to the integral of its magnitude. The
+// rule gives the Legendre coefficients a_k of the function up to about half its exactness; of three neighbours
+// the largest is taken, since one may vanish by accident. Where the function is analytic a_k falls like rho^-k
+// and the rule is off by about a_k at twice the highest k; elsewhere a_k falls like a power of k.
+struct RuleDecay {
+    double integral;
+    double last; // the largest of the highest coefficients
+    double rate; // over the largest of those half as high; at most 1
+
+    // last rate^2 is a step too short for analytic functions, by rho^(2 to 5), and right or too long for others.
+    [[nodiscard]] double error(double magnitude) const noexcept;
+    // What the error of a rule will be that is one or two levels higher, relative to the integral.
+    [[nodiscard]] double one_higher() const noexcept;
+    [[nodiscard]] double two_higher() const noexcept;
+};
+// `values`: those at the nodes of the level in storage.
+RuleDecay rule_decay(int level, const double *values) noexcept;
 
 } // namespace nrb

@@ -43,6 +43,17 @@ void speeds(const SpeedForm &form, const double *net, int first, int count, doub
     }
 }
 
+void rule_sums(const double *const *rows, const double *values, int count, double *sums) {
+    const Wide d;
+    for (int row = 0; row < 7; ++row) {
+        auto sum = hn::Zero(d);
+        for (int i = 0; i < count; i += static_cast<int>(hn::Lanes(d))) {
+            sum = hn::MulAdd(hn::LoadU(d, rows[row] + i), hn::LoadU(d, values + i), sum);
+        }
+        sums[row] = hn::GetLane(hn::SumOfLanes(d, sum));
+    }
+}
+
 } // namespace HWY_NAMESPACE
 } // namespace nrb
 HWY_AFTER_NAMESPACE();
@@ -54,6 +65,12 @@ HWY_EXPORT(speeds);
 
 void speeds(const SpeedForm &form, const double *net, int first, int count, double *out) noexcept {
     HWY_DYNAMIC_DISPATCH(speeds)(form, net, first, count, out);
+}
+
+HWY_EXPORT(rule_sums);
+
+void rule_sums(const double *const *rows, const double *values, int count, double *sums) noexcept {
+    HWY_DYNAMIC_DISPATCH(rule_sums)(rows, values, count, sums);
 }
 
 } // namespace nrb

@@ -20,4 +20,7 @@ struct SpeedForm {
 // Speeds at nodes [first, first + count), multiples of 8, into their places in out.
 void speeds(const SpeedForm &form, const double *net, int first, int count, double *out) noexcept;
 
+// The sums of `count` values, a multiple of 8, times each of seven rows of factors.
+void rule_sums(const double *const *rows, const double *values, int count, double *sums) noexcept;
+
 } // namespace nrb

@@ -1,6 +1,7 @@
 #include "query/measure/tensor_integral.h"
 
 #include "base/sum.h"
+#include "query/measure/element_shape.h"
 #include "query/measure/tensor_rule.h"
 
 #include <algorithm>
@@ -43,6 +44,7 @@ public:
             Element element;
             for (int64_t e = 0; e < elements.size(); ++e) {
                 elements.load(e, element);
+                add_rounding(elements, element);
                 rule.evaluate(element.net.data(), element.origin, first(elements));
                 accept(rule, elements.axes(), true);
             }
@@ -52,19 +54,23 @@ public:
 
     Integrals run(const Goal &goal) {
         start();
+        budget_ = 0;
         for (const Elements &elements : splines_) {
             TensorRule rule(elements, integrand_);
+            ElementShape shape(elements);
             Element element;
-            budget_ = least_budgets[axis_index(elements)] + budget_for_an_element * elements.size();
+            budget_ += least_budgets[axis_index(elements)] + budget_for_an_element * elements.size();
             for (int64_t e = 0; e < elements.size(); ++e) {
                 elements.load(e, element);
-                run_element(elements, element, rule, goal);
+                add_rounding(elements, element);
+                run_element(elements, element, rule, shape, goal);
             }
         }
         return finish();
     }
 
     [[nodiscard]] int64_t count() const noexcept { return count_; }
+    [[nodiscard]] bool spent() const noexcept { return budget_ < 0; }
 
 private:
     static size_t axis_index(const Elements &elements) noexcept {
@@ -80,6 +86,7 @@ private:
         sums_.assign(values_, {});
         errors_.assign(values_, {});
         size_ = {};
+        rounding_ = 0;
     }
 
     Integrals finish() const {
@@ -89,6 +96,7 @@ private:
             result.errors.push_back(errors_[j].value());
         }
         result.size = size_.value();
+        result.rounding = rounding_;
         return result;
     }
 
@@ -108,11 +116,10 @@ private:
             double most = 0;
             for (int j = 0; j < static_cast<int>(values_); ++j) {
                 const double allowed = part * goal.tolerances[static_cast<size_t>(j)];
-                const double r = rule.difference(k, j) / rule.magnitude(j);
                 const double error = rule.error(k, j) * axes;
                 if (error > allowed) {
                     most = std::max(most, error / allowed);
-                    promising = promising && r * r * r * rule.magnitude(j) <= allowed;
+                    promising = promising && rule.decay(k, j).one_higher() * rule.magnitude(j) <= allowed;
                 }
             }
             if (most > worst) {
@@ -123,7 +130,8 @@ private:
         return verdict;
     }
 
-    void run_element(const Elements &elements, const Element &element, TensorRule &rule, const Goal &goal) {
+    void run_element(const Elements &elements, const Element &element, TensorRule &rule, ElementShape &shape,
+                     const Goal &goal) {
         const int axes = elements.axes();
         const size_t size = element.net.size();
         nets_.assign(element.net.begin(), element.net.end());
@@ -135,6 +143,10 @@ private:
                 rule.evaluate(nets_.data() + nets_.size() - size, element.origin, levels);
                 verdict = judge(rule, levels, axes, goal);
             } while (verdict.axis >= 0 && verdict.raise && ++levels[static_cast<size_t>(verdict.axis)] > 0);
+            if (verdict.axis < 0 && depths_.back() < most_halvings / 2 && matters(rule, goal)) {
+                verdict.axis = shape.uneven_axis(nets_.data() + nets_.size() - size, element.spread,
+                                                 integrand_.metric());
+            }
             const bool good = verdict.axis < 0;
             if (good || depths_.back() >= most_halvings || --budget_ < 0 || !std::isfinite(rule.value(0))) {
                 accept(rule, axes, good);
@@ -144,6 +156,22 @@ private:
             }
             halve_top(elements, size, verdict.axis);
         }
+    }
+
+    // Whether an element is neither exact nor as small as its error may be.
+    [[nodiscard]] bool matters(const TensorRule &rule, const Goal &goal) const noexcept {
+        return !rule.exact() && rule.magnitude(0) > goal.share * goal.tolerances[0];
+    }
+
+    // Derivatives are off by a few eps of the spread for each degree.
+    void add_rounding(const Elements &elements, const Element &element) noexcept {
+        int degrees = 0;
+        double product = 1;
+        for (int k = 0; k < elements.axes(); ++k) {
+            degrees += elements.degree(k) + 1;
+            product *= element.spread;
+        }
+        rounding_ += 4 * degrees * eps * product;
     }
 
     void halve_top(const Elements &elements, size_t size, int axis) {
@@ -165,7 +193,7 @@ private:
             sums_[j].add(rule.value(static_cast<int>(j)));
             double error = 4 * eps * rule.magnitude(static_cast<int>(j));
             for (int k = 0; k < axes; ++k) {
-                error += good ? rule.error(k, static_cast<int>(j)) : rule.difference(k, static_cast<int>(j));
+                error += good ? rule.error(k, static_cast<int>(j)) : rule.decay(k, static_cast<int>(j)).last;
             }
             errors_[j].add(std::isfinite(error) ? error : std::numeric_limits<double>::infinity());
         }
@@ -181,6 +209,7 @@ private:
     std::vector<int> depths_;
     std::vector<CompensatedSum> sums_, errors_;
     CompensatedSum size_;
+    double rounding_ = 0;
 };
 
 Goal goal_of(const Integrals &known, const Integrand &integrand, double tolerance, double share) {
@@ -188,7 +217,7 @@ Goal goal_of(const Integrals &known, const Integrand &integrand, double toleranc
     const size_t dependent = known.values.size() - static_cast<size_t>(integrand.independent());
     for (size_t j = 0; j < known.values.size(); ++j) {
         const double own = j < dependent ? std::abs(known.values[0]) : known.size;
-        goal.tolerances.push_back(std::max(tolerance * own, 16 * eps * known.size));
+        goal.tolerances.push_back(std::max(tolerance * own, 16 * eps * known.size + known.rounding / 4));
     }
     return goal;
 }
@@ -207,10 +236,10 @@ Integrals integrate(const std::vector<Elements> &splines, const Integrand &integ
         const Goal reached = goal_of(result, integrand, tolerance, share);
         result.converged = true;
         for (size_t j = 0; j < result.values.size(); ++j) {
-            const double rounding = 4 * eps * result.size;
+            const double rounding = 4 * eps * result.size + result.rounding;
             result.converged = result.converged && result.errors[j] <= 2 * (reached.tolerances[j] + rounding);
         }
-        if (result.converged) {
+        if (result.converged || search.spent()) {
             break;
         }
     }

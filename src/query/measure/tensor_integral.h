@@ -17,6 +17,8 @@ public:
     [[nodiscard]] virtual int independent() const noexcept { return 0; }
     // Whether all values change their sign where the first one is negative, so that its magnitude counts.
     [[nodiscard]] virtual bool absolute() const noexcept { return false; }
+    // Whether values have dips and peaks where the spline turns sharply, as those of lengths and areas.
+    [[nodiscard]] virtual bool metric() const noexcept { return false; }
     // The degree, before signs are changed, along an axis along which the places have this degree, if it is a polynomial, else -1.
     [[nodiscard]] virtual int degree(int places) const noexcept = 0;
     // `place` [dim] in the frame of the model, `derivatives` [axes][dim] with respect to coordinates in [0, 1] of
@@ -28,6 +30,7 @@ struct Integrals {
     std::vector<double> values;
     std::vector<double> errors; // estimates, rounding included
     double size = 0;            // integral of the magnitude of the first one
+    double rounding = 0;        // of each, at most
     bool converged = true;
 };
 

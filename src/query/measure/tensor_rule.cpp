@@ -6,18 +6,6 @@
 
 namespace nrb {
 
-namespace {
-
-// The middle alone is the rule below the first level.
-double weight(int level, int node) noexcept {
-    if (level < 0) {
-        return node == 1 ? 1 : 0;
-    }
-    return node < rule_size(level) ? rule_weights(level)[node] : 0;
-}
-
-} // namespace
-
 TensorRule::TensorRule(const Elements &elements, const Integrand &integrand)
     : integrand_(integrand), axes_(elements.axes()), dim_(elements.dim()), values_(integrand.values()),
       rational_(elements.rational()), coefficients_(elements.coefficients()) {
@@ -33,7 +21,8 @@ TensorRule::TensorRule(const Elements &elements, const Integrand &integrand)
     place_.resize(static_cast<size_t>(dim_));
     first_.resize(static_cast<size_t>(dim_ * axes_));
     out_.resize(static_cast<size_t>(values_));
-    sums_.resize(static_cast<size_t>((2 * axes_ + 1) * values_));
+    across_.resize(static_cast<size_t>(axes_ * values_ * rule_capacity));
+    decays_.resize(static_cast<size_t>(axes_ * values_));
     magnitudes_.resize(static_cast<size_t>(values_));
 }
 
@@ -88,69 +77,66 @@ void TensorRule::visit_node(int64_t node, const std::vector<double> &origin) {
     }
 }
 
-void TensorRule::add(const std::array<int, max_axes> &at, const Levels &levels) {
-    std::array<double, 2 * max_axes + 1> weights;
-    weights.fill(1);
+void TensorRule::add(const std::array<int, max_axes> &at, const std::array<double, max_axes> &weights) {
     for (int k = 0; k < axes_; ++k) {
-        const auto a = static_cast<size_t>(k);
-        for (int rule = 0; rule <= 2 * axes_; ++rule) {
-            const int below = rule == 2 * k + 1 ? 1 : rule == 2 * k + 2 ? 2 : 0;
-            weights[static_cast<size_t>(rule)] *= weight(levels[a] - below, at[a]);
+        double others = 1;
+        for (int l = 0; l < axes_; ++l) {
+            others *= l == k ? 1 : weights[static_cast<size_t>(l)];
         }
-    }
-    for (int rule = 0; rule <= 2 * axes_; ++rule) {
-        double *sums = sums_.data() + rule * values_;
+        double *across = across_.data() + k * values_ * rule_capacity + at[static_cast<size_t>(k)];
         for (int j = 0; j < values_; ++j) {
-            sums[j] += weights[static_cast<size_t>(rule)] * out_[static_cast<size_t>(j)];
+            across[j * rule_capacity] += others * out_[static_cast<size_t>(j)];
         }
     }
+    const double weight = weights[0] * weights[1] * weights[2];
     for (size_t j = 0; j < magnitudes_.size(); ++j) {
-        magnitudes_[j] += weights[0] * std::abs(out_[j]);
+        magnitudes_[j] += weight * std::abs(out_[j]);
     }
 }
 
 void TensorRule::evaluate(const double *net, const std::vector<double> &origin, const Levels &levels) {
     positive_ = negative_ = false;
     expand(net, levels);
-    std::fill(sums_.begin(), sums_.end(), 0.0);
+    std::fill(across_.begin(), across_.end(), 0.0);
     std::fill(magnitudes_.begin(), magnitudes_.end(), 0.0);
     std::array<int, max_axes> sizes{1, 1, 1}, at{};
+    std::array<double, max_axes> weights{1, 1, 1};
     for (size_t k = 0; k < static_cast<size_t>(axes_); ++k) {
         sizes[k] = rule_size(levels[k]);
     }
-    const auto counts = [&](int k) {
-        return k >= axes_ || weight(levels[static_cast<size_t>(k)], at[static_cast<size_t>(k)]) != 0;
+    const auto weight = [&](int k) {
+        const auto axis = static_cast<size_t>(k);
+        return k < axes_ ? rule_weights(levels[axis])[at[axis]] : 1;
     };
     int64_t node = 0;
     for (at[0] = 0; at[0] < sizes[0]; ++at[0]) {
         for (at[1] = 0; at[1] < sizes[1]; ++at[1]) {
             for (at[2] = 0; at[2] < sizes[2]; ++at[2], ++node) {
-                if (counts(0) && counts(1) && counts(2)) {
+                weights = {weight(0), weight(1), weight(2)};
+                if (weights[0] * weights[1] * weights[2] != 0) {
                     visit_node(node, origin);
-                    add(at, levels);
+                    add(at, weights);
                 }
             }
         }
     }
+    finish(levels);
+}
+
+void TensorRule::finish(const Levels &levels) {
     for (size_t k = 0; k < static_cast<size_t>(axes_); ++k) {
         const int degree = rational_ ? -1 : integrand_.degree(degrees_[k]);
         const bool one_sign = !integrand_.absolute() || !positive_ || !negative_;
         exact_[k] = one_sign && degree >= 0 && degree <= rule_exactness(levels[k]);
+        for (size_t j = 0; j < static_cast<size_t>(values_); ++j) {
+            const size_t at = k * static_cast<size_t>(values_) + j;
+            decays_[at] = rule_decay(levels[k], across_.data() + at * rule_capacity);
+        }
     }
-}
-
-double TensorRule::difference(int axis, int j) const noexcept {
-    if (exact_[static_cast<size_t>(axis)]) {
-        return 0;
-    }
-    return std::abs(value(j) - lower(axis, 1, j));
 }
 
 double TensorRule::error(int axis, int j) const noexcept {
-    if (exact_[static_cast<size_t>(axis)]) {
-        return 0;
-    }
-    return extrapolated_error(lower(axis, 2, j), lower(axis, 1, j), value(j), magnitude(j));
+    return exact_[static_cast<size_t>(axis)] ? 0 : decay(axis, j).error(magnitude(j));
 }
 
 } // namespace nrb
