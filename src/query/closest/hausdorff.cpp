@@ -162,7 +162,7 @@ private:
         double best = infinity;
         for (const PairPiece &other : pieces_) {
             if (other.contains(foot.params)) {
-                best = std::min(best, bound_.upper(piece, other, other.place(foot.params)));
+                best = std::min(best, bound_.upper(piece, other, other.place(foot.params), limit()));
             }
         }
         return best;

@@ -112,7 +112,21 @@ double largest_quotient_of(const RoundedPolynomial &numerator, const RoundedPoly
 
 } // namespace
 
-double MatchedBound::upper(const PairPiece &x, const PairPiece &y, const Place &guess) {
+// The same by the squares, whose coefficients do not turn with the vectors: equal for concentric arcs.
+double largest_norm_of(const RoundedPolynomial &numerator, const RoundedPolynomial &denominator) {
+    const RoundedPolynomial squares = dot(numerator, numerator), weights = denominator * denominator;
+    double largest = 0;
+    for (size_t i = 0; i < squares.values.size(); ++i) {
+        const double w = weights.values[i] - weights.error(i);
+        if (!(w > 0)) {
+            return infinity;
+        }
+        largest = std::max(largest, (squares.values[i] + squares.error(i)) / w);
+    }
+    return std::sqrt(largest) * (1 + 1e-15);
+}
+
+double MatchedBound::upper(const PairPiece &x, const PairPiece &y, const Place &guess, double enough) {
     if (!x.positive() || !y.positive()) {
         return infinity;
     }
@@ -136,7 +150,9 @@ double MatchedBound::upper(const PairPiece &x, const PairPiece &y, const Place &
     const RoundedPolynomial image = composition(y, map_of(x, y, corners));
     const RoundedPolynomial points = part_of(x, 0, dim), w = part_of(x, dim, 1), v = component(image, dim);
     const RoundedPolynomial difference = points * v - components(image, 0, dim) * w;
-    return largest_quotient_of(difference, v * w) + x.moved() + y.moved();
+    const RoundedPolynomial weights = v * w;
+    const double moved = x.moved() + y.moved(), most = largest_quotient_of(difference, weights) + moved;
+    return most <= enough ? most : std::min(most, largest_norm_of(difference, weights) + moved);
 }
 
 } // namespace nrb

@@ -12,7 +12,8 @@ namespace nrb {
 // moved() of both are included; infinite where weights are not positive.
 class MatchedBound {
 public:
-    double upper(const PairPiece &x, const PairPiece &y, const Place &guess);
+    // `enough`: no less is wanted.
+    double upper(const PairPiece &x, const PairPiece &y, const Place &guess, double enough);
 
 private:
     PieceJet jet_;
