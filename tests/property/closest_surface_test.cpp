@@ -198,6 +198,7 @@ TEST(ClosestSurface, distances_are_those_of_the_parameters_in_exact_arithmetic) 
 }
 
 TEST(ClosestSurface, a_range_is_searched_alone) {
+    int asked = 0, certified = 0;
     for_each_case(2120000, 150, [&](Random &random, uint64_t seed) {
         const SplineData data = random_shape(random, true);
         const Handle g = create(data);
@@ -220,12 +221,15 @@ TEST(ClosestSurface, a_range_is_searched_alone) {
                 ASSERT_LE(answer.params[k], range[2 * k + 1]) << where(seed, data);
             }
             const double best = sampled(g.get(), data, x, farthest, range, data.axes() == 2 ? 20 : 6);
+            ++asked;
             if (answer.has(NURBS_CLOSEST_CERTIFIED)) {
+                ++certified;
                 ASSERT_LE(farthest ? best - answer.distance : answer.distance - best, noise(data, x))
                     << where(seed, data) << hex(x) << hex(range);
             }
         }
     });
+    EXPECT_GE(certified, asked * 99 / 100);
 }
 
 // In powers of two nothing is rounded.
@@ -365,6 +369,124 @@ TEST(ClosestSurface, volumes_are_inverted) {
         ASSERT_TRUE(answer.has(NURBS_CLOSEST_CERTIFIED)) << where(seed, data);
         ASSERT_LE(answer.distance, noise(data, x)) << where(seed, data) << hex(at);
     });
+}
+
+struct Critical {
+    std::vector<double> params, distances;
+    std::vector<int32_t> kinds;
+    int32_t status = 0;
+};
+
+Critical critical(const nurbs *g, int axes, const std::vector<double> &x) {
+    int64_t count = 0;
+    require_ok(nurbs_critical_points(g, x.data(), nullptr, 0, 200000, 0, nullptr, nullptr, nullptr, &count,
+                                     nullptr));
+    const auto n = static_cast<size_t>(count);
+    Critical found{std::vector<double>(n * static_cast<size_t>(axes)), std::vector<double>(n),
+                   std::vector<int32_t>(n), 0};
+    require_ok(nurbs_critical_points(g, x.data(), nullptr, 0, 200000, count, found.params.data(),
+                                     found.distances.data(), found.kinds.data(), &count, &found.status));
+    return found;
+}
+
+// Where the distance has a maximum along an edge of the domain and so on, in the sense of Morse: the points at which
+// it grows into the domain, minima less saddles plus maxima, are the Euler characteristic 1 of a disc.
+int morse_sum(const nurbs *g, const SplineData &data, const std::vector<double> &x, const Critical &found) {
+    int sum = 0;
+    for (size_t i = 0; i < found.kinds.size(); ++i) {
+        const std::vector<double> at{found.params[2 * i], found.params[2 * i + 1]};
+        const std::vector<double> jet = eval_derivs(g, 1, at);
+        int sides = 0;
+        bool grows = true;
+        for (int k = 0; k < 2; ++k) {
+            const auto axis = static_cast<size_t>(k);
+            double slope = 0;
+            for (size_t c = 0; c < 3; ++c) {
+                slope += (jet[c] - x[c]) * jet[3 * (axis + 1) + c];
+            }
+            const bool first = at[axis] == data.lower(k), last = at[axis] == data.upper(k);
+            sides += first || last ? 1 : 0;
+            grows = grows && (!(first || last) || (first ? slope > 0 : slope < 0));
+            EXPECT_TRUE(first || last || std::fabs(slope) < 1e-7 * (1 + found.distances[i]));
+        }
+        if (grows) {
+            const bool plus = found.kinds[i] == NURBS_CRITICAL_MINIMUM ||
+                              (sides == 0 && found.kinds[i] == NURBS_CRITICAL_MAXIMUM);
+            sum += plus ? 1 : -1;
+        }
+    }
+    return sum;
+}
+
+TEST(ClosestSurface, critical_points_add_up_to_the_characteristic_of_a_disc) {
+    int certified = 0, all = 0;
+    for_each_case(2180000, 60, [&](Random &random, uint64_t seed) {
+        const int spans = random.whole(1, 3), n = spans + 3;
+        SplineData data{{3, 3}, {n, n}, {}, 3, {}, {}, 0};
+        for (int k = 0; k < 2; ++k) {
+            std::vector<double> knots(4, 0.0);
+            for (int i = 1; i < spans; ++i) {
+                knots.push_back(i);
+            }
+            knots.insert(knots.end(), 4, spans);
+            data.knots.push_back(knots);
+        }
+        const bool weighted = random.chance(50);
+        for (int i = 0; i < n * n; ++i) {
+            data.points.insert(data.points.end(), {i / n + random.between(-0.3, 0.3),
+                                                   i % n + random.between(-0.3, 0.3), random.between(-1, 1)});
+            if (weighted) {
+                data.weights.push_back(random.between(0.5, 2));
+            }
+        }
+        const Handle g = create(data);
+        const std::vector<double> x{random.between(-1, n), random.between(-1, n), random.between(-3, 3)};
+        const Critical found = critical(g.get(), 2, x);
+        ++all;
+        if (found.status != NURBS_CLOSEST_CERTIFIED) {
+            return;
+        }
+        ++certified;
+        ASSERT_EQ(morse_sum(g.get(), data, x, found), 1) << where(seed, data) << hex(x);
+        const Answer near = ask(g.get(), data, x), far = ask(g.get(), data, x, true);
+        const auto [least, most] = std::minmax_element(found.distances.begin(), found.distances.end());
+        ASSERT_NEAR(*least, near.distance, noise(data, x)) << where(seed, data) << hex(x);
+        ASSERT_NEAR(*most, far.distance, noise(data, x)) << where(seed, data) << hex(x);
+    });
+    std::printf("%d of %d certified\n", certified, all);
+    EXPECT_GE(certified, all * 9 / 10);
+}
+
+// Two hills, and a point between them.
+TEST(ClosestSurface, all_minima_within_the_tolerance_are_found) {
+    const SplineData data{{2, 1},
+                          {3, 2},
+                          {{0, 0, 0, 1, 1, 1}, {0, 0, 1, 1}},
+                          3,
+                          {-1, -1, 1, -1, 1, 1, 0, -1, -3, 0, 1, -3, 1, -1, 1, 1, 1, 1},
+                          {},
+                          0};
+    const Handle g = create(data);
+    const std::vector<double> x{0, 0, 1};
+    int64_t count = 0;
+    int32_t status = 0;
+    double params[8], distances[4];
+    require_ok(nurbs_closest_all(g.get(), x.data(), nullptr, 1e-9, 0, 4, params, distances, &count, &status));
+    ASSERT_EQ(count, 2);
+    EXPECT_EQ(status & ~NURBS_CLOSEST_BOUNDARY, NURBS_CLOSEST_CERTIFIED | NURBS_CLOSEST_NOT_UNIQUE);
+    EXPECT_NEAR(params[0] + params[2], 1, 1e-12);
+    EXPECT_LT(params[0], params[2]);
+    EXPECT_NEAR(distances[0], distances[1], 1e-14);
+    const std::vector<double> aside{0.01, 0, 1};
+    require_ok(
+        nurbs_closest_all(g.get(), aside.data(), nullptr, 0, 0, 4, params, distances, &count, &status));
+    ASSERT_EQ(count, 1);
+    EXPECT_EQ(status & ~NURBS_CLOSEST_BOUNDARY, NURBS_CLOSEST_CERTIFIED);
+    const SplineData ball = sphere_of(1);
+    const double middle[] = {0, 0, 0};
+    require_ok(
+        nurbs_closest_all(create(ball).get(), middle, nullptr, 0, 0, 0, nullptr, nullptr, &count, &status));
+    EXPECT_EQ(status & ~NURBS_CLOSEST_BOUNDARY, NURBS_CLOSEST_NOT_UNIQUE);
 }
 
 } // namespace

@@ -413,6 +413,11 @@ bool PatchCritical::is_real(const Face &face, const PatchItem &whole, const Axis
             AxisValues other = at;
             other[i] = t;
             const PatchJet jet = descent_.jet(whole.values, other);
+            for (size_t j = 0; j < face.side.size(); ++j) { // an edge that is a point: like a corner
+                if (face.side[j] >= 0 && !(jet.gradient[j] * here.gradient[j] > 0)) {
+                    return false;
+                }
+            }
             for (int l = 0; l < face.shape.axes; ++l) {
                 const auto j = static_cast<size_t>(face.axis[static_cast<size_t>(l)]);
                 if (std::abs(jet.gradient[j]) > 64 * noise_ * std::sqrt(jet.metric[j][j]) + noise_ * noise_) {
@@ -443,18 +448,21 @@ int32_t PatchCritical::kind(const Face &face, const PatchItem &whole, const Axis
     if (n > 0) {
         SmallMatrix hessian(n, n);
         double trace = 0;
+        bool vanishes = false;
         for (int k = 0; k < n; ++k) {
             for (int l = 0; l < n; ++l) {
                 const auto i = static_cast<size_t>(face.axis[static_cast<size_t>(k)]);
                 const auto j = static_cast<size_t>(face.axis[static_cast<size_t>(l)]);
                 const double scale = std::sqrt(jet.metric[i][i] * jet.metric[j][j]);
-                hessian(k, l) = scale > 0 ? (jet.metric[i][j] + jet.curvature[i][j]) / scale : 0.0;
+                hessian(k, l) =
+                    scale > noise_ * noise_ ? (jet.metric[i][j] + jet.curvature[i][j]) / scale : 0.0;
             }
             trace += std::abs(hessian(k, k));
+            vanishes = vanishes || hessian(k, k) == 0;
         }
         const SmallVector values =
             Eigen::SelfAdjointEigenSolver<SmallMatrix>(hessian, Eigen::EigenvaluesOnly).eigenvalues();
-        for (int k = 0; k < n; ++k) {
+        for (int k = 0; k < n && !(vanishes && n == 1); ++k) { // nothing to count along a point
             count(values(k), 1e4 * eps * (1 + trace));
         }
     }

@@ -88,8 +88,7 @@ PatchProof::Range PatchProof::second_differences(int k, int l) const noexcept {
 }
 
 // F falls by at most n times the largest fall of a coefficient.
-bool PatchProof::drop_axes() noexcept {
-    const double allowed = 0.3 * goal_.margin * item_.least_weight * item_.least_weight;
+bool PatchProof::drop_axes(double allowed) noexcept {
     bool dropped = false;
     for (int k = 0; k < shape_.axes; ++k) {
         const auto at = static_cast<size_t>(k);
@@ -254,9 +253,23 @@ bool PatchProof::holds_at(const AxisValues &at) {
     return lost >= 0 && lost <= 0.5 * rest;
 }
 
+// Without what dropping an axis may cost first, so that a minimum which is the only one is known to be so.
 bool PatchProof::convex(const AxisValues *guess) {
-    while (drop_axes()) {
+    while (drop_axes(0)) {
     }
+    if (convex_on_face(guess)) {
+        return true;
+    }
+    const double allowed = 0.3 * goal_.margin * item_.least_weight * item_.least_weight;
+    if (!drop_axes(allowed)) {
+        return false;
+    }
+    while (drop_axes(allowed)) {
+    }
+    return convex_on_face(guess);
+}
+
+bool PatchProof::convex_on_face(const AxisValues *guess) {
     set_matrix();
     const Corner corner = least_corner();
     int free = 0;
@@ -287,9 +300,7 @@ bool PatchProof::convex(const AxisValues *guess) {
 }
 
 int PatchProof::widest_axis() noexcept {
-    const bool reduced =
-        std::find(face_.begin(), face_.begin() + shape_.axes, -1) != face_.begin() + shape_.axes;
-    if (!reduced) {
+    if (std::find(face_.begin(), face_.begin() + shape_.axes, -1) == face_.begin() + shape_.axes) {
         face_.fill(-1);
     }
     int widest = -1;

@@ -34,7 +34,7 @@ public:
     [[nodiscard]] bool positive() noexcept;
     // Whether F >= 0 by its shape; after positive(). `guess`: a minimum that is known, or null.
     [[nodiscard]] bool convex(const AxisValues *guess);
-    // The least distance in the box that convex() found, where, and whether there is no other minimum.
+    // The minimum of the distance on what convex() left of the box, and whether that of F is the only one.
     [[nodiscard]] bool found() const noexcept { return found_; }
     [[nodiscard]] double distance() const noexcept { return distance_; }
     [[nodiscard]] const AxisValues &at() const noexcept { return at_; }
@@ -53,7 +53,8 @@ private:
     void for_face(const std::array<int, max_axes> &shrink, Visit &&visit) const noexcept;
     [[nodiscard]] Range first_differences(int k) const noexcept;
     [[nodiscard]] Range second_differences(int k, int l) const noexcept;
-    bool drop_axes() noexcept;
+    bool drop_axes(double allowed) noexcept;
+    bool convex_on_face(const AxisValues *guess);
     void set_matrix() noexcept;
     struct Corner {
         double gap;     // F

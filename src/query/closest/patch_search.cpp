@@ -150,7 +150,7 @@ void PatchSearch::search_piece(int64_t piece, const Candidate *first, const Cand
     PatchItem whole = items_.whole(piece);
     items_.measure(whole);
     const PatchBox part = box(piece);
-    if (number > 5) { // most of the piece: all of it may be settled at once
+    if (number > 5 && query_.range == nullptr) { // most of the piece: all of it may be settled at once
         const PatchMemory::Hold again(memory_);
         PatchItem item = whole;
         bool fresh = false;
@@ -333,7 +333,7 @@ bool PatchSearch::settled(PatchItem &item, bool &fresh, int &axis) {
         if (proof.found() && improve_to(item, proof.at(), proof.distance())) {
             continue;
         }
-        if (convex) {
+        if (convex && (!all_ || is_least(item, gap, proof))) {
             consider(item, proof.at(), proof.distance(), proof.strict());
             return true;
         }
@@ -349,6 +349,19 @@ bool PatchSearch::settled(PatchItem &item, bool &fresh, int &axis) {
         return not_nearer && item.depth > deepest;
     }
     return false;
+}
+
+// Weights move the minimum of F away from that of the distance where it is not near 0: whether what was found is
+// the latter, if it counts.
+bool PatchSearch::is_least(const PatchItem &item, const PatchGap &gap, const PatchProof &found) {
+    const double value = sign_ * found.distance();
+    if (!pieces_.shape().weighted || value > upper()) {
+        return true;
+    }
+    PatchGoal least = goal(value - 0.875 * noise_, item);
+    least.rho = std::max(0.0, least.rho);
+    PatchProof proof(pieces_, descent_, item, least, gap);
+    return proof.positive() || proof.convex(&found.at());
 }
 
 bool PatchSearch::improve(const PatchItem &item, AxisValues at) {

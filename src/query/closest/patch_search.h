@@ -55,6 +55,7 @@ private:
     // A part of a piece is proved not to matter, or its halves are searched.
     void examine(PatchItem &item, bool fresh);
     bool settled(PatchItem &item, bool &fresh, int &axis);
+    bool is_least(const PatchItem &item, const PatchGap &gap, const PatchProof &found);
     bool settled_by_plane(const PatchItem &item);
     void split(PatchItem &item, int axis);
     [[nodiscard]] int longest_axis(const PatchItem &item) const noexcept;
