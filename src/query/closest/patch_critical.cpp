@@ -1,7 +1,6 @@
 #include "query/closest/patch_critical.h"
 
 #include "base/norm.h"
-#include "eval/slots.h"
 #include "query/closest/patch_place.h"
 
 #include <Eigen/Dense>
@@ -14,7 +13,6 @@ namespace nrb {
 namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
-constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr int64_t most_squared = 1024; // coefficients of patches whose squares are worth their cost
 constexpr int deepest = 26;            // halvings of an axis
 constexpr int shallow = 8;             // before a singular matrix is looked at
@@ -22,54 +20,7 @@ constexpr int shallow = 8;             // before a singular matrix is looked at
 using SmallMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, max_axes, max_axes>;
 using SmallVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, max_axes, 1>;
 
-double magnitude(double low, double high) noexcept {
-    return std::max(std::abs(low), std::abs(high));
-}
-
 } // namespace
-
-// Of a part: |Q|^2 / w^2, and for each axis of the face the derivatives times w^2, with rounding.
-struct PatchCritical::Bounds {
-    double least = infinite, most = 0;
-    std::array<Range, max_axes> first{};
-    std::array<std::array<Range, max_axes>, max_axes> second{};
-    bool sound = false;
-};
-
-namespace {
-
-// Loops over the coefficients of products but the last shrink[k] along each axis.
-template <class Visit>
-void for_products(const PatchShape &shape, const std::array<int, max_axes> &shrink, Visit &&visit) {
-    std::array<int64_t, max_axes> end{1, 1, 1}, step{};
-    int64_t stride = 1;
-    for (int k = shape.axes; k-- > 0; stride *= 2 * shape.degree(k) + 1) {
-        const auto place = static_cast<size_t>(k + max_axes - shape.axes);
-        end[place] = 2 * shape.degree(k) + 1 - shrink[static_cast<size_t>(k)];
-        step[place] = stride;
-    }
-    for (int64_t i = 0; i < end[0]; ++i) {
-        for (int64_t j = 0; j < end[1]; ++j) {
-            for (int64_t k = 0; k < end[2]; ++k) {
-                visit(i * step[0] + j * step[1] + k * step[2]);
-            }
-        }
-    }
-}
-
-int64_t product_step(const PatchShape &shape, int axis) noexcept {
-    int64_t step = 1;
-    for (int k = shape.axes; k-- > axis + 1;) {
-        step *= 2 * shape.degree(k) + 1;
-    }
-    return step;
-}
-
-} // namespace
-
-double PatchCritical::Range::size() const noexcept {
-    return magnitude(low, high);
-}
 
 PatchCritical::PatchCritical(const PatchPieces &pieces, const Query &query)
     : pieces_(pieces), query_(query), x_(memory_.take(pieces.shape().lanes)), items_(pieces, x_, memory_),
@@ -224,138 +175,63 @@ void PatchCritical::split(const Face &face, const PatchItem &whole, Part &part, 
 
 bool PatchCritical::settled(const Face &face, const PatchItem &whole, const Part &part, int &axis) {
     const PatchMemory::Hold hold(memory_);
-    const PatchShape &shape = face.shape;
-    const int64_t products = shape.products();
-    double *work = memory_.take(product_work(shape));
-    double *squares = memory_.take(products), *weights = memory_.take(products);
-    std::fill_n(weights, products, 1.0);
-    square_patch(shape, face.squares->tables(), part.values, work, squares, weights);
-
-    double reach = 0, least_weight = infinite, most_weight = 0;
-    const double *q = part.values;
-    for (int64_t i = 0; i < shape.coefficients(); ++i, q += shape.lanes) {
-        least_weight = std::min(least_weight, q[shape.dim]);
-        most_weight = std::max(most_weight, q[shape.dim]);
-        reach = std::max(reach, norm(q, shape.dim) / q[shape.dim]);
-    }
-    for (int k = 0; k < shape.axes; ++k) { // the longest, unless something better is known
+    for (int k = 0; k < face.shape.axes; ++k) { // the longest, unless something better is known
         axis = part.length[static_cast<size_t>(k)] > part.length[static_cast<size_t>(axis)] ? k : axis;
     }
-    const bool too_deep = part.depth > deepest * shape.axes;
-    if (!(least_weight > 0x1p-200)) {
+    const bool too_deep = part.depth > deepest * face.shape.axes;
+    const double moved = whole.moved + (part.depth + 1) * face.shape.degree(axis) * eps * whole.reach;
+    PatchSlopes slopes(face.shape, *face.squares, part.values, moved, memory_);
+    if (!slopes.sound()) {
         incomplete_ = incomplete_ || too_deep;
         return too_deep;
     }
-
-    Bounds bounds;
-    for (int64_t i = 0; i < products; ++i) {
-        bounds.least = std::min(bounds.least, squares[i] / weights[i]);
-        bounds.most = std::max(bounds.most, squares[i] / weights[i]);
-    }
-    const double moved = whole.moved + (part.depth + 1) * shape.degree(axis) * eps * reach;
-    const double error = (1.05 * face.squares->error() * (reach + bounds.most / reach) + 2.2 * moved) *
-                         reach * most_weight * most_weight;
-    AxisValues slope{};
-    double bend = 0;
-    for (int k = 0; k < shape.axes; ++k) {
-        const auto i = static_cast<size_t>(k);
-        const int n = 2 * shape.degree(k);
-        const int64_t s = product_step(shape, k);
-        std::array<int, max_axes> shrink{};
-        shrink[i] = 1;
-        Range range{infinite, -infinite};
-        double weight_slope = 0;
-        for_products(shape, shrink, [&](int64_t at) {
-            const double d = squares[at + s] - squares[at], w = weights[at + s] - weights[at];
-            range.low = std::min(range.low, std::min(d - bounds.least * w, d - bounds.most * w));
-            range.high = std::max(range.high, std::max(d - bounds.least * w, d - bounds.most * w));
-            weight_slope = std::max(weight_slope, std::abs(w));
-        });
-        if (range.low > 2 * error || range.high < -2 * error) {
-            return true; // the distance rises or falls throughout
-        }
-        bounds.first[i] = {n * (range.low - 2 * error), n * (range.high + 2 * error)};
-        slope[i] = n * weight_slope / (least_weight * least_weight);
-    }
-
-    // All distances agree to rounding: one point, or many.
-    if (std::sqrt(bounds.most) - std::sqrt(bounds.least) <= 8 * noise_ || too_deep) {
-        AxisValues at{};
-        for (int k = 0; k < pieces_.shape().axes; ++k) {
-            at[static_cast<size_t>(k)] = std::max(0, face.side[static_cast<size_t>(k)]);
-        }
-        for (int k = 0; k < shape.axes; ++k) {
-            const auto i = static_cast<size_t>(k);
-            at[static_cast<size_t>(face.axis[i])] = part.lower[i] + part.length[i] / 2;
-        }
-        double *point = memory_.take(shape.dim);
-        descent_.point(whole.values, at, point);
-        double extent = 0;
-        q = part.values;
-        for (int64_t i = 0; i < shape.coefficients(); ++i, q += shape.lanes) {
-            extent =
-                std::max(extent, norm_of(shape.dim, [&](int c) { return q[c] / q[shape.dim] - point[c]; }));
-        }
-        if (extent > near_ || is_real(face, whole, at)) {
-            add(face, whole, at, extent <= near_);
-        }
+    if (slopes.monotone()) {
         return true;
     }
-
-    SmallMatrix centre(shape.axes, shape.axes), radius(shape.axes, shape.axes);
-    for (int k = 0; k < shape.axes; ++k) {
-        for (int l = 0; l <= k; ++l) {
-            const auto i = static_cast<size_t>(k), j = static_cast<size_t>(l);
-            const int n = 2 * shape.degree(k), m = k == l ? n - 1 : 2 * shape.degree(l);
-            const int64_t s = product_step(shape, k), t = product_step(shape, l);
-            std::array<int, max_axes> shrink{};
-            ++shrink[i];
-            ++shrink[j];
-            Range range{infinite, -infinite};
-            for_products(shape, shrink, [&](int64_t at) {
-                const auto twice = [&](const double *g) {
-                    return (g[at + s + t] - g[at + s]) - (g[at + t] - g[at]);
-                };
-                const double d = twice(squares), w = twice(weights);
-                range.low = std::min(range.low, std::min(d - bounds.least * w, d - bounds.most * w));
-                range.high = std::max(range.high, std::max(d - bounds.least * w, d - bounds.most * w));
-            });
-            const double more =
-                4 * error * n * m + (bounds.first[i].size() * slope[j] + bounds.first[j].size() * slope[i]);
-            centre(k, l) = centre(l, k) = n * m * (range.low / 2 + range.high / 2);
-            radius(k, l) = radius(l, k) = n * m * (range.high / 2 - range.low / 2) + more;
-            if (k == l && n * m * range.size() > bend) {
-                bend = n * m * range.size();
-                axis = k;
-            }
-        }
+    const bool flat = slopes.spread() <= 8 * noise_; // one point, or many at one distance
+    if (flat || too_deep) {
+        incomplete_ = incomplete_ || !flat;
+        add_all(face, whole, part, slopes);
+        return true;
     }
-    const Eigen::FullPivLU<SmallMatrix> factors(centre);
-    if (factors.isInvertible()) {
-        const SmallMatrix inverse = factors.inverse();
-        const double rounding =
-            64 * eps * (inverse.cwiseAbs() * centre.cwiseAbs()).rowwise().sum().maxCoeff();
-        const double norm_of_rest = (inverse.cwiseAbs() * radius).rowwise().sum().maxCoeff() + rounding;
-        if (norm_of_rest < 1 && find(face, whole, part)) {
-            return true;
-        }
-    } else if (part.depth >= shallow * shape.axes && find(face, whole, part)) {
-        connected_ = true; // a critical point where the second derivatives are singular
+    const PatchSlopes::Matrix matrix = slopes.matrix();
+    axis = slopes.widest_axis();
+    const bool singular = matrix == PatchSlopes::Matrix::singular && part.depth >= shallow * face.shape.axes;
+    if ((singular || matrix == PatchSlopes::Matrix::regular) && find(face, whole, part)) {
+        connected_ = connected_ || singular;
         return true;
     }
     return false;
 }
 
-bool PatchCritical::find(const Face &face, const PatchItem &whole, const Part &part) {
-    const int n = face.shape.axes;
+AxisValues PatchCritical::middle(const Face &face, const Part &part) const noexcept {
     AxisValues at{};
     for (int k = 0; k < pieces_.shape().axes; ++k) {
         at[static_cast<size_t>(k)] = std::max(0, face.side[static_cast<size_t>(k)]);
     }
-    for (int k = 0; k < n; ++k) {
+    for (int k = 0; k < face.shape.axes; ++k) {
         const auto i = static_cast<size_t>(k);
         at[static_cast<size_t>(face.axis[i])] = part.lower[i] + part.length[i] / 2;
     }
+    return at;
+}
+
+// A part whose distances agree, or that is too small to be halved, stands for all of its points.
+void PatchCritical::add_all(const Face &face, const PatchItem &whole, const Part &part,
+                            const PatchSlopes &slopes) {
+    const AxisValues at = middle(face, part);
+    double *point = memory_.take(pieces_.shape().dim);
+    descent_.point(whole.values, at, point);
+    const double extent = slopes.extent(point);
+    const bool is_point = extent <= near_;
+    if (is_point ? is_real(face, whole, at) : slopes.spread() <= 8 * noise_) {
+        add(face, whole, at, is_point);
+    }
+}
+
+bool PatchCritical::find(const Face &face, const PatchItem &whole, const Part &part) {
+    const int n = face.shape.axes;
+    AxisValues at = middle(face, part);
     bool converged = false;
     for (int step = 0; step < 40 && !converged; ++step) {
         const PatchJet jet = descent_.jet(whole.values, at);

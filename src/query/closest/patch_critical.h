@@ -1,14 +1,14 @@
 // All critical points of the distance from a point on a surface or volume.
 //
-// With phi = |Q|^2 / w^2 the derivatives of the distance have the signs of d_k |Q|^2 - phi d_k w^2, whose Bernstein
-// coefficients are differences of those of |Q|^2 and w^2: a part on which they have one sign along some axis,
-// for the least and the largest phi on it, has no critical point. A part on which the matrix of the second
-// derivatives is regular has at most one, which Newton's method finds. All others are halved (Sherbrooke &
-// Patrikalakis, "Computation of the solutions of nonlinear polynomial systems", CAGD 10, 1993).
+// A part of a piece on which the distance rises or falls throughout along some axis has no critical point. A
+// part on which the matrix of the second derivatives is regular has at most one, which Newton's method finds.
+// All others are halved (Sherbrooke & Patrikalakis, "Computation of the solutions of nonlinear polynomial
+// systems", CAGD 10, 1993).
 #pragma once
 
 #include "query/closest/locator.h"
 #include "query/closest/patch_descent.h"
+#include "query/closest/patch_slopes.h"
 
 #include <vector>
 
@@ -33,12 +33,6 @@ private:
         AxisValues lower, length; // in the piece, along the axes of the face
         int depth;
     };
-    struct Range {
-        double low, high;
-        [[nodiscard]] double size() const noexcept;
-    };
-    struct Bounds; // of the derivatives on a part
-
     void search_faces();
     void search_face(const Face &face);
     void search_piece(const Face &face, int64_t piece);
@@ -46,6 +40,8 @@ private:
     void examine(const Face &face, const PatchItem &whole, Part &part);
     bool settled(const Face &face, const PatchItem &whole, const Part &part, int &axis);
     void split(const Face &face, const PatchItem &whole, Part &part, int axis);
+    [[nodiscard]] AxisValues middle(const Face &face, const Part &part) const noexcept;
+    void add_all(const Face &face, const PatchItem &whole, const Part &part, const PatchSlopes &slopes);
     // A critical point in the part, by Newton's method; false if it leaves the part.
     bool find(const Face &face, const PatchItem &whole, const Part &part);
     void add(const Face &face, const PatchItem &whole, const AxisValues &at, bool isolated);

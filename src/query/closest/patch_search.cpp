@@ -27,7 +27,8 @@ PatchSearch::PatchSearch(const PatchPieces &pieces, const PatchTree &tree, const
 }
 
 void PatchSearch::set_scales() noexcept {
-    tolerance_ = pieces_.scaled(query_.tolerance);
+    const double reach = norm(x_, pieces_.shape().dim) + pieces_.radius();
+    tolerance_ = std::min(pieces_.scaled(query_.tolerance), 4 * reach); // more says no more
     noise_ = scaled_noise(pieces_, query_.point);
     floor_ = 8 * eps * (pieces_.size() + pieces_.magnitude(query_.point));
     const int64_t count = pieces_.shape().coefficients();
@@ -556,6 +557,25 @@ Foot PatchSearch::nearest() {
     return result;
 }
 
+// Whether no descent leads on, neither into other pieces nor from a saddle. What is as near as the best point is
+// one in any case.
+bool PatchSearch::is_minimum(const Place &place) {
+    if (place.value <= best_.value + noise_) {
+        return true;
+    }
+    const PatchMemory::Hold hold(memory_);
+    const PatchJet jet = descent_.jet(items_.whole(place.piece).values, place.at);
+    for (size_t k = 0; k < static_cast<size_t>(pieces_.shape().axes); ++k) {
+        const double bend = sign_ * (jet.metric[k][k] + jet.curvature[k][k]);
+        if (place.at[k] > 0 && place.at[k] < 1 && bend < 0) {
+            return false;
+        }
+    }
+    Place other = place;
+    walk(other);
+    return place.value - other.value <= noise_;
+}
+
 std::vector<Foot> PatchSearch::all() {
     if (far_away()) {
         return {any_point()};
@@ -568,7 +588,7 @@ std::vector<Foot> PatchSearch::all() {
               [](const Place &a, const Place &b) { return a.value < b.value; });
     for (const Place &place : others_) {
         const auto same = [&](const Place &other) { return same_point(place, other); };
-        if (place.value <= upper() && std::none_of(kept.begin(), kept.end(), same)) {
+        if (place.value <= upper() && std::none_of(kept.begin(), kept.end(), same) && is_minimum(place)) {
             kept.push_back(place);
         }
     }

@@ -73,6 +73,7 @@ private:
     bool walk(Place &place);
     bool walk_on(Place &place);
     [[nodiscard]] bool same_point(const Place &a, const Place &b);
+    bool is_minimum(const Place &place);
     [[nodiscard]] double distance_at(const PatchItem &item, const Foot &foot) const;
     void polish(const PatchItem &item, Foot &foot) const;
     [[nodiscard]] Foot foot(const Place &place);
