@@ -474,6 +474,16 @@ const Case cases[] = {
          return nurbs_recognize(in.surface, 0.2, in.states, in.values, in.values + 9, in.values + 11);
      },
      true},
+    {"distance",
+     [](Inputs &in, Output &) {
+         return nurbs_distance(in.curve, in.loop, 1e-6, 0, in.values, in.values + 1, in.values + 2, in.values + 3,
+                               in.states);
+     }},
+    {"hausdorff_distance",
+     [](Inputs &in, Output &) {
+         return nurbs_hausdorff_distance(in.curve, in.loop, 1e-1, 0, in.values, in.values + 2, in.values + 4,
+                                         in.values + 5, in.states);
+     }},
     {"curve_length",
      [](Inputs &in, Output &) { return nurbs_curve_length(in.curve, nullptr, 1e-9, in.values, nullptr); }},
     {"curve_lengths",

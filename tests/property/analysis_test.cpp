@@ -44,14 +44,6 @@ int32_t convexity(const nurbs *g) {
     return result;
 }
 
-double size_of(const SplineData &data) {
-    double largest = 0;
-    for (const double x : data.points) {
-        largest = std::max(largest, std::fabs(x));
-    }
-    return largest;
-}
-
 struct Pieces {
     Vec starts;
     std::vector<int32_t> signs;

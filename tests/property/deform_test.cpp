@@ -45,7 +45,7 @@ std::vector<double> any_range(Random &random, const SplineData &data) {
 }
 
 Point step_between(const nurbs *before, const nurbs *after, const std::vector<double> &param) {
-    return difference(point_at(read_back(after), param), point_at(read_back(before), param));
+    return minus(point_at(read_back(after), param), point_at(read_back(before), param));
 }
 
 // The B-spline over even knots at t, without rounding of the knots, and over its value in the middle.
@@ -323,7 +323,7 @@ TEST(FreeForm, is_within_the_bound_of_the_exact_image) {
                 inner.push_back(std::clamp(1 + static_cast<double>(as_long_double(x)) / size, 0.0, 2.0));
             }
             const Point image = point_at(volume, inner);
-            const long double gap = length(difference(point_at(after, param), image));
+            const long double gap = length(minus(point_at(after, param), image));
             ASSERT_LE(gap, (proven == 1 ? deviation : tolerance) + 64 * eps)
                 << where(seed, data) << hex(param);
         }

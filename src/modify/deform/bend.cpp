@@ -2,6 +2,7 @@
 
 #include "base/finite.h"
 #include "base/norm.h"
+#include "modify/deform/bend_bound.h"
 
 #include <algorithm>
 #include <cmath>
@@ -57,21 +58,43 @@ Bend make_bend(int dim, const double *origin, const double *along, const double 
     return {origin, std::move(e), std::move(n), curvature, lower, upper};
 }
 
-// With u = a inside [lower, upper], h = k u / 2: (1/k + b) sin(k u) = u sinc(2 h) + b sin(2 h), and (1/k + b)
-// cos(k u) - 1/k = b cos(2 h) - u sinc(h) sin(h), which are accurate for any curvature.
-void bend_point(const Bend &bend, const double *point, double *image) noexcept {
-    double a = 0, b = 0;
+namespace {
+
+double along_of(const Bend &bend, const double *point) noexcept {
+    double a = 0;
     for (size_t c = 0; c < bend.along.size(); ++c) {
         a += (point[c] - bend.origin[c]) * bend.along[c];
+    }
+    return a;
+}
+
+} // namespace
+
+// With h = k u / 2, where u is a in the bent part and its end beyond it: (1/k + b) sin(k u) = u sinc(2 h) + b sin(2 h),
+// and (1/k + b) cos(k u) - 1/k = b cos(2 h) - u sinc(h) sin(h), which are accurate for any curvature.
+void bend_point(const Bend &bend, BendPart part, const double *point, double *image) noexcept {
+    const double a = along_of(bend, point);
+    double b = 0;
+    for (size_t c = 0; c < bend.across.size(); ++c) {
         b += (point[c] - bend.origin[c]) * bend.across[c];
     }
-    const double u = std::clamp(a, bend.lower, bend.upper), beyond = a - u, angle = bend.curvature * u;
+    const double u = part == BendPart::bent ? a : part == BendPart::before ? bend.lower : bend.upper;
+    const double beyond = a - u, angle = bend.curvature * u;
     const double sine = std::sin(angle), cosine = std::cos(angle);
     const double to_a = u * sinc(angle) + b * sine + beyond * cosine;
     const double to_b = b * cosine - u * sinc(angle / 2) * std::sin(angle / 2) - beyond * sine;
     for (size_t c = 0; c < bend.along.size(); ++c) {
         image[c] = point[c] + ((to_a - a) * bend.along[c] + (to_b - b) * bend.across[c]);
     }
+}
+
+void bend_point(const Bend &bend, const double *point, double *image) noexcept {
+    const double a = along_of(bend, point);
+    bend_point(bend,
+               a < bend.lower   ? BendPart::before
+               : a > bend.upper ? BendPart::behind
+                                : BendPart::bent,
+               point, image);
 }
 
 DeformedShape bend(const SplinePtr &spline, const Bend &bend, double tolerance) {
@@ -84,8 +107,12 @@ DeformedShape bend(const SplinePtr &spline, const Bend &bend, double tolerance) 
             bend_point(bend, points.data() + i, images.data() + i);
         }
     };
-    FittedImage image = fit_image(spline, map, tolerance);
-    return {std::move(image.spline), image.deviation, false};
+    const Judge judge = [&bend, tolerance](const SplinePtr &refined, const SplinePtr &candidate, Cuts &cuts) {
+        return bend_bound(*refined, *candidate, bend, tolerance, cuts);
+    };
+    const bool positive = spline->all_weights().smallest > 0;
+    FittedImage image = fit_image(spline, map, tolerance, positive ? judge : nullptr);
+    return {std::move(image.spline), image.deviation, image.proven};
 }
 
 } // namespace nrb

@@ -97,12 +97,18 @@ public:
             if (refine_where_needed(share * tolerance_)) {
                 continue;
             }
-            FittedImage image = candidate();
+            Cuts cuts;
+            FittedImage image = candidate(cuts);
             if (image.deviation <= tolerance_) {
                 return image;
             }
-            note_progress(image);
-            share /= 4;
+            if (!cut_where_asked(cuts)) {
+                if (judge_ && --patience_ < 0 && accept_samples(image)) {
+                    return image;
+                }
+                note_progress(image);
+                share /= 4;
+            }
         }
         fail_to_converge();
     }
@@ -111,6 +117,16 @@ private:
     static constexpr int max_rounds = 80;
     static constexpr int max_stalled = 3;
     static constexpr int64_t max_points = int64_t{1} << 18;
+
+    // A bound may be far above what it bounds, and cost many control points.
+    bool accept_samples(FittedImage &image) const {
+        const double deviation = sampled_deviation(*records(), *image.spline);
+        if (deviation <= tolerance_) {
+            image.deviation = deviation;
+            image.proven = false;
+        }
+        return !image.proven;
+    }
 
     // More control points that bring it no nearer mean that what is left is rounding.
     void note_progress(const FittedImage &image) {
@@ -157,6 +173,11 @@ private:
                 new_knots(static_cast<int>(k), span_errors(numerators, nodes_[k], lines_of(k), dim_), target);
             cut = cut || !more[k].empty();
         }
+        insert(more);
+        return cut;
+    }
+
+    void insert(const std::vector<std::vector<double>> &more) {
         int64_t points = 1;
         for (size_t k = 0; k < nodes_.size(); ++k) {
             points *= fine_->count(static_cast<int>(k)) + std::ssize(more[k]);
@@ -167,7 +188,35 @@ private:
         for (size_t k = 0; k < nodes_.size(); ++k) {
             fine_ = refine(fine_, static_cast<int>(k), more[k]);
         }
+    }
+
+    // In quarters; whether there are any.
+    bool cut_where_asked(const Cuts &cuts) {
+        std::vector<std::vector<double>> more(nodes_.size());
+        bool cut = false;
+        for (size_t k = 0; k < nodes_.size(); ++k) {
+            for (size_t s = 0; s < cuts[k].size(); ++s) {
+                if (cuts[k][s] != 0) {
+                    append_parts(fine_->axis(static_cast<int>(k)), s, 4, more[k]);
+                    cut = true;
+                }
+            }
+        }
+        insert(more);
         return cut;
+    }
+
+    void append_parts(const KnotVector &axis, size_t s, int parts, std::vector<double> &knots) const {
+        const int64_t span = axis.spans().indices()[s];
+        double last = axis[span];
+        for (int i = 1; i < parts; ++i) {
+            const double knot = axis[span] + (axis[span + 1] - axis[span]) * (static_cast<double>(i) / parts);
+            if (!(knot > last) || !(knot < axis[span + 1])) {
+                fail_to_converge();
+            }
+            knots.push_back(knot);
+            last = knot;
+        }
     }
 
     // The error of a part is that of the span divided by parts^(degree + 1), where the image is smooth.
@@ -182,22 +231,12 @@ private:
             }
             const double wanted = std::pow(errors[s] / target, 1.0 / (axis.degree() + 1));
             const auto parts = static_cast<int>(std::clamp(std::ceil(wanted), 2.0, most_parts));
-            const int64_t span = axis.spans().indices()[s];
-            double last = axis[span];
-            for (int i = 1; i < parts; ++i) {
-                const double knot =
-                    axis[span] + (axis[span + 1] - axis[span]) * (static_cast<double>(i) / parts);
-                if (!(knot > last) || !(knot < axis[span + 1])) {
-                    fail_to_converge();
-                }
-                knots.push_back(knot);
-                last = knot;
-            }
+            append_parts(axis, s, parts, knots);
         }
         return knots;
     }
 
-    [[nodiscard]] FittedImage candidate() const {
+    [[nodiscard]] FittedImage candidate(Cuts &cuts) const {
         Places places;
         for (size_t j = 0; j < nodes_.size(); ++j) {
             places[j] = nodes_[j].nodes();
@@ -206,8 +245,9 @@ private:
         Numerators numerators = mapped(sampled(*homogeneous, places), dim_, fine_->rational(), map_);
         SplinePtr image =
             with_numerators(control_points(*fine_, nodes_, std::move(numerators.values), fine_->dim()));
-        const double deviation = judge_ ? judge_(image) : sampled_deviation(*homogeneous, *image);
-        return {std::move(image), deviation};
+        const double deviation =
+            judge_ ? judge_(fine_, image, cuts) : sampled_deviation(*homogeneous, *image);
+        return {std::move(image), deviation, judge_ != nullptr};
     }
 
     [[nodiscard]] SplinePtr with_numerators(std::vector<double> numerators) const {
@@ -255,6 +295,7 @@ private:
     const Judge &judge_;
     size_t dim_;
     std::vector<LocalNodes> nodes_;
+    int patience_ = 3; // rounds without a proof
     int stalled_ = 0;
     int64_t last_points_ = 0;
     double last_deviation_ = HUGE_VAL;

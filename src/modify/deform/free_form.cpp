@@ -89,12 +89,12 @@ DeformedShape free_form_deform(const SplinePtr &spline, const SplinePtr &volume,
     if (degree > 0) {
         const SplinePtr exact = compose(volume, in_parameters(*spline, box));
         const double rounding = 64 * eps * degree * largest_magnitude(volume->points());
-        judge = [exact, rounding](const SplinePtr &candidate) {
+        judge = [exact, rounding](const SplinePtr &, const SplinePtr &candidate, Cuts &) {
             return deviation(*exact, *candidate).upper + rounding;
         };
     }
     FittedImage image = fit_image(spline, map, tolerance, judge);
-    return {std::move(image.spline), image.deviation, degree > 0};
+    return {std::move(image.spline), image.deviation, image.proven};
 }
 
 } // namespace nrb

@@ -90,7 +90,9 @@ CurveTree::CurveTree(const Spline &curve)
     const BernsteinNet net(curve, records, breaks, degrees);
     // of the net, of halvings and of what a search computes
     rounding_ = net.error() / std::numeric_limits<double>::epsilon() + 6 * degree_ + 2 * lanes_ + 20;
-    size_ = std::max(largest_magnitude(records.sizes), largest_magnitude(centre_));
+    const double extent = largest_magnitude(records.sizes);
+    size_ = std::max(extent, norm(centre_.data(), dim_));
+    exponent_ = extent > 0 && std::isfinite(extent) ? std::ilogb(extent) : 0;
     const auto count = static_cast<size_t>(degree_ + 1);
     std::vector<double> points(count * static_cast<size_t>(dim_)), weights(count, 1.0);
     std::vector<double> padded(count * static_cast<size_t>(lanes_));
@@ -98,15 +100,20 @@ CurveTree::CurveTree(const Spline &curve)
         net.copy(piece, points.data(), weights.data());
         for (size_t i = 0; i < count; ++i) {
             double *record = padded.data() + i * static_cast<size_t>(lanes_);
-            std::copy_n(points.data() + i * static_cast<size_t>(dim_), dim_, record);
+            const double *point = points.data() + i * static_cast<size_t>(dim_);
+            std::transform(point, point + dim_, record,
+                           [this](double x) { return std::ldexp(x, -exponent_); });
             record[lanes_ - 1] = weights[i];
+        }
+        if (std::all_of(weights.begin(), weights.end(), [](double w) { return w < 0; })) {
+            std::for_each(padded.begin(), padded.end(), [](double &x) { x = 0.0 - x; });
         }
         const auto e = static_cast<size_t>(piece);
         add_span(padded.data(), {breaks[0][e], breaks[0][e + 1]}, most_halvings(net.pieces()));
     }
-    if (!net.positive()) {
-        rounding_ *= weight_ratio();
-    }
+    const double ratio = weight_ratio();
+    rounding_ *= net.positive() ? 1 : ratio;
+    sound_ = ratio < 0x1p400;
     add_blocks();
     add_levels();
 }
@@ -143,16 +150,17 @@ void CurveTree::add_blocks() {
         const PieceView view(records(std::min(i, leaves() - 1)), degree_, dim_, lanes_);
         double *block = blocks_.data() + i / fan * block_size() + i % fan;
         double square = 0;
+        const bool positive = view.positive();
         for (int c = 0; c < dim_; ++c) {
-            const double chord = view.x(degree_, c) - view.x(0, c);
-            block[c * fan] = view.x(0, c);
+            const double chord = positive ? view.x(degree_, c) - view.x(0, c) : 0;
+            block[c * fan] = positive ? view.x(0, c) : 0;
             block[(dim_ + c) * fan] = chord;
             square += chord * chord;
         }
         const double inverse = 1 / square;
         block[2 * dim_ * fan] = std::isfinite(inverse) ? inverse : 0;
         block[(2 * dim_ + 1) * fan] =
-            std::isfinite(inverse) ? view.deviation() : view.deviation() + view.chord();
+            std::isfinite(inverse) || !positive ? view.deviation() : view.deviation() + view.chord();
     }
 }
 
@@ -218,7 +226,7 @@ bool CurveTree::joined(int64_t leaf) const noexcept {
     const PieceView view(records(leaf), degree_, dim_, lanes_),
         next(records(leaf + 1), degree_, dim_, lanes_);
     const double gap = norm_of(dim_, [&](int c) { return view.x(degree_, c) - next.x(0, c); });
-    return gap <= 2 * rounding_ * std::numeric_limits<double>::epsilon() * size_;
+    return gap <= std::ldexp(2 * rounding_ * std::numeric_limits<double>::epsilon() * size_, -exponent_);
 }
 
 } // namespace nrb

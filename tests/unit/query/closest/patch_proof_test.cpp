@@ -5,7 +5,7 @@
 #include "eval/contraction.h"
 #include "reference/number.h"
 #include "support/generators.h"
-#include "targets.h"
+#include "unit/targets.h"
 
 #include <cmath>
 #include <numeric>

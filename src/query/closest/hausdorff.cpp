@@ -1,0 +1,226 @@
+#include "query/closest/hausdorff.h"
+
+#include "base/error.h"
+#include "base/norm.h"
+#include "eval/evaluate.h"
+#include "query/closest/locator.h"
+#include "query/closest/matched_bound.h"
+#include "refine/bezier_rows.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace nrb {
+
+namespace {
+
+constexpr double eps = std::numeric_limits<double>::epsilon();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr int64_t budget_of_a_foot = 20000;
+
+// Breaks of `other`, moved to the domain of an axis, so that pieces of splines that are parametrized alike match.
+std::vector<double> alike_breaks(const KnotVector &axis, const KnotVector &other) {
+    const Interval to = axis.domain(), from = other.domain();
+    std::vector<double> breaks;
+    for (const double t : breaks_of(other)) {
+        const double share = (t - from.lower) / (from.upper - from.lower);
+        const double moved =
+            to.lower == from.lower && to.upper == from.upper ? t : to.lower + share * (to.upper - to.lower);
+        if (moved > to.lower && moved < to.upper) {
+            breaks.push_back(moved);
+        }
+    }
+    return breaks;
+}
+
+BernsteinNet::Breaks alike_breaks(const Spline &spline, const Spline &other) {
+    BernsteinNet::Breaks breaks;
+    for (int k = 0; k < spline.axes() && spline.axes() == other.axes(); ++k) {
+        breaks[static_cast<size_t>(k)] = alike_breaks(spline.axis(k), other.axis(k));
+    }
+    return breaks;
+}
+
+struct FarPiece {
+    double upper;
+    PairPiece piece;
+    bool looked;
+
+    [[nodiscard]] bool operator<(const FarPiece &other) const noexcept { return upper < other.upper; }
+};
+
+// The nearest point of the other spline, in the frame.
+struct NearPoint {
+    Foot foot;
+    std::vector<double> point;
+    double distance = 0;
+};
+
+class FarthestSearch {
+public:
+    FarthestSearch(const Spline &from, const Spline &to, const PairFrame &frame, double tolerance,
+                   int64_t budget)
+        : to_(to), frame_(frame), locator_(locator_of(to)), pieces_(pair_pieces(to, frame)), dim_(from.dim()),
+          tolerance_(tolerance), budget_(budget), query_(static_cast<size_t>(dim_)) {
+        for (const PairPiece &piece : pieces_) {
+            moved_ = std::max(moved_, piece.positive() ? piece.moved() : 0);
+        }
+        for (PairPiece &piece : pair_pieces(from, frame, alike_breaks(from, to))) {
+            noise_ = std::max(noise_, piece.positive() ? piece.moved() : 0);
+            push(infinity, std::move(piece), false);
+        }
+        noise_ = 8 * (noise_ + moved_) + 256 * eps;
+    }
+
+    void run() {
+        while (!heap_.empty() && heap_.front().upper > limit() && budget_-- > 0) {
+            std::pop_heap(heap_.begin(), heap_.end());
+            FarPiece top = std::move(heap_.back());
+            heap_.pop_back();
+            if (!top.looked && top.piece.positive()) {
+                look(std::move(top));
+            } else {
+                divide(std::move(top));
+            }
+        }
+        if (!heap_.empty()) {
+            ceiling_ = std::max(ceiling_, heap_.front().upper);
+        }
+    }
+
+    [[nodiscard]] double at_least() const noexcept { return std::max(lower_, 0.0); }
+    [[nodiscard]] double at_most() const noexcept { return std::max(ceiling_, at_least()); }
+    [[nodiscard]] double noise() const noexcept { return noise_; }
+    [[nodiscard]] const Place &best() const noexcept { return best_; }
+
+private:
+    [[nodiscard]] double limit() const noexcept { return std::max(lower_, 0.0) + tolerance_ + noise_; }
+
+    void push(double upper, PairPiece piece, bool looked) {
+        if (upper <= limit()) {
+            ceiling_ = std::max(ceiling_, upper);
+            return;
+        }
+        heap_.push_back({upper, std::move(piece), looked});
+        std::push_heap(heap_.begin(), heap_.end());
+    }
+
+    // The foot of a point of the frame.
+    NearPoint nearest(const double *x) {
+        for (size_t c = 0; c < query_.size(); ++c) {
+            query_[c] = frame_.centre[c] + std::ldexp(x[c], frame_.exponent);
+        }
+        NearPoint near;
+        near.foot = locator_.nearest(
+            {query_.data(), nullptr, std::ldexp(tolerance_ / 4, frame_.exponent), budget_of_a_foot});
+        AxisRules rules{};
+        for (size_t k = 0; k < max_axes; ++k) {
+            rules[k].left = (near.foot.left >> k & 1) != 0;
+        }
+        near.point.resize(query_.size());
+        evaluate_points(to_, rules, 0, {near.foot.params.data(), 1, to_.axes(), to_.axes()},
+                        {near.point.data(), 1, dim_, dim_});
+        near.distance = std::ldexp(near.foot.distance, -frame_.exponent);
+        for (size_t c = 0; c < query_.size(); ++c) {
+            near.point[c] = std::ldexp(near.point[c] - frame_.centre[c], -frame_.exponent);
+        }
+        return near;
+    }
+
+    void look(FarPiece top) {
+        const PairPiece &piece = top.piece;
+        const Place middle{0.5, 0.5, 0.5};
+        jet_.evaluate(piece, middle, false);
+        const NearPoint near = nearest(jet_.value());
+        const double noise = std::ldexp(near.foot.noise, -frame_.exponent) + 8 * (dim_ + 2) * eps;
+        if ((near.foot.status & (NURBS_CLOSEST_CERTIFIED | NURBS_CLOSEST_COARSE)) != 0) {
+            const double lower = near.distance - tolerance_ / 4 - noise - piece.moved();
+            if (lower > lower_) {
+                lower_ = lower;
+                best_ = piece.parameter(middle);
+            }
+        }
+        double upper = std::min(top.upper, from_point(piece, near.point) + noise + moved_ + piece.moved());
+        if (upper > limit()) {
+            upper = std::min(upper, matched(piece, near.foot));
+        }
+        push(upper, std::move(top.piece), true);
+    }
+
+    // The distance of a point of the hull from one point is at most that of a control point.
+    [[nodiscard]] double from_point(const PairPiece &piece, const std::vector<double> &point) const noexcept {
+        double most = 0;
+        for (int64_t i = 0; i < piece.coefficients(); ++i) {
+            most = std::max(most, distance(piece.point(i), point.data(), dim_));
+        }
+        return most * (1 + (dim_ + 4) * eps);
+    }
+
+    // Both pieces beside a knot may match.
+    double matched(const PairPiece &piece, const Foot &foot) {
+        double best = infinity;
+        for (const PairPiece &other : pieces_) {
+            if (other.contains(foot.params)) {
+                best = std::min(best, bound_.upper(piece, other, other.place(foot.params), limit()));
+            }
+        }
+        return best;
+    }
+
+    void divide(FarPiece top) {
+        std::optional<PairPiece> half = top.piece.halve();
+        if (!half) {
+            ceiling_ = std::max(ceiling_, top.upper);
+            return;
+        }
+        push(top.upper, std::move(*half), false);
+        push(top.upper, std::move(top.piece), false);
+    }
+
+    const Spline &to_;
+    const PairFrame &frame_;
+    const Locator &locator_;
+    std::vector<PairPiece> pieces_; // of the other spline
+    int dim_;
+    double tolerance_;
+    int64_t budget_;
+    std::vector<double> query_;
+    double moved_ = 0, noise_ = 0;
+    double lower_ = -infinity;
+    double ceiling_ = 0; // no point of the pieces that were left out is farther
+    Place best_{};
+    std::vector<FarPiece> heap_;
+    PieceJet jet_;
+    MatchedBound bound_;
+};
+
+} // namespace
+
+FarthestPoint one_sided_distance(const Spline &from, const Spline &to, double tolerance, int64_t budget) {
+    if (from.dim() != to.dim()) {
+        fail(NURBS_ERROR_INCOMPATIBLE, "b has dimension %d, expected %d as a has", to.dim(), from.dim());
+    }
+    const PairFrame frame = pair_frame(from, to);
+    const double asked = std::ldexp(tolerance, -frame.exponent);
+    FarthestSearch search(from, to, frame, asked, budget);
+    search.run();
+    FarthestPoint result;
+    result.at_least = std::ldexp(search.at_least(), frame.exponent);
+    result.at_most = std::ldexp(search.at_most(), frame.exponent);
+    if (!std::isfinite(result.at_least)) {
+        fail(NURBS_ERROR_NOT_REPRESENTABLE, "the distance overflows double precision");
+    }
+    result.params = search.best();
+    if (search.at_least() == 0) {
+        for (int k = 0; k < from.axes(); ++k) {
+            const Interval domain = from.axis(k).domain();
+            auto &t = result.params[static_cast<size_t>(k)];
+            t = std::clamp(t, domain.lower, domain.upper);
+        }
+    }
+    result.certified = search.at_most() - search.at_least() <= asked + 2 * search.noise();
+    return result;
+}
+
+} // namespace nrb

@@ -1,0 +1,96 @@
+/* SPDX-License-Identifier: MIT */
+/* nurbs_distance(), nurbs_hausdorff_distance(). */
+#include "shapes.h"
+
+static nurbs *segment(int32_t dim, const double *ends) {
+    static const int32_t degree = 1;
+    nurbs *g = NULL;
+    CHECK_OK(nurbs_create_bezier(1, &degree, dim, ends, 0, 0, NULL, 0, &g));
+    return g;
+}
+
+static void pairs(void) {
+    static const double ends[] = {2, 0.5, 4, 1};
+    double at_least, at_most, a, b;
+    int32_t status;
+    nurbs *round = make(circle()), *line = segment(2, ends), *square = make(loop());
+    CHECK_OK(nurbs_distance(round, line, 1e-10, 0, &at_least, &at_most, &a, &b, &status));
+    CHECK_INT(status, NURBS_CLOSEST_CERTIFIED);
+    const double exact = sqrt(4.25) - 1;
+    CHECK(at_least <= exact + 1e-15 && at_most >= exact - 1e-15 && at_most - at_least <= 1e-10 + 1e-12);
+    CHECK_DOUBLE(b, 0);
+    CHECK_OK(nurbs_distance(round, square, 1e-10, 0, &at_least, &at_most, NULL, NULL, NULL));
+    CHECK(at_least == 0 && at_most <= 1e-10);
+    CHECK_OK(nurbs_distance(round, line, 1e-10, 0, NULL, NULL, NULL, NULL, NULL));
+    CHECK_OK(nurbs_distance(round, line, 0, 1, &at_least, &at_most, &a, &b, &status));
+    CHECK_INT(status, NURBS_CLOSEST_BUDGET);
+    CHECK(at_least <= exact && at_most >= exact - 1e-15);
+    nurbs_destroy(round);
+    nurbs_destroy(line);
+    nurbs_destroy(square);
+}
+
+static void sets(void) {
+    static const double ends[] = {0, 0, 1, 0}, longer[] = {0, 0, 3, 0};
+    double at_least[2], at_most[2], a, b;
+    int32_t status;
+    nurbs *part = segment(2, ends), *whole = segment(2, longer);
+    CHECK_OK(nurbs_hausdorff_distance(part, whole, 1e-9, 0, at_least, at_most, &a, &b, &status));
+    CHECK_INT(status, NURBS_CLOSEST_CERTIFIED);
+    CHECK(at_most[0] <= 1e-9 && at_least[1] >= 2 - 2e-9 && at_most[1] <= 2 + 2e-9);
+    CHECK_OK(nurbs_hausdorff_distance(part, whole, 1e-9, 0, NULL, NULL, NULL, NULL, NULL));
+    nurbs_destroy(part);
+    nurbs_destroy(whole);
+}
+
+/* Degree 0, jumps, one dimension. */
+static void steps(void) {
+    static const double ends[] = {13, 17};
+    double at_least, at_most, a, b;
+    nurbs *g = make(stairs()), *h = segment(1, ends), *j = make(jump());
+    CHECK_OK(nurbs_distance(g, h, 0, 0, &at_least, &at_most, &a, &b, NULL));
+    CHECK_NEAR(&at_most, &(double){3}, 1, 1e-14);
+    CHECK(at_least <= 3 && at_least > 3 - 1e-10);
+    CHECK_OK(nurbs_distance(j, h, 1e-9, 0, &at_least, &at_most, &a, &b, NULL));
+    CHECK_NEAR(&at_most, &(double){7}, 1, 1e-9);
+    nurbs_destroy(g);
+    nurbs_destroy(h);
+    nurbs_destroy(j);
+}
+
+static void bad_input(void) {
+    double out[4];
+    int32_t status = 77;
+    FILL(out);
+    nurbs *g = make(circle()), *h = make(twist());
+    CHECK_FAILS(nurbs_distance(NULL, g, 0, 0, out, out + 1, NULL, NULL, NULL), NURBS_ERROR_NULL, "a");
+    CHECK_FAILS(nurbs_distance(g, NULL, 0, 0, out, out + 1, NULL, NULL, NULL), NURBS_ERROR_NULL, "b");
+    CHECK_FAILS(nurbs_distance(g, h, 0, 0, out, out + 1, NULL, NULL, &status), NURBS_ERROR_INCOMPATIBLE,
+                "3|2");
+    CHECK_FAILS(nurbs_distance(g, g, -1, 0, out, out + 1, NULL, NULL, &status), NURBS_ERROR_TOLERANCE,
+                "tolerance = -1");
+    CHECK_FAILS(nurbs_distance(g, g, NAN, 0, out, out + 1, NULL, NULL, &status), NURBS_ERROR_TOLERANCE,
+                "nan");
+    CHECK_FAILS(nurbs_distance(g, g, 0, -1, out, out + 1, NULL, NULL, &status), NURBS_ERROR_COUNT,
+                "budget = -1");
+    CHECK_FAILS(nurbs_distance(g, g, 0, 0, out, out, NULL, NULL, &status), NURBS_ERROR_OVERLAP,
+                "at_least|at_most");
+    CHECK_FAILS(nurbs_hausdorff_distance(NULL, g, 0, 0, out, out + 2, NULL, NULL, NULL), NURBS_ERROR_NULL,
+                "a");
+    CHECK_FAILS(nurbs_hausdorff_distance(g, h, 0, 0, out, out + 2, NULL, NULL, &status),
+                NURBS_ERROR_INCOMPATIBLE, "3|2");
+    CHECK_FAILS(nurbs_hausdorff_distance(g, g, 0, 0, out, out + 1, NULL, NULL, &status), NURBS_ERROR_OVERLAP,
+                "at_least|at_most");
+    CHECK_INT(status, 77);
+    CHECK_UNTOUCHED(out);
+    nurbs_destroy(g);
+    nurbs_destroy(h);
+}
+
+int main(void) {
+    pairs();
+    sets();
+    steps();
+    bad_input();
+    return check_summary("distance");
+}
