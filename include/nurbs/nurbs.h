@@ -2821,13 +2821,17 @@ NURBS_API nurbs_status nurbs_recognize(const nurbs *g, double tolerance, int32_t
  * locator, the Bezier pieces with bounds, which the handle keeps; batches are what is fast.
  *
  * A result is certified where it is proven that no point of g is nearer (of the farthest: farther) by more
- * than the tolerance and rounding, which is at most (64 (p + 1) + 2 dim) eps (sqrt(dim) s + |x|): p is the
- * highest degree, s the largest coordinate of g, x the query point; with weights that differ by a factor q, q times as much.
+ * than the tolerance and rounding, which is at most (64 n + 2 dim) eps (sqrt(dim) s + |x|): n is the sum of
+ * degree + 1 over the axes, s the largest coordinate of g, x the query point; with weights that differ by a
+ * factor q, q times as much. Where the parameters cannot be told finely enough (knots far from 0 with short
+ * spans), so that rounding them moves the point by more, surfaces and volumes are not certified.
  * The proof is by polynomials: with the homogeneous form A / w of a piece, |A - x w|^2 - r^2 w^2 >= 0 says
  * that the piece is not nearer than r, and holds if all Bernstein coefficients are >= 0; around a minimum a
  * factor that cannot be negative is divided out first (curves), or the polynomial is shown to be convex
  * (surfaces, volumes). Pieces that give no answer are halved, at most `budget` of them for a point: then
- * the best point found is returned with NURBS_CLOSEST_BUDGET in place of NURBS_CLOSEST_CERTIFIED. Weights
+ * the best point found is returned with NURBS_CLOSEST_BUDGET in place of NURBS_CLOSEST_CERTIFIED; pieces of
+ * more than 256 control points count more than once. Of those with more than 1024, of volumes of high
+ * degrees, hulls alone are looked at, which seldom is proof enough. Weights
  * have to be > 0; splines with others are searched in the same way, and certified where the Bezier pieces
  * have positive weights all the same.
  *
@@ -2960,7 +2964,8 @@ NURBS_API nurbs_status nurbs_closest_all(const nurbs *g, const double *point, co
 
 /** \brief All critical points of the distance from a point: where x - C is perpendicular to the tangents of
  * g, and at ends and kinks of a curve, where the distance has a minimum or maximum. Of surfaces and volumes
- * those inside, and on edges those that are critical along them.
+ * those inside, on edges those that are critical along them, and corners with a minimum or maximum; minima
+ * on creases at knots are found by nurbs_closest_all().
  * \param[in] g a spline.
  * \param[in] point [dim].
  * \param[in] range [axes][2] the part of the domain that is searched, or NULL for all of it.
