@@ -2823,8 +2823,8 @@ NURBS_API nurbs_status nurbs_recognize(const nurbs *g, double tolerance, int32_t
  * A result is certified where it is proven that no point of g is nearer (of the farthest: farther) by more
  * than the tolerance and rounding, which is at most (64 n + 2 dim) eps (sqrt(dim) s + |x|): n is the sum of
  * degree + 1 over the axes, s the largest coordinate of g, x the query point; with weights that differ by a
- * factor q, q times as much. Where the parameters cannot be told finely enough (knots far from 0 with short
- * spans), so that rounding them moves the point by more, surfaces and volumes are not certified.
+ * factor q, q times as much. Where rounding the parameters moves the point by more (knots far from 0 with
+ * short spans), NURBS_CLOSEST_COARSE takes the place of NURBS_CLOSEST_CERTIFIED.
  * The proof is by polynomials: with the homogeneous form A / w of a piece, |A - x w|^2 - r^2 w^2 >= 0 says
  * that the piece is not nearer than r, and holds if all Bernstein coefficients are >= 0; around a minimum a
  * factor that cannot be negative is divided out first (curves), or the polynomial is shown to be convex

@@ -344,8 +344,10 @@ Foot PatchSearch::nearest() {
     search();
     Foot result = foot(best_);
     const double rounded = sign_ * pieces_.scaled(result.distance) - best_.value;
-    const bool certified = !incomplete_ && rounded <= noise_ / 8;
-    result.status |= certified ? NURBS_CLOSEST_CERTIFIED : NURBS_CLOSEST_BUDGET;
+    const bool unproven = incomplete_ || !std::isfinite(best_.value);
+    result.status |= unproven                ? NURBS_CLOSEST_BUDGET
+                     : rounded <= noise_ / 8 ? NURBS_CLOSEST_CERTIFIED
+                                             : NURBS_CLOSEST_COARSE;
     result.status |= several_ ? NURBS_CLOSEST_NOT_UNIQUE : 0;
     return result;
 }
