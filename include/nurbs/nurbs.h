@@ -413,7 +413,7 @@ NURBS_API nurbs_status nurbs_create_multiplicities(int32_t axes, const int32_t *
  * \param[in] degrees [axes] degree along each axis.
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DEGREE, _OVERFLOW, _DIMENSION, _STRIDE, _POINT_NOT_FINITE,
- *   _WEIGHT_NOT_FINITE, _WEIGHT_NEGATIVE, _WEIGHTS_VANISH;
+ *   _WEIGHT_NOT_FINITE, _WEIGHT_NEGATIVE, _WEIGHTS_VANISH, _NOT_REPRESENTABLE;
  *   _NOT_REPRESENTABLE if a weight times a coordinate overflows.
  * \since 0.1 */
 NURBS_API nurbs_status nurbs_create_bezier(int32_t axes, const int32_t *degrees, int32_t dim,
@@ -2822,17 +2822,19 @@ NURBS_API nurbs_status nurbs_recognize(const nurbs *g, double tolerance, int32_t
  *
  * A result is certified where it is proven that no point of g is nearer (of the farthest: farther) by more
  * than the tolerance and rounding, which is at most (64 (p + 1) + 2 dim) eps (sqrt(dim) s + |x|): p is the
- * highest degree, s the largest coordinate of g, x the query point; with weights that differ by a factor q, q times as much.
- * The proof is by polynomials: with the homogeneous form A / w of a piece, |A - x w|^2 - r^2 w^2 >= 0 says
- * that the piece is not nearer than r, and holds if all Bernstein coefficients are >= 0; around a minimum a
- * factor that cannot be negative is divided out first (curves), or the polynomial is shown to be convex
- * (surfaces, volumes). Pieces that give no answer are halved, at most `budget` of them for a point: then
- * the best point found is returned with NURBS_CLOSEST_BUDGET in place of NURBS_CLOSEST_CERTIFIED. Weights
- * have to be > 0; splines with others are searched in the same way, and certified where the Bezier pieces
- * have positive weights all the same.
+ * sum of the degrees, s the largest coordinate of g, x the query point. The proof is by polynomials: with
+ * the homogeneous form A / w of a piece, |A - x w|^2 - r^2 w^2 >= 0 says that the piece is not nearer than
+ * r, and holds if all Bernstein coefficients are >= 0; curves are divided at their minima, and about those
+ * of surfaces and volumes the polynomial is shown to be convex. Pieces that give no answer are halved, at
+ * most `budget` of them for a point: then the best point found is returned with NURBS_CLOSEST_BUDGET in
+ * place of NURBS_CLOSEST_CERTIFIED. Where parameters are so large, or spans so short, that the point of the
+ * rounded parameter is worse than what was proven, NURBS_CLOSEST_COARSE takes its place. Weights have to be
+ * > 0; splines with others are searched in the same way, and certified where the Bezier pieces have positive
+ * weights all the same.
  *
  * At a jump both limits belong to g. A seam, a pole or a collapsed edge has several parameters for one
- * point; any of them is returned. Ends and edges of the domain are part of it.
+ * point; any of them is returned. Ends and edges of the domain are part of it. Status bits speak of points:
+ * two parameters of one point do not make it NURBS_CLOSEST_NOT_UNIQUE.
  * @{ */
 
 /** \name Status of a closest point
@@ -3181,7 +3183,8 @@ NURBS_API nurbs_status nurbs_enclosed_volume(int64_t count, const nurbs *const *
 /** \defgroup bounds Boxes and cones
  * What contains a spline, proven: bounds come from Bernstein coefficients, which are halved where a tighter
  * one is asked for, and are rounded outwards. Weights have to be > 0 on every Bezier piece after some
- * halvings; where they never are, boxes are infinite and cones the whole space.
+ * halvings; where they never are, boxes are infinite and cones may be the whole space. A derivative that is
+ * zero to its rounding at an end of a piece counts as zero there, and the limit as its direction.
  * @{ */
 
 /** \brief An axis-aligned box that contains a spline.
@@ -3544,9 +3547,9 @@ NURBS_API nurbs_status nurbs_most_influential(const nurbs *g, int64_t n, const d
  * \param[in] ratio from 0 to 1.
  * \param[out] knot the knot, or NULL.
  * \param[out] out the new handle.
- * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _INDEX, _OVERFLOW; _DEGREE if it is 0, _FACTOR if ratio is not
- *   in [0, 1], _MULTIPLICITY if the knot occurs degree + 1 times already, _OUTSIDE_DOMAIN if it cannot be
- *   inserted.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _INDEX, _OVERFLOW, _PERIODIC; _DEGREE if it is 0, _FACTOR if ratio
+ *   is not in [0, 1], _MULTIPLICITY if the knot occurs degree + 1 times already, _OUTSIDE_DOMAIN if it cannot
+ *   be inserted, _POINT_NOT_FINITE or _WEIGHT_SIGN if an end of the leg lies at infinity or has a weight < 0.
  * \since 0.1 */
 NURBS_API nurbs_status nurbs_insert_on_leg(const nurbs *g, int32_t axis, int64_t index, double ratio,
                                            double *knot, nurbs **out);
