@@ -213,6 +213,23 @@ struct CriticalOutputs {
     }
 };
 
+nurbs_status extremal_points(bool farthest, const nurbs *g, int64_t n, const double *points,
+                             int64_t point_stride, int64_t point_component_stride, const double *range,
+                             double tolerance, int64_t budget, double *params, int64_t param_stride,
+                             int64_t param_component_stride, double *feet, int64_t foot_stride,
+                             int64_t foot_component_stride, double *distances, int64_t distance_stride,
+                             int32_t *status, uint32_t flags) {
+    return guard([&] {
+        const PointBatch batch = point_batch(g, n, points, point_stride, point_component_stride, flags);
+        FeetArrays arrays(batch);
+        arrays.params(params, param_stride, param_component_stride);
+        arrays.feet(feet, foot_stride, foot_component_stride);
+        arrays.distances(distances, distance_stride);
+        arrays.status(status);
+        extremal_points(batch, range, tolerance, budget, farthest, arrays);
+    });
+}
+
 } // namespace
 
 nurbs_status nurbs_closest_points(const nurbs *g, int64_t n, const double *points, int64_t point_stride,
@@ -221,15 +238,9 @@ nurbs_status nurbs_closest_points(const nurbs *g, int64_t n, const double *point
                                   int64_t param_component_stride, double *feet, int64_t foot_stride,
                                   int64_t foot_component_stride, double *distances, int64_t distance_stride,
                                   int32_t *status, uint32_t flags) {
-    return guard([&] {
-        const PointBatch batch = point_batch(g, n, points, point_stride, point_component_stride, flags);
-        FeetArrays arrays(batch);
-        arrays.params(params, param_stride, param_component_stride);
-        arrays.feet(feet, foot_stride, foot_component_stride);
-        arrays.distances(distances, distance_stride);
-        arrays.status(status);
-        extremal_points(batch, range, tolerance, budget, false, arrays);
-    });
+    return extremal_points(false, g, n, points, point_stride, point_component_stride, range, tolerance,
+                           budget, params, param_stride, param_component_stride, feet, foot_stride,
+                           foot_component_stride, distances, distance_stride, status, flags);
 }
 
 nurbs_status nurbs_farthest_points(const nurbs *g, int64_t n, const double *points, int64_t point_stride,
@@ -238,15 +249,9 @@ nurbs_status nurbs_farthest_points(const nurbs *g, int64_t n, const double *poin
                                    int64_t param_component_stride, double *feet, int64_t foot_stride,
                                    int64_t foot_component_stride, double *distances, int64_t distance_stride,
                                    int32_t *status, uint32_t flags) {
-    return guard([&] {
-        const PointBatch batch = point_batch(g, n, points, point_stride, point_component_stride, flags);
-        FeetArrays arrays(batch);
-        arrays.params(params, param_stride, param_component_stride);
-        arrays.feet(feet, foot_stride, foot_component_stride);
-        arrays.distances(distances, distance_stride);
-        arrays.status(status);
-        extremal_points(batch, range, tolerance, budget, true, arrays);
-    });
+    return extremal_points(true, g, n, points, point_stride, point_component_stride, range, tolerance, budget,
+                           params, param_stride, param_component_stride, feet, foot_stride,
+                           foot_component_stride, distances, distance_stride, status, flags);
 }
 
 nurbs_status nurbs_closest_local(const nurbs *g, int64_t n, const double *points, int64_t point_stride,

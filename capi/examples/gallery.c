@@ -6,7 +6,7 @@
 #include "gallery/quadrics.h"
 #include "gallery/sweeps.h"
 
-enum { ROWS = 7 };
+enum { COLUMNS = 7, ROWS = 7 };
 
 int main(int argc, char **argv) {
     static gallery picture;
@@ -14,7 +14,7 @@ int main(int argc, char **argv) {
         fprintf(stderr, "usage: gallery [PICTURE.svg]\n");
         return 2;
     }
-    open_picture(&picture, argc == 2 ? argv[1] : "gallery.svg", ROWS);
+    open_picture(&picture, argc == 2 ? argv[1] : "gallery.svg", COLUMNS, ROWS);
     show_curves(&picture);
     show_sweeps(&picture);
     show_quadrics(&picture);

@@ -1,7 +1,9 @@
 #include "bounds/box.h"
 
+#include "base/finite.h"
 #include "base/norm.h"
 #include "eval/evaluate.h"
+#include "eval/jet.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,6 +34,19 @@ double dot(const double *a, const double *b, int n) noexcept {
     return sum;
 }
 
+// How far an evaluated point may be from the exact one, by the accuracy contract: c eps times the largest
+// coordinate of a control point, and times a ratio of weights of 4 at most.
+double evaluation_error(const Spline &spline) {
+    if (spline.form() == Form::homogeneous) {
+        return 0;
+    }
+    double factor = 0;
+    for (int k = 0; k < spline.axes(); ++k) {
+        factor += 4 * accuracy_factor(spline.axis(k).degree());
+    }
+    return factor * eps * largest_magnitude(spline.points());
+}
+
 // Where a place is the end of a piece the spline is the limit from inside of it.
 double value_at(const Spline &spline, const double *direction, const std::array<double, max_axes> &params,
                 const std::array<double, max_axes> &place) {
@@ -49,16 +64,17 @@ double value_at(const Spline &spline, const double *direction, const std::array<
 
 Box bounding_box(const Spline &spline, const Part &part, double tolerance) {
     const SplinePieces pieces(spline, part);
+    const double pad = evaluation_error(spline);
     Box box;
     for (int c = 0; c < spline.dim(); ++c) {
         const double centre = pieces.centre()[static_cast<size_t>(c)];
         const Enclosure low = face(pieces, c, -1, tolerance).bounds;
         const Enclosure high = face(pieces, c, 1, tolerance).bounds;
-        box.lower.push_back(-rounded_up(low.upper - centre));
-        box.upper.push_back(rounded_up(centre + high.upper));
-        const double gap = rounded_up(std::max(low.upper - low.lower, high.upper - high.lower));
-        // the faces were rounded
-        const double moved = eps * std::max(std::abs(box.lower.back()), std::abs(box.upper.back()));
+        box.lower.push_back(-rounded_up(low.upper - centre + pad));
+        box.upper.push_back(rounded_up(centre + high.upper + pad));
+        const double gap = rounded_up(std::max(low.upper - low.lower, high.upper - high.lower) + pad);
+        // the faces were rounded twice
+        const double moved = 2 * eps * std::max(std::abs(box.lower.back()), std::abs(box.upper.back()));
         box.gap = std::max(box.gap, std::isnan(gap + moved) ? infinite : rounded_up(gap + 2 * moved));
     }
     return box;

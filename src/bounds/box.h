@@ -11,7 +11,8 @@ struct Box {
     double gap = 0; // no face is farther than this from the spline
 };
 
-// Each face is the largest value of a coordinate or its negative, to the tolerance, rounded outwards. Infinite
+// Each face is the largest value of a coordinate or its negative, to the tolerance, rounded outwards so that
+// evaluated points, with the rounding of evaluation, are inside too (unless points are homogeneous). Infinite
 // where weights cannot be shown to be positive. Cost: linear in the number of pieces, and the halvings of those
 // that reach the faces.
 Box bounding_box(const Spline &spline, const Part &part, double tolerance);

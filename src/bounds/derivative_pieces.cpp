@@ -1,5 +1,6 @@
 #include "bounds/derivative_pieces.h"
 
+#include "base/finite.h"
 #include "base/representable.h"
 #include "refine/weights.h"
 
@@ -12,8 +13,6 @@
 namespace nrb {
 
 namespace {
-
-constexpr double eps = std::numeric_limits<double>::epsilon();
 
 // A vector polynomial and its weight, or their derivatives; no weight: 1 or 0.
 struct Jet1 {
@@ -85,8 +84,31 @@ void make_positive(HomogeneousPiece &piece) {
     piece.positive = sign != 0;
 }
 
-double scaled_size(double x, int exponent) noexcept {
-    return std::ldexp(x, -exponent);
+// The heaviest control point where weights differ, so that it has no share in the rounding; else the middle.
+std::vector<double> local_centre(const Spline &spline) {
+    if (spline.form() != Form::rational) {
+        return centre_of(spline);
+    }
+    const auto heaviest = std::max_element(spline.weights().begin(), spline.weights().end());
+    const auto at = static_cast<size_t>(heaviest - spline.weights().begin()),
+               dim = static_cast<size_t>(spline.dim());
+    const auto point = spline.points().subspan(at * dim, dim);
+    return {point.begin(), point.end()};
+}
+
+// What records and their combinations are accurate to in units of BernsteinNet::error(): of Cartesian points the
+// magnitudes themselves, as x - c is; of homogeneous ones those of A and of w c, which their sizes bound.
+CentredRecords magnitudes_of(const CentredRecords &records, Form form) {
+    CentredRecords sizes = records;
+    const auto width = static_cast<size_t>(records.width), dim = width - (records.weighted ? 1 : 0);
+    for (size_t i = 0; i < sizes.values.size(); ++i) {
+        double &x = sizes.values[i];
+        x = std::abs(x);
+        if (form == Form::homogeneous && i % width < dim) {
+            x += records.sizes[i / width] * std::abs(records.values[i - i % width + dim]);
+        }
+    }
+    return sizes;
 }
 
 } // namespace
@@ -162,11 +184,12 @@ HomogeneousPiece PieceMaker::piece(int64_t index) const {
     const Spline sub = sub_spline(spans);
     const bool homogeneous = sub.form() == Form::homogeneous;
     const bool weighted = weighted_ || homogeneous;
-    piece.centre = centre_of(sub);
+    piece.centre = local_centre(sub);
     const CentredRecords records =
         centred_records(sub, piece.centre, weighted, weighted ? weight_exponent(sub) : 0);
-    const BernsteinNet net(sub, records, ends, degrees);
-    piece.positive = net.positive();
+    const BernsteinNet net(sub, records, ends, degrees),
+        sizes(sub, magnitudes_of(records, sub.form()), ends, degrees);
+    piece.positive = !weighted || net.positive();
 
     RoundedPolynomial &points = piece.points, &weight = piece.weight;
     points.shape = weight.shape = net.shape();
@@ -174,20 +197,21 @@ HomogeneousPiece PieceMaker::piece(int64_t index) const {
     weight.shape.width = 1;
     points.values.resize(static_cast<size_t>(points.shape.values()));
     weight.values.resize(weighted ? static_cast<size_t>(weight.shape.values()) : 0);
+    points.errors = points.values;
+    weight.errors = weight.values;
     net.copy(0, points.values.data(), weight.values.data());
-    const double size = net.positive() ? net.size(0) : net.largest_record();
-    piece.exponent = size > 0 && std::isfinite(size) ? std::ilogb(size) : 0;
-    weight.sizes = weight.values;
-    std::for_each(weight.sizes.begin(), weight.sizes.end(),
-                  [&](double &w) { w = net.positive() ? std::abs(w) : net.largest_weight(); });
-    for (size_t i = 0; i < points.values.size(); ++i) {
-        const double w = weighted && net.positive() ? weight.sizes[i / static_cast<size_t>(sub.dim())] : 1.0;
-        points.sizes.push_back(scaled_size(size, piece.exponent) * w);
-        points.values[i] = scaled_size(points.values[i], piece.exponent);
+    sizes.copy(0, points.errors.data(), weight.errors.data());
+    const double largest = largest_magnitude(points.values);
+    piece.exponent = largest > 0 && std::isfinite(largest) ? std::ilogb(largest) : 0;
+    for (double &x : weight.errors) {
+        x *= 1.01 * net.error();
     }
-    points.steps = weight.steps = net.error() / eps;
+    for (size_t i = 0; i < points.values.size(); ++i) {
+        points.values[i] = std::ldexp(points.values[i], -piece.exponent);
+        points.errors[i] = std::ldexp(1.01 * net.error() * points.errors[i], -piece.exponent);
+    }
     require_representable(points.values, "Bernstein coefficients");
-    require_representable(points.sizes, "Bernstein coefficients");
+    require_representable(points.errors, "Bernstein coefficients");
     if (!weighted) {
         weight = constant(1);
     } else if (!piece.positive) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 namespace nrb {
@@ -65,6 +66,11 @@ std::vector<double> convolved(const BernsteinShape &a, const std::vector<double>
     return out;
 }
 
+std::vector<double> magnitudes(std::vector<double> a) {
+    std::for_each(a.begin(), a.end(), [](double &x) { x = std::abs(x); });
+    return a;
+}
+
 // Values in layers along an axis: [outer][degree + 1][inner].
 struct Layers {
     int64_t outer = 1;
@@ -91,7 +97,7 @@ RoundedPolynomial raised_to(const RoundedPolynomial &a, const BernsteinShape &sh
         return a;
     }
     const std::vector<double> ones(static_cast<size_t>(rest.coefficients()), 1.0);
-    return a * RoundedPolynomial{rest, ones, ones, 0};
+    return a * RoundedPolynomial{rest, ones, std::vector<double>(ones.size(), 0.0)};
 }
 
 void split_values(const Layers &layers, double place, std::vector<double> &values,
@@ -110,49 +116,53 @@ void split_values(const Layers &layers, double place, std::vector<double> &value
 
 } // namespace
 
-double RoundedPolynomial::error(size_t i) const noexcept {
-    return 1.01 * steps * eps * sizes[i];
-}
-
 RoundedPolynomial constant(double value) {
-    return {{}, {value}, {std::abs(value)}, 0};
+    return {{}, {value}, {0}};
 }
 
 RoundedPolynomial component(const RoundedPolynomial &a, int c) {
-    RoundedPolynomial result{a.shape, {}, {}, a.steps};
+    RoundedPolynomial result{a.shape, {}, {}};
     result.shape.width = 1;
     for (size_t i = static_cast<size_t>(c); i < a.values.size(); i += static_cast<size_t>(a.shape.width)) {
         result.values.push_back(a.values[i]);
-        result.sizes.push_back(a.sizes[i]);
+        result.errors.push_back(a.errors[i]);
     }
     return result;
 }
 
 RoundedPolynomial side_by_side(const std::vector<RoundedPolynomial> &components) {
-    RoundedPolynomial result{components.front().shape, {}, {}, 0};
+    RoundedPolynomial result{components.front().shape, {}, {}};
     result.shape.width = static_cast<int>(components.size());
-    for (const RoundedPolynomial &c : components) {
-        result.steps = std::max(result.steps, c.steps);
-    }
     for (size_t i = 0; i < components.front().values.size(); ++i) {
         for (const RoundedPolynomial &c : components) {
             result.values.push_back(c.values[i]);
-            result.sizes.push_back(c.sizes[i]);
+            result.errors.push_back(c.errors[i]);
         }
     }
     return result;
 }
 
-// Binomials of both factors and of the product, a rounding for each of three multiplications, and sums of as many
-// terms as the smaller factor has coefficients; half an eps each.
+// (a + e)(b + f) = a b + a f + e (b + f), and the rounding of a b: binomials of both factors and of the product, three
+// multiplications, and sums of as many terms as the smaller factor has coefficients; half an eps each.
 RoundedPolynomial operator*(const RoundedPolynomial &a, const RoundedPolynomial &b) {
-    RoundedPolynomial result{product_shape(a.shape, b.shape), {}, {}, 0};
+    RoundedPolynomial result{product_shape(a.shape, b.shape), {}, {}};
     const auto left = binomials_of(a.shape), right = binomials_of(b.shape), over = binomials_of(result.shape);
-    result.values = convolved(a.shape, times(a.values, left), b.shape, times(b.values, right), over);
-    result.sizes = convolved(a.shape, times(a.sizes, left), b.shape, times(b.sizes, right), over);
+    const auto times_binomials = [&](const std::vector<double> &x, const std::vector<double> &y) {
+        return convolved(a.shape, times(x, left), b.shape, times(y, right), over);
+    };
+    const std::vector<double> a_size = magnitudes(a.values), b_size = magnitudes(b.values);
+    std::vector<double> b_most = b_size;
+    std::transform(b_most.begin(), b_most.end(), b.errors.begin(), b_most.begin(), std::plus<>());
+    result.values = times_binomials(a.values, b.values);
+    const std::vector<double> size = times_binomials(a_size, b_size),
+                              from_b = times_binomials(a_size, b.errors),
+                              from_a = times_binomials(a.errors, b_most);
     const double terms = static_cast<double>(std::min(a.shape.coefficients(), b.shape.coefficients()));
-    result.steps = a.steps + b.steps + 2 + terms / 2 + binomial_steps(a.shape) + binomial_steps(b.shape) +
-                   binomial_steps(result.shape);
+    const double steps =
+        2 + terms / 2 + binomial_steps(a.shape) + binomial_steps(b.shape) + binomial_steps(result.shape);
+    for (size_t i = 0; i < size.size(); ++i) {
+        result.errors.push_back(from_a[i] + from_b[i] + steps * eps * size[i]);
+    }
     return result;
 }
 
@@ -164,19 +174,19 @@ RoundedPolynomial sum(const RoundedPolynomial &a, double factor, const RoundedPo
     RoundedPolynomial result = raised_to(a, shape);
     const RoundedPolynomial other = raised_to(b, shape);
     for (size_t i = 0; i < result.values.size(); ++i) {
-        result.values[i] += factor * other.values[i];
-        result.sizes[i] += std::abs(factor) * other.sizes[i];
+        const double term = factor * other.values[i];
+        result.values[i] += term;
+        result.errors[i] +=
+            std::abs(factor) * other.errors[i] + eps * (std::abs(term) + std::abs(result.values[i]));
     }
-    result.steps = std::max(result.steps, other.steps) + 1;
     return result;
 }
 
 RoundedPolynomial scaled(RoundedPolynomial a, double factor) {
     for (size_t i = 0; i < a.values.size(); ++i) {
         a.values[i] *= factor;
-        a.sizes[i] *= std::abs(factor);
+        a.errors[i] = a.errors[i] * std::abs(factor) + eps * std::abs(a.values[i]);
     }
-    a.steps += 0.5;
     return a;
 }
 
@@ -190,18 +200,19 @@ RoundedPolynomial dot(const RoundedPolynomial &a, const RoundedPolynomial &b) {
 
 RoundedPolynomial derivative(const RoundedPolynomial &a, int axis) {
     const Layers from(a.shape, axis);
-    RoundedPolynomial result{a.shape, {}, {}, a.steps + 1};
+    RoundedPolynomial result{a.shape, {}, {}};
     int &degree = result.shape.degrees[static_cast<size_t>(axis)];
     degree = std::max(0, degree - 1);
     result.values.assign(static_cast<size_t>(result.shape.values()), 0.0);
-    result.sizes = result.values;
+    result.errors = result.values;
     const Layers to(result.shape, axis);
     for (int64_t o = 0; from.degree > 0 && o < to.outer; ++o) {
         for (int j = 0; j < from.degree; ++j) {
             for (int64_t i = 0; i < to.inner; ++i) {
                 const size_t low = from.at(o, j, i), high = from.at(o, j + 1, i), out = to.at(o, j, i);
                 result.values[out] = from.degree * (a.values[high] - a.values[low]);
-                result.sizes[out] = from.degree * (a.sizes[high] + a.sizes[low]);
+                result.errors[out] =
+                    from.degree * (a.errors[high] + a.errors[low]) + eps * std::abs(result.values[out]);
             }
         }
     }
@@ -210,13 +221,13 @@ RoundedPolynomial derivative(const RoundedPolynomial &a, int axis) {
 
 RoundedPolynomial end_value(const RoundedPolynomial &a, int axis, bool upper) {
     const Layers from(a.shape, axis);
-    RoundedPolynomial result{a.shape, {}, {}, a.steps};
+    RoundedPolynomial result{a.shape, {}, {}};
     result.shape.degrees[static_cast<size_t>(axis)] = 0;
     for (int64_t o = 0; o < from.outer; ++o) {
         for (int64_t i = 0; i < from.inner; ++i) {
             const size_t at = from.at(o, upper ? from.degree : 0, i);
             result.values.push_back(a.values[at]);
-            result.sizes.push_back(a.sizes[at]);
+            result.errors.push_back(a.errors[at]);
         }
     }
     return result;
@@ -224,10 +235,12 @@ RoundedPolynomial end_value(const RoundedPolynomial &a, int axis, bool upper) {
 
 RoundedPolynomial split(RoundedPolynomial &a, int axis, double place) {
     const Layers layers(a.shape, axis);
-    a.steps += 1.5 * layers.degree;
+    for (size_t i = 0; i < a.values.size(); ++i) { // each step of the means rounds them by 3 / 2 eps
+        a.errors[i] += 1.5 * layers.degree * eps * std::abs(a.values[i]);
+    }
     RoundedPolynomial lower = a;
     split_values(layers, place, a.values, lower.values);
-    split_values(layers, place, a.sizes, lower.sizes);
+    split_values(layers, place, a.errors, lower.errors);
     return lower;
 }
 
@@ -242,7 +255,7 @@ int divide_end(RoundedPolynomial &a, int axis, bool upper) {
         if (from.degree == 0) {
             return -1;
         }
-        RoundedPolynomial quotient{a.shape, {}, {}, a.steps + 1};
+        RoundedPolynomial quotient{a.shape, {}, {}};
         --quotient.shape.degrees[static_cast<size_t>(axis)];
         const Layers to(quotient.shape, axis);
         for (int64_t o = 0; o < to.outer; ++o) {
@@ -251,7 +264,7 @@ int divide_end(RoundedPolynomial &a, int axis, bool upper) {
                 for (int64_t i = 0; i < to.inner; ++i) {
                     const size_t at = from.at(o, upper ? j : j + 1, i);
                     quotient.values.push_back(a.values[at] * factor);
-                    quotient.sizes.push_back(a.sizes[at] * factor);
+                    quotient.errors.push_back(a.errors[at] * factor + eps * std::abs(quotient.values.back()));
                 }
             }
         }

@@ -7,16 +7,15 @@
 
 namespace nrb {
 
-// Every value is within error(i) = steps eps sizes[i] of the exact one, by a running error analysis: sizes follow
-// the operations on magnitudes, steps count the roundings. Sizes are only relative to each other in meaning, so
-// nothing depends on the scale of a model or of its weights.
+// Every value is within error(i) of the exact one, by a running error analysis that follows all operations. Nothing
+// is relative to a scale of its own, so nothing depends on that of a model or of its weights.
 struct RoundedPolynomial {
     BernsteinShape shape;
     std::vector<double> values;
-    std::vector<double> sizes;
-    double steps = 0;
+    std::vector<double> errors;
 
-    [[nodiscard]] double error(size_t i) const noexcept;
+    // With what the rounding of the bounds themselves may amount to.
+    [[nodiscard]] double error(size_t i) const noexcept { return 1.01 * errors[i]; }
     // 1 or -1, 0 where rounding hides it.
     [[nodiscard]] int sign(size_t i) const noexcept {
         const double e = error(i);
@@ -31,7 +30,7 @@ RoundedPolynomial component(const RoundedPolynomial &a, int c);
 // Scalar polynomials of one shape side by side.
 RoundedPolynomial side_by_side(const std::vector<RoundedPolynomial> &components);
 
-// The degrees add up; b is a scalar one. Cost: a.values times b.coefficients.
+// The degrees add up; b is a scalar one. Cost: four times a.values times b.coefficients.
 RoundedPolynomial operator*(const RoundedPolynomial &a, const RoundedPolynomial &b);
 // a + factor b, raised to common degrees. Precondition: the widths agree.
 RoundedPolynomial sum(const RoundedPolynomial &a, double factor, const RoundedPolynomial &b);

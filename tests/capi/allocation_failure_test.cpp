@@ -430,6 +430,40 @@ const Case cases[] = {
                                       nullptr);
      },
      true},
+    {"curve_features",
+     [](Inputs &in, Output &) {
+         return nurbs_curve_features(in.twist, 0x7f, 0, nullptr, nullptr, nullptr, in.spans, in.states);
+     }},
+    {"curve_features periodic",
+     [](Inputs &in, Output &) {
+         return nurbs_curve_features(in.loop, 0x3f, 16, in.values, in.states, in.values + 16, in.spans, nullptr);
+     },
+     true},
+    {"curve_monotone_pieces",
+     [](Inputs &in, Output &) {
+         return nurbs_curve_monotone_pieces(in.curve, params, 16, in.values, in.states, in.spans, nullptr);
+     }},
+    {"curve_convexity", [](Inputs &in, Output &) { return nurbs_curve_convexity(in.curve, in.states); }},
+    {"straightness",
+     [](Inputs &in, Output &) {
+         return nurbs_straightness(in.segment, in.values, in.values + 2, in.values + 4);
+     },
+     true},
+    {"planarity",
+     [](Inputs &in, Output &) { return nurbs_planarity(in.surface, in.values, in.values + 3, in.values + 6); }},
+    {"boundary_contacts",
+     [](Inputs &in, Output &) {
+         return nurbs_boundary_contacts(in.surface, 0.1, in.states, in.values, in.states + 2, in.values + 2);
+     },
+     true},
+    {"singular_points",
+     [](Inputs &in, Output &) {
+         return nurbs_singular_points(in.surface, 0.1, 0, nullptr, nullptr, in.spans, in.states);
+     }},
+    {"fold_test",
+     [](Inputs &in, Output &) {
+         return nurbs_fold_test(in.surface, nullptr, in.states, in.values, in.values + 2);
+     }},
     {"recognize curve",
      [](Inputs &in, Output &) {
          return nurbs_recognize(in.curve, 1e-9, in.states, in.values, in.values + 9, in.values + 11);
@@ -719,6 +753,50 @@ const Case cases[] = {
          static const double costs[] = {1, 1, 1, 1, 1, 1, 1, 1, 1}, target[] = {-1, 0.1};
          return nurbs_constrain(in.curve, 1, kinds, nullptr, params, target, nullptr, nullptr, costs, 1e-9, in.values,
                                 in.spans, in.values + 2, in.values + 3, &o.out);
+     }},
+    {"warp", [](Inputs &in, Output &o) { return nurbs_warp(in.curve, new_knots, params, 1, 1, &o.out); }},
+    {"warp periodic", [](Inputs &in, Output &o) { return nurbs_warp(in.loop, nullptr, params, 1, 1, &o.out); }},
+    {"flatten",
+     [](Inputs &in, Output &o) {
+         return nurbs_flatten(in.curve, new_knots, params, params, nullptr, in.values, &o.out);
+     }},
+    {"bend",
+     [](Inputs &in, Output &o) {
+         static const double along[] = {1, 0, 0}, across[] = {0, 1, 0};
+         return nurbs_bend(in.curve, params, along, across, 1, -9, 9, 0.1, in.values, in.states, &o.out);
+     }},
+    {"free_form_deform",
+     [](Inputs &in, Output &o) {
+         static const double lower[] = {-1, -1}, upper[] = {1, 1};
+         nurbs *square = nullptr;
+         static const int32_t degrees[] = {1, 1};
+         static const double points[] = {0, 0, 0, 1, 1, 0, 1, 2};
+         nurbs_status status = nurbs_create_bezier(2, degrees, 2, points, 0, 0, nullptr, 0, &square);
+         if (status == NURBS_OK) {
+             status = nurbs_free_form_deform(in.curve, square, lower, upper, 0.1, in.values, in.states, &o.out);
+         } else {
+             o.out = nullptr;
+         }
+         nurbs_destroy(square);
+         return status;
+     }},
+    {"fair",
+     [](Inputs &in, Output &o) {
+         return nurbs_fair(in.curve, 2, nullptr, 1e3, in.values, in.values + 2, &o.out);
+     }},
+    {"fair surface",
+     [](Inputs &in, Output &o) {
+         static const int32_t none[] = {-1, -1, -1, -1};
+         return nurbs_fair(in.surface, 1, none, 1e3, in.values, in.values + 2, &o.out);
+     }},
+    {"snap_boundary",
+     [](Inputs &in, Output &o) {
+         return nurbs_snap_boundary(in.curve, 0, NURBS_END, in.segment, 0, NURBS_START, 1, 0, in.values, &o.out);
+     }},
+    {"snap_boundary surface",
+     [](Inputs &in, Output &o) {
+         return nurbs_snap_boundary(in.surface, 0, NURBS_END, in.surface, 1, NURBS_START, 1, NURBS_REVERSED,
+                                    in.values, &o.out);
      }},
     {"read", [](Inputs &, Output &o) { return nurbs_read(file.bytes, file.size, nullptr, &o.list); }},
     {"read_file", [](Inputs &, Output &o) { return nurbs_read_file(path, nullptr, &o.list); }, true},

@@ -83,7 +83,7 @@ Vec param_in(Random &random, const Vec &range) {
 
 } // namespace
 
-// The stored shape, without rounding, is inside; its evaluation at many more places is so but for its own.
+// The stored shape, without rounding, is inside, and so are evaluated points at many more places.
 TEST(Boxes, ContainExactPoints) {
     for_each_case(6100, 400, [](Random &random, uint64_t seed) {
         const SplineData data = any_shape(random);
@@ -127,15 +127,10 @@ TEST(Boxes, ContainManyPoints) {
                 params.push_back(std::clamp(t, data.lower(k), data.upper(k)));
             }
         }
-        const Vec points = eval(g.get(), params), hulls = hull_sizes(g.get(), params);
-        int c_total = 0;
-        for (const int32_t p : data.degrees) {
-            c_total += static_cast<int>(reference::c_of(p));
-        }
+        const Vec points = eval(g.get(), params);
         for (size_t i = 0; i < points.size(); ++i) {
             const size_t c = i % static_cast<size_t>(data.dim);
-            const double off = 4 * c_total * 0x1p-52 * hulls[i / static_cast<size_t>(data.dim)];
-            ASSERT_TRUE(points[i] >= box.lower[c] - off && points[i] <= box.upper[c] + off)
+            ASSERT_TRUE(points[i] >= box.lower[c] && points[i] <= box.upper[c])
                 << points[i] << " " << box.lower[c] << " " << box.upper[c] << where(seed, data);
         }
     });

@@ -233,6 +233,49 @@ TEST(ClosestOnCurve, a_batch_gives_the_bits_of_single_queries) {
     });
 }
 
+// Units of length and parameters that are powers of two change nothing else.
+TEST(ClosestOnCurve, powers_of_two_are_exact) {
+    for_each_case(0x6008, 60, [](Random &random, uint64_t seed) {
+        const SplineData data = random_curve(random, 5);
+        const Handle g = create(data);
+        const std::vector<double> points = query_points(random, data, g.get(), 5);
+        const std::vector<Answer> before = ask(g.get(), data.dim, points);
+        for (const int exponent : {-600, -30, 30, 600}) {
+            SplineData other = data;
+            std::vector<double> moved = points;
+            for (std::vector<double> *values : {&other.points, &moved}) {
+                std::for_each(values->begin(), values->end(),
+                              [&](double &x) { x = std::ldexp(x, exponent); });
+            }
+            std::for_each(other.knots[0].begin(), other.knots[0].end(), [](double &t) { t *= 0.125; });
+            const Handle h = create(other);
+            const std::vector<Answer> after = ask(h.get(), data.dim, moved);
+            for (size_t i = 0; i < before.size(); ++i) {
+                EXPECT_EQ(after[i].t, 0.125 * before[i].t) << exponent << where(seed, data);
+                EXPECT_EQ(after[i].status, before[i].status) << exponent << where(seed, data);
+            }
+        }
+    });
+}
+
+// No farthest point of a curve that goes to infinity is certified.
+TEST(ClosestOnCurve, unbounded_curves_have_no_farthest_point) {
+    const int32_t degrees[] = {1, 2};
+    const double line[] = {1, 0, 0, 0, 1, 1}, pole[] = {1, 0, 1, 0, 1, -1, -1, 0, 1};
+    const double knots[] = {0, 0, 0, 1, 1, 1}, x[] = {0, 0};
+    for (int i = 0; i < 2; ++i) {
+        const int64_t count = degrees[i] + 1;
+        nurbs *out = nullptr;
+        require_ok(nurbs_create_homogeneous(1, &degrees[i], &count, knots + 1 - i, 2 * count, 2,
+                                            i == 0 ? line : pole, 0, 0, 0, &out));
+        const Handle g(out);
+        int32_t status = 0;
+        require_ok(nurbs_farthest_points(g.get(), 1, x, 0, 0, nullptr, 0, 0, nullptr, 0, 0, nullptr, 0, 0,
+                                         nullptr, 0, &status, 0));
+        EXPECT_EQ(status & NURBS_CLOSEST_CERTIFIED, 0);
+    }
+}
+
 // Many queries against the best of many samples.
 TEST(ClosestOnCurve, no_sample_is_nearer) {
     for_each_case(0x6005, 200, [](Random &random, uint64_t seed) {

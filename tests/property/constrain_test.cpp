@@ -182,7 +182,7 @@ void expect_least_change(const SplineData &data, const Set &set, const Result &r
         const std::vector<double> param = param_of(set, data, i);
         rows.push_back(exact_row(data, param));
         right.emplace_back();
-        for (const Rational &x : difference(target_of(set, data, i), point_at(data, param))) {
+        for (const Rational &x : minus(target_of(set, data, i), point_at(data, param))) {
             right.back().push_back(real(x));
         }
     }
@@ -209,7 +209,7 @@ void expect_met(const SplineData &data, const Set &set, const Result &result, do
                 const std::string &place) {
     const SplineData after = read_back(result.g.get());
     for (int64_t i = 0; i < set.count(); ++i) {
-        const Point missed = difference(point_at(after, param_of(set, data, i)), target_of(set, data, i));
+        const Point missed = minus(point_at(after, param_of(set, data, i)), target_of(set, data, i));
         ASSERT_LE(length(missed), bound * std::max(extent(data), extent(after)))
             << place << " constraint " << i;
     }
@@ -291,7 +291,7 @@ TEST(Constrain, one_value_has_its_closed_form) {
         }
         ASSERT_EQ(result.status, NURBS_OK) << last_error() << where(seed, data);
         const SplineData after = read_back(result.g.get());
-        const Point gap = difference(target_of(set, data, 0), point_at(data, set.params));
+        const Point gap = minus(target_of(set, data, 0), point_at(data, set.params));
         for (int64_t i = 0; i < data.point_count(); ++i) {
             const auto at = static_cast<size_t>(i);
             for (size_t c = 0; c < gap.size(); ++c) {
@@ -347,7 +347,7 @@ TEST(Constrain, derivatives_directions_and_normals_hold) {
         const auto at = [&](int64_t i) { return param_of(set, data, i); };
         const auto target = [&](int64_t i) { return target_of(set, data, i); };
         const long double size = extent(after);
-        ASSERT_LE(length(difference(point_at(after, at(0)), target(0))), 1e-12L * size) << place;
+        ASSERT_LE(length(minus(point_at(after, at(0)), target(0))), 1e-12L * size) << place;
         const Point tangent = derivative_at(after, at(1), {1}), u = target(1);
         const Rational along = dot(tangent, u) / dot(u, u);
         Point across = tangent;
@@ -358,7 +358,7 @@ TEST(Constrain, derivatives_directions_and_normals_hold) {
         ASSERT_LE(length(across), 1e-12L * speed) << place;
         const Point n = target(2), v = derivative_at(after, at(2), {1});
         ASSERT_LE(std::fabs(as_long_double(dot(n, v))), 1e-12L * speed * length(n)) << place;
-        ASSERT_LE(length(difference(derivative_at(after, at(3), {1}), target(3))), 1e-12L * speed) << place;
+        ASSERT_LE(length(minus(derivative_at(after, at(3), {1}), target(3))), 1e-12L * speed) << place;
     });
 }
 

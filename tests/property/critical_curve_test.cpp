@@ -154,6 +154,19 @@ TEST(ClosestAll, equally_near_points_are_all_found) {
     EXPECT_EQ(more.params, (std::vector<double>{1.625, 2.25}));
 }
 
+TEST(ClosestAll, a_crossing_has_two_parameters) {
+    SplineData data;
+    data.degrees = {1};
+    data.counts = {4};
+    data.dim = 2;
+    data.knots = {{0, 0, 1, 2, 3, 3}};
+    data.points = {0, 0, 2, 2, 2, 0, 0, 2};
+    const Handle g = create(data);
+    const Critical found = all_nearest(g.get(), {1, 1}, 0);
+    EXPECT_EQ(found.params, (std::vector<double>{0.5, 2.5}));
+    EXPECT_EQ(found.status, NURBS_CLOSEST_CERTIFIED | NURBS_CLOSEST_NOT_UNIQUE);
+}
+
 TEST(ClosestAll, an_arc_around_its_centre_is_a_continuum) {
     const Handle g = ellipse(2, 2);
     const Critical found = all_nearest(g.get(), {0, 0}, 0);

@@ -68,7 +68,7 @@ inline Point place_of(const SplineData &data, int64_t i) {
     return place;
 }
 
-inline Point difference(const Point &a, const Point &b) {
+inline Point minus(const Point &a, const Point &b) {
     Point result;
     for (size_t c = 0; c < a.size(); ++c) {
         result.emplace_back(a[c] - b[c]);
@@ -89,7 +89,7 @@ inline long double spread(const SplineData &data, const std::map<int64_t, Influe
                           const Point &from) {
     long double largest = 0;
     for (const auto &[point, influence] : all) {
-        largest = std::max(largest, length(difference(place_of(data, point), from)));
+        largest = std::max(largest, length(minus(place_of(data, point), from)));
     }
     return largest;
 }

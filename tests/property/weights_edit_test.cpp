@@ -75,7 +75,7 @@ struct Scene {
                as_long_double(Rational(weight / rest)) > 1e-200L;
     }
     [[nodiscard]] Point now() const { return at(weight); }
-    [[nodiscard]] long double reach() const { return length(difference(now(), centre)); }
+    [[nodiscard]] long double reach() const { return length(minus(now(), centre)); }
     [[nodiscard]] std::string place(uint64_t seed) const { return where(seed, data) + " at " + hex(param); }
 };
 
@@ -220,7 +220,7 @@ TEST(Weights, limits_are_those_of_theory) {
         }
         require_ok(nurbs_set_weights(scene.g.get(), 1, &point, weights + 1, &out));
         const Handle pulled(out);
-        const Point near = difference(point_at(read_back(pulled.get()), scene.param), scene.centre);
+        const Point near = minus(point_at(read_back(pulled.get()), scene.param), scene.centre);
         const long double share = as_long_double(function) * std::ldexp(1.0L, 500);
         ASSERT_LE(length(near) * share, length(scene.offset) * 1.001L) << scene.place(seed);
     });
@@ -243,7 +243,7 @@ TEST(WeightThrough, brings_the_point_to_the_target) {
         nurbs *out = nullptr;
         const long double size = extent(scene.data);
         const double tolerance = static_cast<double>(4 * eps * size * sum_roundings(scene.data));
-        if (std::min(length(difference(wanted, scene.centre)), length(difference(wanted, scene.at(0)))) <
+        if (std::min(length(minus(wanted, scene.centre)), length(minus(wanted, scene.at(0)))) <
             1e-6L * size) {
             return; // rounding of the target hides on which side of an end it lies
         }
@@ -251,7 +251,7 @@ TEST(WeightThrough, brings_the_point_to_the_target) {
                                         tolerance, &weight, &out));
         const Handle made(out);
         const Point got = point_at(read_back(made.get()), scene.param);
-        const long double error = length(difference(got, wanted)), unit = eps * size;
+        const long double error = length(minus(got, wanted)), unit = eps * size;
         worst.add(scene.data.degrees[0], error / unit / sum_roundings(scene.data), error / unit);
         ASSERT_LE(error, 2 * sum_roundings(scene.data) * unit) << scene.place(seed);
     });
@@ -303,7 +303,7 @@ TEST(PullPoint, moves_the_point_by_the_distance) {
                   sum_roundings(scene.data) * eps * std::fabs(distance))
             << scene.place(seed);
         ASSERT_EQ(after.weights, scene.data.weights);
-        const Point step = difference(point_at(after, scene.param), scene.now());
+        const Point step = minus(point_at(after, scene.param), scene.now());
         Point along;
         for (const double x : direction) {
             along.push_back(exact(x));

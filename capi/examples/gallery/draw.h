@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Draws splines into the cells of one SVG picture for gallery.c: curves as lines, surfaces as shaded quadrilaterals
+/* Draws splines into the cells of one SVG picture for gallery.c and hull.c: curves as lines, surfaces as shaded quadrilaterals
  * that are painted from the farthest to the nearest, volumes as their faces. What is said about splines here is in
  * sample_curve() and sample_surface(). */
 #ifndef GALLERY_DRAW_H
@@ -14,7 +14,7 @@
 #include <string.h>
 
 /* Lengths in fifths of a pixel, so that coordinates are integers. */
-enum { COLUMNS = 7, CELL = 700, MARGIN = 65, LABEL = 100, SHADES = 8, MAX_POINTS = 40000, MAX_ITEMS = 8000 };
+enum { CELL = 700, MARGIN = 65, LABEL = 100, SHADES = 8, MAX_POINTS = 40000, MAX_ITEMS = 8000 };
 
 /* A path over points of the cell. What is nearer to the eye has more depth; lines in the plane have none. */
 typedef struct item {
@@ -25,12 +25,12 @@ typedef struct item {
 
 typedef struct gallery {
     FILE *file;
-    int cells, points, items;
+    int columns, cells, points, items;
     double point[MAX_POINTS][2];
     item item[MAX_ITEMS];
 } gallery;
 
-static void check(nurbs_status status) {
+static inline void check(nurbs_status status) {
     char message[512];
     if (status != NURBS_OK) {
         nurbs_last_error(message, (int64_t)sizeof message);
@@ -46,11 +46,11 @@ static const double to_top[3] = {-0.394771, -0.197386, 0.897331};
 static const double to_eye[3] = {0.802597, 0.401299, 0.441376};
 static const double to_light[3] = {0.468, -0.234, 0.852};
 
-static double dot(const double *a, const double *b) {
+static inline double dot(const double *a, const double *b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-static void add_point(gallery *p, const double *x, int32_t dim) {
+static inline void add_point(gallery *p, const double *x, int32_t dim) {
     double *to = p->point[p->points++];
     to[0] = dim == 2 ? x[0] : dot(x, to_right);
     to[1] = dim == 2 ? x[1] : dot(x, to_top);
@@ -60,7 +60,7 @@ static void add_point(gallery *p, const double *x, int32_t dim) {
     }
 }
 
-static void add_item(gallery *p, const char *style, int count, double depth) {
+static inline void add_item(gallery *p, const char *style, int count, double depth) {
     item *it = &p->item[p->items++];
     it->first = p->points;
     it->count = count;
@@ -69,7 +69,7 @@ static void add_item(gallery *p, const char *style, int count, double depth) {
 }
 
 /* A line in space goes piece by piece, a little in front of the surface that it may lie on. */
-static void add_line(gallery *p, const char *style, const double *points, int n, int32_t dim) {
+static inline void add_line(gallery *p, const char *style, const double *points, int n, int32_t dim) {
     const int pieces = dim == 3 && n > 1 ? n - 1 : 1, size = pieces > 1 ? 2 : n;
     int i, k;
     for (i = 0; i < pieces; ++i) {
@@ -81,7 +81,7 @@ static void add_line(gallery *p, const char *style, const double *points, int n,
     }
 }
 
-static void add_dots(gallery *p, const char *style, const double *points, int n, int32_t dim) {
+static inline void add_dots(gallery *p, const char *style, const double *points, int n, int32_t dim) {
     int i;
     for (i = 0; i < n; ++i) {
         add_line(p, style, points + i * dim, 1, dim);
@@ -93,7 +93,7 @@ static void add_dots(gallery *p, const char *style, const double *points, int n,
 enum { MAX_SAMPLES = 400, MAX_NET = 64 };
 
 /* Points at equal steps between the knots of a clamped curve; corners are met, and what is straight has no others. */
-static int sample_curve(const nurbs *g, double *points, int32_t *dim) {
+static inline int sample_curve(const nurbs *g, double *points, int32_t *dim) {
     double knots[MAX_SAMPLES], params[MAX_SAMPLES];
     int32_t degree, steps;
     int64_t count;
@@ -115,7 +115,7 @@ static int sample_curve(const nurbs *g, double *points, int32_t *dim) {
     return n;
 }
 
-static void add_curve(gallery *p, const nurbs *g, const char *style) {
+static inline void add_curve(gallery *p, const nurbs *g, const char *style) {
     double points[3 * MAX_SAMPLES];
     int32_t dim;
     const int n = sample_curve(g, points, &dim);
@@ -123,7 +123,7 @@ static void add_curve(gallery *p, const nurbs *g, const char *style) {
 }
 
 /* The control polygon. */
-static void add_net(gallery *p, const nurbs *g) {
+static inline void add_net(gallery *p, const nurbs *g) {
     double points[3 * MAX_NET];
     int64_t n;
     int32_t dim;
@@ -141,7 +141,7 @@ static void add_net(gallery *p, const nurbs *g) {
 enum { MAX_SIDE = 33 };
 
 /* Points on a grid of equal steps, rows * columns of them. */
-static void sample_surface(const nurbs *g, int rows, int columns, double *points) {
+static inline void sample_surface(const nurbs *g, int rows, int columns, double *points) {
     const int64_t counts[2] = {rows, columns};
     double params[2 * MAX_SIDE], domain[2];
     int axis, i, k = 0;
@@ -156,7 +156,7 @@ static void sample_surface(const nurbs *g, int rows, int columns, double *points
 }
 
 /* Half of the product of the diagonals, the normal times the area. */
-static void quad_normal(const double *const corner[4], double *normal) {
+static inline void quad_normal(const double *const corner[4], double *normal) {
     double a[3], b[3];
     int k;
     for (k = 0; k < 3; ++k) {
@@ -172,7 +172,7 @@ static void quad_normal(const double *const corner[4], double *normal) {
 enum { OPEN = 0, CLOSED = 1, TURNED = 2 };
 
 /* One quadrilateral: the outer side is blue, the inner one orange. */
-static void add_quad(gallery *p, const double *const corner[4], int sides) {
+static inline void add_quad(gallery *p, const double *const corner[4], int sides) {
     double normal[3], length, light, depth = 0;
     char style[3] = "f0";
     int k, outside;
@@ -194,7 +194,7 @@ static void add_quad(gallery *p, const double *const corner[4], int sides) {
     }
 }
 
-static void add_surface(gallery *p, const nurbs *g, int rows, int columns, int sides) {
+static inline void add_surface(gallery *p, const nurbs *g, int rows, int columns, int sides) {
     double points[MAX_SIDE * MAX_SIDE * 3];
     int i, j;
     sample_surface(g, rows + 1, columns + 1, points);
@@ -207,14 +207,14 @@ static void add_surface(gallery *p, const nurbs *g, int rows, int columns, int s
     }
 }
 
-static nurbs *item_of(const nurbs_list *list, int64_t index) {
+static inline nurbs *item_of(const nurbs_list *list, int64_t index) {
     nurbs *g;
     check(nurbs_list_get(list, index, &g));
     return g;
 }
 
 /* The curves around a surface. */
-static void add_edges(gallery *p, const nurbs *g) {
+static inline void add_edges(gallery *p, const nurbs *g) {
     nurbs_list *list;
     int i;
     check(nurbs_boundaries(g, &list));
@@ -227,7 +227,7 @@ static void add_edges(gallery *p, const nurbs *g) {
 }
 
 /* The faces of a volume whose axes are right-handed: the normals of three of them point into it. */
-static void add_faces(gallery *p, const nurbs *g, int side) {
+static inline void add_faces(gallery *p, const nurbs *g, int side) {
     static const int sides[6] = {CLOSED | TURNED, CLOSED, CLOSED, CLOSED | TURNED, CLOSED | TURNED, CLOSED};
     nurbs_list *list;
     int i;
@@ -252,7 +252,7 @@ static const char picture_styles[] =
     ".point { stroke: #7b8794; stroke-width: 21 } .given { stroke: #c2255c; stroke-width: 30 }\n"
     ".tangent { stroke: #c2255c; stroke-width: 7 }\n";
 
-static void write_shades(FILE *file) {
+static inline void write_shades(FILE *file) {
     int i;
     for (i = 0; i < SHADES; ++i) {
         const double t = (double)i / (SHADES - 1);
@@ -263,13 +263,14 @@ static void write_shades(FILE *file) {
     }
 }
 
-static void open_picture(gallery *p, const char *path, int rows) {
-    const int width = COLUMNS * CELL, height = rows * (CELL + LABEL);
+static inline void open_picture(gallery *p, const char *path, int columns, int rows) {
+    const int width = columns * CELL, height = rows * (CELL + LABEL);
     p->file = fopen(path, "w");
     if (p->file == NULL) {
         perror(path);
         exit(EXIT_FAILURE);
     }
+    p->columns = columns;
     p->cells = p->points = p->items = 0;
     fprintf(p->file, "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %d %d\">\n%s", width, height,
             picture_styles);
@@ -277,7 +278,7 @@ static void open_picture(gallery *p, const char *path, int rows) {
     fprintf(p->file, "</style>\n<rect width=\"%d\" height=\"%d\" fill=\"#fbfaf7\"/>\n", width, height);
 }
 
-static void close_picture(gallery *p) {
+static inline void close_picture(gallery *p) {
     int failed;
     fprintf(p->file, "</svg>\n");
     failed = ferror(p->file);
@@ -287,7 +288,7 @@ static void close_picture(gallery *p) {
     }
 }
 
-static int farther_first(const void *a, const void *b) {
+static inline int farther_first(const void *a, const void *b) {
     const item *p = a, *q = b;
     if (p->depth != q->depth) {
         return p->depth < q->depth ? -1 : 1;
@@ -300,7 +301,7 @@ typedef struct fit {
     double scale, x, y;
 } fit;
 
-static fit fit_cell(const gallery *p) {
+static inline fit fit_cell(const gallery *p) {
     double low[2] = {HUGE_VAL, HUGE_VAL}, high[2] = {-HUGE_VAL, -HUGE_VAL};
     fit f;
     int i, k;
@@ -316,18 +317,18 @@ static fit fit_cell(const gallery *p) {
     return f;
 }
 
-static int is_quad(const item *it) {
+static inline int is_quad(const item *it) {
     return it->style[1] >= '0' && it->style[1] <= '9';
 }
 
 /* Whether b begins where a ends. */
-static int goes_on(const gallery *p, const item *a, const item *b) {
+static inline int goes_on(const gallery *p, const item *a, const item *b) {
     const double *end = p->point[a->first + a->count - 1], *start = p->point[b->first];
     return !is_quad(a) && end[0] == start[0] && end[1] == start[1];
 }
 
 /* Steps from point to point, negative ones without a space before them. */
-static void write_path(const gallery *p, const item *it, const fit *f, int goes_on_from_last) {
+static inline void write_path(const gallery *p, const item *it, const fit *f, int goes_on_from_last) {
     int i, x, y, old_x = 0, old_y = 0;
     for (i = it->first; i < it->first + it->count; ++i) {
         const int k = i - it->first;
@@ -344,7 +345,7 @@ static void write_path(const gallery *p, const item *it, const fit *f, int goes_
 }
 
 /* Neighbours of one style share a path. */
-static void write_items(const gallery *p, const fit *f) {
+static inline void write_items(const gallery *p, const fit *f) {
     int i;
     for (i = 0; i < p->items; ++i) {
         const item *it = &p->item[i];
@@ -358,8 +359,8 @@ static void write_items(const gallery *p, const fit *f) {
 }
 
 /* Writes what was added since the last cell, under a label. */
-static void end_cell(gallery *p, const char *label) {
-    const int x = p->cells % COLUMNS * CELL, y = p->cells / COLUMNS * (CELL + LABEL);
+static inline void end_cell(gallery *p, const char *label) {
+    const int x = p->cells % p->columns * CELL, y = p->cells / p->columns * (CELL + LABEL);
     const fit f = fit_cell(p);
     qsort(p->item, (size_t)p->items, sizeof *p->item, farther_first);
     fprintf(p->file, "<g transform=\"translate(%d %d)\">\n", x, y);
@@ -371,20 +372,20 @@ static void end_cell(gallery *p, const char *label) {
 
 /* --- one spline in a cell, which then is over --- */
 
-static void show_curve(gallery *p, const char *label, nurbs *g) {
+static inline void show_curve(gallery *p, const char *label, nurbs *g) {
     add_net(p, g);
     add_curve(p, g, "curve");
     end_cell(p, label);
     nurbs_destroy(g);
 }
 
-static void show_surface(gallery *p, const char *label, nurbs *g, int rows, int columns, int sides) {
+static inline void show_surface(gallery *p, const char *label, nurbs *g, int rows, int columns, int sides) {
     add_surface(p, g, rows, columns, sides);
     end_cell(p, label);
     nurbs_destroy(g);
 }
 
-static void show_volume(gallery *p, const char *label, nurbs *g, int side) {
+static inline void show_volume(gallery *p, const char *label, nurbs *g, int side) {
     add_faces(p, g, side);
     end_cell(p, label);
     nurbs_destroy(g);

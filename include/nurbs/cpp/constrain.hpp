@@ -27,8 +27,8 @@ struct Constraints {
     std::vector<std::int32_t> orders{};
 };
 
-/// What else holds; what is empty is the default of nurbs.h: derivatives that stay [axes][2], costs [N] of moving control
-/// points and of changing weights; and the largest residual.
+/// What else holds; what is empty is the default of nurbs.h: derivatives that stay [axes][2], costs [N] of moving
+/// control points and of changing weights; and the largest residual.
 struct ConstrainOptions {
     std::vector<std::int32_t> keep{};
     std::vector<double> costs{};

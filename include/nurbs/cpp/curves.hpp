@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-// / \file curves.hpp
-// / \brief Lines, conics and helices.
+/// \file curves.hpp
+/// \brief Lines, conics and helices.
 #ifndef NURBS_CPP_CURVES_HPP
 #define NURBS_CPP_CURVES_HPP
 
@@ -11,7 +11,7 @@
 
 namespace libnurbs {
 
-// / Kinds of conics.
+/// Kinds of conics.
 inline constexpr std::int32_t conic_ellipse = NURBS_CONIC_ELLIPSE;
 inline constexpr std::int32_t conic_parabola = NURBS_CONIC_PARABOLA;
 inline constexpr std::int32_t conic_hyperbola = NURBS_CONIC_HYPERBOLA;
@@ -21,14 +21,14 @@ inline constexpr std::int32_t conic_line = NURBS_CONIC_LINE;
 
 // Lines
 
-// / From a to b.
+/// From a to b.
 inline Spline line(View<double> a, View<double> b) {
     const auto dim = static_cast<std::int32_t>(a.size());
     detail::require_length(dim, {b});
     return detail::spline_of([&](nurbs **out) { return nurbs_curve_line(dim, a.data(), b.data(), out); });
 }
 
-// / Through points [n][dim], at 0, 1, ..., n - 1 unless parameters are given.
+/// Through points [n][dim], at 0, 1, ..., n - 1 unless parameters are given.
 inline Spline polyline(std::int32_t dim, Input points, Input params = {}) {
     const std::int64_t n = points.count(dim, "points");
     points.require(n, dim, "points");
@@ -41,14 +41,14 @@ inline Spline polyline(std::int32_t dim, Input points, Input params = {}) {
     });
 }
 
-// / A closed regular polygon; the radius is that of its corners.
+/// A closed regular polygon; the radius is that of its corners.
 inline Spline polygon(const Placement &at, double radius, std::int64_t sides) {
     const detail::Place p(at);
     return detail::spline_of(
         [&](nurbs **out) { return nurbs_curve_polygon(p.dim, p.origin, p.axis, p.x, radius, sides, out); });
 }
 
-// / A rectangle about a centre, its corners quarter circles.
+/// A rectangle about a centre, its corners quarter circles.
 inline Spline rounded_rectangle(const Placement &at, double width, double height, double corner_radius) {
     const detail::Place p(at);
     return detail::spline_of([&](nurbs **out) {
@@ -72,7 +72,7 @@ inline Spline arc(const Placement &at, double radius, double start, double sweep
     });
 }
 
-// / From a through b to c.
+/// From a through b to c.
 inline Spline arc_through(View<double> a, View<double> b, View<double> c, std::int32_t form = arc_quarters) {
     const auto dim = static_cast<std::int32_t>(a.size());
     detail::require_length(dim, {b, c});
@@ -80,7 +80,7 @@ inline Spline arc_through(View<double> a, View<double> b, View<double> c, std::i
         [&](nurbs **out) { return nurbs_curve_arc_through(dim, a.data(), b.data(), c.data(), form, out); });
 }
 
-// / From a in the direction of a tangent to b.
+/// From a in the direction of a tangent to b.
 inline Spline arc_tangent(View<double> a, View<double> tangent, View<double> b,
                           std::int32_t form = arc_quarters) {
     const auto dim = static_cast<std::int32_t>(a.size());
@@ -100,7 +100,7 @@ inline Spline ellipse(const Placement &at, double radius_x, double radius_y, dou
     });
 }
 
-// / Over [start, end], the coordinates along Y; x points from the vertex to the focus.
+/// Over [start, end], the coordinates along Y; x points from the vertex to the focus.
 inline Spline parabola(const Placement &at, double focal_length, double start, double end) {
     const detail::Place p(at);
     return detail::spline_of([&](nurbs **out) {
@@ -108,7 +108,7 @@ inline Spline parabola(const Placement &at, double focal_length, double start, d
     });
 }
 
-// / The branch that opens to x.
+/// The branch that opens to x.
 inline Spline hyperbola(const Placement &at, double radius_x, double radius_y, double start, double end) {
     const detail::Place p(at);
     return detail::spline_of([&](nurbs **out) {
@@ -116,7 +116,7 @@ inline Spline hyperbola(const Placement &at, double radius_x, double radius_y, d
     });
 }
 
-// / By a control triangle and C_sf = w1^2 / (w0 w2).
+/// By a control triangle and C_sf = w1^2 / (w0 w2).
 inline Spline conic_triangle(View<double> p0, View<double> p1, View<double> p2, double shape_factor) {
     const auto dim = static_cast<std::int32_t>(p0.size());
     detail::require_length(dim, {p1, p2});
@@ -125,7 +125,7 @@ inline Spline conic_triangle(View<double> p0, View<double> p1, View<double> p2, 
     });
 }
 
-// / By two points with tangents, and how far the shoulder point is on its way from the chord to the tangents.
+/// By two points with tangents, and how far the shoulder point is on its way from the chord to the tangents.
 inline Spline conic_shoulder(View<double> a, View<double> tangent_a, View<double> b, View<double> tangent_b,
                              double rho) {
     const auto dim = static_cast<std::int32_t>(a.size());
@@ -136,7 +136,7 @@ inline Spline conic_shoulder(View<double> a, View<double> tangent_a, View<double
     });
 }
 
-// / By two points with tangent lines, and a third point between them.
+/// By two points with tangent lines, and a third point between them.
 inline Spline conic_point(View<double> a, View<double> tangent_a, View<double> b, View<double> tangent_b,
                           View<double> point, std::int32_t form = arc_quarters) {
     const auto dim = static_cast<std::int32_t>(a.size());
@@ -147,7 +147,7 @@ inline Spline conic_point(View<double> a, View<double> tangent_a, View<double> b
     });
 }
 
-// / Through five points [5][dim].
+/// Through five points [5][dim].
 inline Spline conic_through(std::int32_t dim, Input points, std::int32_t form = arc_quarters) {
     points.require(5, dim, "points");
     return detail::spline_of([&](nurbs **out) {
@@ -156,8 +156,8 @@ inline Spline conic_through(std::int32_t dim, Input points, std::int32_t form = 
     });
 }
 
-// / A conic of the plane: its kind, centre or vertex, the direction to its vertex or focus, and semi-axes or
-// focal length.
+/// A conic of the plane: its kind, centre or vertex, the direction to its vertex or focus, and semi-axes or
+/// focal length.
 struct ConicAxes {
     std::int32_t type;
     std::array<double, 2> origin;
@@ -165,7 +165,7 @@ struct ConicAxes {
     std::array<double, 2> sizes;
 };
 
-// / Of A x^2 + B x y + C y^2 + D x + E y + F = 0.
+/// Of A x^2 + B x y + C y^2 + D x + E y + F = 0.
 inline ConicAxes conic_axes(const std::array<double, 6> &coefficients) {
     ConicAxes axes{};
     detail::check(nurbs_conic_axes(coefficients.data(), &axes.type, axes.origin.data(), axes.x.data(),
@@ -179,7 +179,7 @@ inline Spline conic_implicit(const std::array<double, 6> &coefficients, double s
         [&](nurbs **out) { return nurbs_curve_conic_implicit(coefficients.data(), start, end, form, out); });
 }
 
-// / By a focus, the nearest point of the directrix, and the eccentricity; in space also by the axis.
+/// By a focus, the nearest point of the directrix, and the eccentricity; in space also by the axis.
 inline Spline conic_focus(View<double> focus, View<double> foot, double eccentricity, double start,
                           double sweep, std::int32_t form = arc_quarters, View<double> axis = {}) {
     const std::int32_t dim = detail::dimension_of({focus, axis}, 0);
@@ -195,7 +195,7 @@ struct ShapeFactor {
     std::int32_t type;
 };
 
-// / C_sf and kind of a conic segment of degree 2.
+/// C_sf and kind of a conic segment of degree 2.
 inline ShapeFactor shape_factor(const Spline &g) {
     ShapeFactor result{};
     detail::check(nurbs_curve_shape_factor(g.get(), &result.factor, &result.type));
@@ -204,7 +204,7 @@ inline ShapeFactor shape_factor(const Spline &g) {
 
 // Helices
 
-// / A helix, where radius and height change evenly with the angle.
+/// A helix, where radius and height change evenly with the angle.
 struct HelixShape {
     double radius = 1; ///< at the start
     double growth = 0; ///< of the radius in a turn
@@ -213,7 +213,7 @@ struct HelixShape {
     double turns = 1;
 };
 
-// / The curve, and a proven bound of its distance from the true one.
+/// The curve, and a proven bound of its distance from the true one.
 struct Helix {
     Spline spline;
     double error;

@@ -86,8 +86,8 @@ struct Faired {
     double bound;
 };
 
-/// Small energy within a tolerance: order 1 (membrane), 2 (thin plate) or 3; keep [axes][2] derivatives that stay at the
-/// ends, empty: positions.
+/// Small energy within a tolerance: order 1 (membrane), 2 (thin plate) or 3; keep [axes][2] derivatives that stay at
+/// the ends, empty: positions.
 inline Faired fair(const Spline &g, std::int32_t order, double tolerance, View<std::int32_t> keep = {}) {
     const std::int32_t *stay = detail::if_given(std::span(keep), 2 * std::int64_t{g.axes()}, "keep");
     Faired made{};

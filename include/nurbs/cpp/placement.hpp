@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-// / \file placement.hpp
-// / \brief Where shapes stand, and the forms of their arcs.
+/// \file placement.hpp
+/// \brief Where shapes stand, and the forms of their arcs.
 #ifndef NURBS_CPP_PLACEMENT_HPP
 #define NURBS_CPP_PLACEMENT_HPP
 
@@ -14,16 +14,16 @@
 
 namespace libnurbs {
 
-// / Forms of an arc.
+/// Forms of an arc.
 inline constexpr std::int32_t arc_quarters = NURBS_ARC_QUARTERS;
 inline constexpr std::int32_t arc_thirds = NURBS_ARC_THIRDS;
 inline constexpr std::int32_t arc_smooth = NURBS_ARC_SMOOTH;
 
 inline constexpr double full_turn = 2 * std::numbers::pi;
 
-// / Origin (centre, vertex), axis and direction x of a shape, all of one length: its dimension. What is left
-// empty is / the default of nurbs.h; if all is, surfaces and helices stand in space and other curves in the
-// plane.
+/// Origin (centre, vertex), axis and direction x of a shape, all of one length: its dimension. What is left
+/// empty is the default of nurbs.h; if all is, surfaces and helices stand in space and other curves in the
+/// plane.
 struct Placement {
     std::vector<double> origin{};
     std::vector<double> axis{};

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-// / \file recognize.hpp
-// / \brief Recognition of shapes.
+/// \file recognize.hpp
+/// \brief Recognition of shapes.
 #ifndef NURBS_CPP_RECOGNIZE_HPP
 #define NURBS_CPP_RECOGNIZE_HPP
 
@@ -12,7 +12,7 @@
 
 namespace libnurbs {
 
-// / What recognize() finds.
+/// What recognize() finds.
 inline constexpr std::int32_t shape_none = NURBS_SHAPE_NONE;
 inline constexpr std::int32_t shape_point = NURBS_SHAPE_POINT;
 inline constexpr std::int32_t shape_line = NURBS_SHAPE_LINE;
@@ -26,8 +26,8 @@ inline constexpr std::int32_t shape_cylinder = NURBS_SHAPE_CYLINDER;
 inline constexpr std::int32_t shape_cone = NURBS_SHAPE_CONE;
 inline constexpr std::int32_t shape_torus = NURBS_SHAPE_TORUS;
 
-// / A shape, its placement and sizes as nurbs_recognize() describes them, and a proven bound of the distance
-// from it.
+/// A shape, its placement and sizes as nurbs_recognize() describes them, and a proven bound of the distance
+/// from it.
 struct Recognized {
     std::int32_t shape;
     std::array<double, 3> origin;
@@ -37,7 +37,7 @@ struct Recognized {
     double deviation;
 };
 
-// / The first shape of the list from which no point is farther than the tolerance.
+/// The first shape of the list from which no point is farther than the tolerance.
 inline Recognized recognize(const Spline &g, double tolerance) {
     Recognized found{};
     std::array<double, 9> placement{};

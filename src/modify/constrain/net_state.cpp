@@ -3,9 +3,9 @@
 #include "base/finite.h"
 #include "base/norm.h"
 #include "base/representable.h"
+#include "modify/edit/kept_layers.h"
 #include "modify/edit/net_editor.h"
 #include "refine/homogeneous.h"
-#include "spline/axis_view.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,40 +23,6 @@ Orders highest_of(const Condition &condition) noexcept {
         }
     }
     return highest;
-}
-
-// Whether layers of an axis act on derivatives up to an order at an end of the domain.
-std::vector<char> acting_layers(const KnotVector &axis, bool upper, int order) {
-    std::vector<char> acting(static_cast<size_t>(axis.count()), 0);
-    if (order < 0) {
-        return acting;
-    }
-    const int p = axis.degree(), highest = std::min(order, p);
-    const double end = upper ? axis.domain().upper : axis.domain().lower;
-    const int64_t span = axis.find_span(end, upper);
-    std::vector<double> values(static_cast<size_t>((highest + 1) * (p + 1)));
-    basis_derivs(axis.knots().data(), p, span, end, highest, values.data());
-    for (size_t i = 0; i < values.size(); ++i) {
-        if (values[i] != 0) {
-            acting[static_cast<size_t>(span - p) + i % (static_cast<size_t>(p) + 1)] = 1;
-        }
-    }
-    return acting;
-}
-
-// Marks the originals in layers that stay.
-void mark_kept(const Spline &spline, const int32_t *keep, std::vector<char> &stays) {
-    for (int k = 0; k < spline.axes(); ++k) {
-        const AxisView view = axis_view(spline, k, 1);
-        for (int end = 0; end < 2; ++end) {
-            const std::vector<char> acting = acting_layers(spline.axis(k), end == 1, keep[2 * k + end]);
-            for (int64_t i = 0; i < spline.point_count(); ++i) {
-                if (acting[static_cast<size_t>(i / view.inner % view.count)] != 0) {
-                    stays[static_cast<size_t>(original_of(spline, i))] = 1;
-                }
-            }
-        }
-    }
 }
 
 // Originals that act on a condition.
@@ -92,10 +58,7 @@ void number(const Spline &spline, const std::vector<int64_t> &acting, Cost &&cos
 
 Columns make_columns(const Spline &spline, const std::vector<Condition> &conditions, const ChangeRule &rule) {
     constexpr double never = std::numeric_limits<double>::infinity();
-    std::vector<char> stays(static_cast<size_t>(spline.point_count()), 0);
-    if (rule.keep != nullptr) {
-        mark_kept(spline, rule.keep, stays);
-    }
+    const std::vector<char> stays = kept_points(spline, rule.keep);
     const std::vector<int64_t> acting = acting_points(spline, conditions);
     const auto cost = [&](const double *costs, double usual) {
         return [&stays, costs, usual](int64_t point) {

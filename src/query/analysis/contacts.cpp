@@ -73,7 +73,7 @@ double size_of(const Spline &boundary) {
     for (size_t i = n; i < points.size() && point; ++i) {
         point = points[i] == points[i % n];
     }
-    return point ? 0 : farthest_from(boundary, ball_centre(points, boundary.dim()));
+    return point ? 0 : farthest_from(boundary, ball_centre(sample_points(boundary), boundary.dim()));
 }
 
 } // namespace

@@ -37,7 +37,11 @@ Turn turn_of(RoundedPolynomial d, int depth) {
         return {0, std::numeric_limits<double>::infinity()};
     }
     const RoundedPolynomial lower = split(d, along);
-    const Turn first = turn_of(lower, depth - 1), second = turn_of(d, depth - 1);
+    const Turn first = turn_of(lower, depth - 1);
+    if (std::isinf(first.error)) {
+        return first;
+    }
+    const Turn second = turn_of(d, depth - 1);
     return {first.angle + second.angle, first.error + second.error};
 }
 

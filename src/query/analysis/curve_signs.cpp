@@ -15,8 +15,9 @@ bool exactly_zero(const RoundedPolynomial &f) noexcept {
 
 void append_runs(const HomogeneousPiece &piece, const SignRuns &signs, CurveSigns &out) {
     for (const SignRun &run : signs.runs) {
-        out.runs.push_back({piece.parameter(0, run.from), piece.parameter(0, run.to), run.sign});
-        out.complete = out.complete && (run.sign != 0 || run.simple);
+        out.runs.push_back({piece.parameter(0, run.from), piece.parameter(0, run.to), run.sign, run.zero >= 0,
+                            piece.parameter(0, run.zero)});
+        out.complete = out.complete && (run.sign != 0 || run.simple) && !signs.doubtful;
     }
 }
 
@@ -36,20 +37,24 @@ CurveSigns curve_signs(const std::vector<HomogeneousPiece> &pieces, const Numera
 
 std::vector<SignChange> sign_changes(const std::vector<CurveRun> &runs, bool periodic) {
     std::vector<SignChange> changes;
-    const CurveRun *last = nullptr, *first = nullptr;
+    const CurveRun *last = nullptr, *first = nullptr, *estimate = nullptr;
     for (const CurveRun &run : runs) {
         if (run.sign == 0) {
+            estimate = run.estimated ? &run : estimate;
             continue;
         }
         first = first == nullptr ? &run : first;
         if (last != nullptr && last->sign != run.sign) {
-            changes.push_back({last->to, run.from, last->sign, run.sign});
+            const double middle = last->to == run.from ? run.from : last->to / 2 + run.from / 2;
+            changes.push_back(
+                {last->to, run.from, last->sign, run.sign, estimate != nullptr ? estimate->zero : middle});
         }
         last = &run;
+        estimate = nullptr;
     }
     if (periodic && last != nullptr && last->sign != first->sign) {
         const double start = runs.front().from;
-        changes.insert(changes.begin(), {start, start, last->sign, first->sign});
+        changes.insert(changes.begin(), {start, start, last->sign, first->sign, start});
     }
     return changes;
 }

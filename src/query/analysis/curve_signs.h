@@ -13,6 +13,8 @@ struct CurveRun {
     double from;
     double to;
     int sign;
+    bool estimated = false; // a hidden one in which the computed values change their sign at `zero`
+    double zero = 0;
 };
 
 struct CurveSigns {
@@ -36,8 +38,7 @@ struct SignChange {
     double to;
     int before;
     int after;
-
-    [[nodiscard]] double at() const noexcept { return from == to ? from : from / 2 + to / 2; }
+    double at; // the best estimate between them
 };
 
 // With the change at the seam, given as the start, if the axis is periodic.

@@ -44,10 +44,17 @@ std::vector<SignRun> product_runs(const std::vector<SignRun> &a, const std::vect
                                       [&](const SignRun &r) { return r.from <= from && to <= r.to; });
         return run == runs.end() ? 0 : run->sign;
     };
+    const auto zero_in = [](const std::vector<SignRun> &runs, double from, double to) {
+        const auto run = std::find_if(runs.begin(), runs.end(), [&](const SignRun &r) {
+            return r.zero >= 0 && r.from <= from && to <= r.to && from <= r.zero && r.zero <= to;
+        });
+        return run == runs.end() ? -1 : run->zero;
+    };
     std::vector<SignRun> result;
     for (size_t i = 0; i + 1 < cuts.size(); ++i) {
         const double from = cuts[i], to = cuts[i + 1];
-        result.push_back({from, to, sign_on(a, from, to) * sign_on(b, from, to)});
+        result.push_back(
+            {from, to, sign_on(a, from, to) * sign_on(b, from, to), false, zero_in(a, from, to)});
     }
     return result;
 }
@@ -88,7 +95,7 @@ private:
     void add_changes(const CurveSigns &signs, int32_t kind) {
         found_.complete = found_.complete && signs.complete;
         for (const SignChange &change : sign_changes(signs.runs, pieces_.periodic())) {
-            add(change.at(), kind, curvature(change.at()));
+            add(change.at, kind, curvature(change.at));
         }
     }
 
@@ -203,9 +210,8 @@ private:
         const RoundedPolynomial q = m.shape.width == 1 ? m : dot(m, m);
         SignRuns slope = sign_runs(slope_numerator(piece, m));
         const SignRuns bend = sign_runs(q);
-        CurveSigns parts;
-        append_runs(piece, slope, rises); // for completeness
-        rises.runs.resize(rises.runs.size() - slope.runs.size());
+        CurveSigns parts, own;
+        append_runs(piece, slope, own);
         append_runs(piece, bend, parts);
         bends.complete = bends.complete && (m.shape.width > 1 || parts.complete);
         bends.runs.insert(bends.runs.end(), parts.runs.begin(), parts.runs.end());
@@ -216,9 +222,9 @@ private:
             bends.runs.push_back({piece.parameter(0, 1), piece.parameter(0, 1), 0});
         }
         slope.runs = m.shape.width == 1 ? product_runs(slope.runs, bend.runs) : slope.runs;
-        for (const SignRun &run : slope.runs) {
-            rises.runs.push_back({piece.parameter(0, run.from), piece.parameter(0, run.to), run.sign});
-        }
+        const bool complete = rises.complete && own.complete;
+        append_runs(piece, slope, rises);
+        rises.complete = complete; // that of the product counts what stands still as hidden
     }
 
     void extrema() {
@@ -238,8 +244,8 @@ private:
             const bool least = change.after > 0;
             if (wants(least ? NURBS_FEATURE_CURVATURE_MINIMUM : NURBS_FEATURE_CURVATURE_MAXIMUM) &&
                 !(least && is_flat(bends.runs, change.from, change.to))) {
-                add(change.at(), least ? NURBS_FEATURE_CURVATURE_MINIMUM : NURBS_FEATURE_CURVATURE_MAXIMUM,
-                    curvature(change.at()));
+                add(change.at, least ? NURBS_FEATURE_CURVATURE_MINIMUM : NURBS_FEATURE_CURVATURE_MAXIMUM,
+                    curvature(change.at));
             }
         }
     }

@@ -4,9 +4,11 @@
 #include "bounds/principal_axes.h"
 #include "bounds/spline_pieces.h"
 #include "eval/evaluate.h"
+#include "refine/bezier_rows.h"
 #include "refine/homogeneous.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -79,6 +81,26 @@ std::vector<double> main_direction(std::vector<double> points, int dim) {
     return d;
 }
 
+// Places in every span of an axis, so many that all axes together have some thousands, and its ends.
+std::vector<double> places_on(const KnotVector &axis, int axes) {
+    const std::vector<double> breaks = breaks_of(axis);
+    const double enough = std::pow(4096.0, 1.0 / axes);
+    const auto spans = static_cast<double>(breaks.size() - 1);
+    const int n = static_cast<int>(std::clamp(enough / spans, 1.0, 2.0 * axis.degree() + 2));
+    std::vector<double> places;
+    for (size_t e = 0; e + 1 < breaks.size(); ++e) {
+        for (int i = 0; i < n; ++i) {
+            const double share = static_cast<double>(i) / n;
+            places.push_back(breaks[e] * (1 - share) + breaks[e + 1] * share);
+        }
+    }
+    for (double &t : places) {
+        t = std::clamp(t, breaks.front(), breaks.back());
+    }
+    places.push_back(breaks.back());
+    return places;
+}
+
 std::vector<double> end_point(const Spline &curve, bool upper) {
     AxisRules rules{};
     rules[0].left = upper;
@@ -130,6 +152,21 @@ double reach_of(const SplinePieces &pieces, const std::vector<double> &direction
 
 } // namespace
 
+std::vector<double> sample_points(const Spline &spline) {
+    std::array<std::vector<double>, max_axes> places;
+    std::array<ConstRecords, max_axes> params;
+    int64_t count = 1;
+    for (int k = 0; k < spline.axes(); ++k) {
+        const auto at = static_cast<size_t>(k);
+        places[at] = places_on(spline.axis(k), spline.axes());
+        params[at] = {places[at].data(), std::ssize(places[at]), 1, 1, 1};
+        count *= std::ssize(places[at]);
+    }
+    std::vector<double> points(static_cast<size_t>(count * spline.dim()));
+    evaluate_grid(spline, AxisRules{}, 0, params, {points.data(), count, spline.dim(), spline.dim(), 1});
+    return points;
+}
+
 std::vector<double> ball_centre(const std::vector<double> &points, int dim) {
     const std::vector<double> usable = finite_points(points, dim);
     const auto n = static_cast<size_t>(dim);
@@ -137,7 +174,8 @@ std::vector<double> ball_centre(const std::vector<double> &points, int dim) {
         return std::vector<double>(n, 0.0);
     }
     std::vector<double> centre(usable.begin(), usable.begin() + dim);
-    for (int step = 1; step <= 300; ++step) {
+    const int steps = static_cast<int>(std::clamp(2e7 / static_cast<double>(usable.size()), 20.0, 300.0));
+    for (int step = 1; step <= steps; ++step) {
         const double *far = usable.data();
         double reach = -1;
         for (size_t i = 0; i < usable.size(); i += n) {
@@ -163,7 +201,8 @@ double farthest_from(const Spline &spline, const std::vector<double> &centre) {
 
 Flatness straightness(const Spline &spline) {
     const int dim = spline.dim();
-    const std::vector<double> points = finite_points(cartesian_points(spline), dim);
+    std::vector<double> points = finite_points(sample_points(spline), dim);
+    points.resize(std::max(points.size(), static_cast<size_t>(dim)), 0.0);
     Flatness result{mean_of(points, dim), main_direction(points, dim), 0};
     if (spline.axes() == 1) {
         const std::vector<double> a = end_point(spline, false), b = end_point(spline, true);

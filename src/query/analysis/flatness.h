@@ -13,13 +13,16 @@ struct Flatness {
     double bound = 0;              // no point is farther
 };
 
-// The line along which the control points spread most, moved so that it is near the middle of them. Throws
+// The line along which points of the spline spread most, moved so that it is near the middle of them. Throws
 // NURBS_ERROR_NOT_REPRESENTABLE.
 Flatness straightness(const Spline &spline);
 
 // The plane across the direction in which the control points spread least, in the middle of the spline. Throws
 // NURBS_ERROR_NOT_REPRESENTABLE. Precondition: dimension 3.
 Flatness planarity(const Spline &spline);
+
+// Some thousand points of a spline, one after the other.
+std::vector<double> sample_points(const Spline &spline);
 
 // The centre of a ball of nearly the least radius that holds the points (M. Badoiu, K. Clarkson, "Smaller core-sets
 // for balls", SODA 2003); those that are not finite are left out.

@@ -39,12 +39,13 @@ MonotonePieces monotone_pieces(const Spline &curve, const double *direction) {
     for (size_t e = 0; e < pieces.pieces().size(); ++e) {
         const HomogeneousPiece &piece = pieces.pieces()[e];
         const SignRuns signs = sign_runs(along(tangent_numerator(piece, 0), unit));
+        result.complete = result.complete && !signs.doubtful;
         bool fresh = e == 0 || pieces.jump(e) > 0;
         double from = piece.parameter(0, 0);
         for (const SignRun &run : signs.runs) {
             if (run.sign == 0 && !signs.nothing) { // what is beside it meets in the middle
                 result.complete = result.complete && run.simple;
-                from = piece.parameter(0, run.from / 2 + run.to / 2);
+                from = piece.parameter(0, run.zero >= 0 ? run.zero : run.from / 2 + run.to / 2);
                 continue;
             }
             if (fresh || result.pieces.back().sign != run.sign) {

@@ -8,9 +8,13 @@ namespace nrb {
 
 namespace {
 
-constexpr int axis = 2;           // of the three, which curves lie along
-constexpr double least = 0x1p-48; // parts are not halved any further
+constexpr int axis = 2;             // of the three, which curves lie along
+constexpr double least = 0x1p-48;   // parts are not halved any further
+constexpr int most_halvings = 4096; // of one polynomial, where rounding leaves many parts open
 constexpr double eps = std::numeric_limits<double>::epsilon();
+
+// Where parts are halved: the first place that is not near a zero.
+constexpr double split_places[] = {0.5, 0.4375, 0.5625, 0.375, 0.625, 0.25, 0.75, 0.125, 0.875};
 
 // How often the sign of coefficients changes: at least and, if those without a certain sign are chosen so that it
 // is most often, up to 2 for more.
@@ -114,11 +118,11 @@ public:
 private:
     // At a place where the sign is certain.
     void halve(const RoundedPolynomial &f, double from, double to) {
-        static constexpr double places[] = {0.5, 0.4375, 0.5625, 0.375, 0.625, 0.25, 0.75, 0.125, 0.875};
-        for (const double place : places) {
-            if (to - from < least) {
+        for (const double place : split_places) {
+            if (to - from < least || halvings_ > most_halvings) {
                 break;
             }
+            ++halvings_;
             RoundedPolynomial upper = f;
             RoundedPolynomial lower = split(upper, axis, place);
             if (upper.sign(0) != 0) {
@@ -127,29 +131,29 @@ private:
                 return run(std::move(upper), middle, to);
             }
         }
-        append(runs_, {from, to, 0});
+        const bool changes = f.sign(0) != f.sign(f.values.size() - 1);
+        append(runs_, {from, to, 0, false, changes ? from + (to - from) * bracketed_zero(f.values) : -1});
     }
 
     std::vector<SignRun> &runs_;
+    int halvings_ = 0;
 };
 
 // Halving until every part has no zero, or one.
 class VectorIsolation {
 public:
-    void run(RoundedPolynomial v, double from, double to) {
+    void run(RoundedPolynomial v) {
         const int start = divide_end(v, axis, false);
         if (start < 0) {
-            return note({from, to, false});
+            return note({0, 1, false});
         }
         if (start > 0) {
-            note({from, from, true});
+            note({0, 0, true});
         }
         const int end = divide_end(v, axis, true);
-        if (may_vanish(v)) {
-            inside(std::move(v), from, to);
-        }
+        part(v, 0, 1);
         if (end > 0) {
-            note({to, to, true});
+            note({1, 1, true});
         }
     }
     [[nodiscard]] std::vector<ZeroPlace> take() { return std::move(places_); }
@@ -182,7 +186,10 @@ private:
         return certain_sign(along) == 0;
     }
 
-    void inside(RoundedPolynomial v, double from, double to) {
+    void part(const RoundedPolynomial &v, double from, double to) {
+        if (!may_vanish(v)) {
+            return;
+        }
         for (int c = 0; c < v.shape.width; ++c) {
             const RoundedPolynomial one = component(v, c);
             const Variations changes = variations(one);
@@ -197,13 +204,24 @@ private:
                 return;
             }
         }
-        if (to - from < least) {
-            return note({from, to, false});
+        halve(v, from, to);
+    }
+
+    // At a place where not all components may vanish.
+    void halve(const RoundedPolynomial &v, double from, double to) {
+        for (const double place : split_places) {
+            if (to - from < least || ++halvings_ > most_halvings) {
+                break;
+            }
+            RoundedPolynomial upper = v;
+            const RoundedPolynomial lower = split(upper, axis, place);
+            if (!vanishes(end_value(upper, axis, false))) {
+                const double middle = from + (to - from) * place;
+                part(lower, from, middle);
+                return part(upper, middle, to);
+            }
         }
-        RoundedPolynomial lower = split(v, axis);
-        const double middle = from / 2 + to / 2;
-        run(std::move(lower), from, middle);
-        run(std::move(v), middle, to);
+        note({from, to, false});
     }
 
     // All components at the zero of one, which rounding moves by its error over its derivative.
@@ -227,24 +245,37 @@ private:
     }
 
     std::vector<ZeroPlace> places_;
+    int halvings_ = 0;
 };
+
+// With f = x^m q the zeros of f + e are where q x^m = -e.
+bool doubtful_end(const RoundedPolynomial &f, double q, int times, bool upper) noexcept {
+    double error = 0;
+    for (size_t i = 0; i < static_cast<size_t>(times); ++i) {
+        error = std::max(error, f.error(upper ? f.values.size() - 1 - i : i));
+    }
+    return !(error <= 0x1p-32 * std::abs(q));
+}
 
 } // namespace
 
 SignRuns sign_runs(RoundedPolynomial f) {
     SignRuns result;
+    const RoundedPolynomial whole = f;
     result.zeros_at_start = divide_end(f, axis, false);
     if (result.zeros_at_start < 0) {
-        return {{{0, 1, 0}}, 0, 0, true};
+        return {{{0, 1, 0}}, 0, 0, true, false};
     }
     result.zeros_at_end = divide_end(f, axis, true);
+    result.doubtful = doubtful_end(whole, f.values.front(), result.zeros_at_start, false) ||
+                      doubtful_end(whole, f.values.back(), result.zeros_at_end, true);
     Isolation(result.runs).run(std::move(f), 0, 1);
     return result;
 }
 
 std::vector<ZeroPlace> zero_places(RoundedPolynomial v) {
     VectorIsolation isolation;
-    isolation.run(std::move(v), 0, 1);
+    isolation.run(std::move(v));
     return isolation.take();
 }
 

@@ -14,16 +14,18 @@ struct SignRun {
     double to;
     int sign;
     bool simple = false;
+    double zero = -1; // where the computed values of a hidden run change their sign, if they do
 };
 
 // Runs one after the other, of alternating kinds. Coefficients that vanish to rounding at an end of [0, 1] count
 // as 0: they are divided out, so that zeros within rounding of the ends count as being at them, with these
-// multiplicities.
+// multiplicities. With a zero of multiplicity m that is a distance of 2^(-32 / m) at most, or it is `doubtful`.
 struct SignRuns {
     std::vector<SignRun> runs;
     int zeros_at_start = 0;
     int zeros_at_end = 0;
-    bool nothing = false; // the polynomial vanishes to rounding; there is one run, of sign 0
+    bool nothing = false;  // the polynomial vanishes to rounding; there is one run, of sign 0
+    bool doubtful = false; // rounding moves the zeros at an end by more than it has to
 };
 
 // Variation diminishing: no certain change of sign among the coefficients, no zero; one, exactly one (Descartes).

@@ -8,7 +8,7 @@
 
 namespace nrb {
 
-// A place on a leaf, and the square of its distance.
+// A place on a leaf, and the square of its distance in the units of the tree.
 struct CurvePlace {
     int64_t leaf = -1;
     double s = 0; // of the leaf's interval

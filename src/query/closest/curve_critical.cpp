@@ -67,8 +67,7 @@ RoundedPolynomial offset_from(const HomogeneousPiece &piece, const double *x) {
     std::vector<RoundedPolynomial> shift;
     for (size_t c = 0; c < piece.centre.size(); ++c) {
         RoundedPolynomial one = constant(std::ldexp(x[c] - piece.centre[c], -piece.exponent));
-        one.sizes[0] = std::ldexp(std::abs(x[c]) + std::abs(piece.centre[c]), -piece.exponent);
-        one.steps = 1;
+        one.errors[0] = eps * std::abs(one.values[0]);
         shift.push_back(std::move(one));
     }
     return piece.points - side_by_side(shift) * piece.weight;

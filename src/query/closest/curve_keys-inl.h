@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <hwy/highway.h>
 
@@ -19,6 +20,7 @@ namespace nrb {
 namespace HWY_NAMESPACE {
 
 constexpr int fan = CurveTree::fan;
+constexpr double infinite = std::numeric_limits<double>::infinity();
 
 // Keys are what is made smallest: the distance, or its negative for the farthest point. Of eight children: no point
 // has a smaller key than `bound`, some point has at most `reached`.
@@ -45,8 +47,9 @@ HWY_INLINE void block_keys(const double *HWY_RESTRICT block, const double *HWY_R
     }
     if (farthest) {
         for (int k = 0; k < fan; ++k) {
-            keys.reached[k] = -std::sqrt(std::max(first[k], last[k]));
-            keys.bound[k] = keys.reached[k] - deviation[k];
+            const double end = -std::sqrt(std::max(first[k], last[k]));
+            keys.bound[k] = end - deviation[k];
+            keys.reached[k] = deviation[k] < infinite ? end : infinite;
         }
         return;
     }

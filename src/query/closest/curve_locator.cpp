@@ -28,7 +28,11 @@ Foot CurveLocator::foot_of(const CurvePlace &place, const Interval *range) const
         t = std::clamp(t, range->lower, range->upper);
     }
     const bool left = t == leaf.upper && t < domain_.upper && !tree_.joined(place.leaf);
-    return {{t}, std::sqrt(place.square), at_end(t, range) ? NURBS_CLOSEST_BOUNDARY : 0, 0, left ? 1u : 0u};
+    return {{t},
+            std::ldexp(std::sqrt(place.square), tree_.exponent()),
+            at_end(t, range) ? NURBS_CLOSEST_BOUNDARY : 0,
+            0,
+            left ? 1u : 0u};
 }
 
 Foot CurveLocator::nearest(const Query &query) const {
@@ -83,11 +87,15 @@ CriticalSet CurveLocator::minima(const Query &query) const {
     exact.tolerance = 0;
     const Foot best = nearest(exact);
     const double reach = best.distance + query.tolerance + 2 * best.noise;
-    CriticalSet set = critical(query, 0, reach);
+    CriticalSet set = critical(query, -1, reach); // pieces between two of them may not have been looked at
     std::erase_if(set.points, [reach](const CriticalPoint &c) {
         const bool minimum = c.kind == NURBS_CRITICAL_MINIMUM || c.kind == NURBS_CRITICAL_UNDECIDED;
         return !minimum || c.foot.distance > reach;
     });
+    if (set.points.empty()) { // parameters too coarse to come within reach
+        set.points.push_back({best, NURBS_CRITICAL_MINIMUM});
+        set.status &= ~NURBS_CLOSEST_CERTIFIED;
+    }
     const bool certified = (best.status & set.status & NURBS_CLOSEST_CERTIFIED) != 0;
     set.status &= ~NURBS_CLOSEST_CERTIFIED;
     set.status |= (certified ? NURBS_CLOSEST_CERTIFIED : 0) | (best.status & NURBS_CLOSEST_BUDGET);

@@ -26,9 +26,10 @@ public:
           x_(scratch_.take(static_cast<size_t>(tree.dim()))), norms_(scratch_.take(NURBS_MAX_DEGREE + 1)),
           segments_(scratch_.take(static_cast<size_t>(stack_height * shape.size()))),
           binomials_(binomials(tree.degree())), sign_(query.farthest ? -1 : 1),
-          margin_(query.tolerance + distance_noise(tree, query.point)), best_(tree, sign_, margin_) {
+          margin_(std::ldexp(query.tolerance + distance_noise(tree, query.point), -tree.exponent())),
+          best_(tree, sign_, margin_) {
         for (int c = 0; c < tree.dim(); ++c) {
-            x_[c] = query.point[c] - tree.centre()[static_cast<size_t>(c)];
+            x_[c] = std::ldexp(query.point[c] - tree.centre()[static_cast<size_t>(c)], -tree.exponent());
         }
     }
 
@@ -39,7 +40,9 @@ public:
                 examine(candidate.leaf, candidates.whole(candidate.leaf));
             }
         }
-        return {best_.best(), certified_ && budget_used_ <= query_.budget, best_.unique()};
+        const bool certified = certified_ && tree_.sound() && budget_used_ <= query_.budget &&
+                               best_.best().square < std::numeric_limits<double>::infinity();
+        return {best_.best(), certified, best_.unique()};
     }
 
     CurvePlace local(int64_t leaf, double s) {

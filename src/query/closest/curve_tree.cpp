@@ -14,25 +14,12 @@ namespace nrb {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-// Halvings of a span at most, and how far a leaf may be from its chord as a part of the chord without another.
-constexpr int most_halvings = 3;
+// How far a leaf may be from its chord, as a part of the chord, without another halving.
 constexpr double straight = 1.0 / 16;
 
-std::vector<double> middle_of(const Spline &curve) {
-    const int dim = curve.dim();
-    std::vector<double> middle(static_cast<size_t>(dim));
-    for (int c = 0; c < dim; ++c) {
-        double lower = infinity, upper = -infinity;
-        for (int64_t i = 0; i < curve.point_count(); ++i) {
-            const double x = curve.coordinate(i, c);
-            if (std::isfinite(x)) {
-                lower = std::min(lower, x);
-                upper = std::max(upper, x);
-            }
-        }
-        middle[static_cast<size_t>(c)] = lower <= upper ? lower / 2 + upper / 2 : 0;
-    }
-    return middle;
+// Halvings of a span at most: leaves take ten times the memory of control points, so many spans stay whole.
+constexpr int most_halvings(int64_t spans) noexcept {
+    return spans <= 1 << 12 ? 3 : spans <= 1 << 16 ? 1 : 0;
 }
 
 // Control points as seen by bounds: those of a piece, divided by their weights.
@@ -95,19 +82,17 @@ struct CurveTree::Boxes {
 
 CurveTree::CurveTree(const Spline &curve)
     : dim_(curve.dim()), degree_(curve.axis(0).degree()), lanes_((curve.dim() + 4) / 4 * 4),
-      centre_(middle_of(curve)) {
-    double largest_weight = 0;
-    for (int64_t i = 0; i < curve.point_count(); ++i) {
-        largest_weight = std::max(largest_weight, std::abs(curve.weight(i)));
-    }
+      centre_(centre_of(curve)) {
     const CentredRecords records =
-        centred_records(curve, centre_, curve.rational(), std::ilogb(largest_weight));
+        centred_records(curve, centre_, curve.rational(), curve.rational() ? weight_exponent(curve) : 0);
     BernsteinNet::Breaks breaks{breaks_of(curve.axis(0)), {}, {}};
     const int degrees[] = {degree_, 0, 0};
     const BernsteinNet net(curve, records, breaks, degrees);
     // of the net, of halvings and of what a search computes
     rounding_ = net.error() / std::numeric_limits<double>::epsilon() + 6 * degree_ + 2 * lanes_ + 20;
-    size_ = std::max(largest_magnitude(records.sizes), largest_magnitude(centre_));
+    const double extent = largest_magnitude(records.sizes);
+    size_ = std::max(extent, norm(centre_.data(), dim_));
+    exponent_ = extent > 0 && std::isfinite(extent) ? std::ilogb(extent) : 0;
     const auto count = static_cast<size_t>(degree_ + 1);
     std::vector<double> points(count * static_cast<size_t>(dim_)), weights(count, 1.0);
     std::vector<double> padded(count * static_cast<size_t>(lanes_));
@@ -115,15 +100,20 @@ CurveTree::CurveTree(const Spline &curve)
         net.copy(piece, points.data(), weights.data());
         for (size_t i = 0; i < count; ++i) {
             double *record = padded.data() + i * static_cast<size_t>(lanes_);
-            std::copy_n(points.data() + i * static_cast<size_t>(dim_), dim_, record);
+            const double *point = points.data() + i * static_cast<size_t>(dim_);
+            std::transform(point, point + dim_, record,
+                           [this](double x) { return std::ldexp(x, -exponent_); });
             record[lanes_ - 1] = weights[i];
         }
+        if (std::all_of(weights.begin(), weights.end(), [](double w) { return w < 0; })) {
+            std::for_each(padded.begin(), padded.end(), [](double &x) { x = 0.0 - x; });
+        }
         const auto e = static_cast<size_t>(piece);
-        add_span(padded.data(), {breaks[0][e], breaks[0][e + 1]}, 0);
+        add_span(padded.data(), {breaks[0][e], breaks[0][e + 1]}, most_halvings(net.pieces()));
     }
-    if (!net.positive()) {
-        rounding_ *= weight_ratio();
-    }
+    const double ratio = weight_ratio();
+    rounding_ *= net.positive() ? 1 : ratio;
+    sound_ = ratio < 0x1p400;
     add_blocks();
     add_levels();
 }
@@ -138,20 +128,20 @@ double CurveTree::weight_ratio() const noexcept {
     return largest / smallest;
 }
 
-void CurveTree::add_span(const double *records, Interval span, int depth) {
+void CurveTree::add_span(const double *records, Interval span, int halvings) {
     const PieceView view(records, degree_, dim_, lanes_);
     const double middle = span.lower / 2 + span.upper / 2;
     const double deviation = view.deviation();
     const bool divisible = span.lower < middle && middle < span.upper;
-    if (deviation <= straight * view.chord() || depth == most_halvings || !divisible) {
+    if (deviation <= straight * view.chord() || halvings == 0 || !divisible) {
         records_.insert(records_.end(), records, records + (degree_ + 1) * lanes_);
         domains_.push_back(span);
         return;
     }
     std::vector<double> upper(records, records + (degree_ + 1) * lanes_), lower(upper.size());
     halve({{0, 0, degree_}, lanes_}, 2, upper.data(), lower.data());
-    add_span(lower.data(), {span.lower, middle}, depth + 1);
-    add_span(upper.data(), {middle, span.upper}, depth + 1);
+    add_span(lower.data(), {span.lower, middle}, halvings - 1);
+    add_span(upper.data(), {middle, span.upper}, halvings - 1);
 }
 
 void CurveTree::add_blocks() {
@@ -160,16 +150,17 @@ void CurveTree::add_blocks() {
         const PieceView view(records(std::min(i, leaves() - 1)), degree_, dim_, lanes_);
         double *block = blocks_.data() + i / fan * block_size() + i % fan;
         double square = 0;
+        const bool positive = view.positive();
         for (int c = 0; c < dim_; ++c) {
-            const double chord = view.x(degree_, c) - view.x(0, c);
-            block[c * fan] = view.x(0, c);
+            const double chord = positive ? view.x(degree_, c) - view.x(0, c) : 0;
+            block[c * fan] = positive ? view.x(0, c) : 0;
             block[(dim_ + c) * fan] = chord;
             square += chord * chord;
         }
         const double inverse = 1 / square;
         block[2 * dim_ * fan] = std::isfinite(inverse) ? inverse : 0;
         block[(2 * dim_ + 1) * fan] =
-            std::isfinite(inverse) ? view.deviation() : view.deviation() + view.chord();
+            std::isfinite(inverse) || !positive ? view.deviation() : view.deviation() + view.chord();
     }
 }
 
@@ -235,7 +226,7 @@ bool CurveTree::joined(int64_t leaf) const noexcept {
     const PieceView view(records(leaf), degree_, dim_, lanes_),
         next(records(leaf + 1), degree_, dim_, lanes_);
     const double gap = norm_of(dim_, [&](int c) { return view.x(degree_, c) - next.x(0, c); });
-    return gap <= 2 * rounding_ * std::numeric_limits<double>::epsilon() * size_;
+    return gap <= std::ldexp(2 * rounding_ * std::numeric_limits<double>::epsilon() * size_, -exponent_);
 }
 
 } // namespace nrb

@@ -7,8 +7,9 @@
 
 namespace nrb {
 
-// A leaf is a piece over a part of one span. Its records are about the centre of the curve: coordinates, zeros,
-// and the weight as the last one of `lanes`, a multiple of 4. Eight leaves on end are a block, eight blocks a node of
+// A leaf is a piece over a part of one span. Its records are about the centre of the curve, in units of 2^exponent:
+// coordinates, zeros, and the weight as the last one of `lanes`, a multiple of 4; weights that are all negative have
+// changed their sign, with the coordinates. Eight leaves on end are a block, eight blocks a node of
 // the first level, eight nodes one of the next level; the curve's own order keeps what is near together.
 class CurveTree {
 public:
@@ -21,10 +22,13 @@ public:
     [[nodiscard]] int lanes() const noexcept { return lanes_; }
     [[nodiscard]] int64_t leaves() const noexcept { return static_cast<int64_t>(domains_.size()); }
     [[nodiscard]] const std::vector<double> &centre() const noexcept { return centre_; }
-    // The largest magnitude of a coordinate of a control point, and of one about the centre.
+    [[nodiscard]] int exponent() const noexcept { return exponent_; }
+    // The largest length of a control point about the centre or of the centre, in the units of the curve.
     [[nodiscard]] double size() const noexcept { return size_; }
     // How far rounding may have moved a leaf, as a multiple of eps, for each unit of size.
     [[nodiscard]] double rounding() const noexcept { return rounding_; }
+    // Whether squares of all weights are in the range of double precision; without, nothing can be proven.
+    [[nodiscard]] bool sound() const noexcept { return sound_; }
 
     [[nodiscard]] const double *records(int64_t leaf) const noexcept {
         return records_.data() + leaf * (degree_ + 1) * lanes_;
@@ -55,7 +59,7 @@ public:
 
 private:
     struct Boxes;
-    void add_span(const double *records, Interval span, int depth);
+    void add_span(const double *records, Interval span, int halvings);
     [[nodiscard]] double weight_ratio() const noexcept;
     void add_blocks();
     [[nodiscard]] Boxes leaf_boxes() const;
@@ -64,6 +68,8 @@ private:
     int dim_;
     int degree_;
     int lanes_;
+    int exponent_ = 0;
+    bool sound_ = true;
     double size_ = 0;
     double rounding_ = 0;
     std::vector<double> centre_;

@@ -16,8 +16,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 RoundedPolynomial exact_polynomial(const BernsteinShape &shape, std::vector<double> values) {
     RoundedPolynomial p;
     p.shape = shape;
-    p.sizes.resize(values.size());
-    std::transform(values.begin(), values.end(), p.sizes.begin(), [](double x) { return std::abs(x); });
+    p.errors.resize(values.size());
     p.values = std::move(values);
     return p;
 }
@@ -52,8 +51,8 @@ Map map_of(const PairPiece &x, const PairPiece &y, const std::vector<Place> &cor
         }
         map.high.push_back(exact_polynomial(shape, std::move(u)));
         map.low.push_back(exact_polynomial(shape, std::move(rest)));
-        std::fill(map.low.back().sizes.begin(), map.low.back().sizes.end(), 1.0);
-        map.low.back().steps = 1;
+        std::fill(map.low.back().errors.begin(), map.low.back().errors.end(),
+                  std::numeric_limits<double>::epsilon());
     }
     return map;
 }

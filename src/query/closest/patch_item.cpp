@@ -35,7 +35,8 @@ PatchItem PatchItems::part(const PatchItem &item, int axis, double lower, double
     apply_matrix(pieces_.shape(), axis, matrix, item.values, result.values);
     result.lower[at] = item.to_piece(axis, lower);
     result.length[at] = item.length[at] * (upper - lower);
-    result.moved += 4 * (pieces_.shape().degree(axis) + 1) * eps * item.reach;
+    result.moved +=
+        (pieces_.shape().weighted ? 4 : 2) * (pieces_.shape().degree(axis) + 1) * eps * item.reach;
     return result;
 }
 
@@ -45,13 +46,13 @@ PatchItem PatchItems::part(const PatchItem &item, int axis, double lower, double
     return part(item, axis, lower, upper, matrix);
 }
 
-// `degree` means on end, each off by eps / 2 of the means of the magnitudes.
+// `degree` means on end, each off by eps / 2 of the means of the magnitudes: of points and weights.
 PatchItem PatchItems::halve_item(PatchItem &item, int axis) const {
     const PatchShape &shape = pieces_.shape();
     const auto at = static_cast<size_t>(axis);
     BernsteinShape net{{}, shape.lanes};
     std::copy_n(shape.degrees.begin(), shape.axes, net.degrees.begin());
-    item.moved += 1.02 * shape.degree(axis) * eps * item.reach;
+    item.moved += (shape.weighted ? 1.02 : 0.51) * shape.degree(axis) * eps * item.reach;
     item.length[at] /= 2;
     ++item.depth;
     PatchItem lower = item;

@@ -1,5 +1,6 @@
 #include "query/closest/patch_locator.h"
 
+#include "query/closest/patch_critical.h"
 #include "query/closest/patch_search.h"
 
 namespace nrb {
@@ -20,7 +21,7 @@ CriticalSet PatchLocator::minima(const Query &query) const {
 }
 
 CriticalSet PatchLocator::critical(const Query &query) const {
-    return minima(query);
+    return PatchCritical(pieces_, query).run();
 }
 
 Foot PatchLocator::local(const double *point, const double *guess) const {

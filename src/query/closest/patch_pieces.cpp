@@ -1,7 +1,6 @@
 #include "query/closest/patch_pieces.h"
 
 #include "base/norm.h"
-#include "basis/binomial.h"
 #include "bounds/bernstein_net.h"
 #include "refine/bezier_rows.h"
 
@@ -55,7 +54,7 @@ double largest_weight(const Spline &spline) noexcept {
 
 PatchPieces::PatchPieces(const Spline &spline) : axes_(spline.axes()), centre_(middle_of(spline)) {
     set_axes(spline);
-    set_tables();
+    squares_ = std::make_unique<PatchSquares>(shape_);
     copy(spline);
 }
 
@@ -63,7 +62,8 @@ void PatchPieces::set_axes(const Spline &spline) {
     shape_.dim = spline.dim();
     shape_.lanes = (spline.dim() + 1 + 3) / 4 * 4;
     shape_.weighted = spline.rational();
-    int highest = 0;
+    int steps = 0;
+    value_error_ = eps;
     for (int k = 0; k < axes_; ++k) {
         const KnotVector &axis = spline.axis(k);
         const auto at = static_cast<size_t>(k);
@@ -73,41 +73,14 @@ void PatchPieces::set_axes(const Spline &spline) {
             jumps_[at].push_back(multiplicity(axis, t) > axis.degree() ? 1 : 0);
         }
         count_ *= count(k);
-        highest = std::max(highest, axis.degree());
+        steps += axis.degree() + 1;
+        value_error_ += axis.degree() > 0 ? (2 * axis.degree() + 1) * eps : 0;
         if (axis.degree() > 0) {
             map_[static_cast<size_t>(shape_.axes)] = k;
             shape_.degrees[static_cast<size_t>(shape_.axes++)] = axis.degree();
         }
     }
-    allowance_ = 64 * (highest + 1) * eps;
-}
-
-// Of a coefficient of |Q|^2, relative to the sum of the magnitudes of what it is the sum of: factors and
-// the quotient by binomials are rounded twice each, then there is a rounding for every term, of which there are
-// (coefficients + 2) / 2 at most, since each pair of them is taken once, and one for each coordinate; the
-// gap takes two more. Bernstein functions take three roundings for each degree, their sums one.
-void PatchPieces::set_tables() {
-    BernsteinShape once{{}, 1};
-    std::copy_n(shape_.degrees.begin(), shape_.axes, once.degrees.begin());
-    const BernsteinShape twice = product_shape(once, once);
-    binomials_ = binomial_factors(once);
-    for (const double b : binomial_factors(twice)) {
-        inverses_.push_back(1 / b);
-    }
-    const auto &[a, b, c] = once.degrees;
-    for (int i = 0; i <= a; ++i) {
-        for (int j = 0; j <= b; ++j) {
-            for (int k = 0; k <= c; ++k) {
-                offsets_.push_back((i * (2 * b + 1) + j) * (2 * c + 1) + k);
-            }
-        }
-    }
-    const auto terms = static_cast<double>(shape_.coefficients() + 2) / 2;
-    product_error_ = eps / 2 * (terms + shape_.dim + 6);
-    value_error_ = eps;
-    for (int k = 0; k < shape_.axes; ++k) {
-        value_error_ += (2 * shape_.degree(k) + 1) * eps;
-    }
+    allowance_ = 64 * steps * eps;
 }
 
 void PatchPieces::copy(const Spline &spline) {
@@ -145,7 +118,7 @@ void PatchPieces::copy(const Spline &spline) {
     positive_ = net.positive();
     set_sizes(spline, records.sizes);
     if (positive_) { // |A - A*| <= error H w and |w - w*| <= error w
-        moved_ = 2.02 * net.error() * radius_;
+        moved_ = (net.weighted() ? 2.02 : 1.01) * net.error() * radius_;
     } else {
         record_error_ = net.error() * std::ldexp(net.largest_record(), -exponent_);
         weight_error_ = net.error() * net.largest_weight();

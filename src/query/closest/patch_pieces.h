@@ -4,9 +4,10 @@
 // size near 1 whatever its units; weights are divided by another one.
 #pragma once
 
-#include "query/closest/patch_kernel.h"
+#include "query/closest/patch_squares.h"
 #include "spline/spline.h"
 
+#include <memory>
 #include <vector>
 
 namespace nrb {
@@ -18,9 +19,7 @@ public:
     using Index = std::array<int64_t, max_axes>; // along the axes of the spline
 
     [[nodiscard]] const PatchShape &shape() const noexcept { return shape_; }
-    [[nodiscard]] SquareTables tables() const noexcept {
-        return {binomials_.data(), inverses_.data(), offsets_.data()};
-    }
+    [[nodiscard]] SquareTables tables() const noexcept { return squares_->tables(); }
     [[nodiscard]] int spline_axes() const noexcept { return axes_; }
     // The axis of the spline that an axis of the shape is.
     [[nodiscard]] int spline_axis(int k) const noexcept { return map_[static_cast<size_t>(k)]; }
@@ -61,15 +60,15 @@ public:
     [[nodiscard]] double moved() const noexcept { return moved_; }
     [[nodiscard]] double record_error() const noexcept { return record_error_; }
     [[nodiscard]] double weight_error() const noexcept { return weight_error_; }
-    // Relative to the sum of the magnitudes: of coefficients of products, and of values at a place.
-    [[nodiscard]] double product_error() const noexcept { return product_error_; }
+    // Relative to the sum of the magnitudes: of coefficients of squares, and of values at a place, where Bernstein
+    // functions take three roundings for each degree and sums one for each term.
+    [[nodiscard]] double product_error() const noexcept { return squares_->error(); }
     [[nodiscard]] double value_error() const noexcept { return value_error_; }
-    // 64 (p + 1) eps, what a certificate allows for rounding.
+    // 64 eps times the sum of p + 1 over the axes: what a certificate allows for rounding.
     [[nodiscard]] double allowance() const noexcept { return allowance_; }
 
 private:
     void set_axes(const Spline &spline);
-    void set_tables();
     void copy(const Spline &spline);
     void set_sizes(const Spline &spline, const std::vector<double> &sizes);
 
@@ -83,12 +82,11 @@ private:
     std::vector<double> centre_;
     int exponent_ = 0;
     std::vector<double> values_;
-    std::vector<double> binomials_, inverses_;
-    std::vector<int32_t> offsets_;
+    std::unique_ptr<const PatchSquares> squares_;
     double size_ = 0, radius_ = 0, ratio_ = 1;
     bool positive_ = true;
     double moved_ = 0, record_error_ = 0, weight_error_ = 0;
-    double product_error_ = 0, value_error_ = 0, allowance_ = 0;
+    double value_error_ = 0, allowance_ = 0;
 };
 
 } // namespace nrb

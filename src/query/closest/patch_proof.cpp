@@ -42,18 +42,19 @@ bool PatchProof::flat(double by) const noexcept {
 // Visits the coefficients of the face, the last shrink[k] along each axis left out.
 template <class Visit>
 void PatchProof::for_face(const std::array<int, max_axes> &shrink, Visit &&visit) const noexcept {
-    std::array<int64_t, max_axes> first{}, end{1, 1, 1};
-    for (int k = 0; k < shape_.axes; ++k) {
-        const auto at = static_cast<size_t>(k);
+    std::array<int64_t, max_axes> first{}, end{1, 1, 1}, step{};
+    for (int k = 0; k < shape_.axes; ++k) { // the last axis innermost
+        const auto at = static_cast<size_t>(k), place = at + max_axes - static_cast<size_t>(shape_.axes);
         const int64_t n = 2 * shape_.degree(k);
-        first[at] = face_[at] == 1 ? n : 0;
-        end[at] = face_[at] == 0 ? 1 : n + 1 - shrink[at];
+        step[place] = step_[at];
+        first[place] = face_[at] == 1 ? n : 0;
+        end[place] = face_[at] == 0 ? 1 : n + 1 - shrink[at];
     }
     for (int64_t i = first[0]; i < end[0]; ++i) {
         for (int64_t j = first[1]; j < end[1]; ++j) {
-            const double *row = gap_.values + i * step_[0] + j * step_[1];
+            const double *row = gap_.values + i * step[0] + j * step[1];
             for (int64_t k = first[2]; k < end[2]; ++k) {
-                visit(row + k * step_[2]);
+                visit(row + k * step[2]);
             }
         }
     }
@@ -87,8 +88,7 @@ PatchProof::Range PatchProof::second_differences(int k, int l) const noexcept {
 }
 
 // F falls by at most n times the largest fall of a coefficient.
-bool PatchProof::drop_axes() noexcept {
-    const double allowed = 0.3 * goal_.margin * item_.least_weight * item_.least_weight;
+bool PatchProof::drop_axes(double allowed) noexcept {
     bool dropped = false;
     for (int k = 0; k < shape_.axes; ++k) {
         const auto at = static_cast<size_t>(k);
@@ -131,8 +131,8 @@ void PatchProof::set_matrix() noexcept {
     }
 }
 
-double PatchProof::least_corner() const noexcept {
-    double least = infinite;
+PatchProof::Corner PatchProof::least_corner() const noexcept {
+    Corner least{infinite, false};
     for (unsigned corner = 0; corner < 1U << static_cast<unsigned>(shape_.axes); ++corner) {
         int64_t place = 0;
         for (int k = 0; k < shape_.axes; ++k) {
@@ -140,7 +140,11 @@ double PatchProof::least_corner() const noexcept {
             const bool upper = face_[at] >= 0 ? face_[at] == 1 : (corner >> at & 1U) != 0;
             place += upper ? 2 * shape_.degree(k) * step_[at] : 0;
         }
-        least = std::min(least, gap_.values[place]);
+        if (gap_.values[place] < least.gap) {
+            const double w = gap_.weights != nullptr ? gap_.weights[place] : 1;
+            const double value = goal_.sign * std::sqrt(std::max(0.0, gap_.squares[place] / w));
+            least = {gap_.values[place], least.is_better || value < goal_.worth};
+        }
     }
     return least;
 }
@@ -196,12 +200,23 @@ double PatchProof::loss(const AxisValues &gradient, double more) const noexcept 
     return 0.55 * sum;
 }
 
+// At the ends of an axis its functions are exact.
+double PatchProof::value_error(const AxisValues &at) const noexcept {
+    double error = eps;
+    for (int k = 0; k < shape_.axes; ++k) {
+        const double t = at[static_cast<size_t>(k)];
+        error += t == 0 || t == 1 ? 0 : (2 * shape_.degree(k) + 1) * eps;
+    }
+    return 1.1 * error;
+}
+
 // |Q| and Q_k are within value_error() of the means of magnitudes, reach w and 2 p reach w_max.
 bool PatchProof::holds_at(const AxisValues &at) {
     const PatchValues v = descent_.values(item_.values, at);
-    const double rho = goal_.rho, w = v.weight, reach = item_.reach, kappa = 1.1 * pieces_.value_error();
+    const double rho = goal_.rho, w = v.weight, reach = item_.reach, kappa = value_error(at);
     const double sum = v.length + rho * w;
     const double gap = goal_.sign * (v.length - rho * w) * sum;
+    distance_ = v.length / w;
     const double gap_error = 2 * sum * kappa * (reach + rho) * w + 8 * eps * sum * sum;
     const double rest = gap - gap_error - lost_;
     if (!(rest > 0)) {
@@ -238,20 +253,35 @@ bool PatchProof::holds_at(const AxisValues &at) {
     return lost >= 0 && lost <= 0.5 * rest;
 }
 
+// Without what dropping an axis may cost first, so that a minimum which is the only one is known to be so.
 bool PatchProof::convex(const AxisValues *guess) {
-    while (drop_axes()) {
+    while (drop_axes(0)) {
     }
+    if (convex_on_face(guess)) {
+        return true;
+    }
+    const double allowed = 0.3 * goal_.margin * item_.least_weight * item_.least_weight;
+    if (!drop_axes(allowed)) {
+        return false;
+    }
+    while (drop_axes(allowed)) {
+    }
+    return convex_on_face(guess);
+}
+
+bool PatchProof::convex_on_face(const AxisValues *guess) {
     set_matrix();
-    const double corner = least_corner();
+    const Corner corner = least_corner();
     int free = 0;
     for (int k = 0; k < shape_.axes; ++k) {
         free += face_[static_cast<size_t>(k)] < 0 ? 1 : 0;
     }
-    const double most = free > 0 ? std::max(0.0, corner) / free : 0;
-    if (free > 0 && loss({}, most) < 0) {
+    const double most = free > 0 ? std::max(0.0, corner.gap) / free : 0;
+    if (free > 0 && !corner.is_better && loss({}, most) < 0) {
         return false;
     }
     PatchBox box;
+    const bool strict = strict_;
     at_ = guess != nullptr ? *guess : lowest();
     for (size_t k = 0; k < static_cast<size_t>(shape_.axes); ++k) {
         if (face_[k] >= 0) {
@@ -259,16 +289,18 @@ bool PatchProof::convex(const AxisValues *guess) {
         }
         at_[k] = std::clamp(at_[k], box.lower[k], box.upper[k]);
     }
+    found_ = true;
+    if (guess != nullptr && holds_at(at_)) {
+        return true;
+    }
+    strict_ = strict;
     const double floor = 16 * eps * item_.reach;
     distance_ = descent_.descend(item_.values, box, goal_.sign, floor, at_).distance;
-    found_ = true;
     return holds_at(at_);
 }
 
 int PatchProof::widest_axis() noexcept {
-    const bool reduced =
-        std::find(face_.begin(), face_.begin() + shape_.axes, -1) != face_.begin() + shape_.axes;
-    if (!reduced) {
+    if (std::find(face_.begin(), face_.begin() + shape_.axes, -1) == face_.begin() + shape_.axes) {
         face_.fill(-1);
     }
     int widest = -1;

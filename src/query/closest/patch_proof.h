@@ -15,6 +15,7 @@ struct PatchGoal {
     double sign = 1;   // -1: farther
     double rho = 0;    // >= 0
     double margin = 0; // of F at the minimum that rounding may use up, in units of w^2
+    double worth = 0;  // sign * distance below which a point is new
 };
 
 // The coefficients of F, and of what it is made.
@@ -33,7 +34,7 @@ public:
     [[nodiscard]] bool positive() noexcept;
     // Whether F >= 0 by its shape; after positive(). `guess`: a minimum that is known, or null.
     [[nodiscard]] bool convex(const AxisValues *guess);
-    // The least distance in the box that convex() found, where, and whether there is no other minimum.
+    // The minimum of the distance on what convex() left of the box, and whether that of F is the only one.
     [[nodiscard]] bool found() const noexcept { return found_; }
     [[nodiscard]] double distance() const noexcept { return distance_; }
     [[nodiscard]] const AxisValues &at() const noexcept { return at_; }
@@ -52,10 +53,16 @@ private:
     void for_face(const std::array<int, max_axes> &shrink, Visit &&visit) const noexcept;
     [[nodiscard]] Range first_differences(int k) const noexcept;
     [[nodiscard]] Range second_differences(int k, int l) const noexcept;
-    bool drop_axes() noexcept;
+    bool drop_axes(double allowed) noexcept;
+    bool convex_on_face(const AxisValues *guess);
     void set_matrix() noexcept;
-    [[nodiscard]] double least_corner() const noexcept;
+    struct Corner {
+        double gap;     // F
+        bool is_better; // it is a point that is new
+    };
+    [[nodiscard]] Corner least_corner() const noexcept;
     [[nodiscard]] AxisValues lowest() const noexcept;
+    [[nodiscard]] double value_error(const AxisValues &at) const noexcept;
     [[nodiscard]] bool holds_at(const AxisValues &at);
     // 1/2 g^T (C + diag(more))^-1 g; negative if that matrix is not positive definite.
     [[nodiscard]] double loss(const AxisValues &gradient, double more) const noexcept;

@@ -15,6 +15,7 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr int64_t default_budget = 20000;
 constexpr int64_t most_squared = 1024; // coefficients of patches whose squares are worth their cost
 constexpr int deepest = 48;            // halvings of an axis
+constexpr int most_rounds = 8;         // of improvements by one item
 
 } // namespace
 
@@ -26,7 +27,8 @@ PatchSearch::PatchSearch(const PatchPieces &pieces, const PatchTree &tree, const
 }
 
 void PatchSearch::set_scales() noexcept {
-    tolerance_ = pieces_.scaled(query_.tolerance);
+    const double reach = norm(x_, pieces_.shape().dim) + pieces_.radius();
+    tolerance_ = std::min(pieces_.scaled(query_.tolerance), 4 * reach); // more says no more
     noise_ = scaled_noise(pieces_, query_.point);
     floor_ = 8 * eps * (pieces_.size() + pieces_.magnitude(query_.point));
     const int64_t count = pieces_.shape().coefficients();
@@ -39,20 +41,7 @@ bool PatchSearch::far_away() const noexcept {
 }
 
 PatchBox PatchSearch::box(int64_t piece) const noexcept {
-    PatchBox result;
-    if (query_.range == nullptr) {
-        return result;
-    }
-    const PatchPieces::Index index = pieces_.index(piece);
-    for (int k = 0; k < pieces_.shape().axes; ++k) {
-        const int axis = pieces_.spline_axis(k);
-        const int64_t i = index[static_cast<size_t>(axis)];
-        const double first = pieces_.break_at(axis, i), length = pieces_.break_at(axis, i + 1) - first;
-        const auto at = static_cast<size_t>(k);
-        result.lower[at] = std::clamp((query_.range[axis].lower - first) / length, 0.0, 1.0);
-        result.upper[at] = std::clamp((query_.range[axis].upper - first) / length, 0.0, 1.0);
-    }
-    return result;
+    return box_in_range(pieces_, piece, query_.range);
 }
 
 PatchSearch::Part PatchSearch::inside(const PatchTree::Extent &extent) const noexcept {
@@ -162,7 +151,7 @@ void PatchSearch::search_piece(int64_t piece, const Candidate *first, const Cand
     PatchItem whole = items_.whole(piece);
     items_.measure(whole);
     const PatchBox part = box(piece);
-    if (number > 5) { // most of the piece: all of it may be settled at once
+    if (number > 5 && query_.range == nullptr) { // most of the piece: all of it may be settled at once
         const PatchMemory::Hold again(memory_);
         PatchItem item = whole;
         bool fresh = false;
@@ -208,16 +197,31 @@ PatchGoal PatchSearch::goal(double value, const PatchItem &item) const noexcept 
     PatchGoal result;
     const double error = item.moved + best_.error;
     result.sign = sign_;
+    result.worth = best_.value - 1e-2 * noise_;
     result.rho = sign_ * (value + error);
     result.margin = 2 * std::abs(result.rho) * std::max(0.0, tolerance_ + 0.875 * noise_ - error);
     return result;
 }
 
+// The axis along which the coefficients spread most.
 int PatchSearch::longest_axis(const PatchItem &item) const noexcept {
+    const PatchShape &shape = pieces_.shape();
     int longest = -1;
-    for (int k = 0; k < pieces_.shape().axes; ++k) {
-        const auto at = static_cast<size_t>(k);
-        if (longest < 0 || item.length[at] > item.length[static_cast<size_t>(longest)]) {
+    double most = -1;
+    int64_t step = shape.lanes;
+    for (int k = shape.axes; k-- > 0; step *= shape.degree(k) + 1) {
+        double spread = 0;
+        const int64_t period = step * (shape.degree(k) + 1);
+        for (int64_t i = 0; i < shape.values(); i += shape.lanes) {
+            const double *q = item.values + i;
+            const double w = q[shape.dim], other = i % period + step < period ? q[step + shape.dim] : 0;
+            if (w > 0 && other > 0) {
+                spread += norm_of(shape.dim, [&](int c) { return q[c] / w - q[step + c] / other; });
+            }
+        }
+        spread *= 1 + 1.0 / shape.degree(k);
+        if (spread > most) {
+            most = spread;
             longest = k;
         }
     }
@@ -300,7 +304,7 @@ bool PatchSearch::settled(PatchItem &item, bool &fresh, int &axis) {
     double *weights = shape.weighted ? memory_.take(products) : nullptr;
     square_patch(shape, pieces_.tables(), item.values, work, squares, weights);
     const PatchGap gap{squares, weights, values};
-    for (;;) {
+    for (int round = 0; round < most_rounds; ++round) {
         const PatchGoal other = goal(upper(), item);
         if (other.rho >= 0 ? PatchProof(pieces_, descent_, item, other, gap).positive() : sign_ > 0) {
             return true;
@@ -330,7 +334,7 @@ bool PatchSearch::settled(PatchItem &item, bool &fresh, int &axis) {
         if (proof.found() && improve_to(item, proof.at(), proof.distance())) {
             continue;
         }
-        if (convex) {
+        if (convex && (!all_ || is_least(item, gap, proof))) {
             consider(item, proof.at(), proof.distance(), proof.strict());
             return true;
         }
@@ -340,9 +344,25 @@ bool PatchSearch::settled(PatchItem &item, bool &fresh, int &axis) {
                 continue;
             }
         }
-        axis = proof.widest_axis();
+        // Rounding counts by the reach, so that now and then all axes have their turn.
+        const bool wide = item.depth % 3 == 2 && item.reach > 1.25 * least.rho;
+        axis = wide ? longest_axis(item) : proof.widest_axis();
         return not_nearer && item.depth > deepest;
     }
+    return false;
+}
+
+// Weights move the minimum of F away from that of the distance where it is not near 0: whether what was found is
+// the latter, if it counts.
+bool PatchSearch::is_least(const PatchItem &item, const PatchGap &gap, const PatchProof &found) {
+    const double value = sign_ * found.distance();
+    if (!pieces_.shape().weighted || value > upper()) {
+        return true;
+    }
+    PatchGoal least = goal(value - 0.875 * noise_, item);
+    least.rho = std::max(0.0, least.rho);
+    PatchProof proof(pieces_, descent_, item, least, gap);
+    return proof.positive() || proof.convex(&found.at());
 }
 
 bool PatchSearch::improve(const PatchItem &item, AxisValues at) {
@@ -352,7 +372,7 @@ bool PatchSearch::improve(const PatchItem &item, AxisValues at) {
 
 bool PatchSearch::improve_to(const PatchItem &item, const AxisValues &at, double distance) {
     const double value = sign_ * distance;
-    if (!(value < best_.value - 1e-3 * noise_) && !(best_.value == infinite && std::isfinite(value))) {
+    if (!(value < best_.value - 1e-2 * noise_) && !(best_.value == infinite && std::isfinite(value))) {
         return false;
     }
     if (all_ && best_.value < infinite) {
@@ -463,58 +483,51 @@ bool PatchSearch::walk(Place &place) {
     return false;
 }
 
-void PatchSearch::set_params(const Place &place, Foot &foot) const noexcept {
-    const PatchPieces::Index index = pieces_.index(place.piece);
-    std::array<int, max_axes> shape_axis{};
-    shape_axis.fill(-1);
-    for (int k = 0; k < pieces_.shape().axes; ++k) {
-        shape_axis[static_cast<size_t>(pieces_.spline_axis(k))] = k;
-    }
-    for (int axis = 0; axis < pieces_.spline_axes(); ++axis) {
-        const auto i = static_cast<size_t>(axis);
-        const double first = pieces_.break_at(axis, index[i]), last = pieces_.break_at(axis, index[i] + 1);
-        double low = first, high = last;
-        if (query_.range != nullptr) {
-            low = std::max(low, query_.range[axis].lower);
-            high = std::min(high, query_.range[axis].upper);
-        }
-        const double s = shape_axis[i] < 0 ? -1 : place.at[static_cast<size_t>(shape_axis[i])];
-        const double t = s < 0 ? low / 2 + high / 2 : s == 1 ? last : first + s * (last - first);
-        foot.params[i] = std::clamp(t, low, high);
-        if (foot.params[i] == last && pieces_.jumps(axis, index[i] + 1)) {
-            foot.left |= 1U << i;
-        }
-    }
-}
-
-int32_t PatchSearch::boundary(const Foot &foot) const noexcept {
-    for (int axis = 0; axis < pieces_.spline_axes(); ++axis) {
-        const double t = foot.params[static_cast<size_t>(axis)];
-        const double first = pieces_.break_at(axis, 0), last = pieces_.break_at(axis, pieces_.count(axis));
-        const Interval range = query_.range != nullptr ? query_.range[axis] : Interval{first, last};
-        const bool whole = range.lower == first && range.upper == last;
-        if ((t == range.lower || t == range.upper) && !(whole && pieces_.periodic(axis))) {
-            return NURBS_CLOSEST_BOUNDARY;
-        }
-    }
-    return 0;
-}
-
-// The distance is that at the parameters after their rounding.
-Foot PatchSearch::foot(const Place &place) {
-    const PatchMemory::Hold hold(memory_);
-    Foot result;
-    set_params(place, result);
-    const PatchPieces::Index index = pieces_.index(place.piece);
+// At the parameters of a foot, which are rounded.
+double PatchSearch::distance_at(const PatchItem &item, const Foot &foot) const {
+    const PatchPieces::Index index = pieces_.index(item.piece);
     AxisValues at{};
     for (int k = 0; k < pieces_.shape().axes; ++k) {
         const int axis = pieces_.spline_axis(k);
         const auto i = static_cast<size_t>(axis);
         const double first = pieces_.break_at(axis, index[i]), last = pieces_.break_at(axis, index[i] + 1);
-        at[static_cast<size_t>(k)] = std::clamp((result.params[i] - first) / (last - first), 0.0, 1.0);
+        at[static_cast<size_t>(k)] = std::clamp((foot.params[i] - first) / (last - first), 0.0, 1.0);
     }
-    result.distance = pieces_.unscaled(descent_.distance(items_.whole(place.piece).values, at));
-    result.status = boundary(result);
+    return descent_.distance(item.values, at);
+}
+
+// The best of the parameters around, where rounding them moves the point by more than it may.
+void PatchSearch::polish(const PatchItem &item, Foot &foot) const {
+    const Foot centre = foot;
+    const PatchPieces::Index index = pieces_.index(item.piece);
+    for (int i = 0; i < 27; ++i) {
+        Foot other = centre;
+        for (int k = 0, rest = i; k < pieces_.spline_axes(); ++k, rest /= 3) {
+            const auto at = static_cast<size_t>(k);
+            const double low = pieces_.break_at(k, index[at]), high = pieces_.break_at(k, index[at] + 1);
+            const double t = centre.params[at];
+            const double moved = rest % 3 == 0 ? t : std::nextafter(t, rest % 3 == 1 ? low : high);
+            const bool inside =
+                query_.range == nullptr || (moved >= query_.range[k].lower && moved <= query_.range[k].upper);
+            other.params[at] = inside && (centre.left >> k & 1U) == 0 && moved < high ? moved : t;
+        }
+        other.distance = pieces_.unscaled(distance_at(item, other));
+        if (sign_ * other.distance < sign_ * foot.distance) {
+            foot = other;
+        }
+    }
+}
+
+// The distance is that at the parameters after their rounding.
+Foot PatchSearch::foot(const Place &place) {
+    const PatchMemory::Hold hold(memory_);
+    Foot result = foot_at(pieces_, place.piece, place.at, query_.range);
+    const PatchItem item = items_.whole(place.piece);
+    result.distance = pieces_.unscaled(distance_at(item, result));
+    if (!(sign_ * pieces_.scaled(result.distance) - place.value <= noise_ / 8)) {
+        polish(item, result);
+    }
+    result.status = boundary_bit(pieces_, result, query_.range);
     return result;
 }
 
@@ -525,13 +538,9 @@ Foot PatchSearch::any_point() {
         const Interval range = query_.range != nullptr ? query_.range[axis] : whole;
         index[static_cast<size_t>(axis)] = pieces_.find(axis, range.lower / 2 + range.upper / 2);
     }
-    Place place;
-    place.piece = pieces_.piece(index);
-    place.at = {0.5, 0.5, 0.5};
-    Foot result;
-    set_params(place, result);
+    Foot result = foot_at(pieces_, pieces_.piece(index), {0.5, 0.5, 0.5}, query_.range);
     result.distance = pieces_.unscaled(norm(x_, pieces_.shape().dim));
-    result.status = boundary(result) | NURBS_CLOSEST_CERTIFIED;
+    result.status |= NURBS_CLOSEST_CERTIFIED;
     return result;
 }
 
@@ -548,6 +557,25 @@ Foot PatchSearch::nearest() {
     return result;
 }
 
+// Whether no descent leads on, neither into other pieces nor from a saddle. What is as near as the best point is
+// one in any case.
+bool PatchSearch::is_minimum(const Place &place) {
+    if (place.value <= best_.value + noise_) {
+        return true;
+    }
+    const PatchMemory::Hold hold(memory_);
+    const PatchJet jet = descent_.jet(items_.whole(place.piece).values, place.at);
+    for (size_t k = 0; k < static_cast<size_t>(pieces_.shape().axes); ++k) {
+        const double bend = sign_ * (jet.metric[k][k] + jet.curvature[k][k]);
+        if (place.at[k] > 0 && place.at[k] < 1 && bend < 0) {
+            return false;
+        }
+    }
+    Place other = place;
+    walk(other);
+    return place.value - other.value <= noise_;
+}
+
 std::vector<Foot> PatchSearch::all() {
     if (far_away()) {
         return {any_point()};
@@ -560,7 +588,7 @@ std::vector<Foot> PatchSearch::all() {
               [](const Place &a, const Place &b) { return a.value < b.value; });
     for (const Place &place : others_) {
         const auto same = [&](const Place &other) { return same_point(place, other); };
-        if (place.value <= upper() && std::none_of(kept.begin(), kept.end(), same)) {
+        if (place.value <= upper() && std::none_of(kept.begin(), kept.end(), same) && is_minimum(place)) {
             kept.push_back(place);
         }
     }

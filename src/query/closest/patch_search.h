@@ -1,7 +1,7 @@
 // The search for the nearest or farthest points of one query: branch and bound.
 #pragma once
 
-#include "query/closest/foot.h"
+#include "query/closest/patch_place.h"
 #include "query/closest/patch_proof.h"
 #include "query/closest/patch_tree.h"
 
@@ -55,6 +55,7 @@ private:
     // A part of a piece is proved not to matter, or its halves are searched.
     void examine(PatchItem &item, bool fresh);
     bool settled(PatchItem &item, bool &fresh, int &axis);
+    bool is_least(const PatchItem &item, const PatchGap &gap, const PatchProof &found);
     bool settled_by_plane(const PatchItem &item);
     void split(PatchItem &item, int axis);
     [[nodiscard]] int longest_axis(const PatchItem &item) const noexcept;
@@ -72,10 +73,11 @@ private:
     bool walk(Place &place);
     bool walk_on(Place &place);
     [[nodiscard]] bool same_point(const Place &a, const Place &b);
+    bool is_minimum(const Place &place);
+    [[nodiscard]] double distance_at(const PatchItem &item, const Foot &foot) const;
+    void polish(const PatchItem &item, Foot &foot) const;
     [[nodiscard]] Foot foot(const Place &place);
     [[nodiscard]] Foot any_point(); // if far_away()
-    void set_params(const Place &place, Foot &foot) const noexcept;
-    [[nodiscard]] int32_t boundary(const Foot &foot) const noexcept;
 
     const PatchPieces &pieces_;
     const PatchTree &tree_;

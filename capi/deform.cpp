@@ -1,0 +1,201 @@
+// Deformations.
+#include "checks.h"
+#include "guard.h"
+
+#include "base/tolerance.h"
+#include "build/placement.h"
+#include "modify/deform/bend.h"
+#include "modify/deform/fair.h"
+#include "modify/deform/flatten.h"
+#include "modify/deform/free_form.h"
+#include "modify/deform/snap_boundary.h"
+#include "modify/deform/warp.h"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace nrb;
+using namespace nrb::capi;
+
+namespace {
+
+// [axes][2], or the whole domain.
+Region checked_region(const Spline &spline, const double *range) {
+    Region region{};
+    for (int k = 0; k < spline.axes(); ++k) {
+        const Interval domain = spline.axis(k).domain();
+        Interval &part = region[static_cast<size_t>(k)];
+        part = range == nullptr ? domain : Interval{range[2 * k], range[2 * k + 1]};
+        check_place(part.lower, domain, "range", k);
+        check_place(part.upper, domain, "range", k);
+        if (!(part.lower < part.upper)) {
+            fail(NURBS_ERROR_EMPTY_DOMAIN, "range[%d] = [%s, %s], expected an interval", k,
+                 Number(part.lower).text, Number(part.upper).text);
+        }
+    }
+    return region;
+}
+
+void check_vector(const double *direction, const Spline &spline, const char *name) {
+    require(direction, name);
+    check_direction(direction, spline.dim(), name);
+}
+
+void check_place_in_space(const double *point, const Spline &spline, const char *name) {
+    require(point, name);
+    check_point(point, spline.dim(), name);
+}
+
+void check_positive(double tolerance) {
+    if (!(tolerance > 0)) {
+        fail(NURBS_ERROR_TOLERANCE, "tolerance = %s, expected > 0", Number(tolerance).text);
+    }
+}
+
+void check_order_in(int32_t order, int32_t least, int32_t most) {
+    if (order < least || order > most) {
+        fail(NURBS_ERROR_ORDER, "order = %d, expected %d to %d", order, least, most);
+    }
+}
+
+template <class T>
+void put(T *out, T value) noexcept {
+    if (out != nullptr) {
+        *out = value;
+    }
+}
+
+void give_deformed(DeformedShape shape, double *deviation, int32_t *proven, ::nurbs **out) {
+    give(std::move(shape.spline), out);
+    put(deviation, shape.deviation);
+    put(proven, int32_t{shape.proven ? 1 : 0});
+}
+
+} // namespace
+
+nurbs_status nurbs_warp(const nurbs *g, const double *range, const double *direction, double distance,
+                        int32_t order, nurbs **out) {
+    return guard([&] {
+        require_out(out);
+        const Region region = checked_region(spline_of(g), range);
+        check_vector(direction, *g->spline, "direction");
+        if (!std::isfinite(distance)) {
+            fail(NURBS_ERROR_LENGTH, "distance = %s is not finite", Number(distance).text);
+        }
+        check_order_in(order, 0, 7);
+        give(warp(g->spline, region, direction, distance, order), out);
+    });
+}
+
+nurbs_status nurbs_flatten(const nurbs *g, const double *range, const double *point, const double *normal,
+                           const double *direction, double *moved, nurbs **out) {
+    return guard([&] {
+        require_out(out);
+        const Region region = checked_region(spline_of(g), range);
+        check_place_in_space(point, *g->spline, "point");
+        check_vector(normal, *g->spline, "normal");
+        if (direction != nullptr) {
+            check_vector(direction, *g->spline, "direction");
+        }
+        Flattened made = flatten(g->spline, region, point, normal, direction);
+        give(std::move(made.spline), out);
+        put(moved, made.moved);
+    });
+}
+
+nurbs_status nurbs_bend(const nurbs *g, const double *origin, const double *along, const double *across,
+                        double curvature, double lower, double upper, double tolerance, double *deviation,
+                        int32_t *proven, nurbs **out) {
+    return guard([&] {
+        require_out(out);
+        const Spline &spline = spline_of(g);
+        if (spline.dim() < 2) {
+            fail(NURBS_ERROR_DIMENSION, "dimension %d of g, expected at least 2", spline.dim());
+        }
+        check_place_in_space(origin, spline, "origin");
+        check_vector(along, spline, "along");
+        check_vector(across, spline, "across");
+        check_factor(curvature, "curvature");
+        if (!(lower < upper)) {
+            fail(NURBS_ERROR_EMPTY_DOMAIN, "lower = %s, expected less than upper = %s", Number(lower).text,
+                 Number(upper).text);
+        }
+        check_positive(tolerance);
+        const Bend rule = make_bend(spline.dim(), origin, along, across, curvature, lower, upper);
+        give_deformed(bend(g->spline, rule, tolerance), deviation, proven, out);
+    });
+}
+
+nurbs_status nurbs_free_form_deform(const nurbs *g, const nurbs *volume, const double *lower,
+                                    const double *upper, double tolerance, double *deviation, int32_t *proven,
+                                    nurbs **out) {
+    return guard([&] {
+        require_out(out);
+        const Spline &spline = spline_of(g);
+        require(volume, "volume");
+        const int axes = volume->spline->axes();
+        if (volume->spline->dim() != axes || spline.dim() != axes) {
+            fail(NURBS_ERROR_DIMENSION, "dimension %d of g and %d of volume, expected %d, its number of axes",
+                 spline.dim(), volume->spline->dim(), axes);
+        }
+        check_place_in_space(lower, spline, "lower");
+        check_place_in_space(upper, spline, "upper");
+        for (int k = 0; k < axes; ++k) {
+            if (!(lower[k] < upper[k]) || !std::isfinite(upper[k] - lower[k])) {
+                fail(NURBS_ERROR_EMPTY_DOMAIN, "lower[%d] = %s, expected less than upper[%d] = %s", k,
+                     Number(lower[k]).text, k, Number(upper[k]).text);
+            }
+        }
+        check_positive(tolerance);
+        give_deformed(free_form_deform(g->spline, volume->spline, lower, upper, tolerance), deviation, proven,
+                      out);
+    });
+}
+
+nurbs_status nurbs_fair(const nurbs *g, int32_t order, const int32_t *keep, double tolerance,
+                        double *energies, double *bound, nurbs **out) {
+    return guard([&] {
+        require_out(out);
+        const Spline &spline = spline_of(g);
+        check_order_in(order, 1, 3);
+        for (int i = 0; keep != nullptr && i < 2 * spline.axes(); ++i) {
+            if (keep[i] < -1 || keep[i] > NURBS_MAX_ORDER) {
+                fail(NURBS_ERROR_ORDER, "keep[%d][%d] = %d, expected -1 to %d", i / 2, i % 2, keep[i],
+                     NURBS_MAX_ORDER);
+            }
+        }
+        check_tolerance(tolerance);
+        check_apart({memory("energies", energies, 2), memory("bound", bound, 1)},
+                    {memory("keep", keep, int64_t{2} * spline.axes())});
+        Faired made = fair(g->spline, order, keep, tolerance);
+        give(std::move(made.spline), out);
+        if (energies != nullptr) {
+            energies[0] = made.energy_before;
+            energies[1] = made.energy_after;
+        }
+        put(bound, made.bound);
+    });
+}
+
+nurbs_status nurbs_snap_boundary(const nurbs *g, int32_t axis, int32_t end, const nurbs *other,
+                                 int32_t other_axis, int32_t other_end, int32_t order, uint32_t flags,
+                                 double *bound, nurbs **out) {
+    return guard([&] {
+        require_out(out);
+        check_axis(spline_of(g), axis);
+        require(other, "other");
+        check_axis(*other->spline, other_axis);
+        const Boundary boundary{axis, upper_end(end, "end")};
+        const Boundary other_boundary{other_axis, upper_end(other_end, "other_end")};
+        check_order_in(order, 0, 1);
+        const bool curve = g->spline->axes() == 1;
+        if ((flags & ~(curve ? 0 : NURBS_REVERSED)) != 0) {
+            fail(NURBS_ERROR_FLAGS, "flags = 0x%x, expected %s", flags,
+                 curve ? "0 for a curve" : "NURBS_REVERSED or 0");
+        }
+        SnappedBoundary made = snap_boundary(g->spline, boundary, other->spline, other_boundary, order,
+                                             (flags & NURBS_REVERSED) != 0);
+        give(std::move(made.spline), out);
+        put(bound, made.bound);
+    });
+}

@@ -1,0 +1,118 @@
+#include "modify/deform/bend.h"
+
+#include "base/finite.h"
+#include "base/norm.h"
+#include "modify/deform/bend_bound.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace nrb {
+
+namespace {
+
+double dot(const std::vector<double> &a, const std::vector<double> &b) noexcept {
+    double sum = 0;
+    for (size_t c = 0; c < a.size(); ++c) {
+        sum += a[c] * b[c];
+    }
+    return sum;
+}
+
+// Scaled by a power of two first, so that no length over- or underflows.
+void normalise(std::vector<double> &x) noexcept {
+    const int exponent = -std::ilogb(largest_magnitude(x));
+    for (double &value : x) {
+        value = std::ldexp(value, exponent);
+    }
+    const double length = norm(x.data(), static_cast<int>(x.size()));
+    for (double &value : x) {
+        value /= length;
+    }
+}
+
+// sin(x) / x.
+double sinc(double x) noexcept {
+    return x == 0 ? 1 : std::sin(x) / x;
+}
+
+} // namespace
+
+Bend make_bend(int dim, const double *origin, const double *along, const double *across, double curvature,
+               double lower, double upper) {
+    std::vector<double> e(along, along + dim), n(across, across + dim);
+    normalise(e);
+    normalise(n);
+    for (int twice = 0; twice < 2; ++twice) { // the second time against the rounding of the first
+        const double part = dot(e, n);
+        for (size_t c = 0; c < n.size(); ++c) {
+            n[c] -= part * e[c];
+        }
+        const double left = norm(n.data(), dim);
+        if (!(left > 8 * dim * std::numeric_limits<double>::epsilon())) {
+            fail(NURBS_ERROR_DIRECTION, "across is parallel to along");
+        }
+        normalise(n);
+    }
+    return {origin, std::move(e), std::move(n), curvature, lower, upper};
+}
+
+namespace {
+
+double along_of(const Bend &bend, const double *point) noexcept {
+    double a = 0;
+    for (size_t c = 0; c < bend.along.size(); ++c) {
+        a += (point[c] - bend.origin[c]) * bend.along[c];
+    }
+    return a;
+}
+
+} // namespace
+
+// With h = k u / 2, where u is a in the bent part and its end beyond it: (1/k + b) sin(k u) = u sinc(2 h) + b sin(2 h),
+// and (1/k + b) cos(k u) - 1/k = b cos(2 h) - u sinc(h) sin(h), which are accurate for any curvature.
+void bend_point(const Bend &bend, BendPart part, const double *point, double *image) noexcept {
+    const double a = along_of(bend, point);
+    double b = 0;
+    for (size_t c = 0; c < bend.across.size(); ++c) {
+        b += (point[c] - bend.origin[c]) * bend.across[c];
+    }
+    const double u = part == BendPart::bent ? a : part == BendPart::before ? bend.lower : bend.upper;
+    const double beyond = a - u, angle = bend.curvature * u;
+    const double sine = std::sin(angle), cosine = std::cos(angle);
+    const double to_a = u * sinc(angle) + b * sine + beyond * cosine;
+    const double to_b = b * cosine - u * sinc(angle / 2) * std::sin(angle / 2) - beyond * sine;
+    for (size_t c = 0; c < bend.along.size(); ++c) {
+        image[c] = point[c] + ((to_a - a) * bend.along[c] + (to_b - b) * bend.across[c]);
+    }
+}
+
+void bend_point(const Bend &bend, const double *point, double *image) noexcept {
+    const double a = along_of(bend, point);
+    bend_point(bend,
+               a < bend.lower   ? BendPart::before
+               : a > bend.upper ? BendPart::behind
+                                : BendPart::bent,
+               point, image);
+}
+
+DeformedShape bend(const SplinePtr &spline, const Bend &bend, double tolerance) {
+    if (bend.curvature == 0) {
+        return {spline, 0, true};
+    }
+    const size_t dim = bend.along.size();
+    const PointMap map = [&bend, dim](const std::vector<double> &points, std::vector<double> &images) {
+        for (size_t i = 0; i < points.size(); i += dim) {
+            bend_point(bend, points.data() + i, images.data() + i);
+        }
+    };
+    const Judge judge = [&bend, tolerance](const SplinePtr &refined, const SplinePtr &candidate, Cuts &cuts) {
+        return bend_bound(*refined, *candidate, bend, tolerance, cuts);
+    };
+    const bool positive = spline->all_weights().smallest > 0;
+    FittedImage image = fit_image(spline, map, tolerance, positive ? judge : nullptr);
+    return {std::move(image.spline), image.deviation, image.proven};
+}
+
+} // namespace nrb

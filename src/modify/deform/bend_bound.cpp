@@ -1,0 +1,293 @@
+#include "modify/deform/bend_bound.h"
+
+#include "base/norm.h"
+#include "basis/binomial.h"
+#include "bounds/bernstein_net.h"
+#include "modify/deform/span_samples.h"
+#include "refine/bezier_rows.h"
+#include "refine/homogeneous.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace nrb {
+
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+using Series = std::vector<double>; // coefficients from order 0 on, none negative
+
+// Bounds of the Taylor coefficients of a Bernstein polynomial along an axis of a shape, at every point of it: of
+// order j binomial(p, j) times the largest j-th difference.
+Series taylor_bounds(const BernsteinShape &shape, size_t axis, std::vector<double> values) {
+    const int p = shape.degrees[axis];
+    int64_t inner = 1;
+    for (size_t k = axis + 1; k < shape.degrees.size(); ++k) {
+        inner *= shape.degrees[k] + 1;
+    }
+    const auto size = static_cast<int64_t>(values.size());
+    Series bounds(static_cast<size_t>(p) + 2, 0.0);
+    for (int j = 0; j <= p; ++j) {
+        double largest = 0;
+        for (int64_t i = 0; i < size; ++i) {
+            if (i / inner % (p + 1) <= p - j) { // the others are of no difference any more
+                largest = std::max(largest, std::abs(values[static_cast<size_t>(i)]));
+            }
+        }
+        bounds[static_cast<size_t>(j)] = binomial(p, j) * largest;
+        for (int64_t i = 0; i + inner < size; ++i) {
+            values[static_cast<size_t>(i)] =
+                values[static_cast<size_t>(i + inner)] - values[static_cast<size_t>(i)];
+        }
+    }
+    return bounds;
+}
+
+// numerator / (least - rest) without the constants of numerator and rest.
+Series quotient(const Series &numerator, const Series &rest, double least) {
+    Series result(numerator.size(), 0.0);
+    for (size_t n = 1; n < result.size(); ++n) {
+        double sum = numerator[n];
+        for (size_t j = 1; j < n; ++j) {
+            sum += rest[j] * result[n - j];
+        }
+        result[n] = sum / least;
+    }
+    return result;
+}
+
+// exp of a series without a constant.
+Series exponential(const Series &series) {
+    Series result(series.size(), 0.0);
+    result[0] = 1;
+    for (size_t n = 1; n < result.size(); ++n) {
+        for (size_t j = 1; j <= n; ++j) {
+            result[n] += static_cast<double>(j) * series[j] * result[n - j];
+        }
+        result[n] /= static_cast<double>(n);
+    }
+    return result;
+}
+
+// The coefficients of w a, w b and w on one cell.
+struct CellPieces {
+    BernsteinShape shape;
+    std::vector<double> along;
+    std::vector<double> across;
+    std::vector<double> weights;
+
+    [[nodiscard]] double least_weight() const { return *std::min_element(weights.begin(), weights.end()); }
+    // Of a, whose values are means of these quotients.
+    [[nodiscard]] Interval range() const {
+        Interval range{infinite, -infinite};
+        for (size_t i = 0; i < along.size(); ++i) {
+            const double a = along[i] / weights[i];
+            range = {std::min(range.lower, a), std::max(range.upper, a)};
+        }
+        return range;
+    }
+};
+
+// The bound of order p + 1 of (w / k + w b) exp(i k a) along an axis.
+double remainder_along(const CellPieces &cell, size_t axis, double curvature) {
+    const auto [lower, upper] = cell.range();
+    const double middle = lower + (upper - lower) / 2;
+    std::vector<double> factor(cell.weights), shifted(cell.along);
+    for (size_t i = 0; i < factor.size(); ++i) {
+        factor[i] = cell.weights[i] / curvature + cell.across[i];
+        shifted[i] -= middle * cell.weights[i];
+    }
+    const Series front = taylor_bounds(cell.shape, axis, std::move(factor)),
+                 weight = taylor_bounds(cell.shape, axis, cell.weights);
+    Series numerator = taylor_bounds(cell.shape, axis, std::move(shifted));
+    for (size_t j = 1; j < numerator.size(); ++j) {
+        numerator[j] += (upper - lower) / 2 * weight[j];
+    }
+    Series angle = quotient(numerator, weight, cell.least_weight());
+    for (double &x : angle) {
+        x *= std::abs(curvature);
+    }
+    const Series back = exponential(angle);
+    double sum = 0;
+    for (size_t j = 0; j < front.size(); ++j) {
+        sum += front[j] * back[back.size() - 1 - j];
+    }
+    return sum;
+}
+
+class BendBound {
+public:
+    BendBound(const Spline &g, const Spline &image, const Bend &bend)
+        : g_(g), bend_(bend), dim_(static_cast<size_t>(g.dim())), width_(dim_ + (g.rational() ? 1 : 0)),
+          records_(centred_records(g, {bend.origin, bend.origin + dim_}, g.rational(), 0)) {
+        Places places;
+        std::vector<int> degrees;
+        for (int k = 0; k < g.axes(); ++k) {
+            const auto at = static_cast<size_t>(k);
+            breaks_[at] = breaks_of(g.axis(k));
+            degrees.push_back(g.axis(k).degree());
+            places[at] = LocalNodes(degrees.back()).nodes();
+        }
+        net_ = std::make_unique<BernsteinNet>(g, records_, breaks_, degrees);
+        before_ = sampled(g.rational() ? *to_homogeneous(g) : g, places);
+        after_ = sampled(g.rational() ? *to_homogeneous(image) : image, places);
+    }
+
+    double run(double tolerance, Cuts &cuts) {
+        for (int k = 0; k < g_.axes(); ++k) {
+            const auto at = static_cast<size_t>(k);
+            cuts[at].assign(breaks_[at].size() - 1, 0);
+        }
+        double bound = 0;
+        for (int64_t i = 0; i < net_->pieces() && bound < infinite; ++i) {
+            const CellBound cell = cell_bound(i);
+            bound = std::max(bound, cell.bound);
+            if (cell.crosses && cell.bound > tolerance) {
+                mark(i, cuts);
+            }
+        }
+        return bound + 4096 * std::numeric_limits<double>::epsilon() * largest_;
+    }
+
+private:
+    [[nodiscard]] CellPieces pieces_of(int64_t piece) const {
+        const BernsteinShape &shape = net_->shape();
+        const auto count = static_cast<size_t>(shape.coefficients());
+        CellPieces cell{shape, {}, {}, std::vector<double>(count, 1.0)};
+        std::vector<double> coordinates(count * dim_);
+        net_->copy(piece, coordinates.data(), cell.weights.data());
+        for (size_t i = 0; i < count; ++i) {
+            double a = 0, b = 0;
+            for (size_t c = 0; c < dim_; ++c) {
+                a += coordinates[i * dim_ + c] * bend_.along[c];
+                b += coordinates[i * dim_ + c] * bend_.across[c];
+            }
+            cell.along.push_back(a);
+            cell.across.push_back(b);
+        }
+        return cell;
+    }
+
+    struct CellBound {
+        double bound;
+        bool crosses; // an end of the bent part
+    };
+
+    void mark(int64_t piece, Cuts &cuts) const noexcept {
+        for (int k = g_.axes(); k-- > 0;) {
+            std::vector<char> &spans = cuts[static_cast<size_t>(k)];
+            spans[static_cast<size_t>(piece % std::ssize(spans))] = 1;
+            piece /= std::ssize(spans);
+        }
+    }
+
+    CellBound cell_bound(int64_t piece) {
+        const CellPieces cell = pieces_of(piece);
+        const double least = cell.least_weight();
+        if (!(least > 0)) {
+            return {infinite, false};
+        }
+        largest_ = std::max(largest_, net_->size(piece));
+        const auto [lower, upper] = cell.range();
+        if (upper <= bend_.lower || lower >= bend_.upper) {
+            return {node_error(piece, upper <= bend_.lower ? BendPart::before : BendPart::behind) / least,
+                    false};
+        }
+        const double before = std::max(0.0, bend_.lower - lower), behind = std::max(0.0, upper - bend_.upper);
+        double bound = (node_error(piece, BendPart::bent) + remainder(cell)) / least +
+                       formula_gap(cell, std::max(before, behind));
+        if (before > 0 && behind == 0) {
+            const double gap = formula_gap(cell, upper - bend_.lower);
+            bound = std::min(bound, node_error(piece, BendPart::before) / least + gap);
+        }
+        if (behind > 0 && before == 0) {
+            const double gap = formula_gap(cell, bend_.upper - lower);
+            bound = std::min(bound, node_error(piece, BendPart::behind) / least + gap);
+        }
+        return {bound, before > 0 || behind > 0};
+    }
+
+    // How far the formulas of two parts differ at most where a is `beyond` the end between them.
+    [[nodiscard]] double formula_gap(const CellPieces &cell, double beyond) const {
+        double reach = 0;
+        for (size_t i = 0; i < cell.across.size(); ++i) {
+            reach = std::max(reach, std::abs(cell.across[i] / cell.weights[i]));
+        }
+        return std::abs(bend_.curvature) * beyond * (reach + beyond / 2);
+    }
+
+    static double lebesgue(int degree) noexcept { return 1 + 2 / std::numbers::pi * std::log(degree + 1.0); }
+
+    [[nodiscard]] double remainder(const CellPieces &cell) const {
+        double sum = 0, factor = 1;
+        for (size_t axis = 0; axis < cell.shape.degrees.size(); ++axis) {
+            const int p = cell.shape.degrees[axis];
+            if (p > 0) {
+                sum += factor * std::ldexp(remainder_along(cell, axis, bend_.curvature), -2 * p);
+                factor *= lebesgue(p);
+            }
+        }
+        return sum;
+    }
+
+    // Lambda max |w F(A / w) - B| over the nodes of a cell.
+    [[nodiscard]] double node_error(int64_t piece, BendPart part) const {
+        std::array<int64_t, max_axes> cells{}, sizes{1, 1, 1}, rows{1, 1, 1};
+        double factor = 1;
+        for (int k = g_.axes(); k-- > 0;) {
+            const auto at = static_cast<size_t>(k);
+            const int64_t spans = std::ssize(breaks_[at]) - 1;
+            sizes[at] = g_.axis(k).degree() + 1;
+            rows[at] = spans * sizes[at];
+            cells[at] = piece % spans * sizes[at];
+            piece /= spans;
+            factor *= lebesgue(g_.axis(k).degree());
+        }
+        double largest = 0;
+        for (int64_t i = cells[0]; i < cells[0] + sizes[0]; ++i) {
+            for (int64_t j = cells[1]; j < cells[1] + sizes[1]; ++j) {
+                for (int64_t k = cells[2]; k < cells[2] + sizes[2]; ++k) {
+                    largest = std::max(largest,
+                                       error_at(static_cast<size_t>((i * rows[1] + j) * rows[2] + k), part));
+                }
+            }
+        }
+        return factor * largest;
+    }
+
+    [[nodiscard]] double error_at(size_t sample, BendPart part) const {
+        const double *const record = before_.data() + sample * width_, *const got =
+                                                                           after_.data() + sample * width_;
+        const double w = width_ > dim_ ? record[dim_] : 1;
+        std::vector<double> point(record, record + dim_), image(dim_);
+        for (double &x : point) {
+            x /= w;
+        }
+        bend_point(bend_, part, point.data(), image.data());
+        return norm_of(static_cast<int>(dim_), [&](int c) {
+            return w * image[static_cast<size_t>(c)] - got[static_cast<size_t>(c)];
+        });
+    }
+
+    const Spline &g_;
+    const Bend &bend_;
+    size_t dim_;
+    size_t width_;
+    CentredRecords records_;
+    BernsteinNet::Breaks breaks_;
+    std::unique_ptr<BernsteinNet> net_;
+    std::vector<double> before_;
+    std::vector<double> after_;
+    double largest_ = 0;
+};
+
+} // namespace
+
+double bend_bound(const Spline &g, const Spline &image, const Bend &bend, double tolerance, Cuts &cuts) {
+    return BendBound(g, image, bend).run(tolerance, cuts);
+}
+
+} // namespace nrb

@@ -1,0 +1,154 @@
+#include "modify/deform/energy.h"
+
+#include "basis/binomial.h"
+#include "modify/edit/net_editor.h"
+#include "refine/extraction.h"
+
+#include <algorithm>
+#include <array>
+
+namespace nrb {
+
+namespace {
+
+// A banded matrix over the layers of an axis: entry (i, i + d) at [i][d + degree].
+struct AxisMatrix {
+    int degree;
+    std::vector<double> values;
+
+    explicit AxisMatrix(const KnotVector &axis)
+        : degree(axis.degree()), values(static_cast<size_t>(axis.count() * (2 * degree + 1)), 0.0) {}
+    [[nodiscard]] double &at(int64_t i, int64_t j) noexcept {
+        return values[static_cast<size_t>(i * (2 * degree + 1) + j - i + degree)];
+    }
+    [[nodiscard]] double value(int64_t i, int64_t j) const noexcept {
+        return values[static_cast<size_t>(i * (2 * degree + 1) + j - i + degree)];
+    }
+};
+
+double product_integral(int m, int i, int j) noexcept {
+    return binomial(m, i) * binomial(m, j) / (binomial(2 * m, i + j) * (2 * m + 1));
+}
+
+// Bernstein coefficients of the derivative of a function of a span, in place; how many are left.
+int differentiate(double *coefficients, int degree, int order, double length) noexcept {
+    for (int r = 0; r < order; ++r, --degree) {
+        for (int k = 0; k < degree; ++k) {
+            coefficients[k] = degree * (coefficients[k + 1] - coefficients[k]) / length;
+        }
+    }
+    return degree + 1;
+}
+
+// Integrals of products of derivatives of the functions of one axis.
+AxisMatrix axis_matrix(const KnotVector &axis, int order) {
+    AxisMatrix matrix(axis);
+    const int p = axis.degree(), width = p + 1;
+    if (order > p) {
+        return matrix;
+    }
+    std::vector<double> functions(static_cast<size_t>(width * width));
+    for (const int64_t span : axis.spans().indices()) {
+        const double length = axis[span + 1] - axis[span];
+        bezier_extraction(axis.knots().data(), p, span, functions.data());
+        for (int i = 0; i <= p; ++i) {
+            differentiate(functions.data() + i * width, p, order, length);
+        }
+        for (int i = 0; i <= p; ++i) {
+            for (int j = 0; j <= p; ++j) {
+                double sum = 0;
+                for (int k = 0; k <= p - order; ++k) {
+                    for (int l = 0; l <= p - order; ++l) {
+                        sum += functions[static_cast<size_t>(i * width + k)] *
+                               functions[static_cast<size_t>(j * width + l)] *
+                               product_integral(p - order, k, l);
+                    }
+                }
+                matrix.at(span - p + i, span - p + j) += length * sum;
+            }
+        }
+    }
+    return matrix;
+}
+
+// Layers of an axis whose functions meet those of a layer.
+struct Band {
+    int64_t first;
+    int64_t end;
+};
+Band band_of(const KnotVector &axis, int64_t layer) noexcept {
+    return {std::max<int64_t>(0, layer - axis.degree()), std::min(axis.count(), layer + axis.degree() + 1)};
+}
+
+using Place = std::array<int64_t, max_axes>;
+
+Place place_of(const Spline &spline, int64_t point) noexcept {
+    Place place{};
+    for (int k = spline.axes(); k-- > 0;) {
+        place[static_cast<size_t>(k)] = point % spline.count(k);
+        point /= spline.count(k);
+    }
+    return place;
+}
+
+class Assembly {
+public:
+    Assembly(const Spline &spline, int order) : spline_(spline) {
+        for (int k = 0; k < spline.axes(); ++k) {
+            masses_.push_back(axis_matrix(spline.axis(k), 0));
+            bends_.push_back(axis_matrix(spline.axis(k), order));
+        }
+    }
+
+    std::vector<Entry> entries() {
+        for (int64_t i = 0; i < spline_.point_count(); ++i) {
+            add_row(0, i, place_of(spline_, i), 0, Factors{});
+        }
+        return std::move(entries_);
+    }
+
+private:
+    // The product of masses so far, and the sum of products in which one factor is of derivatives.
+    struct Factors {
+        double mass = 1;
+        double bend = 0;
+    };
+
+    void add_row(int k, int64_t row, const Place &place, int64_t column, const Factors &factors) {
+        if (k == spline_.axes()) {
+            entries_.push_back({original_of(spline_, row), original_of(spline_, column), factors.bend});
+            return;
+        }
+        const auto at = static_cast<size_t>(k);
+        const Band band = band_of(spline_.axis(k), place[at]);
+        for (int64_t j = band.first; j < band.end; ++j) {
+            const double mass = masses_[at].value(place[at], j), bend = bends_[at].value(place[at], j);
+            add_row(k + 1, row, place, column * spline_.count(k) + j,
+                    {factors.mass * mass, factors.mass * bend + factors.bend * mass});
+        }
+    }
+
+    const Spline &spline_;
+    std::vector<AxisMatrix> masses_;
+    std::vector<AxisMatrix> bends_;
+    std::vector<Entry> entries_;
+};
+
+} // namespace
+
+std::vector<Entry> energy_entries(const Spline &spline, int order) {
+    return Assembly(spline, order).entries();
+}
+
+std::vector<double> times(const std::vector<Entry> &entries, const std::vector<double> &x, int64_t width) {
+    std::vector<double> result(x.size(), 0.0);
+    for (const Entry &entry : entries) {
+        for (int64_t c = 0; c < width; ++c) {
+            result[static_cast<size_t>(entry.row * width + c)] +=
+                entry.value * x[static_cast<size_t>(entry.column * width + c)];
+        }
+    }
+    return result;
+}
+
+} // namespace nrb

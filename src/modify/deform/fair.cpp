@@ -1,0 +1,213 @@
+#include "modify/deform/fair.h"
+
+#include "base/checked.h"
+#include "base/finite.h"
+#include "base/norm.h"
+#include "base/representable.h"
+#include "base/sum.h"
+#include "bounds/bernstein_net.h"
+#include "bounds/deviation.h"
+#include "modify/deform/sparse_system.h"
+#include "modify/edit/kept_layers.h"
+#include "modify/edit/net_editor.h"
+#include "refine/homogeneous.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace nrb {
+
+namespace {
+
+// w (P - centre) of the first copies, 0 of the others.
+std::vector<double> centred(const Spline &spline, const std::vector<double> &centre) {
+    const size_t dim = centre.size();
+    std::vector<double> x(static_cast<size_t>(spline.point_count()) * dim, 0.0);
+    for (int64_t i = 0; i < spline.point_count(); ++i) {
+        const double *stored = spline.points().data() + i * spline.stored_width();
+        const double weight = spline.weight(i);
+        for (size_t c = 0; c < dim && original_of(spline, i) == i; ++c) {
+            x[static_cast<size_t>(i) * dim + c] = spline.form() == Form::homogeneous
+                                                      ? stored[c] - weight * centre[c]
+                                                      : weight * (stored[c] - centre[c]);
+        }
+    }
+    return x;
+}
+
+// Which control points may move, numbered.
+struct Unknowns {
+    std::vector<int64_t> number; // by control points, -1: stays or is a copy
+    std::vector<int64_t> points;
+};
+Unknowns unknowns_of(const Spline &spline, const int32_t *keep) {
+    const std::vector<char> stays = kept_points(spline, keep);
+    Unknowns unknowns;
+    for (int64_t i = 0; i < spline.point_count(); ++i) {
+        const bool free =
+            original_of(spline, i) == i && stays[static_cast<size_t>(i)] == 0 && spline.weight(i) != 0;
+        unknowns.number.push_back(free ? std::ssize(unknowns.points) : -1);
+        if (free) {
+            unknowns.points.push_back(i);
+        }
+    }
+    return unknowns;
+}
+
+double dot(const std::vector<double> &a, const std::vector<double> &b) noexcept {
+    CompensatedSum sum;
+    for (size_t i = 0; i < a.size(); ++i) {
+        sum.add(a[i] * b[i]);
+    }
+    return sum.value();
+}
+
+class Fairing {
+public:
+    Fairing(SplinePtr spline, int order, const int32_t *keep, double tolerance)
+        : spline_(std::move(spline)), dim_(static_cast<size_t>(spline_->dim())), tolerance_(tolerance),
+          centre_(centre_of(*spline_)), entries_(energy_entries(*spline_, order)),
+          unknowns_(unknowns_of(*spline_, keep)), best_(spline_) {
+        const std::vector<double> x = centred(*spline_, centre_), force = times(entries_, x, spline_->dim());
+        energy_ = dot(x, force);
+        require_representable({&energy_, 1}, "energy");
+        for (const int64_t point : unknowns_.points) {
+            for (size_t c = 0; c < dim_; ++c) {
+                right_.push_back(-force[static_cast<size_t>(point) * dim_ + c]);
+            }
+        }
+    }
+
+    Faired run() {
+        if (tolerance_ > 0 && !unknowns_.points.empty() && energy_ > 0 && largest_magnitude(right_) > 0) {
+            search();
+        }
+        const std::vector<double> x = centred(*best_, centre_);
+        const double after = dot(x, times(entries_, x, spline_->dim()));
+        return after < energy_ ? Faired{best_, energy_, std::max(after, 0.0), bound_}
+                               : Faired{spline_, energy_, energy_, 0};
+    }
+
+private:
+    static constexpr double least = -12, most = 12; // decimal logarithm of rho, in units of the matrix
+    static constexpr int halvings = 24;
+
+    // The part of the matrix that belongs to unknowns.
+    [[nodiscard]] std::vector<Entry> reduced() const {
+        std::vector<Entry> entries;
+        for (const Entry &entry : entries_) {
+            const int64_t i = unknowns_.number[static_cast<size_t>(entry.row)],
+                          j = unknowns_.number[static_cast<size_t>(entry.column)];
+            if (i >= 0 && j >= 0) {
+                entries.push_back({i, j, entry.value});
+            }
+        }
+        return entries;
+    }
+
+    // What makes a unit of X a unit of length.
+    [[nodiscard]] std::vector<double> metric() const {
+        std::vector<double> diagonal;
+        for (const int64_t point : unknowns_.points) {
+            diagonal.push_back(1 / (spline_->weight(point) * spline_->weight(point)));
+        }
+        return diagonal;
+    }
+
+    void search() {
+        const std::vector<Entry> entries = reduced();
+        const std::vector<double> diagonal = metric();
+        double trace = 0, sum = 0;
+        for (const Entry &entry : entries) {
+            trace += entry.row == entry.column ? entry.value : 0;
+        }
+        for (const double value : diagonal) {
+            sum += value;
+        }
+        SparseSystem system(entries, diagonal);
+        double low = least, high = most, at = least;
+        for (int i = 0; i <= halvings; ++i, at = low + (high - low) / 2) {
+            (accept(system, std::pow(10.0, at) * (trace / sum)) ? high : low) = at;
+            if (high == least) {
+                return;
+            }
+        }
+    }
+
+    // Takes the solution for one rho if it is within the tolerance; whether it is.
+    bool accept(SparseSystem &system, double rho) {
+        std::vector<double> step;
+        if (!system.solve(rho, right_, spline_->dim(), step)) {
+            return false;
+        }
+        const SplinePtr moved = moved_by(step, 1);
+        const double bound = moved == nullptr ? HUGE_VAL : deviation(*spline_, *moved).upper;
+        if (bound <= tolerance_) {
+            take(moved, bound);
+            return true;
+        }
+        if (const SplinePtr part = moved_by(step, 0.99 * tolerance_ / bound);
+            part != nullptr && std::isfinite(bound)) {
+            if (const double less = deviation(*spline_, *part).upper; less <= tolerance_) {
+                take(part, less);
+            }
+        }
+        return false;
+    }
+
+    // Keeps what has the least energy.
+    void take(const SplinePtr &candidate, double bound) {
+        const std::vector<double> x = centred(*candidate, centre_);
+        const double energy = dot(x, times(entries_, x, spline_->dim()));
+        if (best_ == spline_ || energy < best_energy_) {
+            best_ = candidate;
+            best_energy_ = energy;
+            bound_ = bound;
+        }
+    }
+
+    // Null if a value overflows.
+    [[nodiscard]] SplinePtr moved_by(const std::vector<double> &step, double part) const {
+        if (!std::isfinite(largest_magnitude(step)) || !std::isfinite(part)) {
+            return nullptr;
+        }
+        NetEditor editor(*spline_);
+        for (size_t i = 0; i < unknowns_.points.size(); ++i) {
+            const int64_t point = unknowns_.points[i];
+            editor.move(point, step.data() + i * dim_, part / spline_->weight(point));
+        }
+        return editor.finish();
+    }
+
+    SplinePtr spline_;
+    size_t dim_;
+    double tolerance_;
+    std::vector<double> centre_;
+    std::vector<Entry> entries_;
+    Unknowns unknowns_;
+    std::vector<double> right_; // -K X_0 of the unknowns
+    double energy_ = 0;
+    SplinePtr best_;
+    double best_energy_ = 0;
+    double bound_ = 0;
+};
+
+} // namespace
+
+Faired fair(const SplinePtr &spline, int order, const int32_t *keep, double tolerance) {
+    bool enough = false;
+    for (int k = 0; k < spline->axes(); ++k) {
+        enough = enough || spline->axis(k).degree() >= order;
+    }
+    if (!enough) {
+        fail(NURBS_ERROR_DEGREE, "order = %d, expected at most the degree of an axis of g", order);
+    }
+    std::array<int32_t, 2 * max_axes> usual{};
+    for (int k = 0; k < spline->axes(); ++k) {
+        std::fill_n(usual.begin() + 2 * k, 2, spline->axis(k).periodic() ? -1 : 0);
+    }
+    return Fairing(spline, order, keep == nullptr ? usual.data() : keep, tolerance).run();
+}
+
+} // namespace nrb

@@ -1,0 +1,102 @@
+#include "modify/deform/flatten.h"
+
+#include "base/norm.h"
+#include "base/representable.h"
+#include "spline/axis_view.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace nrb {
+
+namespace {
+
+std::vector<double> unit_vector(const double *x, int dim) {
+    const double length = norm(x, dim);
+    std::vector<double> unit;
+    for (int c = 0; c < dim; ++c) {
+        unit.push_back(x[c] / length);
+    }
+    return unit;
+}
+
+// x - ((x - w point) . n / (d . n)) d, of a record of weight w.
+class Projection {
+public:
+    Projection(const double *point, const double *normal, const double *direction, int dim)
+        : point_(point), normal_(unit_vector(normal, dim)),
+          along_(unit_vector(direction == nullptr ? normal : direction, dim)) {
+        double slope = 0;
+        for (size_t c = 0; c < along_.size(); ++c) {
+            slope += along_[c] * normal_[c];
+        }
+        if (!(std::abs(slope) > 4 * dim * std::numeric_limits<double>::epsilon())) {
+            fail(NURBS_ERROR_DIRECTION, "direction is parallel to the plane, expected one that crosses it");
+        }
+        for (double &x : along_) {
+            x /= slope;
+        }
+    }
+    // The length by which it moved.
+    double operator()(double *record, double weight) const noexcept {
+        double height = 0;
+        for (size_t c = 0; c < along_.size(); ++c) {
+            height += (record[c] - weight * point_[c]) * normal_[c];
+        }
+        for (size_t c = 0; c < along_.size(); ++c) {
+            record[c] -= height * along_[c];
+        }
+        return std::abs(height) * norm(along_.data(), static_cast<int>(along_.size()));
+    }
+
+private:
+    const double *point_;
+    std::vector<double> normal_;
+    std::vector<double> along_; // the step to a plane at distance 1
+};
+
+std::vector<char> inner_points(const Spline &spline, const Region &region) {
+    std::vector<char> inner(static_cast<size_t>(spline.point_count()), 1);
+    for (int k = 0; k < spline.axes(); ++k) {
+        const AxisView view = axis_view(spline, k, 1);
+        const KnotVector &axis = spline.axis(k);
+        std::vector<char> layers(static_cast<size_t>(view.count), 0);
+        for (int64_t i = 0; i < view.count;
+             ++i) { // a copy of a layer may be inside where the layer itself is not
+            if (inside(axis, i, region[static_cast<size_t>(k)])) {
+                layers[static_cast<size_t>(i % axis.distinct_layers())] = 1;
+            }
+        }
+        for (int64_t i = 0; i < spline.point_count(); ++i) {
+            const int64_t layer = i / view.inner % view.count % axis.distinct_layers();
+            inner[static_cast<size_t>(i)] &= layers[static_cast<size_t>(layer)];
+        }
+    }
+    return inner;
+}
+
+} // namespace
+
+Flattened flatten(const SplinePtr &spline, const Region &region, const double *point, const double *normal,
+                  const double *direction) {
+    constexpr int cells_per_degree = 3;
+    const Projection project(point, normal, direction, spline->dim());
+    const SplinePtr fine = refined_to(spline, region, cells_per_degree);
+    const std::vector<char> inner = inner_points(*fine, region);
+    std::vector<double> points(fine->points().begin(), fine->points().end());
+    double moved = 0;
+    for (int64_t i = 0; i < fine->point_count(); ++i) {
+        if (inner[static_cast<size_t>(i)] != 0) {
+            const double weight = fine->form() == Form::homogeneous ? fine->weight(i) : 1;
+            const double distance = project(points.data() + i * fine->stored_width(), weight);
+            moved = weight == 0 ? moved : std::max(moved, distance / std::abs(weight));
+        }
+    }
+    require_representable(points, "control points");
+    return {make_spline(fine->knot_vectors(), fine->dim(), fine->form(), std::move(points),
+                        {fine->weights().begin(), fine->weights().end()}),
+            moved};
+}
+
+} // namespace nrb

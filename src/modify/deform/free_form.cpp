@@ -1,0 +1,100 @@
+#include "modify/deform/free_form.h"
+
+#include "base/finite.h"
+#include "bounds/deviation.h"
+#include "eval/evaluate.h"
+#include "refine/compose.h"
+#include "refine/transform.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace nrb {
+
+namespace {
+
+constexpr double eps = std::numeric_limits<double>::epsilon();
+
+class Box {
+public:
+    Box(const Spline &volume, const double *lower, const double *upper) : lower_(lower), upper_(upper) {
+        for (int k = 0; k < volume.axes(); ++k) {
+            domains_.push_back(volume.axis(k).domain());
+        }
+    }
+
+    [[nodiscard]] size_t dim() const noexcept { return domains_.size(); }
+    [[nodiscard]] double scale(size_t k) const noexcept {
+        return (domains_[k].upper - domains_[k].lower) / (upper_[k] - lower_[k]);
+    }
+    [[nodiscard]] double offset(size_t k) const noexcept { return domains_[k].lower - scale(k) * lower_[k]; }
+    // A x, at the boundary where rounding would leave it.
+    [[nodiscard]] double parameter(size_t k, double x) const {
+        const double rounding = 64 * eps * std::max(std::abs(lower_[k]), std::abs(upper_[k]));
+        if (x < lower_[k] - rounding || x > upper_[k] + rounding) {
+            fail(NURBS_ERROR_OUTSIDE_DOMAIN,
+                 "coordinate %zu of a point of g is %s, outside [%s, %s], the box", k, Number(x).text,
+                 Number(lower_[k]).text, Number(upper_[k]).text);
+        }
+        const auto [lower, upper] = domains_[k];
+        return std::clamp(lower + (x - lower_[k]) * scale(k), lower, upper);
+    }
+
+private:
+    const double *lower_;
+    const double *upper_;
+    std::vector<Interval> domains_;
+};
+
+// The curve in the parameter space of the volume.
+SplinePtr in_parameters(const Spline &curve, const Box &box) {
+    std::vector<double> matrix(box.dim() * box.dim(), 0.0), offset;
+    for (size_t k = 0; k < box.dim(); ++k) {
+        matrix[k * box.dim() + k] = box.scale(k);
+        offset.push_back(box.offset(k));
+    }
+    const auto dim = static_cast<int64_t>(box.dim());
+    return transform(curve, {dim, dim, matrix.data()}, offset.data());
+}
+
+// 0 if it would be too high, or the curve is rational or moves on a line, where it may turn back.
+int image_degree(const Spline &spline, const Spline &volume) noexcept {
+    int degree = 0;
+    for (int k = 0; k < volume.axes(); ++k) {
+        degree += volume.axis(k).degree();
+    }
+    degree *= spline.axis(0).degree();
+    const bool composed = spline.axes() == 1 && volume.axes() > 1 && !spline.rational();
+    return composed && degree <= NURBS_MAX_DEGREE ? degree : 0;
+}
+
+} // namespace
+
+DeformedShape free_form_deform(const SplinePtr &spline, const SplinePtr &volume, const double *lower,
+                               const double *upper, double tolerance) {
+    const Box box(*volume, lower, upper);
+    const PointMap map = [&](const std::vector<double> &points, std::vector<double> &images) {
+        const auto dim = static_cast<int64_t>(box.dim());
+        std::vector<double> params(points.size());
+        for (size_t i = 0; i < points.size(); ++i) {
+            params[i] = box.parameter(i % box.dim(), points[i]);
+        }
+        const int64_t count = std::ssize(points) / dim;
+        evaluate_points(*volume, {}, 0, {params.data(), count, dim, dim, 1},
+                        {images.data(), count, dim, dim, 1});
+    };
+    const int degree = image_degree(*spline, *volume);
+    Judge judge;
+    if (degree > 0) {
+        const SplinePtr exact = compose(volume, in_parameters(*spline, box));
+        const double rounding = 64 * eps * degree * largest_magnitude(volume->points());
+        judge = [exact, rounding](const SplinePtr &, const SplinePtr &candidate, Cuts &) {
+            return deviation(*exact, *candidate).upper + rounding;
+        };
+    }
+    FittedImage image = fit_image(spline, map, tolerance, judge);
+    return {std::move(image.spline), image.deviation, image.proven};
+}
+
+} // namespace nrb

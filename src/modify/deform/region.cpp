@@ -1,0 +1,63 @@
+#include "modify/deform/region.h"
+
+#include "refine/insert.h"
+
+#include <algorithm>
+
+namespace nrb {
+
+namespace {
+
+bool whole(const KnotVector &axis, Interval range) noexcept {
+    return range.lower == axis.domain().lower && range.upper == axis.domain().upper;
+}
+
+// Knots that are missing at the ends of a range.
+std::vector<double> missing_ends(const KnotVector &axis, Interval range) {
+    std::vector<double> missing;
+    for (const double end : {range.lower, range.upper}) {
+        if (end != axis.domain().upper && multiplicity(axis.knots(), end) == 0) {
+            missing.push_back(end);
+        }
+    }
+    return missing;
+}
+
+// Knots so that each of `cells` equal parts of a range has one.
+std::vector<double> filling(const KnotVector &axis, Interval range, int cells) {
+    std::vector<double> knots;
+    for (int i = 1; i < cells; ++i) {
+        const double from = range.lower + (range.upper - range.lower) * (static_cast<double>(i) / cells);
+        const double to = range.lower + (range.upper - range.lower) * (static_cast<double>(i + 1) / cells);
+        const auto first = std::lower_bound(axis.knots().begin(), axis.knots().end(), from);
+        const bool apart = range.lower < from && from < range.upper && (knots.empty() || knots.back() < from);
+        if (apart && (first == axis.knots().end() || *first >= to)) {
+            knots.push_back(from);
+        }
+    }
+    return knots;
+}
+
+} // namespace
+
+SplinePtr refined_to(const SplinePtr &spline, const Region &region, int cells_per_degree) {
+    SplinePtr result = spline;
+    for (int k = 0; k < spline->axes(); ++k) {
+        const Interval range = region[static_cast<size_t>(k)];
+        if (!whole(spline->axis(k), range)) {
+            result = refine(result, k, missing_ends(result->axis(k), range));
+            const int cells = cells_per_degree * (result->axis(k).degree() + 1);
+            result = refine(result, k, filling(result->axis(k), range, cells));
+        }
+    }
+    return result;
+}
+
+bool inside(const KnotVector &axis, int64_t layer, Interval range) noexcept {
+    const auto [lower, upper] = axis.domain();
+    const bool open = !axis.periodic() || whole(axis, range);
+    return (axis[layer] >= range.lower || (open && range.lower == lower)) &&
+           (axis[layer + axis.degree() + 1] <= range.upper || (open && range.upper == upper));
+}
+
+} // namespace nrb

@@ -1,0 +1,132 @@
+#include "modify/deform/warp.h"
+
+#include "base/norm.h"
+#include "base/representable.h"
+#include "basis/bspline.h"
+#include "build/functions.h"
+#include "modify/edit/net_editor.h"
+#include "refine/sum.h"
+#include "spline/axis_view.h"
+
+#include <algorithm>
+
+namespace nrb {
+
+namespace {
+
+// A B-spline, as the function of one layer of an axis.
+struct Bump {
+    KnotVectorPtr axis;
+    int64_t layer;
+    double peak;
+};
+
+std::vector<double> even_knots(Interval range, int degree, int k) {
+    std::vector<double> knots;
+    for (int j = 0; j <= degree + 1; ++j) {
+        const double part = static_cast<double>(j) / (degree + 1);
+        knots.push_back(j <= degree / 2 ? range.lower + (range.upper - range.lower) * part
+                                        : range.upper - (range.upper - range.lower) * (1 - part));
+    }
+    knots.back() = range.upper;
+    for (size_t j = 1; j < knots.size(); ++j) {
+        if (!(knots[j - 1] < knots[j])) {
+            fail(NURBS_ERROR_KNOTS_MERGE, "range[%d] = [%s, %s] has too few doubles for %zu knots", k,
+                 Number(range.lower).text, Number(range.upper).text, knots.size());
+        }
+    }
+    return knots;
+}
+
+// The value of the B-spline over these knots in the middle of them.
+double peak_of(const std::vector<double> &own) {
+    const auto degree = static_cast<int64_t>(own.size()) - 2;
+    std::vector<double> knots(static_cast<size_t>(degree), own.front());
+    knots.insert(knots.end(), own.begin(), own.end());
+    knots.insert(knots.end(), static_cast<size_t>(degree), own.back());
+    const double middle = own.front() + (own.back() - own.front()) / 2;
+    const int64_t span = find_span(static_cast<int>(degree), knots, middle, false);
+    double values[max_basis];
+    basis_values(knots.data(), static_cast<int>(degree), span, middle, values);
+    return values[2 * degree - span];
+}
+
+// Knots of the domain: those of the bump between ends of multiplicity degree + 1.
+Bump open_bump(const KnotVector &axis, const std::vector<double> &own) {
+    const auto degree = static_cast<int>(own.size()) - 2;
+    const auto [lower, upper] = axis.domain();
+    std::vector<double> knots(static_cast<size_t>(degree) + 1, lower);
+    std::copy_if(own.begin(), own.end(), std::back_inserter(knots),
+                 [lower, upper](double t) { return lower < t && t < upper; });
+    knots.insert(knots.end(), static_cast<size_t>(degree) + 1, upper);
+    const auto first = std::upper_bound(knots.begin(), knots.end(), own.front()) - 1;
+    const int64_t layer = first - knots.begin();
+    return {make_knot_vector(degree, std::move(knots)), layer, peak_of(own)};
+}
+
+// One period of knots from the lower end on, continued on both sides.
+Bump periodic_bump(const KnotVector &axis, const std::vector<double> &own) {
+    const auto degree = static_cast<int>(own.size()) - 2;
+    const auto [lower, upper] = axis.domain();
+    std::vector<double> period{lower};
+    std::copy_if(own.begin(), own.end(), std::back_inserter(period),
+                 [lower, upper](double t) { return lower < t && t < upper; });
+    const auto m = std::ssize(period);
+    std::vector<double> knots;
+    for (int64_t i = -degree; i <= m + degree; ++i) {
+        const int64_t turn = i >= 0 ? i / m : -((m - 1 - i) / m);
+        const double knot = period[static_cast<size_t>(i - turn * m)];
+        knots.push_back(i == m ? upper : knot + static_cast<double>(turn) * (upper - lower));
+    }
+    const auto first = std::upper_bound(knots.begin(), knots.end(), own.front()) - 1;
+    const int64_t layer = (first - knots.begin()) % m;
+    return {make_knot_vector(degree, std::move(knots), true), layer, peak_of(own)};
+}
+
+std::vector<double> step_of(const double *direction, int dim, double distance,
+                            const std::vector<Bump> &bumps) {
+    const double length = norm(direction, dim);
+    double scale = distance;
+    for (const Bump &bump : bumps) {
+        scale /= bump.peak;
+    }
+    std::vector<double> step;
+    for (int c = 0; c < dim; ++c) {
+        step.push_back(scale * (direction[c] / length));
+    }
+    require_representable(step, "the bump");
+    return step;
+}
+
+// The product of the bumps times a vector: all control points but one, and its copies, are 0.
+SplinePtr bump_spline(const std::vector<Bump> &bumps, const std::vector<double> &step) {
+    Spline::Axes axes;
+    int64_t point = 0, count = 1;
+    for (const Bump &bump : bumps) {
+        axes.push_back(bump.axis);
+        point = point * bump.axis->count() + bump.layer;
+        count *= bump.axis->count();
+    }
+    const auto dim = static_cast<int>(step.size());
+    const SplinePtr zero =
+        polynomial_spline(std::move(axes), dim, std::vector<double>(static_cast<size_t>(count * dim)));
+    NetEditor editor(*zero);
+    editor.move(original_of(*zero, point), step.data(), 1);
+    return editor.finish();
+}
+
+} // namespace
+
+SplinePtr warp(const SplinePtr &spline, const Region &region, const double *direction, double distance,
+               int order) {
+    std::vector<Bump> bumps;
+    for (int k = 0; k < spline->axes(); ++k) {
+        const std::vector<double> own = even_knots(region[static_cast<size_t>(k)], order + 1, k);
+        const KnotVector &axis = spline->axis(k);
+        bumps.push_back(axis.periodic() ? periodic_bump(axis, own) : open_bump(axis, own));
+    }
+    const std::vector<double> step = step_of(direction, spline->dim(), distance, bumps);
+    return sum(spline, 1, bump_spline(bumps, step), 1);
+}
+
+} // namespace nrb

@@ -1,0 +1,378 @@
+#include "query/closest/patch_critical.h"
+
+#include "base/norm.h"
+#include "query/closest/patch_place.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace nrb {
+
+namespace {
+
+constexpr double eps = std::numeric_limits<double>::epsilon();
+constexpr int64_t most_squared = 1024; // coefficients of patches whose squares are worth their cost
+constexpr int deepest = 26;            // halvings of an axis
+constexpr int shallow = 8;             // before a singular matrix is looked at
+
+using SmallMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, max_axes, max_axes>;
+using SmallVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, max_axes, 1>;
+
+} // namespace
+
+PatchCritical::PatchCritical(const PatchPieces &pieces, const Query &query)
+    : pieces_(pieces), query_(query), x_(memory_.take(pieces.shape().lanes)), items_(pieces, x_, memory_),
+      descent_(pieces.shape(), memory_), budget_(query.budget > 0 ? query.budget : 20000) {
+    pieces.place(query.point, x_);
+    noise_ = pieces.allowance() * pieces.weight_ratio() * (pieces.size() + pieces.magnitude(query.point));
+    near_ = pieces.scaled(query.tolerance) + 64 * noise_;
+    const int64_t count = pieces.shape().coefficients();
+    cost_ = std::max<int64_t>(1, count * count / 65536);
+}
+
+CriticalSet PatchCritical::run() {
+    CriticalSet set;
+    if (!(norm(x_, pieces_.shape().dim) < 0x1p100) || pieces_.shape().coefficients() > most_squared) {
+        set.status = NURBS_CLOSEST_BUDGET;
+        return set;
+    }
+    search_faces();
+    set.points = std::move(found_);
+    std::sort(set.points.begin(), set.points.end(),
+              [](const CriticalPoint &a, const CriticalPoint &b) { return a.foot.params < b.foot.params; });
+    set.status = incomplete_  ? NURBS_CLOSEST_BUDGET
+                 : connected_ ? NURBS_CLOSEST_NOT_UNIQUE
+                              : NURBS_CLOSEST_CERTIFIED;
+    return set;
+}
+
+void PatchCritical::search_faces() {
+    const PatchShape &shape = pieces_.shape();
+    int faces = 1;
+    for (int k = 0; k < shape.axes; ++k) {
+        faces *= 3;
+    }
+    for (int code = 0; code < faces; ++code) {
+        Face face;
+        face.shape = shape;
+        face.shape.axes = 0;
+        bool exists = true;
+        for (int k = 0, rest = code; k < shape.axes; ++k, rest /= 3) {
+            const auto at = static_cast<size_t>(k);
+            face.side[at] = rest % 3 - 1;
+            const int axis = pieces_.spline_axis(k);
+            const bool seam = pieces_.periodic(axis) && query_.range == nullptr;
+            exists = exists && (face.side[at] < 0 || !seam);
+            if (face.side[at] < 0) {
+                face.axis[static_cast<size_t>(face.shape.axes)] = k;
+                face.shape.degrees[static_cast<size_t>(face.shape.axes++)] = shape.degree(k);
+            }
+        }
+        if (exists) {
+            face.squares = std::make_unique<PatchSquares>(face.shape);
+            search_face(face);
+        }
+    }
+}
+
+void PatchCritical::search_face(const Face &face) {
+    for (int64_t piece = 0; piece < pieces_.count(); ++piece) {
+        if (touches(face, piece)) {
+            const PatchMemory::Hold hold(memory_);
+            search_piece(face, piece);
+        }
+    }
+}
+
+bool PatchCritical::touches(const Face &face, int64_t piece) const noexcept {
+    const PatchPieces::Index index = pieces_.index(piece);
+    std::array<int, max_axes> side{};
+    side.fill(-1);
+    for (int k = 0; k < pieces_.shape().axes; ++k) {
+        side[static_cast<size_t>(pieces_.spline_axis(k))] = face.side[static_cast<size_t>(k)];
+    }
+    for (int axis = 0; axis < pieces_.spline_axes(); ++axis) {
+        const auto at = static_cast<size_t>(axis);
+        const double first = pieces_.break_at(axis, index[at]), last = pieces_.break_at(axis, index[at] + 1);
+        const Interval whole{pieces_.break_at(axis, 0), pieces_.break_at(axis, pieces_.count(axis))};
+        const Interval range = query_.range != nullptr ? query_.range[axis] : whole;
+        const bool holds_side = side[at] < 0 || (side[at] == 0 ? first <= range.lower : last >= range.upper);
+        if (!(first < range.upper && last > range.lower) || !holds_side) {
+            return false;
+        }
+    }
+    return true;
+}
+
+// Of the part in the range, the coefficients on the face.
+void PatchCritical::search_piece(const Face &face, int64_t piece) {
+    const PatchShape &shape = pieces_.shape();
+    PatchItem whole = items_.whole(piece);
+    items_.measure(whole);
+    const PatchBox box = box_in_range(pieces_, piece, query_.range);
+    for (int k = 0; k < shape.axes; ++k) {
+        const auto at = static_cast<size_t>(k);
+        if (box.lower[at] > 0 || box.upper[at] < 1) {
+            whole = items_.part(whole, k, box.lower[at], box.upper[at]);
+        }
+    }
+    if (face.shape.axes == 0) {
+        AxisValues at{};
+        std::copy_n(face.side.begin(), shape.axes, at.begin());
+        const int32_t corner = kind(face, whole, at);
+        if (corner == NURBS_CRITICAL_MINIMUM || corner == NURBS_CRITICAL_MAXIMUM) {
+            add(face, whole, at, true);
+        }
+        return;
+    }
+    Part part{memory_.take(face.shape.values()), {}, {1, 1, 1}, 0};
+    double *out = part.values;
+    for (int64_t i = 0; i < shape.coefficients(); ++i) {
+        bool on_face = true;
+        int64_t rest = i;
+        for (int k = shape.axes; k-- > 0; rest /= shape.degree(k) + 1) {
+            const int side = face.side[static_cast<size_t>(k)];
+            const auto place = static_cast<int>(rest % (shape.degree(k) + 1));
+            on_face = on_face && (side < 0 || place == (side == 0 ? 0 : shape.degree(k)));
+        }
+        if (on_face) {
+            out = std::copy_n(whole.values + i * shape.lanes, shape.lanes, out);
+        }
+    }
+    examine(face, whole, part);
+}
+
+void PatchCritical::examine(const Face &face, const PatchItem &whole, Part &part) {
+    if (spent_ + cost_ > budget_) {
+        incomplete_ = true;
+        return;
+    }
+    spent_ += cost_;
+    int axis = 0;
+    if (!settled(face, whole, part, axis)) {
+        split(face, whole, part, axis);
+    }
+}
+
+void PatchCritical::split(const Face &face, const PatchItem &whole, Part &part, int axis) {
+    const PatchMemory::Hold hold(memory_);
+    const auto at = static_cast<size_t>(axis);
+    BernsteinShape net{{}, face.shape.lanes};
+    std::copy_n(face.shape.degrees.begin(), face.shape.axes, net.degrees.begin());
+    Part lower = part;
+    lower.values = memory_.take(face.shape.values());
+    halve(net, axis, part.values, lower.values);
+    for (Part *half : {&lower, &part}) {
+        half->length[at] /= 2;
+        ++half->depth;
+    }
+    part.lower[at] += part.length[at];
+    examine(face, whole, lower);
+    examine(face, whole, part);
+}
+
+bool PatchCritical::settled(const Face &face, const PatchItem &whole, const Part &part, int &axis) {
+    const PatchMemory::Hold hold(memory_);
+    for (int k = 0; k < face.shape.axes; ++k) { // the longest, unless something better is known
+        axis = part.length[static_cast<size_t>(k)] > part.length[static_cast<size_t>(axis)] ? k : axis;
+    }
+    const bool too_deep = part.depth > deepest * face.shape.axes;
+    const double moved = whole.moved + (part.depth + 1) * face.shape.degree(axis) * eps * whole.reach;
+    PatchSlopes slopes(face.shape, *face.squares, part.values, moved, memory_);
+    if (!slopes.sound()) {
+        incomplete_ = incomplete_ || too_deep;
+        return too_deep;
+    }
+    if (slopes.monotone()) {
+        return true;
+    }
+    const bool flat = slopes.spread() <= 8 * noise_; // one point, or many at one distance
+    if (flat || too_deep) {
+        incomplete_ = incomplete_ || !flat;
+        add_all(face, whole, part, slopes);
+        return true;
+    }
+    const PatchSlopes::Matrix matrix = slopes.matrix();
+    axis = slopes.widest_axis();
+    const bool singular = matrix == PatchSlopes::Matrix::singular && part.depth >= shallow * face.shape.axes;
+    if ((singular || matrix == PatchSlopes::Matrix::regular) && find(face, whole, part)) {
+        connected_ = connected_ || singular;
+        return true;
+    }
+    return false;
+}
+
+AxisValues PatchCritical::middle(const Face &face, const Part &part) const noexcept {
+    AxisValues at{};
+    for (int k = 0; k < pieces_.shape().axes; ++k) {
+        at[static_cast<size_t>(k)] = std::max(0, face.side[static_cast<size_t>(k)]);
+    }
+    for (int k = 0; k < face.shape.axes; ++k) {
+        const auto i = static_cast<size_t>(k);
+        at[static_cast<size_t>(face.axis[i])] = part.lower[i] + part.length[i] / 2;
+    }
+    return at;
+}
+
+// A part whose distances agree, or that is too small to be halved, stands for all of its points.
+void PatchCritical::add_all(const Face &face, const PatchItem &whole, const Part &part,
+                            const PatchSlopes &slopes) {
+    const AxisValues at = middle(face, part);
+    double *point = memory_.take(pieces_.shape().dim);
+    descent_.point(whole.values, at, point);
+    const double extent = slopes.extent(point);
+    const bool is_point = extent <= near_;
+    if (is_point ? is_real(face, whole, at) : slopes.spread() <= 8 * noise_) {
+        add(face, whole, at, is_point);
+    }
+}
+
+bool PatchCritical::find(const Face &face, const PatchItem &whole, const Part &part) {
+    const int n = face.shape.axes;
+    AxisValues at = middle(face, part);
+    bool converged = false;
+    for (int step = 0; step < 40 && !converged; ++step) {
+        const PatchJet jet = descent_.jet(whole.values, at);
+        SmallMatrix hessian(n, n);
+        SmallVector gradient(n);
+        for (int k = 0; k < n; ++k) {
+            const auto i = static_cast<size_t>(face.axis[static_cast<size_t>(k)]);
+            gradient(k) = jet.gradient[i];
+            for (int l = 0; l < n; ++l) {
+                const auto j = static_cast<size_t>(face.axis[static_cast<size_t>(l)]);
+                hessian(k, l) = jet.metric[i][j] + jet.curvature[i][j];
+            }
+        }
+        const SmallVector move = hessian.completeOrthogonalDecomposition().solve(gradient);
+        converged = true;
+        for (int k = 0; k < n; ++k) {
+            const auto i = static_cast<size_t>(k), j = static_cast<size_t>(face.axis[i]);
+            const double next = at[j] - move(k);
+            converged = converged && std::abs(move(k)) <= 1e-9 * part.length[i];
+            at[j] = std::clamp(next, part.lower[i] - part.length[i], part.lower[i] + 2 * part.length[i]);
+            if (!std::isfinite(at[j])) {
+                return false;
+            }
+        }
+    }
+    for (int k = 0; k < n; ++k) {
+        const auto i = static_cast<size_t>(k), j = static_cast<size_t>(face.axis[i]);
+        const double over = 1e-7 * part.length[i];
+        if (at[j] < part.lower[i] - over || at[j] > part.lower[i] + part.length[i] + over) {
+            return false;
+        }
+        at[j] = std::clamp(at[j], part.lower[i], part.lower[i] + part.length[i]);
+    }
+    if (converged && is_real(face, whole, at)) {
+        add(face, whole, at, true);
+    }
+    return converged;
+}
+
+// Where a tangent vanishes, at a pole, the derivative along it does too, whatever the point: there all directions
+// count.
+bool PatchCritical::is_real(const Face &face, const PatchItem &whole, const AxisValues &at) const {
+    const PatchJet here = descent_.jet(whole.values, at);
+    double largest = 0;
+    for (int k = 0; k < face.shape.axes; ++k) {
+        const auto i = static_cast<size_t>(face.axis[static_cast<size_t>(k)]);
+        largest = std::max(largest, here.metric[i][i]);
+    }
+    for (int k = 0; k < face.shape.axes; ++k) {
+        const auto i = static_cast<size_t>(face.axis[static_cast<size_t>(k)]);
+        if (here.metric[i][i] > eps * largest) {
+            continue;
+        }
+        for (const double t : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+            AxisValues other = at;
+            other[i] = t;
+            const PatchJet jet = descent_.jet(whole.values, other);
+            for (size_t j = 0; j < face.side.size(); ++j) { // an edge that is a point: like a corner
+                if (face.side[j] >= 0 && !(jet.gradient[j] * here.gradient[j] > 0)) {
+                    return false;
+                }
+            }
+            for (int l = 0; l < face.shape.axes; ++l) {
+                const auto j = static_cast<size_t>(face.axis[static_cast<size_t>(l)]);
+                if (std::abs(jet.gradient[j]) > 64 * noise_ * std::sqrt(jet.metric[j][j]) + noise_ * noise_) {
+                    return false;
+                }
+            }
+        }
+    }
+    return true;
+}
+
+int32_t PatchCritical::kind(const Face &face, const PatchItem &whole, const AxisValues &at) const {
+    const PatchJet jet = descent_.jet(whole.values, at);
+    const int n = face.shape.axes;
+    bool rises = true, falls = true, doubtful = false;
+    const auto count = [&](double value, double error) {
+        rises = rises && value > error;
+        falls = falls && value < -error;
+        doubtful = doubtful || !(std::abs(value) > error);
+    };
+    for (int k = 0; k < pieces_.shape().axes; ++k) {
+        const auto i = static_cast<size_t>(k);
+        if (face.side[i] >= 0) {
+            const double inwards = face.side[i] == 0 ? jet.gradient[i] : -jet.gradient[i];
+            count(inwards, 8 * noise_ * std::sqrt(jet.metric[i][i]) + noise_ * noise_);
+        }
+    }
+    if (n > 0) {
+        SmallMatrix hessian(n, n);
+        double trace = 0;
+        bool vanishes = false;
+        for (int k = 0; k < n; ++k) {
+            for (int l = 0; l < n; ++l) {
+                const auto i = static_cast<size_t>(face.axis[static_cast<size_t>(k)]);
+                const auto j = static_cast<size_t>(face.axis[static_cast<size_t>(l)]);
+                const double scale = std::sqrt(jet.metric[i][i] * jet.metric[j][j]);
+                hessian(k, l) =
+                    scale > noise_ * noise_ ? (jet.metric[i][j] + jet.curvature[i][j]) / scale : 0.0;
+            }
+            trace += std::abs(hessian(k, k));
+            vanishes = vanishes || hessian(k, k) == 0;
+        }
+        const SmallVector values =
+            Eigen::SelfAdjointEigenSolver<SmallMatrix>(hessian, Eigen::EigenvaluesOnly).eigenvalues();
+        for (int k = 0; k < n && !(vanishes && n == 1); ++k) { // nothing to count along a point
+            count(values(k), 1e4 * eps * (1 + trace));
+        }
+    }
+    return rises      ? NURBS_CRITICAL_MINIMUM
+           : falls    ? NURBS_CRITICAL_MAXIMUM
+           : doubtful ? NURBS_CRITICAL_UNDECIDED
+                      : NURBS_CRITICAL_SADDLE;
+}
+
+void PatchCritical::add(const Face &face, const PatchItem &whole, const AxisValues &at, bool isolated) {
+    const int dim = pieces_.shape().dim;
+    std::vector<double> point(static_cast<size_t>(dim));
+    descent_.point(whole.values, at, point.data());
+    connected_ = connected_ || !isolated;
+    for (const std::vector<double> &other : points_) {
+        if (distance(point.data(), other.data(), dim) <= near_) {
+            return;
+        }
+    }
+    if (found_.size() >= 4096) {
+        incomplete_ = true;
+        return;
+    }
+    AxisValues place{};
+    for (int k = 0; k < pieces_.shape().axes; ++k) {
+        place[static_cast<size_t>(k)] = std::clamp(whole.to_piece(k, at[static_cast<size_t>(k)]), 0.0, 1.0);
+    }
+    CriticalPoint critical;
+    critical.foot = foot_at(pieces_, whole.piece, place, query_.range);
+    critical.foot.distance = pieces_.unscaled(descent_.distance(whole.values, at));
+    critical.foot.noise = pieces_.unscaled(noise_);
+    critical.kind = isolated ? kind(face, whole, at) : NURBS_CRITICAL_UNDECIDED;
+    found_.push_back(critical);
+    points_.push_back(std::move(point));
+}
+
+} // namespace nrb

@@ -1,0 +1,65 @@
+// All critical points of the distance from a point on a surface or volume.
+//
+// A part of a piece on which the distance rises or falls throughout along some axis has no critical point. A
+// part on which the matrix of the second derivatives is regular has at most one, which Newton's method finds.
+// All others are halved (Sherbrooke & Patrikalakis, "Computation of the solutions of nonlinear polynomial
+// systems", CAGD 10, 1993).
+#pragma once
+
+#include "query/closest/locator.h"
+#include "query/closest/patch_descent.h"
+#include "query/closest/patch_slopes.h"
+
+#include <vector>
+
+namespace nrb {
+
+class PatchCritical {
+public:
+    PatchCritical(const PatchPieces &pieces, const Query &query);
+
+    CriticalSet run();
+
+private:
+    // The faces of the part that is searched: side[k] of axis k of the shape is 0, 1, or -1 for all of it.
+    struct Face {
+        std::array<int, max_axes> side{};
+        std::array<int, max_axes> axis{}; // of the shape, for each axis of the face
+        PatchShape shape;
+        std::unique_ptr<const PatchSquares> squares;
+    };
+    struct Part {
+        double *values;
+        AxisValues lower, length; // in the piece, along the axes of the face
+        int depth;
+    };
+    void search_faces();
+    void search_face(const Face &face);
+    void search_piece(const Face &face, int64_t piece);
+    [[nodiscard]] bool touches(const Face &face, int64_t piece) const noexcept;
+    void examine(const Face &face, const PatchItem &whole, Part &part);
+    bool settled(const Face &face, const PatchItem &whole, const Part &part, int &axis);
+    void split(const Face &face, const PatchItem &whole, Part &part, int axis);
+    [[nodiscard]] AxisValues middle(const Face &face, const Part &part) const noexcept;
+    void add_all(const Face &face, const PatchItem &whole, const Part &part, const PatchSlopes &slopes);
+    // A critical point in the part, by Newton's method; false if it leaves the part.
+    bool find(const Face &face, const PatchItem &whole, const Part &part);
+    void add(const Face &face, const PatchItem &whole, const AxisValues &at, bool isolated);
+    [[nodiscard]] int32_t kind(const Face &face, const PatchItem &whole, const AxisValues &at) const;
+    [[nodiscard]] bool is_real(const Face &face, const PatchItem &whole, const AxisValues &at) const;
+
+    const PatchPieces &pieces_;
+    const Query &query_;
+    mutable PatchMemory memory_;
+    double *x_;
+    PatchItems items_;
+    PatchDescent descent_;
+    double noise_ = 0;
+    double near_ = 0; // points nearer to each other are one
+    int64_t cost_ = 1, spent_ = 0, budget_ = 0;
+    bool incomplete_ = false, connected_ = false;
+    std::vector<CriticalPoint> found_;
+    std::vector<std::vector<double>> points_; // of those found
+};
+
+} // namespace nrb
