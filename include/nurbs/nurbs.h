@@ -2821,20 +2821,24 @@ NURBS_API nurbs_status nurbs_recognize(const nurbs *g, double tolerance, int32_t
  * locator, the Bezier pieces with bounds, which the handle keeps; batches are what is fast.
  *
  * A result is certified where it is proven that no point of g is nearer (of the farthest: farther) by more
- * than the tolerance and rounding, which is at most (64 (p + 1) + 2 dim) eps (sqrt(dim) s + |x|): p is the
- * sum of the degrees, s the largest coordinate of g, x the query point. The proof is by polynomials: with
- * the homogeneous form A / w of a piece, |A - x w|^2 - r^2 w^2 >= 0 says that the piece is not nearer than
- * r, and holds if all Bernstein coefficients are >= 0; curves are divided at their minima, and about those
- * of surfaces and volumes the polynomial is shown to be convex. Pieces that give no answer are halved, at
- * most `budget` of them for a point: then the best point found is returned with NURBS_CLOSEST_BUDGET in
- * place of NURBS_CLOSEST_CERTIFIED. Where parameters are so large, or spans so short, that the point of the
- * rounded parameter is worse than what was proven, NURBS_CLOSEST_COARSE takes its place. Weights have to be
- * > 0; splines with others are searched in the same way, and certified where the Bezier pieces have positive
+ * than the tolerance and rounding, which is at most (64 n + 2 dim) eps (sqrt(dim) s + |x|): n is the sum of
+ * degree + 1 over the axes, s the largest coordinate of g, x the query point. The proof is by polynomials:
+ * with the homogeneous form A / w of a piece, |A - x w|^2 - r^2 w^2 >= 0 says that the piece is not nearer
+ * than r, and holds if all Bernstein coefficients are >= 0; curves are divided at their minima, and about
+ * those of surfaces and volumes the polynomial is shown to be convex. Pieces that give no answer are
+ * halved, at most `budget` of them for a point: then the best point found is returned with
+ * NURBS_CLOSEST_BUDGET in place of NURBS_CLOSEST_CERTIFIED; pieces of more than 256 control points count
+ * more than once. Of those with more than 1024, of volumes of high degrees, hulls alone are looked at,
+ * which seldom is proof enough. Where parameters are so large, or spans so short, that the point of the
+ * rounded parameter is worse than what was proven, curves have NURBS_CLOSEST_COARSE in place of
+ * NURBS_CLOSEST_CERTIFIED, surfaces and volumes that or NURBS_CLOSEST_BUDGET. Weights have to be > 0;
+ * splines with others are searched in the same way, and certified where the Bezier pieces have positive
  * weights all the same.
  *
- * At a jump both limits belong to g. A seam, a pole or a collapsed edge has several parameters for one
- * point; any of them is returned. Ends and edges of the domain are part of it. Status bits speak of points:
- * two parameters of one point do not make it NURBS_CLOSEST_NOT_UNIQUE.
+ * At a jump both limits belong to g, and a foot may be the one that nurbs_eval() gives with NURBS_LEFT. A
+ * seam, a pole or a collapsed edge has several parameters for one point; any of them is returned. Ends and
+ * edges of the domain are part of it. Status bits speak of points: two parameters of one point do not make
+ * it NURBS_CLOSEST_NOT_UNIQUE.
  * @{ */
 
 /** \name Status of a closest point
@@ -2962,7 +2966,8 @@ NURBS_API nurbs_status nurbs_closest_all(const nurbs *g, const double *point, co
 
 /** \brief All critical points of the distance from a point: where x - C is perpendicular to the tangents of
  * g, and at ends and kinks of a curve, where the distance has a minimum or maximum. Of surfaces and volumes
- * those inside, and on edges those that are critical along them.
+ * those inside, on edges those that are critical along them, and corners with a minimum or maximum; minima
+ * on creases at knots are found by nurbs_closest_all().
  * \param[in] g a spline.
  * \param[in] point [dim].
  * \param[in] range [axes][2] the part of the domain that is searched, or NULL for all of it.
@@ -3251,8 +3256,8 @@ NURBS_API nurbs_status nurbs_normal_cone(const nurbs *g, const double *range, do
  * \param[in] direction [dim], not zero.
  * \param[in] range [axes][2] the part of the domain, or NULL for all of it.
  * \param[in] tolerance how much farther another point may be, as a length, >= 0.
- * \param[out] params [axes] of the point, or NULL. Where g jumps, or ends in the range, the limit from inside
- *   the range may be meant.
+ * \param[out] params [axes] of the point, or NULL. Where g jumps, or ends in the range, the limit from
+ *   inside the range may be meant.
  * \param[out] value direction . C there, or NULL.
  * \param[out] bound no point has more, proven; at most value + tolerance |direction| beside rounding unless
  *   20000 halvings do not reach it; or NULL.
@@ -3268,10 +3273,10 @@ NURBS_API nurbs_status nurbs_extreme_point(const nurbs *g, const double *directi
  * Where something happens on a curve or surface. Features are the zeros of polynomials, of which the signs
  * of Bernstein coefficients tell how many there are: `complete` receives 1 where it is proven that nothing
  * was missed and each was seen once, 0 where zeros lie so close together, or are so flat, that double
- * precision does not tell: along an arc of a circle, whose curvature is constant, for its extrema, and along
- * a straight line for inflections, unless it is one of degree 1. Polynomials that vanish to rounding at a
- * knot count as 0 there: zeros within rounding of a knot are at it. Vectors, such as C' at a cusp, count as 0
- * where all components vanish to rounding at the zero of one of them.
+ * precision does not tell: along an arc of a circle, whose curvature is constant, for its extrema, and
+ * along a straight line for inflections, unless it is one of degree 1. Polynomials that vanish to rounding
+ * at a knot count as 0 there: zeros within rounding of a knot are at it. Vectors, such as C' at a cusp,
+ * count as 0 where all components vanish to rounding at the zero of one of them.
  * @{ */
 
 /** \name Features of curves
@@ -3315,16 +3320,16 @@ NURBS_API nurbs_status nurbs_extreme_point(const nurbs *g, const double *directi
  *   angle of a kink (in the plane positive to the left), the width of a jump, or NULL.
  * \param[out] count number of features, or NULL.
  * \param[out] complete 1 or 0, or NULL.
- * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _FLAGS, _COUNT, _OVERLAP; _DIMENSION also if changes of torsion
- *   are asked for in the plane; _SIZE if cap is neither 0 nor enough; _NOT_REPRESENTABLE if a coefficient
- *   overflows.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _FLAGS, _COUNT, _OVERLAP; _DIMENSION also if changes of
+ *   torsion are asked for in the plane; _SIZE if cap is neither 0 nor enough; _NOT_REPRESENTABLE if a
+ *   coefficient overflows.
  * \since 0.1 */
 NURBS_API nurbs_status nurbs_curve_features(const nurbs *g, uint32_t kinds, int64_t cap, double *params,
                                             int32_t *found, double *values, int64_t *count,
                                             int32_t *complete);
 
-/** \brief The pieces of a curve on which it runs one way along a direction: direction . C(t) rises, falls or,
- * to rounding, stays on whole Bezier pieces. A jump begins a piece.
+/** \brief The pieces of a curve on which it runs one way along a direction: direction . C(t) rises, falls
+ * or, to rounding, stays on whole Bezier pieces. A jump begins a piece.
  * \param[in] g a curve.
  * \param[in] direction [dim], not zero.
  * \param[in] cap length of the outputs: 0, or at least the number of pieces.
@@ -3403,9 +3408,9 @@ NURBS_API nurbs_status nurbs_singular_points(const nurbs *g, double tolerance, i
 
 /** \brief Whether a surface or volume folds over: whether the sign of J changes, J being the determinant of
  * the first derivatives of a surface in the plane or a volume in space, of a surface in space (S_u x S_v) .
- * reference. Where J is 0 only on collapsed boundaries there is no fold. Undecided is what 20000 halvings do
- * not decide, a J that comes to 0 inside without a change of sign, and volumes whose degrees are together
- * so high that J has more coefficients than can be formed in seconds.
+ * reference. Where J is 0 only on collapsed boundaries there is no fold. Undecided is what 20000 halvings
+ * do not decide, a J that comes to 0 inside without a change of sign, and volumes whose degrees are
+ * together so high that J has more coefficients than can be formed in seconds.
  * \param[in] g a surface of dimension 2 or 3, or a volume of dimension 3.
  * \param[in] reference [3] of a surface in space: the direction that normals are compared with, or NULL:
  *   the vector area, the integral of S_u x S_v; else NULL.
@@ -3565,9 +3570,10 @@ NURBS_API nurbs_status nurbs_most_influential(const nurbs *g, int64_t n, const d
  * \param[in] ratio from 0 to 1.
  * \param[out] knot the knot, or NULL.
  * \param[out] out the new handle.
- * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _INDEX, _OVERFLOW, _PERIODIC; _DEGREE if it is 0, _FACTOR if ratio
- *   is not in [0, 1], _MULTIPLICITY if the knot occurs degree + 1 times already, _OUTSIDE_DOMAIN if it cannot
- *   be inserted, _POINT_NOT_FINITE or _WEIGHT_SIGN if an end of the leg lies at infinity or has a weight < 0.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _INDEX, _OVERFLOW, _PERIODIC; _DEGREE if it is 0, _FACTOR if
+ *   ratio is not in [0, 1], _MULTIPLICITY if the knot occurs degree + 1 times already, _OUTSIDE_DOMAIN if
+ *   it cannot be inserted, _POINT_NOT_FINITE or _WEIGHT_SIGN if an end of the leg lies at infinity or has a
+ *   weight < 0.
  * \since 0.1 */
 NURBS_API nurbs_status nurbs_insert_on_leg(const nurbs *g, int32_t axis, int64_t index, double ratio,
                                            double *knot, nurbs **out);

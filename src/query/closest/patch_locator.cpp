@@ -26,7 +26,7 @@ CriticalSet PatchLocator::critical(const Query &query) const {
 
 Foot PatchLocator::local(const double *point, const double *guess) const {
     const Query query{point, nullptr, 0, 0};
-    return PatchSearch(pieces_, tree_, query).local(guess);
+    return PatchQuery(pieces_, query).local(guess);
 }
 
 } // namespace nrb
