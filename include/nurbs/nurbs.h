@@ -413,7 +413,7 @@ NURBS_API nurbs_status nurbs_create_multiplicities(int32_t axes, const int32_t *
  * \param[in] degrees [axes] degree along each axis.
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DEGREE, _OVERFLOW, _DIMENSION, _STRIDE, _POINT_NOT_FINITE,
- *   _WEIGHT_NOT_FINITE, _WEIGHT_NEGATIVE, _WEIGHTS_VANISH;
+ *   _WEIGHT_NOT_FINITE, _WEIGHT_NEGATIVE, _WEIGHTS_VANISH, _NOT_REPRESENTABLE;
  *   _NOT_REPRESENTABLE if a weight times a coordinate overflows.
  * \since 0.1 */
 NURBS_API nurbs_status nurbs_create_bezier(int32_t axes, const int32_t *degrees, int32_t dim,
@@ -2822,21 +2822,23 @@ NURBS_API nurbs_status nurbs_recognize(const nurbs *g, double tolerance, int32_t
  *
  * A result is certified where it is proven that no point of g is nearer (of the farthest: farther) by more
  * than the tolerance and rounding, which is at most (64 n + 2 dim) eps (sqrt(dim) s + |x|): n is the sum of
- * degree + 1 over the axes, s the largest coordinate of g, x the query point; with weights that differ by a
- * factor q, q times as much. Where rounding the parameters moves the point by more (knots far from 0 with
- * short spans), NURBS_CLOSEST_COARSE takes the place of NURBS_CLOSEST_CERTIFIED.
- * The proof is by polynomials: with the homogeneous form A / w of a piece, |A - x w|^2 - r^2 w^2 >= 0 says
- * that the piece is not nearer than r, and holds if all Bernstein coefficients are >= 0; around a minimum a
- * factor that cannot be negative is divided out first (curves), or the polynomial is shown to be convex
- * (surfaces, volumes). Pieces that give no answer are halved, at most `budget` of them for a point: then
- * the best point found is returned with NURBS_CLOSEST_BUDGET in place of NURBS_CLOSEST_CERTIFIED; pieces of
- * more than 256 control points count more than once. Of those with more than 1024, of volumes of high
- * degrees, hulls alone are looked at, which seldom is proof enough. Weights
- * have to be > 0; splines with others are searched in the same way, and certified where the Bezier pieces
- * have positive weights all the same.
+ * degree + 1 over the axes, s the largest coordinate of g, x the query point. The proof is by polynomials:
+ * with the homogeneous form A / w of a piece, |A - x w|^2 - r^2 w^2 >= 0 says that the piece is not nearer
+ * than r, and holds if all Bernstein coefficients are >= 0; curves are divided at their minima, and about
+ * those of surfaces and volumes the polynomial is shown to be convex. Pieces that give no answer are
+ * halved, at most `budget` of them for a point: then the best point found is returned with
+ * NURBS_CLOSEST_BUDGET in place of NURBS_CLOSEST_CERTIFIED; pieces of more than 256 control points count
+ * more than once. Of those with more than 1024, of volumes of high degrees, hulls alone are looked at,
+ * which seldom is proof enough. Where parameters are so large, or spans so short, that the point of the
+ * rounded parameter is worse than what was proven, NURBS_CLOSEST_COARSE takes the place of
+ * NURBS_CLOSEST_CERTIFIED. Weights have to be > 0;
+ * splines with others are searched in the same way, and certified where the Bezier pieces have positive
+ * weights all the same.
  *
- * At a jump both limits belong to g. A seam, a pole or a collapsed edge has several parameters for one
- * point; any of them is returned. Ends and edges of the domain are part of it.
+ * At a jump both limits belong to g, and a foot may be the one that nurbs_eval() gives with NURBS_LEFT. A
+ * seam, a pole or a collapsed edge has several parameters for one point; any of them is returned. Ends and
+ * edges of the domain are part of it. Status bits speak of points: two parameters of one point do not make
+ * it NURBS_CLOSEST_NOT_UNIQUE.
  * @{ */
 
 /** \name Status of a closest point
@@ -3186,10 +3188,14 @@ NURBS_API nurbs_status nurbs_enclosed_volume(int64_t count, const nurbs *const *
 /** \defgroup bounds Boxes and cones
  * What contains a spline, proven: bounds come from Bernstein coefficients, which are halved where a tighter
  * one is asked for, and are rounded outwards. Weights have to be > 0 on every Bezier piece after some
- * halvings; where they never are, boxes are infinite and cones the whole space.
+ * halvings; where they never are, boxes are infinite and cones may be the whole space. Where a search has a
+ * limit of 20000 halvings, it is a lower one for pieces of more than 3000 coefficients, so that memory does
+ * not run out. A derivative that is zero to its rounding at an end of a piece counts as zero there, and the
+ * limit as its direction.
  * @{ */
 
-/** \brief An axis-aligned box that contains a spline.
+/** \brief An axis-aligned box that contains a spline, and all points that evaluation gives of it (but for
+ * homogeneous ones, whose rounding has no such bound).
  * \param[in] g a spline.
  * \param[in] range [axes][2] the part of the domain, or NULL for all of it.
  * \param[in] tolerance how far a face may be from the nearest point of g, >= 0; infinite: the box of the
@@ -3218,14 +3224,14 @@ NURBS_API nurbs_status nurbs_box(const nurbs *g, const double *range, double tol
 NURBS_API nurbs_status nurbs_oriented_box(const nurbs *g, double tolerance, double *center, double *axes,
                                           double *half);
 
-/** \brief A cone that contains the directions of all derivatives along an axis, zero vectors and kinks
- * included.
+/** \brief A cone that contains the directions of all derivatives along an axis, and so those at kinks; zero
+ * vectors have none. Boundaries of Bezier pieces where derivatives vanish to rounding are divided out.
  * \param[in] g a spline.
  * \param[in] axis 0-based axis.
  * \param[in] range [axes][2] the part of the domain, or NULL for all of it.
- * \param[in] tolerance halving ends when the angle is within this of that of a cone that has to be, >= 0,
- *   in radians, may be infinite.
- * \param[out] direction [dim] unit vector, the axis of the cone.
+ * \param[in] tolerance halving ends when a derivative occurs whose angle with the direction is within this
+ *   of that of the cone, or after 2000 halvings; >= 0, in radians, may be infinite.
+ * \param[out] direction [dim] unit vector, the axis of the cone: the middle of the coefficients.
  * \param[out] angle half its opening, in radians; pi if no smaller one is found, and direction is then a
  *   unit vector without meaning.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _OVERLAP, _TOLERANCE, _NOT_REPRESENTABLE;
@@ -3250,12 +3256,14 @@ NURBS_API nurbs_status nurbs_normal_cone(const nurbs *g, const double *range, do
  * \param[in] direction [dim], not zero.
  * \param[in] range [axes][2] the part of the domain, or NULL for all of it.
  * \param[in] tolerance how much farther another point may be, as a length, >= 0.
- * \param[out] params [axes] of the point, or NULL.
+ * \param[out] params [axes] of the point, or NULL. Where g jumps, or ends in the range, the limit from
+ *   inside the range may be meant.
  * \param[out] value direction . C there, or NULL.
  * \param[out] bound no point has more, proven; at most value + tolerance |direction| beside rounding unless
  *   20000 halvings do not reach it; or NULL.
- * \return NURBS_OK, NURBS_ERROR_NULL, _OVERLAP, _TOLERANCE, _DIRECTION, _NOT_REPRESENTABLE;
- *   _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN or _EMPTY_DOMAIN if range is no interval of the domain.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _OVERLAP, _TOLERANCE, _DIRECTION; _NOT_REPRESENTABLE if the value
+ *   overflows, or no weight can be shown to be positive; _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN or
+ *   _EMPTY_DOMAIN if range is no interval of the domain.
  * \since 0.1 */
 NURBS_API nurbs_status nurbs_extreme_point(const nurbs *g, const double *direction, const double *range,
                                            double tolerance, double *params, double *value, double *bound);
@@ -3265,7 +3273,10 @@ NURBS_API nurbs_status nurbs_extreme_point(const nurbs *g, const double *directi
  * Where something happens on a curve or surface. Features are the zeros of polynomials, of which the signs
  * of Bernstein coefficients tell how many there are: `complete` receives 1 where it is proven that nothing
  * was missed and each was seen once, 0 where zeros lie so close together, or are so flat, that double
- * precision does not tell.
+ * precision does not tell: along an arc of a circle, whose curvature is constant, for its extrema, and
+ * along a straight line for inflections, unless it is one of degree 1. Polynomials that vanish to rounding
+ * at a knot count as 0 there: zeros within rounding of a knot are at it. Vectors, such as C' at a cusp,
+ * count as 0 where all components vanish to rounding at the zero of one of them.
  * @{ */
 
 /** \name Features of curves
@@ -3296,25 +3307,29 @@ NURBS_API nurbs_status nurbs_extreme_point(const nurbs *g, const double *directi
 #define NURBS_FOLD_UNDECIDED 2 /**< neither */
 /** @} */
 
-/** \brief Inflections, extrema of curvature, cusps, kinks, jumps and changes of torsion along a curve.
+/** \brief Inflections, extrema of curvature, cusps, kinks, jumps and changes of torsion along a curve. The
+ * ends of the domain have none but cusps; the seam of a periodic curve, given as its lower end, has all. A
+ * curvature that jumps at a knot rises or falls there, so that the knot can be a maximum or a minimum.
+ * Where |curvature| stays at a maximum or minimum, the middle of that stretch is given.
  * \param[in] g a curve of dimension 2 or 3.
  * \param[in] kinds sum of NURBS_FEATURE_ constants.
  * \param[in] cap length of the outputs: 0, or at least the number of features.
  * \param[out] params [cap] where, rising, or NULL.
  * \param[out] found [cap] one NURBS_FEATURE_ constant each, or NULL.
  * \param[out] values [cap] the curvature there (signed in the plane; infinite at most cusps), the turning
- *   angle of a kink, the width of a jump, or NULL.
+ *   angle of a kink (in the plane positive to the left), the width of a jump, or NULL.
  * \param[out] count number of features, or NULL.
  * \param[out] complete 1 or 0, or NULL.
- * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DIMENSION, _FLAGS, _COUNT, _OVERLAP; _SIZE if cap is neither
- *   0 nor enough; _NOT_REPRESENTABLE if a coefficient overflows.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _FLAGS, _COUNT, _OVERLAP; _DIMENSION also if changes of
+ *   torsion are asked for in the plane; _SIZE if cap is neither 0 nor enough; _NOT_REPRESENTABLE if a
+ *   coefficient overflows.
  * \since 0.1 */
 NURBS_API nurbs_status nurbs_curve_features(const nurbs *g, uint32_t kinds, int64_t cap, double *params,
                                             int32_t *found, double *values, int64_t *count,
                                             int32_t *complete);
 
-/** \brief The pieces of a curve on which it runs one way along a direction: direction . C(t) rises, falls or
- * stays.
+/** \brief The pieces of a curve on which it runs one way along a direction: direction . C(t) rises, falls
+ * or, to rounding, stays on whole Bezier pieces. A jump begins a piece.
  * \param[in] g a curve.
  * \param[in] direction [dim], not zero.
  * \param[in] cap length of the outputs: 0, or at least the number of pieces.
@@ -3329,7 +3344,8 @@ NURBS_API nurbs_status nurbs_curve_monotone_pieces(const nurbs *g, const double 
                                                    int32_t *complete);
 
 /** \brief Whether a curve in the plane is convex: turns one way only and by at most a full turn, kinks
- * included.
+ * included, to rounding: pieces count as straight, and places as not turning, where double precision does
+ * not tell. A curve that jumps is not.
  * \param[in] g a curve of dimension 2.
  * \param[out] convexity one of the NURBS_CONVEXITY_ constants.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DIMENSION, _NOT_REPRESENTABLE.
@@ -3381,16 +3397,20 @@ NURBS_API nurbs_status nurbs_boundary_contacts(const nurbs *g, double tolerance,
  * \param[out] boxes [cap][axes][2] intervals of the parameters in which the singular set around it lies, or
  *   NULL.
  * \param[out] count number of places, or NULL.
- * \param[out] complete 1 if it is proven that g is regular everywhere outside the boxes, else 0; or NULL.
- * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _TOLERANCE, _COUNT, _OVERLAP, _NOT_REPRESENTABLE; _SIZE if cap
- *   is neither 0 nor enough.
+ * \param[out] complete 1 if it is proven that g is regular everywhere outside the boxes, but for boundaries
+ *   of Bezier pieces that vanish to rounding, which are places with boxes of no width; else 0; or NULL.
+ *   Boxes are larger than the tolerance where 20000 halvings do not reach it.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _TOLERANCE, _COUNT, _OVERFLOW, _OVERLAP, _NOT_REPRESENTABLE;
+ *   _SIZE if cap is neither 0 nor enough.
  * \since 0.1 */
 NURBS_API nurbs_status nurbs_singular_points(const nurbs *g, double tolerance, int64_t cap, double *params,
                                              double *boxes, int64_t *count, int32_t *complete);
 
 /** \brief Whether a surface or volume folds over: whether the sign of J changes, J being the determinant of
  * the first derivatives of a surface in the plane or a volume in space, of a surface in space (S_u x S_v) .
- * reference. Where J is 0 only on collapsed boundaries there is no fold.
+ * reference. Where J is 0 only on collapsed boundaries there is no fold. Undecided is what 20000 halvings
+ * do not decide, a J that comes to 0 inside without a change of sign, and volumes whose degrees are
+ * together so high that J has more coefficients than can be formed in seconds.
  * \param[in] g a surface of dimension 2 or 3, or a volume of dimension 3.
  * \param[in] reference [3] of a surface in space: the direction that normals are compared with, or NULL:
  *   the vector area, the integral of S_u x S_v; else NULL.
@@ -3398,7 +3418,8 @@ NURBS_API nurbs_status nurbs_singular_points(const nurbs *g, double tolerance, i
  * \param[out] positive [axes] parameters with J > 0, NaN if none are known; or NULL.
  * \param[out] negative [axes] parameters with J < 0, NaN if none are known; or NULL.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DIMENSION, _OVERLAP, _NOT_REPRESENTABLE; _DIRECTION if
- *   reference is zero, not finite or does not suit.
+ *   reference is zero, not finite or not NULL where it has to be, or the vector area vanishes, as that of a
+ *   closed surface does.
  * \since 0.1 */
 NURBS_API nurbs_status nurbs_fold_test(const nurbs *g, const double *reference, int32_t *result,
                                        double *positive, double *negative);
@@ -3549,9 +3570,10 @@ NURBS_API nurbs_status nurbs_most_influential(const nurbs *g, int64_t n, const d
  * \param[in] ratio from 0 to 1.
  * \param[out] knot the knot, or NULL.
  * \param[out] out the new handle.
- * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _INDEX, _OVERFLOW; _DEGREE if it is 0, _FACTOR if ratio is not
- *   in [0, 1], _MULTIPLICITY if the knot occurs degree + 1 times already, _OUTSIDE_DOMAIN if it cannot be
- *   inserted.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _INDEX, _OVERFLOW, _PERIODIC; _DEGREE if it is 0, _FACTOR if
+ *   ratio is not in [0, 1], _MULTIPLICITY if the knot occurs degree + 1 times already, _OUTSIDE_DOMAIN if
+ *   it cannot be inserted, _POINT_NOT_FINITE or _WEIGHT_SIGN if an end of the leg lies at infinity or has a
+ *   weight < 0.
  * \since 0.1 */
 NURBS_API nurbs_status nurbs_insert_on_leg(const nurbs *g, int32_t axis, int64_t index, double ratio,
                                            double *knot, nurbs **out);

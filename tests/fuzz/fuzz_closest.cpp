@@ -59,10 +59,15 @@ void extremal(Input &in, const nurbs *g, const fuzz::Spline &s) {
     const double tolerance = in.rarely() ? in.anything() : in.coin() ? 0 : s.size() * 1e-6;
     const int64_t budget = in.rarely() ? in.bad_size() : in.below(3) * 100;
     Feet out(n, s.axes(), s.dim);
-    const auto call = far ? nurbs_farthest_points : nurbs_closest_points;
-    if (!FUZZ_OK(call(g, n, points.data(), 0, 0, part, tolerance, budget, out.params.data(), 0, 0,
-                      out.feet.data(), 0, 0, out.distances.data(), 0, out.status.data(),
-                      in.coin() ? NURBS_NAN_POINTS : 0))) {
+    const uint32_t flags = in.coin() ? NURBS_NAN_POINTS : 0;
+    const nurbs_status result =
+        far ? nurbs_farthest_points(g, n, points.data(), 0, 0, part, tolerance, budget, out.params.data(), 0,
+                                    0, out.feet.data(), 0, 0, out.distances.data(), 0, out.status.data(),
+                                    flags)
+            : nurbs_closest_points(g, n, points.data(), 0, 0, part, tolerance, budget, out.params.data(), 0,
+                                   0, out.feet.data(), 0, 0, out.distances.data(), 0, out.status.data(),
+                                   flags);
+    if (!FUZZ_OK(result)) {
         return;
     }
     for (int i = 0; i < n; ++i) {

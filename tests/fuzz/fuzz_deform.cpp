@@ -134,13 +134,14 @@ void fair(Input &in, const nurbs *g, const fuzz::Spline &s) {
     const double tolerance = in.rarely() ? in.anything() : s.size() * in.unit() * 0.1;
     nurbs *out = fuzz::poison();
     const nurbs_status status =
-        nurbs_fair(g, in.below(5), in.coin() ? keep.data() : nullptr, tolerance, energies, &bound, &out);
+        nurbs_fair(g, in.rarely() ? in.below(5) : 1 + in.below(3), in.coin() ? keep.data() : nullptr,
+                   tolerance, energies, &bound, &out);
     const fuzz::Handle h(FUZZ_MADE(status, out));
     FUZZ_REQUIRE(h ? energies[1] <= energies[0] && bound <= tolerance && bound >= 0 : bound == -7);
 }
 
 void snap(Input &in, const nurbs *g, const fuzz::Spline &s) {
-    const fuzz::Spline t = fuzz::any_spline(in);
+    const fuzz::Spline t = in.coin() ? s : fuzz::any_spline(in); // often one that suits
     const fuzz::Handle other(fuzz::create(t));
     if (!other || t.total > 200) {
         return;

@@ -231,8 +231,8 @@ TEST(Measure, ANearCuspKeepsItsTolerance) {
 
 TEST(Measure, LengthsAgreeWithFiftyDigits) {
     Random random(5521);
-    for (int i = 0; i < 60; ++i) {
-        const int degree = random.whole(1, i < 50 ? 5 : 12);
+    for (int i = 0; i < 32; ++i) {
+        const int degree = random.whole(1, i < 28 ? 5 : 12);
         const SplineData data =
             tangle(random, degree, degree + random.whole(1, 5), random.whole(2, 4), random.chance(60));
         for (const double tolerance : {1e-6, 1e-12, 0.0}) {
@@ -317,7 +317,7 @@ TEST(Measure, LengthsScaleWithTheModelAndNotWithTheKnots) {
 
 TEST(Measure, LengthsAndParametersAreInverse) {
     Random random(5524);
-    for (int i = 0; i < 30; ++i) {
+    for (int i = 0; i < 20; ++i) {
         const SplineData data = tangle(random, random.whole(1, 6), random.whole(7, 14), 3, random.chance(50));
         const Handle g = create(data);
         const double total = length(g.get()).value;
@@ -331,7 +331,7 @@ TEST(Measure, LengthsAndParametersAreInverse) {
         for (size_t k = 0; k < lengths.size(); ++k) {
             EXPECT_NEAR(again[k], lengths[k], 16 * eps * total) << describe(data);
         }
-        for (size_t k = 2; k < 6; ++k) {
+        for (size_t k = 2; k < 4; ++k) {
             const double exact = static_cast<double>(exact_length(data, -1, params[k], 1e-18));
             EXPECT_NEAR(exact, lengths[k], 32 * eps * total);
         }

@@ -62,6 +62,7 @@ LocalEquations local_equations(const NetState &state, const Condition &condition
 std::vector<LocalEquations> all_equations(const NetState &state, const std::vector<Condition> &conditions,
                                           double tolerance) {
     std::vector<LocalEquations> all;
+    all.reserve(conditions.size());
     for (const Condition &condition : conditions) {
         all.push_back(local_equations(state, condition, tolerance));
     }

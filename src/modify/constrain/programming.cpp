@@ -184,13 +184,14 @@ private:
         const double before = merit(x_, system.scale);
         const std::vector<double> from = x_;
         double part = longest_step(step);
-        for (int i = 0; i < halvings; ++i, part /= 2) {
+        for (int i = 0; i < halvings; ++i) {
             std::transform(from.begin(), from.end(), step.begin(), x_.begin(),
                            [part](double x, double s) { return x + part * s; });
             move_to(x_);
             if (merit(x_, system.scale) <= before + share * part * descent + rounding * before) {
                 return;
             }
+            part /= 2;
         }
     }
 

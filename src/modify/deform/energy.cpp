@@ -30,14 +30,13 @@ double product_integral(int m, int i, int j) noexcept {
     return binomial(m, i) * binomial(m, j) / (binomial(2 * m, i + j) * (2 * m + 1));
 }
 
-// Bernstein coefficients of the derivative of a function of a span, in place; how many are left.
-int differentiate(double *coefficients, int degree, int order, double length) noexcept {
+// Bernstein coefficients of the derivative of a function of a span, in place.
+void differentiate(double *coefficients, int degree, int order, double length) noexcept {
     for (int r = 0; r < order; ++r, --degree) {
         for (int k = 0; k < degree; ++k) {
             coefficients[k] = degree * (coefficients[k + 1] - coefficients[k]) / length;
         }
     }
-    return degree + 1;
 }
 
 // Integrals of products of derivatives of the functions of one axis.
@@ -52,7 +51,7 @@ AxisMatrix axis_matrix(const KnotVector &axis, int order) {
         const double length = axis[span + 1] - axis[span];
         bezier_extraction(axis.knots().data(), p, span, functions.data());
         for (int i = 0; i <= p; ++i) {
-            differentiate(functions.data() + i * width, p, order, length);
+            differentiate(functions.data() + int64_t{i} * width, p, order, length);
         }
         for (int i = 0; i <= p; ++i) {
             for (int j = 0; j <= p; ++j) {

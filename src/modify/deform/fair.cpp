@@ -1,6 +1,5 @@
 #include "modify/deform/fair.h"
 
-#include "base/checked.h"
 #include "base/finite.h"
 #include "base/norm.h"
 #include "base/representable.h"
@@ -126,12 +125,14 @@ private:
             sum += value;
         }
         SparseSystem system(entries, diagonal);
-        double low = least, high = most, at = least;
-        for (int i = 0; i <= halvings; ++i, at = low + (high - low) / 2) {
-            (accept(system, std::pow(10.0, at) * (trace / sum)) ? high : low) = at;
-            if (high == least) {
-                return;
-            }
+        const auto accepted = [&](double at) { return accept(system, std::pow(10.0, at) * (trace / sum)); };
+        if (accepted(least)) {
+            return;
+        }
+        double low = least, high = most;
+        for (int i = 0; i < halvings; ++i) {
+            const double middle = low + (high - low) / 2;
+            (accepted(middle) ? high : low) = middle;
         }
     }
 
@@ -203,9 +204,13 @@ Faired fair(const SplinePtr &spline, int order, const int32_t *keep, double tole
     if (!enough) {
         fail(NURBS_ERROR_DEGREE, "order = %d, expected at most the degree of an axis of g", order);
     }
-    std::array<int32_t, 2 * max_axes> usual{};
+    if (spline->point_count() > std::numeric_limits<int32_t>::max()) {
+        fail(NURBS_ERROR_OVERFLOW, "g has %lld control points, expected fewer than 2^31",
+             static_cast<long long>(spline->point_count()));
+    }
+    std::vector<int32_t> usual;
     for (int k = 0; k < spline->axes(); ++k) {
-        std::fill_n(usual.begin() + 2 * k, 2, spline->axis(k).periodic() ? -1 : 0);
+        usual.insert(usual.end(), 2, spline->axis(k).periodic() ? -1 : 0);
     }
     return Fairing(spline, order, keep == nullptr ? usual.data() : keep, tolerance).run();
 }

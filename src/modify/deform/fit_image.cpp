@@ -42,42 +42,22 @@ Numerators mapped(const std::vector<double> &samples, size_t dim, bool rational,
     return result;
 }
 
-// How far interpolation at the nodes is off at the checks of each span of an axis, of which there are outer * inner
-// lines of samples.
+// Where the samples of the spans of an axis stand.
 struct Lines {
-    size_t outer;
     size_t spans;
     size_t places; // of a span
     size_t inner;
 };
 
-double check_error(const Numerators &numerators, const LocalNodes &nodes, const Lines &lines, size_t dim,
-                   size_t base, size_t check) {
-    const auto at = [&](size_t place) { return base + place * lines.inner; };
-    const double *const coefficients = nodes.at_check(check);
-    const size_t here = at(2 * check + 1);
-    const double gap = norm_of(static_cast<int>(dim), [&](int c) {
-        double sum = -numerators.values[here * dim + static_cast<size_t>(c)];
-        for (size_t j = 0; j < nodes.nodes().size(); ++j) {
-            sum += coefficients[j] * numerators.values[at(2 * j) * dim + static_cast<size_t>(c)];
-        }
-        return sum;
-    });
-    return numerators.weights.empty() ? gap : gap / std::abs(numerators.weights[here]);
-}
-
-std::vector<double> span_errors(const Numerators &numerators, const LocalNodes &nodes, const Lines &lines,
-                                size_t dim) {
+// The largest error of each span of an axis.
+std::vector<double> span_errors(const Numerators &numerators, const std::vector<double> &projected,
+                                const Lines &lines, size_t dim) {
     std::vector<double> errors(lines.spans, 0.0);
-    for (size_t o = 0; o < lines.outer; ++o) {
-        for (size_t s = 0; s < lines.spans; ++s) {
-            for (size_t i = 0; i < lines.inner; ++i) {
-                const size_t base = (o * lines.spans + s) * lines.places * lines.inner + i;
-                for (size_t check = 0; check + 1 < nodes.nodes().size(); ++check) {
-                    errors[s] = std::max(errors[s], check_error(numerators, nodes, lines, dim, base, check));
-                }
-            }
-        }
+    for (size_t i = 0; i * dim < projected.size(); ++i) {
+        const double gap =
+            distance(numerators.values.data() + i * dim, projected.data() + i * dim, static_cast<int>(dim));
+        double &error = errors[i / lines.inner / lines.places % lines.spans];
+        error = std::max(error, numerators.weights.empty() ? gap : gap / std::abs(numerators.weights[i]));
     }
     return errors;
 }
@@ -114,7 +94,7 @@ public:
     }
 
 private:
-    static constexpr int max_rounds = 80;
+    static constexpr int max_rounds = 120;
     static constexpr int max_stalled = 3;
     static constexpr int64_t max_points = int64_t{1} << 18;
 
@@ -144,15 +124,11 @@ private:
     [[nodiscard]] SplinePtr records() const { return fine_->rational() ? to_homogeneous(*fine_) : fine_; }
 
     [[nodiscard]] Lines lines_of(size_t k) const {
-        Lines lines{1, 1, 1, 1};
-        for (size_t j = 0; j < nodes_.size(); ++j) {
-            const auto spans = static_cast<size_t>(fine_->axis(static_cast<int>(j)).spans().size());
-            if (j == k) {
-                lines.spans = spans;
-                lines.places = nodes_[j].with_checks().size();
-            } else {
-                (j < k ? lines.outer : lines.inner) *= spans * nodes_[j].nodes().size();
-            }
+        Lines lines{static_cast<size_t>(fine_->axis(static_cast<int>(k)).spans().size()),
+                    nodes_[k].with_checks().size(), 1};
+        for (size_t j = k + 1; j < nodes_.size(); ++j) {
+            lines.inner *= static_cast<size_t>(fine_->axis(static_cast<int>(j)).spans().size()) *
+                           nodes_[j].nodes().size();
         }
         return lines;
     }
@@ -169,8 +145,10 @@ private:
             }
             const Numerators numerators =
                 mapped(sampled(*homogeneous, places), dim_, fine_->rational(), map_);
+            const std::vector<double> projected =
+                projected_along(*fine_, static_cast<int>(k), nodes_, numerators.values, fine_->dim());
             more[k] =
-                new_knots(static_cast<int>(k), span_errors(numerators, nodes_[k], lines_of(k), dim_), target);
+                new_knots(static_cast<int>(k), span_errors(numerators, projected, lines_of(k), dim_), target);
             cut = cut || !more[k].empty();
         }
         insert(more);
@@ -223,10 +201,15 @@ private:
     [[nodiscard]] std::vector<double> new_knots(int k, const std::vector<double> &errors,
                                                 double target) const {
         constexpr double most_parts = 8;
+        constexpr double nearly =
+            0.3; // a cut makes the neighbours a little worse, which must not go on and on
         const KnotVector &axis = fine_->axis(k);
         std::vector<double> knots;
+        if (*std::max_element(errors.begin(), errors.end()) <= target) {
+            return knots;
+        }
         for (size_t s = 0; s < errors.size(); ++s) {
-            if (errors[s] <= target) {
+            if (errors[s] <= nearly * target) {
                 continue;
             }
             const double wanted = std::pow(errors[s] / target, 1.0 / (axis.degree() + 1));

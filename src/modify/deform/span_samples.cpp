@@ -19,17 +19,6 @@ double chebyshev(double i, int degree) noexcept {
     return x * x;
 }
 
-// Lagrange's polynomials at a place, by their products.
-void append_lagrange(const std::vector<double> &nodes, double x, std::vector<double> &out) {
-    for (size_t i = 0; i < nodes.size(); ++i) {
-        double value = 1;
-        for (size_t j = 0; j < nodes.size(); ++j) {
-            value *= i == j ? 1 : (x - nodes[j]) / (nodes[i] - nodes[j]);
-        }
-        out.push_back(value);
-    }
-}
-
 } // namespace
 
 LocalNodes::LocalNodes(int degree) {
@@ -43,9 +32,6 @@ LocalNodes::LocalNodes(int degree) {
         if (i % 2 == 0) {
             nodes_.push_back(all_.back());
         }
-    }
-    for (size_t i = 1; i < all_.size(); i += 2) {
-        append_lagrange(nodes_, all_[i], checks_);
     }
     const size_t size = nodes_.size();
     std::vector<double> collocation, values(size), identity(size * size, 0.0);
@@ -158,37 +144,65 @@ Source best_source(const KnotVector &axis, int64_t layer) noexcept {
     return best;
 }
 
-LayerTable control_table(const KnotVector &axis, const LocalNodes &nodes) {
+// From samples of which node j is number stride * j of `places` on each span.
+LayerTable control_table(const KnotVector &axis, const LocalNodes &nodes, size_t places, size_t stride) {
     const size_t size = nodes.nodes().size();
     LayerTable table;
     for (int64_t i = 0; i < axis.count(); ++i) {
         const Source source = best_source(axis, i);
         const auto number = static_cast<size_t>(source.number);
         const std::vector<double> polar = polar_row(axis, axis.spans().indices()[number], source.layer);
-        std::vector<double> row(size, 0.0);
+        std::vector<double> row(places, 0.0);
         for (size_t k = 0; k < size; ++k) {
             for (size_t j = 0; j < size; ++j) {
-                row[j] += polar[k] * nodes.bernstein()[k * size + j];
+                row[stride * j] += polar[k] * nodes.bernstein()[k * size + j];
             }
         }
-        table.add_row(static_cast<int64_t>(number * size), row.data(), static_cast<int>(size));
+        table.add_row(static_cast<int64_t>(number * places), row.data(), static_cast<int>(places));
     }
     return table;
+}
+
+// Samples with `places[k]` of each span on axis k.
+SplinePtr as_spline(const Spline &spline, const std::array<size_t, max_axes> &places,
+                    std::vector<double> samples, int width) {
+    Spline::Axes axes;
+    for (int k = 0; k < spline.axes(); ++k) {
+        axes.push_back(
+            index_axis(spline.axis(k).spans().size() * static_cast<int64_t>(places[static_cast<size_t>(k)])));
+    }
+    return polynomial_spline(std::move(axes), width, std::move(samples));
+}
+
+std::array<size_t, max_axes> node_counts(const std::vector<LocalNodes> &nodes) noexcept {
+    std::array<size_t, max_axes> counts{};
+    for (size_t k = 0; k < nodes.size(); ++k) {
+        counts[k] = nodes[k].nodes().size();
+    }
+    return counts;
 }
 
 } // namespace
 
 std::vector<double> control_points(const Spline &spline, const std::vector<LocalNodes> &nodes,
                                    std::vector<double> samples, int width) {
-    Spline::Axes axes;
+    SplinePtr values = as_spline(spline, node_counts(nodes), std::move(samples), width);
     for (int k = 0; k < spline.axes(); ++k) {
-        const auto per_span = static_cast<int64_t>(nodes[static_cast<size_t>(k)].nodes().size());
-        axes.push_back(index_axis(spline.axis(k).spans().size() * per_span));
+        const LocalNodes &own = nodes[static_cast<size_t>(k)];
+        values = applied(*values, k, control_table(spline.axis(k), own, own.nodes().size(), 1));
     }
-    SplinePtr values = polynomial_spline(std::move(axes), width, std::move(samples));
-    for (int k = 0; k < spline.axes(); ++k) {
-        values = applied(*values, k, control_table(spline.axis(k), nodes[static_cast<size_t>(k)]));
-    }
+    return {values->points().begin(), values->points().end()};
+}
+
+std::vector<double> projected_along(const Spline &spline, int k, const std::vector<LocalNodes> &nodes,
+                                    std::vector<double> samples, int width) {
+    const auto at = static_cast<size_t>(k);
+    const std::vector<double> &all = nodes[at].with_checks();
+    std::array<size_t, max_axes> counts = node_counts(nodes);
+    counts[at] = all.size();
+    SplinePtr values = as_spline(spline, counts, std::move(samples), width);
+    values = applied(*values, k, control_table(spline.axis(k), nodes[at], all.size(), 2));
+    values = applied(*values, k, sampling_table(spline.axis(k), all));
     return {values->points().begin(), values->points().end()};
 }
 

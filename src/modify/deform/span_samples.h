@@ -18,17 +18,12 @@ public:
     // Nodes, and between them as many places less one at which interpolation errs most, in rising order: node i is
     // number 2 i.
     [[nodiscard]] const std::vector<double> &with_checks() const noexcept { return all_; }
-    // What the interpolating polynomial is at a check, as coefficients of the values at the nodes.
-    [[nodiscard]] const double *at_check(size_t i) const noexcept {
-        return checks_.data() + i * nodes_.size();
-    }
     // The Bernstein coefficients of the interpolating polynomial: [degree + 1][node].
     [[nodiscard]] const std::vector<double> &bernstein() const noexcept { return bernstein_; }
 
 private:
     std::vector<double> nodes_;
     std::vector<double> all_;
-    std::vector<double> checks_;
     std::vector<double> bernstein_;
 };
 
@@ -43,5 +38,10 @@ std::vector<double> sampled(const Spline &spline, const Places &places);
 // multiplicity degree are met (T. Lyche, K. Morken, "Spline methods", 2008, 8.3: local projectors).
 std::vector<double> control_points(const Spline &spline, const std::vector<LocalNodes> &nodes,
                                    std::vector<double> samples, int width);
+
+// The same along axis k alone, from values [..][width] at the places of with_checks() on that axis and at the nodes of
+// the others: what the projected spline is there.
+std::vector<double> projected_along(const Spline &spline, int k, const std::vector<LocalNodes> &nodes,
+                                    std::vector<double> samples, int width);
 
 } // namespace nrb

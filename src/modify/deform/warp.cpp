@@ -54,7 +54,7 @@ double peak_of(const std::vector<double> &own) {
 // Knots of the domain: those of the bump between ends of multiplicity degree + 1.
 Bump open_bump(const KnotVector &axis, const std::vector<double> &own) {
     const auto degree = static_cast<int>(own.size()) - 2;
-    const auto [lower, upper] = axis.domain();
+    const double lower = axis.domain().lower, upper = axis.domain().upper;
     std::vector<double> knots(static_cast<size_t>(degree) + 1, lower);
     std::copy_if(own.begin(), own.end(), std::back_inserter(knots),
                  [lower, upper](double t) { return lower < t && t < upper; });
@@ -67,7 +67,7 @@ Bump open_bump(const KnotVector &axis, const std::vector<double> &own) {
 // One period of knots from the lower end on, continued on both sides.
 Bump periodic_bump(const KnotVector &axis, const std::vector<double> &own) {
     const auto degree = static_cast<int>(own.size()) - 2;
-    const auto [lower, upper] = axis.domain();
+    const double lower = axis.domain().lower, upper = axis.domain().upper;
     std::vector<double> period{lower};
     std::copy_if(own.begin(), own.end(), std::back_inserter(period),
                  [lower, upper](double t) { return lower < t && t < upper; });

@@ -99,7 +99,7 @@ public:
     explicit Isolation(std::vector<SignRun> &runs) : runs_(runs) {}
 
     // Precondition: the values at both ends have certain signs.
-    void run(RoundedPolynomial f, double from, double to) {
+    void run(const RoundedPolynomial &f, double from, double to) {
         const Variations changes = variations(f);
         if (changes.most == 0) {
             return append(runs_, {from, to, f.sign(0)});
@@ -124,11 +124,11 @@ private:
             }
             ++halvings_;
             RoundedPolynomial upper = f;
-            RoundedPolynomial lower = split(upper, axis, place);
+            const RoundedPolynomial lower = split(upper, axis, place);
             if (upper.sign(0) != 0) {
                 const double middle = from + (to - from) * place;
-                run(std::move(lower), from, middle);
-                return run(std::move(upper), middle, to);
+                run(lower, from, middle);
+                return run(upper, middle, to);
             }
         }
         const bool changes = f.sign(0) != f.sign(f.values.size() - 1);
@@ -269,7 +269,7 @@ SignRuns sign_runs(RoundedPolynomial f) {
     result.zeros_at_end = divide_end(f, axis, true);
     result.doubtful = doubtful_end(whole, f.values.front(), result.zeros_at_start, false) ||
                       doubtful_end(whole, f.values.back(), result.zeros_at_end, true);
-    Isolation(result.runs).run(std::move(f), 0, 1);
+    Isolation(result.runs).run(f, 0, 1);
     return result;
 }
 

@@ -180,12 +180,21 @@ private:
         return s > 0 ? std::min(s, 1.0) : 0.0;
     }
 
+    // Newton's step, or downhill where the key is not convex, which from a maximum is either way.
+    static double next_place(double s, double g, double h) noexcept {
+        if (h > 0) {
+            return s - g / h;
+        }
+        const bool down = g > 0 || (g == 0 && s > 0.5);
+        return g == 0 && !(h < 0) ? s : s + (down ? -0.25 : 0.25);
+    }
+
     // Damped Newton from s to a local minimum of the key on the segment, which is noted.
     double minimum(const double *records, double s) {
         Slope slope = tools_.slope(records, s);
         for (int i = 0; i < 60; ++i) {
             const double g = sign_ * slope.first, h = sign_ * slope.second;
-            double target = h > 0 ? s - g / h : s - std::copysign(1.0, g) * (g != 0 ? 0.25 : 0.0);
+            double target = next_place(s, g, h);
             target = target > 0 ? std::min(target, 1.0) : 0.0;
             const double move = std::abs(target - s);
             if (!(move > 0)) {

@@ -3,6 +3,9 @@
 #include "query/closest/patch_critical.h"
 #include "query/closest/patch_search.h"
 
+#include <algorithm>
+#include <limits>
+
 namespace nrb {
 
 Foot PatchLocator::nearest(const Query &query) const {
@@ -20,8 +23,25 @@ CriticalSet PatchLocator::minima(const Query &query) const {
     return set;
 }
 
+// The nearest and the farthest point are critical, but for creases: where they are not among the points found, tangents
+// that vanish or rounding have hidden some.
 CriticalSet PatchLocator::critical(const Query &query) const {
-    return PatchCritical(pieces_, query).run();
+    CriticalSet set = PatchCritical(pieces_, query).run();
+    double least = std::numeric_limits<double>::infinity(), most = 0;
+    for (const CriticalPoint &found : set.points) {
+        least = std::min(least, found.foot.distance);
+        most = std::max(most, found.foot.distance);
+    }
+    Query other = query;
+    other.tolerance = 0;
+    const Foot near = nearest(other);
+    other.farthest = true;
+    const Foot far = nearest(other);
+    const double slack = query.tolerance + 2 * near.noise;
+    if (!(least <= near.distance + slack && most >= far.distance - slack)) {
+        set.status &= ~NURBS_CLOSEST_CERTIFIED;
+    }
+    return set;
 }
 
 Foot PatchLocator::local(const double *point, const double *guess) const {

@@ -154,44 +154,91 @@ double divide_by_length(const Spline &curve, Interval range, int64_t parts, doub
     return arc.to_model(part);
 }
 
-// Chords are no longer than arcs. Regula falsi as modified by Illinois, every third step a bisection, since
-// the excess may jump.
+namespace {
+
+// The chord at which the excess is 0.
+class ChordSearch {
+public:
+    ChordSearch(ChordWalk &walk, double allowed) : walk_(walk), allowed_(allowed) {}
+
+    // Between a chord with an excess below and one with an excess above 0: regula falsi as modified by Illinois,
+    // every third step a bisection, since the excess may jump. False if it only jumps.
+    bool between(double lower, double below, double upper, double above) {
+        for (int step = 0; step < most_bisections; ++step) {
+            const double falsi = (lower * above - upper * below) / (above - below);
+            chord_ = step % 3 < 2 && falsi > lower && falsi < upper ? falsi : lower / 2 + upper / 2;
+            if (!(chord_ > lower && chord_ < upper)) {
+                break;
+            }
+            rest_ = walk_.excess(chord_);
+            if (std::abs(rest_) <= allowed_ / 8 * chord_) {
+                return true;
+            }
+            if (rest_ > 0) {
+                lower = chord_;
+                below = rest_;
+                above /= 2;
+            } else {
+                upper = chord_;
+                above = rest_;
+                below /= 2;
+            }
+        }
+        return std::abs(rest_) <= allowed_ * chord_;
+    }
+
+    // Chords are no longer than arcs.
+    bool run(double longest, double length) {
+        const double above = walk_.excess(longest);
+        if (std::abs(above) <= allowed_ / 8 * longest) {
+            chord_ = longest;
+            return true;
+        }
+        return between(0, length, longest, above) || scan(longest, length);
+    }
+
+    [[nodiscard]] double chord() const noexcept { return chord_; }
+    [[nodiscard]] double rest() const noexcept { return rest_; }
+
+private:
+    // Every change of sign among chords in equal steps.
+    bool scan(double longest, double length) {
+        constexpr int steps = 128;
+        double chord = longest, above = walk_.excess(longest);
+        for (int i = steps - 1; i >= 0; --i) {
+            const double next = longest * i / steps, below = i > 0 ? walk_.excess(next) : length;
+            if (below > 0 && above <= 0 && between(next, below, chord, above)) {
+                return true;
+            }
+            chord = next;
+            above = below;
+        }
+        return false;
+    }
+
+    ChordWalk &walk_;
+    double allowed_;
+    double chord_ = 0, rest_ = 0;
+};
+
+} // namespace
+
 double divide_by_chord(const Spline &curve, Interval range, int64_t parts, double relative_tolerance,
                        std::vector<double> &params) {
     Arc arc(curve, range, parts, relative_tolerance);
     ChordWalk walk(curve, arc, range, parts, params);
-    double upper = arc.length() / static_cast<double>(parts), lower = 0;
-    double above = walk.excess(upper), below = arc.length();
-    double chord = upper, rest = above;
+    if (parts == 1) {
+        return arc.to_model(walk.excess(0));
+    }
     // Below 1, so that a walk that ends too early is never taken.
     const double allowed = std::min(std::max(relative_tolerance, 64 * eps * static_cast<double>(parts)), 0.5);
-    for (int step = 0; step < most_bisections && std::abs(rest) > allowed / 8 * chord; ++step) {
-        const double falsi = (lower * above - upper * below) / (above - below);
-        chord = step % 3 < 2 && falsi > lower && falsi < upper ? falsi : lower / 2 + upper / 2;
-        if (!(chord > lower && chord < upper)) {
-            break;
-        }
-        rest = walk.excess(chord);
-        if (rest > 0) {
-            lower = chord;
-            below = rest;
-            above /= 2;
-        } else {
-            upper = chord;
-            above = rest;
-            below /= 2;
-        }
-    }
-    if (parts == 1) {
-        rest = 0;
-        chord = walk.excess(0);
-    }
-    if (!(std::abs(rest) <= allowed * chord) && parts > 1) {
+    ChordSearch search(walk, allowed);
+    if (!search.run(arc.length() / static_cast<double>(parts), arc.length())) {
         fail(NURBS_ERROR_NOT_CONVERGED,
              "no division into %lld equal chords was found: the last one differs by %s",
-             static_cast<long long>(parts), Number(arc.to_model(rest)).text);
+             static_cast<long long>(parts), Number(arc.to_model(search.rest())).text);
     }
-    return arc.to_model(chord);
+    return arc.to_model(search.chord());
 }
 
 } // namespace nrb

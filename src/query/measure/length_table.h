@@ -38,7 +38,10 @@ private:
     [[nodiscard]] double part_length(size_t leaf, double lower, double upper, double *work) const noexcept;
     [[nodiscard]] double from_start(size_t leaf, double x, double *work) const noexcept;
     [[nodiscard]] double speed(size_t leaf, double x, double *work) const noexcept;
-    [[nodiscard]] double guess(size_t leaf, double part, double *work) const noexcept;
+    [[nodiscard]] double guess(size_t leaf, double part) const noexcept;
+    [[nodiscard]] double step_length(size_t leaf, double from, double to, double speed_from, double speed_to,
+                                     double *work) const noexcept;
+    // Precondition: 0 < part < the length of the leaf.
     [[nodiscard]] double solve(size_t leaf, double part, double *work) const noexcept;
 
     SpeedPieces pieces_;
@@ -46,6 +49,7 @@ private:
     std::vector<double> nets_;
     std::vector<double> starts_; // lengths up to each leaf, and the total
     std::vector<double> params_; // where each leaf begins
+    std::vector<std::array<double, 2>> end_speeds_;
     double error_ = 0;
 };
 

@@ -153,6 +153,10 @@ TEST(ZeroPlaces, OfVectors) {
     const auto flat = nrb::zero_places(side_by_side({with_zeros({0.3, 0.3}), with_zeros({0.3, 0.3})}));
     ASSERT_EQ(flat.size(), 1U);
     EXPECT_FALSE(flat[0].certain);
+    // the zero of the first is known to 1e-10, so that of the second may be the same
+    const RoundedPolynomial rough = polynomial({-0.3, 0.7}, {1e-10, 1e-10});
+    EXPECT_EQ(nrb::zero_places(side_by_side({rough, factor(0.3 + 5e-11)})).size(), 1U);
+    EXPECT_TRUE(nrb::zero_places(side_by_side({rough, factor(0.3 + 1e-9)})).empty());
     const auto nothing = nrb::zero_places(side_by_side({polynomial({0, 0}), polynomial({0, 0})}));
     ASSERT_EQ(nothing.size(), 1U);
     EXPECT_TRUE(!nothing[0].certain && nothing[0].from == 0 && nothing[0].to == 1);
