@@ -56,7 +56,8 @@ public:
     std::optional<PairPiece> halve();
 
 private:
-    friend std::vector<PairPiece> pair_pieces(const Spline &, const PairFrame &, const BernsteinNet::Breaks &);
+    friend std::vector<PairPiece> pair_pieces(const Spline &, const PairFrame &,
+                                              const BernsteinNet::Breaks &);
     void update();
     [[nodiscard]] double legs(int axis) const noexcept;
 
