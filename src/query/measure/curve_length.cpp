@@ -261,10 +261,10 @@ void SpeedPieces::add_piece(const Element &element, int degree) {
     const size_t start = nets_.size();
     nets_.resize(start + static_cast<size_t>(form_.size()), 0.0);
     double *out = nets_.data() + start;
-    const double *w = element.net.data() + form_.dim * (p + 1);
+    const double *w = element.net.data() + int64_t{form_.dim} * (p + 1);
     rounding_ += 2 * (3 * p + 2) * eps * element.spread * weight_ratio(w, form_.weight_degree);
     for (int c = 0; p > 0 && c < form_.dim; ++c, out += form_.degree + 1) {
-        const double *a = element.net.data() + c * (p + 1);
+        const double *a = element.net.data() + int64_t{c} * (p + 1);
         if (form_.weight_degree < 0) {
             for (int i = 0; i < p; ++i) {
                 out[i] = p * (a[i + 1] - a[i]);
@@ -283,7 +283,7 @@ void SpeedPieces::add_piece(const Element &element, int degree) {
         }
     }
     if (form_.weight_degree >= 0) {
-        std::copy_n(w, p + 1, nets_.data() + start + form_.dim * (form_.degree + 1));
+        std::copy_n(w, p + 1, nets_.data() + start + int64_t{form_.dim} * (form_.degree + 1));
     }
 }
 
@@ -294,8 +294,9 @@ Integral integrate(const SpeedPieces &pieces, double relative_tolerance, std::ve
     double length = rough_length(pieces);
     double share = 1.0 / (32.0 * static_cast<double>(pieces.size()));
     Integral result{0, 0};
-    for (int attempt = 0; attempt < 4; ++attempt, share /= 64) {
+    for (int attempt = 0; attempt < 4; ++attempt) {
         result = search.run(length, share);
+        share /= 64;
         length = result.value;
         if (search.spent() || !(result.error > std::max(tolerance * result.value, pieces.rounding()))) {
             break;

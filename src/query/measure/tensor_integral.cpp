@@ -230,7 +230,7 @@ Integrals integrate(const std::vector<Elements> &splines, const Integrand &integ
     TensorSearch search(splines, integrand);
     Integrals result = search.rough();
     double share = 1 / (32.0 * static_cast<double>(std::max<int64_t>(search.count(), 1)));
-    for (int attempt = 0; attempt < 3; ++attempt, share /= 64) {
+    for (int attempt = 0; attempt < 3; ++attempt) {
         const Goal goal = goal_of(result, integrand, tolerance, share);
         result = search.run(goal);
         const Goal reached = goal_of(result, integrand, tolerance, share);
@@ -242,6 +242,7 @@ Integrals integrate(const std::vector<Elements> &splines, const Integrand &integ
         if (result.converged || search.spent()) {
             break;
         }
+        share /= 64;
     }
     return result;
 }
