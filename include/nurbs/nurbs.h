@@ -3439,7 +3439,12 @@ NURBS_API nurbs_status nurbs_fold_test(const nurbs *g, const double *reference, 
  * Piegl & Tiller, "The NURBS Book", chapter 11. R_i(t) is the rational basis function of control point i, a
  * flat index, last axis fastest. Where R_i(t) is 0 the control point cannot move that point:
  * NURBS_ERROR_INFLUENCE, and the message names those that can. On a periodic axis the copies of a layer
- * change with it, and R_i is the sum of theirs.
+ * change with it, and R_i is the sum of theirs. A control point at infinity has no weight that could change:
+ * its R_i is 0.
+ *
+ * A point that is moved by weights comes to lie within (3 sum p + n + 8) eps of its place, times the distance from
+ * the centre to the farthest of the n active control points; one that is moved by its control point, times the
+ * distance and R_i |P_i*|. Tests find at most 0.05 of that.
  * @{ */
 
 /** \brief Changes a weight so that the point at a parameter moves by a distance towards the control point,
@@ -3456,7 +3461,7 @@ NURBS_API nurbs_status nurbs_fold_test(const nurbs *g, const double *reference, 
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _INDEX, _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN, _INFLUENCE; _LENGTH
  *   if the distance is not finite or d >= |P_i S|, _WEIGHT_SIGN if d <= -|S B|, so that the weight would
- *   not be positive; _NOT_REPRESENTABLE if the weight overflows.
+ *   not be positive; _NOT_REPRESENTABLE if the weight, or its product with the point, overflows.
  * \since 0.1 */
 NURBS_API nurbs_status nurbs_pull_weight(const nurbs *g, int64_t index, const double *params, double distance,
                                          double *weight, nurbs **out);
@@ -3476,14 +3481,15 @@ NURBS_API nurbs_status nurbs_pull_weight(const nurbs *g, int64_t index, const do
 NURBS_API nurbs_status nurbs_pull_weights(const nurbs *g, int64_t count, const int64_t *indices,
                                           const double *params, double distance, double *factor, nurbs **out);
 
-/** \brief Sets weights; control points stay, and a polynomial spline becomes rational.
+/** \brief Sets weights; control points stay, and a polynomial spline becomes rational. In a homogeneous spline a
+ * control point of weight 0 has no place any more.
  * \param[in] g a spline.
  * \param[in] count number of weights.
  * \param[in] indices [count] control points, all different.
  * \param[in] weights [count] >= 0.
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _INDEX, _WEIGHT_NOT_FINITE, _WEIGHT_NEGATIVE,
- *   _WEIGHTS_VANISH; _POINT_NOT_FINITE if g has a control point at infinity.
+ *   _WEIGHTS_VANISH, _OVERFLOW, _NOT_REPRESENTABLE; _POINT_NOT_FINITE if g has a control point at infinity.
  * \since 0.1 */
 NURBS_API nurbs_status nurbs_set_weights(const nurbs *g, int64_t count, const int64_t *indices,
                                          const double *weights, nurbs **out);
@@ -3497,7 +3503,7 @@ NURBS_API nurbs_status nurbs_set_weights(const nurbs *g, int64_t count, const in
  * \param[out] at_one [dim] the point n at weight 1, or NULL.
  * \param[out] at_weight [dim] the point p at the present weight, or NULL.
  * \return NURBS_OK, NURBS_ERROR_NULL, _INDEX, _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN, _OVERLAP,
- *   _NOT_REPRESENTABLE.
+ *   _NOT_REPRESENTABLE; _POINT_NOT_FINITE if the control point is at infinity.
  * \since 0.1 */
 NURBS_API nurbs_status nurbs_weight_points(const nurbs *g, int64_t index, const double *params,
                                            double *at_zero, double *at_one, double *at_weight);
@@ -3525,9 +3531,9 @@ NURBS_API nurbs_status nurbs_weight_cross_ratio(int32_t dim, const double *contr
  * \param[in] tolerance largest distance of target from the line, >= 0.
  * \param[out] weight the new weight, or NULL.
  * \param[out] out the new handle.
- * \return NURBS_OK, NURBS_ERROR_NULL, _INDEX, _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN, _INFLUENCE,
- *   _TOLERANCE, _POINT_NOT_FINITE; _GAP naming the distance if target is not on the line, _WEIGHT_SIGN if
- *   it is not between the two points, _NOT_REPRESENTABLE if the weight overflows.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _INDEX, _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN, _INFLUENCE (also if no
+ *   weight moves the point), _TOLERANCE, _POINT_NOT_FINITE; _GAP naming the distance if target is not on the line,
+ *   _WEIGHT_SIGN if it is not between the two points, _NOT_REPRESENTABLE if the weight overflows.
  * \since 0.1 */
 NURBS_API nurbs_status nurbs_weight_through(const nurbs *g, int64_t index, const double *params,
                                             const double *target, double tolerance, double *weight,
@@ -3571,18 +3577,20 @@ NURBS_API nurbs_status nurbs_most_influential(const nurbs *g, int64_t n, const d
  *     s = w_i |Q - P_i| / (w_i |Q - P_i| + w_j |P_j - Q|),   knot = t_(i+1) + s (t_(i+p+1) - t_(i+1)),
  *
  * where i also counts along the axis and p is the degree. In a surface or volume Q is the point of this
- * leg, all rows along the axis get the knot. The knot may lie outside the domain at an unclamped end; it
- * has to be inside the knot vector.
+ * leg, all rows along the axis get the knot. The knot may lie outside the domain at an unclamped end: then the
+ * outermost knot there and its layer, on which no point depends, go, so that the domain stays. On a periodic
+ * axis the knot is that of the period of the domain. Where both weights are 0, s is the ratio.
  * \param[in] g a spline of degree >= 1 along the axis.
  * \param[in] axis 0-based axis.
  * \param[in] index control point P_i, not the last one along the axis.
  * \param[in] ratio from 0 to 1.
  * \param[out] knot the knot, or NULL.
  * \param[out] out the new handle.
- * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _INDEX, _OVERFLOW, _PERIODIC; _DEGREE if it is 0, _FACTOR if
- *   ratio is not in [0, 1], _MULTIPLICITY if the knot occurs degree + 1 times already, _OUTSIDE_DOMAIN if
- *   it cannot be inserted, _POINT_NOT_FINITE or _WEIGHT_SIGN if an end of the leg lies at infinity or has a
- *   weight < 0.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _INDEX, _OVERFLOW, _PERIODIC_KNOTS; _DEGREE if it is 0, _FACTOR if
+ *   ratio is not in [0, 1], _MULTIPLICITY if the knot occurs degree + 1 times already, _WEIGHT_SIGN if the
+ *   weights of the ends have not one sign, or just one is 0, so that no knot makes a point between them one,
+ *   _POINT_NOT_FINITE if one of them is at infinity, _PERIODIC if a periodic axis has fewer different layers
+ *   than its degree.
  * \since 0.1 */
 NURBS_API nurbs_status nurbs_insert_on_leg(const nurbs *g, int32_t axis, int64_t index, double ratio,
                                            double *knot, nurbs **out);
@@ -3625,8 +3633,9 @@ NURBS_API nurbs_status nurbs_insert_at_point(const nurbs *g, int32_t axis, const
  * subject to count constraints at parameters. With the weights fixed and no CURVATURE the constraints are
  * linear and solved by Lagrange multipliers, by an orthogonal factorisation; one point of one control point
  * gives e = (T - S) / R_i, over a range e_i = R_i / (sum R_j^2) (T - S). Otherwise by sequential quadratic
- * programming, to a local minimum. Constraints that follow from others count once (rank). On a periodic
- * axis the copies of a layer are one control point.
+ * programming, to a local minimum with an optimality of at most 1e-6. Equations that follow from others count once
+ * (rank). On a periodic axis the copies of a layer are one control point, with the costs of the first one. Only
+ * control points that act on a constraint change. Cost: with m equations of n coordinates n m^2.
  * \param[in] g a spline.
  * \param[in] count number of constraints, > 0.
  * \param[in] kinds [count] NURBS_CONSTRAIN_ constants, or NULL: all VALUE.
@@ -3635,13 +3644,14 @@ NURBS_API nurbs_status nurbs_insert_at_point(const nurbs *g, int32_t axis, const
  * \param[in] params [count][axes] parameters; a knot belongs to the span above it.
  * \param[in] targets [count][dim].
  * \param[in] keep [axes][2] highest order of derivatives that stay at the start and end of every axis, -1
- *   for none; or NULL for none.
+ *   for none; or NULL for none. All control points on which they depend stay.
  * \param[in] costs [N] > 0, infinite for control points that stay; or NULL: all 1.
  * \param[in] weight_costs [N] > 0, infinite for weights that stay; or NULL: all stay.
- * \param[in] tolerance largest residual, as a length for points, >= 0; 0 means 64 eps times the size of the
- *   terms.
- * \param[out] residuals [count] how far each constraint is missed, or NULL.
- * \param[out] rank number of independent equations, or NULL.
+ * \param[in] tolerance largest residual, >= 0: as a length for points, for derivatives as what control points that
+ *   are off by it can make of them; 0 means 64 eps times the size of the terms.
+ * \param[out] residuals [count] how far each constraint is missed, or NULL: the length of the difference; of the
+ *   part of the derivative across the direction; of the parts of the derivatives along the normal.
+ * \param[out] rank number of independent equations, or NULL: a point has one for each coordinate.
  * \param[out] moved largest distance by which a control point moved, or NULL.
  * \param[out] optimality length of the gradient of the Lagrangian relative to its terms, or NULL.
  * \param[out] out the new handle.
@@ -3650,7 +3660,7 @@ NURBS_API nurbs_status nurbs_insert_at_point(const nurbs *g, int32_t axis, const
  *   positive, _DIRECTION if a target that has to be a direction is zero, _DIMENSION or _AXES if a kind does
  *   not suit, _INFLUENCE if no control point that may move acts on a constraint, _CONTRADICTION naming the
  *   constraint with the largest residual and that, _WEIGHT_SIGN if a weight would not be positive,
- *   _NOT_CONVERGED, _NOT_REPRESENTABLE.
+ *   _NOT_CONVERGED, _NOT_REPRESENTABLE; _POINT_NOT_FINITE also if g has a control point at infinity.
  * \since 0.1 */
 NURBS_API nurbs_status nurbs_constrain(const nurbs *g, int64_t count, const int32_t *kinds,
                                        const int32_t *orders, const double *params, const double *targets,
@@ -3666,23 +3676,26 @@ NURBS_API nurbs_status nurbs_constrain(const nurbs *g, int64_t count, const int3
 
 /** \brief Raises a region along a direction: adds distance * b(t) * direction / |direction|, where b is 1 in
  * the middle of the range, 0 at its ends with the first `order` derivatives, and rises and falls once along
- * each axis.
+ * each axis: a product of B-splines of degree order + 1 over even knots, added exactly. Degrees become at least
+ * order + 1; with weights they rise by as much.
  * \param[in] g a spline.
  * \param[in] range [axes][2] the region, or NULL for the whole domain.
  * \param[in] direction [dim], not zero.
  * \param[in] distance signed.
  * \param[in] order derivatives that stay at the ends of the region, 0 to 7.
  * \param[out] out the new handle.
- * \return NURBS_OK, NURBS_ERROR_NULL, _DIRECTION, _ORDER, _OVERFLOW, _PERIODIC; _PARAMETER_NOT_FINITE,
- *   _OUTSIDE_DOMAIN or _EMPTY_DOMAIN if range is no interval of the domain; _LENGTH if the distance is not
- *   finite, _DEGREE if a degree would exceed NURBS_MAX_DEGREE, _NOT_REPRESENTABLE if a point overflows.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _DIRECTION, _ORDER, _OVERFLOW, _PERIODIC_KNOTS; _PARAMETER_NOT_FINITE,
+ *   _OUTSIDE_DOMAIN or _EMPTY_DOMAIN if range is no interval of the domain, _KNOTS_MERGE if it has too few
+ *   doubles; _LENGTH if the distance is not finite, _DEGREE if a degree would exceed NURBS_MAX_DEGREE,
+ *   _NOT_REPRESENTABLE if a point overflows.
  * \since 0.1 */
 NURBS_API nurbs_status nurbs_warp(const nurbs *g, const double *range, const double *direction,
                                   double distance, int32_t order, nurbs **out);
 
 /** \brief Flattens a region to a plane (in the plane: to a line): control points of the region are projected
  * onto it along a direction; those inside it only, so that the shape joins what is outside as smoothly as
- * the degree allows.
+ * the degree allows. Along an axis of which the region is a part, each of 3 (degree + 1) equal parts of it gets a
+ * knot if it has none, so that the middle third becomes flat.
  * \param[in] g a spline.
  * \param[in] range [axes][2] the region, or NULL for the whole domain.
  * \param[in] point [dim] a point of the plane.
@@ -3691,8 +3704,8 @@ NURBS_API nurbs_status nurbs_warp(const nurbs *g, const double *range, const dou
  * \param[out] moved largest distance by which a control point moved, which bounds that of the shape if all
  *   weights are >= 0; or NULL.
  * \param[out] out the new handle.
- * \return NURBS_OK, NURBS_ERROR_NULL, _OVERFLOW, _POINT_NOT_FINITE; _DIRECTION if the normal or the
- *   direction is zero or not finite, or they are perpendicular; _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN or
+ * \return NURBS_OK, NURBS_ERROR_NULL, _OVERFLOW, _POINT_NOT_FINITE, _PERIODIC_KNOTS; _DIRECTION if the normal
+ *   or the direction is zero or not finite, or they are perpendicular; _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN or
  *   _EMPTY_DOMAIN if range is no interval of the domain; _NOT_REPRESENTABLE if a point overflows.
  * \since 0.1 */
 NURBS_API nurbs_status nurbs_flatten(const nurbs *g, const double *range, const double *point,
@@ -3705,7 +3718,8 @@ NURBS_API nurbs_status nurbs_flatten(const nurbs *g, const double *range, const 
  *     a -> (1/k + b) sin(k a),   b -> (1/k + b) cos(k a) - 1/k
  *
  * for a between lower and upper, and goes on straight outside; the rest stays. The exact image is no
- * spline; g is refined until the difference at equal parameters is at most the tolerance.
+ * spline; g is refined until the difference at equal parameters is at most the tolerance. That is proven where
+ * all weights are positive, unless a proof would take many more control points; the result has at most 2^18.
  * \param[in] g a spline of dimension >= 2.
  * \param[in] origin [dim].
  * \param[in] along [dim] e, made a unit vector.
@@ -3727,7 +3741,9 @@ NURBS_API nurbs_status nurbs_bend(const nurbs *g, const double *origin, const do
 
 /** \brief Free-form deformation (Sederberg & Parry 1986): maps a shape by a volume, C -> V(A C), where A
  * maps the box from lower to upper to the domain of V. The exact image of a curve has a high degree
- * (nurbs_compose()); here g is refined until the difference at equal parameters is at most the tolerance.
+ * (nurbs_compose()); here g is refined until the difference at equal parameters is at most the tolerance. That
+ * is proven for polynomial curves whose exact image has a degree of at most NURBS_MAX_DEGREE, m > 1; g is seen
+ * to be inside the box there, elsewhere at samples.
  * \param[in] g a spline of dimension m, the number of axes of volume.
  * \param[in] volume V, with m axes and of dimension m.
  * \param[in] lower,upper [m] the box, lower < upper; g has to be inside.
@@ -3744,14 +3760,15 @@ NURBS_API nurbs_status nurbs_free_form_deform(const nurbs *g, const nurbs *volum
                                               const double *upper, double tolerance, double *deviation,
                                               int32_t *proven, nurbs **out);
 
-/** \brief Fairs a shape: among the splines with the same knots and weights whose control points are at most
- * a tolerance away, one with small energy, the integral of the squared derivatives of an order, summed over
+/** \brief Fairs a shape: among the splines with the same knots and weights that are at most a tolerance away,
+ * and of them those that move control points least for their energy, the one with the least energy, the integral of the squared derivatives of an order, summed over
  * the axes (of homogeneous coordinates about the centre when rational). The bound is that of
  * nurbs_deviation().
  * \param[in] g a spline.
  * \param[in] order of the derivatives: 1 (membrane), 2 (thin plate) or 3.
  * \param[in] keep [axes][2] highest order of derivatives that stay at the start and end of every axis, -1
- *   for none; or NULL: 0 for all, so that boundaries stay.
+ *   for none; or NULL: 0 for all that are not periodic, so that boundaries stay. All control points on which
+ *   they depend stay.
  * \param[in] tolerance largest distance from g, >= 0.
  * \param[out] energies [2] before and after, or NULL.
  * \param[out] bound proven bound of the distance from g, at most the tolerance; or NULL.
@@ -3764,8 +3781,9 @@ NURBS_API nurbs_status nurbs_fair(const nurbs *g, int32_t order, const int32_t *
 
 /** \brief Moves a boundary of a spline onto one of another: a curve's end onto an end, a surface's edge onto
  * an edge. Layers of control points at the boundary change, after both were made compatible along it; with
- * order 1 the second layer is moved too, so that tangents (of a surface: tangent planes) agree, the size of
- * derivatives across staying as it was.
+ * order 1 the second layer is moved too, so that tangents (of a surface: tangent planes) agree all along, g going on
+ * from other: derivatives across are those of other times one factor, which leaves their mean size as it was.
+ * Weights of the boundary become those of other, times a power of two that leaves their size.
  * \param[in] g a curve or surface.
  * \param[in] axis,end the boundary of g: axis, and NURBS_START or NURBS_END.
  * \param[in] other a spline with as many axes, of the same dimension.
@@ -3775,7 +3793,8 @@ NURBS_API nurbs_status nurbs_fair(const nurbs *g, int32_t order, const int32_t *
  * \param[out] bound proven bound of the distance from g, or NULL.
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _AXIS, _END, _ORDER, _FLAGS, _INCOMPATIBLE, _PERIODIC,
- *   _DEGREE, _OVERFLOW, _KNOTS_MERGE; _TANGENT if a tangent that is needed vanishes, _NOT_REPRESENTABLE.
+ *   _DEGREE, _OVERFLOW, _KNOTS_MERGE, _NOT_REPRESENTABLE; _TANGENT if a tangent that is needed vanishes,
+ *   _WEIGHT_SIGN if a weight of the second layer would not be positive.
  * \since 0.1 */
 NURBS_API nurbs_status nurbs_snap_boundary(const nurbs *g, int32_t axis, int32_t end, const nurbs *other,
                                            int32_t other_axis, int32_t other_end, int32_t order,

@@ -14,10 +14,8 @@ namespace {
 
 std::vector<double> unit_vector(const double *x, int dim) {
     const double length = norm(x, dim);
-    std::vector<double> unit;
-    for (int c = 0; c < dim; ++c) {
-        unit.push_back(x[c] / length);
-    }
+    std::vector<double> unit(x, x + dim);
+    std::for_each(unit.begin(), unit.end(), [length](double &value) { value /= length; });
     return unit;
 }
 

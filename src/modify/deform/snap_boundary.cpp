@@ -50,7 +50,7 @@ struct Pair {
     SplinePtr g;
     SplinePtr other;
 };
-Pair compatible_along(SplinePtr g, int along, SplinePtr other, int other_along, bool reversed) {
+Pair compatible_along(const SplinePtr &g, int along, SplinePtr other, int other_along, bool reversed) {
     if (reversed) {
         other = reverse(*other, other_along, true);
     }

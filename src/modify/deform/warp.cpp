@@ -90,10 +90,8 @@ std::vector<double> step_of(const double *direction, int dim, double distance,
     for (const Bump &bump : bumps) {
         scale /= bump.peak;
     }
-    std::vector<double> step;
-    for (int c = 0; c < dim; ++c) {
-        step.push_back(scale * (direction[c] / length));
-    }
+    std::vector<double> step(direction, direction + dim);
+    std::for_each(step.begin(), step.end(), [=](double &x) { x = scale * (x / length); });
     require_representable(step, "the bump");
     return step;
 }

@@ -64,9 +64,9 @@ std::vector<double> weighted_offset(const Spline &spline, const ActivePoints &ac
 }
 
 std::vector<double> place_of(const Spline &spline, int64_t point) {
-    std::vector<double> place;
+    std::vector<double> place(static_cast<size_t>(spline.dim()));
     for (int c = 0; c < spline.dim(); ++c) {
-        place.push_back(spline.coordinate(point, c));
+        place[static_cast<size_t>(c)] = spline.coordinate(point, c);
     }
     return place;
 }
