@@ -13,8 +13,8 @@ struct Box {
 
 // Each face is the largest value of a coordinate or its negative, to the tolerance, rounded outwards so that
 // evaluated points, with the rounding of evaluation, are inside too (unless points are homogeneous). Infinite
-// where weights cannot be shown to be positive. Cost: linear in the number of pieces, and the halvings of those
-// that reach the faces.
+// where weights cannot be shown to be positive. Cost: linear in the number of pieces, and the halvings of
+// those that reach the faces.
 Box bounding_box(const Spline &spline, const Part &part, double tolerance);
 
 struct OrientedBox {
@@ -23,8 +23,8 @@ struct OrientedBox {
     std::vector<double> half;
 };
 
-// Along the principal axes of the control points, longest first, or along the coordinate axes where that box has no
-// larger content. Throws NURBS_ERROR_DIMENSION, _NOT_REPRESENTABLE.
+// Along the principal axes of the control points, longest first, or along the coordinate axes where that box
+// has no larger content. Throws NURBS_ERROR_DIMENSION, _NOT_REPRESENTABLE.
 inline constexpr int max_box_dimension = 16;
 OrientedBox oriented_box(const Spline &spline, double tolerance);
 

@@ -35,8 +35,8 @@ double turned(const RoundedPolynomial &a, size_t i, double size) noexcept {
     return error < size ? 1.01 * std::asin(std::min(1.0, error / size)) + 8 * eps : pi;
 }
 
-// The largest angle between coefficients and a unit vector, each turned by its rounding; those that are 0 without
-// rounding have no direction.
+// The largest angle between coefficients and a unit vector, each turned by its rounding; those that are 0
+// without rounding have no direction.
 double largest_angle(const RoundedPolynomial &a, const double *unit) noexcept {
     const int n = a.shape.width;
     double largest = 0;
@@ -93,8 +93,8 @@ public:
         : source_(source), direction_(direction), tolerance_(tolerance) {}
 
     [[nodiscard]] Piece load(int64_t index) const { return {source_(index), {}}; }
-    // Coefficients within a right angle have a convex cone that stays as near; a wider one is that of the piece
-    // about an axis of its own, turned.
+    // Coefficients within a right angle have a convex cone that stays as near; a wider one is that of the
+    // piece about an axis of its own, turned.
     [[nodiscard]] double upper(const RoundedPolynomial &a) const {
         const double about = largest_angle(a, direction_.data());
         if (about < pi / 2) {
@@ -159,10 +159,10 @@ double product(const Vector &a, const Vector &b) noexcept {
     return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
 }
 
-// The direction whose smallest product with the unit vectors is largest: that of the shortest vector of their convex
-// hull, to which weight is moved from the vector that is farthest along it to the one that is least so (B.
-// Mitchell, V. Demyanov, V. Malozemov, "Finding the point of a polyhedron closest to the origin", SIAM J. Control
-// 12 (1974)). Empty without any vector, and where the hull comes to the origin.
+// The direction whose smallest product with the unit vectors is largest: that of the shortest vector of their
+// convex hull, to which weight is moved from the vector that is farthest along it to the one that is least so
+// (B. Mitchell, V. Demyanov, V. Malozemov, "Finding the point of a polyhedron closest to the origin", SIAM J.
+// Control 12 (1974)). Empty without any vector, and where the hull comes to the origin.
 Vector middle_direction(const std::vector<Vector> &units) {
     constexpr int most_steps = 500;
     if (units.empty()) {

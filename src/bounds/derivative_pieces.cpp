@@ -96,8 +96,8 @@ std::vector<double> local_centre(const Spline &spline) {
     return {point.begin(), point.end()};
 }
 
-// What records and their combinations are accurate to in units of BernsteinNet::error(): of Cartesian points the
-// magnitudes themselves, as x - c is; of homogeneous ones those of A and of w c, which their sizes bound.
+// What records and their combinations are accurate to in units of BernsteinNet::error(): of Cartesian points
+// the magnitudes themselves, as x - c is; of homogeneous ones those of A and of w c, which their sizes bound.
 CentredRecords magnitudes_of(const CentredRecords &records, Form form) {
     CentredRecords sizes = records;
     const auto width = static_cast<size_t>(records.width), dim = width - (records.weighted ? 1 : 0);

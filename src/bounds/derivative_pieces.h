@@ -6,9 +6,9 @@
 
 namespace nrb {
 
-// One piece of a spline in homogeneous coordinates A = w (x - c), w about a centre near it, so that rounding is
-// relative to the size of the piece, both in units of powers of two near the largest. In polynomial splines, and
-// where weights are equal, w is the constant 1.
+// One piece of a spline in homogeneous coordinates A = w (x - c), w about a centre near it, so that rounding
+// is relative to the size of the piece, both in units of powers of two near the largest. In polynomial
+// splines, and where weights are equal, w is the constant 1.
 struct HomogeneousPiece {
     RoundedPolynomial points; // A
     RoundedPolynomial weight;
@@ -45,9 +45,9 @@ private:
     BernsteinNet::Breaks breaks_;
 };
 
-// With A, w of a piece, derivatives with respect to places on it; each vanishes where its numerator does, and has
-// its direction: where the sign of w is not known, odd powers of w get one more factor.
-// C' = D / w^2 along axis k of the spline: D = A' w - A w'.
+// With A, w of a piece, derivatives with respect to places on it; each vanishes where its numerator does, and
+// has its direction: where the sign of w is not known, odd powers of w get one more factor. C' = D / w^2
+// along axis k of the spline: D = A' w - A w'.
 RoundedPolynomial tangent_numerator(const HomogeneousPiece &piece, int k);
 // S_u x S_v = N / w^3: N = w A_u x A_v + w_v A x A_u - w_u A x A_v; a scalar in dimension 2.
 RoundedPolynomial normal_numerator(const HomogeneousPiece &piece);

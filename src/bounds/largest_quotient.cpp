@@ -197,8 +197,8 @@ private:
     LargestValue best_{{-infinite, infinite}, -1, {}};
 };
 
-// The mediant inequality. Where W* is between `least` and `most` and N* at most n, N* / W* is at most n divided by
-// the one or the other. A coefficient that is 0 without rounding, weight and all, adds nothing.
+// The mediant inequality. Where W* is between `least` and `most` and N* at most n, N* / W* is at most n
+// divided by the one or the other. A coefficient that is 0 without rounding, weight and all, adds nothing.
 double ValueProblem::upper(const Piece &piece) noexcept {
     const Denominators denominators(piece);
     const double share = piece.quotient_error * (1 + 2 * piece.denominator_factor);
@@ -237,8 +237,8 @@ ValueProblem::Corner ValueProblem::best_corner(const Piece &piece) noexcept {
     return best;
 }
 
-// Along the axis on which the coefficients are farthest from those of a function linear in it, for which bounds
-// are attained at corners. Parts of 2^-40 are not halved any more.
+// Along the axis on which the coefficients are farthest from those of a function linear in it, for which
+// bounds are attained at corners. Parts of 2^-40 are not halved any more.
 int ValueProblem::most_curved_axis(const Piece &piece) noexcept {
     const double slope = ratio_bound(piece);
     const auto second = [](const std::vector<double> &x, size_t i, size_t step) {

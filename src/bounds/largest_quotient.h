@@ -53,9 +53,9 @@ Enclosure largest_quotient(std::span<const double> uppers, const PieceSource &so
 std::vector<double> quotient_uppers(int64_t count, const PieceSource &source);
 
 // The largest value of N / W for a scalar N, and where the lower bound is attained: in piece `piece`, at a
-// place between 0 and 1 on each of the three axes; piece -1 where W cannot be shown to have a sign anywhere. The
-// search ends when the bounds agree to `gap`, beside rounding, or after `steps` halvings; steps are fewer where
-// pieces have more than some thousands of coefficients, so that memory does not run out.
+// place between 0 and 1 on each of the three axes; piece -1 where W cannot be shown to have a sign anywhere.
+// The search ends when the bounds agree to `gap`, beside rounding, or after `steps` halvings; steps are fewer
+// where pieces have more than some thousands of coefficients, so that memory does not run out.
 struct LargestValue {
     Enclosure bounds;
     int64_t piece = -1;

@@ -54,8 +54,8 @@ double skewness(const std::vector<double> &axes, size_t dim) {
     return largest + static_cast<double>(dim + 2) * eps;
 }
 
-// The box about the middle m of the extents: x - c = A^T z with A A^T = 1 + E gives A (x - c) = (1 + E) z, so that
-// z - m is in [-half, half] but for E z, and what rounding does to c + A^T m.
+// The box about the middle m of the extents: x - c = A^T z with A A^T = 1 + E gives A (x - c) = (1 + E) z, so
+// that z - m is in [-half, half] but for E z, and what rounding does to c + A^T m.
 OrientedBox box_of(const SplinePieces &pieces, std::vector<double> axes, const Extents &found) {
     const size_t dim = pieces.centre().size();
     OrientedBox box{pieces.centre(), std::move(axes), {}};

@@ -142,8 +142,9 @@ RoundedPolynomial side_by_side(const std::vector<RoundedPolynomial> &components)
     return result;
 }
 
-// (a + e)(b + f) = a b + a f + e (b + f), and the rounding of a b: binomials of both factors and of the product, three
-// multiplications, and sums of as many terms as the smaller factor has coefficients; half an eps each.
+// (a + e)(b + f) = a b + a f + e (b + f), and the rounding of a b: binomials of both factors and of the
+// product, three multiplications, and sums of as many terms as the smaller factor has coefficients; half an
+// eps each.
 RoundedPolynomial operator*(const RoundedPolynomial &a, const RoundedPolynomial &b) {
     RoundedPolynomial result{product_shape(a.shape, b.shape), {}, {}};
     const auto left = binomials_of(a.shape), right = binomials_of(b.shape), over = binomials_of(result.shape);

@@ -7,8 +7,8 @@
 
 namespace nrb {
 
-// Every value is within error(i) of the exact one, by a running error analysis that follows all operations. Nothing
-// is relative to a scale of its own, so nothing depends on that of a model or of its weights.
+// Every value is within error(i) of the exact one, by a running error analysis that follows all operations.
+// Nothing is relative to a scale of its own, so nothing depends on that of a model or of its weights.
 struct RoundedPolynomial {
     BernsteinShape shape;
     std::vector<double> values;
@@ -51,8 +51,8 @@ RoundedPolynomial end_value(const RoundedPolynomial &a, int axis, bool upper);
 // de Casteljau's subdivision at `place`; `a` becomes the upper part.
 RoundedPolynomial split(RoundedPolynomial &a, int axis, double place = 0.5);
 
-// Divides by x, or by 1 - x if `upper`, as often as the coefficients at that end vanish to rounding; the number of
-// times, -1 for a polynomial that vanishes to rounding altogether.
+// Divides by x, or by 1 - x if `upper`, as often as the coefficients at that end vanish to rounding; the
+// number of times, -1 for a polynomial that vanishes to rounding altogether.
 int divide_end(RoundedPolynomial &a, int axis, bool upper);
 
 bool vanishes(const RoundedPolynomial &a) noexcept; // to rounding

@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: MIT
-// Changes of weights and points, constraints and deformations through the C++ wrapper: one known value of each.
+// SPDX-License-Identifier: MIT Changes of weights and points, constraints and deformations through the C++
+// wrapper: one known value of each.
 #include <nurbs/nurbs.hpp>
 
 #include <algorithm>

@@ -2,8 +2,8 @@
 //
 //     |A - x w|^2 - d^2 w^2 >= 0,
 //
-// a polynomial on each span. Its Bernstein coefficients are integers here, after a common factor; halving proves it
-// nonnegative or finds a place where it is not. No rounding comes in.
+// a polynomial on each span. Its Bernstein coefficients are integers here, after a common factor; halving
+// proves it nonnegative or finds a place where it is not. No rounding comes in.
 #include "property/exact_polynomials.h"
 #include "property/same_shape.h"
 
@@ -343,7 +343,8 @@ TEST(ClosestOnCurve, the_centre_of_a_circle_has_no_one_nearest_point) {
     EXPECT_NEAR(near.distance, 2, 8 * unit);
 }
 
-// Inside a closed curve that runs counterclockwise about the origin, with corners and without, is its left side.
+// Inside a closed curve that runs counterclockwise about the origin, with corners and without, is its left
+// side.
 TEST(ClosestOnCurve, signed_distances_tell_inside_from_outside) {
     for_each_case(0x6007, 60, [](Random &random, uint64_t seed) {
         const int n = random.whole(3, 12), p = random.whole(1, 3);

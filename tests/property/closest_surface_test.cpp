@@ -391,8 +391,9 @@ Critical critical(const nurbs *g, int axes, const std::vector<double> &x) {
     return found;
 }
 
-// Where the distance has a maximum along an edge of the domain and so on, in the sense of Morse: the points at which
-// it grows into the domain, minima less saddles plus maxima, are the Euler characteristic 1 of a disc.
+// Where the distance has a maximum along an edge of the domain and so on, in the sense of Morse: the points
+// at which it grows into the domain, minima less saddles plus maxima, are the Euler characteristic 1 of a
+// disc.
 int morse_sum(const nurbs *g, const SplineData &data, const std::vector<double> &x, const Critical &found) {
     int sum = 0;
     for (size_t i = 0; i < found.kinds.size(); ++i) {

@@ -1,5 +1,5 @@
-// Constraints: they hold, and the change is the smallest one, that of the Kuhn-Tucker equations solved in high
-// precision.
+// Constraints: they hold, and the change is the smallest one, that of the Kuhn-Tucker equations solved in
+// high precision.
 #include "property/influences.h"
 
 #pragma GCC diagnostic push
@@ -51,8 +51,8 @@ std::vector<Row> solved(std::vector<Row> a, std::vector<Row> b) {
     return b;
 }
 
-// The e that makes sum costs |e|^2 least with A e = r: by the multipliers, costs e = A^T lambda, A costs^-1 A^T lambda
-// = r.
+// The e that makes sum costs |e|^2 least with A e = r: by the multipliers, costs e = A^T lambda, A costs^-1
+// A^T lambda = r.
 std::vector<Row> least_change(const std::vector<Row> &rows, const std::vector<Row> &right, const Row &costs) {
     std::vector<Row> gram(rows.size(), Row(rows.size()));
     for (size_t i = 0; i < rows.size(); ++i) {

@@ -69,8 +69,8 @@ Handle square() {
     return create(data);
 }
 
-// Four normals of an ellipse go through a point inside its evolute (x a)^(2/3) + (y b)^(2/3) = (a^2 - b^2)^(2/3), two
-// through a point outside.
+// Four normals of an ellipse go through a point inside its evolute (x a)^(2/3) + (y b)^(2/3) = (a^2 -
+// b^2)^(2/3), two through a point outside.
 TEST(CriticalPoints, normals_of_an_ellipse) {
     Random random(0x6021);
     const Handle g = ellipse(3, 2);

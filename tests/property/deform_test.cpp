@@ -97,8 +97,8 @@ TEST(Warp, adds_the_bump) {
                        std::count(data.knots[at].begin(), data.knots[at].end(), param[at]) > data.degrees[at];
             }
             const Point step = step_between(g.get(), h.get(), param);
-            // The products and sums of degrees up to p + order + 1 on each axis, knots rounded relative to spans of at
-            // least 1 / 64 of the domain's size.
+            // The products and sums of degrees up to p + order + 1 on each axis, knots rounded relative to
+            // spans of at least 1 / 64 of the domain's size.
             const long double bound = 1 << 14,
                               unit = eps * (extent(data) + std::fabs(distance)) * (data.rational() ? 25 : 1);
             for (size_t c = 0; c < step.size() && !knot; ++c) {
@@ -109,7 +109,8 @@ TEST(Warp, adds_the_bump) {
     });
 }
 
-// The derivatives of the difference at the ends of the range vanish up to the order, and outside there is none.
+// The derivatives of the difference at the ends of the range vanish up to the order, and outside there is
+// none.
 TEST(Warp, keeps_derivatives_at_the_ends) {
     for_each_case(1520000, 150, [](Random &random, uint64_t seed) {
         Recipe recipe = calm_recipe(random, 1, 5, 2);
@@ -332,8 +333,8 @@ TEST(FreeForm, is_within_the_bound_of_the_exact_image) {
     ASSERT_GT(proofs, 5);
 }
 
-// The integral of the squared derivative of an order of a polynomial curve, by Gauss' rule of five points on each
-// span, which is exact to degree 9.
+// The integral of the squared derivative of an order of a polynomial curve, by Gauss' rule of five points on
+// each span, which is exact to degree 9.
 long double energy_of(const SplineData &data, int order) {
     static const long double nodes[] = {0, 0.538469310105683091036314420700208805L,
                                         0.906179845938663992797626878299392965L};
@@ -393,8 +394,8 @@ TEST(Fair, lowers_the_energy_within_the_bound) {
     });
 }
 
-// Without a limit the least energy is what the derivative of the Lagrangian says: no control point that may move has
-// a slope of the energy.
+// Without a limit the least energy is what the derivative of the Lagrangian says: no control point that may
+// move has a slope of the energy.
 TEST(Fair, finds_the_minimum_where_the_tolerance_allows_it) {
     for_each_case(1570000, 30, [](Random &random, uint64_t seed) {
         Recipe recipe = calm_recipe(random, 1, 4, 2);

@@ -80,7 +80,8 @@ TEST(CurveFeatures, VerticesOfAnEllipse) {
     });
 }
 
-// Without the ends there are three vertices where it starts at one; as a periodic curve the seam has the fourth.
+// Without the ends there are three vertices where it starts at one; as a periodic curve the seam has the
+// fourth.
 TEST(CurveFeatures, VertexAtTheSeam) {
     const Handle g = ellipse(2, 1, 0, 2 * pi);
     EXPECT_EQ(features(g.get(), extrema).params.size(), 3U);
@@ -104,7 +105,8 @@ TEST(CurveFeatures, Circle) {
     EXPECT_EQ(g.complete, 1);
 }
 
-// y = x^3 - x: the inflection at 0; |curvature| is largest at 45 x^4 - 18 x^2 ... of y'' (1 + y'^2) derivative.
+// y = x^3 - x: the inflection at 0; |curvature| is largest at 45 x^4 - 18 x^2 ... of y'' (1 + y'^2)
+// derivative.
 TEST(CurveFeatures, Cubic) {
     const Handle g = create(bezier(2, {-1, 0, -1. / 3, 2. / 3 + 2. / 3, 1. / 3, -2. / 3 - 2. / 3, 1, 0}));
     const Features f = features(g.get(), 0x3f);
@@ -204,7 +206,8 @@ TEST(CurveFeatures, InflectionOfAPlaneCurveInSpace) {
     });
 }
 
-// Where all is certain the signs of the curvature alternate at the inflections and nowhere else, in exact arithmetic.
+// Where all is certain the signs of the curvature alternate at the inflections and nowhere else, in exact
+// arithmetic.
 TEST(CurveFeatures, SignsBetweenInflectionsAreExact) {
     int complete = 0;
     for_each_case(7400, 200, [&](Random &random, uint64_t seed) {

@@ -94,7 +94,8 @@ inline long double spread(const SplineData &data, const std::map<int64_t, Influe
     return largest;
 }
 
-// Roundings of a sum over the active points whose basis functions are within 3 p eps of themselves on each axis.
+// Roundings of a sum over the active points whose basis functions are within 3 p eps of themselves on each
+// axis.
 inline long double sum_roundings(const SplineData &data) {
     long double functions = 0, points = 1;
     for (const int32_t p : data.degrees) {

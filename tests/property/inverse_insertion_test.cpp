@@ -133,7 +133,8 @@ TEST(InsertOnLeg, makes_the_point_a_control_point) {
         ASSERT_EQ(after.upper(leg.axis), leg.data.upper(leg.axis)) << leg.place(seed);
         outside += knot < leg.data.lower(leg.axis) || knot > leg.data.upper(leg.axis) ? 1 : 0;
         expect_same_shape(leg.g.get(), made.get(), 3, random, leg.place(seed));
-        // The control point is that of the rounded knot, and its share of the leg differs from s by that rounding.
+        // The control point is that of the rounded knot, and its share of the leg differs from s by that
+        // rounding.
         const Rational share = high == low ? s : Rational((exact(knot) - low) / (high - low));
         const long double unit = eps * size_of(leg), gap = nearest_record(made.get(), leg.record(share));
         worst.add(leg.degree(), unit == 0 ? 0 : gap / unit / 3, unit == 0 ? 0 : gap / unit);

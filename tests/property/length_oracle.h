@@ -1,4 +1,5 @@
-// Lengths of curves in fifty digits, from the definition: Gauss rules on halves of the spans until they agree.
+// Lengths of curves in fifty digits, from the definition: Gauss rules on halves of the spans until they
+// agree.
 #pragma once
 
 #include "reference/number.h"

@@ -1,5 +1,5 @@
-// Curves and surfaces of real CAD files. Their folder is named by the environment variable NURBS_TEST_DATA; files in
-// JSON need nlohmann-json.
+// Curves and surfaces of real CAD files. Their folder is named by the environment variable NURBS_TEST_DATA;
+// files in JSON need nlohmann-json.
 #pragma once
 
 #include "property/same_shape.h"

@@ -1,5 +1,5 @@
-// Every exact operation on every curve and surface of real CAD files leaves the shape where it is. The folder of
-// the files is named by the environment variable NURBS_TEST_DATA. Those in JSON need nlohmann-json.
+// Every exact operation on every curve and surface of real CAD files leaves the shape where it is. The folder
+// of the files is named by the environment variable NURBS_TEST_DATA. Those in JSON need nlohmann-json.
 #include "property/real_files.h"
 
 #include <functional>

@@ -1,5 +1,5 @@
-// Weights and control points changed so that a point goes where it is wanted: against the formulas and the exact
-// points of what comes out.
+// Weights and control points changed so that a point goes where it is wanted: against the formulas and the
+// exact points of what comes out.
 #include "property/influences.h"
 
 using namespace support;

@@ -21,8 +21,8 @@ public:
     // Whether every equation is linear in one derivative: its coefficients do not change.
     [[nodiscard]] bool linear() const noexcept;
 
-    // `values` and each row of `jacobian` are [derivatives][dim]: the left sides less the right ones, and their
-    // derivatives [equations][derivatives][dim]. Also the size of the right sides, for rounding.
+    // `values` and each row of `jacobian` are [derivatives][dim]: the left sides less the right ones, and
+    // their derivatives [equations][derivatives][dim]. Also the size of the right sides, for rounding.
     void evaluate(const double *values, double *residual, double *jacobian) const noexcept;
     [[nodiscard]] double target_size() const noexcept { return target_size_; }
 

@@ -17,19 +17,21 @@ struct LocalEquations {
     [[nodiscard]] double length() const noexcept; // of the residual
 };
 
-// A tolerance of 0 means 64 eps times the size of the terms; otherwise a residual may be what the tolerance makes of
-// it when control points are off by it.
+// A tolerance of 0 means 64 eps times the size of the terms; otherwise a residual may be what the tolerance
+// makes of it when control points are off by it.
 LocalEquations local_equations(const NetState &state, const Condition &condition, double tolerance);
 std::vector<LocalEquations> all_equations(const NetState &state, const std::vector<Condition> &conditions,
                                           double tolerance);
 
-// Throws NURBS_ERROR_INFLUENCE for a condition on which no control point that may move acts, no weight either.
+// Throws NURBS_ERROR_INFLUENCE for a condition on which no control point that may move acts, no weight
+// either.
 void check_influence(const NetState &state, const std::vector<LocalEquations> &all);
 
 // The condition that is missed by most of its limit; -1 if all are met.
 int64_t worst_missed(const std::vector<LocalEquations> &all) noexcept;
 
-// Throws the status naming that condition and by how much it is missed, NURBS_ERROR_NOT_REPRESENTABLE if that overflows.
+// Throws the status naming that condition and by how much it is missed, NURBS_ERROR_NOT_REPRESENTABLE if that
+// overflows.
 [[noreturn]] void fail_missed(nurbs_status status, const std::vector<LocalEquations> &all);
 
 } // namespace nrb

@@ -32,7 +32,8 @@ public:
     }
 
     [[nodiscard]] int64_t rank() const noexcept { return solver_->rank() * (values_only_ ? dim_ : 1); }
-    // The shortest solution that cancels the residuals, in coordinates of the space of the rows unless all are values.
+    // The shortest solution that cancels the residuals, in coordinates of the space of the rows unless all
+    // are values.
     [[nodiscard]] std::vector<double> solve(const std::vector<LocalEquations> &all) const {
         std::vector<double> right;
         for (const LocalEquations &local : all) {

@@ -7,10 +7,10 @@
 
 namespace nrb {
 
-// A x = b for a wide matrix of few rows: with the pivoted triangular factorisation A^T P = Q R (Businger & Golub
-// 1965) of the transpose the rows that pivots above a threshold belong to are independent, and x = Q R^-T P^T b is
-// the shortest vector that fulfils their equations. Nothing is squared, so that equations hold to a few eps of |A|
-// |x|. Cost: n m^2.
+// A x = b for a wide matrix of few rows: with the pivoted triangular factorisation A^T P = Q R (Businger &
+// Golub 1965) of the transpose the rows that pivots above a threshold belong to are independent, and x = Q
+// R^-T P^T b is the shortest vector that fulfils their equations. Nothing is squared, so that equations hold
+// to a few eps of |A| |x|. Cost: n m^2.
 class MinimumNorm {
 public:
     // `rows` is [m][n]; pivots up to the threshold times the largest count as 0. Throws
@@ -36,8 +36,8 @@ private:
     std::unique_ptr<Factors> factors_;
 };
 
-// The space that rows span: orthonormal vectors of which each row is a combination, so that equations between few
-// rows can be solved among their coordinates.
+// The space that rows span: orthonormal vectors of which each row is a combination, so that equations between
+// few rows can be solved among their coordinates.
 class RowSpace {
 public:
     RowSpace(const std::vector<double> &rows, int64_t n); // throws NURBS_ERROR_NOT_REPRESENTABLE

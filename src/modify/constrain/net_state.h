@@ -30,7 +30,8 @@ Columns make_columns(const Spline &spline, const std::vector<Condition> &conditi
 // Cartesian control points and weights during an iteration.
 class NetState {
 public:
-    // The spline must outlive this. Throws NURBS_ERROR_POINT_NOT_FINITE if there is a control point at infinity.
+    // The spline must outlive this. Throws NURBS_ERROR_POINT_NOT_FINITE if there is a control point at
+    // infinity.
     NetState(const Spline &spline, const Columns &columns);
 
     [[nodiscard]] const Spline &start() const noexcept { return spline_; }
@@ -65,8 +66,9 @@ public:
     [[nodiscard]] std::vector<double> value(const Orders &a, const std::vector<double> &functions) const;
     // The same of magnitudes.
     [[nodiscard]] double magnitude(const std::vector<double> &functions) const noexcept;
-    // What derivative a changes by for each relative change of a weight, w_i = w_i* (1 + r): [active][dim], times the
-    // quotient of its weight at the start and now. With w_i S = sum w N P the derivative of (S w)^(a) is
+    // What derivative a changes by for each relative change of a weight, w_i = w_i* (1 + r): [active][dim],
+    // times the quotient of its weight at the start and now. With w_i S = sum w N P the derivative of (S
+    // w)^(a) is
     //     R_i^(a) P_i - sum over b <= a of binomial(a, b) R_i^(b) S^(a-b).
     [[nodiscard]] std::vector<double> weight_slopes(const Orders &a) const;
 

@@ -5,8 +5,8 @@
 
 namespace nrb {
 
-// Pivots of equations of length 1 below this part of the largest are rounding of the basis functions, which are within
-// 3 p eps of themselves.
+// Pivots of equations of length 1 below this part of the largest are rounding of the basis functions, which
+// are within 3 p eps of themselves.
 double pivot_threshold(const Spline &spline, size_t equations, int64_t unknowns) noexcept;
 
 // `width` unknowns for each cost.

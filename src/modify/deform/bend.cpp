@@ -70,8 +70,9 @@ double along_of(const Bend &bend, const double *point) noexcept {
 
 } // namespace
 
-// With h = k u / 2, where u is a in the bent part and its end beyond it: (1/k + b) sin(k u) = u sinc(2 h) + b sin(2 h),
-// and (1/k + b) cos(k u) - 1/k = b cos(2 h) - u sinc(h) sin(h), which are accurate for any curvature.
+// With h = k u / 2, where u is a in the bent part and its end beyond it: (1/k + b) sin(k u) = u sinc(2 h) + b
+// sin(2 h), and (1/k + b) cos(k u) - 1/k = b cos(2 h) - u sinc(h) sin(h), which are accurate for any
+// curvature.
 void bend_point(const Bend &bend, BendPart part, const double *point, double *image) noexcept {
     const double a = along_of(bend, point);
     double b = 0;

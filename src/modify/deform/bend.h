@@ -15,15 +15,16 @@ struct Bend {
     double upper;
 };
 
-// `across` made perpendicular, both made unit vectors. Throws NURBS_ERROR_DIRECTION if they are parallel. Precondition:
-// neither is 0.
+// `across` made perpendicular, both made unit vectors. Throws NURBS_ERROR_DIRECTION if they are parallel.
+// Precondition: neither is 0.
 Bend make_bend(int dim, const double *origin, const double *along, const double *across, double curvature,
                double lower, double upper);
 
 // Where a point is: F is a different formula on each part.
 enum class BendPart { before, bent, behind };
 
-// The formula of one part, x + (a' - a) e + (b' - b) n, whether the point is in it or not; and that of its own part.
+// The formula of one part, x + (a' - a) e + (b' - b) n, whether the point is in it or not; and that of its
+// own part.
 void bend_point(const Bend &bend, BendPart part, const double *point, double *image) noexcept;
 void bend_point(const Bend &bend, const double *point, double *image) noexcept;
 
@@ -33,7 +34,8 @@ struct DeformedShape {
     bool proven;
 };
 
-// The deviation is proven (bend_bound.h) where the weights are shown to be positive. Throws what fit_image() throws.
+// The deviation is proven (bend_bound.h) where the weights are shown to be positive. Throws what fit_image()
+// throws.
 DeformedShape bend(const SplinePtr &spline, const Bend &bend, double tolerance);
 
 } // namespace nrb

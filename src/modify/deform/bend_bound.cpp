@@ -20,8 +20,8 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 
 using Series = std::vector<double>; // coefficients from order 0 on, none negative
 
-// Bounds of the Taylor coefficients of a Bernstein polynomial along an axis of a shape, at every point of it: of
-// order j binomial(p, j) times the largest j-th difference.
+// Bounds of the Taylor coefficients of a Bernstein polynomial along an axis of a shape, at every point of it:
+// of order j binomial(p, j) times the largest j-th difference.
 Series taylor_bounds(const BernsteinShape &shape, size_t axis, std::vector<double> values) {
     const int p = shape.degrees[axis];
     int64_t inner = 1;

@@ -14,11 +14,11 @@ struct Entry {
     double value;
 };
 
-// Sum over the axes of the integral over the domain of N_i^(order) N_j^(order), derivatives along that axis, between
-// the first copies of control points; axes of a lower degree contribute nothing. On a span N_i is a Bernstein
-// polynomial (refine/extraction.h), its derivatives are differences of coefficients, and the integral of B_i B_j of
-// degree m is h binomial(m, i) binomial(m, j) / (binomial(2 m, i + j) (2 m + 1)). Cost: for each control point the
-// product of 2 degree + 1 over the axes.
+// Sum over the axes of the integral over the domain of N_i^(order) N_j^(order), derivatives along that axis,
+// between the first copies of control points; axes of a lower degree contribute nothing. On a span N_i is a
+// Bernstein polynomial (refine/extraction.h), its derivatives are differences of coefficients, and the
+// integral of B_i B_j of degree m is h binomial(m, i) binomial(m, j) / (binomial(2 m, i + j) (2 m + 1)).
+// Cost: for each control point the product of 2 degree + 1 over the axes.
 std::vector<Entry> energy_entries(const Spline &spline, int order);
 
 // K x for x[points][width], of the first copies; others are 0.

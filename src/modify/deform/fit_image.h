@@ -13,8 +13,8 @@ namespace nrb {
 using PointMap = std::function<void(const std::vector<double> &points, std::vector<double> &images)>;
 // The spans of each axis that are to be cut: [axis][span] is 1.
 using Cuts = std::array<std::vector<char>, max_axes>;
-// The distance of a candidate from the exact image of g, of which `refined` has the same knots, at equal parameters;
-// and which spans to cut if that is too much, none to leave it to the samples.
+// The distance of a candidate from the exact image of g, of which `refined` has the same knots, at equal
+// parameters; and which spans to cut if that is too much, none to leave it to the samples.
 using Judge = std::function<double(const SplinePtr &refined, const SplinePtr &candidate, Cuts &cuts)>;
 
 struct FittedImage {
@@ -23,13 +23,13 @@ struct FittedImage {
     bool proven; // by the judge
 };
 
-// The spline over refined knots of g, of its degrees and with its weights, whose numerators w(t) F(g(t)) are found by
-// local projection (span_samples.h): exactly, to rounding, where F is affine. Along each axis every span is cut where
-// the projection along it is off by more than a share of the tolerance at the nodes and between them, in as many
-// parts as its order promises, on the lines of the nodes of the other axes. The whole is judged
-// by `judge`, or by 2 degree + 3 samples along each axis of every cell; by these too where three rounds more bring no
-// proof. Throws NURBS_ERROR_NOT_CONVERGED if it takes more than 2^18 control points, or spans that cannot be cut, and
-// what the map and refine() throw.
+// The spline over refined knots of g, of its degrees and with its weights, whose numerators w(t) F(g(t)) are
+// found by local projection (span_samples.h): exactly, to rounding, where F is affine. Along each axis every
+// span is cut where the projection along it is off by more than a share of the tolerance at the nodes and
+// between them, in as many parts as its order promises, on the lines of the nodes of the other axes. The
+// whole is judged by `judge`, or by 2 degree + 3 samples along each axis of every cell; by these too where
+// three rounds more bring no proof. Throws NURBS_ERROR_NOT_CONVERGED if it takes more than 2^18 control
+// points, or spans that cannot be cut, and what the map and refine() throw.
 FittedImage fit_image(const SplinePtr &g, const PointMap &map, double tolerance,
                       const Judge &judge = nullptr);
 

@@ -10,10 +10,11 @@ struct Flattened {
     double moved; // of control points
 };
 
-// See nurbs_flatten(). A region that is a part of the domain gets a knot in each of 3 (degree + 1) equal parts along
-// an axis, so that control points are inside it and its middle third becomes flat. Throws NURBS_ERROR_DIRECTION for
-// a direction parallel to the plane to rounding, _NOT_REPRESENTABLE, and what refine() throws. Preconditions: all
-// coordinates are finite, normal and direction are not 0; direction may be null.
+// See nurbs_flatten(). A region that is a part of the domain gets a knot in each of 3 (degree + 1) equal
+// parts along an axis, so that control points are inside it and its middle third becomes flat. Throws
+// NURBS_ERROR_DIRECTION for a direction parallel to the plane to rounding, _NOT_REPRESENTABLE, and what
+// refine() throws. Preconditions: all coordinates are finite, normal and direction are not 0; direction may
+// be null.
 Flattened flatten(const SplinePtr &spline, const Region &region, const double *point, const double *normal,
                   const double *direction);
 

@@ -10,8 +10,8 @@ namespace nrb {
 // By axes; those that a spline lacks are not used.
 using Region = std::array<Interval, max_axes>;
 
-// The spline with the ends of the region as knots, and along each axis of which it is not the whole domain with a knot
-// in each of cells_per_degree (degree + 1) equal parts of it. Throws what refine() throws.
+// The spline with the ends of the region as knots, and along each axis of which it is not the whole domain
+// with a knot in each of cells_per_degree (degree + 1) equal parts of it. Throws what refine() throws.
 SplinePtr refined_to(const SplinePtr &spline, const Region &region, int cells_per_degree);
 
 // Whether the basis function of a layer vanishes outside the region, as far as the domain goes.

@@ -68,8 +68,8 @@ Pair compatible_along(const SplinePtr &g, int along, SplinePtr other, int other_
     return {std::move(fine), raised(other, other_along, 1)};
 }
 
-// The homogeneous records of the layers at a boundary, 0 the boundary itself; the records of a layer stand side by
-// side, with a weight.
+// The homogeneous records of the layers at a boundary, 0 the boundary itself; the records of a layer stand
+// side by side, with a weight.
 class Layers {
 public:
     Layers(const Spline &spline, Boundary boundary)
@@ -92,7 +92,8 @@ public:
         }
         return sum;
     }
-    // What a difference of the first two layers is multiplied by in the derivative across, degree / knot difference.
+    // What a difference of the first two layers is multiplied by in the derivative across, degree / knot
+    // difference.
     [[nodiscard]] double slope() const noexcept { return slope_; }
     // The sum over the control points of slope |w_1 / w_0 (P_1 - P_0)|.
     [[nodiscard]] double speed() {
@@ -168,7 +169,8 @@ void set_first_layer(Layers &own, Layers &other, double factor) {
     }
 }
 
-// Cartesian coordinates of layers that did not change stay as they are, those of the boundary are the other one's.
+// Cartesian coordinates of layers that did not change stay as they are, those of the boundary are the other
+// one's.
 SplinePtr assembled(const Spline &g, Boundary boundary, const Spline &other, Boundary other_boundary,
                     std::vector<double> records, int64_t changed) {
     const Form form = std::max(g.form(), other.form());

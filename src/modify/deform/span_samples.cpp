@@ -111,8 +111,8 @@ double outside(const KnotVector &axis, int64_t span, double t) noexcept {
     return std::abs(t - (axis[span] + half)) - half;
 }
 
-// Where a control point is found: a copy of its layer, and the number of the span of its support in the domain that is
-// nearest to its Greville abscissa.
+// Where a control point is found: a copy of its layer, and the number of the span of its support in the
+// domain that is nearest to its Greville abscissa.
 struct Source {
     int64_t layer;
     int64_t number;

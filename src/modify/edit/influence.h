@@ -13,8 +13,8 @@ namespace nrb {
 //
 //     S = Q + offset / (weight + rest),   B = Q + offset / rest,   offset = sum over the others of N_j w_j (P_j - Q),
 //
-// where B is the point that the others make alone. Nothing is subtracted that is not a difference of control points,
-// so that the offset is accurate to a few eps of the sum of the magnitudes of its terms.
+// where B is the point that the others make alone. Nothing is subtracted that is not a difference of control
+// points, so that the offset is accurate to a few eps of the sum of the magnitudes of its terms.
 struct Contribution {
     double function = 0;        // sum of N_i over those chosen
     double weight = 0;          // sum of N_i w_i over them
@@ -29,21 +29,21 @@ struct Contribution {
     [[nodiscard]] double reach() const noexcept;
 };
 
-// Of control points whose copies on periodic axes count with them; `originals` are the first of these. The centre is
-// their mean sum N_i w_i P_i / sum N_i w_i; throws NURBS_ERROR_INFLUENCE, naming the points that act, if there is
-// none.
+// Of control points whose copies on periodic axes count with them; `originals` are the first of these. The
+// centre is their mean sum N_i w_i P_i / sum N_i w_i; throws NURBS_ERROR_INFLUENCE, naming the points that
+// act, if there is none.
 Contribution contribution_of(const Spline &spline, std::span<const int64_t> originals, const double *param);
 
-// Of one control point, which is the centre whether it acts or not. Throws NURBS_ERROR_POINT_NOT_FINITE if it is at
-// infinity.
+// Of one control point, which is the centre whether it acts or not. Throws NURBS_ERROR_POINT_NOT_FINITE if it
+// is at infinity.
 Contribution contribution_about(const Spline &spline, int64_t original, const double *param);
 
 // Throws NURBS_ERROR_INFLUENCE for a control point (-1: those given) that does not act at a parameter.
 [[noreturn]] void fail_influence(const Spline &spline, int64_t point, const double *param);
 
-// The control point with the largest |R_i| at each parameter, all copies taken together, the first of several; both
-// outputs [params.count] or null. May throw only std::bad_alloc, before anything is written. Precondition: the
-// parameters have been admitted.
+// The control point with the largest |R_i| at each parameter, all copies taken together, the first of
+// several; both outputs [params.count] or null. May throw only std::bad_alloc, before anything is written.
+// Precondition: the parameters have been admitted.
 void most_influential(const Spline &spline, ConstRecords params, int64_t *indices, double *influences);
 
 } // namespace nrb

@@ -29,8 +29,8 @@ int64_t layer_of(const AxisView &view, int64_t point) noexcept {
     return point / view.inner % view.count;
 }
 
-// w_i |Q - P_i| / (w_i |Q - P_i| + w_j |P_j - Q|); without weights the ratio itself, where the Cartesian points are
-// combined.
+// w_i |Q - P_i| / (w_i |Q - P_i| + w_j |P_j - Q|); without weights the ratio itself, where the Cartesian
+// points are combined.
 double rational_ratio(const Spline &spline, int64_t from, int64_t to, double ratio) {
     const double before = spline.weight(from), behind = spline.weight(to);
     if (ratio == 0 || ratio == 1 || (before == 0 && behind == 0)) {
@@ -71,8 +71,8 @@ double periodic_knot(const KnotVector &axis, int64_t layer, double s) noexcept {
     return knot;
 }
 
-// Where knots of a leg reach over more than a period, copies of the new knot would be among them, and the control
-// point another one.
+// Where knots of a leg reach over more than a period, copies of the new knot would be among them, and the
+// control point another one.
 void check_period(const KnotVector &axis, int k) {
     if (axis.periodic() && axis.distinct_layers() < axis.degree()) {
         fail(NURBS_ERROR_PERIODIC,

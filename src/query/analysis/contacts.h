@@ -20,8 +20,8 @@ struct Contacts {
     std::vector<BoundarySize> boundaries; // by axis, then by end
 };
 
-// Boundaries whose values are the same bit for bit have a gap of 0, points a size of 0. Other bounds are proven;
-// their searches go on where they do not tell on which side of the tolerance the truth is.
+// Boundaries whose values are the same bit for bit have a gap of 0, points a size of 0. Other bounds are
+// proven; their searches go on where they do not tell on which side of the tolerance the truth is.
 Contacts boundary_contacts(const Spline &spline, double tolerance);
 
 } // namespace nrb

@@ -21,7 +21,8 @@ struct Turn {
     double error = 0;
 };
 
-// Of a vector polynomial that stays in an open half plane: the angle between its ends. Otherwise that of its halves.
+// Of a vector polynomial that stays in an open half plane: the angle between its ends. Otherwise that of its
+// halves.
 Turn turn_of(RoundedPolynomial d, int depth) {
     const size_t end = d.values.size() - 2;
     const double ax = d.values[0], ay = d.values[1], bx = d.values[end], by = d.values[end + 1];
@@ -90,8 +91,8 @@ private:
         note(angle > 0 ? 1 : angle < 0 ? -1 : 0);
     }
 
-    // A tangent that vanishes inside is a cusp or a place where the curve stands still; at an end it is divided
-    // out, and knot() sees whether the curve turns back there.
+    // A tangent that vanishes inside is a cusp or a place where the curve stands still; at an end it is
+    // divided out, and knot() sees whether the curve turns back there.
     void piece(size_t e) {
         const HomogeneousPiece &piece = pieces_.pieces()[e];
         unknown_ = unknown_ || !piece.positive;

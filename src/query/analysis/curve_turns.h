@@ -15,8 +15,8 @@ struct EndTangent {
 };
 EndTangent end_tangent(const HomogeneousPiece &piece, bool upper);
 
-// From one tangent to another: the angle, in the plane positive to the left; 0 where rounding may have made it, or
-// there is none.
+// From one tangent to another: the angle, in the plane positive to the left; 0 where rounding may have made
+// it, or there is none.
 double turning_angle(const EndTangent &before, const EndTangent &after);
 
 struct EndCurvature {
@@ -26,8 +26,8 @@ struct EndCurvature {
 // Where C' does not vanish for certain.
 std::optional<EndCurvature> end_curvature(const HomogeneousPiece &piece, bool upper);
 
-// The pieces on both sides of the knots of a curve, its seam among them if it is periodic; kept, since both need
-// them.
+// The pieces on both sides of the knots of a curve, its seam among them if it is periodic; kept, since both
+// need them.
 class CurvePieces {
 public:
     explicit CurvePieces(const Spline &curve);

@@ -17,15 +17,15 @@ struct Flatness {
 // NURBS_ERROR_NOT_REPRESENTABLE.
 Flatness straightness(const Spline &spline);
 
-// The plane across the direction in which the control points spread least, in the middle of the spline. Throws
-// NURBS_ERROR_NOT_REPRESENTABLE. Precondition: dimension 3.
+// The plane across the direction in which the control points spread least, in the middle of the spline.
+// Throws NURBS_ERROR_NOT_REPRESENTABLE. Precondition: dimension 3.
 Flatness planarity(const Spline &spline);
 
 // Some thousand points of a spline, one after the other.
 std::vector<double> sample_points(const Spline &spline);
 
-// The centre of a ball of nearly the least radius that holds the points (M. Badoiu, K. Clarkson, "Smaller core-sets
-// for balls", SODA 2003); those that are not finite are left out.
+// The centre of a ball of nearly the least radius that holds the points (M. Badoiu, K. Clarkson, "Smaller
+// core-sets for balls", SODA 2003); those that are not finite are left out.
 std::vector<double> ball_centre(const std::vector<double> &points, int dim);
 
 // No point of the spline is farther from a point than this, and nearly the least such number.

@@ -153,8 +153,8 @@ private:
         parts_.push_back({std::move(f), e, {}, {1, 1, 1}});
     }
 
-    // A coefficient at a corner has the sign of J, unless the corner is on a boundary where J is 0; then the middle of
-    // a part with one sign has it.
+    // A coefficient at a corner has the sign of J, unless the corner is on a boundary where J is 0; then the
+    // middle of a part with one sign has it.
     void look(const JacobianPart &part) {
         const int sign = certain_sign(part.f);
         if (sign != 0) {

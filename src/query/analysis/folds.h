@@ -14,9 +14,9 @@ struct FoldTest {
     std::optional<std::array<double, max_axes>> negative;
 };
 
-// The signs of Bernstein coefficients of the determinant J, whose factors that vanish on boundaries of pieces to
-// rounding are divided out, and of halves where they differ. The reference, of a surface in space, null: its vector
-// area. Throws NURBS_ERROR_DIRECTION, _NOT_REPRESENTABLE.
+// The signs of Bernstein coefficients of the determinant J, whose factors that vanish on boundaries of pieces
+// to rounding are divided out, and of halves where they differ. The reference, of a surface in space, null:
+// its vector area. Throws NURBS_ERROR_DIRECTION, _NOT_REPRESENTABLE.
 FoldTest fold_test(const Spline &spline, const double *reference);
 
 } // namespace nrb

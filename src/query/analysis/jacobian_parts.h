@@ -20,8 +20,8 @@ using Ends = std::array<std::array<bool, 2>, max_axes>;
 // Divides by the boundaries on which all coefficients vanish to rounding, as often as they do.
 Ends divide_boundaries(RoundedPolynomial &f, int axes);
 
-// Halves a part along the axis on which it is longest, in units of `scale`, of those with a degree; false if none is
-// longer than `least`. The part becomes the upper half.
+// Halves a part along the axis on which it is longest, in units of `scale`, of those with a degree; false if
+// none is longer than `least`. The part becomes the upper half.
 bool halve_longest(JacobianPart &part, int axes, const std::array<double, max_axes> &scale, double least,
                    JacobianPart &lower);
 

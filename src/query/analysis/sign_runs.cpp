@@ -16,8 +16,8 @@ constexpr double eps = std::numeric_limits<double>::epsilon();
 // Where parts are halved: the first place that is not near a zero.
 constexpr double split_places[] = {0.5, 0.4375, 0.5625, 0.375, 0.625, 0.25, 0.75, 0.125, 0.875};
 
-// How often the sign of coefficients changes: at least and, if those without a certain sign are chosen so that it
-// is most often, up to 2 for more.
+// How often the sign of coefficients changes: at least and, if those without a certain sign are chosen so
+// that it is most often, up to 2 for more.
 struct Variations {
     int least = 0;
     int most = 0;
@@ -53,8 +53,8 @@ double value_at(std::vector<double> b, double x) noexcept {
     return b[0];
 }
 
-// The zero of a polynomial whose values at 0 and 1 have different signs: the rule of false position with A. Bjoerck
-// and N. Anderson's factor (BIT 13 (1973)), safeguarded by halving.
+// The zero of a polynomial whose values at 0 and 1 have different signs: the rule of false position with A.
+// Bjoerck and N. Anderson's factor (BIT 13 (1973)), safeguarded by halving.
 double bracketed_zero(const std::vector<double> &b) {
     double low = 0, high = 1, f_low = b.front(), f_high = b.back();
     int side = 0;

@@ -136,8 +136,8 @@ private:
         result_.places.push_back(place);
     }
 
-    // Boxes of one piece that touch are one place: its point is the middle of that box which is nearest to the
-    // middle of all.
+    // Boxes of one piece that touch are one place: its point is the middle of that box which is nearest to
+    // the middle of all.
     void gather(size_t e) {
         std::vector<Box> &boxes = left_[e];
         std::sort(boxes.begin(), boxes.end(),

@@ -15,10 +15,10 @@ struct SingularPlaces {
     bool complete = true; // regular outside the boxes
 };
 
-// Parts of the pieces on which no combination of the components of C' or S_u x S_v (in dimensions above 3 |S_u|^2
-// |S_v|^2 - (S_u . S_v)^2) has a certain sign are halved to the tolerance, or until 20000 halvings are used up;
-// what is left are boxes, of which those that touch make one place. Boundaries of pieces that vanish to rounding
-// are places of their own and divided out. Throws NURBS_ERROR_NOT_REPRESENTABLE.
+// Parts of the pieces on which no combination of the components of C' or S_u x S_v (in dimensions above 3
+// |S_u|^2 |S_v|^2 - (S_u . S_v)^2) has a certain sign are halved to the tolerance, or until 20000 halvings
+// are used up; what is left are boxes, of which those that touch make one place. Boundaries of pieces that
+// vanish to rounding are places of their own and divided out. Throws NURBS_ERROR_NOT_REPRESENTABLE.
 SingularPlaces singular_places(const Spline &spline, double tolerance);
 
 } // namespace nrb

@@ -75,7 +75,8 @@ private:
             }
         }
     }
-    // What is proven holds for the place that was found; the distance of its parameter, which is rounded, may differ.
+    // What is proven holds for the place that was found; the distance of its parameter, which is rounded, may
+    // differ.
     void settle(Foot &foot, double distance) const {
         const bool proven = (foot.status & NURBS_CLOSEST_CERTIFIED) != 0;
         if (proven && (asked_->farthest ? foot.distance - distance : distance - foot.distance) >

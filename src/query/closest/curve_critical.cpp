@@ -15,8 +15,8 @@ namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
-// A place between two signs of the derivative of the distance. At an end of the curve, or of one of its arcs between
-// jumps, `before` or `after` is missing.
+// A place between two signs of the derivative of the distance. At an end of the curve, or of one of its arcs
+// between jumps, `before` or `after` is missing.
 struct Event {
     static constexpr int missing = 2;
 

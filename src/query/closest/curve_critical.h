@@ -16,9 +16,9 @@ struct CriticalQuestion {
     double within;       // no interest in points that are farther away
 };
 
-// In the order of their parameters. With D = A - x w on a piece the distance is critical where D . (A' w - A w') is 0;
-// the signs of this polynomial between its zeros tell the kinds. Certified unless rounding hides a sign; not unique
-// where the polynomial vanishes to rounding on a whole piece, which gives its start.
+// In the order of their parameters. With D = A - x w on a piece the distance is critical where D . (A' w - A
+// w') is 0; the signs of this polynomial between its zeros tell the kinds. Certified unless rounding hides a
+// sign; not unique where the polynomial vanishes to rounding on a whole piece, which gives its start.
 CriticalSet critical_points(const Spline &curve, const CriticalQuestion &question);
 
 } // namespace nrb

@@ -1,5 +1,5 @@
-// Bounds of the distances from a point of eight leaves, or eight boxes, of a curve tree at once. Included once for
-// every instruction set: see base/simd.h.
+// Bounds of the distances from a point of eight leaves, or eight boxes, of a curve tree at once. Included
+// once for every instruction set: see base/simd.h.
 #if defined(NURBS_QUERY_CLOSEST_CURVE_KEYS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef NURBS_QUERY_CLOSEST_CURVE_KEYS_INL_H_
 #undef NURBS_QUERY_CLOSEST_CURVE_KEYS_INL_H_
@@ -22,8 +22,8 @@ namespace HWY_NAMESPACE {
 constexpr int fan = CurveTree::fan;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-// Keys are what is made smallest: the distance, or its negative for the farthest point. Of eight children: no point
-// has a smaller key than `bound`, some point has at most `reached`.
+// Keys are what is made smallest: the distance, or its negative for the farthest point. Of eight children: no
+// point has a smaller key than `bound`, some point has at most `reached`.
 struct Keys {
     double bound[fan];
     double reached[fan];

@@ -56,7 +56,8 @@ private:
     static constexpr int stack_height = 64; // halvings of a leaf, after which nothing is left of it
     static constexpr double at_end = 0x1p-40;
 
-    // A part [a, b] of a leaf, on which a local minimum is known to be at the lower end (1) or the upper end (2).
+    // A part [a, b] of a leaf, on which a local minimum is known to be at the lower end (1) or the upper end
+    // (2).
     struct Part {
         double a;
         double b;
@@ -151,8 +152,8 @@ private:
         return height + 1;
     }
 
-    // The middle of the parameter that makes the weights at both ends equal: where they are far apart, the curve is
-    // crowded at one end of its own.
+    // The middle of the parameter that makes the weights at both ends equal: where they are far apart, the
+    // curve is crowded at one end of its own.
     [[nodiscard]] double middle_of(const double *records) const noexcept {
         const int p = shape_.degree(), lanes = shape_.lanes();
         const double ratio = records[lanes - 1] / records[(p + 1) * lanes - 1];

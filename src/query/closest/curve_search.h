@@ -11,8 +11,8 @@ struct CurveSearchResult {
     bool unique = true; // no place elsewhere was seen that is as near
 };
 
-// What double precision leaves open in a distance from a point: half of it in the positions of the leaves, half for
-// what is computed from them.
+// What double precision leaves open in a distance from a point: half of it in the positions of the leaves,
+// half for what is computed from them.
 double distance_noise(const CurveTree &tree, const double *point) noexcept;
 
 CurveSearchResult search(const CurveTree &tree, const Query &query);

@@ -41,8 +41,8 @@ public:
     [[nodiscard]] double chord() const noexcept {
         return norm_of(dim_, [this](int c) { return x(degree_, c) - x(0, c); });
     }
-    // The largest distance of a control point from the chord: no point of the piece has a larger one, if the weights
-    // are positive.
+    // The largest distance of a control point from the chord: no point of the piece has a larger one, if the
+    // weights are positive.
     [[nodiscard]] double deviation() const noexcept {
         if (!positive()) {
             return infinity;
@@ -185,8 +185,8 @@ CurveTree::Boxes CurveTree::leaf_boxes() const {
 }
 
 void CurveTree::add_levels() {
-    // The boxes of eight on end become one; those that fill a node up are never reached, since no distance is as
-    // small as theirs.
+    // The boxes of eight on end become one; those that fill a node up are never reached, since no distance is
+    // as small as theirs.
     const auto dim = static_cast<size_t>(dim_);
     Boxes boxes = leaf_boxes();
     do {

@@ -7,10 +7,11 @@
 
 namespace nrb {
 
-// A leaf is a piece over a part of one span. Its records are about the centre of the curve, in units of 2^exponent:
-// coordinates, zeros, and the weight as the last one of `lanes`, a multiple of 4; weights that are all negative have
-// changed their sign, with the coordinates. Eight leaves on end are a block, eight blocks a node of
-// the first level, eight nodes one of the next level; the curve's own order keeps what is near together.
+// A leaf is a piece over a part of one span. Its records are about the centre of the curve, in units of
+// 2^exponent: coordinates, zeros, and the weight as the last one of `lanes`, a multiple of 4; weights that
+// are all negative have changed their sign, with the coordinates. Eight leaves on end are a block, eight
+// blocks a node of the first level, eight nodes one of the next level; the curve's own order keeps what is
+// near together.
 class CurveTree {
 public:
     static constexpr int fan = 8;
@@ -39,15 +40,15 @@ public:
     // Whether the curve goes on from a leaf to the next one without a jump; false where either is not there.
     [[nodiscard]] bool joined(int64_t leaf) const noexcept;
 
-    // Of block b: starts [dim][fan], chords [dim][fan], inverse squared lengths of the chords [fan] (0 where there is
-    // none), and how far the piece may be from its chord [fan] (infinite where weights are not positive). Where
-    // there are fewer leaves the chord is that of the last one.
+    // Of block b: starts [dim][fan], chords [dim][fan], inverse squared lengths of the chords [fan] (0 where
+    // there is none), and how far the piece may be from its chord [fan] (infinite where weights are not
+    // positive). Where there are fewer leaves the chord is that of the last one.
     [[nodiscard]] const double *block(int64_t b) const noexcept { return blocks_.data() + b * block_size(); }
     [[nodiscard]] int64_t block_size() const noexcept { return int64_t{2} * fan * (dim_ + 1); }
     [[nodiscard]] int64_t block_count() const noexcept { return (leaves() + fan - 1) / fan; }
 
-    // Levels above the blocks, the lowest first; the last one has one node. Of a node: lower ends [dim][fan] and
-    // upper ends [dim][fan] of the boxes of its children.
+    // Levels above the blocks, the lowest first; the last one has one node. Of a node: lower ends [dim][fan]
+    // and upper ends [dim][fan] of the boxes of its children.
     [[nodiscard]] int levels() const noexcept { return static_cast<int>(levels_.size()); }
     [[nodiscard]] const double *node(int level, int64_t i) const noexcept {
         return levels_[static_cast<size_t>(level)].data() + i * node_size();

@@ -19,7 +19,8 @@ constexpr double eps = std::numeric_limits<double>::epsilon();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr int64_t budget_of_a_foot = 20000;
 
-// Breaks of `other`, moved to the domain of an axis, so that pieces of splines that are parametrized alike match.
+// Breaks of `other`, moved to the domain of an axis, so that pieces of splines that are parametrized alike
+// match.
 std::vector<double> alike_breaks(const KnotVector &axis, const KnotVector &other) {
     const Interval to = axis.domain(), from = other.domain();
     std::vector<double> breaks;

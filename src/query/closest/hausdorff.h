@@ -14,10 +14,10 @@ struct FarthestPoint {
     bool certified = false;
 };
 
-// The largest distance of a point of `from` to the nearest one of `to`. Best first over pieces of `from`: the nearest
-// point of the middle gives a lower bound; the farthest control point from that point an upper one, which is good
-// where the splines are apart, and matching with a piece of `to` another, which is good where they touch.
-// `budget`: most pieces looked at. Throws NURBS_ERROR_INCOMPATIBLE, _NOT_REPRESENTABLE.
+// The largest distance of a point of `from` to the nearest one of `to`. Best first over pieces of `from`: the
+// nearest point of the middle gives a lower bound; the farthest control point from that point an upper one,
+// which is good where the splines are apart, and matching with a piece of `to` another, which is good where
+// they touch. `budget`: most pieces looked at. Throws NURBS_ERROR_INCOMPATIBLE, _NOT_REPRESENTABLE.
 FarthestPoint one_sided_distance(const Spline &from, const Spline &to, double tolerance, int64_t budget);
 
 } // namespace nrb

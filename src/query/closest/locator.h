@@ -20,7 +20,8 @@ public:
     Locator &operator=(const Locator &) = delete;
     virtual ~Locator() = default;
 
-    // The nearest or farthest point. Distances are those of the Bezier pieces, to rounding those of the spline.
+    // The nearest or farthest point. Distances are those of the Bezier pieces, to rounding those of the
+    // spline.
     [[nodiscard]] virtual Foot nearest(const Query &query) const = 0;
     // The local minimum that a descent from a guess in the domain comes to.
     [[nodiscard]] virtual Foot local(const double *point, const double *guess) const = 0;

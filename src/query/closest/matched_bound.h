@@ -5,11 +5,11 @@
 
 namespace nrb {
 
-// The corners of piece x are matched with the points of piece y that are nearest to them, what is between them
-// with what the multilinear map between the parameters makes of it: the largest distance of matched points, by the
-// quotients of the Bernstein coefficients of X v - Y w and v w (the composition of Y with the map has in every
-// variable the sum of the degrees of y). Of second order in the size of x, even where both touch. Rounding and
-// moved() of both are included; infinite where weights are not positive.
+// The corners of piece x are matched with the points of piece y that are nearest to them, what is between
+// them with what the multilinear map between the parameters makes of it: the largest distance of matched
+// points, by the quotients of the Bernstein coefficients of X v - Y w and v w (the composition of Y with the
+// map has in every variable the sum of the degrees of y). Of second order in the size of x, even where both
+// touch. Rounding and moved() of both are included; infinite where weights are not positive.
 class MatchedBound {
 public:
     // `enough`: no less is wanted.

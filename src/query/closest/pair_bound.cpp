@@ -74,9 +74,9 @@ void PairBound::sample(const PairPiece &piece, std::vector<double> &out) {
     }
 }
 
-// Extreme quotients of the coefficients of |P (A - c w)|^2 and w^2, whose binomials cancel. Each coefficient is a sum
-// of at most coefficients() terms for each coordinate; relative to the weights the magnitudes are at most the square
-// of the largest distance of a control point.
+// Extreme quotients of the coefficients of |P (A - c w)|^2 and w^2, whose binomials cancel. Each coefficient
+// is a sum of at most coefficients() terms for each coordinate; relative to the weights the magnitudes are at
+// most the square of the largest distance of a control point.
 PairBound::Extremes PairBound::distances(const PairPiece &piece, const double *centre) {
     const int dim = piece.dim();
     const int64_t count = piece.coefficients();
@@ -130,8 +130,8 @@ double PairBound::sphere(const PairPiece &inside, const PairPiece &outside, cons
     return distances(outside, centre_.data()).least - most - rounding(dim);
 }
 
-// Radii R about the foot p of one piece: its samples x lie within R of the centre if 2 R n (p - x) >= |x - p|^2, those
-// of the other piece, y, at least R + d away if 2 (R + d) n (q - y) <= |y - q|^2.
+// Radii R about the foot p of one piece: its samples x lie within R of the centre if 2 R n (p - x) >= |x -
+// p|^2, those of the other piece, y, at least R + d away if 2 (R + d) n (q - y) <= |y - q|^2.
 double PairBound::spheres(const PairPiece &a, const PairPiece &b, const PairPlace &at, double enough) {
     const int dim = a.dim();
     const double gap = at.distance;

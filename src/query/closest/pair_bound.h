@@ -11,14 +11,14 @@ double box_distance(const double *a, const double *b, int dim) noexcept;
 // Surfaces that separate two pieces: planes and spheres, and in more dimensions the cylinders that project to
 // spheres along a direction. With a point p of a and q of b, and n from p to q,
 // - no point of the hulls is nearer than their extents along n are apart;
-// - if a lies within R of a point c and b at least r away from it, they are r - R apart; c is on the line through
-//   p and q so that to the samples of both it fits the second order. R and r are the extreme quotients of the
-//   Bernstein coefficients of |A - c w|^2 and w^2, which for arcs about c are all equal.
-// So parallel lines and planes, concentric arcs and spheres, and coaxial cylinders take no halving.
+// - if a lies within R of a point c and b at least r away from it, they are r - R apart; c is on the line
+// through p and q so that to the samples of both it fits the second order. R and r are the extreme quotients
+// of the Bernstein coefficients of |A - c w|^2 and w^2, which for arcs about c are all equal. So parallel
+// lines and planes, concentric arcs and spheres, and coaxial cylinders take no halving.
 class PairBound {
 public:
-    // Not above the distance of any two points, moved() of both included; `at` a local minimum. `enough`: no more
-    // is wanted. Precondition: both are positive().
+    // Not above the distance of any two points, moved() of both included; `at` a local minimum. `enough`: no
+    // more is wanted. Precondition: both are positive().
     double lower(const PairPiece &a, const PairPiece &b, const PairPlace &at, double enough);
 
 private:

@@ -168,8 +168,8 @@ void PieceJet::evaluate(const PairPiece &piece, const Place &place, bool derivat
     }
 }
 
-// Half the square of the distance; with derivatives also its gradient, the matrix of second derivatives and the
-// part of it that holds for a distance of 0.
+// Half the square of the distance; with derivatives also its gradient, the matrix of second derivatives and
+// the part of it that holds for a distance of 0.
 double PairDescent::evaluate(const PairPiece &a, const PairPiece &b, const PairPlace &at, bool derivatives) {
     a_.evaluate(a, at.a, derivatives);
     b_.evaluate(b, at.b, derivatives);

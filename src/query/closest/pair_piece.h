@@ -18,8 +18,8 @@ PairFrame pair_frame(const Spline &a, const Spline &b);
 using Place = std::array<double, max_axes>;
 
 // Control points of a rational Bezier piece over a part of a polynomial piece of a spline, last axis fastest.
-// If all weights are positive, every point of the piece is within moved() of one of the spline, and the other way
-// round.
+// If all weights are positive, every point of the piece is within moved() of one of the spline, and the other
+// way round.
 class PairPiece {
 public:
     PairPiece() = default;
@@ -51,8 +51,8 @@ public:
     [[nodiscard]] Place place(const Place &parameter) const noexcept;
     [[nodiscard]] bool contains(const Place &parameter) const noexcept;
 
-    // Halves along the axis with the longest legs; the piece becomes the upper half. None if it has no degree or
-    // its parameters cannot be halved.
+    // Halves along the axis with the longest legs; the piece becomes the upper half. None if it has no degree
+    // or its parameters cannot be halved.
     std::optional<PairPiece> halve();
 
 private:

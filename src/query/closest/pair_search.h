@@ -15,10 +15,10 @@ struct PairDistance {
     bool certified = false;
 };
 
-// Best first over pairs of pieces, or groups of them in boxes. At each pair that is looked at a descent gives an
-// upper bound, and separating surfaces a lower one that is good to the second order; near a minimum that grows to
-// the second order a constant number of pairs is left at each size. `budget`: most pairs looked at. Throws
-// NURBS_ERROR_INCOMPATIBLE, _NOT_REPRESENTABLE.
+// Best first over pairs of pieces, or groups of them in boxes. At each pair that is looked at a descent gives
+// an upper bound, and separating surfaces a lower one that is good to the second order; near a minimum that
+// grows to the second order a constant number of pairs is left at each size. `budget`: most pairs looked at.
+// Throws NURBS_ERROR_INCOMPATIBLE, _NOT_REPRESENTABLE.
 PairDistance pair_distance(const Spline &a, const Spline &b, double tolerance, int64_t budget);
 
 } // namespace nrb

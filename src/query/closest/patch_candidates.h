@@ -15,8 +15,8 @@ public:
     };
     using Candidates = ShortList<Candidate, 96>;
 
-    // Those that may hold a point that is worse than the best one by no more than the margin; x as placed by the
-    // pieces.
+    // Those that may hold a point that is worse than the best one by no more than the margin; x as placed by
+    // the pieces.
     PatchCandidates(const PatchPieces &pieces, const PatchTree &tree, const Query &query, const double *x,
                     double margin);
 

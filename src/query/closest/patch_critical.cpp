@@ -271,8 +271,8 @@ bool PatchCritical::find(const Face &face, const PatchItem &whole, const Part &p
     return converged;
 }
 
-// Where a tangent vanishes, at a pole, the derivative along it does too, whatever the point: there all directions
-// count.
+// Where a tangent vanishes, at a pole, the derivative along it does too, whatever the point: there all
+// directions count.
 bool PatchCritical::is_real(const Face &face, const PatchItem &whole, const AxisValues &at) const {
     const PatchJet here = descent_.jet(whole.values, at);
     double largest = 0;

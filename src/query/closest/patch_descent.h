@@ -37,8 +37,8 @@ public:
     // The point itself, [dim].
     void point(const double *values, const AxisValues &at, double *out) const;
 
-    // Descends from `at` to where sign * |S| has a minimum in the box, sign = 1 or -1, which becomes `at`; the
-    // distance there. Less than `floor` counts as 0. Takes at most `steps` of them; converged: fewer.
+    // Descends from `at` to where sign * |S| has a minimum in the box, sign = 1 or -1, which becomes `at`;
+    // the distance there. Less than `floor` counts as 0. Takes at most `steps` of them; converged: fewer.
     struct Result {
         double distance;
         bool converged;
@@ -47,8 +47,8 @@ public:
                    int steps = 60) const;
 
 private:
-    // The step of a Newton method with a positive definite matrix: metric and curvature, with `damping` of the
-    // metric, on the axes that are free.
+    // The step of a Newton method with a positive definite matrix: metric and curvature, with `damping` of
+    // the metric, on the axes that are free.
     bool step(const PatchJet &jet, double sign, double damping, const std::array<bool, max_axes> &free,
               AxisValues &out) const noexcept;
 

@@ -25,8 +25,8 @@ PatchItem PatchItems::whole(int64_t piece) const {
     return item;
 }
 
-// The factors of the matrix are products of `degree` rounded numbers, the sums have degree + 1 terms: 2 degree
-// eps of the mean of the magnitudes, of the point and of the weight.
+// The factors of the matrix are products of `degree` rounded numbers, the sums have degree + 1 terms: 2
+// degree eps of the mean of the magnitudes, of the point and of the weight.
 PatchItem PatchItems::part(const PatchItem &item, int axis, double lower, double upper,
                            const double *matrix) const {
     const auto at = static_cast<size_t>(axis);

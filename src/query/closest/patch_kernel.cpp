@@ -220,8 +220,9 @@ double gap(int64_t count, const double *HWY_RESTRICT squares, const double *HWY_
     return result;
 }
 
-// The distance of x from all points p of a disc: |n (p - x)| >= the distance of the heights, and across n it is
-// at least |x - c| across n less the radius. The root of a difference that cancels is taken of less than it.
+// The distance of x from all points p of a disc: |n (p - x)| >= the distance of the heights, and across n it
+// is at least |x - c| across n less the radius. The root of a difference that cancels is taken of less than
+// it.
 template <bool kNormals, bool kFarthest>
 HWY_INLINE void bound_all(const double *HWY_RESTRICT family, int64_t width, int dim,
                           const double *HWY_RESTRICT x, const DiscBounds &out) {

@@ -23,8 +23,8 @@ CriticalSet PatchLocator::minima(const Query &query) const {
     return set;
 }
 
-// The nearest and the farthest point are critical, but for creases: where they are not among the points found, tangents
-// that vanish or rounding have hidden some.
+// The nearest and the farthest point are critical, but for creases: where they are not among the points
+// found, tangents that vanish or rounding have hidden some.
 CriticalSet PatchLocator::critical(const Query &query) const {
     CriticalSet set = PatchCritical(pieces_, query).run();
     double least = std::numeric_limits<double>::infinity(), most = 0;

@@ -54,14 +54,14 @@ public:
     [[nodiscard]] double radius() const noexcept { return radius_; } // about the centre
     [[nodiscard]] double weight_ratio() const noexcept { return ratio_; }
 
-    // Whether all weights are >= 0 and every coefficient has, by its own weight, a point within moved() of the
-    // exact one. Otherwise records and weights have errors of their own.
+    // Whether all weights are >= 0 and every coefficient has, by its own weight, a point within moved() of
+    // the exact one. Otherwise records and weights have errors of their own.
     [[nodiscard]] bool positive() const noexcept { return positive_; }
     [[nodiscard]] double moved() const noexcept { return moved_; }
     [[nodiscard]] double record_error() const noexcept { return record_error_; }
     [[nodiscard]] double weight_error() const noexcept { return weight_error_; }
-    // Relative to the sum of the magnitudes: of coefficients of squares, and of values at a place, where Bernstein
-    // functions take three roundings for each degree and sums one for each term.
+    // Relative to the sum of the magnitudes: of coefficients of squares, and of values at a place, where
+    // Bernstein functions take three roundings for each degree and sums one for each term.
     [[nodiscard]] double product_error() const noexcept { return squares_->error(); }
     [[nodiscard]] double value_error() const noexcept { return value_error_; }
     // 64 eps times the sum of p + 1 over the axes: what a certificate allows for rounding.

@@ -1,8 +1,8 @@
 // Proofs that no point of a patch is nearer, or farther, than a distance.
 //
-// With the exact polynomials of an item, F = sign (|Q|^2 - rho^2 w^2) >= 0 over the box says so. First the axes
-// along which F rises (or falls) throughout are dropped: its least value is on that face. On the rest F is
-// shown to be convex, by a matrix C below its second derivatives in the sense that
+// With the exact polynomials of an item, F = sign (|Q|^2 - rho^2 w^2) >= 0 over the box says so. First the
+// axes along which F rises (or falls) throughout are dropped: its least value is on that face. On the rest F
+// is shown to be convex, by a matrix C below its second derivatives in the sense that
 //     F(t + y) >= F(t) + g y + 1/2 |y|^T C |y|,
 // so that F is at least F(t) - 1/2 |g|^T C^-1 |g|; t is a minimum that was found, where g is rounding only.
 #pragma once

@@ -270,8 +270,8 @@ bool PatchSearch::settled(PatchItem &item, bool &fresh, int &axis) {
     return false;
 }
 
-// Weights move the minimum of F away from that of the distance where it is not near 0: whether what was found is
-// the latter, if it counts.
+// Weights move the minimum of F away from that of the distance where it is not near 0: whether what was found
+// is the latter, if it counts.
 bool PatchSearch::is_least(const PatchItem &item, const PatchGap &gap, const PatchProof &found) {
     const double value = sign_ * found.distance();
     if (!pieces_.shape().weighted || value > upper()) {
@@ -352,8 +352,8 @@ Foot PatchSearch::nearest() {
     return result;
 }
 
-// Whether no descent leads on, neither into other pieces nor from a saddle. What is as near as the best point is
-// one in any case.
+// Whether no descent leads on, neither into other pieces nor from a saddle. What is as near as the best point
+// is one in any case.
 bool PatchSearch::is_minimum(const Place &place) {
     if (place.value <= best_.value + noise_) {
         return true;

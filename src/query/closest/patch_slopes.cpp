@@ -132,9 +132,9 @@ PatchSlopes::Range PatchSlopes::second(int k, int l) const {
     return range;
 }
 
-// w^2 d_kl phi = (d_kl |Q|^2 - phi d_kl w^2) - d_k phi d_l w^2 - d_l phi d_k w^2. The rows of the interval matrix are
-// slopes of the gradient (mean value theorem), which is injective if all matrices in it are regular: with the
-// inverse of the middle as factor they differ from the identity by less than 1.
+// w^2 d_kl phi = (d_kl |Q|^2 - phi d_kl w^2) - d_k phi d_l w^2 - d_l phi d_k w^2. The rows of the interval
+// matrix are slopes of the gradient (mean value theorem), which is injective if all matrices in it are
+// regular: with the inverse of the middle as factor they differ from the identity by less than 1.
 PatchSlopes::Matrix PatchSlopes::matrix() noexcept {
     SmallMatrix centre(shape_.axes, shape_.axes), radius(shape_.axes, shape_.axes);
     double bend = -1;

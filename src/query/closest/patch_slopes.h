@@ -5,7 +5,8 @@
 
 namespace nrb {
 
-// With phi = |Q|^2 / w^2: w^2 d_k phi = d_k |Q|^2 - phi d_k w^2, whose coefficients are differences, and linear in phi.
+// With phi = |Q|^2 / w^2: w^2 d_k phi = d_k |Q|^2 - phi d_k w^2, whose coefficients are differences, and
+// linear in phi.
 class PatchSlopes {
 public:
     // moved: how far rounding may have moved the points.

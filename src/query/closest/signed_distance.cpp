@@ -27,8 +27,8 @@ public:
         Jet::prepare(curve);
     }
 
-    // 1 where x, with its nearest point C(t), is to the left of the curve, else -1. Between knots the foot of a
-    // perpendicular decides; `speed` is C'(t).
+    // 1 where x, with its nearest point C(t), is to the left of the curve, else -1. Between knots the foot of
+    // a perpendicular decides; `speed` is C'(t).
     [[nodiscard]] double sign(double t, const Plane &offset, const Plane &speed) const {
         const bool between = t > domain_.lower && t < domain_.upper && !is_knot(t);
         const double side = cross(speed, offset);
@@ -64,9 +64,9 @@ private:
         return found.kind > 0 ? Plane{found.direction.x, found.direction.y} : Plane{};
     }
 
-    // The sum of the normals on both sides decides (Baerentzen & Aanaes, "Signed distance computation using the
-    // angle weighted pseudonormal", 2005), and where the curve turns back the side to which it turns: what is nearest
-    // to a corner is outside of it.
+    // The sum of the normals on both sides decides (Baerentzen & Aanaes, "Signed distance computation using
+    // the angle weighted pseudonormal", 2005), and where the curve turns back the side to which it turns:
+    // what is nearest to a corner is outside of it.
     [[nodiscard]] double sign_at_corner(double t, const Plane &offset) const {
         const bool first = t == domain_.lower, last = t == domain_.upper;
         const Plane before = first ? (closed_ ? tangent(domain_.upper, true) : Plane{}) : tangent(t, true);

@@ -22,8 +22,8 @@ constexpr int64_t leaves_for_a_piece = 256, leaves_at_least = 20000;
 // What the coefficients of a net tell of features that are narrower than the nodes are apart: peaks where the
 // weights differ much, dips and zeros where the curve turns sharply.
 struct NetShape {
-    // The weights are of one sign, all coefficients of N are within 75 degrees of their sum, and both differ by a
-    // factor of at most 64; but a dip of relative width 1e-8 is worth its square, and none.
+    // The weights are of one sign, all coefficients of N are within 75 degrees of their sum, and both differ
+    // by a factor of at most 64; but a dip of relative width 1e-8 is worth its square, and none.
     bool even;
     double bound; // of the length; infinite if the weights are not of one sign
 };

@@ -13,9 +13,9 @@ struct Integral {
     double error; // estimate, rounding included
 };
 
-// |C'| on the pieces of a curve as |N| / w^2, N = A' w - A w' = p (A_1 w_0 - A_0 w_1) of degree 2 p - 2, where
-// A_0, A_1 are the means of the first and the last p coefficients of A (Floater, "Derivatives of rational
-// Bezier curves", CAGD 9 (1992)): no difference is left to take where the curve is slow.
+// |C'| on the pieces of a curve as |N| / w^2, N = A' w - A w' = p (A_1 w_0 - A_0 w_1) of degree 2 p - 2,
+// where A_0, A_1 are the means of the first and the last p coefficients of A (Floater, "Derivatives of
+// rational Bezier curves", CAGD 9 (1992)): no difference is left to take where the curve is slow.
 class SpeedPieces {
 public:
     // Precondition: a curve.
@@ -54,8 +54,8 @@ struct LengthLeaf {
     double length;
 };
 
-// The length of all pieces. `leaves`, if not null, become all parts in their order, and `nets` what belongs to
-// them as in SpeedPieces. The error is above what was asked only if the budget is spent.
+// The length of all pieces. `leaves`, if not null, become all parts in their order, and `nets` what belongs
+// to them as in SpeedPieces. The error is above what was asked only if the budget is spent.
 Integral integrate(const SpeedPieces &pieces, double relative_tolerance,
                    std::vector<LengthLeaf> *leaves = nullptr, std::vector<double> *nets = nullptr);
 

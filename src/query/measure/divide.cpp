@@ -87,8 +87,8 @@ public:
 private:
     double beyond(double s, double chord) { return arc_.distance_from(from_, arc_.param(s), false) - chord; }
 
-    // A place whose distance is `chord`. A distance grows no faster than the length, so that what is missing may
-    // always be gone (as in the tracing of spheres); up to eight times that if the last step promises it.
+    // A place whose distance is `chord`. A distance grows no faster than the length, so that what is missing
+    // may always be gone (as in the tracing of spheres); up to eight times that if the last step promises it.
     double next(double start, double chord) {
         double s = start, rest = -chord;
         for (int step = 0; step < most_steps && s < arc_.length(); ++step) {
@@ -161,8 +161,8 @@ class ChordSearch {
 public:
     ChordSearch(ChordWalk &walk, double allowed) : walk_(walk), allowed_(allowed) {}
 
-    // Between a chord with an excess below and one with an excess above 0: regula falsi as modified by Illinois,
-    // every third step a bisection, since the excess may jump. False if it only jumps.
+    // Between a chord with an excess below and one with an excess above 0: regula falsi as modified by
+    // Illinois, every third step a bisection, since the excess may jump. False if it only jumps.
     bool between(double lower, double below, double upper, double above) {
         for (int step = 0; step < most_bisections; ++step) {
             const double falsi = (lower * above - upper * below) / (above - below);

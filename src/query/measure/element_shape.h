@@ -1,13 +1,14 @@
-// What the control points of an element tell of features that are narrower than the nodes of a rule are apart.
+// What the control points of an element tell of features that are narrower than the nodes of a rule are
+// apart.
 #pragma once
 
 #include "query/measure/elements.h"
 
 namespace nrb {
 
-// The axis along which an element should be halved first, or -1: the weights differ by a factor of more than 64;
-// or, if `legs`, some leg of the control net along the axis is more than 75 degrees off the sum of all of them, and neighbours of it turn most along that axis.
-// Cost: linear in the number of coefficients.
+// The axis along which an element should be halved first, or -1: the weights differ by a factor of more than
+// 64; or, if `legs`, some leg of the control net along the axis is more than 75 degrees off the sum of all of
+// them, and neighbours of it turn most along that axis. Cost: linear in the number of coefficients.
 class ElementShape {
 public:
     explicit ElementShape(const Elements &elements);

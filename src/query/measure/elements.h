@@ -1,5 +1,5 @@
-// The polynomial pieces of a spline as integrals want them: each about a point of its own, so that neither the
-// place of the model nor its size enters the rounding of derivatives.
+// The polynomial pieces of a spline as integrals want them: each about a point of its own, so that neither
+// the place of the model nor its size enters the rounding of derivatives.
 #pragma once
 
 #include "spline/spline.h"
@@ -9,8 +9,8 @@
 
 namespace nrb {
 
-// Where a model is and how large: coordinates become (x - centre) * scale, at most about 1, with a power of two
-// as scale. The ratio of a scaled content of some axes to the true one is scale^axes.
+// Where a model is and how large: coordinates become (x - centre) * scale, at most about 1, with a power of
+// two as scale. The ratio of a scaled content of some axes to the true one is scale^axes.
 struct ModelFrame {
     std::vector<double> centre;
     int exponent = 0; // scale = 2^-exponent
@@ -73,7 +73,8 @@ private:
     int64_t coefficients_ = 1;
 };
 
-// out[o][k][i] = sum over j < terms of in[o][j][i] matrix[j][k], k < count, rows of the matrix `stride` apart.
+// out[o][k][i] = sum over j < terms of in[o][j][i] matrix[j][k], k < count, rows of the matrix `stride`
+// apart.
 void contract(const double *in, int64_t outer, int terms, int64_t inner, const double *matrix, int stride,
               int count, double *out) noexcept;
 

@@ -129,7 +129,8 @@ double LengthTable::param_at(double length, double *work) const noexcept {
     return u >= 1 ? part.upper : std::min(part.lower + u * (part.upper - part.lower), part.upper);
 }
 
-// The cubic with the inverse's values and slopes at both ends of the leaf, slopes cut where it would not rise.
+// The cubic with the inverse's values and slopes at both ends of the leaf, slopes cut where it would not
+// rise.
 double LengthTable::guess(size_t leaf, double part) const noexcept {
     const double whole = leaves_[leaf].length, share = part / whole, rest = 1 - share;
     const double first = std::min(whole / end_speeds_[leaf][0], 3.0);
@@ -138,8 +139,8 @@ double LengthTable::guess(size_t leaf, double part) const noexcept {
     return x > 0 && x < 1 ? x : share;
 }
 
-// The length between places. Over short steps Simpson's rule errs by less than step^5 of the fourth derivative / 2880,
-// which is rounding on a leaf.
+// The length between places. Over short steps Simpson's rule errs by less than step^5 of the fourth
+// derivative / 2880, which is rounding on a leaf.
 double LengthTable::step_length(size_t leaf, double from, double to, double speed_from, double speed_to,
                                 double *work) const noexcept {
     constexpr double shortest = 1e-4;

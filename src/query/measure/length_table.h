@@ -27,8 +27,8 @@ public:
     // bracket. Cost: about three rules.
     [[nodiscard]] double param_at(double length, double *work) const noexcept;
 
-    // Throws NURBS_ERROR_NOT_CONVERGED unless lengths are good to this tolerance, of `part` if that is less than
-    // the total, and _NOT_REPRESENTABLE.
+    // Throws NURBS_ERROR_NOT_CONVERGED unless lengths are good to this tolerance, of `part` if that is less
+    // than the total, and _NOT_REPRESENTABLE.
     void check(double relative_tolerance, double part) const;
 
 private:
@@ -57,7 +57,8 @@ private:
 void curve_lengths(const Spline &curve, const ConstRecords &params, double relative_tolerance,
                    const Records &out);
 
-// Parameters at lengths. Throws NURBS_ERROR_LENGTH for a length that is not finite, or outside unless `clamp`.
+// Parameters at lengths. Throws NURBS_ERROR_LENGTH for a length that is not finite, or outside unless
+// `clamp`.
 void curve_params_at_lengths(const Spline &curve, const ConstRecords &lengths, double relative_tolerance,
                              bool clamp, const Records &out);
 

@@ -22,9 +22,9 @@ struct Moments {
 // NURBS_ERROR_LENGTH, _NOT_CONVERGED, _NOT_REPRESENTABLE.
 Moments moments(const Spline &spline, const Ranges &ranges, MomentOrder order, double relative_tolerance);
 
-// Of what curves of dimension 2 or surfaces of dimension 3 enclose. A cone over an element of the boundary with
-// its tip at the origin has 1 / (n + k) of x . n as its integral of a function of degree k, n the dimension.
-// Throws as moments().
+// Of what curves of dimension 2 or surfaces of dimension 3 enclose. A cone over an element of the boundary
+// with its tip at the origin has 1 / (n + k) of x . n as its integral of a function of degree k, n the
+// dimension. Throws as moments().
 Moments enclosed_moments(const std::vector<SplinePtr> &boundary, MomentOrder order,
                          double relative_tolerance);
 

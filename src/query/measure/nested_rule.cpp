@@ -12,8 +12,8 @@ namespace nrb {
 
 namespace {
 
-// Computed with 160 digits: new nodes from the orthogonality of their polynomial times that of the old ones to
-// all lower powers, weights by integrating the Lagrange polynomials. Index 15 fills a vector up.
+// Computed with 160 digits: new nodes from the orthogonality of their polynomial times that of the old ones
+// to all lower powers, weights by integrating the Lagrange polynomials. Index 15 fills a vector up.
 constexpr double places[] = {0.11270166537925831148,     0.5,
                              0.88729833462074168852,     0.019754365645989858288,
                              0.282878125326598721,       0.717121874673401279,
@@ -145,8 +145,8 @@ constexpr double weights_63[] = {
 constexpr std::array<const double *, rule_levels> weight_tables = {weights_3, weights_7, weights_15,
                                                                    weights_31, weights_63};
 
-// For each level the factors (2 k + 1) P_k(x_i) w_i of six Legendre coefficients: three high ones, up to half the
-// exactness, and three about half as high.
+// For each level the factors (2 k + 1) P_k(x_i) w_i of six Legendre coefficients: three high ones, up to half
+// the exactness, and three about half as high.
 class DecayRows {
 public:
     constexpr DecayRows() {

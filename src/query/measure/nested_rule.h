@@ -29,16 +29,17 @@ const double *rule_weights(int level) noexcept;
 void rule_basis(int degree, double *values) noexcept;                  // [degree + 1][rule_capacity]
 void rule_basis_derivatives(int degree, double *derivatives) noexcept; // [degree + 1][rule_capacity]
 
-// What the values of a function at the nodes of a level >= 1 tell, relative to the integral of its magnitude. The
-// rule gives the Legendre coefficients a_k of the function up to about half its exactness; of three neighbours
-// the largest is taken, since one may vanish by accident. Where the function is analytic a_k falls like rho^-k
-// and the rule is off by about a_k at twice the highest k; elsewhere a_k falls like a power of k.
+// What the values of a function at the nodes of a level >= 1 tell, relative to the integral of its magnitude.
+// The rule gives the Legendre coefficients a_k of the function up to about half its exactness; of three
+// neighbours the largest is taken, since one may vanish by accident. Where the function is analytic a_k falls
+// like rho^-k and the rule is off by about a_k at twice the highest k; elsewhere a_k falls like a power of k.
 struct RuleDecay {
     double integral;
     double last; // the largest of the highest coefficients
     double rate; // over the largest of those half as high; at most 1
 
-    // last rate^2 is a step too short for analytic functions, by rho^(2 to 5), and right or too long for others.
+    // last rate^2 is a step too short for analytic functions, by rho^(2 to 5), and right or too long for
+    // others.
     [[nodiscard]] double error(double magnitude) const noexcept;
     // What the error of a rule will be that is one or two levels higher, relative to the integral.
     [[nodiscard]] double one_higher() const noexcept;

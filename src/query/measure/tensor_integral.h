@@ -7,8 +7,8 @@
 
 namespace nrb {
 
-// What is integrated, several values at once. The first one says how much an element matters, and its integral
-// is what the tolerance of the others is relative to, coordinates being at most about 1; the last
+// What is integrated, several values at once. The first one says how much an element matters, and its
+// integral is what the tolerance of the others is relative to, coordinates being at most about 1; the last
 // `independent` ones are relative to themselves.
 class Integrand {
 public:
@@ -19,10 +19,11 @@ public:
     [[nodiscard]] virtual bool absolute() const noexcept { return false; }
     // Whether values have dips and peaks where the spline turns sharply, as those of lengths and areas.
     [[nodiscard]] virtual bool metric() const noexcept { return false; }
-    // The degree, before signs are changed, along an axis along which the places have this degree, if it is a polynomial, else -1.
+    // The degree, before signs are changed, along an axis along which the places have this degree, if it is a
+    // polynomial, else -1.
     [[nodiscard]] virtual int degree(int places) const noexcept = 0;
-    // `place` [dim] in the frame of the model, `derivatives` [axes][dim] with respect to coordinates in [0, 1] of
-    // the element.
+    // `place` [dim] in the frame of the model, `derivatives` [axes][dim] with respect to coordinates in [0,
+    // 1] of the element.
     virtual void operator()(const double *place, const double *derivatives, double *out) const noexcept = 0;
 };
 
@@ -34,8 +35,8 @@ struct Integrals {
     bool converged = true;
 };
 
-// Over all elements of all splines: tensor products of nested rules, halved along the axis on which three rules
-// disagree most.
+// Over all elements of all splines: tensor products of nested rules, halved along the axis on which three
+// rules disagree most.
 Integrals integrate(const std::vector<Elements> &splines, const Integrand &integrand,
                     double relative_tolerance);
 

@@ -10,8 +10,8 @@ namespace nrb {
 
 using Levels = std::array<int, max_axes>;
 
-// The integrals of an integrand over an element by the rules of some levels, and what the sums across all axes
-// but one tell of each axis.
+// The integrals of an integrand over an element by the rules of some levels, and what the sums across all
+// axes but one tell of each axis.
 class TensorRule {
 public:
     TensorRule(const Elements &elements, const Integrand &integrand);

@@ -147,8 +147,8 @@ DistanceBound PieceDistance::from_torus(const ShapePiece &piece) const {
     return extent.upper < bound.upper || across_axis(torus, bound.upper) ? extent : bound;
 }
 
-// Whether the nearest point of a circle that crosses the axis may be beyond it, where a torus has no points: at
-// s - R + R d / r, times r / d, which is positive if s r >= R (r - d).
+// Whether the nearest point of a circle that crosses the axis may be beyond it, where a torus has no points:
+// at s - R + R d / r, times r / d, which is positive if s r >= R (r - d).
 bool PieceDistance::across_axis(const TorusForms &torus, double distance) const noexcept {
     const double major = shape_.sizes[0], minor = shape_.sizes[1];
     const double least = std::sqrt(std::max(0.0, torus.squared_radius.least));

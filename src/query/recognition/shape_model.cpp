@@ -99,8 +99,8 @@ double conic_distance(const Shape &shape, const Vector3 &p) noexcept {
     return distance;
 }
 
-// From the outer part of a torus that cuts itself: where the nearest point of its circle is beyond the axis, a cusp is
-// nearest.
+// From the outer part of a torus that cuts itself: where the nearest point of its circle is beyond the axis,
+// a cusp is nearest.
 double torus_distance(const Shape &shape, const Vector3 &p) noexcept {
     const double major = shape.sizes[0], minor = shape.sizes[1];
     const double s = std::hypot(p.x, p.y), d = std::hypot(s - major, p.z);

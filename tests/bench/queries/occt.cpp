@@ -1,6 +1,6 @@
-// Open CASCADE: GeomAPI_ProjectPointOnCurve and ..OnSurf, prepared once, and GCPnts_AbscissaPoint. They look for
-// perpendiculars only; the thorough way adds ends of curves, and edges and corners of surfaces. For lengths it is
-// the one with a tolerance.
+// Open CASCADE: GeomAPI_ProjectPointOnCurve and ..OnSurf, prepared once, and GCPnts_AbscissaPoint. They look
+// for perpendiculars only; the thorough way adds ends of curves, and edges and corners of surfaces. For
+// lengths it is the one with a tolerance.
 #include "bench/queries/question.h"
 
 #include <GCPnts_AbscissaPoint.hxx>

@@ -31,9 +31,9 @@ struct Route {
     std::function<Ask(const Question &)> prepare;
 };
 
-// Names benchmarks question/route. Of closest points `wrong` counts, as a part of all, those for which another
-// point is nearer by more than `allowed`; of lengths `error` is the relative one. Neither stops others, ours have to
-// be right. The result is the exit status.
+// Names benchmarks question/route. Of closest points `wrong` counts, as a part of all, those for which
+// another point is nearer by more than `allowed`; of lengths `error` is the relative one. Neither stops
+// others, ours have to be right. The result is the exit status.
 constexpr double allowed = 1e-6;
 int run(int argc, char **argv, const std::vector<Route> &routes);
 

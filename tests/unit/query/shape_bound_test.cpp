@@ -44,8 +44,8 @@ void expect_distance(const SplinePtr &spline, const Shape &shape, double distanc
     EXPECT_LE(found.upper, 1.25 * distance + 1e-13);
 }
 
-// On the axis of a torus that cuts itself the cusp at sqrt(r^2 - R^2) = 0.75 is nearest, not the part beyond the axis,
-// which is 0.25 away.
+// On the axis of a torus that cuts itself the cusp at sqrt(r^2 - R^2) = 0.75 is nearest, not the part beyond
+// the axis, which is 0.25 away.
 TEST(ShapeBound, a_torus_that_cuts_itself_is_its_outer_part) {
     expect_distance(curve(3, {0, 0, 0, 0, 0, 0.05, 0, 0, 0.1}, {}), shape_of(NURBS_SHAPE_TORUS, 1, 1.25),
                     0.75);
