@@ -1,6 +1,6 @@
 #include "modify/constrain/condition.h"
 
-#include "base/finite.h"
+#include "base/direction.h"
 #include "base/norm.h"
 
 #include <cmath>
@@ -9,19 +9,6 @@
 namespace nrb {
 
 namespace {
-
-std::vector<double> unit_vector(const double *direction, int dim) {
-    std::vector<double> unit(direction, direction + dim);
-    const int exponent = -std::ilogb(largest_magnitude(unit)); // so that no length over- or underflows
-    for (double &x : unit) {
-        x = std::ldexp(x, exponent);
-    }
-    const double length = norm(unit.data(), dim);
-    for (double &x : unit) {
-        x /= length;
-    }
-    return unit;
-}
 
 double dot(const double *a, const double *b, int dim) noexcept {
     double sum = 0;

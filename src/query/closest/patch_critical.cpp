@@ -13,9 +13,8 @@ namespace nrb {
 namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
-constexpr int64_t most_squared = 1024; // coefficients of patches whose squares are worth their cost
-constexpr int deepest = 26;            // halvings of an axis
-constexpr int shallow = 8;             // before a singular matrix is looked at
+constexpr int deepest = 26; // halvings of an axis
+constexpr int shallow = 8;  // before a singular matrix is looked at
 
 using SmallMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, max_axes, max_axes>;
 using SmallVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, max_axes, 1>;

@@ -13,9 +13,8 @@ namespace {
 constexpr double eps = std::numeric_limits<double>::epsilon();
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr int64_t default_budget = 20000;
-constexpr int64_t most_squared = 1024; // coefficients of patches whose squares are worth their cost
-constexpr int deepest = 48;            // halvings of an axis
-constexpr int most_rounds = 8;         // of improvements by one item
+constexpr int deepest = 48;    // halvings of an axis
+constexpr int most_rounds = 8; // of improvements by one item
 
 } // namespace
 

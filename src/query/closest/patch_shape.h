@@ -9,6 +9,9 @@
 
 namespace nrb {
 
+// Most coefficients of patches whose squares are worth their cost.
+inline constexpr int64_t most_squared = 1024;
+
 // Coefficients [0, coefficients) of `lanes` doubles, last axis fastest: (x, y, ..., w, 0, ...), lanes a
 // multiple of 4. A polynomial patch has w = 1.
 struct PatchShape {

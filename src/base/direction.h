@@ -1,0 +1,11 @@
+// Directions of vectors of any dimension and length.
+#pragma once
+
+#include <vector>
+
+namespace nrb {
+
+// Of length 1. Precondition: finite and not zero.
+std::vector<double> unit_vector(const double *direction, int dim);
+
+} // namespace nrb
