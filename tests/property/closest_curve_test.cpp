@@ -258,6 +258,23 @@ TEST(ClosestOnCurve, powers_of_two_are_exact) {
     });
 }
 
+// Points so far away that squares overflow are answered all the same, without proof.
+TEST(ClosestOnCurve, points_at_the_end_of_the_numbers) {
+    for_each_case(0x6009, 40, [](Random &random, uint64_t seed) {
+        const SplineData data = random_curve(random, 4);
+        const Handle g = create(data);
+        std::vector<double> x(static_cast<size_t>(data.dim));
+        for (double &value : x) {
+            value = random.chance(50) ? std::numeric_limits<double>::max() : -random.magnitude(1e150, 1e308);
+        }
+        for (const bool farthest : {false, true}) {
+            const Answer answer = ask(g.get(), data.dim, x, {nullptr, 0, 0, farthest})[0];
+            EXPECT_GE(answer.t, data.lower(0)) << where(seed, data);
+            EXPECT_LE(answer.t, data.upper(0)) << where(seed, data);
+        }
+    });
+}
+
 // No farthest point of a curve that goes to infinity is certified.
 TEST(ClosestOnCurve, unbounded_curves_have_no_farthest_point) {
     const int32_t degrees[] = {1, 2};

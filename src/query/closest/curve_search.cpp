@@ -36,9 +36,14 @@ public:
     CurveSearchResult run() {
         const CurveCandidates candidates(tree_, query_, x_, margin_);
         for (const Candidate &candidate : candidates) {
-            if (candidate.bound <= std::min(candidates.limit(), best_.key() + margin_)) {
+            // not a number where squares overflow: then looked at
+            if (!(candidate.bound > std::min(candidates.limit(), best_.key() + margin_))) {
                 examine(candidate.leaf, candidates.whole(candidate.leaf));
             }
+        }
+        if (!best_.found()) {
+            best_.note({query_.range == nullptr ? 0 : tree_.leaf_at(query_.range->lower), 0,
+                        std::numeric_limits<double>::infinity()});
         }
         const bool certified = certified_ && tree_.sound() && budget_used_ <= query_.budget &&
                                best_.best().square < std::numeric_limits<double>::infinity();
