@@ -1,10 +1,11 @@
 // Features of a shape.
 #include "checks.h"
 #include "guard.h"
-#include "part.h"
+#include "outputs.h"
 
 #include "base/checked.h"
 #include "base/tolerance.h"
+#include "build/placement.h"
 #include "query/analysis/contacts.h"
 #include "query/analysis/convexity.h"
 #include "query/analysis/features.h"
@@ -12,6 +13,7 @@
 #include "query/analysis/folds.h"
 #include "query/analysis/monotone.h"
 #include "query/analysis/singular.h"
+#include "spline/kind.h"
 
 #include <algorithm>
 #include <limits>
@@ -25,35 +27,6 @@ constexpr uint32_t all_features = NURBS_FEATURE_INFLECTION | NURBS_FEATURE_CURVA
                                   NURBS_FEATURE_CURVATURE_MINIMUM | NURBS_FEATURE_CUSP | NURBS_FEATURE_KINK |
                                   NURBS_FEATURE_JUMP | NURBS_FEATURE_TORSION;
 
-// Arrays that are null are not filled.
-template <class T>
-void put(T *array, size_t i, T value) noexcept {
-    if (array != nullptr) {
-        array[i] = value;
-    }
-}
-
-const Spline &curve_of(const ::nurbs *g) {
-    const Spline &spline = spline_of(g);
-    if (spline.axes() != 1) {
-        fail(NURBS_ERROR_AXES, "g has %d axes, expected a curve", spline.axes());
-    }
-    return spline;
-}
-
-void check_dimension(const Spline &spline, int least, int most) {
-    if (spline.dim() < least || spline.dim() > most) {
-        fail(NURBS_ERROR_DIMENSION, "g has dimension %d, expected %d to %d", spline.dim(), least, most);
-    }
-}
-
-void check_cap(int64_t cap, size_t count) {
-    if (cap != 0 && cap < static_cast<int64_t>(count)) {
-        fail(NURBS_ERROR_SIZE, "cap = %lld, expected 0 or at least %lld", static_cast<long long>(cap),
-             static_cast<long long>(count));
-    }
-}
-
 uint32_t checked_kinds(uint32_t kinds, int dim) {
     if ((kinds & ~all_features) != 0) {
         fail(NURBS_ERROR_FLAGS, "kinds = 0x%x, expected a sum of NURBS_FEATURE_ constants", kinds);
@@ -63,13 +36,6 @@ uint32_t checked_kinds(uint32_t kinds, int dim) {
              dim);
     }
     return kinds;
-}
-
-// A positive part of the domain.
-void check_part(double tolerance) {
-    if (!(tolerance > 0)) {
-        fail(NURBS_ERROR_TOLERANCE, "tolerance = %s, expected > 0", Number(tolerance).text);
-    }
 }
 
 // A direction is for surfaces in space.
@@ -111,14 +77,14 @@ nurbs_status nurbs_curve_features(const nurbs *g, uint32_t kinds, int64_t cap, d
                      memory("complete", complete, 1)},
                     {});
         const Features features = curve_features(curve, wanted);
-        check_cap(cap, features.list.size());
+        check_cap(cap, std::ssize(features.list));
         for (size_t i = 0; cap != 0 && i < features.list.size(); ++i) {
             put(params, i, features.list[i].at);
             put(found, i, features.list[i].kind);
             put(values, i, features.list[i].value);
         }
-        put(count, 0, static_cast<int64_t>(features.list.size()));
-        put(complete, 0, int32_t{features.complete});
+        put(count, int64_t{std::ssize(features.list)});
+        put(complete, int32_t{features.complete});
     });
 }
 
@@ -133,13 +99,13 @@ nurbs_status nurbs_curve_monotone_pieces(const nurbs *g, const double *direction
                      memory("complete", complete, 1)},
                     {memory("direction", direction, curve.dim())});
         const MonotonePieces found = monotone_pieces(curve, direction);
-        check_cap(cap, found.pieces.size());
+        check_cap(cap, std::ssize(found.pieces));
         for (size_t i = 0; cap != 0 && i < found.pieces.size(); ++i) {
             put(starts, i, found.pieces[i].start);
             put(signs, i, int32_t{found.pieces[i].sign});
         }
-        put(count, 0, static_cast<int64_t>(found.pieces.size()));
-        put(complete, 0, int32_t{found.complete});
+        put(count, int64_t{std::ssize(found.pieces)});
+        put(complete, int32_t{found.complete});
     });
 }
 
@@ -161,10 +127,8 @@ nurbs_status nurbs_straightness(const nurbs *g, double *origin, double *directio
             {memory("origin", origin, dim), memory("direction", direction, dim), memory("bound", bound, 1)},
             {});
         const Flatness found = straightness(spline);
-        for (size_t c = 0; c < found.origin.size(); ++c) {
-            put(origin, c, found.origin[c]);
-            put(direction, c, found.direction[c]);
-        }
+        put_all(origin, found.origin);
+        put_all(direction, found.direction);
         *bound = found.bound;
     });
 }
@@ -177,10 +141,8 @@ nurbs_status nurbs_planarity(const nurbs *g, double *origin, double *normal, dou
         check_apart({memory("origin", origin, 3), memory("normal", normal, 3), memory("bound", bound, 1)},
                     {});
         const Flatness found = planarity(spline);
-        for (size_t c = 0; c < 3; ++c) {
-            put(origin, c, found.origin[c]);
-            put(normal, c, found.direction[c]);
-        }
+        put_all(origin, found.origin);
+        put_all(normal, found.direction);
         *bound = found.bound;
     });
 }
@@ -213,7 +175,7 @@ nurbs_status nurbs_singular_points(const nurbs *g, double tolerance, int64_t cap
         if (spline.axes() > 2) {
             fail(NURBS_ERROR_AXES, "g has %d axes, expected a curve or surface", spline.axes());
         }
-        check_part(tolerance);
+        check_positive_tolerance(tolerance);
         check_length(cap, "cap");
         const auto axes = static_cast<size_t>(spline.axes());
         check_apart({memory("params", params, checked_product(cap, spline.axes(), "params")),
@@ -221,7 +183,7 @@ nurbs_status nurbs_singular_points(const nurbs *g, double tolerance, int64_t cap
                      memory("count", count, 1), memory("complete", complete, 1)},
                     {});
         const SingularPlaces found = singular_places(spline, tolerance);
-        check_cap(cap, found.places.size());
+        check_cap(cap, std::ssize(found.places));
         for (size_t i = 0; cap != 0 && i < found.places.size(); ++i) {
             for (size_t k = 0; k < axes; ++k) {
                 put(params, i * axes + k, found.places[i].at[k]);
@@ -229,8 +191,8 @@ nurbs_status nurbs_singular_points(const nurbs *g, double tolerance, int64_t cap
                 put(boxes, 2 * (i * axes + k) + 1, found.places[i].box[k].upper);
             }
         }
-        put(count, 0, static_cast<int64_t>(found.places.size()));
-        put(complete, 0, int32_t{found.complete});
+        put(count, int64_t{std::ssize(found.places)});
+        put(complete, int32_t{found.complete});
     });
 }
 

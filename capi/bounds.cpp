@@ -1,14 +1,16 @@
 // Boxes, cones and extreme points.
 #include "checks.h"
 #include "guard.h"
+#include "outputs.h"
 #include "part.h"
 
 #include "base/tolerance.h"
 #include "bounds/box.h"
 #include "bounds/cone.h"
+#include "build/placement.h"
+#include "spline/kind.h"
 
-#include <algorithm>
-#include <cmath>
+#include <span>
 
 using namespace nrb;
 using namespace nrb::capi;
@@ -16,30 +18,13 @@ using namespace nrb::capi;
 namespace {
 
 void check_surface_in_space(const Spline &spline) {
-    if (spline.axes() != 2) {
-        fail(NURBS_ERROR_AXES, "g has %d axes, expected a surface", spline.axes());
-    }
-    if (spline.dim() != 3) {
-        fail(NURBS_ERROR_DIMENSION, "g has dimension %d, expected 3", spline.dim());
-    }
-}
-
-template <class Range>
-void put(const Range &values, double *out) noexcept {
-    if (out != nullptr) {
-        std::copy(values.begin(), values.end(), out);
-    }
-}
-
-void put(double value, double *out) noexcept {
-    if (out != nullptr) {
-        *out = value;
-    }
+    check_kind(spline, 2);
+    check_dimension(spline, 3, 3);
 }
 
 void put_cone(const Cone &cone, double *direction, double *angle) {
-    std::copy(cone.direction.begin(), cone.direction.end(), direction);
-    *angle = cone.angle;
+    put_all(direction, cone.direction);
+    put(angle, cone.angle);
 }
 
 } // namespace
@@ -56,9 +41,9 @@ nurbs_status nurbs_box(const nurbs *g, const double *range, double tolerance, do
                      memory("gap", gap, 1)},
                     {memory("range", range, 2 * spline.axes())});
         const Box box = bounding_box(spline, part, tolerance);
-        put(box.lower, lower);
-        put(box.upper, upper);
-        put(box.gap, gap);
+        put_all(lower, box.lower);
+        put_all(upper, box.upper);
+        put(gap, box.gap);
     });
 }
 
@@ -74,9 +59,9 @@ nurbs_status nurbs_oriented_box(const nurbs *g, double tolerance, double *center
         check_apart(
             {memory("center", center, dim), memory("axes", axes, dim * dim), memory("half", half, dim)}, {});
         const OrientedBox box = oriented_box(spline, tolerance);
-        put(box.center, center);
-        put(box.axes, axes);
-        put(box.half, half);
+        put_all(center, box.center);
+        put_all(axes, box.axes);
+        put_all(half, box.half);
     });
 }
 
@@ -122,8 +107,8 @@ nurbs_status nurbs_extreme_point(const nurbs *g, const double *direction, const 
         check_apart({memory("params", params, axes), memory("value", value, 1), memory("bound", bound, 1)},
                     {memory("direction", direction, spline.dim()), memory("range", range, 2 * axes)});
         const ExtremePoint point = extreme_point(spline, direction, part, tolerance);
-        put(std::span(point.params).first(static_cast<size_t>(axes)), params);
-        put(point.value, value);
-        put(point.bound, bound);
+        put_all(params, std::span(point.params).first(static_cast<size_t>(axes)));
+        put(value, point.value);
+        put(bound, point.bound);
     });
 }

@@ -1,6 +1,7 @@
 #include "checks.h"
 
 #include "base/checked.h"
+#include "spline/kind.h"
 
 #include <cmath>
 
@@ -12,6 +13,18 @@ void fail_null(const char *name) {
 
 void fail_length(int64_t n, const char *name) {
     fail(NURBS_ERROR_COUNT, "%s = %lld, expected >= 0", name, static_cast<long long>(n));
+}
+
+const Spline &curve_of(const ::nurbs *g) {
+    const Spline &spline = spline_of(g);
+    check_kind(spline, 1);
+    return spline;
+}
+
+const Spline &surface_of(const ::nurbs *g) {
+    const Spline &spline = spline_of(g);
+    check_kind(spline, 2);
+    return spline;
 }
 
 void check_axes(int32_t axes) {
@@ -63,6 +76,27 @@ bool upper_end(int32_t end, const char *name) {
         fail(NURBS_ERROR_END, "%s = %d, expected NURBS_START or NURBS_END", name, end);
     }
     return end == NURBS_END;
+}
+
+void check_at_least(int64_t n, int64_t least, const char *name) {
+    if (n < least) {
+        fail(NURBS_ERROR_COUNT, "%s = %lld, expected at least %lld", name, static_cast<long long>(n),
+             static_cast<long long>(least));
+    }
+}
+
+int64_t checked_budget(int64_t budget, int64_t usual) {
+    check_length(budget, "budget");
+    return budget == 0 ? usual : budget;
+}
+
+void check_keep(const Spline &spline, const int32_t *keep) {
+    for (int i = 0; keep != nullptr && i < 2 * spline.axes(); ++i) {
+        if (keep[i] < -1 || keep[i] > NURBS_MAX_ORDER) {
+            fail(NURBS_ERROR_ORDER, "keep[%d][%d] = %d, expected -1 to %d", i / 2, i % 2, keep[i],
+                 NURBS_MAX_ORDER);
+        }
+    }
 }
 
 void check_size(int64_t n, int64_t expected, const char *name) {

@@ -30,6 +30,9 @@ inline const Spline &spline_of(const ::nurbs *g) {
     return *g->spline;
 }
 
+const Spline &curve_of(const ::nurbs *g);
+const Spline &surface_of(const ::nurbs *g);
+
 void check_axes(int32_t axes);
 void check_axis(const Spline &spline, int32_t axis);
 void check_order(int32_t order);
@@ -48,6 +51,12 @@ inline void check_length(int64_t n, const char *name) {
         fail_length(n, name);
     }
 }
+// n >= least, else NURBS_ERROR_COUNT.
+void check_at_least(int64_t n, int64_t least, const char *name);
+// How many pieces a search may look at: `usual` if the caller leaves it open with 0.
+int64_t checked_budget(int64_t budget, int64_t usual);
+// Orders of derivatives at the ends, [axes][2], -1 for none; NULL is none at all.
+void check_keep(const Spline &spline, const int32_t *keep);
 // n == expected, else NURBS_ERROR_SIZE.
 void check_size(int64_t n, int64_t expected, const char *name);
 

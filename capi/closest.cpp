@@ -1,14 +1,15 @@
 // Closest and farthest points.
 #include "checks.h"
 #include "guard.h"
+#include "outputs.h"
 #include "part.h"
 
 #include "base/checked.h"
 #include "base/tolerance.h"
 #include "query/closest/closest.h"
 #include "query/closest/signed_distance.h"
+#include "spline/kind.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -18,11 +19,6 @@ using namespace nrb::capi;
 namespace {
 
 constexpr int64_t default_budget = 20000;
-
-int64_t checked_budget(int64_t budget) {
-    check_length(budget, "budget");
-    return budget == 0 ? default_budget : budget;
-}
 
 bool check_flag(uint32_t flags) {
     if ((flags & ~NURBS_NAN_POINTS) != 0) {
@@ -130,21 +126,12 @@ private:
     FeetOutputs out_;
 };
 
-void check_curve_in_plane(const Spline &spline) {
-    if (spline.axes() != 1) {
-        fail(NURBS_ERROR_AXES, "g has %d axes, expected a curve", spline.axes());
-    }
-    if (spline.dim() != 2) {
-        fail(NURBS_ERROR_DIMENSION, "g has dimension %d, expected 2", spline.dim());
-    }
-}
-
 void extremal_points(const PointBatch &batch, const double *range, double tolerance, int64_t budget,
                      bool farthest, const FeetArrays &arrays) {
     check_tolerance(tolerance);
     const Part part = checked_part(batch.spline, range);
-    const Query query{nullptr, range == nullptr ? nullptr : part.data(), tolerance, checked_budget(budget),
-                      farthest};
+    const Query query{nullptr, range == nullptr ? nullptr : part.data(), tolerance,
+                      checked_budget(budget, default_budget), farthest};
     const FeetOutputs &out = arrays.checked(memory("range", range, 2 * int64_t{batch.spline.axes()}));
     batch.admit();
     closest_points(batch.spline, batch.points, query, out);
@@ -158,7 +145,8 @@ struct PointQuery {
         require(point, "point");
         part = checked_part(spline, range);
         check_tolerance(tolerance);
-        query = {point, range == nullptr ? nullptr : part.data(), tolerance, checked_budget(budget)};
+        query = {point, range == nullptr ? nullptr : part.data(), tolerance,
+                 checked_budget(budget, default_budget)};
     }
     [[nodiscard]] const Locator &locator() const { return locator_of(spline); }
 
@@ -187,29 +175,18 @@ struct CriticalOutputs {
         check_finite("point", {query.query.point, 1, query.spline.dim(), query.spline.dim(), 1});
     }
     void write(const Spline &spline, const CriticalSet &found) const {
-        const auto n = static_cast<int64_t>(found.points.size());
-        if (cap != 0 && cap < n) {
-            fail(NURBS_ERROR_SIZE, "cap = %lld, expected 0 or at least %lld", static_cast<long long>(cap),
-                 static_cast<long long>(n));
-        }
-        for (int64_t i = 0; i < std::min(cap, n); ++i) {
-            const CriticalPoint &one = found.points[static_cast<size_t>(i)];
-            if (params != nullptr) {
-                std::copy_n(one.foot.params.data(), spline.axes(), params + i * spline.axes());
+        check_cap(cap, std::ssize(found.points));
+        const auto axes = static_cast<size_t>(spline.axes());
+        for (size_t i = 0; cap != 0 && i < found.points.size(); ++i) {
+            const CriticalPoint &one = found.points[i];
+            for (size_t k = 0; k < axes; ++k) {
+                put(params, i * axes + k, one.foot.params[k]);
             }
-            if (distances != nullptr) {
-                distances[i] = one.foot.distance;
-            }
-            if (kinds != nullptr) {
-                kinds[i] = one.kind;
-            }
+            put(distances, i, one.foot.distance);
+            put(kinds, i, one.kind);
         }
-        if (count != nullptr) {
-            *count = n;
-        }
-        if (status != nullptr) {
-            *status = found.status;
-        }
+        put(count, int64_t{std::ssize(found.points)});
+        put(status, found.status);
     }
 };
 
@@ -304,7 +281,7 @@ nurbs_status nurbs_curve_signed_distances(const nurbs *g, int64_t n, const doubl
                                           int64_t distance_stride, double *params, int64_t param_stride,
                                           int32_t *status, uint32_t flags) {
     return guard([&] {
-        check_curve_in_plane(spline_of(g));
+        check_dimension(curve_of(g), 2, 2);
         const PointBatch batch = point_batch(g, n, points, point_stride, point_component_stride, flags);
         if (n > 0) {
             require(distances, "distances");
@@ -314,7 +291,7 @@ nurbs_status nurbs_curve_signed_distances(const nurbs *g, int64_t n, const doubl
         arrays.distances(distances, distance_stride);
         arrays.status(status);
         check_tolerance(tolerance);
-        const Query query{nullptr, nullptr, tolerance, checked_budget(budget)};
+        const Query query{nullptr, nullptr, tolerance, checked_budget(budget, default_budget)};
         const FeetOutputs &out = arrays.checked(memory("points", points, 0));
         batch.admit();
         signed_distances(batch.spline, batch.points, query, out);

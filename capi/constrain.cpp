@@ -1,6 +1,7 @@
 // Constraints.
 #include "batch.h"
 #include "guard.h"
+#include "outputs.h"
 
 #include "base/tolerance.h"
 #include "build/placement.h"
@@ -95,28 +96,12 @@ std::vector<Condition> checked_conditions(const GivenConstraints &given) {
     return conditions;
 }
 
-void check_keep(const Spline &spline, const int32_t *keep) {
-    for (int i = 0; keep != nullptr && i < 2 * spline.axes(); ++i) {
-        if (keep[i] < -1 || keep[i] > NURBS_MAX_ORDER) {
-            fail(NURBS_ERROR_ORDER, "keep[%d][%d] = %d, expected -1 to %d", i / 2, i % 2, keep[i],
-                 NURBS_MAX_ORDER);
-        }
-    }
-}
-
 void check_costs(const Spline &spline, const double *costs, const char *name) {
     for (int64_t i = 0; costs != nullptr && i < spline.point_count(); ++i) {
         if (!(costs[i] > 0)) {
             fail(NURBS_ERROR_FACTOR, "%s[%lld] = %s, expected > 0", name, static_cast<long long>(i),
                  Number(costs[i]).text);
         }
-    }
-}
-
-template <class T>
-void put(T *out, T value) noexcept {
-    if (out != nullptr) {
-        *out = value;
     }
 }
 
@@ -130,9 +115,7 @@ nurbs_status nurbs_constrain(const nurbs *g, int64_t count, const int32_t *kinds
     return guard([&] {
         require_out(out);
         const Spline &spline = spline_of(g);
-        if (count < 1) {
-            fail(NURBS_ERROR_COUNT, "count = %lld, expected at least 1", static_cast<long long>(count));
-        }
+        check_at_least(count, 1, "count");
         const int64_t axes = spline.axes(), dim = spline.dim(), points = spline.point_count();
         static_cast<void>(checked_product(count, std::max(axes, dim), "targets"));
         require(params, "params");
@@ -151,9 +134,7 @@ nurbs_status nurbs_constrain(const nurbs *g, int64_t count, const int32_t *kinds
             checked_conditions({spline, count, kinds, orders, params, targets});
         Constrained made = constrain(spline, conditions, {keep, costs, weight_costs}, tolerance);
         give(std::move(made.spline), out);
-        if (residuals != nullptr) {
-            std::copy(made.residuals.begin(), made.residuals.end(), residuals);
-        }
+        put_all(residuals, made.residuals);
         put(rank, made.rank);
         put(moved, made.moved);
         put(optimality, made.optimality);

@@ -1,6 +1,7 @@
 // Splines beyond their ends: extension, unclamped and periodic forms.
 #include "checks.h"
 #include "guard.h"
+#include "outputs.h"
 
 #include "reduce/periodic_form.h"
 #include "refine/continuation.h"
@@ -34,12 +35,8 @@ nurbs_status nurbs_make_periodic(const nurbs *g, int32_t axis, double tolerance,
         check_axis(spline_of(g), axis);
         PeriodicForm form = make_periodic(g->spline, axis, tolerance);
         give(std::move(form.spline), out);
-        if (deviation != nullptr) {
-            *deviation = form.deviation;
-        }
-        if (order != nullptr) {
-            *order = form.order;
-        }
+        put(deviation, form.deviation);
+        put(order, int32_t{form.order});
     });
 }
 

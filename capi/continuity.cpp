@@ -1,6 +1,7 @@
 // Continuity at knots and between ends.
 #include "checks.h"
 #include "guard.h"
+#include "outputs.h"
 
 #include "base/tolerance.h"
 #include "query/continuity.h"
@@ -22,14 +23,6 @@ ContinuityRule checked_rule(double position, double derivative, double angle) {
     return {position, derivative, angle};
 }
 
-// Arrays that are null are not filled.
-template <class T>
-void put(T *array, size_t i, T value) noexcept {
-    if (array != nullptr) {
-        array[i] = value;
-    }
-}
-
 } // namespace
 
 nurbs_status nurbs_continuity(const nurbs *g, int32_t axis, double position_tolerance,
@@ -41,10 +34,7 @@ nurbs_status nurbs_continuity(const nurbs *g, int32_t axis, double position_tole
         const ContinuityRule rule = checked_rule(position_tolerance, derivative_tolerance, angle_tolerance);
         check_length(cap, "cap");
         const std::vector<KnotContinuity> rows = continuity(g->spline, axis, rule);
-        if (cap != 0 && cap < std::ssize(rows)) {
-            fail(NURBS_ERROR_SIZE, "cap = %lld, expected 0 or at least %lld", static_cast<long long>(cap),
-                 static_cast<long long>(std::ssize(rows)));
-        }
+        check_cap(cap, std::ssize(rows));
         check_apart({memory("knots", knots, cap), memory("knot_orders", knot_orders, cap),
                      memory("orders", orders, cap), memory("geometric_orders", geometric_orders, cap),
                      memory("position_gaps", position_gaps, cap), memory("angles", angles, cap),
@@ -59,7 +49,7 @@ nurbs_status nurbs_continuity(const nurbs *g, int32_t axis, double position_tole
             put(angles, i, rows[i].found.angle);
             put(curvature_gaps, i, rows[i].found.curvature_gap);
         }
-        put(count, 0, int64_t{std::ssize(rows)});
+        put(count, int64_t{std::ssize(rows)});
     });
 }
 
@@ -73,10 +63,10 @@ nurbs_status nurbs_continuity_between(const nurbs *a, int32_t end_a, const nurbs
         const bool upper_a = upper_end(end_a, "end_a"), upper_b = upper_end(end_b, "end_b");
         const ContinuityRule rule = checked_rule(position_tolerance, derivative_tolerance, angle_tolerance);
         const Continuity found = continuity_between(*a->spline, upper_a, *b->spline, upper_b, rule);
-        put(order, 0, int32_t{found.order});
-        put(geometric, 0, int32_t{found.geometric});
-        put(position_gap, 0, found.position_gap);
-        put(angle, 0, found.angle);
-        put(curvature_gap, 0, found.curvature_gap);
+        put(order, int32_t{found.order});
+        put(geometric, int32_t{found.geometric});
+        put(position_gap, found.position_gap);
+        put(angle, found.angle);
+        put(curvature_gap, found.curvature_gap);
     });
 }

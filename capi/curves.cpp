@@ -4,6 +4,7 @@
 #include "build/polylines.h"
 #include "checks.h"
 #include "guard.h"
+#include "outputs.h"
 #include "spline_data.h"
 
 using namespace nrb;
@@ -124,8 +125,6 @@ nurbs_status nurbs_curve_helix(int32_t dim, const double *origin, const double *
         const Placement place = make_placement(dim, origin, axis, x, "origin");
         HelixCurve made = helix(place, {radius, growth, pitch, start, turns}, tolerance);
         give(std::move(made.spline), out);
-        if (error != nullptr) {
-            *error = made.error;
-        }
+        put(error, made.error);
     });
 }

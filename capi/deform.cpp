@@ -1,6 +1,8 @@
 // Deformations.
 #include "checks.h"
 #include "guard.h"
+#include "outputs.h"
+#include "part.h"
 
 #include "base/tolerance.h"
 #include "build/placement.h"
@@ -11,30 +13,13 @@
 #include "modify/deform/snap_boundary.h"
 #include "modify/deform/warp.h"
 
-#include <algorithm>
+#include <array>
 #include <cmath>
 
 using namespace nrb;
 using namespace nrb::capi;
 
 namespace {
-
-// [axes][2], or the whole domain.
-Region checked_region(const Spline &spline, const double *range) {
-    Region region{};
-    for (int k = 0; k < spline.axes(); ++k) {
-        const Interval domain = spline.axis(k).domain();
-        Interval &part = region[static_cast<size_t>(k)];
-        part = range == nullptr ? domain : Interval{range[2 * k], range[2 * k + 1]};
-        check_place(part.lower, domain, "range", k);
-        check_place(part.upper, domain, "range", k);
-        if (!(part.lower < part.upper)) {
-            fail(NURBS_ERROR_EMPTY_DOMAIN, "range[%d] = [%s, %s], expected an interval", k,
-                 Number(part.lower).text, Number(part.upper).text);
-        }
-    }
-    return region;
-}
 
 void check_vector(const double *direction, const Spline &spline, const char *name) {
     require(direction, name);
@@ -46,22 +31,9 @@ void check_place_in_space(const double *point, const Spline &spline, const char 
     check_point(point, spline.dim(), name);
 }
 
-void check_positive(double tolerance) {
-    if (!(tolerance > 0)) {
-        fail(NURBS_ERROR_TOLERANCE, "tolerance = %s, expected > 0", Number(tolerance).text);
-    }
-}
-
 void check_order_in(int32_t order, int32_t least, int32_t most) {
     if (order < least || order > most) {
         fail(NURBS_ERROR_ORDER, "order = %d, expected %d to %d", order, least, most);
-    }
-}
-
-template <class T>
-void put(T *out, T value) noexcept {
-    if (out != nullptr) {
-        *out = value;
     }
 }
 
@@ -77,13 +49,13 @@ nurbs_status nurbs_warp(const nurbs *g, const double *range, const double *direc
                         int32_t order, nurbs **out) {
     return guard([&] {
         require_out(out);
-        const Region region = checked_region(spline_of(g), range);
+        const Part part = checked_part(spline_of(g), range);
         check_vector(direction, *g->spline, "direction");
         if (!std::isfinite(distance)) {
             fail(NURBS_ERROR_LENGTH, "distance = %s is not finite", Number(distance).text);
         }
         check_order_in(order, 0, 7);
-        give(warp(g->spline, region, direction, distance, order), out);
+        give(warp(g->spline, part, direction, distance, order), out);
     });
 }
 
@@ -91,13 +63,13 @@ nurbs_status nurbs_flatten(const nurbs *g, const double *range, const double *po
                            const double *direction, double *moved, nurbs **out) {
     return guard([&] {
         require_out(out);
-        const Region region = checked_region(spline_of(g), range);
+        const Part part = checked_part(spline_of(g), range);
         check_place_in_space(point, *g->spline, "point");
         check_vector(normal, *g->spline, "normal");
         if (direction != nullptr) {
             check_vector(direction, *g->spline, "direction");
         }
-        Flattened made = flatten(g->spline, region, point, normal, direction);
+        Flattened made = flatten(g->spline, part, point, normal, direction);
         give(std::move(made.spline), out);
         put(moved, made.moved);
     });
@@ -120,7 +92,7 @@ nurbs_status nurbs_bend(const nurbs *g, const double *origin, const double *alon
             fail(NURBS_ERROR_EMPTY_DOMAIN, "lower = %s, expected less than upper = %s", Number(lower).text,
                  Number(upper).text);
         }
-        check_positive(tolerance);
+        check_positive_tolerance(tolerance);
         const Bend rule = make_bend(spline.dim(), origin, along, across, curvature, lower, upper);
         give_deformed(bend(g->spline, rule, tolerance), deviation, proven, out);
     });
@@ -146,7 +118,7 @@ nurbs_status nurbs_free_form_deform(const nurbs *g, const nurbs *volume, const d
                      Number(lower[k]).text, k, Number(upper[k]).text);
             }
         }
-        check_positive(tolerance);
+        check_positive_tolerance(tolerance);
         give_deformed(free_form_deform(g->spline, volume->spline, lower, upper, tolerance), deviation, proven,
                       out);
     });
@@ -158,21 +130,13 @@ nurbs_status nurbs_fair(const nurbs *g, int32_t order, const int32_t *keep, doub
         require_out(out);
         const Spline &spline = spline_of(g);
         check_order_in(order, 1, 3);
-        for (int i = 0; keep != nullptr && i < 2 * spline.axes(); ++i) {
-            if (keep[i] < -1 || keep[i] > NURBS_MAX_ORDER) {
-                fail(NURBS_ERROR_ORDER, "keep[%d][%d] = %d, expected -1 to %d", i / 2, i % 2, keep[i],
-                     NURBS_MAX_ORDER);
-            }
-        }
+        check_keep(spline, keep);
         check_tolerance(tolerance);
         check_apart({memory("energies", energies, 2), memory("bound", bound, 1)},
                     {memory("keep", keep, int64_t{2} * spline.axes())});
         Faired made = fair(g->spline, order, keep, tolerance);
         give(std::move(made.spline), out);
-        if (energies != nullptr) {
-            energies[0] = made.energy_before;
-            energies[1] = made.energy_after;
-        }
+        put_all(energies, std::array{made.energy_before, made.energy_after});
         put(bound, made.bound);
     });
 }

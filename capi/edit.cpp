@@ -1,6 +1,7 @@
 // Weights and control points.
 #include "batch.h"
 #include "guard.h"
+#include "outputs.h"
 
 #include "base/tolerance.h"
 #include "build/placement.h"
@@ -79,13 +80,6 @@ const double *given_point(const double *point, int64_t dim, const char *name) {
     return point;
 }
 
-template <class T>
-void put(T *out, T value) noexcept {
-    if (out != nullptr) {
-        *out = value;
-    }
-}
-
 } // namespace
 
 nurbs_status nurbs_pull_weight(const nurbs *g, int64_t index, const double *params, double distance,
@@ -106,9 +100,7 @@ nurbs_status nurbs_pull_weights(const nurbs *g, int64_t count, const int64_t *in
     return guard([&] {
         require_out(out);
         const Spline &spline = spline_of(g);
-        if (count < 1) {
-            fail(NURBS_ERROR_COUNT, "count = %lld, expected at least 1", static_cast<long long>(count));
-        }
+        check_at_least(count, 1, "count");
         const std::vector<int64_t> points = checked_points(spline, count, indices);
         checked_param(spline, params);
         check_distance(distance);

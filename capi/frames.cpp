@@ -6,6 +6,7 @@
 #include "eval/curve_frames.h"
 #include "eval/minimal_frames.h"
 #include "eval/surface_frames.h"
+#include "spline/kind.h"
 
 #include <cmath>
 
@@ -78,26 +79,9 @@ private:
     std::array<Records, most> views_{};
 };
 
-void check_kind(const Spline &spline, int axes, int least_dim) {
-    if (spline.axes() != axes) {
-        fail(NURBS_ERROR_AXES, "g has %d axes, expected a %s", spline.axes(),
-             axes == 1 ? "curve" : "surface");
-    }
-    if (spline.dim() < least_dim || spline.dim() > 3) {
-        fail(NURBS_ERROR_DIMENSION, "g has dimension %d, expected %s", spline.dim(),
-             least_dim == 3 ? "3" : "2 or 3");
-    }
-}
-
-const Spline &surface_of(const ::nurbs *g) {
-    const Spline &spline = spline_of(g);
-    check_kind(spline, 2, 3);
-    return spline;
-}
-
-const Spline &curve_of(const ::nurbs *g, int least_dim) {
-    const Spline &spline = spline_of(g);
-    check_kind(spline, 1, least_dim);
+const Spline &surface_in_space(const ::nurbs *g) {
+    const Spline &spline = surface_of(g);
+    check_dimension(spline, 3, 3);
     return spline;
 }
 
@@ -124,7 +108,7 @@ nurbs_status nurbs_surface_eval_frames(const nurbs *g, int64_t n, const double *
                                        int64_t dv_component_stride, double *normals, int64_t normal_stride,
                                        int64_t normal_component_stride, int32_t *status, uint32_t flags) {
     return guard([&] {
-        const Spline &spline = surface_of(g);
+        const Spline &spline = surface_in_space(g);
         const SplineBatch batch = spline_batch(g, n, params, param_stride, param_component_stride, flags);
         Outputs outputs(n, status);
         const SurfaceFrames out{outputs.add({"points", points, 3, point_stride, point_component_stride}),
@@ -146,7 +130,7 @@ nurbs_status nurbs_surface_eval_grid_frames(const nurbs *g, const int64_t *count
                                             int64_t normal_stride, int64_t normal_component_stride,
                                             int32_t *status, uint32_t flags) {
     return guard([&] {
-        const Spline &spline = surface_of(g);
+        const Spline &spline = surface_in_space(g);
         const AxisRules rules = decode_rules(flags, spline.axes());
         const Grid grid = grid_of(spline, counts, params);
         Outputs outputs(grid.point_count, status);
@@ -169,7 +153,7 @@ nurbs_status nurbs_surface_eval_curvatures(const nurbs *g, int64_t n, const doub
                                            double *mean, int64_t mean_stride, double *gaussian,
                                            int64_t gaussian_stride, int32_t *status, uint32_t flags) {
     return guard([&] {
-        const Spline &spline = surface_of(g);
+        const Spline &spline = surface_in_space(g);
         const SplineBatch batch = spline_batch(g, n, params, param_stride, param_component_stride, flags);
         Outputs outputs(n, status);
         const SurfaceCurvatures out{
@@ -192,7 +176,8 @@ nurbs_status nurbs_curve_eval_frames(const nurbs *g, int64_t n, const double *pa
                                      double *curvatures, int64_t curvature_stride, double *torsions,
                                      int64_t torsion_stride, int32_t *status, uint32_t flags) {
     return guard([&] {
-        const Spline &spline = curve_of(g, 2);
+        const Spline &spline = curve_of(g);
+        check_dimension(spline, 2, 3);
         check_plane(spline, binormals, "binormals");
         check_plane(spline, torsions, "torsions");
         const SplineBatch batch = spline_batch(g, n, params, param_stride, 0, flags);
@@ -219,7 +204,8 @@ nurbs_status nurbs_curve_rotation_minimizing_frames(
     int64_t normal_component_stride, double *binormals, int64_t binormal_stride,
     int64_t binormal_component_stride, int32_t *status, uint32_t flags) {
     return guard([&] {
-        const Spline &spline = curve_of(g, 3);
+        const Spline &spline = curve_of(g);
+        check_dimension(spline, 3, 3);
         const SplineBatch batch = spline_batch(g, n, params, param_stride, 0, flags);
         Outputs outputs(n, status);
         const MinimalFrames out{

@@ -1,6 +1,7 @@
 // Getters: all copy out.
 #include "batch.h"
 #include "guard.h"
+#include "outputs.h"
 
 #include "eval/active.h"
 
@@ -65,21 +66,14 @@ nurbs_status nurbs_distinct_knots(const nurbs *g, int32_t axis, int64_t cap, dou
         check_length(cap, "cap");
         const std::vector<KnotGroup> groups = distinct_knots(axis_of(g, axis).knots());
         const auto needed = static_cast<int64_t>(groups.size());
-        if (cap != 0 && cap < needed) {
-            fail(NURBS_ERROR_SIZE, "cap = %lld, expected 0 or at least %lld", static_cast<long long>(cap),
-                 static_cast<long long>(needed));
-        }
+        check_cap(cap, needed);
         if (cap != 0 && knots != nullptr && multiplicities != nullptr) {
             check_overlap("multiplicities", multiplicities, needed * static_cast<int64_t>(sizeof(int32_t)),
                           "knots", knots, needed * static_cast<int64_t>(sizeof(double)));
         }
         for (size_t i = 0; cap != 0 && i < groups.size(); ++i) {
-            if (knots != nullptr) {
-                knots[i] = groups[i].knot;
-            }
-            if (multiplicities != nullptr) {
-                multiplicities[i] = groups[i].multiplicity;
-            }
+            put(knots, i, groups[i].knot);
+            put(multiplicities, i, int32_t{groups[i].multiplicity});
         }
         *count = needed;
     });

@@ -17,9 +17,7 @@ void give_list(std::vector<SplinePtr> splines, nurbs_list **out) {
 }
 
 std::vector<SplinePtr> splines_of(int64_t count, const nurbs *const *handles, const char *name) {
-    if (count < 1) {
-        fail(NURBS_ERROR_COUNT, "count = %lld, expected at least 1", static_cast<long long>(count));
-    }
+    check_at_least(count, 1, "count");
     require(handles, name);
     std::vector<SplinePtr> splines;
     for (int64_t i = 0; i < count; ++i) {

@@ -2,6 +2,8 @@
 #include "checks.h"
 #include "guard.h"
 #include "lists.h"
+#include "outputs.h"
+#include "part.h"
 
 #include "base/checked.h"
 #include "base/tolerance.h"
@@ -9,45 +11,12 @@
 #include "query/measure/divide.h"
 #include "query/measure/length_table.h"
 #include "query/measure/moments.h"
-
-#include <algorithm>
-#include <cmath>
+#include "spline/kind.h"
 
 using namespace nrb;
 using namespace nrb::capi;
 
 namespace {
-
-const Spline &curve_of(const nurbs *g) {
-    const Spline &spline = spline_of(g);
-    if (spline.axes() != 1) {
-        fail(NURBS_ERROR_AXES, "g has %d axes, expected a curve", spline.axes());
-    }
-    return spline;
-}
-
-// The part of an axis that `range` names, or all of it.
-Interval range_of(const Spline &spline, int axis, const double *range) {
-    const Interval domain = spline.axis(axis).domain();
-    if (range == nullptr) {
-        return domain;
-    }
-    check_place(range[2 * axis], domain, "range", axis);
-    check_place(range[2 * axis + 1], domain, "range", axis);
-    if (!(range[2 * axis] < range[2 * axis + 1])) {
-        fail(NURBS_ERROR_EMPTY_DOMAIN, "range[%d] = %s is not below range[%d] = %s", 2 * axis,
-             Number(range[2 * axis]).text, 2 * axis + 1, Number(range[2 * axis + 1]).text);
-    }
-    return {range[2 * axis], range[2 * axis + 1]};
-}
-
-Ranges ranges_of(const Spline &spline, const double *range) {
-    Ranges ranges{};
-    for (int k = 0; k < spline.axes(); ++k) {
-        ranges[static_cast<size_t>(k)] = range_of(spline, k, range);
-    }
-    return ranges;
-}
 
 MomentOrder order_of(const double *centroid, const double *inertia) noexcept {
     return inertia != nullptr    ? MomentOrder::inertia
@@ -71,33 +40,20 @@ void check_outputs(const char *name, const MomentOutputs &out, int64_t dim, Memo
                 {input});
 }
 
-void copy(const Moments &found, const MomentOutputs &out) {
-    *out.content = found.content;
-    if (out.centroid != nullptr) {
-        std::copy(found.centroid.begin(), found.centroid.end(), out.centroid);
-    }
-    if (out.inertia != nullptr) {
-        std::copy(found.inertia.begin(), found.inertia.end(), out.inertia);
-    }
-    if (out.error != nullptr) {
-        *out.error = found.error;
-    }
-    if (out.openness != nullptr) {
-        *out.openness = found.openness;
-    }
+void give_moments(const Moments &found, const MomentOutputs &out) {
+    put(out.content, found.content);
+    put_all(out.centroid, found.centroid);
+    put_all(out.inertia, found.inertia);
+    put(out.error, found.error);
+    put(out.openness, found.openness);
 }
 
 // Splines of `dim` - 1 axes in dimension `dim`.
 std::vector<SplinePtr> boundary_of(int64_t count, const nurbs *const *handles, const char *name, int dim) {
     std::vector<SplinePtr> splines = splines_of(count, handles, name);
     for (size_t i = 0; i < splines.size(); ++i) {
-        if (splines[i]->axes() != dim - 1) {
-            fail(NURBS_ERROR_AXES, "%s[%zu] has %d axes, expected %d", name, i, splines[i]->axes(), dim - 1);
-        }
-        if (splines[i]->dim() != dim) {
-            fail(NURBS_ERROR_DIMENSION, "%s[%zu] has dimension %d, expected %d", name, i, splines[i]->dim(),
-                 dim);
-        }
+        check_kind(*splines[i], dim - 1, name, static_cast<int64_t>(i));
+        check_dimension(*splines[i], dim, dim, name, static_cast<int64_t>(i));
     }
     return splines;
 }
@@ -111,11 +67,9 @@ nurbs_status nurbs_curve_length(const nurbs *g, const double *range, double rela
         check_tolerance(relative_tolerance, "relative_tolerance");
         require(length, "length");
         check_apart({memory("length", length, 1), memory("error", error, 1)}, {memory("range", range, 2)});
-        const Integral found = curve_length(curve, range_of(curve, 0, range), relative_tolerance);
+        const Integral found = curve_length(curve, checked_part(curve, range)[0], relative_tolerance);
         *length = found.value;
-        if (error != nullptr) {
-            *error = found.error;
-        }
+        put(error, found.error);
     });
 }
 
@@ -154,9 +108,7 @@ nurbs_status nurbs_curve_divide(const nurbs *g, const double *range, int64_t par
                                 uint32_t flags, double *params, double *size) {
     return guard([&] {
         const Spline &curve = curve_of(g);
-        if (parts < 1) {
-            fail(NURBS_ERROR_COUNT, "parts = %lld, expected > 0", static_cast<long long>(parts));
-        }
+        check_at_least(parts, 1, "parts");
         const Records out = output("params", params, checked_sum(parts, 1, "params"), 1, 0, 0);
         if ((flags & ~NURBS_EQUAL_CHORDS) != 0) {
             fail(NURBS_ERROR_FLAGS, "flags = 0x%x, expected NURBS_EQUAL_CHORDS or 0", flags);
@@ -165,28 +117,24 @@ nurbs_status nurbs_curve_divide(const nurbs *g, const double *range, int64_t par
         check_apart({memory("params", params, out.count), memory("size", size, 1)},
                     {memory("range", range, 2)});
         std::vector<double> found;
-        const Interval part = range_of(curve, 0, range);
+        const Interval part = checked_part(curve, range)[0];
         const double each = flags != 0 ? divide_by_chord(curve, part, parts, relative_tolerance, found)
                                        : divide_by_length(curve, part, parts, relative_tolerance, found);
-        std::copy(found.begin(), found.end(), params);
-        if (size != nullptr) {
-            *size = each;
-        }
+        put_all(params, found);
+        put(size, each);
     });
 }
 
 nurbs_status nurbs_surface_area(const nurbs *g, const double *range, double relative_tolerance, double *area,
                                 double *error) {
     return guard([&] {
-        const Spline &surface = spline_of(g);
-        if (surface.axes() != 2) {
-            fail(NURBS_ERROR_AXES, "g has %d axes, expected a surface", surface.axes());
-        }
+        const Spline &surface = surface_of(g);
         check_tolerance(relative_tolerance, "relative_tolerance");
         require(area, "area");
         const MomentOutputs out{area, nullptr, nullptr, error};
         check_outputs("area", out, 0, memory("range", range, 4));
-        copy(moments(surface, ranges_of(surface, range), MomentOrder::content, relative_tolerance), out);
+        give_moments(moments(surface, checked_part(surface, range), MomentOrder::content, relative_tolerance),
+                     out);
     });
 }
 
@@ -201,7 +149,8 @@ nurbs_status nurbs_moments(const nurbs *g, double relative_tolerance, double *co
         require(content, "content");
         const MomentOutputs out{content, centroid, inertia, error};
         check_outputs("content", out, spline.dim(), {});
-        copy(moments(spline, whole_ranges(spline), order_of(centroid, inertia), relative_tolerance), out);
+        give_moments(moments(spline, whole_domain(spline), order_of(centroid, inertia), relative_tolerance),
+                     out);
     });
 }
 
@@ -216,7 +165,7 @@ nurbs_status nurbs_enclosed_area(int64_t count, const nurbs *const *curves, doub
         const MomentOutputs out{area, centroid, inertia, error};
         check_outputs("area", out, 2, memory("curves", curves, count));
         check_closed(boundary, tolerance);
-        copy(enclosed_moments(boundary, order_of(centroid, inertia), relative_tolerance), out);
+        give_moments(enclosed_moments(boundary, order_of(centroid, inertia), relative_tolerance), out);
     });
 }
 
@@ -229,6 +178,6 @@ nurbs_status nurbs_enclosed_volume(int64_t count, const nurbs *const *surfaces, 
         require(volume, "volume");
         const MomentOutputs out{volume, centroid, inertia, error, openness};
         check_outputs("volume", out, 3, memory("surfaces", surfaces, count));
-        copy(enclosed_moments(boundary, order_of(centroid, inertia), relative_tolerance), out);
+        give_moments(enclosed_moments(boundary, order_of(centroid, inertia), relative_tolerance), out);
     });
 }

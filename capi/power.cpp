@@ -125,9 +125,7 @@ nurbs_status nurbs_to_power(const nurbs *g, int64_t cap, double *coefficients, d
         for (int k = 0; k < spline.axes() && piece_counts != nullptr; ++k) {
             piece_counts[k] = spline.axis(k).spans().size();
         }
-        if (count != nullptr) {
-            *count = size;
-        }
+        put(count, size);
     });
 }
 

@@ -1,12 +1,15 @@
 // Conics by their equation and their weights, and the recognition of shapes.
 #include "checks.h"
 #include "guard.h"
+#include "outputs.h"
 
+#include "base/tolerance.h"
 #include "query/conic_axes.h"
 #include "query/recognition/recognize.h"
 #include "query/shape_factor.h"
 
 #include <algorithm>
+#include <span>
 
 using namespace nrb;
 using namespace nrb::capi;
@@ -26,12 +29,6 @@ void copy_placement(const Shape &shape, double *out) noexcept {
     copy(shape.origin, out);
     copy(axis ? shape.z : Vector3{}, out + 3);
     copy(axis && shape.kind != NURBS_SHAPE_LINE ? shape.x : Vector3{}, out + 6);
-}
-
-void check_positive_tolerance(double tolerance) {
-    if (!(tolerance > 0)) {
-        fail(NURBS_ERROR_TOLERANCE, "tolerance = %s, expected > 0", Number(tolerance).text);
-    }
 }
 
 } // namespace
@@ -81,11 +78,7 @@ nurbs_status nurbs_recognize(const nurbs *g, double tolerance, int32_t *shape, d
         if (placement != nullptr) {
             copy_placement(found.shape, placement);
         }
-        if (sizes != nullptr) {
-            std::copy_n(found.shape.sizes, 2, sizes);
-        }
-        if (deviation != nullptr) {
-            *deviation = found.deviation;
-        }
+        put_all(sizes, std::span(found.shape.sizes));
+        put(deviation, found.deviation);
     });
 }

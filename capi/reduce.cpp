@@ -1,6 +1,7 @@
 // Operations that move the shape by no more than a proven bound.
 #include "checks.h"
 #include "guard.h"
+#include "outputs.h"
 
 #include "bounds/deviation.h"
 #include "reduce/reduce_degree.h"
@@ -12,16 +13,9 @@ using namespace nrb::capi;
 
 namespace {
 
-template <class T>
-void put(T value, T *target) noexcept {
-    if (target != nullptr) {
-        *target = value;
-    }
-}
-
 void give_reduced(Reduced result, double *bound, nurbs **out) {
     give(std::move(result.spline), out);
-    put(result.bound, bound);
+    put(bound, result.bound);
 }
 
 } // namespace
@@ -31,8 +25,8 @@ nurbs_status nurbs_deviation(const nurbs *f, const nurbs *g, double *at_least, d
         require(f, "f");
         require(g, "g");
         const Enclosure found = deviation(*f->spline, *g->spline);
-        put(found.lower, at_least);
-        put(found.upper, at_most);
+        put(at_least, found.lower);
+        put(at_most, found.upper);
     });
 }
 
@@ -43,8 +37,8 @@ nurbs_status nurbs_remove_knot(const nurbs *g, int32_t axis, double knot, int32_
         check_axis(spline_of(g), axis);
         const KnotRemoval result = remove_knot(g->spline, axis, knot, times, tolerance);
         give(result.spline, out);
-        put(static_cast<int32_t>(result.removed), removed);
-        put(result.bound, bound);
+        put(removed, static_cast<int32_t>(result.removed));
+        put(bound, result.bound);
     });
 }
 

@@ -3,8 +3,8 @@
 #include "basis/basis_matrix.h"
 #include "checks.h"
 #include "guard.h"
+#include "outputs.h"
 #include "refine/hermite.h"
-#include "sparse.h"
 
 #include <algorithm>
 #include <cmath>
@@ -97,18 +97,6 @@ std::vector<double> hermite_points(const double *params, const ConstRecords &poi
     return result;
 }
 
-void check_curve(const Spline &spline) {
-    if (spline.axes() != 1) {
-        fail(NURBS_ERROR_AXES, "g has %d axes, expected a curve", spline.axes());
-    }
-}
-
-void copy_to(const std::vector<double> &values, double *out) {
-    if (out != nullptr) {
-        std::copy(values.begin(), values.end(), out);
-    }
-}
-
 } // namespace
 
 nurbs_status nurbs_create_hermite(int64_t n, const double *params, int32_t dim, const double *points,
@@ -117,9 +105,7 @@ nurbs_status nurbs_create_hermite(int64_t n, const double *params, int32_t dim, 
                                   int64_t tangent_component_stride, nurbs **out) {
     return guard([&] {
         require_out(out);
-        if (n < 2) {
-            fail(NURBS_ERROR_COUNT, "n = %lld, expected at least 2", static_cast<long long>(n));
-        }
+        check_at_least(n, 2, "n");
         if (dim < 1) {
             fail(NURBS_ERROR_DIMENSION, "dim = %d, expected at least 1", dim);
         }
@@ -140,8 +126,7 @@ nurbs_status nurbs_create_hermite(int64_t n, const double *params, int32_t dim, 
 nurbs_status nurbs_to_hermite(const nurbs *g, int64_t cap, double *params, double *points, double *tangents,
                               int64_t *count) {
     return guard([&] {
-        const Spline &curve = spline_of(g);
-        check_curve(curve);
+        const Spline &curve = curve_of(g);
         const int64_t n = curve.axis(0).spans().size() + 1;
         check_cap(cap, n);
         const int64_t filled = cap == 0 ? 0 : n, values = checked_product(filled, curve.dim(), "points");
@@ -150,13 +135,11 @@ nurbs_status nurbs_to_hermite(const nurbs *g, int64_t cap, double *params, doubl
                     {});
         const HermiteData data = hermite_data(g->spline); // refuses what has none, whatever is asked for
         if (cap != 0) {
-            copy_to(data.params, params);
-            copy_to(data.points, points);
-            copy_to(data.tangents, tangents);
+            put_all(params, data.params);
+            put_all(points, data.points);
+            put_all(tangents, data.tangents);
         }
-        if (count != nullptr) {
-            *count = n;
-        }
+        put(count, n);
     });
 }
 

@@ -1,20 +1,11 @@
 // Arrays in which matrices are handed out, filled in a second call or asked for their length first.
 #pragma once
 
-#include "checks.h"
+#include "outputs.h"
 
 #include "eval/collocation.h"
 
 namespace nrb::capi {
-
-// cap: 0, or enough.
-inline void check_cap(int64_t cap, int64_t needed) {
-    check_length(cap, "cap");
-    if (cap != 0 && cap < needed) {
-        fail(NURBS_ERROR_SIZE, "cap = %lld, expected 0 or at least %lld", static_cast<long long>(cap),
-             static_cast<long long>(needed));
-    }
-}
 
 // The caller's arrays for a sparse matrix.
 class SparseArrays {
@@ -31,11 +22,7 @@ public:
                     inputs);
         return rows;
     }
-    void finish(int64_t total) const noexcept {
-        if (entries_ != nullptr) {
-            *entries_ = total;
-        }
-    }
+    void finish(int64_t total) const noexcept { put(entries_, total); }
 
 private:
     int64_t cap_;

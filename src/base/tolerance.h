@@ -12,4 +12,11 @@ inline void check_tolerance(double tolerance, const char *name = "tolerance") {
     }
 }
 
+// tolerance > 0, else NURBS_ERROR_TOLERANCE.
+inline void check_positive_tolerance(double tolerance) {
+    if (!(tolerance > 0)) {
+        fail(NURBS_ERROR_TOLERANCE, "tolerance = %s, expected > 0", Number(tolerance).text);
+    }
+}
+
 } // namespace nrb

@@ -31,14 +31,6 @@ std::array<int, max_axes> degrees_of(const Spline &spline) {
 
 } // namespace
 
-Part whole_domain(const Spline &spline) noexcept {
-    Part part{};
-    for (int k = 0; k < spline.axes(); ++k) {
-        part[static_cast<size_t>(k)] = spline.axis(k).domain();
-    }
-    return part;
-}
-
 std::vector<double> breaks_in(const KnotVector &axis, Interval part) {
     std::vector<double> breaks{part.lower};
     std::copy_if(axis.knots().begin(), axis.knots().end(), std::back_inserter(breaks),

@@ -3,13 +3,9 @@
 
 #include "bounds/bernstein_net.h"
 #include "bounds/largest_quotient.h"
+#include "spline/part.h"
 
 namespace nrb {
-
-// An interval for each axis; those of axes that a spline lacks are not read.
-using Part = std::array<Interval, max_axes>;
-
-Part whole_domain(const Spline &spline) noexcept;
 
 // Ends of the pieces of an axis in an interval of its domain: its knots inside, and the ends.
 std::vector<double> breaks_in(const KnotVector &axis, Interval part);

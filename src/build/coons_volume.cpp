@@ -9,6 +9,7 @@
 #include "reduce/deviation.h"
 #include "refine/homogeneous.h"
 #include "refine/weights.h"
+#include "spline/kind.h"
 
 #include <algorithm>
 #include <numeric>
@@ -21,9 +22,7 @@ using Ends = std::array<bool, 3>; // upper or not, on each axis
 
 void check_faces(const std::vector<SplinePtr> &faces) {
     for (size_t i = 0; i < faces.size(); ++i) {
-        if (faces[i]->axes() != 2) {
-            fail(NURBS_ERROR_AXES, "faces[%zu] has %d axes, expected a surface", i, faces[i]->axes());
-        }
+        check_kind(*faces[i], 2, "faces", static_cast<int64_t>(i));
         if (faces[i]->dim() != faces[0]->dim()) {
             fail(NURBS_ERROR_DIMENSION, "faces[%zu] has dimension %d, expected %d as faces[0]", i,
                  faces[i]->dim(), faces[0]->dim());

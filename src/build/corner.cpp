@@ -3,6 +3,7 @@
 #include "base/norm.h"
 #include "refine/cut.h"
 #include "refine/parametrization.h"
+#include "spline/kind.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,9 +17,7 @@ SplinePtr clamped_over(const SplinePtr &spline, int axis, Interval domain) {
 namespace {
 
 void check_curve(const SplinePtr &curve, int dim, const char *name, size_t i) {
-    if (curve->axes() != 1) {
-        fail(NURBS_ERROR_AXES, "%s[%zu] has %d axes, expected a curve", name, i, curve->axes());
-    }
+    check_kind(*curve, 1, name, static_cast<int64_t>(i));
     if (curve->dim() != dim) {
         fail(NURBS_ERROR_DIMENSION, "%s[%zu] has dimension %d, expected %d as boundaries[0]", name, i,
              curve->dim(), dim);

@@ -3,6 +3,7 @@
 #include "base/checked.h"
 #include "base/representable.h"
 #include "refine/homogeneous.h"
+#include "spline/kind.h"
 
 #include <algorithm>
 #include <cmath>
@@ -86,12 +87,8 @@ SplinePtr outer_spline(const Spline &a, const Spline &b, int dim, const Coordina
 }
 
 void check_plane_curve(const Spline &curve, const char *name) {
-    if (curve.axes() != 1) {
-        fail(NURBS_ERROR_AXES, "%s has %d axes, expected a curve", name, curve.axes());
-    }
-    if (curve.dim() != 2) {
-        fail(NURBS_ERROR_DIMENSION, "dimension %d of the %s, expected 2", curve.dim(), name);
-    }
+    check_kind(curve, 1, name);
+    check_dimension(curve, 2, 2, name);
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 #include "base/norm.h"
 #include "eval/jet.h"
 #include "refine/iso.h"
+#include "spline/kind.h"
 
 #include <algorithm>
 #include <array>
@@ -302,13 +303,9 @@ std::vector<KnotContinuity> continuity(const SplinePtr &spline, int axis, const 
 
 Continuity continuity_between(const Spline &a, bool upper_a, const Spline &b, bool upper_b,
                               const ContinuityRule &rule) {
-    if (a.axes() != 1 || b.axes() != 1) {
-        fail(NURBS_ERROR_AXES, "%s has %d axes, expected a curve", a.axes() != 1 ? "a" : "b",
-             a.axes() != 1 ? a.axes() : b.axes());
-    }
-    if (a.dim() != b.dim()) {
-        fail(NURBS_ERROR_INCOMPATIBLE, "b has dimension %d, expected %d as a has", b.dim(), a.dim());
-    }
+    check_kind(a, 1, "a");
+    check_kind(b, 1, "b");
+    check_same_dimension(a, b);
     const int degree = std::max(a.axis(0).degree(), b.axis(0).degree()), order = std::max(degree, 2);
     const Interval of_a = a.axis(0).domain(), of_b = b.axis(0).domain();
     CurveSide before(a, upper_a ? of_a.upper : of_a.lower, upper_a, order, accuracy_of(a));

@@ -3,6 +3,7 @@
 #include "base/norm.h"
 #include "query/exact_products.h"
 #include "refine/bezier_rows.h"
+#include "spline/kind.h"
 
 #include <algorithm>
 #include <array>
@@ -16,9 +17,7 @@ namespace {
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
 void check_segment(const Spline &curve) {
-    if (curve.axes() != 1) {
-        fail(NURBS_ERROR_AXES, "g has %d axes, expected a curve", curve.axes());
-    }
+    check_kind(curve, 1);
     if (curve.axis(0).degree() != 2) {
         fail(NURBS_ERROR_DEGREE, "g has degree %d, expected 2", curve.axis(0).degree());
     }

@@ -6,6 +6,7 @@
 #include "refine/product.h"
 #include "refine/unrolled.h"
 #include "spline/contract.h"
+#include "spline/kind.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,9 +18,7 @@ namespace nrb {
 namespace {
 
 void check_operands(const Spline &g, const Spline &f) {
-    if (f.axes() != 1) {
-        fail(NURBS_ERROR_AXES, "f has %d axes, expected a curve", f.axes());
-    }
+    check_kind(f, 1, "f");
     if (f.rational()) {
         fail(NURBS_ERROR_RATIONAL, "f is rational; expected a polynomial curve");
     }

@@ -54,7 +54,7 @@ private:
     std::vector<double> along_; // the step to a plane at distance 1
 };
 
-std::vector<char> inner_points(const Spline &spline, const Region &region) {
+std::vector<char> inner_points(const Spline &spline, const Part &part) {
     std::vector<char> inner(static_cast<size_t>(spline.point_count()), 1);
     for (int k = 0; k < spline.axes(); ++k) {
         const AxisView view = axis_view(spline, k, 1);
@@ -62,7 +62,7 @@ std::vector<char> inner_points(const Spline &spline, const Region &region) {
         std::vector<char> layers(static_cast<size_t>(view.count), 0);
         for (int64_t i = 0; i < view.count;
              ++i) { // a copy of a layer may be inside where the layer itself is not
-            if (inside(axis, i, region[static_cast<size_t>(k)])) {
+            if (inside(axis, i, part[static_cast<size_t>(k)])) {
                 layers[static_cast<size_t>(i % axis.distinct_layers())] = 1;
             }
         }
@@ -76,12 +76,12 @@ std::vector<char> inner_points(const Spline &spline, const Region &region) {
 
 } // namespace
 
-Flattened flatten(const SplinePtr &spline, const Region &region, const double *point, const double *normal,
+Flattened flatten(const SplinePtr &spline, const Part &part, const double *point, const double *normal,
                   const double *direction) {
     constexpr int cells_per_degree = 3;
     const Projection project(point, normal, direction, spline->dim());
-    const SplinePtr fine = refined_to(spline, region, cells_per_degree);
-    const std::vector<char> inner = inner_points(*fine, region);
+    const SplinePtr fine = refined_to(spline, part, cells_per_degree);
+    const std::vector<char> inner = inner_points(*fine, part);
     std::vector<double> points(fine->points().begin(), fine->points().end());
     double moved = 0;
     for (int64_t i = 0; i < fine->point_count(); ++i) {

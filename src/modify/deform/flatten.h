@@ -1,4 +1,4 @@
-// A region projected to a plane.
+// A part projected to a plane.
 #pragma once
 
 #include "modify/deform/region.h"
@@ -10,12 +10,12 @@ struct Flattened {
     double moved; // of control points
 };
 
-// See nurbs_flatten(). A region that is a part of the domain gets a knot in each of 3 (degree + 1) equal
+// See nurbs_flatten(). A part that is not the whole domain gets a knot in each of 3 (degree + 1) equal
 // parts along an axis, so that control points are inside it and its middle third becomes flat. Throws
 // NURBS_ERROR_DIRECTION for a direction parallel to the plane to rounding, _NOT_REPRESENTABLE, and what
 // refine() throws. Preconditions: all coordinates are finite, normal and direction are not 0; direction may
 // be null.
-Flattened flatten(const SplinePtr &spline, const Region &region, const double *point, const double *normal,
+Flattened flatten(const SplinePtr &spline, const Part &part, const double *point, const double *normal,
                   const double *direction);
 
 } // namespace nrb

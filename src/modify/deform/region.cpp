@@ -8,10 +8,6 @@ namespace nrb {
 
 namespace {
 
-bool whole(const KnotVector &axis, Interval range) noexcept {
-    return range.lower == axis.domain().lower && range.upper == axis.domain().upper;
-}
-
 // Knots that are missing at the ends of a range.
 std::vector<double> missing_ends(const KnotVector &axis, Interval range) {
     std::vector<double> missing;
@@ -40,11 +36,11 @@ std::vector<double> filling(const KnotVector &axis, Interval range, int cells) {
 
 } // namespace
 
-SplinePtr refined_to(const SplinePtr &spline, const Region &region, int cells_per_degree) {
+SplinePtr refined_to(const SplinePtr &spline, const Part &part, int cells_per_degree) {
     SplinePtr result = spline;
     for (int k = 0; k < spline->axes(); ++k) {
-        const Interval range = region[static_cast<size_t>(k)];
-        if (!whole(spline->axis(k), range)) {
+        const Interval range = part[static_cast<size_t>(k)];
+        if (!same(spline->axis(k).domain(), range)) {
             result = refine(result, k, missing_ends(result->axis(k), range));
             const int cells = cells_per_degree * (result->axis(k).degree() + 1);
             result = refine(result, k, filling(result->axis(k), range, cells));
@@ -55,7 +51,7 @@ SplinePtr refined_to(const SplinePtr &spline, const Region &region, int cells_pe
 
 bool inside(const KnotVector &axis, int64_t layer, Interval range) noexcept {
     const auto [lower, upper] = axis.domain();
-    const bool open = !axis.periodic() || whole(axis, range);
+    const bool open = !axis.periodic() || same(axis.domain(), range);
     return (axis[layer] >= range.lower || (open && range.lower == lower)) &&
            (axis[layer + axis.degree() + 1] <= range.upper || (open && range.upper == upper));
 }

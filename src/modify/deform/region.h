@@ -1,20 +1,15 @@
-// Boxes of parameters in which a shape is changed.
+// Parts of the domain in which a shape is changed.
 #pragma once
 
-#include "spline/spline.h"
-
-#include <array>
+#include "spline/part.h"
 
 namespace nrb {
 
-// By axes; those that a spline lacks are not used.
-using Region = std::array<Interval, max_axes>;
-
-// The spline with the ends of the region as knots, and along each axis of which it is not the whole domain
+// The spline with the ends of the part as knots, and along each axis of which it is not the whole domain
 // with a knot in each of cells_per_degree (degree + 1) equal parts of it. Throws what refine() throws.
-SplinePtr refined_to(const SplinePtr &spline, const Region &region, int cells_per_degree);
+SplinePtr refined_to(const SplinePtr &spline, const Part &part, int cells_per_degree);
 
-// Whether the basis function of a layer vanishes outside the region, as far as the domain goes.
+// Whether the basis function of a layer vanishes outside the range, as far as the domain goes.
 bool inside(const KnotVector &axis, int64_t layer, Interval range) noexcept;
 
 } // namespace nrb

@@ -115,11 +115,11 @@ SplinePtr bump_spline(const std::vector<Bump> &bumps, const std::vector<double> 
 
 } // namespace
 
-SplinePtr warp(const SplinePtr &spline, const Region &region, const double *direction, double distance,
+SplinePtr warp(const SplinePtr &spline, const Part &part, const double *direction, double distance,
                int order) {
     std::vector<Bump> bumps;
     for (int k = 0; k < spline->axes(); ++k) {
-        const std::vector<double> own = even_knots(region[static_cast<size_t>(k)], order + 1, k);
+        const std::vector<double> own = even_knots(part[static_cast<size_t>(k)], order + 1, k);
         const KnotVector &axis = spline->axis(k);
         bumps.push_back(axis.periodic() ? periodic_bump(axis, own) : open_bump(axis, own));
     }

@@ -1,4 +1,4 @@
-// A region raised along a direction.
+// A part raised along a direction.
 #pragma once
 
 #include "modify/deform/region.h"
@@ -11,7 +11,7 @@ namespace nrb {
 // periodic where that is, and is added exactly (refine/sum.h): the degree becomes at least order + 1, with
 // weights the sum of both. Throws what sum() throws, and NURBS_ERROR_KNOTS_MERGE if the range has too few
 // doubles. Preconditions: the direction is not 0, order >= 0.
-SplinePtr warp(const SplinePtr &spline, const Region &region, const double *direction, double distance,
+SplinePtr warp(const SplinePtr &spline, const Part &part, const double *direction, double distance,
                int order);
 
 } // namespace nrb

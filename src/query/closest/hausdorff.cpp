@@ -6,6 +6,7 @@
 #include "query/closest/locator.h"
 #include "query/closest/matched_bound.h"
 #include "refine/bezier_rows.h"
+#include "spline/kind.h"
 
 #include <algorithm>
 #include <cmath>
@@ -199,9 +200,7 @@ private:
 } // namespace
 
 FarthestPoint one_sided_distance(const Spline &from, const Spline &to, double tolerance, int64_t budget) {
-    if (from.dim() != to.dim()) {
-        fail(NURBS_ERROR_INCOMPATIBLE, "b has dimension %d, expected %d as a has", to.dim(), from.dim());
-    }
+    check_same_dimension(from, to);
     const PairFrame frame = pair_frame(from, to);
     const double asked = std::ldexp(tolerance, -frame.exponent);
     FarthestSearch search(from, to, frame, asked, budget);

@@ -5,6 +5,7 @@
 #include "eval/evaluate.h"
 #include "query/closest/pair_bound.h"
 #include "query/closest/pair_cells.h"
+#include "spline/kind.h"
 
 #include <algorithm>
 #include <cmath>
@@ -164,9 +165,7 @@ std::vector<double> point_of(const Spline &spline, const Place &params,
 } // namespace
 
 PairDistance pair_distance(const Spline &a, const Spline &b, double tolerance, int64_t budget) {
-    if (a.dim() != b.dim()) {
-        fail(NURBS_ERROR_INCOMPATIBLE, "b has dimension %d, expected %d as a has", b.dim(), a.dim());
-    }
+    check_same_dimension(a, b);
     const PairFrame frame = pair_frame(a, b);
     PairSearch search(a, b, frame, std::ldexp(tolerance, -frame.exponent), budget);
     search.run();

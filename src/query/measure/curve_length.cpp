@@ -229,9 +229,7 @@ double weight_ratio(const double *weights, int degree) noexcept {
 
 SpeedPieces::SpeedPieces(const Spline &curve, Interval range) {
     const ModelFrame frame = model_frame(curve);
-    Ranges ranges{};
-    ranges[0] = range;
-    const Elements elements(curve, frame, ranges);
+    const Elements elements(curve, frame, Part{range});
     const int p = curve.axis(0).degree();
     exponent_ = frame.exponent;
     form_.dim = curve.dim();

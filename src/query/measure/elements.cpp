@@ -43,14 +43,6 @@ ModelFrame model_frame(const Spline *const *splines, int64_t count) {
     return frame;
 }
 
-Ranges whole_ranges(const Spline &spline) noexcept {
-    Ranges ranges{};
-    for (int k = 0; k < spline.axes(); ++k) {
-        ranges[static_cast<size_t>(k)] = spline.axis(k).domain();
-    }
-    return ranges;
-}
-
 namespace {
 
 // The rows of a curve of low degree, which take longer to loop over than to compute.
@@ -125,7 +117,7 @@ void cut_row(int degree, double lower, double upper, double *values) noexcept {
     }
 }
 
-Elements::Elements(const Spline &spline, const ModelFrame &frame, const Ranges &ranges)
+Elements::Elements(const Spline &spline, const ModelFrame &frame, const Part &part)
     : spline_(spline), frame_(frame), scale_(std::ldexp(1.0, -frame.exponent)) {
     for (int k = 0; k < spline.axes(); ++k) {
         const KnotVector &axis = spline.axis(k);
@@ -136,9 +128,9 @@ Elements::Elements(const Spline &spline, const ModelFrame &frame, const Ranges &
         axes_[at].firsts.reserve(spans);
         axes_[at].intervals.reserve(spans);
         for (int64_t span = axis.degree(); span < axis.count(); ++span) {
-            if (axis[span] < axis[span + 1] && axis[span] < ranges[at].upper &&
-                axis[span + 1] > ranges[at].lower) {
-                add_span(axes_[at], axis, span, ranges[at]);
+            if (axis[span] < axis[span + 1] && axis[span] < part[at].upper &&
+                axis[span + 1] > part[at].lower) {
+                add_span(axes_[at], axis, span, part[at]);
             }
         }
     }

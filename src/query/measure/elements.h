@@ -2,9 +2,8 @@
 // the place of the model nor its size enters the rounding of derivatives.
 #pragma once
 
-#include "spline/spline.h"
+#include "spline/part.h"
 
-#include <array>
 #include <vector>
 
 namespace nrb {
@@ -32,14 +31,11 @@ struct Element {
     std::vector<double> work;
 };
 
-using Ranges = std::array<Interval, max_axes>;
-Ranges whole_ranges(const Spline &spline) noexcept;
-
 // Cost: degree^3 / 2 for each span of every axis, and then (axes + 1) contractions with its matrices for each
-// element. Preconditions: every range is an interval of the domain and not empty.
+// element. Preconditions: every interval of the part is inside the domain and not empty.
 class Elements {
 public:
-    Elements(const Spline &spline, const ModelFrame &frame, const Ranges &ranges);
+    Elements(const Spline &spline, const ModelFrame &frame, const Part &part);
 
     [[nodiscard]] int64_t size() const noexcept;
     [[nodiscard]] int axes() const noexcept { return spline_.axes(); }

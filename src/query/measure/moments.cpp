@@ -212,10 +212,10 @@ struct CurveEnd {
 
 } // namespace
 
-Moments moments(const Spline &spline, const Ranges &ranges, MomentOrder order, double relative_tolerance) {
+Moments moments(const Spline &spline, const Part &part, MomentOrder order, double relative_tolerance) {
     const ModelFrame frame = model_frame(spline);
     std::vector<Elements> elements;
-    elements.emplace_back(spline, frame, ranges);
+    elements.emplace_back(spline, frame, part);
     return moments_of(elements, MomentIntegrand(spline.axes(), spline.dim(), order), {1, 1, 1, spline.axes()},
                       frame, order, relative_tolerance);
 }
@@ -228,8 +228,8 @@ Moments enclosed_moments(const std::vector<SplinePtr> &boundary, MomentOrder ord
     }
     const ModelFrame frame = model_frame(parts.data(), std::ssize(parts));
     std::vector<Elements> elements;
-    for (const Spline *part : parts) {
-        elements.emplace_back(*part, frame, whole_ranges(*part));
+    for (const Spline *one : parts) {
+        elements.emplace_back(*one, frame, whole_domain(*one));
     }
     const int n = parts.front()->dim();
     return moments_of(elements, BoundaryIntegrand(n - 1, n, order),

@@ -20,7 +20,7 @@ struct Moments {
 
 // Of the shape itself, or of the part over `ranges`. Precondition: a volume has dimension 3. Throws
 // NURBS_ERROR_LENGTH, _NOT_CONVERGED, _NOT_REPRESENTABLE.
-Moments moments(const Spline &spline, const Ranges &ranges, MomentOrder order, double relative_tolerance);
+Moments moments(const Spline &spline, const Part &part, MomentOrder order, double relative_tolerance);
 
 // Of what curves of dimension 2 or surfaces of dimension 3 enclose. A cone over an element of the boundary
 // with its tip at the origin has 1 / (n + k) of x . n as its integral of a function of degree k, n the

@@ -5,6 +5,7 @@
 #include "query/recognition/shape_fit.h"
 #include "query/recognition/shape_refine.h"
 #include "query/recognition/shape_samples.h"
+#include "spline/kind.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,13 +15,11 @@ namespace nrb {
 
 namespace {
 
-void check_kind(const Spline &spline) {
+void check_admitted(const Spline &spline) {
     if (spline.axes() > 2) {
         fail(NURBS_ERROR_AXES, "g has %d axes, expected a curve or surface", spline.axes());
     }
-    if (spline.dim() != 2 && spline.dim() != 3) {
-        fail(NURBS_ERROR_DIMENSION, "g has dimension %d, expected 2 or 3", spline.dim());
-    }
+    check_dimension(spline, 2, 3);
 }
 
 // The exponent of the largest extent of the box of the control points, or of the largest coordinate if that
@@ -87,7 +86,7 @@ bool find(int32_t kind, const Spline &spline, const ShapeSamples &samples, doubl
 } // namespace
 
 Recognition recognize(const Spline &spline, double tolerance) {
-    check_kind(spline);
+    check_admitted(spline);
     const int exponent = size_exponent(spline);
     const Spline unit = scaled(spline, exponent);
     const ShapeSamples samples = shape_samples(unit);
