@@ -264,7 +264,7 @@ static void swung(void) {
     CHECK_NO_HANDLE(out, nurbs_surface_swung(trajectory, NULL, 1, &out), NURBS_ERROR_NULL, "profile is NULL");
     CHECK_FAILS(nurbs_surface_swung(trajectory, profile, 1, NULL), NURBS_ERROR_NULL, "out is NULL");
     CHECK_NO_HANDLE(out, nurbs_surface_swung(space, profile, 1, &out), NURBS_ERROR_DIMENSION,
-                    "3 of the trajectory|expected 2");
+                    "trajectory has dimension 3|expected 2");
     CHECK_NO_HANDLE(out, nurbs_surface_swung(trajectory, space, 1, &out), NURBS_ERROR_DIMENSION, "profile");
     CHECK_NO_HANDLE(out, nurbs_surface_swung(s, profile, 1, &out), NURBS_ERROR_AXES, "trajectory has 2 axes");
     CHECK_NO_HANDLE(out, nurbs_surface_swung(trajectory, s, 1, &out), NURBS_ERROR_AXES, "profile has 2 axes");

@@ -8,6 +8,7 @@
 #include "property/same_shape.h"
 
 #include <cmath>
+#include <cstdio>
 #include <numbers>
 #include <numeric>
 
@@ -138,13 +139,29 @@ std::vector<double> query_points(Random &random, const SplineData &data, const n
     return points;
 }
 
+// Answers that are proven, and among all those whose parameters, far from 0 or close together, are too coarse
+// for it.
+struct Tally {
+    int all = 0;
+    int proven = 0;
+
+    bool count(const Answer &answer, const SplineData &data, uint64_t seed) {
+        const bool coarse = (answer.status & NURBS_CLOSEST_COARSE) != 0;
+        ++all;
+        proven += coarse ? 0 : 1;
+        EXPECT_NE(coarse, (answer.status & NURBS_CLOSEST_CERTIFIED) != 0)
+            << answer.status << where(seed, data);
+        return !coarse;
+    }
+    void expect_most() const {
+        std::printf("%d of %d proven\n", proven, all);
+        EXPECT_GE(proven, all * 8 / 10);
+    }
+};
+
 void expect_proven(const SplineData &data, double lower, double upper, const double *x, const Answer &answer,
                    bool farthest, uint64_t seed) {
     const double margin = noise(data, x);
-    if ((answer.status & NURBS_CLOSEST_COARSE) != 0) {
-        return; // parameters far from 0 or close together
-    }
-    ASSERT_TRUE((answer.status & NURBS_CLOSEST_CERTIFIED) != 0) << answer.status << where(seed, data);
     const double d = farthest ? answer.distance + margin : std::max(0.0, answer.distance - margin);
     EXPECT_TRUE(d == 0 || beyond_everywhere(data, lower, upper, x, d, farthest ? -1 : 1))
         << "x = " << hex({x, x + data.dim}) << ", t = " << hex(answer.t) << ", d = " << hex(answer.distance)
@@ -154,7 +171,8 @@ void expect_proven(const SplineData &data, double lower, double upper, const dou
 } // namespace
 
 TEST(ClosestOnCurve, certified_answers_are_right_in_exact_arithmetic) {
-    for_each_case(0x6001, 250, [](Random &random, uint64_t seed) {
+    Tally tally;
+    for_each_case(0x6001, 250, [&tally](Random &random, uint64_t seed) {
         const SplineData data = random_curve(random, 5);
         const Handle g = create(data);
         const std::vector<double> points = query_points(random, data, g.get(), 4);
@@ -162,13 +180,17 @@ TEST(ClosestOnCurve, certified_answers_are_right_in_exact_arithmetic) {
         const std::vector<Answer> answers = ask(g.get(), data.dim, points, asked);
         for (size_t i = 0; i < answers.size(); ++i) {
             const double *x = points.data() + i * static_cast<size_t>(data.dim);
-            expect_proven(data, data.lower(0), data.upper(0), x, answers[i], asked.farthest, seed);
+            if (tally.count(answers[i], data, seed)) {
+                expect_proven(data, data.lower(0), data.upper(0), x, answers[i], asked.farthest, seed);
+            }
         }
     });
+    tally.expect_most();
 }
 
 TEST(ClosestOnCurve, a_range_is_all_that_is_searched) {
-    for_each_case(0x6002, 150, [](Random &random, uint64_t seed) {
+    Tally tally;
+    for_each_case(0x6002, 150, [&tally](Random &random, uint64_t seed) {
         const SplineData data = random_curve(random, 4);
         const Handle g = create(data);
         double range[2] = {random_param(random, data.knots[0], data.degrees[0]),
@@ -189,9 +211,12 @@ TEST(ClosestOnCurve, a_range_is_all_that_is_searched) {
             const bool whole = range[0] == data.lower(0) && range[1] == data.upper(0) && data.periodic(0);
             EXPECT_EQ((answers[i].status & NURBS_CLOSEST_BOUNDARY) != 0, end && !whole) << where(seed, data);
             const double *x = points.data() + i * static_cast<size_t>(data.dim);
-            expect_proven(data, range[0], range[1], x, answers[i], asked.farthest, seed);
+            if (tally.count(answers[i], data, seed)) {
+                expect_proven(data, range[0], range[1], x, answers[i], asked.farthest, seed);
+            }
         }
     });
+    tally.expect_most();
 }
 
 // The point is that of the parameter, from one side or the other, and the distance that of the point.
@@ -295,7 +320,8 @@ TEST(ClosestOnCurve, unbounded_curves_have_no_farthest_point) {
 
 // Many queries against the best of many samples.
 TEST(ClosestOnCurve, no_sample_is_nearer) {
-    for_each_case(0x6005, 200, [](Random &random, uint64_t seed) {
+    Tally tally;
+    for_each_case(0x6005, 200, [&tally](Random &random, uint64_t seed) {
         Recipe recipe = random_recipe(random, 1, 15);
         recipe.axes[0].spans = random.whole(1, 40);
         recipe.dim = random.whole(1, 3);
@@ -312,11 +338,8 @@ TEST(ClosestOnCurve, no_sample_is_nearer) {
         for (size_t q = 0; q < answers.size(); ++q) {
             const double *x = points.data() + q * static_cast<size_t>(data.dim);
             const double limit = answers[q].distance - noise(data, x);
-            if ((answers[q].status & NURBS_CLOSEST_COARSE) != 0) {
-                continue;
-            }
-            EXPECT_TRUE((answers[q].status & NURBS_CLOSEST_CERTIFIED) != 0) << where(seed, data);
-            for (size_t i = 0; i < params.size(); ++i) {
+            const bool proven = tally.count(answers[q], data, seed);
+            for (size_t i = 0; proven && i < params.size(); ++i) {
                 double square = 0;
                 for (int c = 0; c < data.dim; ++c) {
                     const double d = curve[i * static_cast<size_t>(data.dim) + static_cast<size_t>(c)] - x[c];
@@ -326,6 +349,7 @@ TEST(ClosestOnCurve, no_sample_is_nearer) {
             }
         }
     });
+    tally.expect_most();
 }
 
 namespace {

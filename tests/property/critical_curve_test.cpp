@@ -2,6 +2,7 @@
 #include "property/same_shape.h"
 
 #include <cmath>
+#include <cstdio>
 #include <numbers>
 
 using namespace support;
@@ -101,7 +102,8 @@ TEST(CriticalPoints, kinks_and_middles_of_a_square) {
 
 // Every event is what samples beside it say, and samples show no other change of direction.
 TEST(CriticalPoints, samples_agree) {
-    for_each_case(0x6022, 150, [](Random &random, uint64_t seed) {
+    int all = 0, certified = 0;
+    for_each_case(0x6022, 150, [&](Random &random, uint64_t seed) {
         Recipe recipe = random_recipe(random, 1, 6);
         recipe.axes[0].spans = random.whole(1, 6);
         recipe.axes[0].degree = random.whole(1, 6);
@@ -116,9 +118,11 @@ TEST(CriticalPoints, samples_agree) {
             x.push_back(random.between(-1, 1));
         }
         const Critical found = critical(g.get(), x);
+        ++all;
         if ((found.status & NURBS_CLOSEST_CERTIFIED) == 0) {
             return;
         }
+        ++certified;
         constexpr int samples = 3000;
         std::vector<double> values;
         for (int i = 0; i <= samples; ++i) {
@@ -139,6 +143,8 @@ TEST(CriticalPoints, samples_agree) {
         EXPECT_GE(*std::max_element(found.distances.begin(), found.distances.end()), *high * (1 - 1e-12))
             << where(seed, data);
     });
+    std::printf("%d of %d certified\n", certified, all);
+    EXPECT_GE(certified, all * 9 / 10);
 }
 
 TEST(ClosestAll, equally_near_points_are_all_found) {

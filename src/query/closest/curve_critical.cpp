@@ -161,11 +161,7 @@ private:
         if (below.end.empty() || above.start.empty()) {
             return; // beyond the budget
         }
-        const int dim = curve_.dim();
-        const double size = norm(below.end.data(), dim) + norm(question_.point, dim);
-        const bool jump = distance(below.end.data(), above.start.data(), dim) >
-                          64 * (curve_.axis(0).degree() + 1) * eps * size;
-        if (jump) {
+        if (!meet(below, above)) { // a jump
             end_arc(below, t);
             start_arc(above, t);
             return;
@@ -192,22 +188,22 @@ private:
     // The ends of the part, or the seam of a closed curve.
     void close(const Ends &last, const Ends &first) {
         const Interval part = question_.part[0];
-        const auto count = events_.size();
-        if (!question_.whole || last.end.empty() || first.start.empty() || !meet(last, first)) {
-            start_arc(first, part.lower);
+        const auto inside = std::ssize(events_);
+        const bool seam = same(part, curve_.axis(0).domain()) && !last.end.empty() && !first.start.empty() &&
+                          meet(last, first);
+        seam ? join(last, first, part.lower) : start_arc(first, part.lower);
+        std::rotate(events_.begin(), events_.begin() + inside, events_.end());
+        if (!seam) {
             end_arc(last, part.upper);
-        } else {
-            join(last, first, part.lower);
         }
-        std::rotate(events_.begin(), events_.begin() + static_cast<std::ptrdiff_t>(count), events_.end());
         std::stable_sort(events_.begin(), events_.end(),
                          [](const Event &a, const Event &b) { return a.t < b.t; });
     }
-    [[nodiscard]] bool meet(const Ends &last, const Ends &first) const noexcept {
+    [[nodiscard]] bool meet(const Ends &below, const Ends &above) const noexcept {
         const int dim = curve_.dim();
-        return distance(last.end.data(), first.start.data(), dim) <=
-               64 * (curve_.axis(0).degree() + 1) * eps *
-                   (norm(last.end.data(), dim) + norm(question_.point, dim));
+        const double size = norm(below.end.data(), dim) + norm(question_.point, dim);
+        return distance(below.end.data(), above.start.data(), dim) <=
+               64 * (curve_.axis(0).degree() + 1) * eps * size;
     }
 
     // Points and distances.

@@ -10,7 +10,6 @@ namespace nrb {
 struct CriticalQuestion {
     const double *point; // [dim]
     Part part;           // of the domain
-    bool whole;          // the part is all of the domain
     double apart;        // neighbours that are nearer to each other are one; < 0: none are
     int64_t budget;      // most pieces looked at
     double within;       // no interest in points that are farther away

@@ -69,13 +69,8 @@ Foot CurveLocator::local(const double *point, const double *guess) const {
 }
 
 CriticalSet CurveLocator::critical(const Query &query, double apart, double within) const {
-    Part part = whole_domain(curve_);
-    const bool whole = query.range == nullptr ||
-                       (query.range->lower == part[0].lower && query.range->upper == part[0].upper);
-    if (!whole) {
-        part[0] = *query.range;
-    }
-    return critical_points(curve_, {query.point, part, whole, apart, query.budget, within});
+    const Part part = query.range == nullptr ? whole_domain(curve_) : Part{*query.range};
+    return critical_points(curve_, {query.point, part, apart, query.budget, within});
 }
 
 CriticalSet CurveLocator::critical(const Query &query) const {
