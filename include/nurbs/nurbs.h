@@ -2835,8 +2835,8 @@ NURBS_API nurbs_status nurbs_recognize(const nurbs *g, double tolerance, int32_t
  * splines with others are searched in the same way, and certified where the Bezier pieces have positive
  * weights all the same.
  *
- * At a jump both limits belong to g, and a foot may be the one that nurbs_eval() gives with NURBS_LEFT. A
- * seam, a pole or a collapsed edge has several parameters for one point; any of them is returned. Ends and
+ * At a jump both limits belong to g, and a foot may be the one that nurbs_eval() gives with NURBS_LEFT, which
+ * NURBS_CLOSEST_LEFT tells. A seam, a pole or a collapsed edge has several parameters for one point; any of them is returned. Ends and
  * edges of the domain are part of it. Status bits speak of points: two parameters of one point do not make
  * it NURBS_CLOSEST_NOT_UNIQUE.
  * @{ */
@@ -2849,6 +2849,7 @@ NURBS_API nurbs_status nurbs_recognize(const nurbs *g, double tolerance, int32_t
 #define NURBS_CLOSEST_BUDGET 0x08     /**< the budget ended before a proof was found */
 #define NURBS_CLOSEST_INVALID 0x10    /**< the query point is not finite; results are NaN */
 #define NURBS_CLOSEST_COARSE 0x20     /**< proven, but rounding the parameters moves the point by more */
+#define NURBS_CLOSEST_LEFT 0x100      /**< NURBS_LEFT is meant on axis 0; 0x200 on axis 1, 0x400 on axis 2 */
 /** @} */
 
 /** \name Kind of a critical point

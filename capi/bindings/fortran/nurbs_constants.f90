@@ -172,6 +172,7 @@ module nurbs_constants
     integer(c_int32_t), parameter :: NURBS_CLOSEST_BUDGET = int(z'08', c_int32_t)
     integer(c_int32_t), parameter :: NURBS_CLOSEST_INVALID = int(z'10', c_int32_t)
     integer(c_int32_t), parameter :: NURBS_CLOSEST_COARSE = int(z'20', c_int32_t)
+    integer(c_int32_t), parameter :: NURBS_CLOSEST_LEFT = int(z'100', c_int32_t)
 
     ! Kinds of critical points
     integer(c_int32_t), parameter :: NURBS_CRITICAL_MINIMUM = 1

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-// / \file analysis.hpp
-// / \brief Features of curves and surfaces; `complete` tells that nothing was missed.
+/// \file analysis.hpp
+/// \brief Features of curves and surfaces; `complete` tells that nothing was missed.
 #ifndef NURBS_CPP_ANALYSIS_HPP
 #define NURBS_CPP_ANALYSIS_HPP
 
@@ -12,7 +12,7 @@
 
 namespace libnurbs {
 
-// / Features of curves, any sum of which may be asked for.
+/// Features of curves, any sum of which may be asked for.
 inline constexpr std::uint32_t feature_inflection = NURBS_FEATURE_INFLECTION;
 inline constexpr std::uint32_t feature_curvature_maximum = NURBS_FEATURE_CURVATURE_MAXIMUM;
 inline constexpr std::uint32_t feature_curvature_minimum = NURBS_FEATURE_CURVATURE_MINIMUM;
@@ -21,19 +21,19 @@ inline constexpr std::uint32_t feature_kink = NURBS_FEATURE_KINK;
 inline constexpr std::uint32_t feature_jump = NURBS_FEATURE_JUMP;
 inline constexpr std::uint32_t feature_torsion = NURBS_FEATURE_TORSION;
 
-// / Convexity of a curve in the plane.
+/// Convexity of a curve in the plane.
 inline constexpr std::int32_t convexity_none = NURBS_CONVEXITY_NONE;
 inline constexpr std::int32_t convexity_left = NURBS_CONVEXITY_LEFT;
 inline constexpr std::int32_t convexity_right = NURBS_CONVEXITY_RIGHT;
 inline constexpr std::int32_t convexity_straight = NURBS_CONVEXITY_STRAIGHT;
 inline constexpr std::int32_t convexity_undecided = NURBS_CONVEXITY_UNDECIDED;
 
-// / Folds.
+/// Folds.
 inline constexpr std::int32_t fold_none = NURBS_FOLD_NONE;
 inline constexpr std::int32_t fold_found = NURBS_FOLD_FOUND;
 inline constexpr std::int32_t fold_undecided = NURBS_FOLD_UNDECIDED;
 
-// / Parameters in rising order, one feature_ constant each, and curvature, turning angle or width there.
+/// Parameters in rising order, one feature_ constant each, and curvature, turning angle or width there.
 struct CurveFeatures {
     std::vector<double> params;
     std::vector<std::uint32_t> found;
@@ -41,7 +41,7 @@ struct CurveFeatures {
     bool complete;
 };
 
-// / The features of these kinds along a curve.
+/// The features of these kinds along a curve.
 inline CurveFeatures features(const Spline &g, std::uint32_t kinds) {
     CurveFeatures result{};
     std::vector<std::int32_t> found;
@@ -61,14 +61,14 @@ inline CurveFeatures features(const Spline &g, std::uint32_t kinds) {
     return result;
 }
 
-// / Lower ends of pieces, and 1, -1 or 0 where the curve rises, falls or stays.
+/// Lower ends of pieces, and 1, -1 or 0 where the curve rises, falls or stays.
 struct MonotonePieces {
     std::vector<double> starts;
     std::vector<std::int32_t> signs;
     bool complete;
 };
 
-// / The pieces of a curve on which it runs one way along a direction [dim].
+/// The pieces of a curve on which it runs one way along a direction [dim].
 inline MonotonePieces monotone_pieces(const Spline &g, View<double> direction) {
     const double *along = detail::point_of(g, direction, "direction");
     MonotonePieces found{};
@@ -86,19 +86,19 @@ inline MonotonePieces monotone_pieces(const Spline &g, View<double> direction) {
     return found;
 }
 
-// / One of the convexity_ constants.
+/// One of the convexity_ constants.
 inline std::int32_t convexity(const Spline &g) {
     return detail::result_of<std::int32_t>([&](auto *v) { return nurbs_curve_convexity(g.get(), v); });
 }
 
-// / A line, and a proven bound of the distance from it.
+/// A line, and a proven bound of the distance from it.
 struct Straightness {
     std::vector<double> origin;
     std::vector<double> direction;
     double bound;
 };
 
-// / How far a spline is from a straight line.
+/// How far a spline is from a straight line.
 inline Straightness straightness(const Spline &g) {
     const auto dim = detail::to_size(g.dimension());
     Straightness found{std::vector<double>(dim), std::vector<double>(dim), 0};
@@ -106,21 +106,21 @@ inline Straightness straightness(const Spline &g) {
     return found;
 }
 
-// / A plane, and a proven bound of the distance from it.
+/// A plane, and a proven bound of the distance from it.
 struct Planarity {
     std::array<double, 3> origin;
     std::array<double, 3> normal;
     double bound;
 };
 
-// / How far a spline in space is from a plane.
+/// How far a spline in space is from a plane.
 inline Planarity planarity(const Spline &g) {
     Planarity found{};
     detail::check(nurbs_planarity(g.get(), found.origin.data(), found.normal.data(), &found.bound));
     return found;
 }
 
-// / Of each axis whether it closes and a bound of the gap; of each boundary, counted by axis, then by end,
+/// Of each axis whether it closes and a bound of the gap; of each boundary, counted by axis, then by end,
 // whether it / collapses and its size.
 struct BoundaryContacts {
     std::vector<std::int32_t> closed;
@@ -138,14 +138,14 @@ inline BoundaryContacts boundary_contacts(const Spline &g, double tolerance = 0)
     return found;
 }
 
-// / Parameters [n][axes], and the boxes [n][axes][2] in which the singular sets lie.
+/// Parameters [n][axes], and the boxes [n][axes][2] in which the singular sets lie.
 struct SingularPoints {
     std::vector<double> params;
     std::vector<double> boxes;
     bool complete;
 };
 
-// / Places where a curve or surface is singular; the tolerance is a part of the domain.
+/// Places where a curve or surface is singular; the tolerance is a part of the domain.
 inline SingularPoints singular_points(const Spline &g, double tolerance) {
     SingularPoints found{};
     std::int64_t count = 0;
@@ -162,14 +162,14 @@ inline SingularPoints singular_points(const Spline &g, double tolerance) {
     return found;
 }
 
-// / One of the fold_ constants, and parameters [axes] of either sign, NaN if none are known.
+/// One of the fold_ constants, and parameters [axes] of either sign, NaN if none are known.
 struct Fold {
     std::int32_t result;
     std::vector<double> positive;
     std::vector<double> negative;
 };
 
-// / Whether a surface or volume folds over; reference [3] is the direction that normals are compared with, if
+/// Whether a surface or volume folds over; reference [3] is the direction that normals are compared with, if
 // any.
 inline Fold fold_test(const Spline &g, View<double> reference = {}) {
     const auto axes = detail::to_size(g.axes());

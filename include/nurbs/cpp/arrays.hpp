@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-// / \file arrays.hpp
-// / \brief Array arguments: views of the caller's memory that know their length.
+/// \file arrays.hpp
+/// \brief Array arguments: views of the caller's memory that know their length.
 #ifndef NURBS_CPP_ARRAYS_HPP
 #define NURBS_CPP_ARRAYS_HPP
 
@@ -86,7 +86,7 @@ std::string text_of(F &&f) {
 
 } // namespace detail
 
-// / A read-only array argument: any contiguous range, or a list in braces.
+/// A read-only array argument: any contiguous range, or a list in braces.
 template <class T>
 class View : public std::span<const T> {
 public:
@@ -96,7 +96,7 @@ public:
     View(Range &&range) noexcept : std::span<const T>(range) {}
 };
 
-// / An array of records in the caller's memory. Without a layout it is packed, and its length gives the
+/// An array of records in the caller's memory. Without a layout it is packed, and its length gives the
 // number of records.
 template <class T>
 class Records {
@@ -106,12 +106,12 @@ public:
         : values_(packed.begin(), packed.size()) {}
     template <std::convertible_to<std::span<T>> Range>
     Records(Range &&packed) noexcept : values_(packed) {}
-    // / n records; component c of record i is values[i * stride + c * component_stride]; 0 means packed.
+    /// n records; component c of record i is values[i * stride + c * component_stride]; 0 means packed.
     Records(std::span<T> values, std::int64_t n, std::int64_t stride,
             std::int64_t component_stride = 0) noexcept
         : values_(values), n_(n), stride_(stride), component_stride_(component_stride), packed_(false) {}
 
-    // / The number of records of `width` components.
+    /// The number of records of `width` components.
     [[nodiscard]] std::int64_t count(std::int64_t width, const char *what) const {
         if (!packed_) {
             return n_;
@@ -122,7 +122,7 @@ public:
         }
         return width > 0 ? size / width : 0;
     }
-    // / Throws unless exactly n records were described and the array is long enough for them.
+    /// Throws unless exactly n records were described and the array is long enough for them.
     void require(std::int64_t n, std::int64_t width, const char *what) const {
         if (n < 0 || width < 1) {
             return;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-// / \file closest.hpp
-// / \brief Distances and closest points.
+/// \file closest.hpp
+/// \brief Distances and closest points.
 #ifndef NURBS_CPP_CLOSEST_HPP
 #define NURBS_CPP_CLOSEST_HPP
 
@@ -13,21 +13,22 @@
 
 namespace libnurbs {
 
-// / Bits of the status of a closest point.
+/// Bits of the status of a closest point.
 inline constexpr std::int32_t closest_certified = NURBS_CLOSEST_CERTIFIED;
 inline constexpr std::int32_t closest_boundary = NURBS_CLOSEST_BOUNDARY;
 inline constexpr std::int32_t closest_not_unique = NURBS_CLOSEST_NOT_UNIQUE;
 inline constexpr std::int32_t closest_budget = NURBS_CLOSEST_BUDGET;
 inline constexpr std::int32_t closest_invalid = NURBS_CLOSEST_INVALID;
 inline constexpr std::int32_t closest_coarse = NURBS_CLOSEST_COARSE;
+inline constexpr std::int32_t closest_left = NURBS_CLOSEST_LEFT;
 
-// / Kinds of critical points.
+/// Kinds of critical points.
 inline constexpr std::int32_t critical_minimum = NURBS_CRITICAL_MINIMUM;
 inline constexpr std::int32_t critical_maximum = NURBS_CRITICAL_MAXIMUM;
 inline constexpr std::int32_t critical_saddle = NURBS_CRITICAL_SADDLE;
 inline constexpr std::int32_t critical_undecided = NURBS_CRITICAL_UNDECIDED;
 
-// / How a search is done: the part [axes][2] of the domain, or empty for all of it; how much better another
+/// How a search is done: the part [axes][2] of the domain, or empty for all of it; how much better another
 // point may / be; most pieces looked at, 0 for the default; 0 or nan_points.
 struct Search {
     std::vector<double> range{};
@@ -36,7 +37,7 @@ struct Search {
     std::uint32_t flags = 0;
 };
 
-// / Points of a spline: parameters [n][axes], points [n][dim], distances, and sums of closest_ bits.
+/// Points of a spline: parameters [n][axes], points [n][dim], distances, and sums of closest_ bits.
 struct ClosestPoints {
     std::vector<double> params;
     std::vector<double> points;
@@ -44,7 +45,7 @@ struct ClosestPoints {
     std::vector<std::int32_t> status;
 };
 
-// / Where they are written. An output without elements is not wanted.
+/// Where they are written. An output without elements is not wanted.
 struct ClosestOutputs {
     Output params{};
     Output points{};
@@ -89,7 +90,7 @@ ClosestPoints closest_of(const Spline &g, Input points, F &&f) {
 
 } // namespace detail
 
-// / The nearest points of a spline; in a volume this is inversion.
+/// The nearest points of a spline; in a volume this is inversion.
 inline void closest_points(const Spline &g, Input points, const ClosestOutputs &out, const Search &how = {}) {
     detail::search(nurbs_closest_points, g, points, out, how);
 }
@@ -98,7 +99,7 @@ inline void closest_points(const Spline &g, Input points, const ClosestOutputs &
                               [&](const ClosestOutputs &out) { closest_points(g, points, out, how); });
 }
 
-// / The farthest points of a spline.
+/// The farthest points of a spline.
 inline void farthest_points(const Spline &g, Input points, const ClosestOutputs &out,
                             const Search &how = {}) {
     detail::search(nurbs_farthest_points, g, points, out, how);
@@ -108,7 +109,7 @@ inline void farthest_points(const Spline &g, Input points, const ClosestOutputs 
                               [&](const ClosestOutputs &out) { farthest_points(g, points, out, how); });
 }
 
-// / Local minima of the distance, each the one that a descent from a guess [axes] comes to.
+/// Local minima of the distance, each the one that a descent from a guess [axes] comes to.
 inline void closest_local(const Spline &g, Input points, Input guesses, const ClosestOutputs &out,
                           std::uint32_t flags = 0) {
     const std::int64_t n = detail::records(points, g.dimension(), "points");
@@ -126,14 +127,14 @@ inline void closest_local(const Spline &g, Input points, Input guesses, const Cl
         g, points, [&](const ClosestOutputs &out) { closest_local(g, points, guesses, out, flags); });
 }
 
-// / Points as near as the nearest one to the tolerance: parameters [n][axes], and the status of the search.
+/// Points as near as the nearest one to the tolerance: parameters [n][axes], and the status of the search.
 struct ClosestAll {
     std::vector<double> params;
     std::vector<double> distances;
     std::int32_t status;
 };
 
-// / All of them that are local minima.
+/// All of them that are local minima.
 inline ClosestAll closest_all(const Spline &g, View<double> point, const Search &how = {}) {
     const double *x = detail::point_of(g, point, "point"), *range = detail::range_of(g, how.range);
     ClosestAll found{};
@@ -149,7 +150,7 @@ inline ClosestAll closest_all(const Spline &g, View<double> point, const Search 
     return found;
 }
 
-// / Critical points of the distance: parameters [n][axes], critical_ constants, and the status of the search.
+/// Critical points of the distance: parameters [n][axes], critical_ constants, and the status of the search.
 struct CriticalPoints {
     std::vector<double> params;
     std::vector<double> distances;
@@ -157,7 +158,7 @@ struct CriticalPoints {
     std::int32_t status;
 };
 
-// / All of them.
+/// All of them.
 inline CriticalPoints critical_points(const Spline &g, View<double> point, const Search &how = {}) {
     const double *x = detail::point_of(g, point, "point"), *range = detail::range_of(g, how.range);
     CriticalPoints found{};
@@ -175,21 +176,21 @@ inline CriticalPoints critical_points(const Spline &g, View<double> point, const
     return found;
 }
 
-// / Distances, positive to the left of a curve, parameters, and sums of closest_ bits.
+/// Distances, positive to the left of a curve, parameters, and sums of closest_ bits.
 struct SignedDistances {
     std::vector<double> distances;
     std::vector<double> params;
     std::vector<std::int32_t> status;
 };
 
-// / Where they are written. Parameters and status without elements are not wanted.
+/// Where they are written. Parameters and status without elements are not wanted.
 struct SignedOutputs {
     Output distances;
     Output params{};
     std::span<std::int32_t> status{};
 };
 
-// / Signed distances of points [n][2] from a curve in the plane; the search has no range.
+/// Signed distances of points [n][2] from a curve in the plane; the search has no range.
 inline void signed_distances(const Spline &g, Input points, const SignedOutputs &out,
                              const Search &how = {}) {
     const std::int64_t n = detail::records(points, g.dimension(), "points");
@@ -207,7 +208,7 @@ inline void signed_distances(const Spline &g, Input points, const SignedOutputs 
     return found;
 }
 
-// / Bounds of a distance, the parameters of a point of each spline, and closest_certified or closest_budget.
+/// Bounds of a distance, the parameters of a point of each spline, and closest_certified or closest_budget.
 struct Distance {
     double at_least;
     double at_most;
@@ -216,7 +217,7 @@ struct Distance {
     std::int32_t status;
 };
 
-// / The smallest distance of two splines; the points are at_most apart.
+/// The smallest distance of two splines; the points are at_most apart.
 inline Distance distance(const Spline &a, const Spline &b, double tolerance = 0, std::int64_t budget = 0) {
     Distance found{0, 0, std::vector<double>(detail::to_size(a.axes())),
                    std::vector<double>(detail::to_size(b.axes())), 0};
@@ -225,7 +226,7 @@ inline Distance distance(const Spline &a, const Spline &b, double tolerance = 0,
     return found;
 }
 
-// / Bounds of the distances from a to b and from b to a, and the parameters of points that are at_least so
+/// Bounds of the distances from a to b and from b to a, and the parameters of points that are at_least so
 // far away.
 struct HausdorffDistance {
     std::array<double, 2> at_least;
@@ -235,7 +236,7 @@ struct HausdorffDistance {
     std::int32_t status;
 };
 
-// / Of two splines as sets of points.
+/// Of two splines as sets of points.
 inline HausdorffDistance hausdorff_distance(const Spline &a, const Spline &b, double tolerance,
                                             std::int64_t budget = 0) {
     HausdorffDistance found{{},

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-// / \file constrain.hpp
-// / \brief The smallest change that makes a shape meet constraints.
+/// \file constrain.hpp
+/// \brief The smallest change that makes a shape meet constraints.
 #ifndef NURBS_CPP_CONSTRAIN_HPP
 #define NURBS_CPP_CONSTRAIN_HPP
 
@@ -12,13 +12,13 @@
 
 namespace libnurbs {
 
-// / Kinds of constraints.
+/// Kinds of constraints.
 inline constexpr std::int32_t constrain_value = NURBS_CONSTRAIN_VALUE;
 inline constexpr std::int32_t constrain_direction = NURBS_CONSTRAIN_DIRECTION;
 inline constexpr std::int32_t constrain_normal = NURBS_CONSTRAIN_NORMAL;
 inline constexpr std::int32_t constrain_curvature = NURBS_CONSTRAIN_CURVATURE;
 
-// / Constraints at params [n][axes] with targets [n][dim], packed. Kinds [n] left empty are values, orders
+/// Constraints at params [n][axes] with targets [n][dim], packed. Kinds [n] left empty are values, orders
 // [n][axes] / left empty are 0, and 1 for directions of a curve.
 struct Constraints {
     std::vector<double> params;
@@ -27,7 +27,7 @@ struct Constraints {
     std::vector<std::int32_t> orders{};
 };
 
-// / What else holds; what is empty is the default of nurbs.h: derivatives that stay [axes][2], costs [N] of
+/// What else holds; what is empty is the default of nurbs.h: derivatives that stay [axes][2], costs [N] of
 // moving / control points and of changing weights; and the largest residual.
 struct ConstrainOptions {
     std::vector<std::int32_t> keep{};
@@ -36,7 +36,7 @@ struct ConstrainOptions {
     double tolerance = 0;
 };
 
-// / The spline, how far each constraint is missed, the number of independent equations, the largest distance
+/// The spline, how far each constraint is missed, the number of independent equations, the largest distance
 // by which a / control point moved, and the gradient of the Lagrangian.
 struct Constrained {
     Spline spline;

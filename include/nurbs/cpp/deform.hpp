@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-// / \file deform.hpp
-// / \brief Deformations of a shape or of a region [axes][2] of it.
+/// \file deform.hpp
+/// \brief Deformations of a shape or of a region [axes][2] of it.
 #ifndef NURBS_CPP_DEFORM_HPP
 #define NURBS_CPP_DEFORM_HPP
 
@@ -16,7 +16,7 @@
 
 namespace libnurbs {
 
-// / A region raised along a direction [dim]; `order` derivatives stay at its ends.
+/// A region raised along a direction [dim]; `order` derivatives stay at its ends.
 inline Spline warp(const Spline &g, View<double> direction, double distance, std::int32_t order,
                    View<double> range = {}) {
     const double *along = detail::point_of(g, direction, "direction"), *part = detail::range_of(g, range);
@@ -24,7 +24,7 @@ inline Spline warp(const Spline &g, View<double> direction, double distance, std
         [&](nurbs **out) { return nurbs_warp(g.get(), part, along, distance, order, out); });
 }
 
-// / A region flattened to the plane through a point [dim], along a direction or else its normal.
+/// A region flattened to the plane through a point [dim], along a direction or else its normal.
 inline PointEdit flatten(const Spline &g, View<double> point, View<double> normal,
                          View<double> direction = {}, View<double> range = {}) {
     const double *on = detail::point_of(g, point, "point"), *up = detail::point_of(g, normal, "normal");
@@ -36,14 +36,14 @@ inline PointEdit flatten(const Spline &g, View<double> point, View<double> norma
     return {std::move(spline), moved};
 }
 
-// / A spline near the exact image: how far it is from that, a bound if proven, else of samples.
+/// A spline near the exact image: how far it is from that, a bound if proven, else of samples.
 struct Deformed {
     Spline spline;
     double deviation;
     bool proven;
 };
 
-// / A bend about an axis across the plane of two vectors [dim].
+/// A bend about an axis across the plane of two vectors [dim].
 struct Bend {
     std::vector<double> origin;
     std::vector<double> along;
@@ -66,7 +66,7 @@ inline Deformed bend(const Spline &g, const Bend &how, double tolerance) {
     return {std::move(spline), deviation, proven != 0};
 }
 
-// / A shape in the box from lower to upper mapped by a volume.
+/// A shape in the box from lower to upper mapped by a volume.
 inline Deformed free_form_deform(const Spline &g, const Spline &volume, View<double> lower,
                                  View<double> upper, double tolerance) {
     const double *from = detail::exactly(std::span(lower), volume.axes(), "lower");
@@ -79,14 +79,14 @@ inline Deformed free_form_deform(const Spline &g, const Spline &volume, View<dou
     return {std::move(spline), deviation, proven != 0};
 }
 
-// / The spline, its energies before and after, and a bound of how far it moved.
+/// The spline, its energies before and after, and a bound of how far it moved.
 struct Faired {
     Spline spline;
     std::array<double, 2> energies;
     double bound;
 };
 
-// / Small energy within a tolerance: order 1 (membrane), 2 (thin plate) or 3; keep [axes][2] derivatives that
+/// Small energy within a tolerance: order 1 (membrane), 2 (thin plate) or 3; keep [axes][2] derivatives that
 // stay at / the ends, empty: positions.
 inline Faired fair(const Spline &g, std::int32_t order, double tolerance, View<std::int32_t> keep = {}) {
     const std::int32_t *stay = detail::if_given(std::span(keep), 2 * std::int64_t{g.axes()}, "keep");
@@ -97,13 +97,13 @@ inline Faired fair(const Spline &g, std::int32_t order, double tolerance, View<s
     return made;
 }
 
-// / start_of_axis or end_of_axis of an axis.
+/// start_of_axis or end_of_axis of an axis.
 struct Boundary {
     std::int32_t axis;
     std::int32_t end;
 };
 
-// / A boundary moved onto one of another spline, with order 1 tangents too; flags: 0 or reversed.
+/// A boundary moved onto one of another spline, with order 1 tangents too; flags: 0 or reversed.
 inline Reduced snap_boundary(const Spline &g, Boundary own, const Spline &other, Boundary target,
                              std::int32_t order = 0, std::uint32_t flags = 0) {
     double bound = 0;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-// / \file linear.hpp
-// / \brief Derivatives with respect to data: collocation matrices, Bezier extraction, gradients.
+/// \file linear.hpp
+/// \brief Derivatives with respect to data: collocation matrices, Bezier extraction, gradients.
 #ifndef NURBS_CPP_LINEAR_HPP
 #define NURBS_CPP_LINEAR_HPP
 
@@ -12,14 +12,14 @@
 
 namespace libnurbs {
 
-// / Compressed sparse rows.
+/// Compressed sparse rows.
 struct SparseMatrix {
     std::vector<double> values;
     std::vector<std::int64_t> columns;
     std::vector<std::int64_t> row_pointers;
 };
 
-// / Operators [spans][degree + 1][degree + 1], the first control point and the domain [spans][2] of each
+/// Operators [spans][degree + 1][degree + 1], the first control point and the domain [spans][2] of each
 // span.
 struct Extraction {
     std::vector<double> operators;
@@ -55,7 +55,7 @@ inline const std::int32_t *orders_for(View<std::int32_t> orders, std::size_t axe
 
 } // namespace detail
 
-// / Matrix of B-spline basis functions or of a derivative of them; without orders, of the functions
+/// Matrix of B-spline basis functions or of a derivative of them; without orders, of the functions
 // themselves.
 inline SparseMatrix collocation(View<std::int32_t> degrees, View<std::int64_t> counts, View<double> knots,
                                 Input params, View<std::int32_t> orders = {}, std::uint32_t flags = 0) {
@@ -73,7 +73,7 @@ inline SparseMatrix collocation(View<std::int32_t> degrees, View<std::int64_t> c
     });
 }
 
-// / Matrix of the rational basis functions of a spline or of a derivative of them.
+/// Matrix of the rational basis functions of a spline or of a derivative of them.
 inline SparseMatrix rational_collocation(const Spline &g, Input params, View<std::int32_t> orders = {},
                                          std::uint32_t flags = 0) {
     const std::int32_t axes = g.axes();
@@ -87,7 +87,7 @@ inline SparseMatrix rational_collocation(const Spline &g, Input params, View<std
     });
 }
 
-// / Matrix that Spline::refine() applies along an axis.
+/// Matrix that Spline::refine() applies along an axis.
 inline SparseMatrix refinement_matrix(const Spline &g, std::int32_t axis, View<double> knots) {
     const std::int64_t count = detail::length(knots);
     return detail::sparse(g.count(axis) + count, [&](std::int64_t cap, double *values, std::int64_t *columns,
@@ -109,8 +109,8 @@ inline Extraction bezier_extraction(const Spline &g, std::int32_t axis) {
     return result;
 }
 
-// / Gradients of a function of points and derivatives, from its cotangents [n][slots][dim]. An output without
-// / elements is not wanted.
+/// Gradients of a function of points and derivatives, from its cotangents [n][slots][dim]. An output without
+/// elements is not wanted.
 inline void eval_adjoint(const Spline &g, std::int32_t order, Input params, Input cotangents,
                          Output grad_points, Output grad_weights, Output grad_params,
                          std::uint32_t flags = 0) {

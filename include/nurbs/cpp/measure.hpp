@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-// / \file measure.hpp
-// / \brief Lengths, areas and moments.
+/// \file measure.hpp
+/// \brief Lengths, areas and moments.
 #ifndef NURBS_CPP_MEASURE_HPP
 #define NURBS_CPP_MEASURE_HPP
 
@@ -13,13 +13,13 @@
 
 namespace libnurbs {
 
-// / An integral, and an estimate of its error.
+/// An integral, and an estimate of its error.
 struct Measured {
     double value;
     double error;
 };
 
-// / Length of a curve over a range [2] of its domain, or all of it.
+/// Length of a curve over a range [2] of its domain, or all of it.
 inline Measured length(const Spline &g, double relative_tolerance = 0, View<double> range = {}) {
     Measured found{};
     detail::check(nurbs_curve_length(g.get(), detail::range_of(g, range), relative_tolerance, &found.value,
@@ -27,7 +27,7 @@ inline Measured length(const Spline &g, double relative_tolerance = 0, View<doub
     return found;
 }
 
-// / Lengths from the start of the domain to parameters.
+/// Lengths from the start of the domain to parameters.
 inline void lengths(const Spline &g, Input params, Output lengths, double relative_tolerance = 0) {
     const std::int64_t n = detail::records(params, 1, "params");
     lengths.require(n, 1, "lengths");
@@ -40,7 +40,7 @@ inline void lengths(const Spline &g, Input params, Output lengths, double relati
                           [&](auto &values) { lengths(g, params, Output(values), relative_tolerance); });
 }
 
-// / Parameters at lengths from the start of the domain; flags: 0 or clamp.
+/// Parameters at lengths from the start of the domain; flags: 0 or clamp.
 inline void params_at_lengths(const Spline &g, Input lengths, Output params, double relative_tolerance = 0,
                               std::uint32_t flags = 0) {
     const std::int64_t n = detail::records(lengths, 1, "lengths");
@@ -55,13 +55,13 @@ params_at_lengths(const Spline &g, Input lengths, double relative_tolerance = 0,
     });
 }
 
-// / Parameters [parts + 1], and the length or chord of a part.
+/// Parameters [parts + 1], and the length or chord of a part.
 struct Division {
     std::vector<double> params;
     double size;
 };
 
-// / A curve in parts of equal length, or with flags equal_chords with points at equal distances.
+/// A curve in parts of equal length, or with flags equal_chords with points at equal distances.
 inline Division divide(const Spline &g, std::int64_t parts, double relative_tolerance = 0,
                        std::uint32_t flags = 0, View<double> range = {}) {
     Division found{std::vector<double>(detail::to_size(parts) + 1), 0};
@@ -70,7 +70,7 @@ inline Division divide(const Spline &g, std::int64_t parts, double relative_tole
     return found;
 }
 
-// / Area of a surface over a range [2][2] of its domain, or all of it.
+/// Area of a surface over a range [2][2] of its domain, or all of it.
 inline Measured area(const Spline &g, double relative_tolerance = 0, View<double> range = {}) {
     Measured found{};
     detail::check(nurbs_surface_area(g.get(), detail::range_of(g, range), relative_tolerance, &found.value,
@@ -78,7 +78,7 @@ inline Measured area(const Spline &g, double relative_tolerance = 0, View<double
     return found;
 }
 
-// / Length, area or volume, centroid [dim], inertia [dim][dim] about it, and an estimate of the error of
+/// Length, area or volume, centroid [dim], inertia [dim][dim] about it, and an estimate of the error of
 // content.
 struct Moments {
     double content;
@@ -87,7 +87,7 @@ struct Moments {
     double error;
 };
 
-// / Of the spline itself: a wire, a sheet or a body.
+/// Of the spline itself: a wire, a sheet or a body.
 inline Moments moments(const Spline &g, double relative_tolerance = 0) {
     const auto dim = detail::to_size(g.dimension());
     Moments found{0, std::vector<double>(dim), std::vector<double>(dim * dim), 0};
@@ -96,7 +96,7 @@ inline Moments moments(const Spline &g, double relative_tolerance = 0) {
     return found;
 }
 
-// / Of a region of the plane.
+/// Of a region of the plane.
 struct EnclosedArea {
     double area;
     std::array<double, 2> centroid;
@@ -104,7 +104,7 @@ struct EnclosedArea {
     double error;
 };
 
-// / What closed chains of curves enclose; counterclockwise counts positive.
+/// What closed chains of curves enclose; counterclockwise counts positive.
 inline EnclosedArea enclosed_area(std::span<const Spline> curves, double tolerance = 0,
                                   double relative_tolerance = 0) {
     const std::vector<const nurbs *> handles = detail::handle_list(curves);
@@ -116,7 +116,7 @@ inline EnclosedArea enclosed_area(std::span<const Spline> curves, double toleran
     return found;
 }
 
-// / Of a body; openness is the length of the vector area, 0 of a closed shell.
+/// Of a body; openness is the length of the vector area, 0 of a closed shell.
 struct EnclosedVolume {
     double volume;
     std::array<double, 3> centroid;
@@ -125,7 +125,7 @@ struct EnclosedVolume {
     double error;
 };
 
-// / What surfaces enclose whose normals point outwards.
+/// What surfaces enclose whose normals point outwards.
 inline EnclosedVolume enclosed_volume(std::span<const Spline> surfaces, double relative_tolerance = 0) {
     const std::vector<const nurbs *> handles = detail::handle_list(surfaces);
     EnclosedVolume found{};

@@ -190,6 +190,7 @@ pub const NURBS_CLOSEST_NOT_UNIQUE: i32 = 0x04;
 pub const NURBS_CLOSEST_BUDGET: i32 = 0x08;
 pub const NURBS_CLOSEST_INVALID: i32 = 0x10;
 pub const NURBS_CLOSEST_COARSE: i32 = 0x20;
+pub const NURBS_CLOSEST_LEFT: i32 = 0x100;
 
 // Kinds of critical points
 pub const NURBS_CRITICAL_MINIMUM: i32 = 1;
