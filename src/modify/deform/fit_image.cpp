@@ -232,15 +232,16 @@ private:
     [[nodiscard]] std::vector<double> new_knots(int k, const std::vector<double> &errors,
                                                 double target) const {
         constexpr double most_parts = 8;
-        constexpr double nearly =
-            0.3; // a cut makes the neighbours a little worse, which must not go on and on
+        constexpr double nearly = 0.6; // cuts make neighbours a little worse, which must not go on and on
+        constexpr double share = 0.2;  // of the largest, below which an error may be a neighbour's
         const KnotVector &axis = fine_->axis(k);
         std::vector<double> knots;
-        if (*std::max_element(errors.begin(), errors.end()) <= target) {
+        const double largest = *std::max_element(errors.begin(), errors.end());
+        if (largest <= target) {
             return knots;
         }
         for (size_t s = 0; s < errors.size(); ++s) {
-            if (errors[s] <= nearly * target) {
+            if (errors[s] <= std::max(nearly * target, share * largest)) {
                 continue;
             }
             const auto parts =
