@@ -137,6 +137,7 @@ private:
 
     // One step; whether the last one was too short to matter.
     bool advance() {
+        check_finite(all_);
         const Linearised system = linearised();
         const auto unknowns = static_cast<int64_t>(unknowns_);
         const MinimumNorm solver(system.rows, unknowns,
