@@ -497,10 +497,13 @@ TEST(Constrain, curvature_turns_the_tangent) {
         const Result result = constrain(create(data).get(), set);
         ++asked;
         ASSERT_NE(result.status, NURBS_ERROR_CONTRADICTION) << last_error() << where(seed, data);
-        solved_cases += result.status == NURBS_OK ? 1 : 0;
+        if (result.status == NURBS_OK) { // quadratic convergence ends in rounding
+            ++solved_cases;
+            ASSERT_LE(result.optimality, 1e-10) << where(seed, data);
+        }
     });
     ASSERT_GT(asked, 50);
-    ASSERT_GE(solved_cases, asked * 3 / 4);
+    ASSERT_GE(solved_cases, asked * 9 / 10);
 }
 
 TEST(Constrain, curvature_holds) {
