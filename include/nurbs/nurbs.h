@@ -3719,7 +3719,7 @@ NURBS_API nurbs_status nurbs_flatten(const nurbs *g, const double *range, const 
  *
  * for a between lower and upper, and goes on straight outside; the rest stays. The exact image is no spline;
  * g is refined, degrees 1 and 2 raised to 3 if that takes less, until the difference at equal parameters is at
- * most the tolerance: proven where all weights are positive unless that takes far more control points; at most 2^18.
+ * most the tolerance: proven where all weights are positive unless that takes many more points; at most 2^18.
  * \param[in] g a spline of dimension >= 2.
  * \param[in] origin [dim].
  * \param[in] along [dim] e, made a unit vector.

@@ -86,8 +86,8 @@ void Condition::evaluate(const double *values, double *residual, double *jacobia
     }
 }
 
-// With a = C', b = C'', s = a.a: k = b / s - (a.b) a / s^2, r = k - t. The Jacobian is that of the components of
-// r in a frame that turns with the tangent T = a / |a|, of which that along T is -t.T:
+// With a = C', b = C'', s = a.a: k = b / s - (a.b) a / s^2, r = k - t. The Jacobian is that of the components
+// of r in a frame that turns with the tangent T = a / |a|, of which that along T is -t.T:
 //
 //     D k + (T r^T + (t.T) I) / |a|.
 //

@@ -1,5 +1,5 @@
-// Linear equations with a symmetric positive matrix of which only products are known (M. Hestenes, E. Stiefel,
-// J. Res. NBS 49 (1952)).
+// Linear equations with a symmetric positive matrix of which only products are known (M. Hestenes, E.
+// Stiefel, J. Res. NBS 49 (1952)).
 #pragma once
 
 #include <algorithm>

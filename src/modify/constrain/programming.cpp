@@ -181,9 +181,10 @@ private:
         return sum;
     }
 
-    // What the second derivatives of the equations add to the step d that the first ones make: z in the kernel of
-    // J with P (1 - C) z = P C d, C the sum of multipliers times Hessians, P the projection onto the kernel.
-    // Products with C are differences of gradients. 0 where 1 - C is not positive, far from a minimum.
+    // What the second derivatives of the equations add to the step d that the first ones make: z in the
+    // kernel of J with P (1 - C) z = P C d, C the sum of multipliers times Hessians, P the projection onto
+    // the kernel. Products with C are differences of gradients. 0 where 1 - C is not positive, far from a
+    // minimum.
     std::vector<double> second_order(const MinimumNorm &solver, const Linearised &system,
                                      const std::vector<double> &multipliers, const std::vector<double> &d,
                                      double size) {

@@ -178,6 +178,7 @@ private:
                 const auto axis = static_cast<int>(k);
                 fine_ = elevate(fine_, axis, sufficient_degree - fine_->axis(axis).degree());
                 nodes_[k] = LocalNodes(sufficient_degree);
+                require_room(fine_->point_count());
             }
         }
     }
@@ -187,14 +188,18 @@ private:
         return std::ceil(std::pow(error / target, 1.0 / (axis.degree() + 1)));
     }
 
+    void require_room(int64_t points) const {
+        if (points > max_points) {
+            fail_to_converge();
+        }
+    }
+
     void insert(const std::vector<std::vector<double>> &more) {
         int64_t points = 1;
         for (size_t k = 0; k < nodes_.size(); ++k) {
             points *= fine_->count(static_cast<int>(k)) + std::ssize(more[k]);
         }
-        if (points > max_points) {
-            fail_to_converge();
-        }
+        require_room(points);
         for (size_t k = 0; k < nodes_.size(); ++k) {
             fine_ = refine(fine_, static_cast<int>(k), more[k]);
         }

@@ -38,9 +38,9 @@ std::vector<double> sampled(const Spline &spline, const Places &places);
 // that of the best one (S. Demko, "Inverses of band matrices and local convergence of spline projections",
 // SIAM J. Numer. Anal. 14 (1977)), whereas taking each control point from one span has over even knots a norm
 // of 10^5 at degree 7 and of 10^11 at 12. Values at knots of multiplicity degree, where the shape may have a
-// corner or an end, are met. Control points that act too little in the domain to be found, as at ends that are
-// not clamped, are drawn to a value near by. Cost: of the order of (degree + 1)^2 (degree + 1 + values along
-// the other axes) for each span.
+// corner or an end, are met. Control points that act too little in the domain to be found, as at ends that
+// are not clamped, are drawn to a value near by. Cost: of the order of (degree + 1)^2 (degree + 1 + values
+// along the other axes) for each span.
 std::vector<double> control_points(const Spline &spline, const std::vector<LocalNodes> &nodes,
                                    std::vector<double> samples, int width);
 
