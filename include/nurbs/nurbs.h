@@ -3718,9 +3718,9 @@ NURBS_API nurbs_status nurbs_flatten(const nurbs *g, const double *range, const 
  *
  *     a -> (1/k + b) sin(k a),   b -> (1/k + b) cos(k a) - 1/k
  *
- * for a between lower and upper, and goes on straight outside; the rest stays. The exact image is no
- * spline; g is refined until the difference at equal parameters is at most the tolerance. That is proven where
- * all weights are positive, unless a proof would take many more control points; the result has at most 2^18.
+ * for a between lower and upper, and goes on straight outside; the rest stays. The exact image is no spline;
+ * g is refined, degrees 1 and 2 raised to 3 if that takes less, until the difference at equal parameters is at
+ * most the tolerance: proven where all weights are positive unless that takes many more points; at most 2^18.
  * \param[in] g a spline of dimension >= 2.
  * \param[in] origin [dim].
  * \param[in] along [dim] e, made a unit vector.
@@ -3734,7 +3734,7 @@ NURBS_API nurbs_status nurbs_flatten(const nurbs *g, const double *range, const 
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _DIMENSION, _POINT_NOT_FINITE, _DIRECTION, _OVERFLOW, _TOLERANCE;
  *   _FACTOR if k is not finite, _EMPTY_DOMAIN unless lower < upper, _NOT_CONVERGED if the tolerance is not
- *   reached, _NOT_REPRESENTABLE.
+ *   reached, _NOT_REPRESENTABLE; _PERIODIC_KNOTS, _WEIGHTS_VANISH as for nurbs_elevate().
  * \since 0.1 */
 NURBS_API nurbs_status nurbs_bend(const nurbs *g, const double *origin, const double *along,
                                   const double *across, double curvature, double lower, double upper,
@@ -3742,7 +3742,7 @@ NURBS_API nurbs_status nurbs_bend(const nurbs *g, const double *origin, const do
 
 /** \brief Free-form deformation (Sederberg & Parry 1986): maps a shape by a volume, C -> V(A C), where A
  * maps the box from lower to upper to the domain of V. The exact image of a curve has a high degree
- * (nurbs_compose()); here g is refined until the difference at equal parameters is at most the tolerance. That
+ * (nurbs_compose()); here g is refined as by nurbs_bend() until the difference is at most the tolerance. That
  * is proven for polynomial curves whose exact image has a degree of at most NURBS_MAX_DEGREE, m > 1; g is seen
  * to be inside the box there, elsewhere at samples.
  * \param[in] g a spline of dimension m, the number of axes of volume.
@@ -3755,7 +3755,7 @@ NURBS_API nurbs_status nurbs_bend(const nurbs *g, const double *origin, const do
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _DIMENSION, _POINT_NOT_FINITE, _OVERFLOW, _TOLERANCE; _EMPTY_DOMAIN
  *   unless lower < upper, _OUTSIDE_DOMAIN if g leaves the box, _NOT_CONVERGED if the tolerance is not
- *   reached, _NOT_REPRESENTABLE.
+ *   reached, _NOT_REPRESENTABLE; _PERIODIC_KNOTS, _WEIGHTS_VANISH as for nurbs_elevate().
  * \since 0.1 */
 NURBS_API nurbs_status nurbs_free_form_deform(const nurbs *g, const nurbs *volume, const double *lower,
                                               const double *upper, double tolerance, double *deviation,

@@ -236,6 +236,18 @@ static void refused(void) {
     nurbs_destroy(g);
 }
 
+/* A curve that stands still has no curvature. */
+static void curvature_of_a_point(void) {
+    static const int32_t degree = 3;
+    nurbs *g = NULL, *h = NULL;
+    CHECK_OK(nurbs_create_bezier(1, &degree, 2, VALUES(1, 3, 1, 3, 1, 3, 1, 3), 0, 0, NULL, 0, &g));
+    Call c = one_value(g, VALUES(0.25, 0.5), VALUES(1, 3, 0, 1));
+    c.count = 2;
+    c.kinds = INTS(NURBS_CONSTRAIN_VALUE, NURBS_CONSTRAIN_CURVATURE);
+    CHECK_NO_HANDLE(h, run(c, &h), NURBS_ERROR_NOT_REPRESENTABLE, "constraint 1 is not finite");
+    nurbs_destroy(g);
+}
+
 static void infinite_points(void) {
     static const int32_t degree = 2;
     static const int64_t count = 3;
@@ -263,6 +275,7 @@ int main(void) {
     directions();
     weights();
     refused();
+    curvature_of_a_point();
     infinite_points();
     periodic();
     return check_summary("constrain");

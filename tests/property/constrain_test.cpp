@@ -470,6 +470,42 @@ TEST(Constrain, weights_and_points_share_the_change) {
     ASSERT_GT(solved_cases, 50);
 }
 
+// A curvature that is turned about and points along the tangent, too: the tangent has to follow, which no
+// linear equation of the start contradicts.
+TEST(Constrain, curvature_turns_the_tangent) {
+    int asked = 0, solved_cases = 0;
+    for_each_case(1495000, 200, [&](Random &random, uint64_t seed) {
+        SplineData data = roomy(random, 1, 8, false);
+        if (data.dim < 2 || data.degrees[0] < 3) {
+            return;
+        }
+        Set set = value_set(random, data, 1);
+        const Point a = derivative_at(data, set.params, {1}), b = derivative_at(data, set.params, {2});
+        const Rational s = dot(a, a), along = dot(a, b) / s;
+        const long double speed = std::sqrt(as_long_double(s));
+        long double size = 0;
+        for (size_t c = 0; c < a.size(); ++c) {
+            size = std::hypot(size, as_long_double(Rational((b[c] - along * a[c]) / s)));
+        }
+        set.kinds = {NURBS_CONSTRAIN_CURVATURE};
+        for (size_t c = 0; c < a.size(); ++c) {
+            const long double now = as_long_double(Rational((b[c] - along * a[c]) / s)),
+                              tangent = as_long_double(a[c]) / speed;
+            set.targets[c] = static_cast<double>(-0.8L * now + 0.6L * size * tangent);
+        }
+        set.tolerance = 1e-12 * extent(data);
+        const Result result = constrain(create(data).get(), set);
+        ++asked;
+        ASSERT_NE(result.status, NURBS_ERROR_CONTRADICTION) << last_error() << where(seed, data);
+        if (result.status == NURBS_OK) { // quadratic convergence ends in rounding
+            ++solved_cases;
+            ASSERT_LE(result.optimality, 1e-10) << where(seed, data);
+        }
+    });
+    ASSERT_GT(asked, 50);
+    ASSERT_GE(solved_cases, asked * 9 / 10);
+}
+
 TEST(Constrain, curvature_holds) {
     int solved_cases = 0;
     for_each_case(1490000, 100, [&](Random &random, uint64_t seed) {

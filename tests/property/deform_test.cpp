@@ -272,6 +272,110 @@ TEST(Bend, is_within_the_tolerance_of_the_exact_image) {
     std::printf("%d bounds proven\n", proofs);
 }
 
+// A polyline at integers, its corners on the line through origin and (1, 1 / 4) if it is straight.
+SplineData polyline(int corners, bool straight, KnotForm form) {
+    SplineData data;
+    data.dim = 2;
+    data.degrees = {1};
+    const bool periodic = form == KnotForm::periodic;
+    std::vector<double> knots;
+    for (int i = 0; i < corners + 2; ++i) {
+        knots.push_back(form == KnotForm::clamped ? std::clamp(i, 1, corners) : i);
+        if (i < corners) {
+            const double x = i % (periodic ? corners - 1 : corners);
+            data.points.insert(data.points.end(),
+                               {x / corners, straight ? 0.25 * x / corners : 0.1 * ((i * 7) % 3)});
+        }
+    }
+    data.points[data.points.size() - 1] = periodic ? data.points[1] : data.points.back();
+    data.counts = {corners};
+    data.knots = {knots};
+    data.flags = periodic ? NURBS_PERIODIC : 0;
+    return data;
+}
+
+SplineData bent_by_one(const SplineData &data, double tolerance, int32_t &proven, int places = 200) {
+    const double origin[] = {0.1, 0}, along[] = {1, 0}, across[] = {0, 1};
+    double deviation = -1;
+    nurbs *out = nullptr;
+    const nurbs_status status = nurbs_bend(create(data).get(), origin, along, across, 3, -HUGE_VAL, HUGE_VAL,
+                                           tolerance, &deviation, &proven, &out);
+    EXPECT_EQ(status, NURBS_OK) << last_error();
+    const Handle h(out);
+    const SplineData after = read_back(h.get());
+    EXPECT_LE(deviation, tolerance);
+    const BendCase rule{{0.1, 0}, {1, 0}, {0, 1}, 3, -HUGE_VAL, HUGE_VAL};
+    for (int i = 0; i <= places; ++i) {
+        const double t = data.lower(0) + (data.upper(0) - data.lower(0)) * i / places;
+        EXPECT_LE(gap_between(point_at(after, {t}), bent(rule, point_at(data, {t}))), deviation);
+    }
+    return after;
+}
+
+// Of 1e-9^(-1 / 4) = 178 cubic pieces to each unit of length times curvature; of degree 1 it takes 10^4.
+TEST(Bend, polylines_become_cubic) {
+    for (const KnotForm form : {KnotForm::clamped, KnotForm::unclamped, KnotForm::periodic}) {
+        int32_t proven = -1;
+        const SplineData line = bent_by_one(polyline(5, form != KnotForm::periodic, form), 1e-9, proven);
+        EXPECT_EQ(proven, 1);
+        EXPECT_EQ(line.degrees[0], 3);
+        EXPECT_LE(line.point_count(), 600);
+        EXPECT_EQ(line.periodic(0), form == KnotForm::periodic);
+    }
+}
+
+// Corners are knots of multiplicity degree, where values are met; all others are smooth.
+TEST(Bend, corners_stay_corners) {
+    int32_t proven = -1;
+    const SplineData before = polyline(6, false, KnotForm::clamped),
+                     after = bent_by_one(before, 1e-7, proven);
+    const std::vector<double> &knots = after.knots[0];
+    ASSERT_EQ(after.degrees[0], 3);
+    for (size_t i = 4; i + 4 < knots.size(); ++i) {
+        const auto copies = std::count(knots.begin(), knots.end(), knots[i]);
+        const bool corner = std::floor(knots[i]) == knots[i];
+        ASSERT_EQ(copies, corner ? 3 : 1) << knots[i];
+        const BendCase rule{{0.1, 0}, {1, 0}, {0, 1}, 3, -HUGE_VAL, HUGE_VAL};
+        const long double gap =
+            gap_between(point_at(after, {knots[i]}), bent(rule, point_at(before, {knots[i]})));
+        ASSERT_TRUE(!corner || gap <= 16 * eps) << static_cast<double>(gap);
+    }
+}
+
+TEST(Bend, degrees_stay_where_they_suffice) {
+    int32_t proven = -1;
+    const SplineData loose = bent_by_one(polyline(40, false, KnotForm::clamped), 0.05, proven);
+    ASSERT_EQ(loose.degrees[0], 1);
+    ASSERT_EQ(loose.point_count(), 40);
+}
+
+// On even knots, where a control point of a high degree is ill-conditioned from one span.
+TEST(Bend, high_degrees_are_met) {
+    for (const int degree : {9, 17, 31}) {
+        for (const KnotForm form : {KnotForm::clamped, KnotForm::unclamped, KnotForm::periodic}) {
+            for (const int spans : {1, 2, 20}) {
+                Random random(static_cast<uint64_t>(1545000 + degree * 100 + spans));
+                Recipe recipe;
+                recipe.dim = 2;
+                recipe.weights = random.chance(50) ? Weights::none : Weights::moderate;
+                AxisRecipe axis = random_axis(random, degree);
+                axis.form = form;
+                axis.spacing = Spacing::integers;
+                axis.placement = Placement::origin;
+                axis.spans = spans;
+                recipe.axes = {axis};
+                SplineData data = random_spline(random, recipe);
+                const double size = extent(data);
+                std::transform(data.points.begin(), data.points.end(), data.points.begin(),
+                               [size](double x) { return 0.1 * x / size; });
+                int32_t proven = -1;
+                const SplineData after = bent_by_one(data, 1e-10, proven, 30);
+                ASSERT_LE(after.point_count(), 256) << where(static_cast<uint64_t>(degree), data);
+            }
+        }
+    }
+}
+
 // The corners of a box moved a little, and a volume of higher degree.
 SplineData random_volume(Random &random, int axes) {
     SplineData volume;

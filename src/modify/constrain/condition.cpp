@@ -86,18 +86,27 @@ void Condition::evaluate(const double *values, double *residual, double *jacobia
     }
 }
 
-// With a = C', b = C'', s = a.a: b / s - (a.b) a / s^2.
+// With a = C', b = C'', s = a.a: k = b / s - (a.b) a / s^2, r = k - t. The Jacobian is that of the components
+// of r in a frame that turns with the tangent T = a / |a|, of which that along T is -t.T:
+//
+//     D k + (T r^T + (t.T) I) / |a|.
+//
+// It is D k where r = 0. Elsewhere it says how T has to turn across t, of which T.D k = -k.D T tells nothing
+// where k is far from t.
 void Condition::curvature(const double *values, double *residual, double *jacobian) const noexcept {
     const double *const a = values, *const b = values + dim_;
-    const double s = dot(a, a, dim_), ab = dot(a, b, dim_) / s;
+    const double s = dot(a, a, dim_), ab = dot(a, b, dim_) / s, at = dot(a, target_, dim_) / s;
     for (int k = 0; k < dim_; ++k) {
         residual[k] = (b[k] - ab * a[k]) / s - target_[k];
+    }
+    for (int k = 0; k < dim_; ++k) {
         double *const to_a = jacobian + int64_t{2} * k * dim_, *const to_b = to_a + dim_;
         for (int c = 0; c < dim_; ++c) {
-            to_a[c] = (4 * ab * (a[k] * (a[c] / s)) - 2 * b[k] * (a[c] / s) - a[k] * (b[c] / s)) / s;
+            to_a[c] = (4 * ab * (a[k] * (a[c] / s)) - 2 * b[k] * (a[c] / s) - a[k] * (b[c] / s)) / s +
+                      a[k] * (residual[c] / s);
             to_b[c] = -a[k] * (a[c] / s) / s;
         }
-        to_a[k] -= ab / s;
+        to_a[k] += at - ab / s;
         to_b[k] += 1 / s;
     }
 }

@@ -19,10 +19,12 @@ struct Constrained {
 // shortest e is in the space that the rows span, for each coordinate, so that few unknowns are left
 // (RowSpace); where all are values the rows are shared by the coordinates. Residuals are refined twice.
 //
-// Otherwise x_(k+1) is the shortest x with g(x_k) + J (x - x_k) = 0, by sequential quadratic programming with
-// the objective's own Hessian (1) and a line search on |x|^2 / 2 + mu |g|_1 (Nocedal & Wright, "Numerical
-// Optimization", 18.3). It converges the faster the less the constraints are curved: each step multiplies the
-// error by about |multipliers| |g''|.
+// Otherwise x_(k+1) is the shortest x with g(x_k) + J (x - x_k) = 0, plus what the second derivatives of the
+// Lagrangian add in the kernel of J where they are positive there, by sequential quadratic programming with a
+// line search on |x|^2 / 2 + mu |g|_1 (Nocedal & Wright, "Numerical Optimization", 18.3). Without them each
+// step would multiply the error by about |multipliers| |g''|; with them the convergence is quadratic. They
+// are never formed: a system with them takes few conjugate gradients, since few derivatives of the spline are
+// in it.
 //
 // Throws NURBS_ERROR_INFLUENCE, _CONTRADICTION, _WEIGHT_SIGN, _NOT_CONVERGED, _POINT_NOT_FINITE,
 // _NOT_REPRESENTABLE, _OVERFLOW. Cost: with m equations of n unknowns n m^2, in each step.

@@ -2,6 +2,7 @@
 
 #include "base/norm.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -81,6 +82,20 @@ void check_influence(const NetState &state, const std::vector<LocalEquations> &a
         }
         if (!acts) {
             fail(NURBS_ERROR_INFLUENCE, "constraint %zu: no control point that may move acts on it", i);
+        }
+    }
+}
+
+void check_finite(const std::vector<LocalEquations> &all) {
+    const auto finite = [](const std::vector<double> &values) {
+        return std::all_of(values.begin(), values.end(), [](double x) { return std::isfinite(x); });
+    };
+    for (size_t i = 0; i < all.size(); ++i) {
+        if (!finite(all[i].residual) || !finite(all[i].jacobian)) {
+            fail(NURBS_ERROR_NOT_REPRESENTABLE,
+                 "constraint %zu is not finite: C' is zero where a curvature is asked for, or a value "
+                 "overflows",
+                 i);
         }
     }
 }

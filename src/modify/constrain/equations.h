@@ -27,6 +27,10 @@ std::vector<LocalEquations> all_equations(const NetState &state, const std::vect
 // either.
 void check_influence(const NetState &state, const std::vector<LocalEquations> &all);
 
+// Throws NURBS_ERROR_NOT_REPRESENTABLE for a condition that overflows or has no value, as the curvature where
+// a curve's derivative is 0.
+void check_finite(const std::vector<LocalEquations> &all);
+
 // The condition that is missed by most of its limit; -1 if all are met.
 int64_t worst_missed(const std::vector<LocalEquations> &all) noexcept;
 

@@ -64,6 +64,14 @@ MinimumNorm::Multipliers MinimumNorm::multipliers(const std::vector<double> &x) 
     return {{values.data(), values.data() + values.size()}, turned.tail(unknowns_ - rank).norm()};
 }
 
+std::vector<double> MinimumNorm::kernel_part(const std::vector<double> &x) const {
+    Eigen::MatrixXd turned = Eigen::Map<const Eigen::VectorXd>(x.data(), unknowns_);
+    turned.applyOnTheLeft(factors_->qr.householderQ().adjoint());
+    turned.topRows(factors_->qr.rank()).setZero();
+    turned.applyOnTheLeft(factors_->qr.householderQ());
+    return values_of(turned);
+}
+
 struct RowSpace::Factors {
     Eigen::HouseholderQR<Eigen::MatrixXd> qr;
 };

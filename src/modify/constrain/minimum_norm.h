@@ -29,6 +29,8 @@ public:
         double rest;
     };
     [[nodiscard]] Multipliers multipliers(const std::vector<double> &x) const;
+    // What is left of x, perpendicular to the independent rows.
+    [[nodiscard]] std::vector<double> kernel_part(const std::vector<double> &x) const;
 
 private:
     struct Factors; // keeps Eigen's templates out of this header

@@ -1,7 +1,9 @@
 #include "modify/constrain/programming.h"
 
 #include "base/checked.h"
+#include "base/finite.h"
 #include "base/norm.h"
+#include "modify/constrain/conjugate_gradients.h"
 #include "modify/constrain/minimum_norm.h"
 #include "modify/constrain/scaling.h"
 
@@ -137,6 +139,7 @@ private:
 
     // One step; whether the last one was too short to matter.
     bool advance() {
+        check_finite(all_);
         const Linearised system = linearised();
         const auto unknowns = static_cast<int64_t>(unknowns_);
         const MinimumNorm solver(system.rows, unknowns,
@@ -150,11 +153,64 @@ private:
         if (worst_missed(all_) < 0 && length_of(step) <= enough * length_of(next)) {
             return true;
         }
-        for (const double multiplier : solver.multipliers(next).values) {
-            penalty_ = std::max(penalty_, 2 * std::abs(multiplier));
-        }
+        const std::vector<double> multipliers = solver.multipliers(next).values;
+        const double needed = 2 * largest_magnitude(multipliers); // falls with them (Powell 1978)
+        penalty_ = std::max(needed, (penalty_ + needed) / 2);
+        const std::vector<double> more = second_order(solver, system, multipliers, step, length_of(next));
+        std::transform(step.begin(), step.end(), more.begin(), step.begin(), std::plus<>());
         search(system, step);
         return false;
+    }
+
+    // The sum of the multipliers times the gradients of the equations, scaled as in a system, at x.
+    std::vector<double> weighted_gradient(const std::vector<double> &x, const Linearised &system,
+                                          const std::vector<double> &multipliers) {
+        std::vector<double> moves, changes, sum(unknowns_, 0.0), row(unknowns_);
+        split(x, moves, changes);
+        state_.set(moves, changes);
+        size_t k = 0;
+        for (const LocalEquations &local : all_equations(state_, conditions_, tolerance_)) {
+            for (size_t i = 0; i < local.residual.size(); ++i, ++k) {
+                std::fill(row.begin(), row.end(), 0.0);
+                fill_row(local, i, row.data());
+                const double factor = multipliers[k] * system.scale[k];
+                std::transform(sum.begin(), sum.end(), row.begin(), sum.begin(),
+                               [factor](double a, double b) { return a + factor * b; });
+            }
+        }
+        return sum;
+    }
+
+    // What the second derivatives of the equations add to the step d that the first ones make: z in the
+    // kernel of J with P (1 - C) z = P C d, C the sum of multipliers times Hessians, P the projection onto
+    // the kernel. Products with C are differences of gradients. 0 where 1 - C is not positive, far from a
+    // minimum.
+    std::vector<double> second_order(const MinimumNorm &solver, const Linearised &system,
+                                     const std::vector<double> &multipliers, const std::vector<double> &d,
+                                     double size) {
+        constexpr double cube_root_eps = 6e-6, positive = 1e-3;
+        constexpr int most = 40;
+        const auto curved = [&](const std::vector<double> &v) {
+            const double length = length_of(v), h = length > 0 ? cube_root_eps * size / length : 0;
+            std::vector<double> difference = weighted_gradient(shifted(h, v), system, multipliers);
+            const std::vector<double> other = weighted_gradient(shifted(-h, v), system, multipliers);
+            std::transform(difference.begin(), difference.end(), other.begin(), difference.begin(),
+                           [h](double x, double y) { return h > 0 ? (x - y) / (2 * h) : 0; });
+            return solver.kernel_part(difference);
+        };
+        const auto product = [&](const std::vector<double> &v) {
+            std::vector<double> image = curved(v);
+            std::transform(v.begin(), v.end(), image.begin(), image.begin(), std::minus<>());
+            return image;
+        };
+        return conjugate_gradients(product, curved(d), positive, most);
+    }
+
+    [[nodiscard]] std::vector<double> shifted(double h, const std::vector<double> &v) const {
+        std::vector<double> x(unknowns_);
+        std::transform(x_.begin(), x_.end(), v.begin(), x.begin(),
+                       [h](double a, double b) { return a + h * b; });
+        return x;
     }
 
     // J x - g.
@@ -181,6 +237,7 @@ private:
         for (const double residual : system.residual) {
             descent -= penalty_ * std::abs(residual);
         }
+        descent = std::min(descent, 0.0);
         const double before = merit(x_, system.scale);
         const std::vector<double> from = x_;
         double part = longest_step(step);

@@ -3,6 +3,7 @@
 #include "base/norm.h"
 #include "base/representable.h"
 #include "modify/deform/span_samples.h"
+#include "refine/elevate.h"
 #include "refine/homogeneous.h"
 #include "refine/insert.h"
 
@@ -96,6 +97,7 @@ public:
 private:
     static constexpr int max_rounds = 120;
     static constexpr int max_stalled = 3;
+    static constexpr int sufficient_degree = 3;
     static constexpr int64_t max_points = int64_t{1} << 18;
 
     // A bound may be far above what it bounds, and cost many control points.
@@ -133,9 +135,10 @@ private:
         return lines;
     }
 
-    // Whether spans were cut.
+    // Whether degrees were raised or spans cut.
     bool refine_where_needed(double target) {
         std::vector<std::vector<double>> more(nodes_.size());
+        std::vector<char> raised(nodes_.size(), 0);
         const SplinePtr homogeneous = records();
         bool cut = false;
         for (size_t k = 0; k < nodes_.size(); ++k) {
@@ -147,12 +150,48 @@ private:
                 mapped(sampled(*homogeneous, places), dim_, fine_->rational(), map_);
             const std::vector<double> projected =
                 projected_along(*fine_, static_cast<int>(k), nodes_, numerators.values, fine_->dim());
-            more[k] =
-                new_knots(static_cast<int>(k), span_errors(numerators, projected, lines_of(k), dim_), target);
-            cut = cut || !more[k].empty();
+            const std::vector<double> errors = span_errors(numerators, projected, lines_of(k), dim_);
+            raised[k] = cheaper_raised(fine_->axis(static_cast<int>(k)), errors, target) ? 1 : 0;
+            if (raised[k] == 0) {
+                more[k] = new_knots(static_cast<int>(k), errors, target);
+            }
+            cut = cut || raised[k] != 0 || !more[k].empty();
         }
         insert(more);
+        raise(raised);
         return cut;
+    }
+
+    // Whether an axis of less than the sufficient degree would take more knots than raising it repeats.
+    static bool cheaper_raised(const KnotVector &axis, const std::vector<double> &errors, double target) {
+        const int times = sufficient_degree - axis.degree();
+        double knots = 0;
+        for (const double error : errors) {
+            knots += std::max(0.0, parts_wanted(axis, error, target) - 1);
+        }
+        return times > 0 && knots > static_cast<double>(times * std::ssize(errors));
+    }
+
+    void raise(const std::vector<char> &raised) {
+        for (size_t k = 0; k < nodes_.size(); ++k) {
+            if (raised[k] != 0) {
+                const auto axis = static_cast<int>(k);
+                fine_ = elevate(fine_, axis, sufficient_degree - fine_->axis(axis).degree());
+                nodes_[k] = LocalNodes(sufficient_degree);
+                require_room(fine_->point_count());
+            }
+        }
+    }
+
+    // The error of a part is that of the span divided by parts^(degree + 1), where the image is smooth.
+    static double parts_wanted(const KnotVector &axis, double error, double target) noexcept {
+        return std::ceil(std::pow(error / target, 1.0 / (axis.degree() + 1)));
+    }
+
+    void require_room(int64_t points) const {
+        if (points > max_points) {
+            fail_to_converge();
+        }
     }
 
     void insert(const std::vector<std::vector<double>> &more) {
@@ -160,9 +199,7 @@ private:
         for (size_t k = 0; k < nodes_.size(); ++k) {
             points *= fine_->count(static_cast<int>(k)) + std::ssize(more[k]);
         }
-        if (points > max_points) {
-            fail_to_converge();
-        }
+        require_room(points);
         for (size_t k = 0; k < nodes_.size(); ++k) {
             fine_ = refine(fine_, static_cast<int>(k), more[k]);
         }
@@ -197,23 +234,23 @@ private:
         }
     }
 
-    // The error of a part is that of the span divided by parts^(degree + 1), where the image is smooth.
     [[nodiscard]] std::vector<double> new_knots(int k, const std::vector<double> &errors,
                                                 double target) const {
         constexpr double most_parts = 8;
-        constexpr double nearly =
-            0.3; // a cut makes the neighbours a little worse, which must not go on and on
+        constexpr double nearly = 0.6; // cuts make neighbours a little worse, which must not go on and on
+        constexpr double share = 0.2;  // of the largest, below which an error may be a neighbour's
         const KnotVector &axis = fine_->axis(k);
         std::vector<double> knots;
-        if (*std::max_element(errors.begin(), errors.end()) <= target) {
+        const double largest = *std::max_element(errors.begin(), errors.end());
+        if (largest <= target) {
             return knots;
         }
         for (size_t s = 0; s < errors.size(); ++s) {
-            if (errors[s] <= nearly * target) {
+            if (errors[s] <= std::max(nearly * target, share * largest)) {
                 continue;
             }
-            const double wanted = std::pow(errors[s] / target, 1.0 / (axis.degree() + 1));
-            const auto parts = static_cast<int>(std::clamp(std::ceil(wanted), 2.0, most_parts));
+            const auto parts =
+                static_cast<int>(std::clamp(parts_wanted(axis, errors[s], target), 2.0, most_parts));
             append_parts(axis, s, parts, knots);
         }
         return knots;

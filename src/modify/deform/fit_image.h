@@ -23,13 +23,14 @@ struct FittedImage {
     bool proven; // by the judge
 };
 
-// The spline over refined knots of g, of its degrees and with its weights, whose numerators w(t) F(g(t)) are
-// found by local projection (span_samples.h): exactly, to rounding, where F is affine. Along each axis every
-// span is cut where the projection along it is off by more than a share of the tolerance at the nodes and
-// between them, in as many parts as its order promises, on the lines of the nodes of the other axes. The
-// whole is judged by `judge`, or by 2 degree + 3 samples along each axis of every cell; by these too where
-// three rounds more bring no proof. Throws NURBS_ERROR_NOT_CONVERGED if it takes more than 2^18 control
-// points, or spans that cannot be cut, and what the map and refine() throw.
+// The spline over refined knots of g, with its weights, whose numerators w(t) F(g(t)) are found by least
+// squares (span_samples.h): exactly, to rounding, where F is affine. Along each axis every span is cut where
+// the spline along it is off by more than a share of the tolerance, and of the largest error, at the nodes
+// and between them, in as many parts as its order promises, on the lines of the nodes of the other axes. A
+// degree below 3 is raised to 3 instead where this takes fewer control points, which leaves all continuity as
+// it was. The whole is judged by `judge`, or by 2 degree + 3 samples along each axis of every cell; by these
+// too where three rounds more bring no proof. Throws NURBS_ERROR_NOT_CONVERGED if it takes more than 2^18
+// control points, or spans that cannot be cut, and what the map, refine() and elevate() throw.
 FittedImage fit_image(const SplinePtr &g, const PointMap &map, double tolerance,
                       const Judge &judge = nullptr);
 

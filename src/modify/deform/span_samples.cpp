@@ -2,7 +2,8 @@
 
 #include "basis/bspline.h"
 #include "build/functions.h"
-#include "modify/constrain/minimum_norm.h"
+#include "reduce/banded_least_squares.h"
+#include "reduce/layers.h"
 #include "spline/layer_table.h"
 
 #include <algorithm>
@@ -24,7 +25,6 @@ double chebyshev(double i, int degree) noexcept {
 LocalNodes::LocalNodes(int degree) {
     if (degree == 0) {
         nodes_ = all_ = {0.5};
-        bernstein_ = {1};
         return;
     }
     for (int i = 0; i <= 2 * degree; ++i) {
@@ -33,15 +33,6 @@ LocalNodes::LocalNodes(int degree) {
             nodes_.push_back(all_.back());
         }
     }
-    const size_t size = nodes_.size();
-    std::vector<double> collocation, values(size), identity(size * size, 0.0);
-    for (size_t i = 0; i < size; ++i) {
-        bernstein_derivs(degree, nodes_[i], 0, values.data());
-        collocation.insert(collocation.end(), values.begin(), values.end());
-        identity[i * size + i] = 1;
-    }
-    const auto n = static_cast<int64_t>(size);
-    bernstein_ = MinimumNorm(collocation, n, 0).solve(identity, n);
 }
 
 namespace {
@@ -89,78 +80,92 @@ std::vector<double> sampled(const Spline &spline, const Places &places) {
 
 namespace {
 
-// The polar form of Bernstein's polynomials over a span at degree arguments.
-std::vector<double> polar_row(const KnotVector &axis, int64_t span, int64_t layer) {
-    const int p = axis.degree();
-    std::vector<double> row(static_cast<size_t>(p) + 1, 0.0);
-    row[0] = 1;
-    const double from = axis[span], length = axis[span + 1] - from;
-    for (int d = 1; d <= p; ++d) {
-        const double x = (axis[layer + d] - from) / length;
-        for (auto i = static_cast<size_t>(d); i > 0; --i) {
-            row[i] = (1 - x) * row[i] + x * row[i - 1];
+// The control points of an axis from samples of it, by least squares.
+class AxisFit {
+public:
+    // Samples of `length` values each, `places` on a span, of which node j is number stride * j.
+    AxisFit(const KnotVector &axis, const LocalNodes &nodes, size_t places, size_t stride, int64_t length)
+        : axis_(axis), nodes_(std::ssize(nodes.nodes())), places_(static_cast<int64_t>(places)),
+          stride_(static_cast<int64_t>(stride)), length_(length), columns_(axis.distinct_layers()),
+          border_(axis.periodic() ? std::min<int64_t>(columns_, axis.degree() + 1) : 0),
+          table_(sampling_table(axis, nodes.nodes())),
+          system_(columns_, axis.degree() + 1, static_cast<int>(border_), length) {}
+
+    // [distinct_layers()][length].
+    std::vector<double> run(const std::vector<double> &samples) {
+        int64_t anchored = 0;
+        for (int64_t r = 0; r < table_.rows(); ++r) {
+            const LayerTable::Row &row = table_.row(r);
+            const double *const sample =
+                samples.data() + (r / nodes_ * places_ + r % nodes_ * stride_) * length_;
+            for (const int64_t end = reached(r); anchored < end; ++anchored) {
+                add(anchor, {anchored, 0, 0}, sample);
+            }
+            add(row.size == 0 ? pin : 1, row, sample);
         }
-        row[0] *= 1 - x;
-    }
-    return row;
-}
-
-// How far a place is from the inside of a span, negative in it.
-double outside(const KnotVector &axis, int64_t span, double t) noexcept {
-    const double half = (axis[span + 1] - axis[span]) / 2;
-    return std::abs(t - (axis[span] + half)) - half;
-}
-
-// Where a control point is found: a copy of its layer, and the number of the span of its support in the
-// domain that is nearest to its Greville abscissa.
-struct Source {
-    int64_t layer;
-    int64_t number;
-    double far; // infinite: the support is outside the domain
-};
-
-Source source_of(const KnotVector &axis, int64_t layer) noexcept {
-    const auto spans = axis.spans().indices();
-    const double centre = greville(axis, layer);
-    const int64_t near = axis.spans().number(centre, false), p = axis.degree();
-    Source best{layer, near, std::numeric_limits<double>::infinity()};
-    for (int64_t i = std::max<int64_t>(0, near - p - 1); i < std::min(std::ssize(spans), near + p + 2); ++i) {
-        const int64_t s = spans[static_cast<size_t>(i)];
-        if (s >= layer && s <= layer + p && outside(axis, s, centre) < best.far) {
-            best = {layer, i, outside(axis, s, centre)};
+        std::vector<double> layers(static_cast<size_t>(columns_ * length_));
+        if (!system_.solve(layers.data())) {
+            fail(NURBS_ERROR_NOT_REPRESENTABLE, "the knots lie too close for degree %d", axis_.degree());
         }
+        return layers;
     }
-    return best;
-}
 
-// Of all copies that are stored, the same for each of them.
-Source best_source(const KnotVector &axis, int64_t layer) noexcept {
-    const int64_t distinct = axis.distinct_layers();
-    Source best = source_of(axis, layer % distinct);
-    for (int64_t copy = layer % distinct + distinct; copy < axis.count(); copy += distinct) {
-        const Source other = source_of(axis, copy);
-        best = other.far < best.far ? other : best;
+private:
+    static constexpr double anchor = std::numeric_limits<double>::epsilon(); // changes no image by more
+    static constexpr double pin = 0x1p30; // the square of which is beyond the others' rounding
+
+    // Behind the layers that act on the span of row r, or before it; all at the last row.
+    [[nodiscard]] int64_t reached(int64_t r) const {
+        const int64_t span = axis_.spans().indices()[static_cast<size_t>(r / nodes_)];
+        return r + 1 == table_.rows() ? columns_ : std::min(span + 1, columns_);
     }
-    return best;
-}
 
-// From samples of which node j is number stride * j of `places` on each span.
-LayerTable control_table(const KnotVector &axis, const LocalNodes &nodes, size_t places, size_t stride) {
-    const size_t size = nodes.nodes().size();
-    LayerTable table;
-    for (int64_t i = 0; i < axis.count(); ++i) {
-        const Source source = best_source(axis, i);
-        const auto number = static_cast<size_t>(source.number);
-        const std::vector<double> polar = polar_row(axis, axis.spans().indices()[number], source.layer);
-        std::vector<double> row(places, 0.0);
-        for (size_t k = 0; k < size; ++k) {
-            for (size_t j = 0; j < size; ++j) {
-                row[stride * j] += polar[k] * nodes.bernstein()[k * size + j];
+    void add(double factor, const LayerTable::Row &row, const double *sample) {
+        static constexpr double copied = 1;
+        const double *const entries = row.size == 0 ? &copied : table_.coefficients(row);
+        band_.clear();
+        wrapped_.assign(static_cast<size_t>(border_), 0.0);
+        int64_t first = 0;
+        for (int i = 0; i < std::max(row.size, 1); ++i) {
+            const int64_t column = (row.first + i) % columns_;
+            if (column >= columns_ - border_) {
+                wrapped_[static_cast<size_t>(column - columns_ + border_)] += factor * entries[i];
+            } else {
+                first = band_.empty() ? column : first;
+                band_.push_back(factor * entries[i]);
             }
         }
-        table.add_row(static_cast<int64_t>(number * places), row.data(), static_cast<int>(places));
+        right_.assign(sample, sample + length_);
+        std::for_each(right_.begin(), right_.end(), [factor](double &x) { x *= factor; });
+        system_.add_row(first, band_, wrapped_, right_.data());
     }
-    return table;
+
+    const KnotVector &axis_;
+    int64_t nodes_;
+    int64_t places_;
+    int64_t stride_;
+    int64_t length_;
+    int64_t columns_;
+    int64_t border_;
+    LayerTable table_;
+    BandedLeastSquares system_;
+    std::vector<double> band_;
+    std::vector<double> wrapped_;
+    std::vector<double> right_;
+};
+
+// The samples along axis k, of which node j is number stride * j of `places` on each span, replaced by
+// control points of an axis.
+SplinePtr fitted(const Spline &samples, int k, const KnotVector &axis, const LocalNodes &nodes, size_t places,
+                 size_t stride) {
+    const int64_t length = layer_length(samples, k);
+    const std::vector<double> layers =
+        AxisFit(axis, nodes, places, stride, length).run(layer_records(samples, k));
+    std::vector<LayerSource> sources;
+    for (int64_t i = 0; i < axis.count(); ++i) {
+        sources.push_back({-1, layers.data() + i % axis.distinct_layers() * length});
+    }
+    return spline_of_layers(samples, k, index_axis(axis.count()), sources);
 }
 
 // Samples with `places[k]` of each span on axis k.
@@ -189,7 +194,7 @@ std::vector<double> control_points(const Spline &spline, const std::vector<Local
     SplinePtr values = as_spline(spline, node_counts(nodes), std::move(samples), width);
     for (int k = 0; k < spline.axes(); ++k) {
         const LocalNodes &own = nodes[static_cast<size_t>(k)];
-        values = applied(*values, k, control_table(spline.axis(k), own, own.nodes().size(), 1));
+        values = fitted(*values, k, spline.axis(k), own, own.nodes().size(), 1);
     }
     return {values->points().begin(), values->points().end()};
 }
@@ -201,7 +206,7 @@ std::vector<double> projected_along(const Spline &spline, int k, const std::vect
     std::array<size_t, max_axes> counts = node_counts(nodes);
     counts[at] = all.size();
     SplinePtr values = as_spline(spline, counts, std::move(samples), width);
-    values = applied(*values, k, control_table(spline.axis(k), nodes[at], all.size(), 2));
+    values = fitted(*values, k, spline.axis(k), nodes[at], all.size(), 2);
     values = applied(*values, k, sampling_table(spline.axis(k), all));
     return {values->points().begin(), values->points().end()};
 }

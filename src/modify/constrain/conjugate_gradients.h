@@ -1,0 +1,42 @@
+// Linear equations with a symmetric positive matrix of which only products are known (M. Hestenes, E.
+// Stiefel, J. Res. NBS 49 (1952)).
+#pragma once
+
+#include <algorithm>
+#include <numeric>
+#include <vector>
+
+namespace nrb {
+
+// z with A z = b to 1e-6 of b, or what `most` products bring it to: as many as A has distinct eigenvalues are
+// enough. 0 if there is a direction p with p.A p <= least p.p.
+template <class Product>
+std::vector<double> conjugate_gradients(Product &&product, std::vector<double> b, double least, int most) {
+    const auto dot = [](const std::vector<double> &x, const std::vector<double> &y) {
+        return std::inner_product(x.begin(), x.end(), y.begin(), 0.0);
+    };
+    const auto sum = [](const std::vector<double> &x, double factor, const std::vector<double> &y) {
+        std::vector<double> result(x);
+        std::transform(x.begin(), x.end(), y.begin(), result.begin(),
+                       [factor](double u, double v) { return u + factor * v; });
+        return result;
+    };
+    std::vector<double> z(b.size(), 0.0), rest = std::move(b), p = rest;
+    double square = dot(rest, rest);
+    const double enough = 1e-12 * square;
+    for (int i = 0; i < most && square > enough; ++i) {
+        const std::vector<double> image = product(p);
+        const double curvature = dot(p, image);
+        if (!(curvature > least * dot(p, p))) {
+            return std::vector<double>(z.size(), 0.0);
+        }
+        z = sum(z, square / curvature, p);
+        rest = sum(rest, -square / curvature, image);
+        const double before = square;
+        square = dot(rest, rest);
+        p = sum(rest, square / before, p);
+    }
+    return z;
+}
+
+} // namespace nrb
