@@ -37,6 +37,7 @@ CriticalSet PatchCritical::run() {
         set.status = NURBS_CLOSEST_BUDGET;
         return set;
     }
+    find_poles();
     search_faces();
     set.points = std::move(found_);
     std::sort(set.points.begin(), set.points.end(),
@@ -47,29 +48,33 @@ CriticalSet PatchCritical::run() {
     return set;
 }
 
-void PatchCritical::search_faces() {
+// The face of which side k is digit k of a number to the base 3, less 1; false if there is none: at a seam.
+bool PatchCritical::make_face(int code, Face &face) const {
     const PatchShape &shape = pieces_.shape();
+    face.shape = shape;
+    face.shape.axes = 0;
+    bool exists = true;
+    for (int k = 0; k < shape.axes; ++k, code /= 3) {
+        const auto at = static_cast<size_t>(k);
+        face.side[at] = code % 3 - 1;
+        const bool seam = pieces_.periodic(pieces_.spline_axis(k)) && query_.range == nullptr;
+        exists = exists && (face.side[at] < 0 || !seam);
+        if (face.side[at] < 0) {
+            face.axis[static_cast<size_t>(face.shape.axes)] = k;
+            face.shape.degrees[static_cast<size_t>(face.shape.axes++)] = shape.degree(k);
+        }
+    }
+    return exists;
+}
+
+void PatchCritical::search_faces() {
     int faces = 1;
-    for (int k = 0; k < shape.axes; ++k) {
+    for (int k = 0; k < pieces_.shape().axes; ++k) {
         faces *= 3;
     }
     for (int code = 0; code < faces; ++code) {
         Face face;
-        face.shape = shape;
-        face.shape.axes = 0;
-        bool exists = true;
-        for (int k = 0, rest = code; k < shape.axes; ++k, rest /= 3) {
-            const auto at = static_cast<size_t>(k);
-            face.side[at] = rest % 3 - 1;
-            const int axis = pieces_.spline_axis(k);
-            const bool seam = pieces_.periodic(axis) && query_.range == nullptr;
-            exists = exists && (face.side[at] < 0 || !seam);
-            if (face.side[at] < 0) {
-                face.axis[static_cast<size_t>(face.shape.axes)] = k;
-                face.shape.degrees[static_cast<size_t>(face.shape.axes++)] = shape.degree(k);
-            }
-        }
-        if (exists) {
+        if (make_face(code, face) && !is_pole(face)) {
             face.squares = std::make_unique<PatchSquares>(face.shape);
             search_face(face);
         }
@@ -105,18 +110,23 @@ bool PatchCritical::touches(const Face &face, int64_t piece) const noexcept {
     return true;
 }
 
-// Of the part in the range, the coefficients on the face.
-void PatchCritical::search_piece(const Face &face, int64_t piece) {
-    const PatchShape &shape = pieces_.shape();
+PatchItem PatchCritical::piece_in_range(int64_t piece) const {
     PatchItem whole = items_.whole(piece);
     items_.measure(whole);
     const PatchBox box = box_in_range(pieces_, piece, query_.range);
-    for (int k = 0; k < shape.axes; ++k) {
+    for (int k = 0; k < pieces_.shape().axes; ++k) {
         const auto at = static_cast<size_t>(k);
         if (box.lower[at] > 0 || box.upper[at] < 1) {
             whole = items_.part(whole, k, box.lower[at], box.upper[at]);
         }
     }
+    return whole;
+}
+
+// Of the part in the range, the coefficients on the face.
+void PatchCritical::search_piece(const Face &face, int64_t piece) {
+    const PatchShape &shape = pieces_.shape();
+    PatchItem whole = piece_in_range(piece);
     if (face.shape.axes == 0) {
         AxisValues at{};
         std::copy_n(face.side.begin(), shape.axes, at.begin());
@@ -188,6 +198,9 @@ bool PatchCritical::settled(const Face &face, const PatchItem &whole, const Part
         return true;
     }
     const bool flat = slopes.spread() <= 8 * noise_; // one point, or many at one distance
+    if ((flat && slopes.slanted()) || at_pole(slopes, flat)) {
+        return true;
+    }
     if (flat || too_deep) {
         incomplete_ = incomplete_ || !flat;
         add_all(face, whole, part, slopes);
@@ -224,6 +237,7 @@ void PatchCritical::add_all(const Face &face, const PatchItem &whole, const Part
     const double extent = slopes.extent(point);
     const bool is_point = extent <= near_;
     if (is_point ? is_real(face, whole, at) : slopes.spread() <= 8 * noise_) {
+        open_pole(point);
         add(face, whole, at, is_point);
     }
 }
@@ -352,6 +366,9 @@ void PatchCritical::add(const Face &face, const PatchItem &whole, const AxisValu
     std::vector<double> point(static_cast<size_t>(dim));
     descent_.point(whole.values, at, point.data());
     connected_ = connected_ || !isolated;
+    if (at_pole(point)) {
+        return;
+    }
     for (const std::vector<double> &other : points_) {
         if (distance(point.data(), other.data(), dim) <= near_) {
             return;
@@ -361,6 +378,12 @@ void PatchCritical::add(const Face &face, const PatchItem &whole, const AxisValu
         incomplete_ = true;
         return;
     }
+    add_point(whole, at, isolated ? kind(face, whole, at) : NURBS_CRITICAL_UNDECIDED);
+}
+
+void PatchCritical::add_point(const PatchItem &whole, const AxisValues &at, int32_t kind) {
+    std::vector<double> point(static_cast<size_t>(pieces_.shape().dim));
+    descent_.point(whole.values, at, point.data());
     AxisValues place{};
     for (int k = 0; k < pieces_.shape().axes; ++k) {
         place[static_cast<size_t>(k)] = std::clamp(whole.to_piece(k, at[static_cast<size_t>(k)]), 0.0, 1.0);
@@ -369,7 +392,7 @@ void PatchCritical::add(const Face &face, const PatchItem &whole, const AxisValu
     critical.foot = foot_at(pieces_, whole.piece, place, query_.range);
     critical.foot.distance = pieces_.unscaled(descent_.distance(whole.values, at));
     critical.foot.noise = pieces_.unscaled(noise_);
-    critical.kind = isolated ? kind(face, whole, at) : NURBS_CRITICAL_UNDECIDED;
+    critical.kind = kind;
     found_.push_back(critical);
     points_.push_back(std::move(point));
 }

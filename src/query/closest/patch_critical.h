@@ -33,6 +33,25 @@ private:
         AxisValues lower, length; // in the piece, along the axes of the face
         int depth;
     };
+    // An edge that is a point, and how near to it distances do not tell points apart. Kind: a
+    // NURBS_CRITICAL_ constant, 0 if it is not critical as far as is known.
+    struct Pole {
+        std::vector<double> point;
+        double radius;
+        int axis; // it is the side of the domain, or of the range, where this one ends
+        int64_t piece;
+        AxisValues at;
+        int32_t kind;
+    };
+    void find_poles();
+    void find_pole(const Face &face);
+    bool set_kind(const Face &face, const std::vector<int64_t> &pieces, Pole &pole) const;
+    [[nodiscard]] PatchItem piece_in_range(int64_t piece) const;
+    [[nodiscard]] bool at_pole(const PatchSlopes &slopes, bool flat);
+    [[nodiscard]] bool at_pole(const std::vector<double> &point);
+    void open_pole(const double *point);
+    [[nodiscard]] bool is_pole(const Face &face) const noexcept;
+    [[nodiscard]] bool make_face(int code, Face &face) const;
     void search_faces();
     void search_face(const Face &face);
     void search_piece(const Face &face, int64_t piece);
@@ -45,6 +64,7 @@ private:
     // A critical point in the part, by Newton's method; false if it leaves the part.
     bool find(const Face &face, const PatchItem &whole, const Part &part);
     void add(const Face &face, const PatchItem &whole, const AxisValues &at, bool isolated);
+    void add_point(const PatchItem &whole, const AxisValues &at, int32_t kind);
     [[nodiscard]] int32_t kind(const Face &face, const PatchItem &whole, const AxisValues &at) const;
     [[nodiscard]] bool is_real(const Face &face, const PatchItem &whole, const AxisValues &at) const;
 
@@ -58,6 +78,7 @@ private:
     double near_ = 0; // points nearer to each other are one
     int64_t cost_ = 1, spent_ = 0, budget_ = 0;
     bool incomplete_ = false, connected_ = false;
+    std::vector<Pole> poles_;
     std::vector<CriticalPoint> found_;
     std::vector<std::vector<double>> points_; // of those found
 };
