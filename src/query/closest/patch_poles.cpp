@@ -92,7 +92,7 @@ void PatchCritical::find_pole(const Face &face) {
     pole.piece = pieces.front();
     pole.at[static_cast<size_t>(axis)] = side;
     if (set_kind(face, pieces, pole)) {
-        if (pole.kind != 0) {
+        if (pole.kind != 0 && (!minima_ || pole.kind == NURBS_CRITICAL_MINIMUM)) {
             add_point(piece_in_range(pole.piece), pole.at, pole.kind);
         }
         poles_.push_back(std::move(pole));
@@ -147,7 +147,7 @@ bool PatchCritical::at_pole(const PatchSlopes &slopes, bool flat) {
     for (const Pole &pole : poles_) {
         const double extent = slopes.extent(pole.point.data());
         if (pole.kind != 0 && extent <= (flat ? pole.radius : near_)) {
-            connected_ = connected_ || extent > near_;
+            connected_ = connected_ || (extent > near_ && !minima_);
             return true;
         }
     }
@@ -158,11 +158,20 @@ bool PatchCritical::at_pole(const std::vector<double> &point) {
     for (const Pole &pole : poles_) {
         const double apart = distance(point.data(), pole.point.data(), pieces_.shape().dim);
         if (pole.kind != 0 && apart <= pole.radius) {
-            connected_ = connected_ || apart > near_;
+            connected_ = connected_ || (apart > near_ && !minima_);
             return true;
         }
     }
     return false;
+}
+
+bool PatchCritical::is_at_pole(const PatchItem &whole, const AxisValues &at) const {
+    std::vector<double> point(static_cast<size_t>(pieces_.shape().dim));
+    descent_.point(whole.values, at, point.data());
+    return std::any_of(poles_.begin(), poles_.end(), [&](const Pole &pole) {
+        return pole.kind != 0 &&
+               distance(point.data(), pole.point.data(), pieces_.shape().dim) <= pole.radius;
+    });
 }
 
 // A part near a pole that is not critical, which rounding has left open, makes it an undecided one.

@@ -351,37 +351,6 @@ bool PatchSearch::improve_to(const PatchItem &item, const AxisValues &at, double
     return true;
 }
 
-void PatchSearch::consider(const PatchItem &item, const AxisValues &at, double distance, bool strict) {
-    Place place{item.piece, {}, sign_ * distance, item.moved};
-    if (!(place.value <= upper()) || (several_ && !all_)) {
-        return;
-    }
-    for (int k = 0; k < pieces_.shape().axes; ++k) {
-        const auto i = static_cast<size_t>(k);
-        place.at[i] = std::clamp(item.to_piece(k, at[i]), 0.0, 1.0);
-    }
-    if (same_point(place, best_)) {
-        return;
-    }
-    const Place before = place;
-    walk(place);
-    if (place.value < best_.value - noise_) {
-        improve_to(items_.whole(place.piece), place.at, sign_ * place.value);
-    }
-    if (same_point(place, best_)) {
-        return;
-    }
-    if (all_) {
-        connected_ = connected_ || !strict;
-        const bool is_minimum = before.value - place.value <= noise_;
-        if (is_minimum && others_.size() < 4096) {
-            others_.push_back(before);
-        }
-        return;
-    }
-    several_ = true;
-}
-
 Foot PatchSearch::nearest() {
     if (far_away()) {
         return any_point();
@@ -394,52 +363,6 @@ Foot PatchSearch::nearest() {
                      : rounded <= noise_ / 8 ? NURBS_CLOSEST_CERTIFIED
                                              : NURBS_CLOSEST_COARSE;
     result.status |= several_ ? NURBS_CLOSEST_NOT_UNIQUE : 0;
-    return result;
-}
-
-// Whether no descent leads on, neither into other pieces nor from a saddle. What is as near as the best point
-// is one in any case.
-bool PatchSearch::is_minimum(const Place &place) {
-    if (place.value <= best_.value + noise_) {
-        return true;
-    }
-    const PatchMemory::Hold hold(memory_);
-    const PatchJet jet = descent_.jet(items_.whole(place.piece).values, place.at);
-    for (size_t k = 0; k < static_cast<size_t>(pieces_.shape().axes); ++k) {
-        const double bend = sign_ * (jet.metric[k][k] + jet.curvature[k][k]);
-        if (place.at[k] > 0 && place.at[k] < 1 && bend < 0) {
-            return false;
-        }
-    }
-    Place other = place;
-    walk(other);
-    return place.value - other.value <= noise_;
-}
-
-std::vector<Foot> PatchSearch::all() {
-    if (far_away()) {
-        return {any_point()};
-    }
-    all_ = true;
-    search();
-    others_.push_back(best_);
-    std::vector<Place> kept;
-    std::sort(others_.begin(), others_.end(),
-              [](const Place &a, const Place &b) { return a.value < b.value; });
-    for (const Place &place : others_) {
-        const auto same = [&](const Place &other) { return same_point(place, other); };
-        if (place.value <= upper() && std::none_of(kept.begin(), kept.end(), same) && is_minimum(place)) {
-            kept.push_back(place);
-        }
-    }
-    std::vector<Foot> result;
-    int32_t status = incomplete_ ? NURBS_CLOSEST_BUDGET : connected_ ? 0 : NURBS_CLOSEST_CERTIFIED;
-    status |= kept.size() > 1 || connected_ ? NURBS_CLOSEST_NOT_UNIQUE : 0;
-    for (const Place &place : kept) {
-        result.push_back(foot(place));
-        result.back().status |= status;
-    }
-    std::sort(result.begin(), result.end(), [](const Foot &a, const Foot &b) { return a.params < b.params; });
     return result;
 }
 

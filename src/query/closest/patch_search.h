@@ -50,6 +50,7 @@ private:
     // A minimum of an item as near as the best one: whether it is one of the spline, and elsewhere.
     void consider(const PatchItem &item, const AxisValues &at, double distance, bool strict);
     bool is_minimum(const Place &place);
+    void search_minima();
 
     const PatchTree &tree_;
     Place best_;

@@ -168,6 +168,11 @@ bool PatchSlopes::slanted_along(int axis, const double *centre, const Range &hei
     return slope.low > error || slope.high < -error;
 }
 
+double PatchSlopes::least() const noexcept {
+    const double off = 2 * error_ / (least_weight_ * least_weight_);
+    return std::sqrt(std::max(0.0, least_ - off)) * (1 - 4 * eps);
+}
+
 double PatchSlopes::spread() const noexcept {
     return std::sqrt(most_) - std::sqrt(std::max(0.0, least_));
 }

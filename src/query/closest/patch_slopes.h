@@ -20,6 +20,8 @@ public:
     // The same by the tangents alone, for a patch that is small beside the distance: near a point to which
     // an edge has collapsed, rounding is as small as they are.
     [[nodiscard]] bool slanted() const noexcept;
+    // The smallest distance, or less.
+    [[nodiscard]] double least() const noexcept;
     // The largest distance less the smallest one, or more.
     [[nodiscard]] double spread() const noexcept;
     // How far the patch reaches from a point.
