@@ -1,5 +1,8 @@
 #include "query/closest/patch_candidates.h"
 
+#include "query/closest/patch_place.h"
+
+#include <algorithm>
 #include <limits>
 
 namespace nrb {
@@ -25,6 +28,22 @@ PatchCandidates::Part PatchCandidates::inside(const PatchTree::Extent &extent) c
     return part;
 }
 
+// Whether the centre of a node that the range cuts is in it.
+bool PatchCandidates::holds_centre(int level, int64_t node) const noexcept {
+    const PatchTree::Place centre = tree_.centre(level, node);
+    PatchTree::Extent piece{};
+    piece.lower = piece.upper = pieces_.index(centre.piece);
+    for (int64_t &i : piece.upper) {
+        ++i;
+    }
+    const PatchBox box = box_in_range(pieces_, centre.piece, query_.range);
+    bool holds = inside(piece) != Part::none;
+    for (size_t k = 0; k < static_cast<size_t>(pieces_.shape().axes); ++k) {
+        holds = holds && centre.at[k] >= box.lower[k] && centre.at[k] <= box.upper[k];
+    }
+    return holds;
+}
+
 void PatchCandidates::visit_children(int level, const Candidate &parent, Candidates &next) {
     const PatchTree::Family &family = tree_.family(level, parent.node);
     double bounds[PatchTree::most_width], centres[PatchTree::most_width];
@@ -40,11 +59,14 @@ void PatchCandidates::visit_children(int level, const Candidate &parent, Candida
         if (part == Part::none) {
             continue;
         }
-        if (part == Part::all && centres[i] < reached_) {
+        if (centres[i] < reached_ && (part == Part::all || holds_centre(level + 1, node))) {
             reached_ = centres[i];
-        }
-        if (leaves && (start_leaf_ < 0 || centres[i] <= reached_)) {
-            start_leaf_ = node;
+            start_level_ = level + 1;
+            start_node_ = node;
+        } else if (leaves && reached_ == infinite && (start_level_ < 0 || centres[i] < outside_)) {
+            outside_ = centres[i];
+            start_level_ = level + 1;
+            start_node_ = node;
         }
         next.push_back({bounds[i], node});
     }
@@ -73,6 +95,26 @@ PatchCandidates::PatchCandidates(const PatchPieces &pieces, const PatchTree &tre
             leaves.push_back(candidate);
         }
     }
+}
+
+// The leaves of a piece stand side by side.
+void PatchCandidates::order(double limit, Groups &groups) {
+    const auto nearer = [](const auto &a, const auto &b) { return a.bound < b.bound; };
+    for (Candidate *first = leaves_.begin(); first != leaves_.end();) {
+        const int64_t piece = tree_.leaf(first->node).piece;
+        Candidate *end = first, *last = first;
+        for (; end != leaves_.end() && tree_.leaf(end->node).piece == piece; ++end) {
+            if (end->bound <= limit) {
+                *last++ = *end;
+            }
+        }
+        if (last != first) {
+            std::sort(first, last, nearer);
+            groups.push_back({first->bound, piece, first, last});
+        }
+        first = end;
+    }
+    std::sort(groups.begin(), groups.end(), nearer);
 }
 
 } // namespace nrb

@@ -37,6 +37,7 @@ CriticalSet PatchCritical::run() {
         set.status = NURBS_CLOSEST_BUDGET;
         return set;
     }
+    find_poles();
     search_faces();
     set.points = std::move(found_);
     std::sort(set.points.begin(), set.points.end(),
@@ -47,29 +48,54 @@ CriticalSet PatchCritical::run() {
     return set;
 }
 
-void PatchCritical::search_faces() {
+// The face of which side k is digit k of a number to the base 3, less 1; false if there is none: at a seam.
+bool PatchCritical::make_face(int code, Face &face) const {
     const PatchShape &shape = pieces_.shape();
-    int faces = 1;
-    for (int k = 0; k < shape.axes; ++k) {
-        faces *= 3;
-    }
-    for (int code = 0; code < faces; ++code) {
-        Face face;
-        face.shape = shape;
-        face.shape.axes = 0;
-        bool exists = true;
-        for (int k = 0, rest = code; k < shape.axes; ++k, rest /= 3) {
-            const auto at = static_cast<size_t>(k);
-            face.side[at] = rest % 3 - 1;
-            const int axis = pieces_.spline_axis(k);
-            const bool seam = pieces_.periodic(axis) && query_.range == nullptr;
-            exists = exists && (face.side[at] < 0 || !seam);
-            if (face.side[at] < 0) {
-                face.axis[static_cast<size_t>(face.shape.axes)] = k;
-                face.shape.degrees[static_cast<size_t>(face.shape.axes++)] = shape.degree(k);
-            }
+    face.shape = shape;
+    face.shape.axes = 0;
+    bool exists = true;
+    for (int k = 0; k < shape.axes; ++k, code /= 3) {
+        const auto at = static_cast<size_t>(k);
+        face.side[at] = code % 3 - 1;
+        const bool seam = pieces_.periodic(pieces_.spline_axis(k)) && query_.range == nullptr;
+        exists = exists && (face.side[at] < 0 || !seam);
+        if (face.side[at] < 0) {
+            face.axis[static_cast<size_t>(face.shape.axes)] = k;
+            face.shape.degrees[static_cast<size_t>(face.shape.axes++)] = shape.degree(k);
         }
-        if (exists) {
+    }
+    return exists;
+}
+
+int PatchCritical::face_count() const noexcept {
+    int count = 1;
+    for (int k = 0; k < pieces_.shape().axes; ++k) {
+        count *= 3;
+    }
+    return count;
+}
+
+// Faces of pieces inside the domain are searched for the sake of creases.
+PatchCritical::Spots PatchCritical::minima(const std::vector<int64_t> &pieces, double limit) {
+    minima_ = true;
+    limit_ = limit;
+    find_poles();
+    for (int code = 0; code < face_count(); ++code) {
+        Face face;
+        static_cast<void>(make_face(code, face)); // seams too
+        face.squares = std::make_unique<PatchSquares>(face.shape);
+        for (const int64_t piece : pieces) {
+            const PatchMemory::Hold hold(memory_);
+            search_piece(face, piece);
+        }
+    }
+    return {std::move(spots_), incomplete_, connected_};
+}
+
+void PatchCritical::search_faces() {
+    for (int code = 0; code < face_count(); ++code) {
+        Face face;
+        if (make_face(code, face) && !is_pole(face)) {
             face.squares = std::make_unique<PatchSquares>(face.shape);
             search_face(face);
         }
@@ -105,18 +131,23 @@ bool PatchCritical::touches(const Face &face, int64_t piece) const noexcept {
     return true;
 }
 
-// Of the part in the range, the coefficients on the face.
-void PatchCritical::search_piece(const Face &face, int64_t piece) {
-    const PatchShape &shape = pieces_.shape();
+PatchItem PatchCritical::piece_in_range(int64_t piece) const {
     PatchItem whole = items_.whole(piece);
     items_.measure(whole);
     const PatchBox box = box_in_range(pieces_, piece, query_.range);
-    for (int k = 0; k < shape.axes; ++k) {
+    for (int k = 0; k < pieces_.shape().axes; ++k) {
         const auto at = static_cast<size_t>(k);
         if (box.lower[at] > 0 || box.upper[at] < 1) {
             whole = items_.part(whole, k, box.lower[at], box.upper[at]);
         }
     }
+    return whole;
+}
+
+// Of the part in the range, the coefficients on the face.
+void PatchCritical::search_piece(const Face &face, int64_t piece) {
+    const PatchShape &shape = pieces_.shape();
+    PatchItem whole = piece_in_range(piece);
     if (face.shape.axes == 0) {
         AxisValues at{};
         std::copy_n(face.side.begin(), shape.axes, at.begin());
@@ -184,10 +215,13 @@ bool PatchCritical::settled(const Face &face, const PatchItem &whole, const Part
         incomplete_ = incomplete_ || too_deep;
         return too_deep;
     }
-    if (slopes.monotone()) {
+    if (slopes.least() > limit_ || slopes.monotone()) {
         return true;
     }
     const bool flat = slopes.spread() <= 8 * noise_; // one point, or many at one distance
+    if ((flat && slopes.slanted()) || at_pole(slopes, flat)) {
+        return true;
+    }
     if (flat || too_deep) {
         incomplete_ = incomplete_ || !flat;
         add_all(face, whole, part, slopes);
@@ -196,7 +230,7 @@ bool PatchCritical::settled(const Face &face, const PatchItem &whole, const Part
     const PatchSlopes::Matrix matrix = slopes.matrix();
     axis = slopes.widest_axis();
     const bool singular = matrix == PatchSlopes::Matrix::singular && part.depth >= shallow * face.shape.axes;
-    if ((singular || matrix == PatchSlopes::Matrix::regular) && find(face, whole, part)) {
+    if ((singular || matrix == PatchSlopes::Matrix::regular) && find(face, whole, part, singular)) {
         connected_ = connected_ || singular;
         return true;
     }
@@ -224,11 +258,12 @@ void PatchCritical::add_all(const Face &face, const PatchItem &whole, const Part
     const double extent = slopes.extent(point);
     const bool is_point = extent <= near_;
     if (is_point ? is_real(face, whole, at) : slopes.spread() <= 8 * noise_) {
+        open_pole(point);
         add(face, whole, at, is_point);
     }
 }
 
-bool PatchCritical::find(const Face &face, const PatchItem &whole, const Part &part) {
+bool PatchCritical::find(const Face &face, const PatchItem &whole, const Part &part, bool singular) {
     const int n = face.shape.axes;
     AxisValues at = middle(face, part);
     bool converged = false;
@@ -264,94 +299,27 @@ bool PatchCritical::find(const Face &face, const PatchItem &whole, const Part &p
         }
         at[j] = std::clamp(at[j], part.lower[i], part.lower[i] + part.length[i]);
     }
+    if (singular && is_at_pole(whole, at)) {
+        return false;
+    }
     if (converged && is_real(face, whole, at)) {
         add(face, whole, at, true);
     }
     return converged;
 }
 
-// Where a tangent vanishes, at a pole, the derivative along it does too, whatever the point: there all
-// directions count.
-bool PatchCritical::is_real(const Face &face, const PatchItem &whole, const AxisValues &at) const {
-    const PatchJet here = descent_.jet(whole.values, at);
-    double largest = 0;
-    for (int k = 0; k < face.shape.axes; ++k) {
-        const auto i = static_cast<size_t>(face.axis[static_cast<size_t>(k)]);
-        largest = std::max(largest, here.metric[i][i]);
-    }
-    for (int k = 0; k < face.shape.axes; ++k) {
-        const auto i = static_cast<size_t>(face.axis[static_cast<size_t>(k)]);
-        if (here.metric[i][i] > eps * largest) {
-            continue;
-        }
-        for (const double t : {0.0, 0.25, 0.5, 0.75, 1.0}) {
-            AxisValues other = at;
-            other[i] = t;
-            const PatchJet jet = descent_.jet(whole.values, other);
-            for (size_t j = 0; j < face.side.size(); ++j) { // an edge that is a point: like a corner
-                if (face.side[j] >= 0 && !(jet.gradient[j] * here.gradient[j] > 0)) {
-                    return false;
-                }
-            }
-            for (int l = 0; l < face.shape.axes; ++l) {
-                const auto j = static_cast<size_t>(face.axis[static_cast<size_t>(l)]);
-                if (std::abs(jet.gradient[j]) > 64 * noise_ * std::sqrt(jet.metric[j][j]) + noise_ * noise_) {
-                    return false;
-                }
-            }
-        }
-    }
-    return true;
-}
-
-int32_t PatchCritical::kind(const Face &face, const PatchItem &whole, const AxisValues &at) const {
-    const PatchJet jet = descent_.jet(whole.values, at);
-    const int n = face.shape.axes;
-    bool rises = true, falls = true, doubtful = false;
-    const auto count = [&](double value, double error) {
-        rises = rises && value > error;
-        falls = falls && value < -error;
-        doubtful = doubtful || !(std::abs(value) > error);
-    };
-    for (int k = 0; k < pieces_.shape().axes; ++k) {
-        const auto i = static_cast<size_t>(k);
-        if (face.side[i] >= 0) {
-            const double inwards = face.side[i] == 0 ? jet.gradient[i] : -jet.gradient[i];
-            count(inwards, 8 * noise_ * std::sqrt(jet.metric[i][i]) + noise_ * noise_);
-        }
-    }
-    if (n > 0) {
-        SmallMatrix hessian(n, n);
-        double trace = 0;
-        bool vanishes = false;
-        for (int k = 0; k < n; ++k) {
-            for (int l = 0; l < n; ++l) {
-                const auto i = static_cast<size_t>(face.axis[static_cast<size_t>(k)]);
-                const auto j = static_cast<size_t>(face.axis[static_cast<size_t>(l)]);
-                const double scale = std::sqrt(jet.metric[i][i] * jet.metric[j][j]);
-                hessian(k, l) =
-                    scale > noise_ * noise_ ? (jet.metric[i][j] + jet.curvature[i][j]) / scale : 0.0;
-            }
-            trace += std::abs(hessian(k, k));
-            vanishes = vanishes || hessian(k, k) == 0;
-        }
-        const SmallVector values =
-            Eigen::SelfAdjointEigenSolver<SmallMatrix>(hessian, Eigen::EigenvaluesOnly).eigenvalues();
-        for (int k = 0; k < n && !(vanishes && n == 1); ++k) { // nothing to count along a point
-            count(values(k), 1e4 * eps * (1 + trace));
-        }
-    }
-    return rises      ? NURBS_CRITICAL_MINIMUM
-           : falls    ? NURBS_CRITICAL_MAXIMUM
-           : doubtful ? NURBS_CRITICAL_UNDECIDED
-                      : NURBS_CRITICAL_SADDLE;
-}
-
 void PatchCritical::add(const Face &face, const PatchItem &whole, const AxisValues &at, bool isolated) {
     const int dim = pieces_.shape().dim;
     std::vector<double> point(static_cast<size_t>(dim));
     descent_.point(whole.values, at, point.data());
+    const int32_t is = isolated ? kind(face, whole, at) : NURBS_CRITICAL_UNDECIDED;
+    if (minima_ && (is == NURBS_CRITICAL_MAXIMUM || is == NURBS_CRITICAL_SADDLE)) {
+        return;
+    }
     connected_ = connected_ || !isolated;
+    if (at_pole(point)) {
+        return;
+    }
     for (const std::vector<double> &other : points_) {
         if (distance(point.data(), other.data(), dim) <= near_) {
             return;
@@ -361,6 +329,12 @@ void PatchCritical::add(const Face &face, const PatchItem &whole, const AxisValu
         incomplete_ = true;
         return;
     }
+    add_point(whole, at, is);
+}
+
+void PatchCritical::add_point(const PatchItem &whole, const AxisValues &at, int32_t kind) {
+    std::vector<double> point(static_cast<size_t>(pieces_.shape().dim));
+    descent_.point(whole.values, at, point.data());
     AxisValues place{};
     for (int k = 0; k < pieces_.shape().axes; ++k) {
         place[static_cast<size_t>(k)] = std::clamp(whole.to_piece(k, at[static_cast<size_t>(k)]), 0.0, 1.0);
@@ -369,7 +343,8 @@ void PatchCritical::add(const Face &face, const PatchItem &whole, const AxisValu
     critical.foot = foot_at(pieces_, whole.piece, place, query_.range);
     critical.foot.distance = pieces_.unscaled(descent_.distance(whole.values, at));
     critical.foot.noise = pieces_.unscaled(noise_);
-    critical.kind = isolated ? kind(face, whole, at) : NURBS_CRITICAL_UNDECIDED;
+    critical.kind = kind;
+    spots_.push_back({whole.piece, place, descent_.distance(whole.values, at)});
     found_.push_back(critical);
     points_.push_back(std::move(point));
 }

@@ -10,6 +10,7 @@
 #include "query/closest/patch_descent.h"
 #include "query/closest/patch_slopes.h"
 
+#include <limits>
 #include <vector>
 
 namespace nrb {
@@ -19,6 +20,20 @@ public:
     PatchCritical(const PatchPieces &pieces, const Query &query);
 
     CriticalSet run();
+
+    // The places in some pieces where the distance, if it is at most a limit, may have a minimum: critical
+    // points of the pieces, of their faces and edges, and corners.
+    struct Spot {
+        int64_t piece;
+        AxisValues at;
+        double distance;
+    };
+    struct Spots {
+        std::vector<Spot> spots;
+        bool incomplete;
+        bool connected; // not all are isolated
+    };
+    Spots minima(const std::vector<int64_t> &pieces, double limit);
 
 private:
     // The faces of the part that is searched: side[k] of axis k of the shape is 0, 1, or -1 for all of it.
@@ -33,6 +48,26 @@ private:
         AxisValues lower, length; // in the piece, along the axes of the face
         int depth;
     };
+    // An edge that is a point, and how near to it distances do not tell points apart. Kind: a
+    // NURBS_CRITICAL_ constant, 0 if it is not critical as far as is known.
+    struct Pole {
+        std::vector<double> point;
+        double radius;
+        int axis; // it is the side of the domain, or of the range, where this one ends
+        int64_t piece;
+        AxisValues at;
+        int32_t kind;
+    };
+    void find_poles();
+    void find_pole(const Face &face);
+    bool set_kind(const Face &face, const std::vector<int64_t> &pieces, Pole &pole) const;
+    [[nodiscard]] PatchItem piece_in_range(int64_t piece) const;
+    [[nodiscard]] bool at_pole(const PatchSlopes &slopes, bool flat);
+    [[nodiscard]] bool at_pole(const std::vector<double> &point);
+    void open_pole(const double *point);
+    [[nodiscard]] bool is_pole(const Face &face) const noexcept;
+    [[nodiscard]] int face_count() const noexcept;
+    [[nodiscard]] bool make_face(int code, Face &face) const;
     void search_faces();
     void search_face(const Face &face);
     void search_piece(const Face &face, int64_t piece);
@@ -42,9 +77,12 @@ private:
     void split(const Face &face, const PatchItem &whole, Part &part, int axis);
     [[nodiscard]] AxisValues middle(const Face &face, const Part &part) const noexcept;
     void add_all(const Face &face, const PatchItem &whole, const Part &part, const PatchSlopes &slopes);
-    // A critical point in the part, by Newton's method; false if it leaves the part.
-    bool find(const Face &face, const PatchItem &whole, const Part &part);
+    // A critical point in the part, by Newton's method; false if it leaves the part, or comes to a pole where
+    // the matrix is singular for no other reason.
+    bool find(const Face &face, const PatchItem &whole, const Part &part, bool singular);
+    [[nodiscard]] bool is_at_pole(const PatchItem &whole, const AxisValues &at) const;
     void add(const Face &face, const PatchItem &whole, const AxisValues &at, bool isolated);
+    void add_point(const PatchItem &whole, const AxisValues &at, int32_t kind);
     [[nodiscard]] int32_t kind(const Face &face, const PatchItem &whole, const AxisValues &at) const;
     [[nodiscard]] bool is_real(const Face &face, const PatchItem &whole, const AxisValues &at) const;
 
@@ -58,8 +96,12 @@ private:
     double near_ = 0; // points nearer to each other are one
     int64_t cost_ = 1, spent_ = 0, budget_ = 0;
     bool incomplete_ = false, connected_ = false;
+    bool minima_ = false; // the others are not wanted
+    double limit_ = std::numeric_limits<double>::infinity();
+    std::vector<Pole> poles_;
     std::vector<CriticalPoint> found_;
-    std::vector<std::vector<double>> points_; // of those found
+    std::vector<Spot> spots_;                 // of those found
+    std::vector<std::vector<double>> points_; // the same
 };
 
 } // namespace nrb

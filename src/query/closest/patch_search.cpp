@@ -12,9 +12,9 @@ namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 constexpr double infinite = std::numeric_limits<double>::infinity();
-constexpr int64_t default_budget = 20000;
 constexpr int deepest = 48;    // halvings of an axis
 constexpr int most_rounds = 8; // of improvements by one item
+constexpr int64_t turn = 12;   // items of a leaf, or of what was put off, that are looked at on end
 
 } // namespace
 
@@ -24,16 +24,14 @@ PatchSearch::PatchSearch(const PatchPieces &pieces, const PatchTree &tree, const
     cost_ = std::max<int64_t>(1, count * count / 65536);
 }
 
-// From the middle of the leaf whose centre is nearest.
-void PatchSearch::start(int64_t node) {
+// From the best centre.
+void PatchSearch::start(const PatchTree::Place &centre) {
     const PatchMemory::Hold hold(memory_);
-    const PatchTree::Leaf leaf = tree_.leaf(node);
-    const PatchItem whole = items_.whole(leaf.piece);
-    const PatchBox part = box(leaf.piece);
-    best_.piece = leaf.piece;
-    for (int k = 0; k < pieces_.shape().axes; ++k) {
-        const auto at = static_cast<size_t>(k);
-        best_.at[at] = std::clamp((leaf.part[at] + 0.5) / tree_.parts(), part.lower[at], part.upper[at]);
+    const PatchItem whole = items_.whole(centre.piece);
+    const PatchBox part = box(centre.piece);
+    best_.piece = centre.piece;
+    for (size_t k = 0; k < static_cast<size_t>(pieces_.shape().axes); ++k) {
+        best_.at[k] = std::clamp(centre.at[k], part.lower[k], part.upper[k]);
     }
     best_.value = sign_ * descent_.descend(whole.values, part, sign_, floor_, best_.at).distance;
     best_.error = whole.moved + pieces_.value_error() * (std::abs(best_.value) + pieces_.radius());
@@ -42,33 +40,34 @@ void PatchSearch::start(int64_t node) {
     }
 }
 
+// What may hold the best point comes first, so that little is left to look at, and that the best point is a
+// good one where the budget ends before.
 void PatchSearch::search() {
     PatchCandidates candidates(pieces_, tree_, query_, x_, tolerance_ + noise_);
-    PatchCandidates::Candidates &leaves = candidates.leaves();
     start(candidates.start());
-    Candidate *const end = leaves.end();
-    for (Candidate *first = leaves.begin(); first != end;) {
-        const int64_t piece = tree_.leaf(first->node).piece;
-        Candidate *last = first;
-        while (last != end && tree_.leaf(last->node).piece == piece) {
-            ++last;
+    PatchCandidates::Groups groups;
+    candidates.order(upper(), groups);
+    for (const PatchCandidates::Group &group : groups) {
+        if (group.bound > upper()) {
+            break;
         }
-        search_piece(piece, first, last);
-        first = last;
+        if (spent() && unpaid_ <= 0) {
+            incomplete_ = true;
+            break;
+        }
+        search_piece(group);
     }
+    search_later();
 }
 
-void PatchSearch::search_piece(int64_t piece, const Candidate *first, const Candidate *last) {
+void PatchSearch::search_piece(const PatchCandidates::Group &group) {
     const auto counts = [&](const Candidate &c) { return c.bound <= upper(); };
-    const int64_t number = std::count_if(first, last, counts);
-    if (number == 0) {
-        return;
-    }
     const PatchMemory::Hold hold(memory_);
-    PatchItem whole = items_.whole(piece);
+    PatchItem whole = items_.whole(group.piece);
     items_.measure(whole);
-    const PatchBox part = box(piece);
-    if (number > 5 && query_.range == nullptr) { // most of the piece: all of it may be settled at once
+    const PatchBox part = box(group.piece);
+    const bool most = std::count_if(group.first, group.last, counts) > 5 && query_.range == nullptr;
+    if (most && !spent()) { // all of it may be settled at once
         const PatchMemory::Hold again(memory_);
         PatchItem item = whole;
         bool fresh = false;
@@ -78,11 +77,29 @@ void PatchSearch::search_piece(int64_t piece, const Candidate *first, const Cand
             return;
         }
     }
-    for (; first != last; ++first) {
-        if (counts(*first)) {
-            search_leaf(whole, part, tree_.leaf(first->node));
+    for (const Candidate *leaf = group.first; leaf != group.last && counts(*leaf); ++leaf) {
+        pause_ = spent_ + turn * cost_;
+        search_leaf(whole, part, tree_.leaf(leaf->node));
+    }
+}
+
+// Parts that were put off, the nearest ones first.
+void PatchSearch::search_later() {
+    const int64_t size = pieces_.shape().values();
+    while (!later_.empty() && !spent()) {
+        const PatchMemory::Hold hold(memory_);
+        PatchQueue::Entry entry = later_.take();
+        double *values = memory_.take(size);
+        std::copy_n(entry.values.data(), size, values);
+        entry.item.values = values;
+        pause_ = spent_ + turn * cost_;
+        if (best_.value < entry.best) {
+            examine(entry.item, false);
+        } else {
+            split(entry.item, entry.axis);
         }
     }
+    incomplete_ = incomplete_ || !later_.empty();
 }
 
 // The leaf, as far as it is in the range that was asked for.
@@ -146,9 +163,13 @@ int PatchSearch::longest_axis(const PatchItem &item) const noexcept {
 }
 
 void PatchSearch::examine(PatchItem &item, bool fresh) {
-    const int64_t budget = query_.budget > 0 ? query_.budget : default_budget;
-    if (spent_ + cost_ > budget) {
+    if (spent()) {
         incomplete_ = true;
+        if (fresh && unpaid_ > 0) {
+            --unpaid_;
+            items_.measure(item);
+            improve(item, {0.5, 0.5, 0.5});
+        }
         return;
     }
     spent_ += cost_;
@@ -161,7 +182,32 @@ void PatchSearch::examine(PatchItem &item, bool fresh) {
     } else if (settled(item, fresh, axis)) {
         return;
     }
-    split(item, axis >= 0 ? axis : longest_axis(item));
+    axis = axis >= 0 ? axis : longest_axis(item);
+    if (spent_ >= pause_ && !later_.full()) {
+        put_off(item, axis);
+    } else {
+        split(item, axis);
+    }
+}
+
+void PatchSearch::put_off(const PatchItem &item, int axis) {
+    const double *values = item.values;
+    later_.put({order(item), best_.value, item, axis, {values, values + pieces_.shape().values()}});
+}
+
+// How good the points of an item may be, by a ball about its middle: no proof, rounding is not in it.
+double PatchSearch::order(const PatchItem &item) const {
+    const PatchMemory::Hold hold(memory_);
+    const PatchShape &shape = pieces_.shape();
+    double *middle = memory_.take(shape.dim), radius = 0;
+    descent_.point(item.values, {0.5, 0.5, 0.5}, middle);
+    const double *q = item.values;
+    for (int64_t i = 0; i < shape.coefficients(); ++i, q += shape.lanes) {
+        const double w = q[shape.dim];
+        radius = std::max(radius, norm_of(shape.dim, [&](int c) { return q[c] / w - middle[c]; }));
+    }
+    const double order = sign_ * norm(middle, shape.dim) - (item.sound ? radius : 0);
+    return std::isfinite(order) ? order : infinite;
 }
 
 void PatchSearch::split(PatchItem &item, int axis) {
@@ -305,37 +351,6 @@ bool PatchSearch::improve_to(const PatchItem &item, const AxisValues &at, double
     return true;
 }
 
-void PatchSearch::consider(const PatchItem &item, const AxisValues &at, double distance, bool strict) {
-    Place place{item.piece, {}, sign_ * distance, item.moved};
-    if (!(place.value <= upper()) || (several_ && !all_)) {
-        return;
-    }
-    for (int k = 0; k < pieces_.shape().axes; ++k) {
-        const auto i = static_cast<size_t>(k);
-        place.at[i] = std::clamp(item.to_piece(k, at[i]), 0.0, 1.0);
-    }
-    if (same_point(place, best_)) {
-        return;
-    }
-    const Place before = place;
-    walk(place);
-    if (place.value < best_.value - noise_) {
-        improve_to(items_.whole(place.piece), place.at, sign_ * place.value);
-    }
-    if (same_point(place, best_)) {
-        return;
-    }
-    if (all_) {
-        connected_ = connected_ || !strict;
-        const bool is_minimum = before.value - place.value <= noise_;
-        if (is_minimum && others_.size() < 4096) {
-            others_.push_back(before);
-        }
-        return;
-    }
-    several_ = true;
-}
-
 Foot PatchSearch::nearest() {
     if (far_away()) {
         return any_point();
@@ -348,52 +363,6 @@ Foot PatchSearch::nearest() {
                      : rounded <= noise_ / 8 ? NURBS_CLOSEST_CERTIFIED
                                              : NURBS_CLOSEST_COARSE;
     result.status |= several_ ? NURBS_CLOSEST_NOT_UNIQUE : 0;
-    return result;
-}
-
-// Whether no descent leads on, neither into other pieces nor from a saddle. What is as near as the best point
-// is one in any case.
-bool PatchSearch::is_minimum(const Place &place) {
-    if (place.value <= best_.value + noise_) {
-        return true;
-    }
-    const PatchMemory::Hold hold(memory_);
-    const PatchJet jet = descent_.jet(items_.whole(place.piece).values, place.at);
-    for (size_t k = 0; k < static_cast<size_t>(pieces_.shape().axes); ++k) {
-        const double bend = sign_ * (jet.metric[k][k] + jet.curvature[k][k]);
-        if (place.at[k] > 0 && place.at[k] < 1 && bend < 0) {
-            return false;
-        }
-    }
-    Place other = place;
-    walk(other);
-    return place.value - other.value <= noise_;
-}
-
-std::vector<Foot> PatchSearch::all() {
-    if (far_away()) {
-        return {any_point()};
-    }
-    all_ = true;
-    search();
-    others_.push_back(best_);
-    std::vector<Place> kept;
-    std::sort(others_.begin(), others_.end(),
-              [](const Place &a, const Place &b) { return a.value < b.value; });
-    for (const Place &place : others_) {
-        const auto same = [&](const Place &other) { return same_point(place, other); };
-        if (place.value <= upper() && std::none_of(kept.begin(), kept.end(), same) && is_minimum(place)) {
-            kept.push_back(place);
-        }
-    }
-    std::vector<Foot> result;
-    int32_t status = incomplete_ ? NURBS_CLOSEST_BUDGET : connected_ ? 0 : NURBS_CLOSEST_CERTIFIED;
-    status |= kept.size() > 1 || connected_ ? NURBS_CLOSEST_NOT_UNIQUE : 0;
-    for (const Place &place : kept) {
-        result.push_back(foot(place));
-        result.back().status |= status;
-    }
-    std::sort(result.begin(), result.end(), [](const Foot &a, const Foot &b) { return a.params < b.params; });
     return result;
 }
 

@@ -4,6 +4,7 @@
 #include "query/closest/patch_candidates.h"
 #include "query/closest/patch_proof.h"
 #include "query/closest/patch_query.h"
+#include "query/closest/patch_queue.h"
 
 #include <vector>
 
@@ -18,11 +19,13 @@ public:
     std::vector<Foot> all();
 
 private:
+    static constexpr int64_t default_budget = 20000;
     using Candidate = PatchCandidates::Candidate;
 
-    void start(int64_t node);
+    void start(const PatchTree::Place &centre);
     void search();
-    void search_piece(int64_t piece, const Candidate *first, const Candidate *last);
+    void search_piece(const PatchCandidates::Group &group);
+    void search_later();
     void search_leaf(const PatchItem &whole, const PatchBox &part, const PatchTree::Leaf &leaf);
     // A part of a piece is proved not to matter, or its halves are searched.
     void examine(PatchItem &item, bool fresh);
@@ -30,6 +33,11 @@ private:
     bool is_least(const PatchItem &item, const PatchGap &gap, const PatchProof &found);
     bool settled_by_plane(const PatchItem &item);
     void split(PatchItem &item, int axis);
+    void put_off(const PatchItem &item, int axis);
+    [[nodiscard]] double order(const PatchItem &item) const;
+    [[nodiscard]] bool spent() const noexcept {
+        return spent_ + cost_ > (query_.budget > 0 ? query_.budget : default_budget);
+    }
     [[nodiscard]] int longest_axis(const PatchItem &item) const noexcept;
     bool improve(const PatchItem &item, AxisValues at);
     bool improve_to(const PatchItem &item, const AxisValues &at, double distance);
@@ -42,6 +50,7 @@ private:
     // A minimum of an item as near as the best one: whether it is one of the spline, and elsewhere.
     void consider(const PatchItem &item, const AxisValues &at, double distance, bool strict);
     bool is_minimum(const Place &place);
+    void search_minima();
 
     const PatchTree &tree_;
     Place best_;
@@ -51,7 +60,10 @@ private:
     bool incomplete_ = false;
     int64_t cost_ = 1; // of an item
     int64_t spent_ = 0;
-    int extra_ = 0; // items looked at only because there may be others
+    int64_t pause_ = 0; // what may be spent before parts are put off
+    PatchQueue later_;
+    int unpaid_ = 16; // leaves from whose middles descents start even so when the budget has ended
+    int extra_ = 0;   // items looked at only because there may be others
     std::vector<Place> others_;
 };
 

@@ -30,7 +30,7 @@ double PatchSlopes::Range::size() const noexcept {
 PatchSlopes::PatchSlopes(const PatchShape &shape, const PatchSquares &squares, const double *patch,
                          double moved, PatchMemory &memory)
     : shape_(shape), patch_(patch), squares_(memory.take(shape.products())),
-      weights_(memory.take(shape.products())) {
+      weights_(memory.take(shape.products())), centre_(memory.take(shape.dim)), moved_(moved) {
     std::fill_n(weights_, shape.products(), 1.0);
     square_patch(shape, squares.tables(), patch, memory.take(product_work(shape)), squares_, weights_);
     measure(patch);
@@ -101,6 +101,76 @@ bool PatchSlopes::monotone() noexcept {
         weight_slopes_[i] = n * weight / (least_weight_ * least_weight_);
     }
     return false;
+}
+
+// With S = Q / w = c + r and E = Q_k - c w_k: w S S_k = c E + r E - (c r + |r|^2) w_k. c is a coefficient, the
+// others bound r and c r, and differences of coefficients E and w_k. A coefficient is off by w moved_ and the
+// rounding of its difference.
+bool PatchSlopes::slanted() const noexcept {
+    const int dim = shape_.dim;
+    const double *middle = patch_ + shape_.coefficients() / 2 * shape_.lanes;
+    for (int c = 0; c < dim; ++c) {
+        centre_[c] = middle[c] / middle[dim];
+    }
+    Range heights{infinite, -infinite};
+    double radius = 0;
+    const double *q = patch_;
+    for (int64_t i = 0; i < shape_.coefficients(); ++i, q += shape_.lanes) {
+        double height = 0, square = 0;
+        for (int c = 0; c < dim; ++c) {
+            const double r = q[c] / q[dim] - centre_[c];
+            height += centre_[c] * r;
+            square += r * r;
+        }
+        heights.add(height);
+        radius = std::max(radius, std::sqrt(square));
+    }
+    for (int k = 0; k < shape_.axes; ++k) {
+        if (slanted_along(k, centre_, heights, radius)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+bool PatchSlopes::slanted_along(int axis, const double *centre, const Range &heights,
+                                double radius) const noexcept {
+    const int dim = shape_.dim;
+    int64_t step = shape_.lanes;
+    for (int k = shape_.axes; k-- > axis + 1;) {
+        step *= shape_.degree(k) + 1;
+    }
+    const int64_t period = step * (shape_.degree(axis) + 1);
+    Range slope{infinite, -infinite};
+    double longest = 0, weight = 0;
+    for (int64_t i = 0; i < shape_.values(); i += shape_.lanes) {
+        if (i % period + step >= period) {
+            continue;
+        }
+        const double *q = patch_ + i, *next = q + step;
+        const double dw = next[dim] - q[dim];
+        double sum = 0, square = 0;
+        for (int c = 0; c < dim; ++c) {
+            const double e = (next[c] - q[c]) - centre[c] * dw;
+            sum += centre[c] * e;
+            square += e * e;
+        }
+        slope.add(sum);
+        longest = std::max(longest, std::sqrt(square));
+        weight = std::max(weight, std::abs(dw));
+    }
+    const double rounding = (8 + dim) * eps * reach_, off = moved_ + rounding;
+    const double away = radius + 2 * off;
+    const double along = heights.size() + 2 * off * reach_ + away * away;
+    const double error = 2.2 * reach_ * (moved_ + 2 * rounding) * most_weight_ +
+                         1.01 * away * (longest + 2 * off * most_weight_) +
+                         1.01 * along * (weight + 2 * eps * most_weight_);
+    return slope.low > error || slope.high < -error;
+}
+
+double PatchSlopes::least() const noexcept {
+    const double off = 2 * error_ / (least_weight_ * least_weight_);
+    return std::sqrt(std::max(0.0, least_ - off)) * (1 - 4 * eps);
 }
 
 double PatchSlopes::spread() const noexcept {

@@ -17,6 +17,11 @@ public:
     [[nodiscard]] bool sound() const noexcept { return least_weight_ > 0x1p-200; }
     // Whether the distance rises or falls throughout along some axis: then it has no critical point here.
     [[nodiscard]] bool monotone() noexcept;
+    // The same by the tangents alone, for a patch that is small beside the distance: near a point to which
+    // an edge has collapsed, rounding is as small as they are.
+    [[nodiscard]] bool slanted() const noexcept;
+    // The smallest distance, or less.
+    [[nodiscard]] double least() const noexcept;
     // The largest distance less the smallest one, or more.
     [[nodiscard]] double spread() const noexcept;
     // How far the patch reaches from a point.
@@ -36,6 +41,8 @@ private:
         [[nodiscard]] double size() const noexcept;
     };
     void measure(const double *patch) noexcept;
+    [[nodiscard]] bool slanted_along(int axis, const double *centre, const Range &heights,
+                                     double radius) const noexcept;
     template <class Visit>
     void for_products(const std::array<int, max_axes> &shrink, Visit &&visit) const;
     [[nodiscard]] int64_t step(int axis) const noexcept;
@@ -45,6 +52,8 @@ private:
     const double *patch_;
     double *squares_;
     double *weights_;
+    double *centre_;
+    double moved_;
     double least_ = 0, most_ = 0; // of phi
     double reach_ = 0;
     double least_weight_ = 0, most_weight_ = 0;

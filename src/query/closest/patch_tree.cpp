@@ -287,4 +287,21 @@ PatchTree::Leaf PatchTree::leaf(int64_t node) const noexcept {
     return result;
 }
 
+PatchTree::Place PatchTree::centre(int level, int64_t node) const noexcept {
+    if (level == levels() - 1 && parts_ > 1) {
+        const Leaf part = leaf(node);
+        Place result{part.piece, {}};
+        for (size_t k = 0; k < result.at.size(); ++k) {
+            result.at[k] = (part.part[k] + 0.5) / parts_;
+        }
+        return result;
+    }
+    const Extent pieces = extent(level, node);
+    PatchPieces::Index middle{};
+    for (size_t k = 0; k < middle.size(); ++k) {
+        middle[k] = (pieces.lower[k] + pieces.upper[k]) / 2;
+    }
+    return {pieces_.piece(middle), {0.5, 0.5, 0.5}};
+}
+
 } // namespace nrb

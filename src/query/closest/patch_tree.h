@@ -45,6 +45,12 @@ public:
     };
     [[nodiscard]] Leaf leaf(int64_t node) const noexcept;
     [[nodiscard]] int parts() const noexcept { return parts_; }
+    // Of the disc of a node, as a place of a piece.
+    struct Place {
+        int64_t piece;
+        AxisValues at;
+    };
+    [[nodiscard]] Place centre(int level, int64_t node) const noexcept;
     // For part i of an axis of the shape.
     [[nodiscard]] const double *matrix(int axis, int part) const noexcept {
         return matrices_[static_cast<size_t>(axis)].data() + part * matrix_size(axis);

@@ -1,0 +1,187 @@
+// All minima of the distance on surfaces: against the critical points, and those at edges and corners.
+#include "support/generators.h"
+#include "support/handle.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <gtest/gtest.h>
+
+using namespace support;
+
+namespace {
+
+struct Minima {
+    std::vector<double> params, distances;
+    int32_t status = 0;
+};
+
+Minima minima(const nurbs *g, const std::vector<double> &x, double tolerance) {
+    int64_t count = 0;
+    require_ok(nurbs_closest_all(g, x.data(), nullptr, tolerance, 0, 0, nullptr, nullptr, &count, nullptr));
+    const auto n = static_cast<size_t>(count);
+    Minima found{std::vector<double>(2 * n), std::vector<double>(n), 0};
+    require_ok(nurbs_closest_all(g, x.data(), nullptr, tolerance, 0, count, found.params.data(),
+                                 found.distances.data(), &count, &found.status));
+    return found;
+}
+
+// A net over the unit square with hills, of 1 to 3 spans along each axis; without creases, or with one at each
+// knot.
+SplineData hills(Random &random, bool weighted, bool creases = false) {
+    SplineData data{{random.whole(1, 4), random.whole(1, 4)}, {}, {}, 3, {}, {}, 0};
+    for (const int32_t p : data.degrees) {
+        const int spans = p == 1 && !creases ? 1 : random.whole(1, 3);
+        std::vector<double> knots(static_cast<size_t>(p) + 1, 0.0);
+        for (int i = 1; i < spans; ++i) {
+            knots.insert(knots.end(), creases ? static_cast<size_t>(p) : 1U, i);
+        }
+        knots.insert(knots.end(), static_cast<size_t>(p) + 1, spans);
+        data.counts.push_back(static_cast<int64_t>(knots.size()) - p - 1);
+        data.knots.push_back(knots);
+    }
+    for (int64_t i = 0; i < data.counts[0]; ++i) {
+        for (int64_t j = 0; j < data.counts[1]; ++j) {
+            data.points.insert(data.points.end(),
+                               {static_cast<double>(i) / static_cast<double>(data.counts[0] - 1),
+                                static_cast<double>(j) / static_cast<double>(data.counts[1] - 1),
+                                random.between(-1, 1)});
+            if (weighted) {
+                data.weights.push_back(random.between(0.5, 2));
+            }
+        }
+    }
+    return data;
+}
+
+// A point of the list, or none.
+bool holds(const Minima &found, const double *at) {
+    for (size_t i = 0; i < found.distances.size(); ++i) {
+        if (std::hypot(found.params[2 * i] - at[0], found.params[2 * i + 1] - at[1]) < 1e-5) {
+            return true;
+        }
+    }
+    return false;
+}
+
+struct Counts {
+    int asked = 0, certified = 0, several = 0, false_minima = 0, missed = 0;
+};
+
+// Against nurbs_critical_points(), which finds all minima but those on creases.
+void compare(const nurbs *g, const std::vector<double> &x, double tolerance, Counts &counts) {
+    double params[128], distances[64];
+    int32_t kinds[64], status = 0;
+    int64_t count = 0;
+    require_ok(
+        nurbs_critical_points(g, x.data(), nullptr, 0, 0, 0, nullptr, nullptr, nullptr, &count, &status));
+    if (status != NURBS_CLOSEST_CERTIFIED || count > 64) {
+        return;
+    }
+    require_ok(
+        nurbs_critical_points(g, x.data(), nullptr, 0, 0, count, params, distances, kinds, &count, nullptr));
+    const Minima found = minima(g, x, tolerance);
+    const double least = *std::min_element(distances, distances + count);
+    size_t expected = 0;
+    bool missed = false;
+    for (int64_t i = 0; i < count; ++i) {
+        if (kinds[i] == NURBS_CRITICAL_MINIMUM && distances[i] <= least + tolerance) {
+            ++expected;
+            missed = missed || !holds(found, params + 2 * i);
+        }
+    }
+    ++counts.asked;
+    counts.several += expected > 1 ? 1 : 0;
+    const bool is_certified = (found.status & NURBS_CLOSEST_CERTIFIED) != 0;
+    counts.certified += is_certified ? 1 : 0;
+    counts.missed += missed && is_certified ? 1 : 0;
+    counts.false_minima += found.distances.size() > expected ? 1 : 0;
+}
+
+TEST(PatchMinima, those_that_are_isolated_are_certified) {
+    Counts counts;
+    for (uint64_t seed = 2500000; seed < 2500200; ++seed) {
+        Random random(seed);
+        const SplineData data = hills(random, random.chance(40));
+        const Handle g = create(data);
+        const std::vector<double> x{random.between(-1, 2), random.between(-1, 2), random.between(-3, 3)};
+        for (const double tolerance : {0.0, 1e-6, 1e-2, 0.3, 3.0}) {
+            compare(g.get(), x, tolerance, counts);
+        }
+    }
+    std::printf("%d of %d certified, %d with several, %d with false ones, %d missed\n", counts.certified,
+                counts.asked, counts.several, counts.false_minima, counts.missed);
+    EXPECT_GT(counts.several, 100);
+    EXPECT_EQ(counts.missed, 0);
+    EXPECT_EQ(counts.false_minima, 0);
+    EXPECT_GE(counts.certified, counts.asked * 99 / 100);
+}
+
+double distance_at(const nurbs *g, double u, double v, const std::vector<double> &x) {
+    const std::vector<double> p = eval(g, {u, v});
+    return std::hypot(p[0] - x[0], p[1] - x[1], p[2] - x[2]);
+}
+
+// The lowest of a grid around a place, by steps that shrink.
+double descend(const nurbs *g, const SplineData &data, const std::vector<double> &x, double *at,
+               double step) {
+    double best = distance_at(g, at[0], at[1], x);
+    while (step > 1e-9) {
+        double next[] = {at[0], at[1]};
+        for (int i = 0; i < 16; ++i) {
+            const double angle = i * 0.39269908169872414;
+            const double u = std::clamp(at[0] + step * std::cos(angle), data.lower(0), data.upper(0)),
+                         v = std::clamp(at[1] + step * std::sin(angle), data.lower(1), data.upper(1));
+            const double d = distance_at(g, u, v, x);
+            if (d < best) {
+                best = d;
+                next[0] = u;
+                next[1] = v;
+            }
+        }
+        const bool moved = next[0] != at[0] || next[1] != at[1];
+        at[0] = next[0];
+        at[1] = next[1];
+        step *= moved ? 1 : 0.5;
+    }
+    return best;
+}
+
+// Minima on creases too: wherever a descent without derivatives ends that counts, and no others.
+TEST(PatchMinima, those_on_creases_are_where_descents_end) {
+    int certified = 0, asked = 0, ended = 0;
+    for (uint64_t seed = 2510000; seed < 2510040; ++seed) {
+        Random random(seed);
+        const SplineData data = hills(random, random.chance(40), true);
+        const Handle g = create(data);
+        const std::vector<double> x{random.between(-1, 2), random.between(-1, 2), random.between(-3, 3)};
+        const double tolerance = random.magnitude(1e-2, 3);
+        const Minima found = minima(g.get(), x, tolerance);
+        ++asked;
+        if ((found.status & NURBS_CLOSEST_CERTIFIED) == 0) {
+            continue;
+        }
+        ++certified;
+        const double least = *std::min_element(found.distances.begin(), found.distances.end());
+        for (size_t i = 0; i < found.distances.size(); ++i) {
+            double at[] = {found.params[2 * i], found.params[2 * i + 1]};
+            EXPECT_GE(descend(g.get(), data, x, at, 1e-4), found.distances[i] - 1e-12) << "seed " << seed;
+        }
+        for (int i = 0; i < 12; ++i) {
+            double at[] = {random.between(data.lower(0), data.upper(0)),
+                           random.between(data.lower(1), data.upper(1))};
+            const double d = descend(g.get(), data, x, at, 0.02);
+            const auto same = [&](double other) { return std::fabs(other - d) < 1e-5; };
+            if (d < least + tolerance - 1e-5) {
+                ++ended;
+                EXPECT_TRUE(std::any_of(found.distances.begin(), found.distances.end(), same))
+                    << "seed " << seed << ", " << at[0] << " " << at[1] << ", distance " << d;
+            }
+        }
+    }
+    std::printf("%d of %d certified, %d descents\n", certified, asked, ended);
+    EXPECT_GE(ended, 100);
+    EXPECT_EQ(certified, asked);
+}
+
+} // namespace
