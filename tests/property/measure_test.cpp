@@ -451,6 +451,34 @@ TEST(Measure, WiresAndSheetsObeyPappus) {
     }
 }
 
+// A bilinear patch of the plane whose determinant is 1 + 0.7 u - 1.5 v: its magnitude has a kink along a line
+// that no halving meets. What cannot be reached is refused, but 0 asks for what can.
+TEST(Measure, AFoldIsMeasuredAsWellAsTheWorkLimitAllows) {
+    const double exact = 0.6 + 0.25 / 6.3;
+    for (const bool space : {false, true}) {
+        SplineData data;
+        data.degrees = {1, 1};
+        data.counts = {2, 2};
+        data.knots = {{0, 0, 1, 1}, {0, 0, 1, 1}};
+        data.dim = space ? 3 : 2;
+        for (const auto &[x, y] : {std::pair{0.0, 0.0}, {0.0, 1.0}, {1.0, 0.0}, {-0.5, 1.7}}) {
+            data.points.insert(data.points.end(), {x, y});
+            data.points.resize(data.points.size() + (space ? 1 : 0));
+        }
+        const Handle g = create(data);
+        const Measured best = area(g.get());
+        EXPECT_LE(std::fabs(best.value - exact), best.error);
+        EXPECT_LE(best.error, 1e-8);
+        const Body sheet = moments(g.get(), data.dim, 0);
+        EXPECT_LE(std::fabs(sheet.content - exact), sheet.error);
+        EXPECT_LE(sheet.error, 1e-5);
+        double value = -1, error = -1;
+        EXPECT_EQ(nurbs_surface_area(g.get(), nullptr, 1e-14, &value, &error), NURBS_ERROR_NOT_CONVERGED);
+        EXPECT_EQ(value, -1);
+        EXPECT_EQ(error, -1);
+    }
+}
+
 TEST(Measure, PartsOfSurfacesAddUp) {
     Random random(5528);
     int surfaces = 0;

@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/sum.h"
+#include "query/measure/reach.h"
 #include "query/measure/speed_net.h"
 
 #include <algorithm>
@@ -248,9 +249,15 @@ void SpeedPieces::add_piece(const Element &element, int degree) {
     }
 }
 
-Integral integrate(const SpeedPieces &pieces, double relative_tolerance, std::vector<LengthLeaf> *leaves,
-                   std::vector<double> *nets) {
-    const double tolerance = std::clamp(relative_tolerance, 4 * eps, 0.5);
+namespace {
+
+// Whether the error of a whole length is what was asked for, rounding included.
+bool good_enough(const SpeedPieces &pieces, Integral found, double tolerance) noexcept {
+    return !(found.error > 2 * ((tolerance + 4 * eps) * found.value + pieces.rounding()));
+}
+
+Integral integrate_to(const SpeedPieces &pieces, double tolerance, std::vector<LengthLeaf> *leaves,
+                      std::vector<double> *nets) {
     LengthSearch search(pieces, tolerance, leaves, nets);
     double length = rough_length(pieces);
     double share = 1.0 / (32.0 * static_cast<double>(pieces.size()));
@@ -264,6 +271,19 @@ Integral integrate(const SpeedPieces &pieces, double relative_tolerance, std::ve
         }
     }
     result.error += pieces.rounding() + 4 * eps * result.value;
+    return result;
+}
+
+} // namespace
+
+Integral integrate(const SpeedPieces &pieces, double relative_tolerance, std::vector<LengthLeaf> *leaves,
+                   std::vector<double> *nets) {
+    Reach reach(relative_tolerance);
+    Integral result;
+    do {
+        result = integrate_to(pieces, reach.tolerance(), leaves, nets);
+        result.good = good_enough(pieces, result, std::max(reach.tolerance(), relative_tolerance));
+    } while (!result.good && reach.loosen());
     return result;
 }
 
@@ -290,8 +310,7 @@ Integral curve_length(const Spline &curve, Interval range, double relative_toler
     const SpeedPieces pieces(curve, range);
     const Integral found = integrate(pieces, relative_tolerance);
     const Integral result = scaled_result(found, pieces.exponent(), relative_tolerance, "length");
-    if (found.error > 2 * (std::max(relative_tolerance, 4 * eps) * found.value + pieces.rounding() +
-                           4 * eps * found.value)) {
+    if (!found.good) {
         fail(NURBS_ERROR_NOT_CONVERGED,
              "length = %s: the error reached is %s, expected relative_tolerance = %s",
              Number(result.value).text, Number(result.error).text, Number(relative_tolerance).text);
