@@ -389,6 +389,41 @@ TEST(Measure, EqualLengthsAndEqualChords) {
     EXPECT_NEAR(chord, 2, 1e-11); // a regular hexagon
 }
 
+// Where walks by the first point at a distance jump over the end, chains are followed through folds: of these
+// curves walks divide about half.
+TEST(Measure, TanglesDivideIntoAFewEqualChords) {
+    Random random(5529);
+    int found = 0;
+    for (int i = 0; i < 40; ++i) {
+        const int dim = 2 + i % 2;
+        const SplineData data = tangle(random, 3, 20, dim, random.chance(50));
+        const Handle g = create(data);
+        const int64_t parts = 2 + i % 4;
+        std::vector<double> params(static_cast<size_t>(parts) + 1);
+        double size = 0;
+        const nurbs_status status =
+            nurbs_curve_divide(g.get(), nullptr, parts, 1e-9, NURBS_EQUAL_CHORDS, params.data(), &size);
+        if (status == NURBS_ERROR_NOT_CONVERGED) {
+            continue;
+        }
+        require_ok(status);
+        ++found;
+        EXPECT_EQ(params.front(), data.lower(0));
+        EXPECT_EQ(params.back(), data.upper(0));
+        const std::vector<double> points = eval(g.get(), params);
+        const auto stride = static_cast<size_t>(dim);
+        for (size_t k = 1; k < params.size(); ++k) {
+            EXPECT_GT(params[k], params[k - 1]);
+            double square = 0;
+            for (size_t c = 0; c < stride; ++c) {
+                square += std::pow(points[k * stride + c] - points[(k - 1) * stride + c], 2);
+            }
+            EXPECT_NEAR(std::sqrt(square), size, 2e-9 * size) << describe(data);
+        }
+    }
+    EXPECT_GE(found, 38);
+}
+
 // The six faces of a trilinear volume enclose what the volume holds, and both are polynomials of degree 5.
 TEST(Measure, FacesEncloseWhatAVolumeHolds) {
     Random random(5526);

@@ -58,7 +58,7 @@ HWY_INLINE void with_degrees(const SpeedForm &form, Visit &&visit) {
 
 void speeds(const SpeedForm &form, const double *net, int first, int count, double *out) {
     const Wide d;
-    with_degrees(form, [&]<int kDegree, int kWeights>() {
+    with_degrees(form, [&]<int kDegree, int kWeights>() HWY_ATTR {
         for (int node = first; node < first + count; node += static_cast<int>(hn::Lanes(d))) {
             hn::StoreU(speed<kDegree, kWeights>(form, net, node), d, out + node);
         }
@@ -86,7 +86,7 @@ double sum_of_speeds(const SpeedForm &form, const double *nets, int64_t count, c
     const Wide d;
     const int64_t size = form.size();
     auto sum = hn::Zero(d);
-    with_degrees(form, [&]<int kDegree, int kWeights>() {
+    with_degrees(form, [&]<int kDegree, int kWeights>() HWY_ATTR {
         for (int64_t i = 0; i < count; ++i) {
             for (int node = 0; node < 8; node += static_cast<int>(hn::Lanes(d))) {
                 sum = hn::MulAdd(speed<kDegree, kWeights>(form, nets + i * size, node),
