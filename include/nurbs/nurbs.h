@@ -3058,7 +3058,10 @@ NURBS_API nurbs_status nurbs_hausdorff_distance(const nurbs *a, const nurbs *b, 
  * never across one, halved where the Legendre coefficients of the integrand do not fall fast enough, where weights
  * differ by a factor of more than 64, and where lengths and areas turn so sharply that a feature may be narrower
  * than the nodes are apart. `relative_tolerance` is asked of the result (of a centroid and of moments: relative to
- * the size of the shape); 0, and whatever is below rounding, asks for what double precision gives. `error` receives
+ * the size of the shape); 0, and whatever is below rounding, asks for the best that double precision and a limit
+ * of work give: rounding, or else about nine or three digits, as along a fold inside a surface, where |S_u x S_v|
+ * has a kink. A tolerance above rounding that is not reached is NURBS_ERROR_NOT_CONVERGED, and so is 0 where no
+ * `error` could tell (nurbs_curve_lengths() and what shares its table). `error` receives
  * an estimate of the absolute error, rounding included; it follows from how the coefficients fall and is not a
  * proof. Cusps, poles and other places where the speed vanishes are found by the halving and cost more, not
  * accuracy. Where the weights vanish an integral may be infinite: NURBS_ERROR_NOT_CONVERGED.
@@ -3113,7 +3116,10 @@ NURBS_API nurbs_status nurbs_curve_params_at_lengths(const nurbs *g, int64_t n, 
                                                      int64_t length_stride, double relative_tolerance,
                                                      double *params, int64_t param_stride, uint32_t flags);
 
-/** \brief Divides a curve into parts of equal length, or so that consecutive points have equal distances.
+/** \brief Divides a curve into parts of equal length, or so that consecutive points have equal distances. Each
+ * point is the first one at its distance from the one before, where there is such a division; else chains of
+ * points are followed as their distance rises and falls. On curves that wind about themselves this finds most
+ * divisions into few parts; into ten or more the way may be too long: NURBS_ERROR_NOT_CONVERGED.
  * \param[in] g a curve.
  * \param[in] range [2] the part of the domain, or NULL for all of it.
  * \param[in] parts number of parts, > 0.
@@ -3123,7 +3129,7 @@ NURBS_API nurbs_status nurbs_curve_params_at_lengths(const nurbs *g, int64_t n, 
  * \param[out] size length or chord of a part, or NULL.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _COUNT, _OVERFLOW, _OVERLAP, _FLAGS, _TOLERANCE;
  *   _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN or _EMPTY_DOMAIN if range is no interval of the domain; _LENGTH
- *   if the curve has none, _NOT_CONVERGED (chords also where none of equal size exist), _NOT_REPRESENTABLE.
+ *   if the curve has none, _NOT_CONVERGED (chords also where no division is found), _NOT_REPRESENTABLE.
  * \since 0.1 */
 NURBS_API nurbs_status nurbs_curve_divide(const nurbs *g, const double *range, int64_t parts,
                                           double relative_tolerance, uint32_t flags, double *params,
@@ -3318,7 +3324,8 @@ NURBS_API nurbs_status nurbs_extreme_point(const nurbs *g, const double *directi
 /** @} */
 
 /** \brief Inflections, extrema of curvature, cusps, kinks, jumps and changes of torsion along a curve. The
- * ends of the domain have none but cusps; the seam of a periodic curve, given as its lower end, has all. A
+ * ends of the domain have none but cusps, also where a curve closes that is not periodic (nurbs_make_periodic);
+ * the seam of a periodic curve, given as its lower end, has all. A
  * curvature that jumps at a knot rises or falls there, so that the knot can be a maximum or a minimum.
  * Where |curvature| stays at a maximum or minimum, the middle of that stretch is given.
  * \param[in] g a curve of dimension 2 or 3.

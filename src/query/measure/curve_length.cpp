@@ -2,7 +2,8 @@
 
 #include "base/error.h"
 #include "base/sum.h"
-#include "basis/binomial.h"
+#include "query/measure/reach.h"
+#include "query/measure/speed_net.h"
 
 #include <algorithm>
 #include <array>
@@ -15,68 +16,19 @@ namespace nrb {
 namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
+constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr int first_level = 2; // 15 nodes
+// What 15 nodes seldom reach: 31 at once take less time, and tell more of how coefficients fall. Tables of
+// lengths want few nodes.
+constexpr double sharp = 1e-8;
 constexpr int most_halvings = 200;
 constexpr int64_t leaves_for_a_piece = 256, leaves_at_least = 20000;
-
-// What the coefficients of a net tell of features that are narrower than the nodes are apart: peaks where the
-// weights differ much, dips and zeros where the curve turns sharply.
-struct NetShape {
-    // The weights are of one sign, all coefficients of N are within 75 degrees of their sum, and both differ
-    // by a factor of at most 64; but a dip of relative width 1e-8 is worth its square, and none.
-    bool even;
-    double bound; // of the length; infinite if the weights are not of one sign
-};
-
-template <int kCount>
-NetShape net_shape(const SpeedForm &form, const double *net) noexcept {
-    constexpr double least_cosine = 0.25, most_ratio = 64, none = 1e-8;
-    const int count = kCount == 0 ? form.degree + 1 : kCount;
-    constexpr size_t room = kCount == 0 ? max_product_degree + 1 : kCount;
-    std::array<double, room> along{}, squares{};
-    double square = 0;
-    for (int c = 0; c < form.dim; ++c, net += count) {
-        double sum = 0;
-        for (int i = 0; i < count; ++i) {
-            sum += net[i];
-        }
-        for (int i = 0; i < count; ++i) {
-            along[static_cast<size_t>(i)] += sum * net[i];
-            squares[static_cast<size_t>(i)] += net[i] * net[i];
-        }
-        square += sum * sum;
-    }
-    const double largest = *std::max_element(squares.begin(), squares.begin() + count);
-    bool even = true;
-    for (size_t i = 0; i < static_cast<size_t>(count); ++i) {
-        const double part = along[i];
-        const bool alike =
-            squares[i] >= largest / (most_ratio * most_ratio) || squares[i] <= none * none * largest;
-        even &= part >= 0 && part * part >= least_cosine * least_cosine * squares[i] * square && alike;
-    }
-    double least = 1, most = 1;
-    for (int i = 0; i <= form.weight_degree; ++i) {
-        const double w = net[0] < 0 ? -net[i] : net[i];
-        least = i == 0 ? w : std::min(least, w);
-        most = i == 0 ? w : std::max(most, w);
-    }
-    return {even && most <= most_ratio * least,
-            least > 0 ? std::sqrt(largest) / (least * least) : std::numeric_limits<double>::infinity()};
-}
-
-NetShape net_shape(const SpeedForm &form, const double *net) noexcept {
-    return form.degree == 4   ? net_shape<5>(form, net)
-           : form.degree == 2 ? net_shape<3>(form, net)
-                              : net_shape<0>(form, net);
-}
 
 // Rules of rising levels on one part of a piece.
 class Ladder {
 public:
-    Ladder(const SpeedForm &form, const double *net) : form_(form), net_(net) {
-        speeds(form, net, 0, rule_size(first_level), speeds_.data());
-        decay_ = rule_decay(first_level, speeds_.data());
-    }
+    Ladder(const SpeedForm &form, const double *net, int level)
+        : form_(form), net_(net), level_(level), decay_(speed_decay(form, net, 0, level, speeds_.data())) {}
 
     [[nodiscard]] double value() const noexcept { return decay_.integral; }
     [[nodiscard]] double error() const noexcept { return decay_.error(decay_.integral); }
@@ -90,8 +42,7 @@ public:
                 return false;
             }
             const int before = rule_size(level_++);
-            speeds(form_, net_, before, rule_size(level_) - before, speeds_.data());
-            decay_ = rule_decay(level_, speeds_.data());
+            decay_ = speed_decay(form_, net_, before, level_, speeds_.data());
         }
         return true;
     }
@@ -104,21 +55,10 @@ private:
 
     const SpeedForm &form_;
     const double *net_;
-    int level_ = first_level;
-    RuleDecay decay_{};
     alignas(64) std::array<double, rule_capacity> speeds_;
+    int level_;
+    RuleDecay decay_;
 };
-
-// Both halves of a net: the rows of N, and the one of w.
-void halve_net(const SpeedForm &form, double *net, double *lower) noexcept {
-    halve_rows(form.dim, form.degree, 1, net, lower);
-    const int64_t first = int64_t{form.dim} * (form.degree + 1);
-    if (form.weight_degree >= 0) {
-        halve_rows(1, form.weight_degree, 1, net + first, lower + first);
-    }
-    std::for_each_n(net, first, [](double &x) { x /= 2; });
-    std::for_each_n(lower, first, [](double &x) { x /= 2; });
-}
 
 // One search with a given idea of the whole length.
 class LengthSearch {
@@ -126,6 +66,9 @@ public:
     LengthSearch(const SpeedPieces &pieces, double tolerance, std::vector<LengthLeaf> *leaves,
                  std::vector<double> *nets)
         : pieces_(pieces), tolerance_(tolerance), leaves_(leaves), nets_(nets),
+          first_level_(leaves == nullptr && tolerance < sharp && pieces.form().size() > pieces.form().dim
+                           ? first_level + 1
+                           : first_level),
           budget_(leaves_at_least + leaves_for_a_piece * pieces.size()) {}
 
     // `share`: what is allowed on however small a part, of the whole tolerance.
@@ -146,41 +89,73 @@ public:
     [[nodiscard]] bool spent() const noexcept { return budget_ < 0; }
 
 private:
-    void run_piece(int64_t piece) {
-        const auto size = static_cast<size_t>(pieces_.form().size());
-        stack_.assign(pieces_.net(piece), pieces_.net(piece) + size);
-        parts_.assign(1, {0, 1, 0});
-        while (!parts_.empty()) {
-            const Part part = parts_.back();
-            double *net = stack_.data() + stack_.size() - size;
-            Ladder ladder(pieces_.form(), net);
-            const double allowed = std::max(least_, tolerance_ / 2 * ladder.value());
-            const NetShape shape = net_shape(pieces_.form(), net);
-            const bool good = shape.even && ladder.climb(allowed), negligible = shape.bound <= allowed;
-            if (good || negligible || part.halvings == most_halvings || --budget_ < 0 ||
-                !(ladder.value() < std::numeric_limits<double>::infinity())) {
-                accept(piece, part, ladder, good ? ladder.error() : shape.bound, net);
-                stack_.resize(stack_.size() - size);
-                parts_.pop_back();
-                continue;
-            }
-            stack_.resize(stack_.size() + size);
-            net = stack_.data() + stack_.size() - 2 * size;
-            halve_net(pieces_.form(), net, net + size);
-            const double middle = part.lower / 2 + part.upper / 2;
-            parts_.back() = {middle, part.upper, part.halvings + 1};
-            parts_.push_back({part.lower, middle, part.halvings + 1});
-        }
-    }
-
     struct Part {
         double lower, upper;
         int halvings;
     };
 
+    void run_piece(int64_t piece) {
+        const auto size = static_cast<size_t>(pieces_.form().size());
+        stack_.resize(std::max(stack_.size(), size));
+        std::copy_n(pieces_.net(piece), size, stack_.data());
+        parts_.assign(1, {0, 1, 0});
+        while (!parts_.empty()) {
+            const Part part = parts_.back();
+            if (finish(piece, part, stack_.data() + (parts_.size() - 1) * size)) {
+                parts_.pop_back();
+            } else {
+                halve_top(part, size);
+            }
+        }
+    }
+
+    bool finish(int64_t piece, const Part &part, const double *net) {
+        const NetShape shape = net_shape(pieces_.form(), net);
+        return shape.even ? finish_even(piece, part, net, shape)
+                          : finish_uneven(piece, part, net, shape.bound());
+    }
+
+    // Whether a part on which rules tell their error is accepted.
+    bool finish_even(int64_t piece, const Part &part, const double *net, const NetShape &shape) {
+        Ladder ladder(pieces_.form(), net, first_level_);
+        const bool good = ladder.climb(std::max(least_, tolerance_ / 2 * ladder.value()));
+        if (!good && ladder.value() < infinite && shape.bound() > least_ && may_halve(part)) {
+            return false;
+        }
+        accept(piece, part, ladder, good ? ladder.error() : shape.bound(), net);
+        return true;
+    }
+
+    // Elsewhere the net alone tells that a part has to be halved, unless it is too small to matter. Where
+    // nothing bounds the length a node may show that it is infinite.
+    bool finish_uneven(int64_t piece, const Part &part, const double *net, double bound) {
+        if (bound > least_ && bound < infinite && may_halve(part)) {
+            return false;
+        }
+        const Ladder ladder(pieces_.form(), net, first_level_);
+        if (bound == infinite && ladder.value() < infinite && may_halve(part)) {
+            return false;
+        }
+        accept(piece, part, ladder, bound, net);
+        return true;
+    }
+
+    bool may_halve(const Part &part) noexcept { return part.halvings < most_halvings && --budget_ >= 0; }
+
+    // The lower half is on top.
+    void halve_top(const Part &part, size_t size) {
+        const size_t end = parts_.size() * size;
+        stack_.resize(std::max(stack_.size(), end + size));
+        double *net = stack_.data() + end - size;
+        halve_net(pieces_.form(), net, net + size);
+        const double middle = part.lower / 2 + part.upper / 2;
+        parts_.back() = {middle, part.upper, part.halvings + 1};
+        parts_.push_back({part.lower, middle, part.halvings + 1});
+    }
+
     void accept(int64_t piece, const Part &part, const Ladder &ladder, double error, const double *net) {
         total_.add(ladder.value());
-        error_.add(std::isfinite(error) ? error : std::numeric_limits<double>::infinity());
+        error_.add(std::isfinite(error) ? error : infinite);
         if (leaves_ != nullptr) {
             leaves_->push_back({piece, part.lower, part.upper, ladder.level(), ladder.value()});
             nets_->insert(nets_->end(), net, net + pieces_.form().size());
@@ -191,6 +166,7 @@ private:
     double tolerance_;
     std::vector<LengthLeaf> *leaves_;
     std::vector<double> *nets_;
+    int first_level_;
     int64_t budget_;
     double length_ = 0;
     double least_ = 0;
@@ -202,13 +178,8 @@ private:
 
 // By 7 nodes a piece.
 double rough_length(const SpeedPieces &pieces) noexcept {
-    double total = 0;
-    for (int64_t e = 0; e < pieces.size(); ++e) {
-        std::array<double, 8> values{};
-        speeds(pieces.form(), pieces.net(e), 0, rule_size(1), values.data());
-        total += std::inner_product(values.begin(), values.end(), rule_weights(1), 0.0);
-    }
-    return total;
+    return pieces.size() == 0 ? 0
+                              : sum_of_speeds(pieces.form(), pieces.net(0), pieces.size(), rule_weights(1));
 }
 
 } // namespace
@@ -269,25 +240,22 @@ void SpeedPieces::add_piece(const Element &element, int degree) {
             }
             continue;
         }
-        const double *choose = binomials(p - 1);
-        for (int i = 0; i < p; ++i) {
-            for (int j = 0; j < p; ++j) {
-                out[i + j] += choose[i] * choose[j] * (a[i + 1] * w[j] - a[i] * w[j + 1]);
-            }
-        }
-        const double *whole = binomials(form_.degree);
-        for (int i = 0; i <= form_.degree; ++i) {
-            out[i] *= p / whole[i];
-        }
+        wronskian(p, a, w, out);
     }
     if (form_.weight_degree >= 0) {
         std::copy_n(w, p + 1, nets_.data() + start + int64_t{form_.dim} * (form_.degree + 1));
     }
 }
 
-Integral integrate(const SpeedPieces &pieces, double relative_tolerance, std::vector<LengthLeaf> *leaves,
-                   std::vector<double> *nets) {
-    const double tolerance = std::clamp(relative_tolerance, 4 * eps, 0.5);
+namespace {
+
+// Whether the error of a whole length is what was asked for, rounding included.
+bool good_enough(const SpeedPieces &pieces, Integral found, double tolerance) noexcept {
+    return !(found.error > 2 * ((tolerance + 4 * eps) * found.value + pieces.rounding()));
+}
+
+Integral integrate_to(const SpeedPieces &pieces, double tolerance, std::vector<LengthLeaf> *leaves,
+                      std::vector<double> *nets) {
     LengthSearch search(pieces, tolerance, leaves, nets);
     double length = rough_length(pieces);
     double share = 1.0 / (32.0 * static_cast<double>(pieces.size()));
@@ -301,6 +269,19 @@ Integral integrate(const SpeedPieces &pieces, double relative_tolerance, std::ve
         }
     }
     result.error += pieces.rounding() + 4 * eps * result.value;
+    return result;
+}
+
+} // namespace
+
+Integral integrate(const SpeedPieces &pieces, double relative_tolerance, std::vector<LengthLeaf> *leaves,
+                   std::vector<double> *nets) {
+    Reach reach(relative_tolerance);
+    Integral result;
+    do {
+        result = integrate_to(pieces, reach.tolerance(), leaves, nets);
+        result.good = good_enough(pieces, result, std::max(reach.tolerance(), relative_tolerance));
+    } while (!result.good && reach.loosen());
     return result;
 }
 
@@ -327,8 +308,7 @@ Integral curve_length(const Spline &curve, Interval range, double relative_toler
     const SpeedPieces pieces(curve, range);
     const Integral found = integrate(pieces, relative_tolerance);
     const Integral result = scaled_result(found, pieces.exponent(), relative_tolerance, "length");
-    if (found.error > 2 * (std::max(relative_tolerance, 4 * eps) * found.value + pieces.rounding() +
-                           4 * eps * found.value)) {
+    if (!found.good) {
         fail(NURBS_ERROR_NOT_CONVERGED,
              "length = %s: the error reached is %s, expected relative_tolerance = %s",
              Number(result.value).text, Number(result.error).text, Number(relative_tolerance).text);

@@ -10,7 +10,8 @@ namespace nrb {
 
 struct Integral {
     double value;
-    double error; // estimate, rounding included
+    double error;     // estimate, rounding included
+    bool good = true; // whether the error is what was asked for
 };
 
 // |C'| on the pieces of a curve as |N| / w^2, N = A' w - A w' = p (A_1 w_0 - A_0 w_1) of degree 2 p - 2,
@@ -55,7 +56,8 @@ struct LengthLeaf {
 };
 
 // The length of all pieces. `leaves`, if not null, become all parts in their order, and `nets` what belongs
-// to them as in SpeedPieces. The error is above what was asked only if the budget is spent.
+// to them as in SpeedPieces. The error is above what was asked only if the budget is spent; a tolerance below
+// rounding asks for the best that the budget allows.
 Integral integrate(const SpeedPieces &pieces, double relative_tolerance,
                    std::vector<LengthLeaf> *leaves = nullptr, std::vector<double> *nets = nullptr);
 

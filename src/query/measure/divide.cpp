@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "base/norm.h"
 #include "eval/evaluate.h"
+#include "query/measure/chord_path.h"
 #include "query/measure/length_table.h"
 
 #include <algorithm>
@@ -36,6 +37,9 @@ public:
     [[nodiscard]] double length() const noexcept { return end_ - start_; }
     [[nodiscard]] double to_model(double length) const noexcept {
         return std::ldexp(length, table_.exponent());
+    }
+    [[nodiscard]] double from_model(double length) const noexcept {
+        return std::ldexp(length, -table_.exponent());
     }
     [[nodiscard]] double param(double s) {
         const double t = table_.param_at(std::clamp(start_ + s, start_, end_), work_.data());
@@ -194,32 +198,49 @@ public:
             chord_ = longest;
             return true;
         }
-        return between(0, length, longest, above) || scan(longest, length);
+        return between(0, length, longest, above);
     }
 
     [[nodiscard]] double chord() const noexcept { return chord_; }
     [[nodiscard]] double rest() const noexcept { return rest_; }
 
 private:
-    // Every change of sign among chords in equal steps.
-    bool scan(double longest, double length) {
-        constexpr int steps = 128;
-        double chord = longest, above = walk_.excess(longest);
-        for (int i = steps - 1; i >= 0; --i) {
-            const double next = longest * i / steps, below = i > 0 ? walk_.excess(next) : length;
-            if (below > 0 && above <= 0 && between(next, below, chord, above)) {
-                return true;
-            }
-            chord = next;
-            above = below;
-        }
-        return false;
-    }
-
     ChordWalk &walk_;
     double allowed_;
     double chord_ = 0, rest_ = 0;
 };
+
+// By how much the distances of neighbours differ from a chord, at most, in units of the table.
+double largest_miss(const Spline &curve, Arc &arc, const std::vector<double> &params, double chord) {
+    std::vector<double> from(static_cast<size_t>(curve.dim()));
+    double most = 0;
+    for (size_t i = 1; i < params.size(); ++i) {
+        arc.place(params[i - 1], false, from);
+        most = std::max(most, std::abs(arc.distance_from(from, params[i], i + 1 == params.size()) - chord));
+    }
+    return most;
+}
+
+// Where walks do not end: along the path of all chains, from a short one. Returns the chord in units of the
+// table, or 0.
+double follow_chains(const Spline &curve, Arc &arc, Interval range, int64_t parts, double allowed,
+                     std::vector<double> &params) {
+    constexpr double first = 0x1p-12; // of the mean part: nothing happens on so short a piece
+    const double start = first * arc.length() / static_cast<double>(parts);
+    std::vector<double> chain;
+    ChordWalk(curve, arc, range, parts + 1, chain).excess(start);
+    chain.resize(static_cast<size_t>(parts) + 1);
+    for (const double step :
+         {0x1p-3, 0x1p-6}) { // a step to another branch of the path leads back to the start
+        ChordPath path(curve, range, chain, arc.to_model(start), step);
+        if (path.run(allowed)) {
+            const double chord = arc.from_model(path.chord());
+            params = path.params();
+            return largest_miss(curve, arc, params, chord) <= allowed * chord ? chord : 0;
+        }
+    }
+    return 0;
+}
 
 } // namespace
 
@@ -233,12 +254,16 @@ double divide_by_chord(const Spline &curve, Interval range, int64_t parts, doubl
     // Below 1, so that a walk that ends too early is never taken.
     const double allowed = std::min(std::max(relative_tolerance, 64 * eps * static_cast<double>(parts)), 0.5);
     ChordSearch search(walk, allowed);
-    if (!search.run(arc.length() / static_cast<double>(parts), arc.length())) {
+    if (search.run(arc.length() / static_cast<double>(parts), arc.length())) {
+        return arc.to_model(search.chord());
+    }
+    const double chord = follow_chains(curve, arc, range, parts, allowed, params);
+    if (!(chord > 0)) {
         fail(NURBS_ERROR_NOT_CONVERGED,
              "no division into %lld equal chords was found: the last one differs by %s",
              static_cast<long long>(parts), Number(arc.to_model(search.rest())).text);
     }
-    return arc.to_model(search.chord());
+    return arc.to_model(chord);
 }
 
 } // namespace nrb

@@ -236,11 +236,6 @@ void rule_basis_derivatives(int degree, double *derivatives) noexcept {
     }
 }
 
-double RuleDecay::error(double magnitude) const noexcept {
-    constexpr double noise = 64 * std::numeric_limits<double>::epsilon();
-    return last <= noise * magnitude ? 0 : last * rate * rate;
-}
-
 double RuleDecay::one_higher() const noexcept {
     const double square = rate * rate, fourth = square * square;
     return fourth * fourth;
@@ -251,16 +246,33 @@ double RuleDecay::two_higher() const noexcept {
     return one * one;
 }
 
-RuleDecay rule_decay(int level, const double *values) noexcept {
-    std::array<const double *, 7> rows{rule_weights(level)};
-    for (size_t row = 1; row < rows.size(); ++row) {
-        rows[row] = decay_rows.row(level, row - 1);
-    }
-    std::array<double, 7> sums;
-    rule_sums(rows.data(), values, std::max(8, rule_size(level)), sums.data());
+namespace {
+
+std::array<const double *, 7> rows_of(int level) noexcept {
+    return {rule_weights(level),      decay_rows.row(level, 0), decay_rows.row(level, 1),
+            decay_rows.row(level, 2), decay_rows.row(level, 3), decay_rows.row(level, 4),
+            decay_rows.row(level, 5)};
+}
+
+RuleDecay decay_of(const std::array<double, 7> &sums) noexcept {
     const double last = std::max({std::abs(sums[1]), std::abs(sums[2]), std::abs(sums[3])});
     const double low = std::max({std::abs(sums[4]), std::abs(sums[5]), std::abs(sums[6])});
     return {sums[0], last, last < low ? last / low : 1};
+}
+
+} // namespace
+
+RuleDecay rule_decay(int level, const double *values) noexcept {
+    std::array<double, 7> sums;
+    rule_sums(rows_of(level).data(), values, std::max(8, rule_size(level)), sums.data());
+    return decay_of(sums);
+}
+
+RuleDecay speed_decay(const SpeedForm &form, const double *net, int first, int level,
+                      double *values) noexcept {
+    std::array<double, 7> sums;
+    speeds_and_sums(form, net, first, rule_size(level) - first, values, rows_of(level).data(), sums.data());
+    return decay_of(sums);
 }
 
 } // namespace nrb

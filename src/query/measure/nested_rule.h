@@ -2,6 +2,8 @@
 // formulae", Math. Comp. 22 (1968), from the three points of Gauss.
 #pragma once
 
+#include <limits>
+
 namespace nrb {
 
 // Level l has 3, 7, 15, 31, 63 nodes and is exact up to degree 5, 11, 23, 47, 95; all weights are positive.
@@ -40,12 +42,19 @@ struct RuleDecay {
 
     // last rate^2 is a step too short for analytic functions, by rho^(2 to 5), and right or too long for
     // others.
-    [[nodiscard]] double error(double magnitude) const noexcept;
+    [[nodiscard]] double error(double magnitude) const noexcept {
+        constexpr double noise = 64 * std::numeric_limits<double>::epsilon();
+        return last <= noise * magnitude ? 0 : last * rate * rate;
+    }
     // What the error of a rule will be that is one or two levels higher, relative to the integral.
     [[nodiscard]] double one_higher() const noexcept;
     [[nodiscard]] double two_higher() const noexcept;
 };
 // `values`: those at the nodes of the level in storage.
 RuleDecay rule_decay(int level, const double *values) noexcept;
+// Of speeds, those at nodes before `first` being there already: a multiple of 8.
+struct SpeedForm;
+RuleDecay speed_decay(const SpeedForm &form, const double *net, int first, int level,
+                      double *values) noexcept;
 
 } // namespace nrb

@@ -2,6 +2,7 @@
 
 #include "base/sum.h"
 #include "query/measure/element_shape.h"
+#include "query/measure/reach.h"
 #include "query/measure/tensor_rule.h"
 
 #include <algorithm>
@@ -222,28 +223,35 @@ Goal goal_of(const Integrals &known, const Integrand &integrand, double toleranc
     return goal;
 }
 
-} // namespace
-
-Integrals integrate(const std::vector<Elements> &splines, const Integrand &integrand,
-                    double relative_tolerance) {
-    const double tolerance = std::clamp(relative_tolerance, 4 * eps, 0.5);
-    TensorSearch search(splines, integrand);
-    Integrals result = search.rough();
+Integrals integrate_to(TensorSearch &search, const Integrand &integrand, double tolerance, Integrals known) {
     double share = 1 / (32.0 * static_cast<double>(std::max<int64_t>(search.count(), 1)));
     for (int attempt = 0; attempt < 3; ++attempt) {
-        const Goal goal = goal_of(result, integrand, tolerance, share);
-        result = search.run(goal);
-        const Goal reached = goal_of(result, integrand, tolerance, share);
-        result.converged = true;
-        for (size_t j = 0; j < result.values.size(); ++j) {
-            const double rounding = 4 * eps * result.size + result.rounding;
-            result.converged = result.converged && result.errors[j] <= 2 * (reached.tolerances[j] + rounding);
+        known = search.run(goal_of(known, integrand, tolerance, share));
+        const Goal reached = goal_of(known, integrand, tolerance, share);
+        known.converged = true;
+        for (size_t j = 0; j < known.values.size(); ++j) {
+            const double rounding = 4 * eps * known.size + known.rounding;
+            known.converged = known.converged && known.errors[j] <= 2 * (reached.tolerances[j] + rounding);
         }
-        if (result.converged || search.spent()) {
+        if (known.converged || search.spent()) {
             break;
         }
         share /= 64;
     }
+    return known;
+}
+
+} // namespace
+
+Integrals integrate(const std::vector<Elements> &splines, const Integrand &integrand,
+                    double relative_tolerance) {
+    TensorSearch search(splines, integrand);
+    const Integrals rough = search.rough();
+    Reach reach(relative_tolerance);
+    Integrals result;
+    do {
+        result = integrate_to(search, integrand, reach.tolerance(), rough);
+    } while (!result.converged && reach.loosen());
     return result;
 }
 

@@ -36,7 +36,7 @@ struct Integrals {
 };
 
 // Over all elements of all splines: tensor products of nested rules, halved along the axis on which three
-// rules disagree most.
+// rules disagree most. A tolerance below rounding asks for the best that the limit of work allows.
 Integrals integrate(const std::vector<Elements> &splines, const Integrand &integrand,
                     double relative_tolerance);
 
