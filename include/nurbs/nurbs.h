@@ -2946,7 +2946,8 @@ NURBS_API nurbs_status nurbs_closest_local(const nurbs *g, int64_t n, const doub
 
 /** \brief All points of a spline whose distance to a point exceeds the smallest one by at most a tolerance
  * and that are local minima of it. Where they are not isolated (an arc around its centre) every piece of g
- * that has some gives one, and the status has NURBS_CLOSEST_NOT_UNIQUE without NURBS_CLOSEST_CERTIFIED.
+ * that has some gives at least one, and the status has NURBS_CLOSEST_NOT_UNIQUE without
+ * NURBS_CLOSEST_CERTIFIED.
  * \param[in] g a spline.
  * \param[in] point [dim].
  * \param[in] range [axes][2] the part of the domain that is searched, or NULL for all of it.
@@ -2968,7 +2969,8 @@ NURBS_API nurbs_status nurbs_closest_all(const nurbs *g, const double *point, co
 /** \brief All critical points of the distance from a point: where x - C is perpendicular to the tangents of
  * g, and at ends and kinks of a curve, where the distance has a minimum or maximum. Of surfaces and volumes
  * those inside, on edges those that are critical along them, and corners with a minimum or maximum; minima
- * on creases at knots are found by nurbs_closest_all().
+ * on creases at knots are found by nurbs_closest_all(). A pole is one point, with what the tolerance does
+ * not tell from it; its kind is that of samples around it.
  * \param[in] g a spline.
  * \param[in] point [dim].
  * \param[in] range [axes][2] the part of the domain that is searched, or NULL for all of it.

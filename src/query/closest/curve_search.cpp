@@ -45,8 +45,7 @@ public:
             best_.note({query_.range == nullptr ? 0 : tree_.leaf_at(query_.range->lower), 0,
                         std::numeric_limits<double>::infinity()});
         }
-        const bool certified = certified_ && tree_.sound() && budget_used_ <= query_.budget &&
-                               best_.best().square < std::numeric_limits<double>::infinity();
+        const bool certified = certified_ && tree_.sound() && budget_used_ <= query_.budget && in_range();
         return {best_.best(), certified, best_.unique()};
     }
 
@@ -102,9 +101,13 @@ private:
     void examine(int64_t leaf, bool whole) {
         leaf_ = leaf;
         parts_[0] = load(leaf, whole);
-        bool untested = !best_.found();
+        bool untested = !in_range();
         for (int height = 1; height > 0;) {
             if (++budget_used_ > query_.budget) {
+                return;
+            }
+            if (!untested && !in_range()) {
+                certified_ = false; // no polynomial tells anything then
                 return;
             }
             if (best_.found() && sign_ > 0 && best_.goal() == 0) {
@@ -113,6 +116,11 @@ private:
             height = untested ? divide(height) : step(height);
             untested = false;
         }
+    }
+
+    // Whether the square of the best distance does not overflow.
+    [[nodiscard]] bool in_range() const noexcept {
+        return best_.best().square < std::numeric_limits<double>::infinity();
     }
 
     // Decides about the uppermost part, or puts two in its place.
