@@ -286,7 +286,7 @@ TEST(ClosestOnCurve, powers_of_two_are_exact) {
     });
 }
 
-// Points so far away that squares overflow are answered all the same, without proof, whatever the budget.
+// Points so far away that products overflow are answered all the same, without proof, whatever the budget.
 TEST(ClosestOnCurve, points_at_the_end_of_the_numbers) {
     for_each_case(0x6009, 40, [](Random &random, uint64_t seed) {
         const SplineData data = random_curve(random, 4);

@@ -118,10 +118,8 @@ private:
         }
     }
 
-    // Whether the square of the best distance does not overflow.
-    [[nodiscard]] bool in_range() const noexcept {
-        return best_.best().square < std::numeric_limits<double>::infinity();
-    }
+    // Whether there is a best place, so near that no product with the square of its distance overflows.
+    [[nodiscard]] bool in_range() const noexcept { return best_.found() && best_.best().square < 0x1p900; }
 
     // Decides about the uppermost part, or puts two in its place.
     int step(int height) {
