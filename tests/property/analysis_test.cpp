@@ -285,10 +285,11 @@ TEST(BoundaryContacts, OfTheQuadrics) {
     EXPECT_EQ(collapsed, (std::array<int32_t, 4>{1, 1, 0, 0})); // circles of radius 1 and 4
     const Handle arc = ellipse(1, 1, 0, pi);
     double gap = 0;
-    int32_t meets = -1, point = -1;
-    require_ok(nurbs_boundary_contacts(arc.get(), 2 + 1e-9, &meets, &gap, &point, nullptr));
+    int32_t meets = -1, points[] = {-1, -1};
+    require_ok(nurbs_boundary_contacts(arc.get(), 2 + 1e-9, &meets, &gap, points, nullptr));
     EXPECT_EQ(meets, 1);
-    EXPECT_EQ(point, 1);
+    EXPECT_EQ(points[0], 1);
+    EXPECT_EQ(points[1], 1);
     EXPECT_NEAR(gap, 2, 1e-13);
 }
 

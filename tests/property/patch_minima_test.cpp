@@ -117,6 +117,65 @@ TEST(PatchMinima, those_that_are_isolated_are_certified) {
     EXPECT_GE(counts.certified, counts.asked * 99 / 100);
 }
 
+// Certified lists of a surface of degrees p and q, its control points as u, v, z in rows.
+Minima bezier_minima(int32_t p, int32_t q, int dim, std::vector<double> points, const std::vector<double> &x,
+                     double tolerance) {
+    SplineData data{{p, q}, {p + 1, q + 1}, {}, dim, std::move(points), {}, 0};
+    for (const int32_t degree : data.degrees) {
+        std::vector<double> knots(static_cast<size_t>(degree) + 1, 0.0);
+        knots.insert(knots.end(), static_cast<size_t>(degree) + 1, 1);
+        data.knots.push_back(knots);
+    }
+    return minima(create(data).get(), x, tolerance);
+}
+
+bool is_certified(const Minima &found) {
+    return (found.status & NURBS_CLOSEST_CERTIFIED) != 0;
+}
+
+// Tangents that vanish: minima there are found, or nothing is certified.
+TEST(PatchMinima, on_a_ridge_of_cusps) {
+    const double y[] = {2, -2.0 / 3, -2.0 / 3, 2, 2, 0, -1.3}, z[] = {-1, 1, -1, 1, 2, 2, 0.4};
+    SplineData data{{1, 3}, {2, 7}, {{0, 0, 1, 1}, {0, 0, 0, 0, 1, 1, 1, 2, 2, 2, 2}}, 3, {}, {}, 0};
+    for (const double u : {0.0, 1.0}) {
+        for (size_t j = 0; j < 7; ++j) {
+            data.points.insert(data.points.end(), {u, y[j], z[j]});
+        }
+    }
+    const double ridge[] = {0.5, 0.5};
+    const Minima found = minima(create(data).get(), {0.5, -1, 0}, 1);
+    EXPECT_TRUE(holds(found, ridge) || !is_certified(found));
+}
+
+TEST(PatchMinima, at_a_corner_without_a_tangent) {
+    const double corner[] = {0, 1};
+    const Minima found = bezier_minima(
+        1, 3, 3, {0, 1, 0, 0, 3, 0, 0, -1.2, 0, 0, -1.2, 0, 1, 1, 0, 1, 3, 0, 1, -1.2, 0, 1, -1.2, 0},
+        {-1, 0, 0}, 1);
+    EXPECT_TRUE(holds(found, corner) || !is_certified(found));
+}
+
+// Edges from which the distance falls at second order are no minima.
+TEST(PatchMinima, edges_that_second_derivatives_deny) {
+    const double saddle[] = {0, 0.5}, slanted[] = {0, 0.71307};
+    const Minima doubled = bezier_minima(2, 1, 2, {-1, 0, 1, 0, -1, 0, 1, 0, -1, 0.5, 1, 0.5}, {0, 1}, 1);
+    EXPECT_TRUE(!holds(doubled, saddle) || !is_certified(doubled));
+    const Minima parallel = bezier_minima(
+        2, 2, 2, {-1.5, -0.5, 0.5, -0.5, -0.5, 1, 0, -0.5, 1, -0.5, 0.5, -0.5, -1, -0.5, 0, 0, 0, 1},
+        {-0.07386155612787562, 0.23327272582169248}, 10);
+    EXPECT_TRUE(!holds(parallel, slanted) || !is_certified(parallel));
+}
+
+// A pole with a narrow way down is no minimum.
+TEST(PatchMinima, poles_between_samples) {
+    std::vector<double> points(3 * 26, 0.0);
+    for (int i = 0; i <= 25; ++i) {
+        const double angle = 2 * 3.14159265358979323846 * i / 25;
+        points.insert(points.end(), {std::cos(angle), std::sin(angle), i == 14 ? -6.0 : 1.0});
+    }
+    EXPECT_FALSE(is_certified(bezier_minima(1, 25, 3, points, {0, 0, -1}, 5)));
+}
+
 double distance_at(const nurbs *g, double u, double v, const std::vector<double> &x) {
     const std::vector<double> p = eval(g, {u, v});
     return std::hypot(p[0] - x[0], p[1] - x[1], p[2] - x[2]);

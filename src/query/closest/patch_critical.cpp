@@ -44,6 +44,7 @@ CriticalSet PatchCritical::run() {
               [](const CriticalPoint &a, const CriticalPoint &b) { return a.foot.params < b.foot.params; });
     set.status = incomplete_  ? NURBS_CLOSEST_BUDGET
                  : connected_ ? NURBS_CLOSEST_NOT_UNIQUE
+                 : doubtful_  ? 0
                               : NURBS_CLOSEST_CERTIFIED;
     return set;
 }
@@ -89,7 +90,46 @@ PatchCritical::Spots PatchCritical::minima(const std::vector<int64_t> &pieces, d
             search_piece(face, piece);
         }
     }
-    return {std::move(spots_), incomplete_, connected_};
+    hear_all();
+    return {std::move(spots_), incomplete_, connected_, doubtful_};
+}
+
+// Several faces of a piece may have a point, and the one of most dimensions tells most.
+void PatchCritical::testify(const std::vector<double> &point, int64_t piece, int32_t kind) {
+    const Answer answer = kind == NURBS_CRITICAL_MINIMUM     ? Answer::yes
+                          : kind == NURBS_CRITICAL_UNDECIDED ? Answer::unknown
+                                                             : Answer::no;
+    for (Testimony &other : testimonies_) {
+        if (other.piece == piece &&
+            distance(point.data(), other.point.data(), pieces_.shape().dim) <= near_) {
+            const bool agree = other.answer == answer || answer == Answer::unknown;
+            other.answer = agree ? other.answer : other.answer == Answer::unknown ? answer : Answer::unknown;
+            return;
+        }
+    }
+    testimonies_.push_back({point, piece, answer});
+}
+
+// A spot is a minimum where all pieces around say so, and none where one denies it.
+void PatchCritical::hear_all() {
+    const auto denied = [&](Spot &spot, const std::vector<double> &point) {
+        bool no = false;
+        spot.certain = true;
+        for (const Testimony &one : testimonies_) {
+            if (distance(point.data(), one.point.data(), pieces_.shape().dim) <= near_) {
+                no = no || one.answer == Answer::no;
+                spot.certain = spot.certain && one.answer == Answer::yes;
+            }
+        }
+        return no;
+    };
+    std::vector<Spot> kept;
+    for (size_t i = 0; i < spots_.size(); ++i) {
+        if (!denied(spots_[i], points_[i])) {
+            kept.push_back(spots_[i]);
+        }
+    }
+    spots_ = std::move(kept);
 }
 
 void PatchCritical::search_faces() {
@@ -151,8 +191,8 @@ void PatchCritical::search_piece(const Face &face, int64_t piece) {
     if (face.shape.axes == 0) {
         AxisValues at{};
         std::copy_n(face.side.begin(), shape.axes, at.begin());
-        const int32_t corner = kind(face, whole, at);
-        if (corner == NURBS_CRITICAL_MINIMUM || corner == NURBS_CRITICAL_MAXIMUM) {
+        const bool wanted = minima_ || kind(face, whole, at) != NURBS_CRITICAL_SADDLE;
+        if (wanted && !is_at_pole(whole, at, true)) {
             add(face, whole, at, true);
         }
         return;
@@ -313,6 +353,9 @@ void PatchCritical::add(const Face &face, const PatchItem &whole, const AxisValu
     std::vector<double> point(static_cast<size_t>(dim));
     descent_.point(whole.values, at, point.data());
     const int32_t is = isolated ? kind(face, whole, at) : NURBS_CRITICAL_UNDECIDED;
+    if (minima_ && !is_at_pole(whole, at, true)) {
+        testify(point, whole.piece, is);
+    }
     if (minima_ && (is == NURBS_CRITICAL_MAXIMUM || is == NURBS_CRITICAL_SADDLE)) {
         return;
     }

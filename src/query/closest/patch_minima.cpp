@@ -40,9 +40,10 @@ void PatchSearch::consider(const PatchItem &item, const AxisValues &at, double d
 // Whether no descent leads on, neither into other pieces nor from a saddle. What is as near as the best point
 // is one in any case.
 bool PatchSearch::is_minimum(const Place &place) {
-    if (place.value <= best_.value + noise_) {
+    if (place.certain || place.value <= best_.value + noise_) {
         return true;
     }
+    doubtful_ = doubtful_ || tolerance_ > noise_;
     const PatchMemory::Hold hold(memory_);
     const PatchJet jet = descent_.jet(items_.whole(place.piece).values, place.at);
     for (size_t k = 0; k < static_cast<size_t>(pieces_.shape().axes); ++k) {
@@ -76,10 +77,11 @@ void PatchSearch::search_minima() {
     rest.budget = std::max<int64_t>(1, (query_.budget > 0 ? query_.budget : default_budget) - spent_);
     const PatchCritical::Spots found = PatchCritical(pieces_, rest).minima(pieces, upper());
     for (const PatchCritical::Spot &spot : found.spots) {
-        others_.push_back({spot.piece, spot.at, spot.distance, 0});
+        others_.push_back({spot.piece, spot.at, spot.distance, 0, spot.certain});
     }
     incomplete_ = incomplete_ || found.incomplete;
     connected_ = found.connected;
+    doubtful_ = found.doubtful;
 }
 
 std::vector<Foot> PatchSearch::all() {
@@ -103,7 +105,9 @@ std::vector<Foot> PatchSearch::all() {
         }
     }
     std::vector<Foot> result;
-    int32_t status = incomplete_ ? NURBS_CLOSEST_BUDGET : connected_ ? 0 : NURBS_CLOSEST_CERTIFIED;
+    int32_t status = incomplete_               ? NURBS_CLOSEST_BUDGET
+                     : connected_ || doubtful_ ? 0
+                                               : NURBS_CLOSEST_CERTIFIED;
     status |= kept.size() > 1 || connected_ ? NURBS_CLOSEST_NOT_UNIQUE : 0;
     for (const Place &place : kept) {
         result.push_back(foot(place));

@@ -59,7 +59,7 @@ void PatchCritical::find_pole(const Face &face) {
     const int side = face.side[static_cast<size_t>(axis)];
     const auto dim = static_cast<size_t>(shape.dim);
     std::vector<int64_t> pieces;
-    Pole pole{{}, 0, axis, -1, {}, 0};
+    Pole pole{{}, 0, 1, axis, -1, {}, 0};
     for (int64_t piece = 0; piece < pieces_.count(); ++piece) {
         if (!touches(face, piece)) {
             continue;
@@ -92,6 +92,8 @@ void PatchCritical::find_pole(const Face &face) {
     pole.piece = pieces.front();
     pole.at[static_cast<size_t>(axis)] = side;
     if (set_kind(face, pieces, pole)) {
+        const bool claim = pole.kind == NURBS_CRITICAL_MINIMUM || (pole.kind != 0 && !minima_);
+        doubtful_ = doubtful_ || (claim && !proven(pieces, pole));
         if (pole.kind != 0 && (!minima_ || pole.kind == NURBS_CRITICAL_MINIMUM)) {
             add_point(piece_in_range(pole.piece), pole.at, pole.kind);
         }
@@ -125,6 +127,7 @@ bool PatchCritical::set_kind(const Face &face, const std::vector<int64_t> &piece
             if (h < 1 && distance_from_pole(std::min(2 * h, 0.9 * h * pole.radius / apart)) > pole.radius) {
                 distance_from_pole(h);
             }
+            pole.height = std::min(pole.height, h);
             const double more = norm(point.data(), dim) - length;
             ring.add(more > 4 * noise_ ? 1 : more < -4 * noise_ ? -1 : 0);
             first = first.empty() ? point : first;
@@ -132,6 +135,25 @@ bool PatchCritical::set_kind(const Face &face, const std::vector<int64_t> &piece
     }
     pole.kind = ring.kind(distance(first.data(), point.data(), dim) <= 64 * noise_);
     return ring.decides();
+}
+
+// Whether no point of the strip is nearer than a pole that is a minimum, or farther than a maximum, by more
+// than rounding. What samples say of a saddle is not proven.
+bool PatchCritical::proven(const std::vector<int64_t> &pieces, const Pole &pole) {
+    const PatchShape &shape = pieces_.shape();
+    const PatchSquares squares(shape);
+    const double length = norm(pole.point.data(), shape.dim);
+    const bool upper = pole.at[static_cast<size_t>(pole.axis)] > 0;
+    return pole.kind != NURBS_CRITICAL_SADDLE &&
+           std::all_of(pieces.begin(), pieces.end(), [&](int64_t piece) {
+               const PatchMemory::Hold hold(memory_);
+               const PatchItem strip = items_.part(piece_in_range(piece), pole.axis,
+                                                   upper ? 1 - pole.height : 0, upper ? 1 : pole.height);
+               const PatchSlopes slopes(shape, squares, strip.values, strip.moved, memory_);
+               return slopes.sound() && (pole.kind == NURBS_CRITICAL_MINIMUM
+                                             ? slopes.least() >= length - 8 * noise_
+                                             : slopes.least() + slopes.spread() <= length + 8 * noise_);
+           });
 }
 
 // Along the edge, or at its ends, there is nothing else.
@@ -165,11 +187,11 @@ bool PatchCritical::at_pole(const std::vector<double> &point) {
     return false;
 }
 
-bool PatchCritical::is_at_pole(const PatchItem &whole, const AxisValues &at) const {
+bool PatchCritical::is_at_pole(const PatchItem &whole, const AxisValues &at, bool any) const {
     std::vector<double> point(static_cast<size_t>(pieces_.shape().dim));
     descent_.point(whole.values, at, point.data());
     return std::any_of(poles_.begin(), poles_.end(), [&](const Pole &pole) {
-        return pole.kind != 0 &&
+        return (any || pole.kind != 0) &&
                distance(point.data(), pole.point.data(), pieces_.shape().dim) <= pole.radius;
     });
 }

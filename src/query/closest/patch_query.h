@@ -24,8 +24,9 @@ protected:
     struct Place {
         int64_t piece = -1;
         AxisValues at{};
-        double value = 0; // sign * distance
-        double error = 0; // of it
+        double value = 0;     // sign * distance
+        double error = 0;     // of it
+        bool certain = false; // that it is a minimum
     };
 
     [[nodiscard]] bool far_away() const noexcept;

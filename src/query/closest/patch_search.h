@@ -57,6 +57,7 @@ private:
     bool all_ = false;
     bool several_ = false;   // points elsewhere are as near
     bool connected_ = false; // and not isolated
+    bool doubtful_ = false;  // a minimum may be none, or missing
     bool incomplete_ = false;
     int64_t cost_ = 1; // of an item
     int64_t spent_ = 0;
