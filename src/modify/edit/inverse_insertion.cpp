@@ -56,19 +56,17 @@ double knot_at(const KnotVector &axis, int64_t layer, double s) noexcept {
     return std::clamp(knot, lower, upper);
 }
 
-// The same with the knots of the period in which it is inside the domain.
+// The same with the knots of the period in which it is inside the domain; its end is the start. A leg reaches
+// below the domain, or beyond it, in copies of layers only, one period from where they are inside.
 double periodic_knot(const KnotVector &axis, int64_t layer, double s) noexcept {
     const auto [lower, upper] = axis.domain();
     double knot = knot_at(axis, layer, s);
-    while (knot < lower) {
-        layer += axis.distinct_layers();
-        knot = knot_at(axis, layer, s);
+    if (knot < lower) {
+        knot = knot_at(axis, layer + axis.distinct_layers(), s);
+    } else if (knot > upper) {
+        knot = knot_at(axis, layer - axis.distinct_layers(), s);
     }
-    while (knot >= upper) {
-        layer -= axis.distinct_layers();
-        knot = knot_at(axis, layer, s);
-    }
-    return knot;
+    return knot >= lower && knot < upper ? knot : lower;
 }
 
 // Where knots of a leg reach over more than a period, copies of the new knot would be among them, and the
