@@ -160,8 +160,9 @@ private:
         return negative;
     }
 
-    // The cell of the longest span in the support of a layer, of the first of these. All spans give the same control
-    // point, as far as crossings are known: beside a piece so short that they are not, those outside it count.
+    // The cell of the longest span in the support of a layer, of the first of these. All spans give the same
+    // control point, as far as crossings are known: beside a piece so short that they are not, those outside
+    // it count.
     [[nodiscard]] const Cell &cell_for(int64_t layer) const noexcept {
         const auto length = [&](int64_t span) {
             return knots_[static_cast<size_t>(span) + 1] - knots_[static_cast<size_t>(span)];

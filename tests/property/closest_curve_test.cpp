@@ -219,7 +219,8 @@ TEST(ClosestOnCurve, a_range_is_all_that_is_searched) {
     tally.expect_most();
 }
 
-// The point is that of the parameter, from the side that the status tells, and the distance that of the point.
+// The point is that of the parameter, from the side that the status tells, and the distance that of the
+// point.
 TEST(ClosestOnCurve, feet_are_points_of_the_curve) {
     int from_below = 0;
     for_each_case(0x6003, 300, [&](Random &random, uint64_t seed) {

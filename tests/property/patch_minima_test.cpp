@@ -26,8 +26,8 @@ Minima minima(const nurbs *g, const std::vector<double> &x, double tolerance) {
     return found;
 }
 
-// A net over the unit square with hills, of 1 to 3 spans along each axis; without creases, or with one at each
-// knot.
+// A net over the unit square with hills, of 1 to 3 spans along each axis; without creases, or with one at
+// each knot.
 SplineData hills(Random &random, bool weighted, bool creases = false) {
     SplineData data{{random.whole(1, 4), random.whole(1, 4)}, {}, {}, 3, {}, {}, 0};
     for (const int32_t p : data.degrees) {

@@ -1,9 +1,9 @@
 #include "query/closest/patch_critical.h"
 
 #include "base/norm.h"
+#include "query/closest/patch_matrix.h"
 #include "query/closest/patch_place.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -15,9 +15,6 @@ namespace {
 constexpr double eps = std::numeric_limits<double>::epsilon();
 constexpr int deepest = 26; // halvings of an axis
 constexpr int shallow = 8;  // before a singular matrix is looked at
-
-using SmallMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, max_axes, max_axes>;
-using SmallVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, max_axes, 1>;
 
 } // namespace
 

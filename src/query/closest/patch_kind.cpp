@@ -1,7 +1,7 @@
 #include "base/norm.h"
 #include "query/closest/patch_critical.h"
+#include "query/closest/patch_matrix.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,9 +13,6 @@ namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 constexpr std::array along{0.0, 0.25, 0.5, 0.75, 1.0}; // places on an axis
-
-using SmallMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, max_axes, max_axes>;
-using SmallVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, max_axes, 1>;
 
 } // namespace
 

@@ -101,7 +101,8 @@ void PatchCritical::find_pole(const Face &face) {
     }
 }
 
-// By places around it that are as far from it as its radius, or nearer; false if rounding hides what they tell.
+// By places around it that are as far from it as its radius, or nearer; false if rounding hides what they
+// tell.
 bool PatchCritical::set_kind(const Face &face, const std::vector<int64_t> &pieces, Pole &pole) const {
     const int dim = pieces_.shape().dim;
     const size_t axis = face.side[0] >= 0 ? 0 : 1;

@@ -1,8 +1,8 @@
 #include "query/closest/patch_slopes.h"
 
 #include "base/norm.h"
+#include "query/closest/patch_matrix.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -13,8 +13,6 @@ namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 constexpr double infinite = std::numeric_limits<double>::infinity();
-
-using SmallMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, max_axes, max_axes>;
 
 } // namespace
 
@@ -103,9 +101,9 @@ bool PatchSlopes::monotone() noexcept {
     return false;
 }
 
-// With S = Q / w = c + r and E = Q_k - c w_k: w S S_k = c E + r E - (c r + |r|^2) w_k. c is a coefficient, the
-// others bound r and c r, and differences of coefficients E and w_k. A coefficient is off by w moved_ and the
-// rounding of its difference.
+// With S = Q / w = c + r and E = Q_k - c w_k: w S S_k = c E + r E - (c r + |r|^2) w_k. c is a coefficient,
+// the others bound r and c r, and differences of coefficients E and w_k. A coefficient is off by w moved_ and
+// the rounding of its difference.
 bool PatchSlopes::slanted() const noexcept {
     const int dim = shape_.dim;
     const double *middle = patch_ + shape_.coefficients() / 2 * shape_.lanes;

@@ -7,17 +7,17 @@
 
 namespace nrb {
 
-// The chains t_0 < t_1 < ... < t_n with |C(t_i) - C(t_(i-1))| = d for all i and t_0 given are n equations in n +
-// 1 unknowns: a curve. It begins at d = 0 and goes on until t_n reaches the end of the range, since distances of
-// neighbours cannot vanish on the way but where a curve meets itself; that a division exists is K. Urbanik, "Sur
-// un probleme de J. F. Pal sur les courbes continues", Bull. Acad. Polon. Sci. 2 (1954). On this curve d rises
-// and falls, so that walks with a given d find parts of it only. Followed by its tangent and Newton's method
-// (E. Allgower, K. Georg, Introduction to Numerical Continuation Methods, 1990), the unknowns being the lengths
-// that points move by. Cost: n evaluations and a bidiagonal system a correction.
+// The chains t_0 < t_1 < ... < t_n with |C(t_i) - C(t_(i-1))| = d for all i and t_0 given are n equations in
+// n + 1 unknowns: a curve. It begins at d = 0 and goes on until t_n reaches the end of the range, since
+// distances of neighbours cannot vanish on the way but where a curve meets itself; that a division exists is
+// K. Urbanik, "Sur un probleme de J. F. Pal sur les courbes continues", Bull. Acad. Polon. Sci. 2 (1954). On
+// this curve d rises and falls, so that walks with a given d find parts of it only. Followed by its tangent
+// and Newton's method (E. Allgower, K. Georg, Introduction to Numerical Continuation Methods, 1990), the
+// unknowns being the lengths that points move by. Cost: n evaluations and a bidiagonal system a correction.
 class ChordPath {
 public:
-    // params: [n + 1], a chain of chords of this length, t_0 the lower end of the range. longest_step: no point
-    // moves by more in one step, as a part of a chord. Precondition: n > 1.
+    // params: [n + 1], a chain of chords of this length, t_0 the lower end of the range. longest_step: no
+    // point moves by more in one step, as a part of a chord. Precondition: n > 1.
     ChordPath(const Spline &curve, Interval range, std::vector<double> params, double chord,
               double longest_step);
 

@@ -182,10 +182,6 @@ double rough_length(const SpeedPieces &pieces) noexcept {
                               : sum_of_speeds(pieces.form(), pieces.net(0), pieces.size(), rule_weights(1));
 }
 
-} // namespace
-
-namespace {
-
 // How much larger the largest weight is than the smallest.
 double weight_ratio(const double *weights, int degree) noexcept {
     double least = degree < 0 ? 1 : std::abs(weights[0]), most = least;

@@ -10,9 +10,9 @@ namespace nrb {
 double divide_by_length(const Spline &curve, Interval range, int64_t parts, double relative_tolerance,
                         std::vector<double> &params);
 
-// So that consecutive points have equal distances, each the first one at its distance from the one before where
-// there is such a division (chord_path.h). Returns the distance. Throws as divide_by_length(); _NOT_CONVERGED also
-// where none is found.
+// So that consecutive points have equal distances, each the first one at its distance from the one before
+// where there is such a division (chord_path.h). Returns the distance. Throws as divide_by_length();
+// _NOT_CONVERGED also where none is found.
 double divide_by_chord(const Spline &curve, Interval range, int64_t parts, double relative_tolerance,
                        std::vector<double> &params);
 

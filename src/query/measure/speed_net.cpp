@@ -33,7 +33,8 @@ Extent weight_extent(int degree, const double *w) noexcept {
     return extent;
 }
 
-// kDegree: 0 if it is not known to the compiler. No branch but the loops: whether a coefficient passes is as good as random on a tangle.
+// kDegree: 0 if it is not known to the compiler. No branch but the loops: whether a coefficient passes is as
+// good as random on a tangle.
 template <int kDegree>
 NetShape shape_of(const SpeedForm &form, const double *net) noexcept {
     constexpr double least_cosine = 0.25, most_ratio = 64, none = 1e-8;
