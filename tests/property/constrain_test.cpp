@@ -541,4 +541,22 @@ TEST(Constrain, curvature_holds) {
     ASSERT_GT(solved_cases, 20);
 }
 
+// Two tangents that are met best by a curve that stands still: no curvature is there to speak of.
+TEST(Constrain, curvature_is_not_excused_where_a_curve_stands_still) {
+    SplineData data{{2}, {3}, {{0, 0, 0, 1, 1, 1}}, 3, {}, {}, 0};
+    data.points = {-1.8376059568347545, -0.10085291889391751,  -0.451433451785003,
+                   0.9554205398634676,  -0.5926897721889577,   0.6363290124369492,
+                   0.10302281320692915, -0.015383823070245281, 0.3289223511034654};
+    data.weights = {0.6785729134191877, 0.896163172482727, 0.811530343576127};
+    Set set;
+    set.kinds = {NURBS_CONSTRAIN_DIRECTION, NURBS_CONSTRAIN_DIRECTION, NURBS_CONSTRAIN_CURVATURE};
+    set.orders = {1, 1, 0};
+    set.params = {0.19611651602279367, 0.33696457422914194, 0.8855591330656541};
+    set.targets = {1.258328890065498,    1.0494273555513152,     0.5219965109522967,
+                   -0.7290619402999594,  1.780501479726986,      0.09194590632669447,
+                   -0.01628886083708101, -0.0019632373722657695, 0.04178587475995931};
+    const Result result = constrain(create(data).get(), set);
+    EXPECT_TRUE(result.status != NURBS_OK || result.residuals[2] <= 1e-6 * 0.045);
+}
+
 } // namespace
