@@ -206,7 +206,11 @@ TEST(ClosestSurface, a_range_is_searched_alone) {
                                           data.degrees[static_cast<size_t>(k)]);
             const double b = random.between(data.lower(k), data.upper(k));
             range.insert(range.end(), {std::min(a, b), std::max(a, b)});
-            if (!(range[range.size() - 2] < range.back())) {
+            const auto &knots = data.knots[static_cast<size_t>(k)];
+            const bool jump = range.back() < data.upper(k) &&
+                              std::count(knots.begin(), knots.end(), range.back()) >
+                                  data.degrees[static_cast<size_t>(k)]; // samples would lie behind it
+            if (!(range[range.size() - 2] < range.back()) || jump) {
                 return;
             }
         }
