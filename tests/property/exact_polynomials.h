@@ -93,7 +93,8 @@ inline bool nonnegative(Polynomial values, int depth) {
     return nonnegative(std::move(lower), depth - 1) && nonnegative(std::move(values), depth - 1);
 }
 
-// Of a polynomial on a whole piece; one that is 0 inside may take more halvings than there are.
+// Of a polynomial on a whole piece; one that is 0 inside may take more halvings than there are. Weights that are far
+// apart crowd a curve into 2^-60 of its span.
 inline bool nonnegative(Polynomial values) {
     const auto degree = static_cast<int>(values.size()) - 1;
     Integer common = 1;
@@ -103,7 +104,7 @@ inline bool nonnegative(Polynomial values) {
     for (int j = 0; j <= degree; ++j) {
         values[static_cast<size_t>(j)] *= common / Integer(binomial(degree, j));
     }
-    return nonnegative(std::move(values), 60);
+    return nonnegative(std::move(values), 200);
 }
 
 } // namespace support
