@@ -84,15 +84,7 @@ private:
             foot.status ^= NURBS_CLOSEST_CERTIFIED | NURBS_CLOSEST_COARSE;
         }
         foot.distance = distance;
-        foot.status |= left_bits(foot);
-    }
-    [[nodiscard]] int32_t left_bits(const Foot &foot) const noexcept {
-        int32_t bits = 0;
-        for (int a = 0; a < spline_.axes() && foot.left != 0; ++a) {
-            const bool inside = foot.params[static_cast<size_t>(a)] < spline_.axis(a).domain().upper;
-            bits |= inside && (foot.left >> a & 1) != 0 ? NURBS_CLOSEST_LEFT << a : 0;
-        }
-        return bits;
+        foot.status |= static_cast<int32_t>(foot.left) * NURBS_CLOSEST_LEFT;
     }
     [[nodiscard]] double *point(int64_t k) noexcept { return feet_.data() + k * spline_.dim(); }
     [[nodiscard]] double distance(int64_t i, const double *foot) const noexcept {

@@ -53,7 +53,8 @@ Foot foot_at(const PatchPieces &pieces, int64_t piece, const AxisValues &at, con
         const double s = shape_axis[i] < 0 ? -1 : at[static_cast<size_t>(shape_axis[i])];
         const double t = s < 0 ? low / 2 + high / 2 : s == 1 ? last : first + s * (last - first);
         foot.params[i] = std::clamp(t, low, high);
-        if (foot.params[i] == last && pieces.jumps(axis, index[i] + 1)) {
+        const bool inside = index[i] + 1 < pieces.count(axis); // the end of the domain is from below anyway
+        if (inside && foot.params[i] == last && pieces.jumps(axis, index[i] + 1)) {
             foot.left |= 1U << i;
         }
     }
