@@ -1,4 +1,5 @@
 // Critical points of the distance from curves: their number where it is known, and their kinds by samples.
+#include "property/critical_points.h"
 #include "property/same_shape.h"
 
 #include <cmath>
@@ -8,40 +9,6 @@
 using namespace support;
 
 namespace {
-
-struct Critical {
-    std::vector<double> params, distances;
-    std::vector<int32_t> kinds;
-    int32_t status = 0;
-
-    [[nodiscard]] int64_t number(int32_t kind) const { return std::count(kinds.begin(), kinds.end(), kind); }
-};
-
-Critical critical(const nurbs *g, const std::vector<double> &x, double tolerance = 0) {
-    Critical found;
-    int64_t count = 0;
-    for (int64_t cap = 0; cap == 0 || cap < count; cap = std::max<int64_t>(count, 1)) {
-        require_ok(nurbs_critical_points(g, x.data(), nullptr, tolerance, 0, cap, found.params.data(),
-                                         found.distances.data(), found.kinds.data(), &count, &found.status));
-        found.params.resize(static_cast<size_t>(count));
-        found.distances.resize(static_cast<size_t>(count));
-        found.kinds.resize(static_cast<size_t>(count));
-    }
-    require_ok(nurbs_critical_points(g, x.data(), nullptr, tolerance, 0, count, found.params.data(),
-                                     found.distances.data(), found.kinds.data(), &count, &found.status));
-    return found;
-}
-
-Critical all_nearest(const nurbs *g, const std::vector<double> &x, double tolerance) {
-    Critical found;
-    int64_t count = 0;
-    require_ok(nurbs_closest_all(g, x.data(), nullptr, tolerance, 0, 0, nullptr, nullptr, &count, nullptr));
-    found.params.resize(static_cast<size_t>(count));
-    found.distances.resize(static_cast<size_t>(count));
-    require_ok(nurbs_closest_all(g, x.data(), nullptr, tolerance, 0, count, found.params.data(),
-                                 found.distances.data(), &count, &found.status));
-    return found;
-}
 
 double distance(const nurbs *g, double t, const std::vector<double> &x, uint32_t flags = 0) {
     const std::vector<double> point = eval(g, {t}, flags);

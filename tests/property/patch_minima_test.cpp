@@ -1,4 +1,5 @@
 // All minima of the distance on surfaces: against the critical points, and those at edges and corners.
+#include "property/critical_points.h"
 #include "support/generators.h"
 #include "support/handle.h"
 
@@ -10,21 +11,6 @@
 using namespace support;
 
 namespace {
-
-struct Minima {
-    std::vector<double> params, distances;
-    int32_t status = 0;
-};
-
-Minima minima(const nurbs *g, const std::vector<double> &x, double tolerance) {
-    int64_t count = 0;
-    require_ok(nurbs_closest_all(g, x.data(), nullptr, tolerance, 0, 0, nullptr, nullptr, &count, nullptr));
-    const auto n = static_cast<size_t>(count);
-    Minima found{std::vector<double>(2 * n), std::vector<double>(n), 0};
-    require_ok(nurbs_closest_all(g, x.data(), nullptr, tolerance, 0, count, found.params.data(),
-                                 found.distances.data(), &count, &found.status));
-    return found;
-}
 
 // A net over the unit square with hills, of 1 to 3 spans along each axis; without creases, or with one at
 // each knot.
@@ -55,7 +41,7 @@ SplineData hills(Random &random, bool weighted, bool creases = false) {
 }
 
 // A point of the list, or none.
-bool holds(const Minima &found, const double *at) {
+bool holds(const Critical &found, const double *at) {
     for (size_t i = 0; i < found.distances.size(); ++i) {
         if (std::hypot(found.params[2 * i] - at[0], found.params[2 * i + 1] - at[1]) < 1e-5) {
             return true;
@@ -80,7 +66,7 @@ void compare(const nurbs *g, const std::vector<double> &x, double tolerance, Cou
     }
     require_ok(
         nurbs_critical_points(g, x.data(), nullptr, 0, 0, count, params, distances, kinds, &count, nullptr));
-    const Minima found = minima(g, x, tolerance);
+    const Critical found = all_nearest(g, x, tolerance);
     const double least = *std::min_element(distances, distances + count);
     size_t expected = 0;
     bool missed = false;
@@ -118,18 +104,18 @@ TEST(PatchMinima, those_that_are_isolated_are_certified) {
 }
 
 // Certified lists of a surface of degrees p and q, its control points as u, v, z in rows.
-Minima bezier_minima(int32_t p, int32_t q, int dim, std::vector<double> points, const std::vector<double> &x,
-                     double tolerance) {
+Critical bezier_minima(int32_t p, int32_t q, int dim, std::vector<double> points,
+                       const std::vector<double> &x, double tolerance) {
     SplineData data{{p, q}, {p + 1, q + 1}, {}, dim, std::move(points), {}, 0};
     for (const int32_t degree : data.degrees) {
         std::vector<double> knots(static_cast<size_t>(degree) + 1, 0.0);
         knots.insert(knots.end(), static_cast<size_t>(degree) + 1, 1);
         data.knots.push_back(knots);
     }
-    return minima(create(data).get(), x, tolerance);
+    return all_nearest(create(data).get(), x, tolerance);
 }
 
-bool is_certified(const Minima &found) {
+bool is_certified(const Critical &found) {
     return (found.status & NURBS_CLOSEST_CERTIFIED) != 0;
 }
 
@@ -143,13 +129,13 @@ TEST(PatchMinima, on_a_ridge_of_cusps) {
         }
     }
     const double ridge[] = {0.5, 0.5};
-    const Minima found = minima(create(data).get(), {0.5, -1, 0}, 1);
+    const Critical found = all_nearest(create(data).get(), {0.5, -1, 0}, 1);
     EXPECT_TRUE(holds(found, ridge) || !is_certified(found));
 }
 
 TEST(PatchMinima, at_a_corner_without_a_tangent) {
     const double corner[] = {0, 1};
-    const Minima found = bezier_minima(
+    const Critical found = bezier_minima(
         1, 3, 3, {0, 1, 0, 0, 3, 0, 0, -1.2, 0, 0, -1.2, 0, 1, 1, 0, 1, 3, 0, 1, -1.2, 0, 1, -1.2, 0},
         {-1, 0, 0}, 1);
     EXPECT_TRUE(holds(found, corner) || !is_certified(found));
@@ -158,9 +144,9 @@ TEST(PatchMinima, at_a_corner_without_a_tangent) {
 // Edges from which the distance falls at second order are no minima.
 TEST(PatchMinima, edges_that_second_derivatives_deny) {
     const double saddle[] = {0, 0.5}, slanted[] = {0, 0.71307};
-    const Minima doubled = bezier_minima(2, 1, 2, {-1, 0, 1, 0, -1, 0, 1, 0, -1, 0.5, 1, 0.5}, {0, 1}, 1);
+    const Critical doubled = bezier_minima(2, 1, 2, {-1, 0, 1, 0, -1, 0, 1, 0, -1, 0.5, 1, 0.5}, {0, 1}, 1);
     EXPECT_TRUE(!holds(doubled, saddle) || !is_certified(doubled));
-    const Minima parallel = bezier_minima(
+    const Critical parallel = bezier_minima(
         2, 2, 2, {-1.5, -0.5, 0.5, -0.5, -0.5, 1, 0, -0.5, 1, -0.5, 0.5, -0.5, -1, -0.5, 0, 0, 0, 1},
         {-0.07386155612787562, 0.23327272582169248}, 10);
     EXPECT_TRUE(!holds(parallel, slanted) || !is_certified(parallel));
@@ -206,7 +192,7 @@ double descend(const nurbs *g, const SplineData &data, const std::vector<double>
     return best;
 }
 
-// Minima on creases too: wherever a descent without derivatives ends that counts, and no others.
+// Critical on creases too: wherever a descent without derivatives ends that counts, and no others.
 TEST(PatchMinima, those_on_creases_are_where_descents_end) {
     int certified = 0, asked = 0, ended = 0;
     for (uint64_t seed = 2510000; seed < 2510040; ++seed) {
@@ -215,7 +201,7 @@ TEST(PatchMinima, those_on_creases_are_where_descents_end) {
         const Handle g = create(data);
         const std::vector<double> x{random.between(-1, 2), random.between(-1, 2), random.between(-3, 3)};
         const double tolerance = random.magnitude(1e-2, 3);
-        const Minima found = minima(g.get(), x, tolerance);
+        const Critical found = all_nearest(g.get(), x, tolerance);
         ++asked;
         if ((found.status & NURBS_CLOSEST_CERTIFIED) == 0) {
             continue;

@@ -1,5 +1,6 @@
 // Critical points of the distance at poles of surfaces, edges that are points: one each, of the kind that
 // follows from the curvature there.
+#include "property/critical_points.h"
 #include "property/made_shapes.h"
 
 #include <cmath>
@@ -8,23 +9,6 @@
 using namespace support;
 
 namespace {
-
-struct Critical {
-    std::vector<double> params, distances;
-    std::vector<int32_t> kinds;
-    int32_t status = 0;
-};
-
-Critical critical(const nurbs *g, const std::vector<double> &x, double tolerance) {
-    int64_t count = 0;
-    require_ok(nurbs_critical_points(g, x.data(), nullptr, tolerance, 0, 0, nullptr, nullptr, nullptr, &count,
-                                     nullptr));
-    const auto n = static_cast<size_t>(count);
-    Critical found{std::vector<double>(2 * n), std::vector<double>(n), std::vector<int32_t>(n), 0};
-    require_ok(nurbs_critical_points(g, x.data(), nullptr, tolerance, 0, count, found.params.data(),
-                                     found.distances.data(), found.kinds.data(), &count, &found.status));
-    return found;
-}
 
 // With semi-axes a across and c along the z axis; poles at (0, 0, -c) and (0, 0, c).
 SplineData ellipsoid(Random &random, double a, double c) {
