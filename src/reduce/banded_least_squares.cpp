@@ -30,6 +30,23 @@ void BandedLeastSquares::rotate(double *pivot, int64_t at, int64_t from) noexcep
     fresh[at] = 0;
 }
 
+void BandedLeastSquares::enter(int64_t column, double value) {
+    if (column >= banded_) {
+        entered_border_.resize(static_cast<size_t>(border_));
+        entered_border_[static_cast<size_t>(column - banded_)] += value;
+        return;
+    }
+    entered_ = entered_band_.empty() ? column : entered_;
+    entered_band_.push_back(value);
+}
+
+void BandedLeastSquares::add_entered(const double *right) {
+    add_row(entered_, entered_band_, entered_border_, right);
+    entered_ = 0;
+    entered_band_.clear();
+    entered_border_.clear();
+}
+
 void BandedLeastSquares::add_row(int64_t first, std::span<const double> band, std::span<const double> border,
                                  const double *right) {
     std::fill(fresh_.begin(), fresh_.end(), 0.0);

@@ -22,6 +22,11 @@ public:
     void add_row(int64_t first, std::span<const double> band, std::span<const double> border,
                  const double *right);
 
+    // A row put together: entries at columns, neighbours one after the other, the first after the last; then
+    // its right-hand sides.
+    void enter(int64_t column, double value);
+    void add_entered(const double *right);
+
     // x[column][width]; false if the columns added do not determine it.
     [[nodiscard]] bool solve(double *x) const;
 
@@ -38,6 +43,8 @@ private:
     int64_t stride_;
     std::vector<double> rows_;
     std::vector<double> fresh_; // the row that is being added
+    int64_t entered_ = 0;       // first column of the row that is put together
+    std::vector<double> entered_band_, entered_border_;
 };
 
 } // namespace nrb

@@ -130,23 +130,17 @@ private:
         static constexpr double copied = 1;
         const LayerTable::Row &row = table_.row(r);
         const double *entries = row.size == 0 ? &copied : table_.coefficients(row);
-        band_.clear();
-        wrapped_.assign(static_cast<size_t>(border_), 0.0);
-        int64_t first = 0;
         for (int i = 0; i < std::max(row.size, 1); ++i) {
             const int64_t layer = (row.first + i) % unknowns_, column = layer - lead_;
             if (column < 0 || column >= columns_) {
                 const double *known = x + layer * length_;
                 std::transform(right.begin(), right.end(), known, right.begin(),
                                [f = entries[i]](double a, double b) { return a - f * b; });
-            } else if (column >= columns_ - border_) {
-                wrapped_[static_cast<size_t>(column - columns_ + border_)] += entries[i];
             } else {
-                first = band_.empty() ? column : first;
-                band_.push_back(entries[i]);
+                system.enter(column, entries[i]);
             }
         }
-        system.add_row(first, band_, wrapped_, right.data());
+        system.add_entered(right.data());
     }
 
     const LayerTable &table_;
@@ -157,8 +151,6 @@ private:
     int64_t columns_;
     int64_t border_ = 0;
     int bandwidth_ = 1;
-    std::vector<double> band_;
-    std::vector<double> wrapped_;
 };
 
 // The largest weight and coordinate at one place of layers [first, end).

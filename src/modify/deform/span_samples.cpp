@@ -87,9 +87,10 @@ public:
     AxisFit(const KnotVector &axis, const LocalNodes &nodes, size_t places, size_t stride, int64_t length)
         : axis_(axis), nodes_(std::ssize(nodes.nodes())), places_(static_cast<int64_t>(places)),
           stride_(static_cast<int64_t>(stride)), length_(length), columns_(axis.distinct_layers()),
-          border_(axis.periodic() ? std::min<int64_t>(columns_, axis.degree() + 1) : 0),
           table_(sampling_table(axis, nodes.nodes())),
-          system_(columns_, axis.degree() + 1, static_cast<int>(border_), length) {}
+          system_(columns_, axis.degree() + 1,
+                  axis.periodic() ? static_cast<int>(std::min<int64_t>(columns_, axis.degree() + 1)) : 0,
+                  length) {}
 
     // [distinct_layers()][length].
     std::vector<double> run(const std::vector<double> &samples) {
@@ -123,21 +124,12 @@ private:
     void add(double factor, const LayerTable::Row &row, const double *sample) {
         static constexpr double copied = 1;
         const double *const entries = row.size == 0 ? &copied : table_.coefficients(row);
-        band_.clear();
-        wrapped_.assign(static_cast<size_t>(border_), 0.0);
-        int64_t first = 0;
         for (int i = 0; i < std::max(row.size, 1); ++i) {
-            const int64_t column = (row.first + i) % columns_;
-            if (column >= columns_ - border_) {
-                wrapped_[static_cast<size_t>(column - columns_ + border_)] += factor * entries[i];
-            } else {
-                first = band_.empty() ? column : first;
-                band_.push_back(factor * entries[i]);
-            }
+            system_.enter((row.first + i) % columns_, factor * entries[i]);
         }
         right_.assign(sample, sample + length_);
         std::for_each(right_.begin(), right_.end(), [factor](double &x) { x *= factor; });
-        system_.add_row(first, band_, wrapped_, right_.data());
+        system_.add_entered(right_.data());
     }
 
     const KnotVector &axis_;
@@ -146,11 +138,8 @@ private:
     int64_t stride_;
     int64_t length_;
     int64_t columns_;
-    int64_t border_;
     LayerTable table_;
     BandedLeastSquares system_;
-    std::vector<double> band_;
-    std::vector<double> wrapped_;
     std::vector<double> right_;
 };
 
