@@ -19,9 +19,8 @@ install(EXPORT nurbs-targets NAMESPACE nurbs:: DESTINATION "${package_dir}")
 configure_package_config_file("${PROJECT_SOURCE_DIR}/cmake/nurbs-config.cmake.in"
     "${PROJECT_BINARY_DIR}/nurbs-config.cmake"
     INSTALL_DESTINATION "${package_dir}" NO_SET_AND_CHECK_MACRO)
-# Before 1.0.0 a minor release may change the interface.
 write_basic_package_version_file("${PROJECT_BINARY_DIR}/nurbs-config-version.cmake"
-    COMPATIBILITY SameMinorVersion)
+    COMPATIBILITY SameMajorVersion)
 install(FILES "${PROJECT_BINARY_DIR}/nurbs-config.cmake" "${PROJECT_BINARY_DIR}/nurbs-config-version.cmake"
     DESTINATION "${package_dir}")
 

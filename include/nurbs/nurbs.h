@@ -43,10 +43,10 @@
  * 400-499 file contents, 900-999 internal. The code alone is enough to act upon; nurbs_last_error() adds the
  * array, the index, the value and what was expected, for the last failure in the calling thread. A failing
  * call writes nothing to its output arrays. No value in an argument makes a call crash; an array shorter than
- * its stated length cannot be detected. Floating-point exceptions are taken to be masked, as they are unless a
- * program unmasks them; any call may set their flags. Every function that allocates can return NURBS_ERROR_MEMORY, and
- * every function NURBS_ERROR_INTERNAL (a defect of the library); the lists of statuses below do not repeat
- * these two.
+ * its stated length cannot be detected. Floating-point exceptions are taken to be masked, as they are unless
+ * a program unmasks them; any call may set their flags. Every function that allocates can return
+ * NURBS_ERROR_MEMORY, and every function NURBS_ERROR_INTERNAL (a defect of the library); the lists of
+ * statuses below do not repeat these two.
  *
  * # Accuracy
  * eps = 2^-52. For a spline with weights >= 0 every coordinate of a point inside the domain is within
@@ -93,6 +93,20 @@
  * volumes). Sorted parameters are cheaper than random ones, grids cheaper than the list of their points, and
  * packed outputs cheaper than outputs with strides.
  *
+ * # Compatibility
+ * A program built with this header runs with every later library of the same major version, and with every
+ * earlier one that has the functions it calls.
+ * - A **patch** version mends defects. Results may change within the bounds stated here, and by what the
+ *   defect was; texts of messages may change.
+ * - A **minor** version adds functions, constants, flags, statuses and fields at the ends of structs. The entry
+ *   of a function names the version that brought it, and its symbol carries that version (NURBS_1.0).
+ * - A **major** version may do anything, has another file name (libnurbs.so.1 is version 1), and can be
+ *   installed beside this one.
+ *
+ * Names, types, values and meanings never change within a major version. Structs tell their size, so that a
+ * library knows which fields its caller has; those that a caller lacks have their defaults. A caller has to be
+ * ready for statuses that its header does not name, and must not pass bits or constants that it does not name.
+ *
  * # Bindings
  * Signatures use int32_t, int64_t, uint32_t, double, pointers to these and to float, char buffers and opaque
  * handles, nothing else. Arrays of float are results in single precision; their strides count floats.
@@ -120,9 +134,9 @@ extern "C" {
 /** \name Version and limits
  * @{ */
 /** \brief Changes when binaries built before stop working. */
-#define NURBS_VERSION_MAJOR 0
-/** \brief Changes when functions are added; before 1.0 binaries must be built again for it. */
-#define NURBS_VERSION_MINOR 1
+#define NURBS_VERSION_MAJOR 1
+/** \brief Changes when functions, constants or options are added. */
+#define NURBS_VERSION_MINOR 0
 /** \brief Changes when defects are mended. */
 #define NURBS_VERSION_PATCH 0
 /** \brief major * 10000 + minor * 100 + patch, as returned by nurbs_version(). */
@@ -138,8 +152,8 @@ extern "C" {
 /** \brief A spline: immutable, reference counted, opaque. */
 typedef struct nurbs nurbs;
 
-/** \brief Splines in an order: the parts of one, or what a file held, with names, and notes on everything that
- * was not turned into one. */
+/** \brief Splines in an order: the parts of one, or what a file held, with names, and notes on everything
+ * that was not turned into one. */
 typedef struct nurbs_list nurbs_list;
 
 /** \brief Result of a call: 0, or one of the NURBS_ERROR_ codes. */
@@ -275,7 +289,8 @@ enum {
 #define NURBS_EQUAL_CHORDS 0x02000000u
 /** \brief nurbs_snap_boundary(): the two boundaries run against each other. */
 #define NURBS_REVERSED 0x04000000u
-/** \brief nurbs_closest_points() and its neighbours: a point that is not finite gives NaN in place of an error. */
+/** \brief nurbs_closest_points() and its neighbours: a point that is not finite gives NaN in place of an
+ * error. */
 #define NURBS_NAN_POINTS 0x01000000u
 /** @} */
 
@@ -305,13 +320,13 @@ enum {
 
 /** \brief Version of the library that is running, encoded like NURBS_VERSION.
  * \return the version number.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API int32_t nurbs_version(void);
 
 /** \brief Name of a status, such as "NURBS_ERROR_NULL".
  * \param[in] status any value.
  * \return a static string, never NULL; "NURBS_ERROR_UNKNOWN" for values without a name.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API const char *nurbs_status_name(nurbs_status status);
 
 /** \brief Copies the message of the last failed call in the calling thread, such as "params[17] = 1.2 outside
@@ -320,7 +335,7 @@ NURBS_API const char *nurbs_status_name(nurbs_status status);
  * \param[out] buf [cap] receives the text; NULL asks for the length only.
  * \param[in] cap size of buf in bytes; values < 0 count as 0.
  * \return the length of the whole message, without the terminating zero.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API int64_t nurbs_last_error(char *buf, int64_t cap);
 /** @} */
 
@@ -346,7 +361,7 @@ NURBS_API int64_t nurbs_last_error(char *buf, int64_t cap);
  *   _POINT_NOT_FINITE, _WEIGHT_NOT_FINITE, _WEIGHT_NEGATIVE, _WEIGHTS_VANISH, _PERIODIC_KNOTS,
  *   _PERIODIC_POINTS;
  *   _NOT_REPRESENTABLE if a weight times a coordinate overflows.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_create(int32_t axes, const int32_t *degrees, const int64_t *counts,
                                     const double *knots, int64_t knot_count, int32_t dim,
                                     const double *points, int64_t point_stride,
@@ -364,7 +379,7 @@ NURBS_API nurbs_status nurbs_create(int32_t axes, const int32_t *degrees, const 
  * \param[in] flags NURBS_PERIODIC per axis.
  * \param[out] out the new handle.
  * \return as for nurbs_create(), without _WEIGHT_NEGATIVE.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_create_homogeneous(int32_t axes, const int32_t *degrees, const int64_t *counts,
                                                 const double *knots, int64_t knot_count, int32_t dim,
                                                 const double *points, int64_t point_stride,
@@ -380,7 +395,7 @@ NURBS_API nurbs_status nurbs_create_homogeneous(int32_t axes, const int32_t *deg
  * \param[in] knot_count total number of knots, sum of counts[k] + degrees[k] - 1.
  * \param[out] out the new handle.
  * \return as for nurbs_create().
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_create_short(int32_t axes, const int32_t *degrees, const int64_t *counts,
                                           const double *knots, int64_t knot_count, int32_t dim,
                                           const double *points, int64_t point_stride,
@@ -398,7 +413,7 @@ NURBS_API nurbs_status nurbs_create_short(int32_t axes, const int32_t *degrees, 
  * \param[out] out the new handle.
  * \return as for nurbs_create(); _SIZE if multiplicities do not add up, _COUNT for a multiplicity < 1,
  *   _KNOTS_DECREASING for knots that do not increase.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_create_multiplicities(int32_t axes, const int32_t *degrees,
                                                    const int64_t *counts, const int64_t *distinct_counts,
                                                    const double *distinct_knots,
@@ -415,7 +430,7 @@ NURBS_API nurbs_status nurbs_create_multiplicities(int32_t axes, const int32_t *
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DEGREE, _OVERFLOW, _DIMENSION, _STRIDE, _POINT_NOT_FINITE,
  *   _WEIGHT_NOT_FINITE, _WEIGHT_NEGATIVE, _WEIGHTS_VANISH, _NOT_REPRESENTABLE;
  *   _NOT_REPRESENTABLE if a weight times a coordinate overflows.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_create_bezier(int32_t axes, const int32_t *degrees, int32_t dim,
                                            const double *points, int64_t point_stride,
                                            int64_t point_component_stride, const double *weights,
@@ -433,7 +448,7 @@ NURBS_API nurbs_status nurbs_create_bezier(int32_t axes, const int32_t *degrees,
  *   _WEIGHTS_VANISH, _PERIODIC_POINTS, _OVERFLOW; _NOT_REPRESENTABLE if a weight times a coordinate
  *   overflows; _WEIGHT_NEGATIVE or _WEIGHTS_VANISH also when kept weights of a homogeneous spline do not suit
  *   Cartesian points.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_with_points(const nurbs *g, const double *points, int64_t point_stride,
                                          int64_t point_component_stride, const double *weights,
                                          int64_t weight_stride, nurbs **out);
@@ -442,12 +457,12 @@ NURBS_API nurbs_status nurbs_with_points(const nurbs *g, const double *points, i
  * \param[in] g a spline.
  * \param[out] out the new handle, to be destroyed like any other.
  * \return NURBS_OK, NURBS_ERROR_NULL.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_clone(const nurbs *g, nurbs **out);
 
 /** \brief Frees a handle. What was derived from it stays valid.
  * \param[in] g a handle, or NULL, which does nothing.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API void nurbs_destroy(nurbs *g);
 /** @} */
 
@@ -463,7 +478,7 @@ NURBS_API void nurbs_destroy(nurbs *g);
  * \param[out] knots [knot_count].
  * \return NURBS_OK, NURBS_ERROR_NULL, _DEGREE, _COUNT, _TOO_FEW_POINTS, _SIZE, _KNOT_NOT_FINITE,
  *   _EMPTY_DOMAIN; _NOT_REPRESENTABLE if knots overflow or [a, b] has no room for them.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_knots_uniform(int32_t degree, int64_t count, double a, double b,
                                            int64_t knot_count, double *knots);
 
@@ -474,7 +489,7 @@ NURBS_API nurbs_status nurbs_knots_uniform(int32_t degree, int64_t count, double
  * \param[in] knot_count count + degree + 1.
  * \param[out] knots [knot_count].
  * \return as for nurbs_knots_uniform().
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_knots_open_uniform(int32_t degree, int64_t count, double a, double b,
                                                 int64_t knot_count, double *knots);
 
@@ -486,7 +501,7 @@ NURBS_API nurbs_status nurbs_knots_open_uniform(int32_t degree, int64_t count, d
  * \param[in] knot_count number of control points + degree + 1.
  * \param[out] knots [knot_count].
  * \return NURBS_OK, NURBS_ERROR_NULL, _DEGREE, _COUNT, _SIZE, _OVERLAP, _KNOT_NOT_FINITE, _KNOTS_DECREASING.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_knots_bezier(int32_t degree, int64_t pieces, const double *breaks,
                                           int64_t knot_count, double *knots);
 
@@ -501,7 +516,7 @@ NURBS_API nurbs_status nurbs_knots_bezier(int32_t degree, int64_t pieces, const 
  * \return NURBS_OK, NURBS_ERROR_NULL, _DEGREE, _COUNT, _TOO_FEW_POINTS, _SIZE, _OVERLAP,
  *   _PARAMETER_NOT_FINITE, _KNOTS_DECREASING, _EMPTY_DOMAIN, _NOT_REPRESENTABLE; _END_MULTIPLICITY or
  *   _MULTIPLICITY if parameters repeat so often that a knot would.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_knots_averaged(int32_t degree, int64_t count, const double *params,
                                             int64_t knot_count, double *knots);
 
@@ -518,7 +533,7 @@ NURBS_API nurbs_status nurbs_knots_averaged(int32_t degree, int64_t count, const
  * \return NURBS_OK, NURBS_ERROR_NULL, _DEGREE, _COUNT, _SIZE, _OVERLAP, _KNOT_NOT_FINITE, _KNOTS_DECREASING,
  *   _MULTIPLICITY; _PERIODIC_KNOTS if the first and last multiplicities differ; _NOT_REPRESENTABLE if knots
  *   overflow.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_knots_periodic(int32_t degree, int64_t n, const double *breaks,
                                             const int32_t *multiplicities, int64_t knot_count, double *knots);
 /** @} */
@@ -530,14 +545,14 @@ NURBS_API nurbs_status nurbs_knots_periodic(int32_t degree, int64_t n, const dou
  * \param[in] g a spline.
  * \param[out] axes the number.
  * \return NURBS_OK, NURBS_ERROR_NULL.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_axes(const nurbs *g, int32_t *axes);
 
 /** \brief Dimension of the (Cartesian) points.
  * \param[in] g a spline.
  * \param[out] dim the dimension.
  * \return NURBS_OK, NURBS_ERROR_NULL.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_dimension(const nurbs *g, int32_t *dim);
 
 /** \brief Degree along an axis.
@@ -545,7 +560,7 @@ NURBS_API nurbs_status nurbs_dimension(const nurbs *g, int32_t *dim);
  * \param[in] axis 0-based axis.
  * \param[out] degree the degree.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_degree(const nurbs *g, int32_t axis, int32_t *degree);
 
 /** \brief Number of control points along an axis. The axis has count + degree + 1 knots.
@@ -553,21 +568,21 @@ NURBS_API nurbs_status nurbs_degree(const nurbs *g, int32_t axis, int32_t *degre
  * \param[in] axis 0-based axis.
  * \param[out] count the number.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_count(const nurbs *g, int32_t axis, int64_t *count);
 
 /** \brief Number N of control points of all axes together: the product of the counts.
  * \param[in] g a spline.
  * \param[out] count the number.
  * \return NURBS_OK, NURBS_ERROR_NULL.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_point_count(const nurbs *g, int64_t *count);
 
 /** \brief Whether the spline carries weights, equal ones included.
  * \param[in] g a spline.
  * \param[out] rational 1 rational, 0 polynomial.
  * \return NURBS_OK, NURBS_ERROR_NULL.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_is_rational(const nurbs *g, int32_t *rational);
 
 /** \brief The full knot vector of an axis.
@@ -576,7 +591,7 @@ NURBS_API nurbs_status nurbs_is_rational(const nurbs *g, int32_t *rational);
  * \param[in] knot_count count + degree + 1 of the axis.
  * \param[out] knots [knot_count].
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _SIZE.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_knots(const nurbs *g, int32_t axis, int64_t knot_count, double *knots);
 
 /** \brief The distinct knots of an axis and how often each occurs; those outside the domain are included.
@@ -587,7 +602,7 @@ NURBS_API nurbs_status nurbs_knots(const nurbs *g, int32_t axis, int64_t knot_co
  * \param[out] multiplicities [cap] receives their multiplicities; may be NULL.
  * \param[out] count the number of distinct knots.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _COUNT; _OVERLAP; _SIZE if cap is neither 0 nor enough.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_distinct_knots(const nurbs *g, int32_t axis, int64_t cap, double *knots,
                                             int32_t *multiplicities, int64_t *count);
 
@@ -597,7 +612,7 @@ NURBS_API nurbs_status nurbs_distinct_knots(const nurbs *g, int32_t axis, int64_
  * \param[in] axis 0-based axis.
  * \param[out] form sum of NURBS_FORM_ bits.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_knot_form(const nurbs *g, int32_t axis, int32_t *form);
 
 /** \brief Domain of an axis: [knots[degree], knots[count]].
@@ -605,7 +620,7 @@ NURBS_API nurbs_status nurbs_knot_form(const nurbs *g, int32_t axis, int32_t *fo
  * \param[in] axis 0-based axis.
  * \param[out] domain [2] lower and upper end.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_domain(const nurbs *g, int32_t axis, double *domain);
 
 /** \brief Greville abscissae of an axis: x_i = (t_(i+1) + ... + t_(i+p)) / p; for degree 0 (t_i + t_(i+1)) /
@@ -615,7 +630,7 @@ NURBS_API nurbs_status nurbs_domain(const nurbs *g, int32_t axis, double *domain
  * \param[in] count number of control points of the axis.
  * \param[out] abscissae [count].
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _SIZE.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_greville(const nurbs *g, int32_t axis, int64_t count, double *abscissae);
 
 /** \brief The Cartesian control points. Those of a spline made by nurbs_create_homogeneous() are divided by
@@ -625,7 +640,7 @@ NURBS_API nurbs_status nurbs_greville(const nurbs *g, int32_t axis, int64_t coun
  * \param[out] points [count][dim] last axis fastest.
  * \param[in] point_stride,point_component_stride layout of points, 0 = packed.
  * \return NURBS_OK, NURBS_ERROR_NULL, _SIZE, _STRIDE, _OVERFLOW.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_points(const nurbs *g, int64_t count, double *points, int64_t point_stride,
                                     int64_t point_component_stride);
 
@@ -635,7 +650,7 @@ NURBS_API nurbs_status nurbs_points(const nurbs *g, int64_t count, double *point
  * \param[out] weights [count] last axis fastest.
  * \param[in] weight_stride distance between weights, 0 = 1.
  * \return NURBS_OK, NURBS_ERROR_NULL, _SIZE, _STRIDE, _OVERFLOW.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_weights(const nurbs *g, int64_t count, double *weights, int64_t weight_stride);
 
 /** \brief The homogeneous control points (w x, w y, ..., w); w = 1 for a polynomial spline.
@@ -644,7 +659,7 @@ NURBS_API nurbs_status nurbs_weights(const nurbs *g, int64_t count, double *weig
  * \param[out] points [count][dim + 1] last axis fastest.
  * \param[in] point_stride,point_component_stride layout of points, 0 = packed.
  * \return NURBS_OK, NURBS_ERROR_NULL, _SIZE, _STRIDE, _OVERFLOW.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_homogeneous_points(const nurbs *g, int64_t count, double *points,
                                                 int64_t point_stride, int64_t point_component_stride);
 
@@ -660,7 +675,7 @@ NURBS_API nurbs_status nurbs_homogeneous_points(const nurbs *g, int64_t count, d
  * \param[in] flags evaluation flags per axis.
  * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERFLOW, _STRIDE, _OVERLAP, _FLAGS, _PARAMETER_NOT_FINITE,
  *   _OUTSIDE_DOMAIN.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_hull_size(const nurbs *g, int64_t n, const double *params, int64_t param_stride,
                                        int64_t param_component_stride, double *sizes, int64_t size_stride,
                                        uint32_t flags);
@@ -681,7 +696,7 @@ NURBS_API nurbs_status nurbs_hull_size(const nurbs *g, int64_t n, const double *
  * \return NURBS_OK, NURBS_ERROR_NULL, _DEGREE, _COUNT, _TOO_FEW_POINTS, _SIZE, _KNOT_NOT_FINITE,
  *   _KNOTS_DECREASING, _END_MULTIPLICITY, _MULTIPLICITY, _EMPTY_DOMAIN, _OVERFLOW, _STRIDE, _OVERLAP, _FLAGS,
  *   _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_find_spans(int32_t degree, int64_t count, const double *knots,
                                         int64_t knot_count, int64_t n, const double *params,
                                         int64_t param_stride, int64_t *spans, uint32_t flags);
@@ -697,7 +712,7 @@ NURBS_API nurbs_status nurbs_find_spans(int32_t degree, int64_t count, const dou
  * \param[in] value_stride,value_component_stride layout of values, 0 = packed.
  * \return NURBS_OK, NURBS_ERROR_NULL, _DEGREE, _ORDER, _COUNT, _OVERFLOW, _STRIDE, _OVERLAP,
  *   _PARAMETER_NOT_FINITE.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_bernstein(int32_t degree, int32_t order, int64_t n, const double *params,
                                        int64_t param_stride, double *values, int64_t value_stride,
                                        int64_t value_component_stride);
@@ -715,7 +730,7 @@ NURBS_API nurbs_status nurbs_bernstein(int32_t degree, int32_t order, int64_t n,
  * \param[in] value_stride,value_component_stride layout of values, 0 = packed.
  * \param[in] flags evaluation flags of one axis.
  * \return as for nurbs_find_spans(), and NURBS_ERROR_ORDER.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_basis(int32_t degree, int64_t count, const double *knots, int64_t knot_count,
                                    int32_t order, int64_t n, const double *params, int64_t param_stride,
                                    int64_t *spans, double *values, int64_t value_stride,
@@ -733,7 +748,7 @@ NURBS_API nurbs_status nurbs_basis(int32_t degree, int64_t count, const double *
  * \param[in] value_stride,value_component_stride layout of values, 0 = packed.
  * \param[in] flags evaluation flags per axis.
  * \return as for nurbs_hull_size().
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_rational_basis(const nurbs *g, int64_t n, const double *params,
                                             int64_t param_stride, int64_t param_component_stride,
                                             int64_t *spans, double *values, int64_t value_stride,
@@ -753,7 +768,7 @@ NURBS_API nurbs_status nurbs_rational_basis(const nurbs *g, int64_t n, const dou
  * \param[in] flags evaluation flags per axis.
  * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERFLOW, _STRIDE, _OVERLAP, _FLAGS, _PARAMETER_NOT_FINITE,
  *   _OUTSIDE_DOMAIN.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_eval(const nurbs *g, int64_t n, const double *params, int64_t param_stride,
                                   int64_t param_component_stride, double *points, int64_t point_stride,
                                   int64_t point_component_stride, uint32_t flags);
@@ -764,7 +779,7 @@ NURBS_API nurbs_status nurbs_eval(const nurbs *g, int64_t n, const double *param
  * \param[in] order highest order.
  * \param[out] slots S.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _ORDER.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_derivative_slots(int32_t axes, int32_t order, int64_t *slots);
 
 /** \brief Points and all partial derivatives up to an order, by the quotient rule when rational (Piegl &
@@ -781,7 +796,7 @@ NURBS_API nurbs_status nurbs_derivative_slots(int32_t axes, int32_t order, int64
  * \param[in] deriv_stride,deriv_component_stride layout of derivs, 0 = packed.
  * \param[in] flags evaluation flags per axis.
  * \return as for nurbs_eval(), and NURBS_ERROR_ORDER.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_eval_derivs(const nurbs *g, int32_t order, int64_t n, const double *params,
                                          int64_t param_stride, int64_t param_component_stride, double *derivs,
                                          int64_t deriv_stride, int64_t deriv_component_stride,
@@ -795,7 +810,7 @@ NURBS_API nurbs_status nurbs_eval_derivs(const nurbs *g, int32_t order, int64_t 
  * \param[in] point_stride,point_component_stride layout of points, 0 = packed.
  * \param[in] flags evaluation flags per axis.
  * \return as for nurbs_eval(); the index in a message counts along params.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_eval_grid(const nurbs *g, const int64_t *counts, const double *params,
                                        double *points, int64_t point_stride, int64_t point_component_stride,
                                        uint32_t flags);
@@ -809,7 +824,7 @@ NURBS_API nurbs_status nurbs_eval_grid(const nurbs *g, const int64_t *counts, co
  * \param[in] deriv_stride,deriv_component_stride layout of derivs, 0 = packed.
  * \param[in] flags evaluation flags per axis.
  * \return as for nurbs_eval_derivs().
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_eval_grid_derivs(const nurbs *g, int32_t order, const int64_t *counts,
                                               const double *params, double *derivs, int64_t deriv_stride,
                                               int64_t deriv_component_stride, uint32_t flags);
@@ -824,7 +839,7 @@ NURBS_API nurbs_status nurbs_eval_grid_derivs(const nurbs *g, int32_t order, con
  * \param[in] point_stride,point_component_stride layout of points in floats, 0 = packed.
  * \param[in] flags evaluation flags per axis.
  * \return as for nurbs_eval().
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_eval_f32(const nurbs *g, int64_t n, const double *params, int64_t param_stride,
                                       int64_t param_component_stride, float *points, int64_t point_stride,
                                       int64_t point_component_stride, uint32_t flags);
@@ -838,7 +853,7 @@ NURBS_API nurbs_status nurbs_eval_f32(const nurbs *g, int64_t n, const double *p
  * \param[in] point_stride,point_component_stride layout of points in floats, 0 = packed.
  * \param[in] flags evaluation flags per axis.
  * \return as for nurbs_eval_grid().
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_eval_grid_f32(const nurbs *g, const int64_t *counts, const double *params,
                                            float *points, int64_t point_stride,
                                            int64_t point_component_stride, uint32_t flags);
@@ -853,7 +868,7 @@ NURBS_API nurbs_status nurbs_eval_grid_f32(const nurbs *g, const int64_t *counts
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _AXIS, _FLAGS, _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN;
  *   _NOT_REPRESENTABLE if a value overflows, _WEIGHTS_VANISH or _WEIGHT_NEGATIVE if extrapolation leaves the
  *   positive weights or weights underflow.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_iso(const nurbs *g, int32_t axis, double param, uint32_t flags, nurbs **out);
 /** @} */
 
@@ -905,7 +920,7 @@ NURBS_API nurbs_status nurbs_iso(const nurbs *g, int32_t axis, double param, uin
  * \param[in] flags evaluation flags per axis.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DIMENSION, _COUNT, _OVERFLOW, _STRIDE, _OVERLAP, _FLAGS,
  *   _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_surface_eval_frames(
     const nurbs *g, int64_t n, const double *params, int64_t param_stride, int64_t param_component_stride,
     double *points, int64_t point_stride, int64_t point_component_stride, double *du, int64_t du_stride,
@@ -928,7 +943,7 @@ NURBS_API nurbs_status nurbs_surface_eval_frames(
  * \param[out] status [M] as for nurbs_surface_eval_frames().
  * \param[in] flags evaluation flags per axis.
  * \return as for nurbs_surface_eval_frames(); the index in a message counts along params.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_surface_eval_grid_frames(
     const nurbs *g, const int64_t *counts, const double *params, double *points, int64_t point_stride,
     int64_t point_component_stride, double *du, int64_t du_stride, int64_t du_component_stride, double *dv,
@@ -961,7 +976,7 @@ NURBS_API nurbs_status nurbs_surface_eval_grid_frames(
  * \param[out] status [n] NURBS_FRAME_RULE or _UNDEFINED, or NULL.
  * \param[in] flags evaluation flags per axis.
  * \return as for nurbs_surface_eval_frames().
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_surface_eval_curvatures(
     const nurbs *g, int64_t n, const double *params, int64_t param_stride, int64_t param_component_stride,
     double *principal, int64_t principal_stride, int64_t principal_component_stride, double *directions,
@@ -999,7 +1014,7 @@ NURBS_API nurbs_status nurbs_surface_eval_curvatures(
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _COUNT, _OVERFLOW, _STRIDE, _OVERLAP, _FLAGS,
  *   _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN; _DIMENSION if it is not 2 or 3, or is 2 and binormals or torsions
  *   are wanted.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_curve_eval_frames(
     const nurbs *g, int64_t n, const double *params, int64_t param_stride, double *points,
     int64_t point_stride, int64_t point_component_stride, double *tangents, int64_t tangent_stride,
@@ -1035,7 +1050,7 @@ NURBS_API nurbs_status nurbs_curve_eval_frames(
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DIMENSION, _COUNT, _OVERFLOW, _STRIDE, _OVERLAP, _FLAGS,
  *   _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN; _DIRECTION if first_normal is not finite, zero, or parallel to
  *   the first tangent to within 8 eps.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_curve_rotation_minimizing_frames(
     const nurbs *g, int64_t n, const double *params, int64_t param_stride, const double *first_normal,
     double *points, int64_t point_stride, int64_t point_component_stride, double *tangents,
@@ -1063,12 +1078,12 @@ NURBS_API nurbs_status nurbs_curve_rotation_minimizing_frames(
  *   _MULTIPLICITY if the knot would occur more than degree + 1 times; _PERIODIC_KNOTS if its copies on
  *   a periodic axis cannot be told from their neighbours; _NOT_REPRESENTABLE if a point or a knot of the
  *   next period overflows, _WEIGHTS_VANISH if weights underflow.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_insert_knot(const nurbs *g, int32_t axis, double knot, int32_t times,
                                          nurbs **out);
 
-/** \brief Inserts a list of knots at once without changing the shape. New control point j is the polar form of
- * the spline at the `degree` knots behind new knot j, found by one step of de Boor's algorithm for each of
+/** \brief Inserts a list of knots at once without changing the shape. New control point j is the polar form
+ * of the spline at the `degree` knots behind new knot j, found by one step of de Boor's algorithm for each of
  * them that is not an old knot (Cohen, Lyche & Riesenfeld 1980; Lyche & Morken 1986). On a periodic axis the
  * copies one period away are inserted too, and the end of the domain is its start.
  * \param[in] g a spline.
@@ -1079,19 +1094,19 @@ NURBS_API nurbs_status nurbs_insert_knot(const nurbs *g, int32_t axis, double kn
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _COUNT, _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN, _OVERFLOW;
  *   _MULTIPLICITY if a knot would occur more than degree + 1 times; _PERIODIC_KNOTS, _NOT_REPRESENTABLE,
  *   _WEIGHTS_VANISH as for nurbs_insert_knot().
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_refine(const nurbs *g, int32_t axis, int64_t count, const double *knots,
                                     nurbs **out);
 
-/** \brief Divides every non-empty span of the domain into equal parts by knots: a + (b - a) i / parts, 0 < i <
- * parts, in the span [a, b].
+/** \brief Divides every non-empty span of the domain into equal parts by knots: a + (b - a) i / parts, 0 < i
+ * < parts, in the span [a, b].
  * \param[in] g a spline.
  * \param[in] axis 0-based axis.
  * \param[in] parts parts of each span, at least 1, which gives the same spline.
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _COUNT, _OVERFLOW; _NOT_REPRESENTABLE if a span has too few
  *   doubles for its parts or a point overflows; _PERIODIC_KNOTS, _WEIGHTS_VANISH as for nurbs_insert_knot().
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_refine_uniform(const nurbs *g, int32_t axis, int64_t parts, nurbs **out);
 
 /** \brief The matrix A of nurbs_refine() along one axis, as compressed sparse rows (CSR): new layer i is
@@ -1111,7 +1126,7 @@ NURBS_API nurbs_status nurbs_refine_uniform(const nurbs *g, int32_t axis, int64_
  * \param[out] entries number of entries, or NULL.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _COUNT, _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN, _OVERFLOW,
  *   _MULTIPLICITY, _OVERLAP, _PERIODIC_KNOTS, _NOT_REPRESENTABLE; _SIZE if cap is neither 0 nor enough.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_refinement_matrix(const nurbs *g, int32_t axis, int64_t count,
                                                const double *knots, int64_t cap, double *values,
                                                int64_t *columns, int64_t *row_pointers, int64_t *entries);
@@ -1128,31 +1143,31 @@ NURBS_API nurbs_status nurbs_refinement_matrix(const nurbs *g, int32_t axis, int
  * \return NURBS_OK, NURBS_ERROR_NULL, _OVERLAP, _AXIS, _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN;
  *   _EMPTY_DOMAIN if the parameter is an end of the domain; _NOT_REPRESENTABLE, _WEIGHTS_VANISH as for
  *   nurbs_insert_knot().
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_split(const nurbs *g, int32_t axis, double param, nurbs **lower, nurbs **upper);
 
-/** \brief The part of a curve, surface or volume over a box in the domain. It keeps its parameters, is clamped
- * at ends that are new, and left as it is at ends of the domain; an axis of which only a part is taken is not
- * periodic. To extract across the seam of a periodic axis move that first: nurbs_move_seam().
+/** \brief The part of a curve, surface or volume over a box in the domain. It keeps its parameters, is
+ * clamped at ends that are new, and left as it is at ends of the domain; an axis of which only a part is
+ * taken is not periodic. To extract across the seam of a periodic axis move that first: nurbs_move_seam().
  * \param[in] g a spline.
  * \param[in] lower [axes] where the part begins on each axis.
  * \param[in] upper [axes] where it ends; more than lower on every axis.
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN; _EMPTY_DOMAIN if lower is not
  *   less than upper; _NOT_REPRESENTABLE, _WEIGHTS_VANISH as for nurbs_insert_knot().
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_extract(const nurbs *g, const double *lower, const double *upper, nurbs **out);
 
-/** \brief Decomposes a spline into its polynomial (rational) pieces, as Bezier splines over their own domains:
- * each has degree + 1 layers along each axis. They come in the order of their parameters, last axis fastest;
- * the number along an axis is that of its non-empty spans, see nurbs_bezier_extraction(), and the names are
- * the indices along the axes, such as "2" or "2,0". Neighbours have common control points bit for bit unless
- * the spline jumps between them. nurbs_join() puts them together again.
+/** \brief Decomposes a spline into its polynomial (rational) pieces, as Bezier splines over their own
+ * domains: each has degree + 1 layers along each axis. They come in the order of their parameters, last axis
+ * fastest; the number along an axis is that of its non-empty spans, see nurbs_bezier_extraction(), and the
+ * names are the indices along the axes, such as "2" or "2,0". Neighbours have common control points bit for
+ * bit unless the spline jumps between them. nurbs_join() puts them together again.
  * \param[in] g a spline.
  * \param[out] out the new list.
  * \return NURBS_OK, NURBS_ERROR_NULL, _OVERFLOW; _NOT_REPRESENTABLE, _WEIGHTS_VANISH as for
  *   nurbs_insert_knot().
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_decompose(const nurbs *g, nurbs_list **out);
 
 /** \brief Splits a spline at all knots inside the domain of an axis where its order of continuity, degree -
@@ -1165,7 +1180,7 @@ NURBS_API nurbs_status nurbs_decompose(const nurbs *g, nurbs_list **out);
  * \param[out] out the new list.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _ORDER; _NOT_REPRESENTABLE, _WEIGHTS_VANISH as for
  *   nurbs_insert_knot().
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_split_at_knots(const nurbs *g, int32_t axis, int32_t order, nurbs_list **out);
 
 /** \brief Clamps ends of an axis: knots are inserted until the end of the domain occurs degree + 1 times, and
@@ -1177,7 +1192,7 @@ NURBS_API nurbs_status nurbs_split_at_knots(const nurbs *g, int32_t axis, int32_
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _FLAGS; _NOT_REPRESENTABLE, _WEIGHTS_VANISH as for
  *   nurbs_insert_knot().
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_clamp_ends(const nurbs *g, int32_t axis, uint32_t flags, nurbs **out);
 
 /** \brief Moves the seam of a periodic axis: the same shape, periodic again, over [param, param + period].
@@ -1191,7 +1206,7 @@ NURBS_API nurbs_status nurbs_clamp_ends(const nurbs *g, int32_t axis, uint32_t f
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _NOT_PERIODIC, _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN;
  *   _PERIODIC_KNOTS if rounding would make distinct knots equal or equal ones distinct; _NOT_REPRESENTABLE,
  *   _WEIGHTS_VANISH as for nurbs_insert_knot().
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_move_seam(const nurbs *g, int32_t axis, double param, nurbs **out);
 
 /** \brief Joins splines end to end along an axis. Each part is moved in the parameter to begin where the one
@@ -1214,7 +1229,7 @@ NURBS_API nurbs_status nurbs_move_seam(const nurbs *g, int32_t axis, double para
  *   dimensions or the other axes differ or weights do not agree; _GAP if two ends do not meet;
  *   _KNOTS_MERGE if knots that are moved would round to one; _NOT_REPRESENTABLE if a value overflows,
  *   _WEIGHTS_VANISH if weights underflow.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_join(int64_t count, const nurbs *const *parts, int32_t axis, double tolerance,
                                   uint32_t flags, double *gap, nurbs **out);
 
@@ -1240,16 +1255,16 @@ NURBS_API nurbs_status nurbs_join(int64_t count, const nurbs *const *parts, int3
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _TOLERANCE; _MULTIPLICITY if knots that become one, other than
  *   an end of a plain axis, would occur more than degree + 1 times; _PERIODIC_KNOTS if rounding keeps copies
  *   from repeating; _NOT_REPRESENTABLE if a value overflows, _WEIGHTS_VANISH if all weights at a knot are 0.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_snap_knots(const nurbs *g, int32_t axis, double tolerance, double *deviation,
                                         nurbs **out);
 
-/** \brief Brings splines to one degree and one knot vector on every axis, without changing their shapes unless
- * a tolerance allows it, and all to weights if one of them is rational (and to homogeneous points if one was
- * built so). Along each axis: the degree is raised to the highest one; an axis that is periodic in some of
- * the splines only is opened; where knots outside the domain differ, that end is clamped in all; then each
- * spline gets the knots that others have, as often as any has them. An axis on which all agree already is
- * left alone.
+/** \brief Brings splines to one degree and one knot vector on every axis, without changing their shapes
+ * unless a tolerance allows it, and all to weights if one of them is rational (and to homogeneous points if
+ * one was built so). Along each axis: the degree is raised to the highest one; an axis that is periodic in
+ * some of the splines only is opened; where knots outside the domain differ, that end is clamped in all; then
+ * each spline gets the knots that others have, as often as any has them. An axis on which all agree already
+ * is left alone.
  *
  * With a tolerance > 0 near-equal knots of the splines are first moved together as by nurbs_snap_knots(),
  * the knots of all splines taken as one list, so that they do not multiply; the value of a group is the one
@@ -1268,16 +1283,16 @@ NURBS_API nurbs_status nurbs_snap_knots(const nurbs *g, int32_t axis, double tol
  *   domains without NURBS_MAP_DOMAINS, differ; _MULTIPLICITY as for nurbs_snap_knots(), _KNOTS_MERGE as for
  *   nurbs_reparametrize(), _PERIODIC_KNOTS, _NOT_REPRESENTABLE, _WEIGHTS_VANISH, _OVERFLOW as for
  *   nurbs_refine().
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_make_compatible(int64_t count, const nurbs *const *splines, double tolerance,
                                              uint32_t flags, double *deviation, nurbs_list **out);
 
 /** \brief Extends a spline beyond an end of an axis by a length of the parameter. The new part is the Taylor
- * polynomial of an order k of the piece at that end, in homogeneous coordinates if rational: 0 stays where the
- * end is, 1 goes on linearly (C^1), 2 with constant second derivative (C^2), and from the degree on it is the
- * piece itself. The old end becomes a knot of multiplicity degree - k, and k control points that act on the
- * old domain too are moved and get larger, by up to G = (1 + 2 amount / (last span))^k, which they hand on to
- * the rounding of an evaluation there. Where G > 256 that knot has multiplicity degree instead and all
+ * polynomial of an order k of the piece at that end, in homogeneous coordinates if rational: 0 stays where
+ * the end is, 1 goes on linearly (C^1), 2 with constant second derivative (C^2), and from the degree on it is
+ * the piece itself. The old end becomes a knot of multiplicity degree - k, and k control points that act on
+ * the old domain too are moved and get larger, by up to G = (1 + 2 amount / (last span))^k, which they hand
+ * on to the rounding of an evaluation there. Where G > 256 that knot has multiplicity degree instead and all
  * control points of g keep their bits. So the old domain stays as it is to 2^8 times the rounding of g,
  * however short its last span is. An end that is not clamped is clamped first. With the new end e and the old
  * one b, the new control points are the polar form of the piece at interior knots, b and e, and values of it
@@ -1291,55 +1306,57 @@ NURBS_API nurbs_status nurbs_make_compatible(int64_t count, const nurbs *const *
  * \param[in] order k, 0 to NURBS_MAX_ORDER.
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _END, _ORDER, _PERIODIC, _PARAMETER_NOT_FINITE; _EMPTY_DOMAIN if
- *   the domain would not grow; _WEIGHT_NEGATIVE, _WEIGHTS_VANISH if the weights do not stay positive (not where
- *   g was built homogeneous); _NOT_REPRESENTABLE if a value overflows.
- * \since 0.1 */
+ *   the domain would not grow; _WEIGHT_NEGATIVE, _WEIGHTS_VANISH if the weights do not stay positive (not
+ *   where g was built homogeneous); _NOT_REPRESENTABLE if a value overflows.
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_extend(const nurbs *g, int32_t axis, int32_t end, double amount, int32_t order,
                                     nurbs **out);
 
-/** \brief Unclamps ends of an axis: the end of the domain becomes a single knot, and the knots beyond it repeat
- * those of the domain with its length as the period, so that even spans go on evenly. Domain and shape stay. The
- * new control points are the polar form of the end piece at these knots, continued beyond the domain: each
- * homogeneous coordinate is within 4 (degree + 1) eps of the sum of |coefficient * coordinate|, to which
- * clamping the end again brings the shape back. Ends that are not clamped, and periodic axes, stay as they are.
+/** \brief Unclamps ends of an axis: the end of the domain becomes a single knot, and the knots beyond it
+ * repeat those of the domain with its length as the period, so that even spans go on evenly. Domain and shape
+ * stay. The new control points are the polar form of the end piece at these knots, continued beyond the
+ * domain: each homogeneous coordinate is within 4 (degree + 1) eps of the sum of |coefficient * coordinate|,
+ * to which clamping the end again brings the shape back. Ends that are not clamped, and periodic axes, stay
+ * as they are.
  * \param[in] g a spline.
  * \param[in] axis 0-based axis.
  * \param[in] flags NURBS_FORM_CLAMPED_START, NURBS_FORM_CLAMPED_END, both or 0: the ends to be unclamped.
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _FLAGS; _WEIGHT_NEGATIVE, _WEIGHTS_VANISH if weights beyond the
- *   domain do not stay positive (not where g was built homogeneous); _KNOTS_MERGE if knots that differ would be
- *   rounded to one beyond the domain; _NOT_REPRESENTABLE if a value overflows.
- * \since 0.1 */
+ *   domain do not stay positive (not where g was built homogeneous); _KNOTS_MERGE if knots that differ would
+ *   be rounded to one beyond the domain; _NOT_REPRESENTABLE if a value overflows.
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_unclamp(const nurbs *g, int32_t axis, uint32_t flags, nurbs **out);
 
-/** \brief Makes a closed spline periodic along an axis, over the same domain. The seam gets the highest order of
- * continuity k < degree, and k <= (count - 1) / 2, with which the shape moves by at most the tolerance, under a
- * knot of multiplicity degree - k; at degree 0 the result is always periodic, with order -1. Ends that meet are
- * not enough where weights differ: the homogeneous points have to. Control points whose knots lie on one side of
- * the seam stay bit for bit, those across it are continued from the end that has more of their knots. An axis
- * that repeats already, in knots and bit for bit in points, is only declared periodic.
+/** \brief Makes a closed spline periodic along an axis, over the same domain. The seam gets the highest order
+ * of continuity k < degree, and k <= (count - 1) / 2, with which the shape moves by at most the tolerance,
+ * under a knot of multiplicity degree - k; at degree 0 the result is always periodic, with order -1. Ends
+ * that meet are not enough where weights differ: the homogeneous points have to. Control points whose knots
+ * lie on one side of the seam stay bit for bit, those across it are continued from the end that has more of
+ * their knots. An axis that repeats already, in knots and bit for bit in points, is only declared periodic.
  * \param[in] g a spline.
  * \param[in] axis 0-based axis.
  * \param[in] tolerance largest deviation allowed, a distance >= 0; the bound includes the rounding of control
  *   points that are moved: 0 is met where none is, such as of a circle that closes bit for bit.
- * \param[out] deviation proved bound of the distance of any point to where it was, as for nurbs_snap_knots(), or
+ * \param[out] deviation proved bound of the distance of any point to where it was, as for nurbs_snap_knots(),
+ * or
  *   NULL.
  * \param[out] order the order of continuity that the knots give the seam, or NULL.
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _TOLERANCE; _GAP naming the deviation if the ends do not meet;
  *   _PERIODIC_KNOTS if rounding keeps the knots from repeating; _NOT_REPRESENTABLE if a value overflows,
  *   _WEIGHTS_VANISH if weights become 0. Orders that would take weights below 0 are passed over.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_make_periodic(const nurbs *g, int32_t axis, double tolerance, double *deviation,
                                            int32_t *order, nurbs **out);
 
-/** \brief Whether an axis is periodic in fact: its knots repeat as NURBS_PERIODIC asks, and so do its points and
- * weights, bit for bit. nurbs_make_periodic() declares such an axis periodic without moving anything.
+/** \brief Whether an axis is periodic in fact: its knots repeat as NURBS_PERIODIC asks, and so do its points
+ * and weights, bit for bit. nurbs_make_periodic() declares such an axis periodic without moving anything.
  * \param[in] g a spline.
  * \param[in] axis 0-based axis.
  * \param[out] periodic 1 or 0.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_detect_periodic(const nurbs *g, int32_t axis, int32_t *periodic);
 /** @} */
 
@@ -1359,7 +1376,7 @@ NURBS_API nurbs_status nurbs_detect_periodic(const nurbs *g, int32_t axis, int32
  *   NURBS_MAX_DEGREE; _PERIODIC_KNOTS if the copies of knots on a periodic axis are not as often equal as the
  *   knots; _NOT_REPRESENTABLE if a point or a knot of the next period overflows, _WEIGHTS_VANISH if weights
  *   underflow.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_elevate(const nurbs *g, int32_t axis, int32_t times, nurbs **out);
 
 /** \brief Turns an axis round: the result at -t is g at t, exactly. The layers of control points come in the
@@ -1373,7 +1390,7 @@ NURBS_API nurbs_status nurbs_elevate(const nurbs *g, int32_t axis, int32_t times
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _FLAGS; with NURBS_KEEP_DOMAIN also _KNOTS_MERGE and
  *   _NOT_REPRESENTABLE as for nurbs_reparametrize().
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_reverse(const nurbs *g, int32_t axis, uint32_t flags, nurbs **out);
 
 /** \brief Puts the axes in another order: axis k of the result is axis permutation[k] of g. Values are copied
@@ -1382,7 +1399,7 @@ NURBS_API nurbs_status nurbs_reverse(const nurbs *g, int32_t axis, uint32_t flag
  * \param[in] permutation [axes] each axis of g once.
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL; _AXIS if an entry is not an axis of g or occurs twice.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_transpose(const nurbs *g, const int32_t *permutation, nurbs **out);
 
 /** \brief Moves the domain [a, b] of an axis to [lower, upper] by the affine map
@@ -1396,7 +1413,7 @@ NURBS_API nurbs_status nurbs_transpose(const nurbs *g, const int32_t *permutatio
  * \param[out] out the new handle; with the domain that g has already, the same spline.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _PARAMETER_NOT_FINITE; _EMPTY_DOMAIN unless lower < upper;
  *   _KNOTS_MERGE naming the knots; _NOT_REPRESENTABLE if a knot, or their range, overflows.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_reparametrize(const nurbs *g, int32_t axis, double lower, double upper,
                                            nurbs **out);
 
@@ -1404,7 +1421,7 @@ NURBS_API nurbs_status nurbs_reparametrize(const nurbs *g, int32_t axis, double 
  * \param[in] g a spline.
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_make_rational(const nurbs *g, nurbs **out);
 
 /** \brief The homogeneous points (w x, w y, ..., w) of a spline as the points of a polynomial spline of
@@ -1413,7 +1430,7 @@ NURBS_API nurbs_status nurbs_make_rational(const nurbs *g, nurbs **out);
  * \param[in] g a spline.
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _OVERFLOW; _DIMENSION if dim + 1 exceeds the limit.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_to_homogeneous(const nurbs *g, nurbs **out);
 
 /** \brief The rational spline of dimension dim - 1 whose homogeneous points are the points of a polynomial
@@ -1423,7 +1440,7 @@ NURBS_API nurbs_status nurbs_to_homogeneous(const nurbs *g, nurbs **out);
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL; _RATIONAL if g is rational, _DIMENSION if its dimension is 1,
  *   _WEIGHTS_VANISH if all weights in the support of a span are 0.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_from_homogeneous(const nurbs *g, nurbs **out);
 
 /** \brief Divides all weights by the one of largest magnitude, which becomes 1; if all are equal they are
@@ -1433,7 +1450,7 @@ NURBS_API nurbs_status nurbs_from_homogeneous(const nurbs *g, nurbs **out);
  * \param[out] out the new handle; the same spline where there is nothing to do.
  * \return NURBS_OK, NURBS_ERROR_NULL; _NOT_REPRESENTABLE or _POINT_NOT_FINITE if a coordinate overflows,
  *   _WEIGHTS_VANISH if weights underflow.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_normalize_weights(const nurbs *g, nurbs **out);
 
 /** \brief Changes the parameter of an axis by a rational linear map of its domain [a, b] to itself, which
@@ -1456,7 +1473,7 @@ NURBS_API nurbs_status nurbs_normalize_weights(const nurbs *g, nurbs **out);
  *   a periodic axis, whose knots would not repeat, _DEGREE at degree 0, _KNOTS_MERGE if knots would become
  *   one or lie at or behind the pole of the map (beyond the domain of an unclamped axis), _NOT_REPRESENTABLE
  *   or _WEIGHT_NOT_FINITE if a value overflows, _WEIGHTS_VANISH if weights underflow.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_reparametrize_moebius(const nurbs *g, int32_t axis, double ratio, nurbs **out);
 
 /** \brief nurbs_reparametrize_moebius() with the ratio w(a) / w(b), so that the weights at both ends of the
@@ -1467,7 +1484,7 @@ NURBS_API nurbs_status nurbs_reparametrize_moebius(const nurbs *g, int32_t axis,
  * \param[out] out the new handle; the same spline if the weights are equal already.
  * \return as for nurbs_reparametrize_moebius(), without _FACTOR; _END_WEIGHTS if no positive factor makes
  *   them equal.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_equalize_end_weights(const nurbs *g, int32_t axis, nurbs **out);
 /** @} */
 
@@ -1495,7 +1512,7 @@ NURBS_API nurbs_status nurbs_equalize_end_weights(const nurbs *g, int32_t axis, 
  * \param[out] values [dim] for a polynomial spline, [dim + 1] for a rational one.
  * \param[in] flags evaluation flags for params other than NURBS_NAN: they choose the piece.
  * \return NURBS_OK, NURBS_ERROR_NULL, _SIZE, _FLAGS, _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN, _OVERLAP.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_blossom(const nurbs *g, const double *params, int64_t count, const double *args,
                                      double *values, uint32_t flags);
 
@@ -1522,7 +1539,7 @@ NURBS_API nurbs_status nurbs_blossom(const nurbs *g, const double *params, int64
  *   axis of a rational spline; _PERIODIC_KNOTS if the copies of knots on a periodic axis are not as often
  *   equal as the knots; _NOT_REPRESENTABLE if a value overflows, _WEIGHTS_VANISH if weights underflow,
  *   _OVERFLOW.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_derivative(const nurbs *g, int32_t axis, int32_t order, nurbs **out);
 
 /** \brief The integral of a polynomial spline along an axis from the lower end a of its domain,
@@ -1539,7 +1556,7 @@ NURBS_API nurbs_status nurbs_derivative(const nurbs *g, int32_t axis, int32_t or
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _OVERFLOW; _RATIONAL if g is rational, _DEGREE if p + 1 exceeds
  *   NURBS_MAX_DEGREE, _NOT_REPRESENTABLE if a value overflows.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_antiderivative(const nurbs *g, int32_t axis, nurbs **out);
 
 /** \brief The pointwise product of two splines over the same domain on every axis: component by component,
@@ -1558,7 +1575,7 @@ NURBS_API nurbs_status nurbs_antiderivative(const nurbs *g, int32_t axis, nurbs 
  *   dimensions do not suit, _DEGREE if degrees add up to more than NURBS_MAX_DEGREE, _PERIODIC_KNOTS if the
  *   copies of knots on a periodic axis cannot be told apart, _NOT_REPRESENTABLE if a value overflows,
  *   _WEIGHTS_VANISH if weights underflow, _OVERFLOW.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_product(const nurbs *a, const nurbs *b, uint32_t flags, nurbs **out);
 
 /** \brief The curve g(f(t)): a curve g over another parameter, or the curve in space that a curve f in the
@@ -1590,16 +1607,17 @@ NURBS_API nurbs_status nurbs_product(const nurbs *a, const nurbs *b, uint32_t fl
  * of its largest magnitude among the active control points of g. Both bounds hold if polar values of f on
  * each piece stay between those knots of g around them, as on short pieces of f; else every coefficient of de
  * Boor's algorithm counts by its magnitude. Cost: for each polynomial piece of the result the product over
- * the axes of binomial(p_k + q, q) polar values of g, and a copy of the knots of each period that f runs over.
+ * the axes of binomial(p_k + q, q) polar values of g, and a copy of the knots of each period that f runs
+ * over.
  * \param[in] g a spline, rational or not.
  * \param[in] f a polynomial curve whose dimension is the number of axes of g.
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL; _AXES if f is no curve, _RATIONAL if f is rational, _DIMENSION if its
  *   dimension does not suit, _DEGREE if the new degree exceeds NURBS_MAX_DEGREE, _NOT_MONOTONE,
- *   _OUTSIDE_DOMAIN if f leaves the domain of g or runs over too many periods, _PERIODIC_KNOTS if copies of knots of g
- *   cannot be told apart, _NOT_REPRESENTABLE if a value or u overflows, _WEIGHTS_VANISH if weights underflow,
- *   _OVERFLOW.
- * \since 0.1 */
+ *   _OUTSIDE_DOMAIN if f leaves the domain of g or runs over too many periods, _PERIODIC_KNOTS if copies of
+ *   knots of g cannot be told apart, _NOT_REPRESENTABLE if a value or u overflows, _WEIGHTS_VANISH if weights
+ *   underflow, _OVERFLOW.
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_compose(const nurbs *g, const nurbs *f, nurbs **out);
 
 /** \brief The linear combination alpha a(t) + beta b(t) of two splines over the same domain on every axis.
@@ -1616,12 +1634,13 @@ NURBS_API nurbs_status nurbs_compose(const nurbs *g, const nurbs *f, nurbs **out
  *   domains differ, _DIMENSION if dimensions do, _DEGREE if degrees add up to more than NURBS_MAX_DEGREE,
  *   _PERIODIC_KNOTS as for nurbs_product(), _NOT_REPRESENTABLE if a value overflows, _WEIGHTS_VANISH if
  *   weights underflow, _OVERFLOW.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_sum(const nurbs *a, double alpha, const nurbs *b, double beta, nurbs **out);
 
-/** \brief The C^1 piecewise cubic curve through points with given derivatives, as a spline with double knots: its
- * control points are the Bezier points P_i - h_(i-1) T_i / 3 and P_i + h_i T_i / 3 beside each point, and the
- * two ends, each within 2 eps of the sum of its terms. nurbs_eval_derivs() at the parameters gives the data back.
+/** \brief The C^1 piecewise cubic curve through points with given derivatives, as a spline with double knots:
+ * its control points are the Bezier points P_i - h_(i-1) T_i / 3 and P_i + h_i T_i / 3 beside each point, and
+ * the two ends, each within 2 eps of the sum of its terms. nurbs_eval_derivs() at the parameters gives the
+ * data back.
  * \param[in] n number of points, at least 2.
  * \param[in] params [n] strictly increasing.
  * \param[in] dim dimension of the points.
@@ -1633,7 +1652,7 @@ NURBS_API nurbs_status nurbs_sum(const nurbs *a, double alpha, const nurbs *b, d
  * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _DIMENSION, _STRIDE, _OVERFLOW, _PARAMETER_NOT_FINITE,
  *   _KNOT_NOT_FINITE; _POINT_NOT_FINITE for a point or derivative, _NOT_REPRESENTABLE if a control point
  *   overflows, _KNOTS_DECREASING for parameters that do not increase.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_create_hermite(int64_t n, const double *params, int32_t dim,
                                             const double *points, int64_t point_stride,
                                             int64_t point_component_stride, const double *tangents,
@@ -1641,25 +1660,29 @@ NURBS_API nurbs_status nurbs_create_hermite(int64_t n, const double *params, int
                                             nurbs **out);
 
 /** \brief The points and derivatives of a C^1 piecewise cubic at the ends of its non-empty spans, from which
- * nurbs_create_hermite() makes the same curve: clamped, with double knots. A curve of degree p < 3 has them too.
- * Whether it is C^1 is told by the knots alone: none inside the domain may occur more than p - 1 times
+ * nurbs_create_hermite() makes the same curve: clamped, with double knots. A curve of degree p < 3 has them
+ * too. Whether it is C^1 is told by the knots alone: none inside the domain may occur more than p - 1 times
  * (nurbs_simplify() takes superfluous ones away). Points are those of nurbs_decompose(), within 2 eps of the
- * largest magnitude M of a control point that is active beside them, ends of a clamped curve exactly; tangents
- * are within 14 p eps M / h of the derivative, h the longer one of the two spans beside the point (both tested).
+ * largest magnitude M of a control point that is active beside them, ends of a clamped curve exactly;
+ * tangents are within 14 p eps M / h of the derivative, h the longer one of the two spans beside the point
+ * (both tested).
  * \param[in] g a polynomial curve of degree 0 to 3.
  * \param[in] cap length of the arrays in points; 0 asks for the number only.
  * \param[out] params [cap] receives the distinct knots of the domain, rising; may be NULL.
  * \param[out] points [cap][dim] receives the points, packed; may be NULL.
- * \param[out] tangents [cap][dim] receives the derivatives with respect to the parameter, packed; may be NULL.
+ * \param[out] tangents [cap][dim] receives the derivatives with respect to the parameter, packed; may be
+ * NULL.
  * \param[out] count number of points, one more than there are non-empty spans; may be NULL.
- * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _COUNT, _OVERFLOW, _OVERLAP; _SIZE if cap is neither 0 nor enough,
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _COUNT, _OVERFLOW, _OVERLAP; _SIZE if cap is neither 0 nor
+ * enough,
  *   _RATIONAL if g is rational, _DEGREE above 3, _CONTINUITY naming a knot at which g may have a kink,
  *   _NOT_REPRESENTABLE if a tangent overflows.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_to_hermite(const nurbs *g, int64_t cap, double *params, double *points,
                                         double *tangents, int64_t *count);
 
-/** \brief The power basis of every polynomial piece of a spline: on the piece over the span [a, b] of each axis
+/** \brief The power basis of every polynomial piece of a spline: on the piece over the span [a, b] of each
+ * axis
  *
  *     g(t) = sum_k c_k (t_0 - a_0)^k_0 (t_1 - a_1)^k_1 ...,   0 <= k_i <= p_i,
  *
@@ -1668,27 +1691,28 @@ NURBS_API nurbs_status nurbs_to_hermite(const nurbs *g, int64_t cap, double *par
  *
  *     (sum_i (2 + 2 k_i)) eps M prod_i 2^k_i binomial(p_i, k_i) / h_i^k_i
  *
- * (tested; 4 p_i + 3 in place of 2 is proved) of their exact values, M the largest magnitude of that component
- * in a control point that is active on the piece, and unless they underflow. The power basis is ill
+ * (tested; 4 p_i + 3 in place of 2 is proved) of their exact values, M the largest magnitude of that
+ * component in a control point that is active on the piece, and unless they underflow. The power basis is ill
  * conditioned at the far end of a span; the Bezier pieces of nurbs_decompose() are not.
  * \param[in] g a spline, of width W = dim, or dim + 1 if it is rational.
  * \param[in] cap length of coefficients in values: 0 asks for the numbers only, or at least count.
  * \param[out] coefficients [pieces][p_0 + 1]...[W] c_k, pieces in the order of nurbs_decompose(), last axis
  *   fastest in pieces and powers; may be NULL. Written, as breaks, if cap is not 0.
- * \param[out] breaks [sum of piece_counts[k] + 1] the distinct knots of the domain of every axis, one axis after
+ * \param[out] breaks [sum of piece_counts[k] + 1] the distinct knots of the domain of every axis, one axis
+ * after
  *   the other; may be NULL.
  * \param[out] piece_counts [axes] receives the number of pieces along each axis; may be NULL.
  * \param[out] count number of values of all coefficients; may be NULL.
  * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERFLOW, _OVERLAP; _SIZE if cap is neither 0 nor enough,
  *   _NOT_REPRESENTABLE if a value overflows.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_to_power(const nurbs *g, int64_t cap, double *coefficients, double *breaks,
                                       int64_t *piece_counts, int64_t *count);
 
 /** \brief A spline from the power basis of its pieces, as nurbs_to_power() gives it. All breaks are knots of
- * multiplicity degree + 1, so that the pieces need not meet, and the Bezier points of every piece are its control
- * points: on one axis b_i = sum_k binomial(i, k) / binomial(p, k) c_k h^k, each within (3 p + 1) / 2 eps of the
- * sum of the magnitudes of its terms, on several the sum of that over them. nurbs_simplify() or
+ * multiplicity degree + 1, so that the pieces need not meet, and the Bezier points of every piece are its
+ * control points: on one axis b_i = sum_k binomial(i, k) / binomial(p, k) c_k h^k, each within (3 p + 1) / 2
+ * eps of the sum of the magnitudes of its terms, on several the sum of that over them. nurbs_simplify() or
  * nurbs_reduce_knots() take the knots away that pieces do not need which fit.
  * \param[in] axes 1 to 3.
  * \param[in] degrees [axes] degrees.
@@ -1704,23 +1728,23 @@ NURBS_API nurbs_status nurbs_to_power(const nurbs *g, int64_t cap, double *coeff
  *   rational as from nurbs_create_homogeneous(); or 0: polynomial.
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DEGREE, _COUNT, _OVERFLOW, _SIZE, _DIMENSION, _STRIDE, _FLAGS,
- *   _KNOT_NOT_FINITE, _POINT_NOT_FINITE, _WEIGHT_NOT_FINITE, _WEIGHTS_VANISH; _KNOTS_DECREASING for breaks that
- *   do not increase, _NOT_REPRESENTABLE if a control point overflows.
- * \since 0.1 */
+ *   _KNOT_NOT_FINITE, _POINT_NOT_FINITE, _WEIGHT_NOT_FINITE, _WEIGHTS_VANISH; _KNOTS_DECREASING for breaks
+ *   that do not increase, _NOT_REPRESENTABLE if a control point overflows.
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_create_power(int32_t axes, const int32_t *degrees, const int64_t *piece_counts,
                                           const double *breaks, int64_t break_count, int32_t dim,
                                           const double *coefficients, int64_t coefficient_stride,
                                           int64_t coefficient_component_stride, uint32_t flags, nurbs **out);
 
-/** \brief The matrix that takes the coefficients of a polynomial over [0, 1] in one basis to those in another:
- * coefficient i of `to` is sum_j M_ij * coefficient j of `from`. Every entry is a quotient of two integers,
- * rounded once.
+/** \brief The matrix that takes the coefficients of a polynomial over [0, 1] in one basis to those in
+ * another: coefficient i of `to` is sum_j M_ij * coefficient j of `from`. Every entry is a quotient of two
+ * integers, rounded once.
  * \param[in] from,to NURBS_BASIS_POWER, NURBS_BASIS_BERNSTEIN, NURBS_BASIS_HERMITE or NURBS_BASIS_BSPLINE.
  * \param[in] degree 0 to 21, odd if a basis is Hermite.
  * \param[in] size (degree + 1)^2.
  * \param[out] matrix [size] M, row by row.
  * \return NURBS_OK, NURBS_ERROR_NULL, _BASIS, _DEGREE, _SIZE.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_basis_matrix(int32_t from, int32_t to, int32_t degree, int64_t size,
                                           double *matrix);
 /** @} */
@@ -1728,10 +1752,11 @@ NURBS_API nurbs_status nurbs_basis_matrix(int32_t from, int32_t to, int32_t degr
 /** \defgroup continuity Continuity
  * The parametric order k of a place says that the derivatives of orders 0 to k are the same on both sides: -1
  * is a jump, 0 a kink; it is at most the degree. It holds within tolerances: points may differ by
- * position_tolerance, the derivatives of order 1 and more by derivative_tolerance times the length of the longer
- * one, and all of them by the rounding that their computation may have, so that tolerances of 0 ask for what
- * double precision can tell. The geometric order is 0 where the points agree so, 1 where in addition the angle
- * between the tangents is at most angle_tolerance, and 2 where their curvature vectors (C'' - (C'' T) T) /
+ * position_tolerance, the derivatives of order 1 and more by derivative_tolerance times the length of the
+ * longer one, and all of them by the rounding that their computation may have, so that tolerances of 0 ask
+ * for what double precision can tell. The geometric order is 0 where the points agree so, 1 where in addition
+ * the angle between the tangents is at most angle_tolerance, and 2 where their curvature vectors (C'' - (C''
+ * T) T) /
  * |C'|^2 differ by at most derivative_tolerance times the longer one, or times 1 / l, l the length |C'| h of
  * the longer one of the two spans [t, t + h]: along l a gap d turns the tangent by d l, so that no rounding
  * breaks a straight line. Where the first derivative vanishes the tangent is the limit, given by the first
@@ -1741,9 +1766,10 @@ NURBS_API nurbs_status nurbs_basis_matrix(int32_t from, int32_t to, int32_t degr
 
 /** \brief Continuity at the knots of an axis: one row for each distinct knot inside the domain, and one more,
  * named by the upper end of the domain, for the seam of an axis that is periodic or whose ends meet within
- * position_tolerance. Of a surface or a volume the row is the worst of samples: degree + 1 places in each span
- * of every other axis; a surface in space has the angles between its normals, and geometric orders to 1, other
- * surfaces and volumes have neither angles (NaN) nor geometric orders above 0, and only curves have curvatures.
+ * position_tolerance. Of a surface or a volume the row is the worst of samples: degree + 1 places in each
+ * span of every other axis; a surface in space has the angles between its normals, and geometric orders to 1,
+ * other surfaces and volumes have neither angles (NaN) nor geometric orders above 0, and only curves have
+ * curvatures.
  * \param[in] g a spline.
  * \param[in] axis 0-based axis.
  * \param[in] position_tolerance,derivative_tolerance,angle_tolerance >= 0, angles in radians; infinite ones
@@ -1756,12 +1782,13 @@ NURBS_API nurbs_status nurbs_basis_matrix(int32_t from, int32_t to, int32_t degr
  * \param[out] geometric_orders [cap] the geometric order that holds, or NULL.
  * \param[out] position_gaps [cap] distance of the points, or NULL.
  * \param[out] angles [cap] angle in radians, NaN where there is none, or NULL.
- * \param[out] curvature_gaps [cap] length of the difference of the curvature vectors, NaN where there is none,
+ * \param[out] curvature_gaps [cap] length of the difference of the curvature vectors, NaN where there is
+ * none,
  *   or NULL.
  * \param[out] count number of rows, or NULL.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _TOLERANCE, _COUNT, _OVERLAP; _SIZE if cap is neither 0 nor
  *   enough; _NOT_REPRESENTABLE if a value overflows.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_continuity(const nurbs *g, int32_t axis, double position_tolerance,
                                         double derivative_tolerance, double angle_tolerance, int64_t cap,
                                         double *knots, int32_t *knot_orders, int32_t *orders,
@@ -1783,7 +1810,7 @@ NURBS_API nurbs_status nurbs_continuity(const nurbs *g, int32_t axis, double pos
  * \param[out] curvature_gap length of the difference of the curvature vectors, NaN where there is none, or
  *   NULL.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _END, _TOLERANCE; _INCOMPATIBLE if the dimensions differ.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_continuity_between(const nurbs *a, int32_t end_a, const nurbs *b, int32_t end_b,
                                                 double position_tolerance, double derivative_tolerance,
                                                 double angle_tolerance, int32_t *order, int32_t *geometric,
@@ -1801,15 +1828,15 @@ NURBS_API nurbs_status nurbs_continuity_between(const nurbs *a, int32_t end_a, c
 
 /** \brief Encloses the largest distance sup |f(t) - g(t)| of two splines over their domain, both limits at
  * jumps included. Degrees, knots and weights may differ, and either may be periodic or rational; axes,
- * dimension and domains have to agree. at_least <= sup <= at_most, both proven; at_most <= 5/4 at_least beside
- * rounding, unless that takes more than 600 subdivisions. Weights may be 0; where the weights do not let a
- * denominator be shown to have no zero, at_most is infinite.
+ * dimension and domains have to agree. at_least <= sup <= at_most, both proven; at_most <= 5/4 at_least
+ * beside rounding, unless that takes more than 600 subdivisions. Weights may be 0; where the weights do not
+ * let a denominator be shown to have no zero, at_most is infinite.
  * \param[in] f,g two splines.
  * \param[out] at_least a distance that is reached, or NULL.
  * \param[out] at_most one that is not exceeded, or NULL.
  * \return NURBS_OK, NURBS_ERROR_NULL, _OVERFLOW; _INCOMPATIBLE if axes, dimensions or domains differ,
  *   _NOT_REPRESENTABLE if a coefficient overflows.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_deviation(const nurbs *f, const nurbs *g, double *at_least, double *at_most);
 
 /** \brief Removes copies of a knot as long as the shape moves by at most a tolerance (Tiller 1992). Only the
@@ -1817,8 +1844,8 @@ NURBS_API nurbs_status nurbs_deviation(const nurbs *f, const nurbs *g, double *a
  * they are solved from the side on which every division is by 1/2 at least, homogeneous points when rational.
  * Of a knot of multiplicity degree + 1, at which the spline may jump, both sides become their mean. On a
  * periodic axis the copies a period away go too; the last copy of a knot at the seam stays, and so does a
- * knot of an axis with no more than degree - multiplicity + 1 distinct layers. A copy whose removal would give
- * a weight that is negative beyond rounding, or all weights 0, stays. Unless weights differ much, what
+ * knot of an axis with no more than degree - multiplicity + 1 distinct layers. A copy whose removal would
+ * give a weight that is negative beyond rounding, or all weights 0, stays. Unless weights differ much, what
  * nurbs_insert_knot() put in goes again, and points return, within (20 * 2^p + 80 * sum over axes of p_k + 1)
  * eps * hull (tested).
  * \param[in] g a spline.
@@ -1833,7 +1860,7 @@ NURBS_API nurbs_status nurbs_deviation(const nurbs *f, const nurbs *g, double *a
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN, _TIMES, _TOLERANCE,
  *   _OVERFLOW; _NOT_A_KNOT if there is no such knot, _END_KNOT if it is an end of the domain;
  *   _PERIODIC_KNOTS as for nurbs_elevate(); _NOT_REPRESENTABLE if a point overflows.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_remove_knot(const nurbs *g, int32_t axis, double knot, int32_t times,
                                          double tolerance, int32_t *removed, double *bound, nurbs **out);
 
@@ -1851,17 +1878,17 @@ NURBS_API nurbs_status nurbs_remove_knot(const nurbs *g, int32_t axis, double kn
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _TOLERANCE, _OVERFLOW; _PERIODIC_KNOTS as for nurbs_elevate();
  *   _NOT_REPRESENTABLE if a point overflows.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_reduce_knots(const nurbs *g, int32_t axis, double tolerance, double *bound,
                                           nurbs **out);
 
-/** \brief Lowers the degree along an axis. The result has the same distinct knots, each `times` less often but
- * at least once, and its control points raised back to the degree of g are the closest to those of g: least
- * squares of coefficients (Lutterkort, Peters & Reif 1999), homogeneous points when rational, by a banded QR
- * factorisation. The ends of the shape are kept bit for bit, unless the degree becomes 0. Unclamped ends are
- * clamped first, a periodic axis stays periodic. Weights that are 0 to rounding become 0, their control
- * points the origin; one that has to lie at infinity makes the result homogeneous. What nurbs_elevate() made
- * comes back to within 2^p * 8 eps * hull, p the degree of the result (tested).
+/** \brief Lowers the degree along an axis. The result has the same distinct knots, each `times` less often
+ * but at least once, and its control points raised back to the degree of g are the closest to those of g:
+ * least squares of coefficients (Lutterkort, Peters & Reif 1999), homogeneous points when rational, by a
+ * banded QR factorisation. The ends of the shape are kept bit for bit, unless the degree becomes 0. Unclamped
+ * ends are clamped first, a periodic axis stays periodic. Weights that are 0 to rounding become 0, their
+ * control points the origin; one that has to lie at infinity makes the result homogeneous. What
+ * nurbs_elevate() made comes back to within 2^p * 8 eps * hull, p the degree of the result (tested).
  * \param[in] g a spline.
  * \param[in] axis 0-based axis.
  * \param[in] times by how much; 0 gives the same spline.
@@ -1870,7 +1897,7 @@ NURBS_API nurbs_status nurbs_reduce_knots(const nurbs *g, int32_t axis, double t
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _TIMES, _OVERFLOW; _DEGREE if times exceeds the degree,
  *   _WEIGHT_SIGN if g has weights >= 0 and the result would not; _PERIODIC_KNOTS as for
  *   nurbs_elevate(); _NOT_REPRESENTABLE if a point overflows.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_reduce_degree(const nurbs *g, int32_t axis, int32_t times, double *bound,
                                            nurbs **out);
 
@@ -1879,11 +1906,12 @@ NURBS_API nurbs_status nurbs_reduce_degree(const nurbs *g, int32_t axis, int32_t
  * below 1, where steps would begin), and knots are removed by nurbs_reduce_knots(). The ends stay.
  * \param[in] g a spline.
  * \param[in] tolerance largest distance from g, >= 0, may be infinite.
- * \param[out] bound proven bound of the distance from g, at most the tolerance, or NULL; 0 if nothing changed.
+ * \param[out] bound proven bound of the distance from g, at most the tolerance, or NULL; 0 if nothing
+ * changed.
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _TOLERANCE, _OVERFLOW; _PERIODIC_KNOTS as for nurbs_elevate();
  *   _NOT_REPRESENTABLE if a point overflows.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_simplify(const nurbs *g, double tolerance, double *bound, nurbs **out);
 /** @} */
 
@@ -1905,7 +1933,7 @@ NURBS_API nurbs_status nurbs_simplify(const nurbs *g, double tolerance, double *
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _DIMENSION, _OVERFLOW; _MATRIX if an entry is not finite,
  *   _NOT_REPRESENTABLE if a coordinate, or its product with the weight, overflows.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_transform(const nurbs *g, int32_t out_dim, const double *matrix,
                                        const double *translation, nurbs **out);
 
@@ -1926,21 +1954,21 @@ NURBS_API nurbs_status nurbs_transform(const nurbs *g, int32_t out_dim, const do
  * \return NURBS_OK, NURBS_ERROR_NULL, _DIMENSION, _OVERFLOW; _MATRIX if an entry is not finite,
  *   _WEIGHTS_VANISH if all new weights in the support of a span are 0, _NOT_REPRESENTABLE if a value
  *   overflows.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_transform_projective(const nurbs *g, int32_t out_dim, const double *matrix,
                                                   nurbs **out);
 
 /** \brief The mirror image in the plane (in 2D the line, in general the hyperplane) through a point:
  * x -> x - 2 n (n . (x - point)) / (n . n). An affine map, applied as by nurbs_transform(): its entries are
- * exact to a few eps, so that coordinates are within 8 (dim + 2) eps of the size of x and point, and exact where
- * the normal is along an axis and its component of x and twice that of point add up exactly.
+ * exact to a few eps, so that coordinates are within 8 (dim + 2) eps of the size of x and point, and exact
+ * where the normal is along an axis and its component of x and twice that of point add up exactly.
  * \param[in] g a spline.
  * \param[in] point [dim] a point of the plane.
  * \param[in] normal [dim] of any length but 0.
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _POINT_NOT_FINITE; _DIRECTION if the normal is 0 or not finite,
  *   _NOT_REPRESENTABLE if a coordinate overflows.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_mirror(const nurbs *g, const double *point, const double *normal, nurbs **out);
 
 /** \brief Projects a spline to the plane (line, hyperplane) through a point, along a direction:
@@ -1951,9 +1979,10 @@ NURBS_API nurbs_status nurbs_mirror(const nurbs *g, const double *point, const d
  * \param[in] normal [dim] of any length but 0.
  * \param[in] direction [dim] d, of any length but 0, or NULL: along the normal.
  * \param[out] out the new handle.
- * \return NURBS_OK, NURBS_ERROR_NULL, _POINT_NOT_FINITE; _DIRECTION if the normal or the direction is 0 or not
+ * \return NURBS_OK, NURBS_ERROR_NULL, _POINT_NOT_FINITE; _DIRECTION if the normal or the direction is 0 or
+ * not
  *   finite, or the direction parallel to the plane to rounding; _NOT_REPRESENTABLE if a coordinate overflows.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_project_to_plane(const nurbs *g, const double *point, const double *normal,
                                               const double *direction, nurbs **out);
 
@@ -1967,9 +1996,10 @@ NURBS_API nurbs_status nurbs_project_to_plane(const nurbs *g, const double *poin
  * \param[in] point [dim] a point of the plane.
  * \param[in] normal [dim] of any length but 0.
  * \param[out] out the new handle.
- * \return NURBS_OK, NURBS_ERROR_NULL, _POINT_NOT_FINITE; _DIRECTION if the normal is 0 or not finite, or the eye
+ * \return NURBS_OK, NURBS_ERROR_NULL, _POINT_NOT_FINITE; _DIRECTION if the normal is 0 or not finite, or the
+ * eye
  *   lies in the plane to rounding; _WEIGHTS_VANISH, _NOT_REPRESENTABLE as for nurbs_transform_projective().
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_project_from(const nurbs *g, const double *eye, const double *point,
                                           const double *normal, nurbs **out);
 /** @} */
@@ -2019,7 +2049,7 @@ NURBS_API nurbs_status nurbs_project_from(const nurbs *g, const double *eye, con
  * \param[in] a,b [dim] its ends.
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _DIMENSION, _POINT_NOT_FINITE.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_curve_line(int32_t dim, const double *a, const double *b, nurbs **out);
 
 /** \brief The polyline through n points, of degree 1, with one knot for each point.
@@ -2033,7 +2063,7 @@ NURBS_API nurbs_status nurbs_curve_line(int32_t dim, const double *a, const doub
  * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _TOO_FEW_POINTS, _DIMENSION, _STRIDE, _POINT_NOT_FINITE,
  *   _PARAMETER_NOT_FINITE; _KNOTS_DECREASING if a parameter is not above the one before it,
  *   _KNOT_NOT_FINITE if their range overflows, _OVERFLOW.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_curve_polyline(int64_t n, int32_t dim, const double *points,
                                             int64_t point_stride, int64_t point_component_stride,
                                             const double *params, int64_t param_stride, nurbs **out);
@@ -2047,7 +2077,7 @@ NURBS_API nurbs_status nurbs_curve_polyline(int64_t n, int32_t dim, const double
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _DIMENSION, _DIRECTION, _POINT_NOT_FINITE, _COUNT, _OVERFLOW; _LENGTH
  *   if the radius is not finite or not positive, _NOT_REPRESENTABLE if a coordinate overflows.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_curve_polygon(int32_t dim, const double *center, const double *axis,
                                            const double *x, double radius, int64_t sides, nurbs **out);
 
@@ -2062,7 +2092,7 @@ NURBS_API nurbs_status nurbs_curve_polygon(int32_t dim, const double *center, co
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _DIMENSION, _DIRECTION, _POINT_NOT_FINITE; _LENGTH if width, height
  *   or corner_radius is not finite or out of range, _NOT_REPRESENTABLE if a coordinate overflows.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_curve_rounded_rectangle(int32_t dim, const double *center, const double *axis,
                                                      const double *x, double width, double height,
                                                      double corner_radius, nurbs **out);
@@ -2077,7 +2107,7 @@ NURBS_API nurbs_status nurbs_curve_rounded_rectangle(int32_t dim, const double *
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _DIMENSION, _DIRECTION, _POINT_NOT_FINITE, _FORM; _LENGTH if the
  *   radius is not finite or not positive, _NOT_REPRESENTABLE if a coordinate overflows.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_curve_circle(int32_t dim, const double *center, const double *axis,
                                           const double *x, double radius, int32_t form, nurbs **out);
 
@@ -2092,7 +2122,7 @@ NURBS_API nurbs_status nurbs_curve_circle(int32_t dim, const double *center, con
  * \return NURBS_OK, NURBS_ERROR_NULL, _DIMENSION, _DIRECTION, _POINT_NOT_FINITE, _FORM; _LENGTH if the
  *   radius is not finite or not positive, _ANGLE if start is not finite, or sweep is not, is 0 or more than
  *   a full turn; _NOT_REPRESENTABLE if a coordinate overflows.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_curve_arc(int32_t dim, const double *center, const double *axis, const double *x,
                                        double radius, double start, double sweep, int32_t form, nurbs **out);
 
@@ -2103,7 +2133,7 @@ NURBS_API nurbs_status nurbs_curve_arc(int32_t dim, const double *center, const 
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _DIMENSION, _POINT_NOT_FINITE, _FORM; _COLLINEAR if the points are on
  *   a line to within rounding, or two are equal; _NOT_REPRESENTABLE if a coordinate overflows.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_curve_arc_through(int32_t dim, const double *a, const double *b, const double *c,
                                                int32_t form, nurbs **out);
 
@@ -2118,7 +2148,7 @@ NURBS_API nurbs_status nurbs_curve_arc_through(int32_t dim, const double *a, con
  * \return NURBS_OK, NURBS_ERROR_NULL, _DIMENSION, _POINT_NOT_FINITE, _FORM; _DIRECTION if the tangent is
  *   zero or not finite, _COLLINEAR if a and b are equal or b lies on the tangent to within rounding,
  *   _NOT_REPRESENTABLE if a coordinate overflows.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_curve_arc_tangent(int32_t dim, const double *a, const double *tangent,
                                                const double *b, int32_t form, nurbs **out);
 
@@ -2131,7 +2161,7 @@ NURBS_API nurbs_status nurbs_curve_arc_tangent(int32_t dim, const double *a, con
  * \param[in] form one of the NURBS_ARC_ constants.
  * \param[out] out the new handle.
  * \return as nurbs_curve_arc().
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_curve_ellipse(int32_t dim, const double *center, const double *axis,
                                            const double *x, double radius_x, double radius_y, double start,
                                            double sweep, int32_t form, nurbs **out);
@@ -2146,7 +2176,7 @@ NURBS_API nurbs_status nurbs_curve_ellipse(int32_t dim, const double *center, co
  * \return NURBS_OK, NURBS_ERROR_NULL, _DIMENSION, _DIRECTION, _POINT_NOT_FINITE, _PARAMETER_NOT_FINITE,
  *   _EMPTY_DOMAIN; _LENGTH if the focal length is not finite or not positive, _NOT_REPRESENTABLE if a
  *   coordinate, _KNOT_NOT_FINITE if end - start overflows.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_curve_parabola(int32_t dim, const double *vertex, const double *axis,
                                             const double *x, double focal_length, double start, double end,
                                             nurbs **out);
@@ -2160,7 +2190,7 @@ NURBS_API nurbs_status nurbs_curve_parabola(int32_t dim, const double *vertex, c
  * \param[in] start,end values of u, start < end.
  * \param[out] out the new handle.
  * \return as nurbs_curve_parabola().
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_curve_hyperbola(int32_t dim, const double *center, const double *axis,
                                              const double *x, double radius_x, double radius_y, double start,
                                              double end, nurbs **out);
@@ -2176,7 +2206,7 @@ NURBS_API nurbs_status nurbs_curve_hyperbola(int32_t dim, const double *center, 
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _DIMENSION, _POINT_NOT_FINITE; _FACTOR if C_sf is negative or NaN,
  *   _NOT_REPRESENTABLE if a weight times a coordinate overflows.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_curve_conic_triangle(int32_t dim, const double *p0, const double *p1,
                                                   const double *p2, double shape_factor, nurbs **out);
 
@@ -2193,7 +2223,7 @@ NURBS_API nurbs_status nurbs_curve_conic_triangle(int32_t dim, const double *p0,
  * \return NURBS_OK, NURBS_ERROR_NULL, _DIMENSION, _POINT_NOT_FINITE; _DIRECTION if a tangent is zero or not
  *   finite, _FACTOR if rho is out of range; _CONIC if the tangents are parallel, do not meet in one point
  *   to within rounding, or meet behind a or beyond b; _NOT_REPRESENTABLE if a coordinate overflows.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_curve_conic_shoulder(int32_t dim, const double *a, const double *tangent_a,
                                                   const double *b, const double *tangent_b, double rho,
                                                   nurbs **out);
@@ -2214,7 +2244,7 @@ NURBS_API nurbs_status nurbs_curve_conic_shoulder(int32_t dim, const double *a, 
  *   or not finite, _COLLINEAR if a, b and the point are on a line to within rounding; _CONIC if the
  *   tangents and the point are not in one plane to within rounding, or no arc in one piece passes through
  *   the point; _NOT_REPRESENTABLE if a coordinate overflows.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_curve_conic_point(int32_t dim, const double *a, const double *tangent_a,
                                                const double *b, const double *tangent_b, const double *point,
                                                int32_t form, nurbs **out);
@@ -2229,7 +2259,7 @@ NURBS_API nurbs_status nurbs_curve_conic_point(int32_t dim, const double *a, con
  * \return NURBS_OK, NURBS_ERROR_NULL, _DIMENSION, _STRIDE, _POINT_NOT_FINITE, _FORM; _COLLINEAR if three
  *   points are on a line to within rounding; _CONIC if they are not in one plane to within rounding, or not
  *   on one arc in this order; _NOT_REPRESENTABLE if a coordinate overflows.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_curve_conic_through(int32_t dim, const double *points, int64_t point_stride,
                                                  int64_t point_component_stride, int32_t form, nurbs **out);
 
@@ -2248,7 +2278,7 @@ NURBS_API nurbs_status nurbs_curve_conic_through(int32_t dim, const double *poin
  * \return NURBS_OK, NURBS_ERROR_NULL, _OVERLAP; _FACTOR if a coefficient is not finite; _CONIC if the
  *   equation describes no curve of these kinds: no points, one point, or lines; _NOT_REPRESENTABLE if a
  *   value overflows.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_conic_axes(const double *coefficients, int32_t *type, double *origin, double *x,
                                         double *sizes);
 
@@ -2260,7 +2290,7 @@ NURBS_API nurbs_status nurbs_conic_axes(const double *coefficients, int32_t *typ
  * \param[in] form one of the NURBS_ARC_ constants; used for ellipses.
  * \param[out] out the new handle, of dimension 2.
  * \return what nurbs_conic_axes() and the function for the kind return.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_curve_conic_implicit(const double *coefficients, double start, double end,
                                                   int32_t form, nurbs **out);
 
@@ -2281,7 +2311,7 @@ NURBS_API nurbs_status nurbs_curve_conic_implicit(const double *coefficients, do
  * \return NURBS_OK, NURBS_ERROR_NULL, _DIMENSION, _POINT_NOT_FINITE, _DIRECTION (foot = focus, or an axis
  *   that is parallel to foot - focus to within rounding), _FORM, _ANGLE, _NOT_REPRESENTABLE; _FACTOR if e
  *   is not finite or not positive; _CONIC if the angles reach infinity.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_curve_conic_focus(int32_t dim, const double *focus, const double *axis,
                                                const double *foot, double eccentricity, double start,
                                                double sweep, int32_t form, nurbs **out);
@@ -2296,7 +2326,7 @@ NURBS_API nurbs_status nurbs_curve_conic_focus(int32_t dim, const double *focus,
  *   points are on a line to within 4 eps of the largest coordinate, which comes before all others.
  * \return NURBS_OK, NURBS_ERROR_NULL, _OVERLAP; _AXES if g is no curve, _DEGREE if its degree is not 2,
  *   _COUNT if it has several pieces, _WEIGHT_SIGN if an end weight is not positive.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_curve_shape_factor(const nurbs *g, double *factor, int32_t *type);
 
 /** \brief A circular helix or Archimedean spiral to a tolerance. With turns n the curve is, for a from start
@@ -2324,7 +2354,7 @@ NURBS_API nurbs_status nurbs_curve_shape_factor(const nurbs *g, double *factor, 
  * \return NURBS_OK, NURBS_ERROR_NULL, _DIMENSION, _DIRECTION, _POINT_NOT_FINITE, _ANGLE, _TOLERANCE,
  *   _LENGTH if a length is not finite or a radius is out of range, _FACTOR if the turns are,
  *   _NOT_REPRESENTABLE if a coordinate overflows; _OVERFLOW also if the tolerance asks for 2^40 pieces.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_curve_helix(int32_t dim, const double *origin, const double *axis,
                                          const double *x, double radius, double growth, double pitch,
                                          double start, double turns, double tolerance, double *error,
@@ -2360,7 +2390,7 @@ NURBS_API nurbs_status nurbs_curve_helix(int32_t dim, const double *origin, cons
  * \param[out] out the new handle, with one axis more.
  * \return NURBS_OK, NURBS_ERROR_NULL, _OVERFLOW; _AXES if g is a volume, _DIRECTION if the vector is zero
  *   or not finite, _NOT_REPRESENTABLE if a coordinate overflows.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_extrude(const nurbs *g, const double *vector, nurbs **out);
 
 /** \brief Turns a curve or surface in space about an axis, the angle as a new axis 0 over [0, 1]. At the
@@ -2376,7 +2406,7 @@ NURBS_API nurbs_status nurbs_extrude(const nurbs *g, const double *vector, nurbs
  * \return NURBS_OK, NURBS_ERROR_NULL, _POINT_NOT_FINITE, _FORM, _ANGLE, _OVERFLOW; _AXES if g is a volume,
  *   _DIMENSION if its dimension is not 3, _DIRECTION if the axis is zero or not finite, _NOT_REPRESENTABLE
  *   if a coordinate overflows.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_revolve(const nurbs *g, const double *point, const double *axis, double sweep,
                                      int32_t form, nurbs **out);
 
@@ -2393,7 +2423,7 @@ NURBS_API nurbs_status nurbs_revolve(const nurbs *g, const double *point, const 
  *   numbers of axes differ, _DIMENSION if the dimensions do, _DEGREE if degrees add up to more than
  *   NURBS_MAX_DEGREE, _KNOTS_MERGE as for nurbs_reparametrize(), _PERIODIC_KNOTS, _NOT_REPRESENTABLE,
  *   _WEIGHTS_VANISH.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_ruled(const nurbs *a, const nurbs *b, uint32_t flags, nurbs **out);
 
 /** \brief The translational sweep alpha a(u) + beta b(v), the axes of b behind those of a. The weights are
@@ -2404,7 +2434,7 @@ NURBS_API nurbs_status nurbs_ruled(const nurbs *a, const nurbs *b, uint32_t flag
  * \return NURBS_OK, NURBS_ERROR_NULL, _OVERFLOW; _AXES if there are too many axes, _DIMENSION if the
  *   dimensions differ, _FACTOR if alpha or beta is not finite, _NOT_REPRESENTABLE if a value overflows,
  *   _WEIGHTS_VANISH if weights underflow.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_tensor_sum(const nurbs *a, double alpha, const nurbs *b, double beta,
                                         nurbs **out);
 
@@ -2414,7 +2444,7 @@ NURBS_API nurbs_status nurbs_tensor_sum(const nurbs *a, double alpha, const nurb
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _OVERFLOW; _AXES if there are too many axes, _DIMENSION if the
  *   dimensions do not suit, _NOT_REPRESENTABLE if a value overflows, _WEIGHTS_VANISH if weights underflow.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_tensor_product(const nurbs *a, const nurbs *b, nurbs **out);
 
 /** \brief A swung surface: (u, v) -> (scale r(v) x(u), scale r(v) y(u), z(v)) for the trajectory (x, y) and
@@ -2427,7 +2457,7 @@ NURBS_API nurbs_status nurbs_tensor_product(const nurbs *a, const nurbs *b, nurb
  * \return NURBS_OK, NURBS_ERROR_NULL, _OVERFLOW; _AXES if one is no curve, _DIMENSION if its dimension is
  *   not 2, _FACTOR if the scale is not finite or is 0, _NOT_REPRESENTABLE if a value overflows,
  *   _WEIGHTS_VANISH if weights underflow.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_surface_swung(const nurbs *trajectory, const nurbs *profile, double scale,
                                            nurbs **out);
 
@@ -2438,7 +2468,7 @@ NURBS_API nurbs_status nurbs_surface_swung(const nurbs *trajectory, const nurbs 
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _DIMENSION, _POINT_NOT_FINITE; _DIRECTION if a side is zero, not
  *   finite, or parallel to the other one to within rounding; _NOT_REPRESENTABLE if a coordinate overflows.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_surface_plane(int32_t dim, const double *origin, const double *u,
                                            const double *v, nurbs **out);
 
@@ -2448,7 +2478,7 @@ NURBS_API nurbs_status nurbs_surface_plane(int32_t dim, const double *origin, co
  * \param[in] corner_stride,corner_component_stride layout of corners, 0 = packed.
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _DIMENSION, _STRIDE, _POINT_NOT_FINITE.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_surface_bilinear(int32_t dim, const double *corners, int64_t corner_stride,
                                               int64_t corner_component_stride, nurbs **out);
 
@@ -2458,7 +2488,7 @@ NURBS_API nurbs_status nurbs_surface_bilinear(int32_t dim, const double *corners
  * \param[in] corner_stride,corner_component_stride layout of corners, 0 = packed.
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _DIMENSION, _STRIDE, _POINT_NOT_FINITE.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_volume_trilinear(int32_t dim, const double *corners, int64_t corner_stride,
                                               int64_t corner_component_stride, nurbs **out);
 
@@ -2470,7 +2500,7 @@ NURBS_API nurbs_status nurbs_volume_trilinear(int32_t dim, const double *corners
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _DIRECTION, _POINT_NOT_FINITE, _FORM; _LENGTH if the radius is not
  *   finite or not positive, _NOT_REPRESENTABLE if a coordinate overflows.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_surface_sphere(const double *center, const double *axis, const double *x,
                                             double radius, int32_t form, nurbs **out);
 
@@ -2482,7 +2512,7 @@ NURBS_API nurbs_status nurbs_surface_sphere(const double *center, const double *
  * \param[in] form one of the NURBS_ARC_ constants, for both axes.
  * \param[out] out the new handle.
  * \return as nurbs_surface_sphere(), and NURBS_ERROR_ANGLE.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_surface_spherical_patch(const double *center, const double *axis,
                                                      const double *x, double radius, double start,
                                                      double sweep, double south, double north, int32_t form,
@@ -2497,7 +2527,7 @@ NURBS_API nurbs_status nurbs_surface_spherical_patch(const double *center, const
  * \param[in] flags NURBS_HEMISPHERE, or 0.
  * \param[out] out the new list.
  * \return as nurbs_surface_sphere(), _FLAGS in place of _FORM.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_surface_sphere_patches(const double *center, const double *axis, const double *x,
                                                     double radius, uint32_t flags, nurbs_list **out);
 
@@ -2507,7 +2537,7 @@ NURBS_API nurbs_status nurbs_surface_sphere_patches(const double *center, const 
  * \param[in] form one of the NURBS_ARC_ constants.
  * \param[out] out the new handle.
  * \return as nurbs_surface_sphere().
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_surface_ellipsoid(const double *center, const double *axis, const double *x,
                                                double radius_x, double radius_y, double radius_z,
                                                int32_t form, nurbs **out);
@@ -2521,7 +2551,7 @@ NURBS_API nurbs_status nurbs_surface_ellipsoid(const double *center, const doubl
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _DIRECTION, _POINT_NOT_FINITE, _FORM, _ANGLE; _LENGTH if a length is
  *   not finite or out of range, _NOT_REPRESENTABLE if a coordinate overflows.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_surface_cylinder(const double *origin, const double *axis, const double *x,
                                               double radius, double height, double start, double sweep,
                                               int32_t form, nurbs **out);
@@ -2535,7 +2565,7 @@ NURBS_API nurbs_status nurbs_surface_cylinder(const double *origin, const double
  * \param[in] form one of the NURBS_ARC_ constants.
  * \param[out] out the new handle.
  * \return as nurbs_surface_cylinder().
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_surface_cone(const double *origin, const double *axis, const double *x,
                                           double base_radius, double top_radius, double height, double start,
                                           double sweep, int32_t form, nurbs **out);
@@ -2550,7 +2580,7 @@ NURBS_API nurbs_status nurbs_surface_cone(const double *origin, const double *ax
  * \param[in] form one of the NURBS_ARC_ constants, for both axes.
  * \param[out] out the new handle.
  * \return as nurbs_surface_cylinder().
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_surface_torus(const double *center, const double *axis, const double *x,
                                            double major_radius, double minor_radius, double start,
                                            double sweep, double tube_start, double tube_sweep, int32_t form,
@@ -2565,7 +2595,7 @@ NURBS_API nurbs_status nurbs_surface_torus(const double *center, const double *a
  * \param[in] form one of the NURBS_ARC_ constants.
  * \param[out] out the new handle.
  * \return as nurbs_surface_cylinder().
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_surface_paraboloid(const double *vertex, const double *axis, const double *x,
                                                 double radius_x, double radius_y, double height, double start,
                                                 double sweep, int32_t form, nurbs **out);
@@ -2578,7 +2608,7 @@ NURBS_API nurbs_status nurbs_surface_paraboloid(const double *vertex, const doub
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _DIRECTION, _POINT_NOT_FINITE; _LENGTH if a length is not finite or
  *   not positive, _NOT_REPRESENTABLE if a coordinate overflows.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_surface_saddle(const double *center, const double *axis, const double *x,
                                             double radius_x, double radius_y, double height, nurbs **out);
 
@@ -2594,7 +2624,7 @@ NURBS_API nurbs_status nurbs_surface_saddle(const double *center, const double *
  * \param[in] flags NURBS_TWO_SHEETS, or 0.
  * \param[out] out the new handle.
  * \return as nurbs_surface_cylinder(), and NURBS_ERROR_FLAGS.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_surface_hyperboloid(const double *center, const double *axis, const double *x,
                                                  double radius_x, double radius_y, double radius_z,
                                                  double bottom, double top, double start, double sweep,
@@ -2655,7 +2685,7 @@ NURBS_API nurbs_status nurbs_surface_hyperboloid(const double *center, const dou
  * \param[in] g a surface or volume.
  * \param[out] out the new list, of 4 or 6.
  * \return NURBS_OK, NURBS_ERROR_NULL, _NOT_REPRESENTABLE; _AXES if g is a curve.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_boundaries(const nurbs *g, nurbs_list **out);
 
 /** \brief The bilinearly blended Coons surface of four curves (Coons 1967): with u and v mapped to [0, 1],
@@ -2670,7 +2700,7 @@ NURBS_API nurbs_status nurbs_boundaries(const nurbs *g, nurbs_list **out);
  *   dimensions differ, _GAP if a corner has a larger gap (the message names corner and gap; all gaps:
  *   nurbs_coons_gaps()), _DEGREE if a degree would exceed NURBS_MAX_DEGREE, _KNOTS_MERGE as for
  *   nurbs_reparametrize(), _NOT_REPRESENTABLE, _WEIGHTS_VANISH also if a corner lies at infinity.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_surface_coons(const nurbs *const *boundaries, double tolerance, nurbs **out);
 
 /** \brief The bicubically blended Coons surface of four curves and the derivatives across them:
@@ -2710,7 +2740,7 @@ NURBS_API nurbs_status nurbs_surface_coons(const nurbs *const *boundaries, doubl
  *   or does not suit, or twists are given to another one, _POINT_NOT_FINITE if a twist is not finite,
  *   _TANGENT if a cross tangent differs from the tangent of the boundary at a corner by more than the
  *   tolerance, _TWIST if twists do; the message names the corner and the difference.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_surface_coons_hermite(const nurbs *const *boundaries, const nurbs *const *cross,
                                                    int32_t twist, const double *twists, double tolerance,
                                                    double *bound, nurbs **out);
@@ -2727,7 +2757,7 @@ NURBS_API nurbs_status nurbs_surface_coons_hermite(const nurbs *const *boundarie
  * \return NURBS_OK, NURBS_ERROR_NULL, _OVERLAP, _KNOTS_MERGE; _AXES if one is no curve, _DIMENSION if
  *   dimensions differ, _WEIGHTS_VANISH if a corner lies at infinity, _NOT_REPRESENTABLE if a difference
  *   overflows.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_coons_gaps(const nurbs *const *boundaries, const nurbs *const *cross,
                                         double *positions, double *tangents, double *twists);
 
@@ -2738,7 +2768,7 @@ NURBS_API nurbs_status nurbs_coons_gaps(const nurbs *const *boundaries, const nu
  * \param[in] tolerance largest gap along an edge, >= 0.
  * \param[out] out the new handle.
  * \return as nurbs_surface_coons(), _AXES if a face is no surface; _GAP also names the edge.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_volume_coons(const nurbs *const *faces, double tolerance, nurbs **out);
 /** @} */
 
@@ -2811,7 +2841,7 @@ NURBS_API nurbs_status nurbs_volume_coons(const nurbs *const *faces, double tole
  *   most the tolerance; 0 for NURBS_SHAPE_NONE; or NULL.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DIMENSION, _TOLERANCE, _OVERLAP; _NOT_REPRESENTABLE if a
  *   value overflows on the way.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_recognize(const nurbs *g, double tolerance, int32_t *shape, double *placement,
                                        double *sizes, double *deviation);
 /** @} */
@@ -2836,9 +2866,9 @@ NURBS_API nurbs_status nurbs_recognize(const nurbs *g, double tolerance, int32_t
  * weights all the same.
  *
  * At a jump both limits belong to g, and a foot may be the one that nurbs_eval() gives with NURBS_LEFT, which
- * NURBS_CLOSEST_LEFT tells. A seam, a pole or a collapsed edge has several parameters for one point; any of them is returned. Ends and
- * edges of the domain are part of it. Status bits speak of points: two parameters of one point do not make
- * it NURBS_CLOSEST_NOT_UNIQUE.
+ * NURBS_CLOSEST_LEFT tells. A seam, a pole or a collapsed edge has several parameters for one point; any of
+ * them is returned. Ends and edges of the domain are part of it. Status bits speak of points: two parameters
+ * of one point do not make it NURBS_CLOSEST_NOT_UNIQUE.
  * @{ */
 
 /** \name Status of a closest point
@@ -2883,7 +2913,7 @@ NURBS_API nurbs_status nurbs_recognize(const nurbs *g, double tolerance, int32_t
  * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERFLOW, _STRIDE, _OVERLAP, _FLAGS, _TOLERANCE,
  *   _POINT_NOT_FINITE; _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN or _EMPTY_DOMAIN if range is no interval of
  *   the domain.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_closest_points(const nurbs *g, int64_t n, const double *points,
                                             int64_t point_stride, int64_t point_component_stride,
                                             const double *range, double tolerance, int64_t budget,
@@ -2909,7 +2939,7 @@ NURBS_API nurbs_status nurbs_closest_points(const nurbs *g, int64_t n, const dou
  * \param[out] status [n] sum of NURBS_CLOSEST_ bits, or NULL.
  * \param[in] flags NURBS_NAN_POINTS, or 0.
  * \return as for nurbs_closest_points().
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_farthest_points(
     const nurbs *g, int64_t n, const double *points, int64_t point_stride, int64_t point_component_stride,
     const double *range, double tolerance, int64_t budget, double *params, int64_t param_stride,
@@ -2934,7 +2964,7 @@ NURBS_API nurbs_status nurbs_farthest_points(
  *   NURBS_CLOSEST_INVALID; or NULL.
  * \param[in] flags NURBS_NAN_POINTS, or 0.
  * \return as for nurbs_closest_points(); _PARAMETER_NOT_FINITE or _OUTSIDE_DOMAIN naming a guess.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_closest_local(const nurbs *g, int64_t n, const double *points,
                                            int64_t point_stride, int64_t point_component_stride,
                                            const double *guesses, int64_t guess_stride,
@@ -2961,7 +2991,7 @@ NURBS_API nurbs_status nurbs_closest_local(const nurbs *g, int64_t n, const doub
  * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERLAP, _TOLERANCE, _POINT_NOT_FINITE; _SIZE if cap is
  *   neither 0 nor enough; _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN or _EMPTY_DOMAIN if range is no interval
  *   of the domain.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_closest_all(const nurbs *g, const double *point, const double *range,
                                          double tolerance, int64_t budget, int64_t cap, double *params,
                                          double *distances, int64_t *count, int32_t *status);
@@ -2984,7 +3014,7 @@ NURBS_API nurbs_status nurbs_closest_all(const nurbs *g, const double *point, co
  * \param[out] status NURBS_CLOSEST_CERTIFIED if there are no others, NURBS_CLOSEST_NOT_UNIQUE if they are
  *   not isolated, NURBS_CLOSEST_BUDGET; or NULL.
  * \return as for nurbs_closest_all().
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_critical_points(const nurbs *g, const double *point, const double *range,
                                              double tolerance, int64_t budget, int64_t cap, double *params,
                                              double *distances, int32_t *kinds, int64_t *count,
@@ -3007,7 +3037,7 @@ NURBS_API nurbs_status nurbs_critical_points(const nurbs *g, const double *point
  * \param[in] flags NURBS_NAN_POINTS, or 0.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DIMENSION, _COUNT, _OVERFLOW, _STRIDE, _OVERLAP, _FLAGS,
  *   _TOLERANCE, _POINT_NOT_FINITE.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_curve_signed_distances(const nurbs *g, int64_t n, const double *points,
                                                     int64_t point_stride, int64_t point_component_stride,
                                                     double tolerance, int64_t budget, double *distances,
@@ -3029,7 +3059,7 @@ NURBS_API nurbs_status nurbs_curve_signed_distances(const nurbs *g, int64_t n, c
  * \param[out] status NURBS_CLOSEST_CERTIFIED, NURBS_CLOSEST_BUDGET; or NULL.
  * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERLAP, _TOLERANCE; _INCOMPATIBLE if the dimensions differ,
  *   _NOT_REPRESENTABLE if a distance overflows.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_distance(const nurbs *a, const nurbs *b, double tolerance, int64_t budget,
                                       double *at_least, double *at_most, double *params_a, double *params_b,
                                       int32_t *status);
@@ -3038,8 +3068,8 @@ NURBS_API nurbs_status nurbs_distance(const nurbs *a, const nurbs *b, double tol
  * point of a that is farthest from b is from it, and the other way round; the larger of the two is the
  * symmetric distance. at_least[i] <= distance <= at_most[i], both proven; they differ by at most the
  * tolerance and rounding unless the budget ends; at_most may be infinite then. Upper bounds come from the
- * farthest control point from one point, and from matching a piece of one spline with a part of a piece of the
- * other by their nearest corners, so that splines that are near each other all over are told quickly.
+ * farthest control point from one point, and from matching a piece of one spline with a part of a piece of
+ * the other by their nearest corners, so that splines that are near each other all over are told quickly.
  * \param[in] a,b two splines of the same dimension.
  * \param[in] tolerance >= 0.
  * \param[in] budget most pieces looked at in each direction, 0 for 200000.
@@ -3049,24 +3079,25 @@ NURBS_API nurbs_status nurbs_distance(const nurbs *a, const nurbs *b, double tol
  * \param[out] params_b [axes of b] those of a point of b that is at_least[1] away from a, or NULL.
  * \param[out] status NURBS_CLOSEST_CERTIFIED, NURBS_CLOSEST_BUDGET; or NULL.
  * \return as for nurbs_distance().
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_hausdorff_distance(const nurbs *a, const nurbs *b, double tolerance,
                                                 int64_t budget, double *at_least, double *at_most,
                                                 double *params_a, double *params_b, int32_t *status);
 /** @} */
 
 /** \defgroup measure Lengths, areas and moments
- * Integrals over splines, by nested Gauss rules (Patterson 1968) of 15 to 63 nodes on each span between knots,
- * never across one, halved where the Legendre coefficients of the integrand do not fall fast enough, where weights
- * differ by a factor of more than 64, and where lengths and areas turn so sharply that a feature may be narrower
- * than the nodes are apart. `relative_tolerance` is asked of the result (of a centroid and of moments: relative to
- * the size of the shape); 0, and whatever is below rounding, asks for the best that double precision and a limit
- * of work give: rounding, or else about nine or three digits, as along a fold inside a surface, where |S_u x S_v|
- * has a kink. A tolerance above rounding that is not reached is NURBS_ERROR_NOT_CONVERGED, and so is 0 where no
- * `error` could tell (nurbs_curve_lengths() and what shares its table). `error` receives
- * an estimate of the absolute error, rounding included; it follows from how the coefficients fall and is not a
- * proof. Cusps, poles and other places where the speed vanishes are found by the halving and cost more, not
- * accuracy. Where the weights vanish an integral may be infinite: NURBS_ERROR_NOT_CONVERGED.
+ * Integrals over splines, by nested Gauss rules (Patterson 1968) of 15 to 63 nodes on each span between
+ * knots, never across one, halved where the Legendre coefficients of the integrand do not fall fast enough,
+ * where weights differ by a factor of more than 64, and where lengths and areas turn so sharply that a
+ * feature may be narrower than the nodes are apart. `relative_tolerance` is asked of the result (of a
+ * centroid and of moments: relative to the size of the shape); 0, and whatever is below rounding, asks for
+ * the best that double precision and a limit of work give: rounding, or else about nine or three digits, as
+ * along a fold inside a surface, where |S_u x S_v| has a kink. A tolerance above rounding that is not reached
+ * is NURBS_ERROR_NOT_CONVERGED, and so is 0 where no `error` could tell (nurbs_curve_lengths() and what
+ * shares its table). `error` receives an estimate of the absolute error, rounding included; it follows from
+ * how the coefficients fall and is not a proof. Cusps, poles and other places where the speed vanishes are
+ * found by the halving and cost more, not accuracy. Where the weights vanish an integral may be infinite:
+ * NURBS_ERROR_NOT_CONVERGED.
  *
  * Inertia is the tensor about the centroid, integral of |y|^2 E - y y^T with y = x - centroid and the unit
  * matrix E, for the density 1, symmetric, rows one after the other; of a negative content it has that sign.
@@ -3081,12 +3112,13 @@ NURBS_API nurbs_status nurbs_hausdorff_distance(const nurbs *a, const nurbs *b, 
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _TOLERANCE; _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN or
  *   _EMPTY_DOMAIN if range is no interval of the domain; _NOT_CONVERGED naming the error reached,
  *   _NOT_REPRESENTABLE if the length overflows.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_curve_length(const nurbs *g, const double *range, double relative_tolerance,
                                           double *length, double *error);
 
 /** \brief Lengths from the start of the domain to given parameters. The first call of a handle makes a table,
- * which takes as long as some lengths and which nurbs_curve_params_at_lengths() and nurbs_curve_divide() share.
+ * which takes as long as some lengths and which nurbs_curve_params_at_lengths() and nurbs_curve_divide()
+ * share.
  * \param[in] g a curve.
  * \param[in] n number of parameters.
  * \param[in] params [n] in the domain.
@@ -3096,7 +3128,7 @@ NURBS_API nurbs_status nurbs_curve_length(const nurbs *g, const double *range, d
  * \param[in] length_stride distance between lengths, 0 = 1.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _COUNT, _OVERFLOW, _STRIDE, _OVERLAP, _TOLERANCE,
  *   _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN, _NOT_CONVERGED, _NOT_REPRESENTABLE.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_curve_lengths(const nurbs *g, int64_t n, const double *params,
                                            int64_t param_stride, double relative_tolerance, double *lengths,
                                            int64_t length_stride);
@@ -3113,15 +3145,15 @@ NURBS_API nurbs_status nurbs_curve_lengths(const nurbs *g, int64_t n, const doub
  * \param[in] flags NURBS_CLAMP: a length outside gives the nearer end in place of an error; or 0.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _COUNT, _OVERFLOW, _STRIDE, _OVERLAP, _FLAGS, _TOLERANCE;
  *   _LENGTH if a length is not finite or outside, _NOT_CONVERGED, _NOT_REPRESENTABLE.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_curve_params_at_lengths(const nurbs *g, int64_t n, const double *lengths,
                                                      int64_t length_stride, double relative_tolerance,
                                                      double *params, int64_t param_stride, uint32_t flags);
 
-/** \brief Divides a curve into parts of equal length, or so that consecutive points have equal distances. Each
- * point is the first one at its distance from the one before, where there is such a division; else chains of
- * points are followed as their distance rises and falls. On curves that wind about themselves this finds most
- * divisions into few parts; into ten or more the way may be too long: NURBS_ERROR_NOT_CONVERGED.
+/** \brief Divides a curve into parts of equal length, or so that consecutive points have equal distances.
+ * Each point is the first one at its distance from the one before, where there is such a division; else
+ * chains of points are followed as their distance rises and falls. On curves that wind about themselves this
+ * finds most divisions into few parts; into ten or more the way may be too long: NURBS_ERROR_NOT_CONVERGED.
  * \param[in] g a curve.
  * \param[in] range [2] the part of the domain, or NULL for all of it.
  * \param[in] parts number of parts, > 0.
@@ -3132,7 +3164,7 @@ NURBS_API nurbs_status nurbs_curve_params_at_lengths(const nurbs *g, int64_t n, 
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _COUNT, _OVERFLOW, _OVERLAP, _FLAGS, _TOLERANCE;
  *   _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN or _EMPTY_DOMAIN if range is no interval of the domain; _LENGTH
  *   if the curve has none, _NOT_CONVERGED (chords also where no division is found), _NOT_REPRESENTABLE.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_curve_divide(const nurbs *g, const double *range, int64_t parts,
                                           double relative_tolerance, uint32_t flags, double *params,
                                           double *size);
@@ -3144,7 +3176,7 @@ NURBS_API nurbs_status nurbs_curve_divide(const nurbs *g, const double *range, i
  * \param[out] area the integral of |S_u x S_v|, in other dimensions sqrt(|S_u|^2 |S_v|^2 - (S_u . S_v)^2).
  * \param[out] error estimate of the error, or NULL.
  * \return as nurbs_curve_length(), _AXES if g is no surface.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_surface_area(const nurbs *g, const double *range, double relative_tolerance,
                                           double *area, double *error);
 
@@ -3159,14 +3191,14 @@ NURBS_API nurbs_status nurbs_surface_area(const nurbs *g, const double *range, d
  * \return NURBS_OK, NURBS_ERROR_NULL, _OVERLAP, _TOLERANCE; _DIMENSION if g is a volume of another
  *   dimension, _LENGTH if the content is 0 and centroid or inertia are wanted, _NOT_CONVERGED,
  *   _NOT_REPRESENTABLE.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_moments(const nurbs *g, double relative_tolerance, double *content,
                                      double *centroid, double *inertia, double *error);
 
 /** \brief Area, centroid and inertia of the region of the plane that closed chains of curves enclose, by
  * Green's theorem: 1/2 integral of x dy - y dx. What a chain that runs counterclockwise encloses counts
- * positive, so that holes run clockwise. The curves may come in any order but not in any direction; a jump inside
- * one is an end and a start.
+ * positive, so that holes run clockwise. The curves may come in any order but not in any direction; a jump
+ * inside one is an end and a start.
  * \param[in] count number of curves, > 0.
  * \param[in] curves [count] curves of dimension 2.
  * \param[in] tolerance largest gap between an end and the start that is nearest to it, >= 0.
@@ -3178,7 +3210,7 @@ NURBS_API nurbs_status nurbs_moments(const nurbs *g, double relative_tolerance, 
  * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _AXES, _DIMENSION, _OVERLAP, _TOLERANCE; _GAP naming the
  *   curve and the gap, _LENGTH if the area is 0 and centroid or inertia are wanted, _NOT_CONVERGED,
  *   _NOT_REPRESENTABLE.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_enclosed_area(int64_t count, const nurbs *const *curves, double tolerance,
                                            double relative_tolerance, double *area, double *centroid,
                                            double *inertia, double *error);
@@ -3197,7 +3229,7 @@ NURBS_API nurbs_status nurbs_enclosed_area(int64_t count, const nurbs *const *cu
  * \param[out] error estimate of the error of volume, gaps not included, or NULL.
  * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _AXES, _DIMENSION, _OVERLAP, _TOLERANCE; _LENGTH if the
  *   volume is 0 and centroid or inertia are wanted, _NOT_CONVERGED, _NOT_REPRESENTABLE.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_enclosed_volume(int64_t count, const nurbs *const *surfaces,
                                              double relative_tolerance, double *volume, double *centroid,
                                              double *inertia, double *openness, double *error);
@@ -3224,7 +3256,7 @@ NURBS_API nurbs_status nurbs_enclosed_volume(int64_t count, const nurbs *const *
  *   unless 20000 halvings do not reach it; or NULL.
  * \return NURBS_OK, NURBS_ERROR_NULL, _OVERLAP, _TOLERANCE; _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN or
  *   _EMPTY_DOMAIN if range is no interval of the domain.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_box(const nurbs *g, const double *range, double tolerance, double *lower,
                                  double *upper, double *gap);
 
@@ -3238,7 +3270,7 @@ NURBS_API nurbs_status nurbs_box(const nurbs *g, const double *range, double tol
  * \param[out] half [dim] half the lengths of the sides.
  * \return NURBS_OK, NURBS_ERROR_NULL, _OVERLAP, _TOLERANCE; _DIMENSION if it exceeds 16,
  *   _NOT_REPRESENTABLE.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_oriented_box(const nurbs *g, double tolerance, double *center, double *axes,
                                           double *half);
 
@@ -3254,7 +3286,7 @@ NURBS_API nurbs_status nurbs_oriented_box(const nurbs *g, double tolerance, doub
  *   unit vector without meaning.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _OVERLAP, _TOLERANCE, _NOT_REPRESENTABLE;
  *   _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN or _EMPTY_DOMAIN if range is no interval of the domain.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_tangent_cone(const nurbs *g, int32_t axis, const double *range, double tolerance,
                                           double *direction, double *angle);
 
@@ -3265,7 +3297,7 @@ NURBS_API nurbs_status nurbs_tangent_cone(const nurbs *g, int32_t axis, const do
  * \param[out] direction [3] unit vector, the axis of the cone.
  * \param[out] angle half its opening, in radians; pi if no smaller one is found.
  * \return as nurbs_tangent_cone(), and NURBS_ERROR_AXES, _DIMENSION.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_normal_cone(const nurbs *g, const double *range, double tolerance,
                                          double *direction, double *angle);
 
@@ -3282,7 +3314,7 @@ NURBS_API nurbs_status nurbs_normal_cone(const nurbs *g, const double *range, do
  * \return NURBS_OK, NURBS_ERROR_NULL, _OVERLAP, _TOLERANCE, _DIRECTION; _NOT_REPRESENTABLE if the value
  *   overflows, or no weight can be shown to be positive; _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN or
  *   _EMPTY_DOMAIN if range is no interval of the domain.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_extreme_point(const nurbs *g, const double *direction, const double *range,
                                            double tolerance, double *params, double *value, double *bound);
 /** @} */
@@ -3326,8 +3358,8 @@ NURBS_API nurbs_status nurbs_extreme_point(const nurbs *g, const double *directi
 /** @} */
 
 /** \brief Inflections, extrema of curvature, cusps, kinks, jumps and changes of torsion along a curve. The
- * ends of the domain have none but cusps, also where a curve closes that is not periodic (nurbs_make_periodic);
- * the seam of a periodic curve, given as its lower end, has all. A
+ * ends of the domain have none but cusps, also where a curve closes that is not periodic
+ * (nurbs_make_periodic); the seam of a periodic curve, given as its lower end, has all. A
  * curvature that jumps at a knot rises or falls there, so that the knot can be a maximum or a minimum.
  * Where |curvature| stays at a maximum or minimum, the middle of that stretch is given.
  * \param[in] g a curve of dimension 2 or 3.
@@ -3342,7 +3374,7 @@ NURBS_API nurbs_status nurbs_extreme_point(const nurbs *g, const double *directi
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _FLAGS, _COUNT, _OVERLAP; _DIMENSION also if changes of
  *   torsion are asked for in the plane; _SIZE if cap is neither 0 nor enough; _NOT_REPRESENTABLE if a
  *   coefficient overflows.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_curve_features(const nurbs *g, uint32_t kinds, int64_t cap, double *params,
                                             int32_t *found, double *values, int64_t *count,
                                             int32_t *complete);
@@ -3357,7 +3389,7 @@ NURBS_API nurbs_status nurbs_curve_features(const nurbs *g, uint32_t kinds, int6
  * \param[out] count number of pieces, or NULL.
  * \param[out] complete 1 or 0, or NULL.
  * \return as nurbs_curve_features(), and NURBS_ERROR_DIRECTION.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_curve_monotone_pieces(const nurbs *g, const double *direction, int64_t cap,
                                                    double *starts, int32_t *signs, int64_t *count,
                                                    int32_t *complete);
@@ -3368,7 +3400,7 @@ NURBS_API nurbs_status nurbs_curve_monotone_pieces(const nurbs *g, const double 
  * \param[in] g a curve of dimension 2.
  * \param[out] convexity one of the NURBS_CONVEXITY_ constants.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DIMENSION, _NOT_REPRESENTABLE.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_curve_convexity(const nurbs *g, int32_t *convexity);
 
 /** \brief How far a spline is from a straight line: a line near the best one, and a proven bound.
@@ -3378,7 +3410,7 @@ NURBS_API nurbs_status nurbs_curve_convexity(const nurbs *g, int32_t *convexity)
  *   NULL.
  * \param[out] bound no point of g is farther from the line.
  * \return NURBS_OK, NURBS_ERROR_NULL, _OVERLAP, _NOT_REPRESENTABLE.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_straightness(const nurbs *g, double *origin, double *direction, double *bound);
 
 /** \brief How far a spline in space is from a plane: a plane near the best one, and a proven bound.
@@ -3387,7 +3419,7 @@ NURBS_API nurbs_status nurbs_straightness(const nurbs *g, double *origin, double
  * \param[out] normal [3] unit vector, its largest component positive; or NULL.
  * \param[out] bound no point of g is farther from the plane.
  * \return NURBS_OK, NURBS_ERROR_NULL, _DIMENSION, _OVERLAP, _NOT_REPRESENTABLE.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_planarity(const nurbs *g, double *origin, double *normal, double *bound);
 
 /** \brief Which axes of a spline close and which of its boundaries collapse, with proven bounds. Boundaries
@@ -3401,7 +3433,7 @@ NURBS_API nurbs_status nurbs_planarity(const nurbs *g, double *origin, double *n
  *   else 0; of a curve always 1; or NULL.
  * \param[out] sizes [2 * axes] the boundary lies within this distance of a point; or NULL.
  * \return NURBS_OK, NURBS_ERROR_NULL, _OVERLAP, _TOLERANCE, _NOT_REPRESENTABLE.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_boundary_contacts(const nurbs *g, double tolerance, int32_t *closed,
                                                double *gaps, int32_t *collapsed, double *sizes);
 
@@ -3421,7 +3453,7 @@ NURBS_API nurbs_status nurbs_boundary_contacts(const nurbs *g, double tolerance,
  *   Boxes are larger than the tolerance where 20000 halvings do not reach it.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _TOLERANCE, _COUNT, _OVERFLOW, _OVERLAP, _NOT_REPRESENTABLE;
  *   _SIZE if cap is neither 0 nor enough.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_singular_points(const nurbs *g, double tolerance, int64_t cap, double *params,
                                              double *boxes, int64_t *count, int32_t *complete);
 
@@ -3439,7 +3471,7 @@ NURBS_API nurbs_status nurbs_singular_points(const nurbs *g, double tolerance, i
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DIMENSION, _OVERLAP, _NOT_REPRESENTABLE; _DIRECTION if
  *   reference is zero, not finite or not NULL where it has to be, or the vector area vanishes, as that of a
  *   closed surface does.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_fold_test(const nurbs *g, const double *reference, int32_t *result,
                                        double *positive, double *negative);
 /** @} */
@@ -3452,9 +3484,9 @@ NURBS_API nurbs_status nurbs_fold_test(const nurbs *g, const double *reference, 
  * change with it, and R_i is the sum of theirs. A control point at infinity has no weight that could change:
  * its R_i is 0.
  *
- * A point that is moved by weights comes to lie within (3 sum p + n + 8) eps of its place, times the distance from
- * the centre to the farthest of the n active control points; one that is moved by its control point, times the
- * distance and R_i |P_i*|. Tests find at most 0.05 of that.
+ * A point that is moved by weights comes to lie within (3 sum p + n + 8) eps of its place, times the distance
+ * from the centre to the farthest of the n active control points; one that is moved by its control point,
+ * times the distance and R_i |P_i*|. Tests find at most 0.05 of that.
  * @{ */
 
 /** \brief Changes a weight so that the point at a parameter moves by a distance towards the control point,
@@ -3472,7 +3504,7 @@ NURBS_API nurbs_status nurbs_fold_test(const nurbs *g, const double *reference, 
  * \return NURBS_OK, NURBS_ERROR_NULL, _INDEX, _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN, _INFLUENCE; _LENGTH
  *   if the distance is not finite or d >= |P_i S|, _WEIGHT_SIGN if d <= -|S B|, so that the weight would
  *   not be positive; _NOT_REPRESENTABLE if the weight, or its product with the point, overflows.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_pull_weight(const nurbs *g, int64_t index, const double *params, double distance,
                                          double *weight, nurbs **out);
 
@@ -3487,12 +3519,12 @@ NURBS_API nurbs_status nurbs_pull_weight(const nurbs *g, int64_t index, const do
  * \param[out] factor by which the weights were multiplied, or NULL.
  * \param[out] out the new handle.
  * \return as nurbs_pull_weight(), and NURBS_ERROR_COUNT; _INDEX also if an index occurs twice.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_pull_weights(const nurbs *g, int64_t count, const int64_t *indices,
                                           const double *params, double distance, double *factor, nurbs **out);
 
-/** \brief Sets weights; control points stay, and a polynomial spline becomes rational. In a homogeneous spline a
- * control point of weight 0 has no place any more.
+/** \brief Sets weights; control points stay, and a polynomial spline becomes rational. In a homogeneous
+ * spline a control point of weight 0 has no place any more.
  * \param[in] g a spline.
  * \param[in] count number of weights.
  * \param[in] indices [count] control points, all different.
@@ -3500,7 +3532,7 @@ NURBS_API nurbs_status nurbs_pull_weights(const nurbs *g, int64_t count, const i
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _INDEX, _WEIGHT_NOT_FINITE, _WEIGHT_NEGATIVE,
  *   _WEIGHTS_VANISH, _OVERFLOW, _NOT_REPRESENTABLE; _POINT_NOT_FINITE if g has a control point at infinity.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_set_weights(const nurbs *g, int64_t count, const int64_t *indices,
                                          const double *weights, nurbs **out);
 
@@ -3514,7 +3546,7 @@ NURBS_API nurbs_status nurbs_set_weights(const nurbs *g, int64_t count, const in
  * \param[out] at_weight [dim] the point p at the present weight, or NULL.
  * \return NURBS_OK, NURBS_ERROR_NULL, _INDEX, _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN, _OVERLAP,
  *   _NOT_REPRESENTABLE; _POINT_NOT_FINITE if the control point is at infinity.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_weight_points(const nurbs *g, int64_t index, const double *params,
                                            double *at_zero, double *at_one, double *at_weight);
 
@@ -3527,7 +3559,7 @@ NURBS_API nurbs_status nurbs_weight_points(const nurbs *g, int64_t index, const 
  * \param[out] weight w; infinite if p = P.
  * \return NURBS_OK, NURBS_ERROR_NULL, _DIMENSION, _OVERLAP, _POINT_NOT_FINITE; _COLLINEAR if P = m or n is
  *   one of them, so that there is no ratio.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_weight_cross_ratio(int32_t dim, const double *control_point,
                                                 const double *at_zero, const double *at_one,
                                                 const double *at_weight, double *weight);
@@ -3542,9 +3574,9 @@ NURBS_API nurbs_status nurbs_weight_cross_ratio(int32_t dim, const double *contr
  * \param[out] weight the new weight, or NULL.
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _INDEX, _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN, _INFLUENCE (also if no
- *   weight moves the point), _TOLERANCE, _POINT_NOT_FINITE; _GAP naming the distance if target is not on the line,
- *   _WEIGHT_SIGN if it is not between the two points, _NOT_REPRESENTABLE if the weight overflows.
- * \since 0.1 */
+ *   weight moves the point), _TOLERANCE, _POINT_NOT_FINITE; _GAP naming the distance if target is not on the
+ *   line, _WEIGHT_SIGN if it is not between the two points, _NOT_REPRESENTABLE if the weight overflows.
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_weight_through(const nurbs *g, int64_t index, const double *params,
                                             const double *target, double tolerance, double *weight,
                                             nurbs **out);
@@ -3562,7 +3594,7 @@ NURBS_API nurbs_status nurbs_weight_through(const nurbs *g, int64_t index, const
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _INDEX, _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN, _INFLUENCE,
  *   _DIRECTION; _LENGTH if the distance is not finite, _NOT_REPRESENTABLE if the point overflows.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_pull_point(const nurbs *g, int64_t index, const double *params,
                                         const double *direction, double distance, double *moved, nurbs **out);
 
@@ -3575,7 +3607,7 @@ NURBS_API nurbs_status nurbs_pull_point(const nurbs *g, int64_t index, const dou
  * \param[out] influences [n] R_i(t), or NULL.
  * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERFLOW, _STRIDE, _OVERLAP, _PARAMETER_NOT_FINITE,
  *   _OUTSIDE_DOMAIN.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_most_influential(const nurbs *g, int64_t n, const double *params,
                                               int64_t param_stride, int64_t param_component_stride,
                                               int64_t *indices, double *influences);
@@ -3587,21 +3619,22 @@ NURBS_API nurbs_status nurbs_most_influential(const nurbs *g, int64_t n, const d
  *     s = w_i |Q - P_i| / (w_i |Q - P_i| + w_j |P_j - Q|),   knot = t_(i+1) + s (t_(i+p+1) - t_(i+1)),
  *
  * where i also counts along the axis and p is the degree. In a surface or volume Q is the point of this
- * leg, all rows along the axis get the knot. The knot may lie outside the domain at an unclamped end: then the
- * outermost knot there and its layer, on which no point depends, go, so that the domain stays. On a periodic
- * axis the knot is that of the period of the domain. Where both weights are 0, s is the ratio.
+ * leg, all rows along the axis get the knot. The knot may lie outside the domain at an unclamped end: then
+ * the outermost knot there and its layer, on which no point depends, go, so that the domain stays. On a
+ * periodic axis the knot is that of the period of the domain. Where both weights are 0, s is the ratio.
  * \param[in] g a spline of degree >= 1 along the axis.
  * \param[in] axis 0-based axis.
  * \param[in] index control point P_i, not the last one along the axis.
  * \param[in] ratio from 0 to 1.
  * \param[out] knot the knot, or NULL.
  * \param[out] out the new handle.
- * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _INDEX, _OVERFLOW, _PERIODIC_KNOTS; _DEGREE if it is 0, _FACTOR if
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _INDEX, _OVERFLOW, _PERIODIC_KNOTS; _DEGREE if it is 0, _FACTOR
+ * if
  *   ratio is not in [0, 1], _MULTIPLICITY if the knot occurs degree + 1 times already, _WEIGHT_SIGN if the
  *   weights of the ends have not one sign, or just one is 0, so that no knot makes a point between them one,
  *   _POINT_NOT_FINITE if one of them is at infinity, _PERIODIC if a periodic axis has fewer different layers
  *   than its degree.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_insert_on_leg(const nurbs *g, int32_t axis, int64_t index, double ratio,
                                            double *knot, nurbs **out);
 
@@ -3617,7 +3650,7 @@ NURBS_API nurbs_status nurbs_insert_on_leg(const nurbs *g, int32_t axis, int64_t
  * \param[out] out the new handle.
  * \return as nurbs_insert_on_leg(), and NURBS_ERROR_TOLERANCE, _POINT_NOT_FINITE; _OFF_POLYGON naming the
  *   distance if the point is farther from every leg.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_insert_at_point(const nurbs *g, int32_t axis, const double *point,
                                              double tolerance, int64_t *index, double *ratio, double *knot,
                                              nurbs **out);
@@ -3643,9 +3676,9 @@ NURBS_API nurbs_status nurbs_insert_at_point(const nurbs *g, int32_t axis, const
  * subject to count constraints at parameters. With the weights fixed and no CURVATURE the constraints are
  * linear and solved by Lagrange multipliers, by an orthogonal factorisation; one point of one control point
  * gives e = (T - S) / R_i, over a range e_i = R_i / (sum R_j^2) (T - S). Otherwise by sequential quadratic
- * programming, to a local minimum with an optimality of at most 1e-6. Equations that follow from others count once
- * (rank). On a periodic axis the copies of a layer are one control point, with the costs of the first one. Only
- * control points that act on a constraint change. Cost: with m equations of n coordinates n m^2.
+ * programming, to a local minimum with an optimality of at most 1e-6. Equations that follow from others count
+ * once (rank). On a periodic axis the copies of a layer are one control point, with the costs of the first
+ * one. Only control points that act on a constraint change. Cost: with m equations of n coordinates n m^2.
  * \param[in] g a spline.
  * \param[in] count number of constraints, > 0.
  * \param[in] kinds [count] NURBS_CONSTRAIN_ constants, or NULL: all VALUE.
@@ -3657,9 +3690,11 @@ NURBS_API nurbs_status nurbs_insert_at_point(const nurbs *g, int32_t axis, const
  *   for none; or NULL for none. All control points on which they depend stay.
  * \param[in] costs [N] > 0, infinite for control points that stay; or NULL: all 1.
  * \param[in] weight_costs [N] > 0, infinite for weights that stay; or NULL: all stay.
- * \param[in] tolerance largest residual, >= 0: as a length for points, for derivatives as what control points that
+ * \param[in] tolerance largest residual, >= 0: as a length for points, for derivatives as what control points
+ * that
  *   are off by it can make of them; 0 means 64 eps times the size of the terms.
- * \param[out] residuals [count] how far each constraint is missed, or NULL: the length of the difference; of the
+ * \param[out] residuals [count] how far each constraint is missed, or NULL: the length of the difference; of
+ * the
  *   part of the derivative across the direction; of the parts of the derivatives along the normal.
  * \param[out] rank number of independent equations, or NULL: a point has one for each coordinate.
  * \param[out] moved largest distance by which a control point moved, or NULL.
@@ -3671,7 +3706,7 @@ NURBS_API nurbs_status nurbs_insert_at_point(const nurbs *g, int32_t axis, const
  *   not suit, _INFLUENCE if no control point that may move acts on a constraint, _CONTRADICTION naming the
  *   constraint with the largest residual and that, _WEIGHT_SIGN if a weight would not be positive,
  *   _NOT_CONVERGED, _NOT_REPRESENTABLE; _POINT_NOT_FINITE also if g has a control point at infinity.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_constrain(const nurbs *g, int64_t count, const int32_t *kinds,
                                        const int32_t *orders, const double *params, const double *targets,
                                        const int32_t *keep, const double *costs, const double *weight_costs,
@@ -3686,8 +3721,8 @@ NURBS_API nurbs_status nurbs_constrain(const nurbs *g, int64_t count, const int3
 
 /** \brief Raises a region along a direction: adds distance * b(t) * direction / |direction|, where b is 1 in
  * the middle of the range, 0 at its ends with the first `order` derivatives, and rises and falls once along
- * each axis: a product of B-splines of degree order + 1 over even knots, added exactly. Degrees become at least
- * order + 1; with weights they rise by as much.
+ * each axis: a product of B-splines of degree order + 1 over even knots, added exactly. Degrees become at
+ * least order + 1; with weights they rise by as much.
  * \param[in] g a spline.
  * \param[in] range [axes][2] the region, or NULL for the whole domain.
  * \param[in] direction [dim], not zero.
@@ -3698,14 +3733,14 @@ NURBS_API nurbs_status nurbs_constrain(const nurbs *g, int64_t count, const int3
  *   _OUTSIDE_DOMAIN or _EMPTY_DOMAIN if range is no interval of the domain, _KNOTS_MERGE if it has too few
  *   doubles; _LENGTH if the distance is not finite, _DEGREE if a degree would exceed NURBS_MAX_DEGREE,
  *   _NOT_REPRESENTABLE if a point overflows.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_warp(const nurbs *g, const double *range, const double *direction,
                                   double distance, int32_t order, nurbs **out);
 
 /** \brief Flattens a region to a plane (in the plane: to a line): control points of the region are projected
  * onto it along a direction; those inside it only, so that the shape joins what is outside as smoothly as
- * the degree allows. Along an axis of which the region is a part, each of 3 (degree + 1) equal parts of it gets a
- * knot if it has none, so that the middle third becomes flat.
+ * the degree allows. Along an axis of which the region is a part, each of 3 (degree + 1) equal parts of it
+ * gets a knot if it has none, so that the middle third becomes flat.
  * \param[in] g a spline.
  * \param[in] range [axes][2] the region, or NULL for the whole domain.
  * \param[in] point [dim] a point of the plane.
@@ -3715,9 +3750,9 @@ NURBS_API nurbs_status nurbs_warp(const nurbs *g, const double *range, const dou
  *   weights are >= 0; or NULL.
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _OVERFLOW, _POINT_NOT_FINITE, _PERIODIC_KNOTS; _DIRECTION if the normal
- *   or the direction is zero or not finite, or they are perpendicular; _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN or
- *   _EMPTY_DOMAIN if range is no interval of the domain; _NOT_REPRESENTABLE if a point overflows.
- * \since 0.1 */
+ *   or the direction is zero or not finite, or they are perpendicular; _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN
+ *   or _EMPTY_DOMAIN if range is no interval of the domain; _NOT_REPRESENTABLE if a point overflows.
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_flatten(const nurbs *g, const double *range, const double *point,
                                      const double *normal, const double *direction, double *moved,
                                      nurbs **out);
@@ -3728,8 +3763,9 @@ NURBS_API nurbs_status nurbs_flatten(const nurbs *g, const double *range, const 
  *     a -> (1/k + b) sin(k a),   b -> (1/k + b) cos(k a) - 1/k
  *
  * for a between lower and upper, and goes on straight outside; the rest stays. The exact image is no spline;
- * g is refined, degrees 1 and 2 raised to 3 if that takes less, until the difference at equal parameters is at
- * most the tolerance: proven where all weights are positive unless that takes many more points; at most 2^18.
+ * g is refined, degrees 1 and 2 raised to 3 if that takes less, until the difference at equal parameters is
+ * at most the tolerance: proven where all weights are positive unless that takes many more points; at most
+ * 2^18.
  * \param[in] g a spline of dimension >= 2.
  * \param[in] origin [dim].
  * \param[in] along [dim] e, made a unit vector.
@@ -3744,7 +3780,7 @@ NURBS_API nurbs_status nurbs_flatten(const nurbs *g, const double *range, const 
  * \return NURBS_OK, NURBS_ERROR_NULL, _DIMENSION, _POINT_NOT_FINITE, _DIRECTION, _OVERFLOW, _TOLERANCE;
  *   _FACTOR if k is not finite, _EMPTY_DOMAIN unless lower < upper, _NOT_CONVERGED if the tolerance is not
  *   reached, _NOT_REPRESENTABLE; _PERIODIC_KNOTS, _WEIGHTS_VANISH as for nurbs_elevate().
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_bend(const nurbs *g, const double *origin, const double *along,
                                   const double *across, double curvature, double lower, double upper,
                                   double tolerance, double *deviation, int32_t *proven, nurbs **out);
@@ -3752,8 +3788,8 @@ NURBS_API nurbs_status nurbs_bend(const nurbs *g, const double *origin, const do
 /** \brief Free-form deformation (Sederberg & Parry 1986): maps a shape by a volume, C -> V(A C), where A
  * maps the box from lower to upper to the domain of V. The exact image of a curve has a high degree
  * (nurbs_compose()); here g is refined as by nurbs_bend() until the difference is at most the tolerance. That
- * is proven for polynomial curves whose exact image has a degree of at most NURBS_MAX_DEGREE, m > 1; g is seen
- * to be inside the box there, elsewhere at samples.
+ * is proven for polynomial curves whose exact image has a degree of at most NURBS_MAX_DEGREE, m > 1; g is
+ * seen to be inside the box there, elsewhere at samples.
  * \param[in] g a spline of dimension m, the number of axes of volume.
  * \param[in] volume V, with m axes and of dimension m.
  * \param[in] lower,upper [m] the box, lower < upper; g has to be inside.
@@ -3765,15 +3801,15 @@ NURBS_API nurbs_status nurbs_bend(const nurbs *g, const double *origin, const do
  * \return NURBS_OK, NURBS_ERROR_NULL, _DIMENSION, _POINT_NOT_FINITE, _OVERFLOW, _TOLERANCE; _EMPTY_DOMAIN
  *   unless lower < upper, _OUTSIDE_DOMAIN if g leaves the box, _NOT_CONVERGED if the tolerance is not
  *   reached, _NOT_REPRESENTABLE; _PERIODIC_KNOTS, _WEIGHTS_VANISH as for nurbs_elevate().
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_free_form_deform(const nurbs *g, const nurbs *volume, const double *lower,
                                               const double *upper, double tolerance, double *deviation,
                                               int32_t *proven, nurbs **out);
 
 /** \brief Fairs a shape: among the splines with the same knots and weights that are at most a tolerance away,
- * and of them those that move control points least for their energy, the one with the least energy, the integral of the squared derivatives of an order, summed over
- * the axes (of homogeneous coordinates about the centre when rational). The bound is that of
- * nurbs_deviation().
+ * and of them those that move control points least for their energy, the one with the least energy, the
+ * integral of the squared derivatives of an order, summed over the axes (of homogeneous coordinates about the
+ * centre when rational). The bound is that of nurbs_deviation().
  * \param[in] g a spline.
  * \param[in] order of the derivatives: 1 (membrane), 2 (thin plate) or 3.
  * \param[in] keep [axes][2] highest order of derivatives that stay at the start and end of every axis, -1
@@ -3785,15 +3821,15 @@ NURBS_API nurbs_status nurbs_free_form_deform(const nurbs *g, const nurbs *volum
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _ORDER, _TOLERANCE, _OVERLAP, _OVERFLOW, _NOT_REPRESENTABLE; _DEGREE
  *   if no axis has a degree of at least order.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_fair(const nurbs *g, int32_t order, const int32_t *keep, double tolerance,
                                   double *energies, double *bound, nurbs **out);
 
 /** \brief Moves a boundary of a spline onto one of another: a curve's end onto an end, a surface's edge onto
  * an edge. Layers of control points at the boundary change, after both were made compatible along it; with
- * order 1 the second layer is moved too, so that tangents (of a surface: tangent planes) agree all along, g going on
- * from other: derivatives across are those of other times one factor, which leaves their mean size as it was.
- * Weights of the boundary become those of other, times a power of two that leaves their size.
+ * order 1 the second layer is moved too, so that tangents (of a surface: tangent planes) agree all along, g
+ * going on from other: derivatives across are those of other times one factor, which leaves their mean size
+ * as it was. Weights of the boundary become those of other, times a power of two that leaves their size.
  * \param[in] g a curve or surface.
  * \param[in] axis,end the boundary of g: axis, and NURBS_START or NURBS_END.
  * \param[in] other a spline with as many axes, of the same dimension.
@@ -3805,7 +3841,7 @@ NURBS_API nurbs_status nurbs_fair(const nurbs *g, int32_t order, const int32_t *
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _AXIS, _END, _ORDER, _FLAGS, _INCOMPATIBLE, _PERIODIC,
  *   _DEGREE, _OVERFLOW, _KNOTS_MERGE, _NOT_REPRESENTABLE; _TANGENT if a tangent that is needed vanishes,
  *   _WEIGHT_SIGN if a weight of the second layer would not be positive.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_snap_boundary(const nurbs *g, int32_t axis, int32_t end, const nurbs *other,
                                            int32_t other_axis, int32_t other_end, int32_t order,
                                            uint32_t flags, double *bound, nurbs **out);
@@ -3846,7 +3882,7 @@ NURBS_API nurbs_status nurbs_snap_boundary(const nurbs *g, int32_t axis, int32_t
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DEGREE, _COUNT, _TOO_FEW_POINTS, _OVERFLOW, _SIZE, _ORDER,
  *   _STRIDE, _OVERLAP, _FLAGS, _KNOT_NOT_FINITE, _KNOTS_DECREASING, _END_MULTIPLICITY, _MULTIPLICITY,
  *   _EMPTY_DOMAIN, _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_collocation(int32_t axes, const int32_t *degrees, const int64_t *counts,
                                          const double *knots, int64_t knot_count, const int32_t *orders,
                                          int64_t n, const double *params, int64_t param_stride,
@@ -3876,7 +3912,7 @@ NURBS_API nurbs_status nurbs_collocation(int32_t axes, const int32_t *degrees, c
  * \param[in] flags evaluation flags per axis.
  * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERFLOW, _SIZE, _ORDER, _STRIDE, _OVERLAP, _FLAGS,
  *   _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_rational_collocation(const nurbs *g, const int32_t *orders, int64_t n,
                                                   const double *params, int64_t param_stride,
                                                   int64_t param_component_stride, int64_t cap, double *values,
@@ -3900,7 +3936,7 @@ NURBS_API nurbs_status nurbs_rational_collocation(const nurbs *g, const int32_t 
  * \param[out] count number of non-empty spans in the domain.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _COUNT, _OVERFLOW, _OVERLAP; _SIZE if cap is neither 0 nor
  *   enough.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_bezier_extraction(const nurbs *g, int32_t axis, int64_t cap, double *operators,
                                                int64_t *firsts, double *domains, int64_t *count);
 
@@ -3945,7 +3981,7 @@ NURBS_API nurbs_status nurbs_bezier_extraction(const nurbs *g, int32_t axis, int
  * \param[in] grad_param_stride,grad_param_component_stride layout of grad_params, 0 = packed.
  * \param[in] flags evaluation flags per axis, and NURBS_ACCUMULATE.
  * \return as for nurbs_eval_derivs().
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_eval_adjoint(const nurbs *g, int32_t order, int64_t n, const double *params,
                                           int64_t param_stride, int64_t param_component_stride,
                                           const double *cotangents, int64_t cotangent_stride,
@@ -3972,7 +4008,7 @@ typedef struct nurbs_read_options {
  * \param[out] options the struct.
  * \param[in] struct_size sizeof(nurbs_read_options).
  * \return NURBS_OK, NURBS_ERROR_NULL, _OPTIONS.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_read_options_init(nurbs_read_options *options, int64_t struct_size);
 
 /** \brief Reads the curves and surfaces of an IGES 5.x file (fixed-length ASCII form).
@@ -3988,7 +4024,7 @@ NURBS_API nurbs_status nurbs_read_options_init(nurbs_read_options *options, int6
  * \param[in] options settings, or NULL for the defaults.
  * \param[out] out the new list.
  * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OPTIONS, _TOO_LARGE, _FORMAT, _TRUNCATED, _SYNTAX.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_read(const void *bytes, int64_t size, const nurbs_read_options *options,
                                   nurbs_list **out);
 
@@ -3997,14 +4033,14 @@ NURBS_API nurbs_status nurbs_read(const void *bytes, int64_t size, const nurbs_r
  * \param[in] options settings, or NULL for the defaults.
  * \param[out] out the new list.
  * \return as for nurbs_read(), and NURBS_ERROR_FILE.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_read_file(const char *path, const nurbs_read_options *options, nurbs_list **out);
 
 /** \brief Number of splines in a list.
  * \param[in] list a list.
  * \param[out] count the number.
  * \return NURBS_OK, NURBS_ERROR_NULL.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_list_count(const nurbs_list *list, int64_t *count);
 
 /** \brief A new handle on spline `index`; it outlives the list.
@@ -4012,7 +4048,7 @@ NURBS_API nurbs_status nurbs_list_count(const nurbs_list *list, int64_t *count);
  * \param[in] index 0-based.
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _INDEX.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_list_get(const nurbs_list *list, int64_t index, nurbs **out);
 
 /** \brief Name of spline `index`: that of the file (name property, else label and subscript), else
@@ -4023,7 +4059,7 @@ NURBS_API nurbs_status nurbs_list_get(const nurbs_list *list, int64_t index, nur
  * \param[in] cap size of buf in bytes.
  * \param[out] length length of the whole name without the terminating zero; may be NULL.
  * \return NURBS_OK, NURBS_ERROR_NULL, _INDEX, _COUNT.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_list_name(const nurbs_list *list, int64_t index, char *buf, int64_t cap,
                                        int64_t *length);
 
@@ -4031,7 +4067,7 @@ NURBS_API nurbs_status nurbs_list_name(const nurbs_list *list, int64_t index, ch
  * \param[in] list a list.
  * \param[out] count the number.
  * \return NURBS_OK, NURBS_ERROR_NULL.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_list_note_count(const nurbs_list *list, int64_t *count);
 
 /** \brief A note: which entity, where, and why it did not become a spline.
@@ -4045,7 +4081,7 @@ NURBS_API nurbs_status nurbs_list_note_count(const nurbs_list *list, int64_t *co
  * \param[in] cap size of buf in bytes.
  * \param[out] length length of the whole text without the terminating zero; may be NULL.
  * \return NURBS_OK, NURBS_ERROR_NULL, _INDEX, _COUNT.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_list_note(const nurbs_list *list, int64_t index, int32_t *entity_type,
                                        int64_t *line, nurbs_status *reason, char *buf, int64_t cap,
                                        int64_t *length);
@@ -4055,12 +4091,12 @@ NURBS_API nurbs_status nurbs_list_note(const nurbs_list *list, int64_t index, in
  * \param[out] metres metres per unit, model scale included; 0 if the file names a unit that is not known.
  *   A file without any unit is in inches, as IGES has it.
  * \return NURBS_OK, NURBS_ERROR_NULL.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API nurbs_status nurbs_list_unit(const nurbs_list *list, double *metres);
 
 /** \brief Frees a list. Handles taken from it stay valid.
  * \param[in] list a list, or NULL, which does nothing.
- * \since 0.1 */
+ * \since 1.0 */
 NURBS_API void nurbs_list_destroy(nurbs_list *list);
 /** @} */
 

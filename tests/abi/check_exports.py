@@ -62,11 +62,6 @@ def repeated(kind, names):
     return [f"{kind}: {name} occurs more than once" for name in sorted(set(names)) if names.count(name) > 1]
 
 
-def soname(major, minor):
-    """Before 1.0 a minor release may change the interface."""
-    return f"libnurbs.so.{major}" if int(major) else f"libnurbs.so.0.{minor}"
-
-
 def problems(header_path, map_path, library):
     with open(header_path, encoding="utf-8") as file:
         header = file.read()
@@ -79,7 +74,7 @@ def problems(header_path, map_path, library):
     found += differences("map and library", in_map, exported(library))
     found += [f"the map has no node for this version, NURBS_{major}.{minor}"] * \
         (f"NURBS_{major}.{minor}" not in [node for _, node in in_map])
-    found += differences("wanted and actual SONAME", [soname(major, minor)], dynamic_entries(library, "SONAME"))
+    found += differences("wanted and actual SONAME", [f"libnurbs.so.{major}"], dynamic_entries(library, "SONAME"))
     found += [f"needs {name}" for name in dynamic_entries(library, "NEEDED") if not ALLOWED_LIBRARIES.match(name)]
     found += [f"has the search path {path}" for path in dynamic_entries(library, "R(?:UN)?PATH")]
     return declared, found

@@ -6,7 +6,7 @@ module nurbs_constants
     public
 
     ! The macro NURBS_VERSION under another name: Fortran does not tell it from the function nurbs_version.
-    integer(c_int32_t), parameter :: NURBS_VERSION_MAJOR = 0, NURBS_VERSION_MINOR = 1, NURBS_VERSION_PATCH = 0
+    integer(c_int32_t), parameter :: NURBS_VERSION_MAJOR = 1, NURBS_VERSION_MINOR = 0, NURBS_VERSION_PATCH = 0
     integer(c_int32_t), parameter :: NURBS_HEADER_VERSION = &
         NURBS_VERSION_MAJOR * 10000 + NURBS_VERSION_MINOR * 100 + NURBS_VERSION_PATCH
 

@@ -13,7 +13,7 @@ The manual is the header nurbs.h; this package keeps its names, its indices from
   are converted. Each evaluating method fills `out` if it is given.
 - The interpreter's lock is released during every call, and one spline may be used by many threads at once.
 
-The library is $NURBS_LIBRARY, a path to libnurbs.so, if that is set, else the system's libnurbs.so.0.1. The C functions
+The library is $NURBS_LIBRARY, a path to libnurbs.so, if that is set, else the system's libnurbs.so.1. The C functions
 themselves are attributes of `nurbs.lib`.
 """
 

@@ -259,7 +259,7 @@ class NurbsError(Exception):
 
 def _load():
     # CDLL, unlike PyDLL, releases the interpreter's lock during calls.
-    library = ctypes.CDLL(os.environ.get("NURBS_LIBRARY") or "libnurbs.so.0.1")
+    library = ctypes.CDLL(os.environ.get("NURBS_LIBRARY") or "libnurbs.so.1")
     for name, types in PROTOTYPES.items():
         result, arguments = types.split(" ")
         function = getattr(library, name)

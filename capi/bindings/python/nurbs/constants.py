@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """The constants of nurbs.h, with its names and values, and its two macros for flags."""
 
-NURBS_VERSION_MAJOR = 0
-NURBS_VERSION_MINOR = 1
+NURBS_VERSION_MAJOR = 1
+NURBS_VERSION_MINOR = 0
 NURBS_VERSION_PATCH = 0
 NURBS_VERSION = NURBS_VERSION_MAJOR * 10000 + NURBS_VERSION_MINOR * 100 + NURBS_VERSION_PATCH
 NURBS_MAX_DEGREE = 31

@@ -28,8 +28,8 @@ pub struct nurbs_read_options {
     pub max_bytes: i64,
 }
 
-pub const NURBS_VERSION_MAJOR: i32 = 0;
-pub const NURBS_VERSION_MINOR: i32 = 1;
+pub const NURBS_VERSION_MAJOR: i32 = 1;
+pub const NURBS_VERSION_MINOR: i32 = 0;
 pub const NURBS_VERSION_PATCH: i32 = 0;
 pub const NURBS_VERSION: i32 = NURBS_VERSION_MAJOR * 10000 + NURBS_VERSION_MINOR * 100 + NURBS_VERSION_PATCH;
 pub const NURBS_MAX_DEGREE: i32 = 31;
