@@ -29,3 +29,8 @@ if(NURBS_SANITIZE)
     add_compile_options(-fsanitize=${NURBS_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
     add_link_options(-fsanitize=${NURBS_SANITIZE} -fno-sanitize-recover=all)
 endif()
+
+# The library's objects count; every program that is linked with them writes the counts.
+if(NURBS_COVERAGE)
+    add_link_options(-fprofile-instr-generate)
+endif()

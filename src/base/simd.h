@@ -2,12 +2,14 @@
 // one that the processor has is chosen at run time; see Highway's documentation on dynamic dispatch.
 //
 // Vectors with sizes known only at run time (SVE, RISC-V) cannot hold four coordinates by name and are left
-// out, as is NEON without double precision. SSSE3 is no faster for this work than the portable code.
+// out, as is NEON without double precision. SSSE3 is no faster for this work than the portable code, and SSE4
+// so little that its code, a twelfth of the library, is not worth loading.
 #pragma once
 
-#define NURBS_UNUSED_TARGETS (HWY_SSSE3 | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
+#define NURBS_UNUSED_TARGETS \
+    (HWY_SSSE3 | HWY_SSE4 | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
 #if defined(NURBS_SANITIZED) // where compilers need minutes for each of them, two stand for all
-#define HWY_DISABLED_TARGETS (NURBS_UNUSED_TARGETS | HWY_SSE4 | HWY_AVX3 | HWY_AVX3_DL)
+#define HWY_DISABLED_TARGETS (NURBS_UNUSED_TARGETS | HWY_AVX3 | HWY_AVX3_DL)
 #else
 #define HWY_DISABLED_TARGETS NURBS_UNUSED_TARGETS
 #endif

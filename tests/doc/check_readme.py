@@ -1,4 +1,4 @@
-"""The README shows the example that is tested, names every function of the library, and points at files that exist.
+"""The README shows the examples that are tested, names every function of the library, and points at files that exist.
 
 usage: check_readme.py TOP_FOLDER
 """
@@ -28,9 +28,9 @@ def linked_files(text):
 
 def problems(top):
     text = (top / "README.md").read_text(encoding="utf-8")
-    example = (top / "capi/examples/readme.c").read_text(encoding="utf-8")
-    if code_blocks(text, "c") != [example]:
-        yield "the C program of the README is not capi/examples/readme.c"
+    for language, name in (("c", "readme.c"), ("python", "readme.py")):
+        if code_blocks(text, language) != [(top / "capi/examples" / name).read_text(encoding="utf-8")]:
+            yield f"the {language} program of the README is not capi/examples/{name}"
     functions = header_functions(top)
     for name in functions:
         if name not in named_functions(text):
