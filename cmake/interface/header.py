@@ -11,6 +11,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 PATH = "include/nurbs/nurbs.h"
+COMMAND = "python3 cmake/interface/generate.py ."
+NOTICE = f"Generated from {PATH} by: {COMMAND} - do not edit."
 NULL_MARK = re.compile(r"or NULL\b")
 # A parameter described by another function takes its shape, and whether it may be NULL, from there.
 REFERENCE = re.compile(r"(?:a full knot vector, )?as for (nurbs_\w+)\(\)")
