@@ -98,20 +98,56 @@
  * earlier one that has the functions it calls.
  * - A **patch** version mends defects. Results may change within the bounds stated here, and by what the
  *   defect was; texts of messages may change.
- * - A **minor** version adds functions, constants, flags, statuses and fields at the ends of structs. The entry
- *   of a function names the version that brought it, and its symbol carries that version (NURBS_1.0).
+ * - A **minor** version adds functions, constants, flags, statuses and fields at the ends of structs. The
+ *   entry of a function names the version that brought it, and its symbol carries that version (NURBS_1.0).
  * - A **major** version may do anything, has another file name (libnurbs.so.1 is version 1), and can be
  *   installed beside this one.
  *
  * Names, types, values and meanings never change within a major version. Structs tell their size, so that a
- * library knows which fields its caller has; those that a caller lacks have their defaults. A caller has to be
- * ready for statuses that its header does not name, and must not pass bits or constants that it does not name.
+ * library knows which fields its caller has; those that a caller lacks have their defaults. A caller has to
+ * be ready for statuses that its header does not name, and must not pass bits or constants that it does not
+ * name.
  *
  * # Bindings
- * Signatures use int32_t, int64_t, uint32_t, double, pointers to these and to float, char buffers and opaque
- * handles, nothing else. Arrays of float are results in single precision; their strides count floats.
- * Comments are uniform: every array parameter carries its shape in brackets, written in terms of other
- * parameters.
+ * The comments below can be read by a program, and a binding needs nothing else. cmake/interface in the
+ * sources reads them, and generates declarations for other languages and manual pages from them.
+ *
+ * - **Types.** Signatures use int32_t, int64_t, uint32_t, double, pointers to these and to float, char
+ *   buffers, bytes (`const void *`) and opaque handles, nothing else; nurbs_status is an int32_t. Arrays of
+ *   float are results in single precision; their strides count floats. Structs are passed by pointers, and
+ *   have the layout of C. Constants are ints, those that end with u uint32_t.
+ * - **Functions** have a comment with `\brief`, whose first sentence stands for itself, the text that
+ *   belongs to it, and, in this order, a `\param` for every parameter, `\return` unless the result is
+ *   void, and `\since`, the version that brought the function. Chapters are `\defgroup`, groups of
+ *   constants `\name`.
+ * - **Parameters.** After `\param` come the direction, the names, which share one description if there are
+ *   several with commas between, the shape, perhaps `or NULL`, and the text. The direction is `[in]`,
+ *   `[out]` for what is only written, or `[in,out]`. Pointers without a shape point to one value, one
+ *   handle, one struct or a zero-terminated text.
+ * - **Shapes** are in brackets, slowest index first: `[n][dim]` is n records of dim components. They are
+ *   written in terms of other parameters, and of what belongs to the spline that is passed: its axes, its
+ *   dimension dim, the number N of its control points, and rational, which is 1 with weights and 0 without;
+ *   other letters are explained in the text of the function. Three dots between brackets stand for those of
+ *   the other axes. An array of records whose layout the caller chooses has a parameter that ends with
+ *   _stride, and another with _component_stride if its records have more than one component; all other
+ *   arrays are packed.
+ * - **NULL.** A pointer may be NULL if `or NULL` stands behind its shape, or, without a shape, at the
+ *   beginning of its text; what follows, up to a colon, says what NULL means, for an output without any
+ *   such words that it is not wanted. Any other pointer is required (NURBS_ERROR_NULL), unless its array
+ *   has the length 0.
+ * - **References.** A parameter that is described as one of another function, such as "as for
+ *   nurbs_create()", without a shape of its own, has the shape of the parameter of that name there, and may
+ *   be NULL if that may be.
+ * - **Statuses** are listed behind `\return`: _AXES is short for NURBS_ERROR_AXES; "as for" another
+ *   function, at the beginning, stands for all that it lists, "without" takes some away, "in place of"
+ *   exchanges them. Conditions follow where the name does not say enough. Functions with other results
+ *   cannot fail.
+ * - **Ownership.** What is received through a `nurbs **` or `nurbs_list **` belongs to the caller, who
+ *   frees it with nurbs_destroy() or nurbs_list_destroy(). All memory that is passed stays the caller's,
+ *   and no pointer to it is kept. The text that nurbs_status_name() returns is static.
+ * - **Lengths that are not known before.** Where a parameter is called `cap`, arrays have that length; 0
+ *   asks for the number needed, which comes back in `count`, `entries` or `length`. Texts of at most cap -
+ *   1 bytes are terminated by a zero, and cut if they are longer.
  */
 #ifndef NURBS_NURBS_H
 #define NURBS_NURBS_H
@@ -161,7 +197,7 @@ typedef int32_t nurbs_status;
 
 /** \brief The statuses. Values never change their meaning; new ones may be added. */
 enum {
-    NURBS_OK = 0,
+    NURBS_OK = 0, /**< success */
     /* argument */
     NURBS_ERROR_NULL = 1,              /**< a required pointer is NULL */
     NURBS_ERROR_AXES = 2,              /**< number of axes not 1 to 3, or not one that the function is for */
@@ -332,7 +368,7 @@ NURBS_API const char *nurbs_status_name(nurbs_status status);
 /** \brief Copies the message of the last failed call in the calling thread, such as "params[17] = 1.2 outside
  * [0, 1]". Successful calls leave the message as it was; before any failure it is empty. At most cap - 1
  * bytes and a terminating zero are written.
- * \param[out] buf [cap] receives the text; NULL asks for the length only.
+ * \param[out] buf [cap] or NULL, which asks for the length only: receives the text.
  * \param[in] cap size of buf in bytes; values < 0 count as 0.
  * \return the length of the whole message, without the terminating zero.
  * \since 1.0 */
@@ -441,7 +477,7 @@ NURBS_API nurbs_status nurbs_create_bezier(int32_t axes, const int32_t *degrees,
  * \param[in] g a spline.
  * \param[in] points [N][dim] Cartesian control points, last axis fastest, N and dim those of g.
  * \param[in] point_stride,point_component_stride layout of points, 0 = packed.
- * \param[in] weights [N], or NULL to keep the weights of g (a polynomial spline stays polynomial).
+ * \param[in] weights [N] or NULL to keep the weights of g (a polynomial spline stays polynomial).
  * \param[in] weight_stride distance between weights, 0 = 1.
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _STRIDE, _POINT_NOT_FINITE, _WEIGHT_NOT_FINITE, _WEIGHT_NEGATIVE,
@@ -461,7 +497,7 @@ NURBS_API nurbs_status nurbs_with_points(const nurbs *g, const double *points, i
 NURBS_API nurbs_status nurbs_clone(const nurbs *g, nurbs **out);
 
 /** \brief Frees a handle. What was derived from it stays valid.
- * \param[in] g a handle, or NULL, which does nothing.
+ * \param[in] g or NULL, which does nothing: a handle.
  * \since 1.0 */
 NURBS_API void nurbs_destroy(nurbs *g);
 /** @} */
@@ -497,7 +533,7 @@ NURBS_API nurbs_status nurbs_knots_open_uniform(int32_t degree, int64_t count, d
  * The number of control points is pieces * degree + 1 (degree 0: pieces).
  * \param[in] degree p.
  * \param[in] pieces number of Bezier pieces, >= 1.
- * \param[in] breaks [pieces + 1] strictly increasing, or NULL for 0, 1/pieces, ..., 1.
+ * \param[in] breaks [pieces + 1] or NULL for 0, 1/pieces, ..., 1: strictly increasing.
  * \param[in] knot_count number of control points + degree + 1.
  * \param[out] knots [knot_count].
  * \return NURBS_OK, NURBS_ERROR_NULL, _DEGREE, _COUNT, _SIZE, _OVERLAP, _KNOT_NOT_FINITE, _KNOTS_DECREASING.
@@ -526,8 +562,8 @@ NURBS_API nurbs_status nurbs_knots_averaged(int32_t degree, int64_t count, const
  * \param[in] degree p.
  * \param[in] n number of breaks, >= 2; the last break is the first one of the next period.
  * \param[in] breaks [n] strictly increasing.
- * \param[in] multiplicities [n] each in [1, degree + 1] (degree 0: 1), the last equal to the first; or NULL
- *   for 1.
+ * \param[in] multiplicities [n] or NULL for 1: each in [1, degree + 1] (degree 0: 1), the last equal to the
+ *   first.
  * \param[in] knot_count m + 2 * degree + 1.
  * \param[out] knots [knot_count].
  * \return NURBS_OK, NURBS_ERROR_NULL, _DEGREE, _COUNT, _SIZE, _OVERLAP, _KNOT_NOT_FINITE, _KNOTS_DECREASING,
@@ -598,8 +634,8 @@ NURBS_API nurbs_status nurbs_knots(const nurbs *g, int32_t axis, int64_t knot_co
  * \param[in] g a spline.
  * \param[in] axis 0-based axis.
  * \param[in] cap length of the two arrays; 0 asks for the number only.
- * \param[out] knots [cap] receives the distinct knots; may be NULL.
- * \param[out] multiplicities [cap] receives their multiplicities; may be NULL.
+ * \param[out] knots [cap] or NULL: receives the distinct knots.
+ * \param[out] multiplicities [cap] or NULL: receives their multiplicities.
  * \param[out] count the number of distinct knots.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _COUNT; _OVERLAP; _SIZE if cap is neither 0 nor enough.
  * \since 1.0 */
@@ -724,7 +760,7 @@ NURBS_API nurbs_status nurbs_bernstein(int32_t degree, int32_t order, int64_t n,
  * \param[in] n number of parameters.
  * \param[in] params [n].
  * \param[in] param_stride distance between parameters, 0 = 1.
- * \param[out] spans [n] the span s of each parameter, or NULL.
+ * \param[out] spans [n] or NULL: the span s of each parameter.
  * \param[out] values [n][order + 1][degree + 1]: derivative k of N_(s - degree + j) is component k * (degree
  *   + 1) + j.
  * \param[in] value_stride,value_component_stride layout of values, 0 = packed.
@@ -743,7 +779,7 @@ NURBS_API nurbs_status nurbs_basis(int32_t degree, int64_t count, const double *
  * \param[in] n number of parameters.
  * \param[in] params [n][axes].
  * \param[in] param_stride,param_component_stride layout of params, 0 = packed.
- * \param[out] spans [n][axes] span on each axis, packed, or NULL.
+ * \param[out] spans [n][axes] or NULL: span on each axis, packed.
  * \param[out] values [n][M].
  * \param[in] value_stride,value_component_stride layout of values, 0 = packed.
  * \param[in] flags evaluation flags per axis.
@@ -908,15 +944,15 @@ NURBS_API nurbs_status nurbs_iso(const nurbs *g, int32_t axis, double param, uin
  * \param[in] n number of parameters.
  * \param[in] params [n][2].
  * \param[in] param_stride,param_component_stride layout of params, 0 = packed.
- * \param[out] points [n][3], or NULL.
+ * \param[out] points [n][3] or NULL.
  * \param[in] point_stride,point_component_stride layout of points, 0 = packed.
- * \param[out] du [n][3] derivative along axis 0, or NULL.
+ * \param[out] du [n][3] or NULL: derivative along axis 0.
  * \param[in] du_stride,du_component_stride layout of du, 0 = packed.
- * \param[out] dv [n][3] derivative along axis 1, or NULL.
+ * \param[out] dv [n][3] or NULL: derivative along axis 1.
  * \param[in] dv_stride,dv_component_stride layout of dv, 0 = packed.
- * \param[out] normals [n][3] unit normals, or NULL.
+ * \param[out] normals [n][3] or NULL: unit normals.
  * \param[in] normal_stride,normal_component_stride layout of normals, 0 = packed.
- * \param[out] status [n] NURBS_FRAME_LIMIT or _UNDEFINED where the normal is not regular, or NULL.
+ * \param[out] status [n] or NULL: NURBS_FRAME_LIMIT or _UNDEFINED where the normal is not regular.
  * \param[in] flags evaluation flags per axis.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DIMENSION, _COUNT, _OVERFLOW, _STRIDE, _OVERLAP, _FLAGS,
  *   _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN.
@@ -932,15 +968,15 @@ NURBS_API nurbs_status nurbs_surface_eval_frames(
  * \param[in] g a surface of dimension 3.
  * \param[in] counts [2] number of parameters on each axis.
  * \param[in] params [sum of counts] as for nurbs_eval_grid().
- * \param[out] points [M][3], or NULL.
+ * \param[out] points [M][3] or NULL.
  * \param[in] point_stride,point_component_stride layout of points, 0 = packed.
- * \param[out] du [M][3] derivative along axis 0, or NULL.
+ * \param[out] du [M][3] or NULL: derivative along axis 0.
  * \param[in] du_stride,du_component_stride layout of du, 0 = packed.
- * \param[out] dv [M][3] derivative along axis 1, or NULL.
+ * \param[out] dv [M][3] or NULL: derivative along axis 1.
  * \param[in] dv_stride,dv_component_stride layout of dv, 0 = packed.
- * \param[out] normals [M][3] unit normals, or NULL.
+ * \param[out] normals [M][3] or NULL: unit normals.
  * \param[in] normal_stride,normal_component_stride layout of normals, 0 = packed.
- * \param[out] status [M] as for nurbs_surface_eval_frames().
+ * \param[out] status [M] or NULL: as for nurbs_surface_eval_frames().
  * \param[in] flags evaluation flags per axis.
  * \return as for nurbs_surface_eval_frames(); the index in a message counts along params.
  * \since 1.0 */
@@ -965,15 +1001,15 @@ NURBS_API nurbs_status nurbs_surface_eval_grid_frames(
  * \param[in] n number of parameters.
  * \param[in] params [n][2].
  * \param[in] param_stride,param_component_stride layout of params, 0 = packed.
- * \param[out] principal [n][2] k1 >= k2, or NULL.
+ * \param[out] principal [n][2] or NULL: k1 >= k2.
  * \param[in] principal_stride,principal_component_stride layout of principal, 0 = packed.
- * \param[out] directions [n][2][3] unit vectors, coordinate c of direction j is component 3 j + c, or NULL.
+ * \param[out] directions [n][2][3] or NULL: unit vectors, coordinate c of direction j is component 3 j + c.
  * \param[in] direction_stride,direction_component_stride layout of directions, 0 = packed.
- * \param[out] mean [n] H, or NULL.
+ * \param[out] mean [n] or NULL: H.
  * \param[in] mean_stride distance between values of mean, 0 = 1.
- * \param[out] gaussian [n] K, or NULL.
+ * \param[out] gaussian [n] or NULL: K.
  * \param[in] gaussian_stride distance between values of gaussian, 0 = 1.
- * \param[out] status [n] NURBS_FRAME_RULE or _UNDEFINED, or NULL.
+ * \param[out] status [n] or NULL: NURBS_FRAME_RULE or _UNDEFINED.
  * \param[in] flags evaluation flags per axis.
  * \return as for nurbs_surface_eval_frames().
  * \since 1.0 */
@@ -997,19 +1033,19 @@ NURBS_API nurbs_status nurbs_surface_eval_curvatures(
  * \param[in] n number of parameters.
  * \param[in] params [n].
  * \param[in] param_stride distance between parameters, 0 = 1.
- * \param[out] points [n][dim], or NULL.
+ * \param[out] points [n][dim] or NULL.
  * \param[in] point_stride,point_component_stride layout of points, 0 = packed.
- * \param[out] tangents [n][dim] T, or NULL.
+ * \param[out] tangents [n][dim] or NULL: T.
  * \param[in] tangent_stride,tangent_component_stride layout of tangents, 0 = packed.
- * \param[out] normals [n][dim] N, or NULL.
+ * \param[out] normals [n][dim] or NULL: N.
  * \param[in] normal_stride,normal_component_stride layout of normals, 0 = packed.
- * \param[out] binormals [n][3] B, or NULL, which it must be in the plane.
+ * \param[out] binormals [n][3] or NULL, which it must be in the plane: B.
  * \param[in] binormal_stride,binormal_component_stride layout of binormals, 0 = packed.
- * \param[out] curvatures [n], or NULL.
+ * \param[out] curvatures [n] or NULL.
  * \param[in] curvature_stride distance between curvatures, 0 = 1.
- * \param[out] torsions [n], or NULL, which it must be in the plane.
+ * \param[out] torsions [n] or NULL, which it must be in the plane.
  * \param[in] torsion_stride distance between torsions, 0 = 1.
- * \param[out] status [n] sum of NURBS_FRAME_ bits, or NULL.
+ * \param[out] status [n] or NULL: sum of NURBS_FRAME_ bits.
  * \param[in] flags evaluation flags of one axis.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _COUNT, _OVERFLOW, _STRIDE, _OVERLAP, _FLAGS,
  *   _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN; _DIMENSION if it is not 2 or 3, or is 2 and binormals or torsions
@@ -1034,18 +1070,18 @@ NURBS_API nurbs_status nurbs_curve_eval_frames(
  * \param[in] n number of parameters.
  * \param[in] params [n] in the order of the sequence.
  * \param[in] param_stride distance between parameters, 0 = 1.
- * \param[in] first_normal [3] direction that is made perpendicular to the first tangent and becomes the first
- *   normal, or NULL: the coordinate axis i of the smallest |T_i| (the first of several).
- * \param[out] points [n][3], or NULL.
+ * \param[in] first_normal [3] or NULL for the coordinate axis i of the smallest |T_i| (the first of several):
+ *   direction that is made perpendicular to the first tangent and becomes the first normal.
+ * \param[out] points [n][3] or NULL.
  * \param[in] point_stride,point_component_stride layout of points, 0 = packed.
- * \param[out] tangents [n][3] unit tangents T, to rounding those of nurbs_curve_eval_frames(), or NULL.
+ * \param[out] tangents [n][3] or NULL: unit tangents T, to rounding those of nurbs_curve_eval_frames().
  * \param[in] tangent_stride,tangent_component_stride layout of tangents, 0 = packed.
- * \param[out] normals [n][3] N, or NULL.
+ * \param[out] normals [n][3] or NULL: N.
  * \param[in] normal_stride,normal_component_stride layout of normals, 0 = packed.
- * \param[out] binormals [n][3] B = T x N, or NULL.
+ * \param[out] binormals [n][3] or NULL: B = T x N.
  * \param[in] binormal_stride,binormal_component_stride layout of binormals, 0 = packed.
- * \param[out] status [n] NURBS_FRAME_LIMIT where the tangent is a limit; _UNDEFINED where there is none, and
- *   the sequence passes over this point; or NULL.
+ * \param[out] status [n] or NULL: NURBS_FRAME_LIMIT where the tangent is a limit; _UNDEFINED where there is
+ *   none, and the sequence passes over this point.
  * \param[in] flags evaluation flags of one axis.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DIMENSION, _COUNT, _OVERFLOW, _STRIDE, _OVERLAP, _FLAGS,
  *   _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN; _DIRECTION if first_normal is not finite, zero, or parallel to
@@ -1120,10 +1156,10 @@ NURBS_API nurbs_status nurbs_refine_uniform(const nurbs *g, int32_t axis, int64_
  * \param[in] count number of knots.
  * \param[in] knots [count] as for nurbs_refine().
  * \param[in] cap length of values and columns: 0, or at least the number of entries.
- * \param[out] values [cap] receives the entries, or NULL.
- * \param[out] columns [cap] receives their columns, or NULL.
- * \param[out] row_pointers [m + 1] receives where each row begins, and the number of entries, or NULL.
- * \param[out] entries number of entries, or NULL.
+ * \param[out] values [cap] or NULL: receives the entries.
+ * \param[out] columns [cap] or NULL: receives their columns.
+ * \param[out] row_pointers [m + 1] or NULL: receives where each row begins, and the number of entries.
+ * \param[out] entries or NULL: number of entries.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _COUNT, _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN, _OVERFLOW,
  *   _MULTIPLICITY, _OVERLAP, _PERIODIC_KNOTS, _NOT_REPRESENTABLE; _SIZE if cap is neither 0 nor enough.
  * \since 1.0 */
@@ -1223,7 +1259,7 @@ NURBS_API nurbs_status nurbs_move_seam(const nurbs *g, int32_t axis, double para
  * \param[in] tolerance largest distance of corresponding control points of two ends that meet, >= 0. The
  *   weights of a curve always agree after scaling; those of two edges or faces must to 4 eps.
  * \param[in] flags NURBS_KEEP_GAPS or 0.
- * \param[out] gap largest distance of corresponding control points of two ends, or NULL.
+ * \param[out] gap or NULL: largest distance of corresponding control points of two ends.
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _AXIS, _TOLERANCE, _FLAGS; _INCOMPATIBLE if degrees, axes,
  *   dimensions or the other axes differ or weights do not agree; _GAP if two ends do not meet;
@@ -1249,8 +1285,8 @@ NURBS_API nurbs_status nurbs_join(int64_t count, const nurbs *const *parts, int3
  * \param[in] g a spline.
  * \param[in] axis 0-based axis.
  * \param[in] tolerance w as a part of the domain's length, >= 0 and < 1; 0 moves nothing.
- * \param[out] deviation proved bound of the distance of any point to where it was, 0 if no knot moved, or
- *   NULL.
+ * \param[out] deviation or NULL: proved bound of the distance of any point to where it was, 0 if no knot
+ *   moved.
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _TOLERANCE; _MULTIPLICITY if knots that become one, other than
  *   an end of a plain axis, would occur more than degree + 1 times; _PERIODIC_KNOTS if rounding keeps copies
@@ -1276,8 +1312,8 @@ NURBS_API nurbs_status nurbs_snap_knots(const nurbs *g, int32_t axis, double tol
  * \param[in] tolerance how far a group of knots may reach, as a part of the domain's length, >= 0 and < 1.
  * \param[in] flags NURBS_MAP_DOMAINS: domains other than that of splines[0] are mapped to it as by
  *   nurbs_reparametrize(); 0: they are refused, unless they are that close.
- * \param[out] deviation largest of the splines' bounds, as for nurbs_snap_knots(): 0 if no knot was moved; on
- *   periodic axes, whose outer knots repeat to rounding only, also what that rounding moves; or NULL.
+ * \param[out] deviation or NULL: largest of the splines' bounds, as for nurbs_snap_knots(): 0 if no knot was
+ *   moved; on periodic axes, whose outer knots repeat to rounding only, also what that rounding moves.
  * \param[out] out the new list, the splines in their order, named "0", "1" and so on.
  * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _TOLERANCE, _FLAGS; _INCOMPATIBLE if numbers of axes, or
  *   domains without NURBS_MAP_DOMAINS, differ; _MULTIPLICITY as for nurbs_snap_knots(), _KNOTS_MERGE as for
@@ -1338,10 +1374,9 @@ NURBS_API nurbs_status nurbs_unclamp(const nurbs *g, int32_t axis, uint32_t flag
  * \param[in] axis 0-based axis.
  * \param[in] tolerance largest deviation allowed, a distance >= 0; the bound includes the rounding of control
  *   points that are moved: 0 is met where none is, such as of a circle that closes bit for bit.
- * \param[out] deviation proved bound of the distance of any point to where it was, as for nurbs_snap_knots(),
- * or
- *   NULL.
- * \param[out] order the order of continuity that the knots give the seam, or NULL.
+ * \param[out] deviation or NULL: proved bound of the distance of any point to where it was, as for
+ *   nurbs_snap_knots().
+ * \param[out] order or NULL: the order of continuity that the knots give the seam.
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _TOLERANCE; _GAP naming the deviation if the ends do not meet;
  *   _PERIODIC_KNOTS if rounding keeps the knots from repeating; _NOT_REPRESENTABLE if a value overflows,
@@ -1507,9 +1542,8 @@ NURBS_API nurbs_status nurbs_equalize_end_weights(const nurbs *g, int32_t axis, 
  * \param[in] g a spline.
  * \param[in] params [axes] a parameter in the span of the piece on each axis.
  * \param[in] count number of arguments: the sum of the degrees.
- * \param[in] args [count] finite arguments, p_0 for axis 0, then p_1 for axis 1, ...; may be NULL when count
- *   is 0.
- * \param[out] values [dim] for a polynomial spline, [dim + 1] for a rational one.
+ * \param[in] args [count] finite arguments, p_0 for axis 0, then p_1 for axis 1, and so on.
+ * \param[out] values [dim + rational] dim values for a polynomial spline, dim + 1 for a rational one.
  * \param[in] flags evaluation flags for params other than NURBS_NAN: they choose the piece.
  * \return NURBS_OK, NURBS_ERROR_NULL, _SIZE, _FLAGS, _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN, _OVERLAP.
  * \since 1.0 */
@@ -1668,15 +1702,13 @@ NURBS_API nurbs_status nurbs_create_hermite(int64_t n, const double *params, int
  * (both tested).
  * \param[in] g a polynomial curve of degree 0 to 3.
  * \param[in] cap length of the arrays in points; 0 asks for the number only.
- * \param[out] params [cap] receives the distinct knots of the domain, rising; may be NULL.
- * \param[out] points [cap][dim] receives the points, packed; may be NULL.
- * \param[out] tangents [cap][dim] receives the derivatives with respect to the parameter, packed; may be
- * NULL.
- * \param[out] count number of points, one more than there are non-empty spans; may be NULL.
+ * \param[out] params [cap] or NULL: receives the distinct knots of the domain, rising.
+ * \param[out] points [cap][dim] or NULL: receives the points, packed.
+ * \param[out] tangents [cap][dim] or NULL: receives the derivatives with respect to the parameter, packed.
+ * \param[out] count or NULL: number of points, one more than there are non-empty spans.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _COUNT, _OVERFLOW, _OVERLAP; _SIZE if cap is neither 0 nor
- * enough,
- *   _RATIONAL if g is rational, _DEGREE above 3, _CONTINUITY naming a knot at which g may have a kink,
- *   _NOT_REPRESENTABLE if a tangent overflows.
+ *   enough, _RATIONAL if g is rational, _DEGREE above 3, _CONTINUITY naming a knot at which g may have a
+ *   kink, _NOT_REPRESENTABLE if a tangent overflows.
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_to_hermite(const nurbs *g, int64_t cap, double *params, double *points,
                                         double *tangents, int64_t *count);
@@ -1696,13 +1728,12 @@ NURBS_API nurbs_status nurbs_to_hermite(const nurbs *g, int64_t cap, double *par
  * conditioned at the far end of a span; the Bezier pieces of nurbs_decompose() are not.
  * \param[in] g a spline, of width W = dim, or dim + 1 if it is rational.
  * \param[in] cap length of coefficients in values: 0 asks for the numbers only, or at least count.
- * \param[out] coefficients [pieces][p_0 + 1]...[W] c_k, pieces in the order of nurbs_decompose(), last axis
- *   fastest in pieces and powers; may be NULL. Written, as breaks, if cap is not 0.
- * \param[out] breaks [sum of piece_counts[k] + 1] the distinct knots of the domain of every axis, one axis
- * after
- *   the other; may be NULL.
- * \param[out] piece_counts [axes] receives the number of pieces along each axis; may be NULL.
- * \param[out] count number of values of all coefficients; may be NULL.
+ * \param[out] coefficients [pieces][p_0 + 1]...[W] or NULL: c_k, pieces in the order of nurbs_decompose(),
+ *   last axis fastest in pieces and powers. Written, as breaks, if cap is not 0.
+ * \param[out] breaks [sum of piece_counts[k] + 1] or NULL: the distinct knots of the domain of every axis,
+ *   one axis after the other.
+ * \param[out] piece_counts [axes] or NULL: receives the number of pieces along each axis.
+ * \param[out] count or NULL: number of values of all coefficients.
  * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERFLOW, _OVERLAP; _SIZE if cap is neither 0 nor enough,
  *   _NOT_REPRESENTABLE if a value overflows.
  * \since 1.0 */
@@ -1775,17 +1806,16 @@ NURBS_API nurbs_status nurbs_basis_matrix(int32_t from, int32_t to, int32_t degr
  * \param[in] position_tolerance,derivative_tolerance,angle_tolerance >= 0, angles in radians; infinite ones
  *   admit everything.
  * \param[in] cap length of the outputs: 0, or at least the number of rows.
- * \param[out] knots [cap] where, or NULL.
- * \param[out] knot_orders [cap] the order that the knots guarantee, degree - multiplicity; -1 for the seam of
- *   an axis that is not periodic; or NULL.
- * \param[out] orders [cap] the parametric order that holds, or NULL.
- * \param[out] geometric_orders [cap] the geometric order that holds, or NULL.
- * \param[out] position_gaps [cap] distance of the points, or NULL.
- * \param[out] angles [cap] angle in radians, NaN where there is none, or NULL.
- * \param[out] curvature_gaps [cap] length of the difference of the curvature vectors, NaN where there is
- * none,
- *   or NULL.
- * \param[out] count number of rows, or NULL.
+ * \param[out] knots [cap] or NULL: where.
+ * \param[out] knot_orders [cap] or NULL: the order that the knots guarantee, degree - multiplicity; -1 for
+ *   the seam of an axis that is not periodic.
+ * \param[out] orders [cap] or NULL: the parametric order that holds.
+ * \param[out] geometric_orders [cap] or NULL: the geometric order that holds.
+ * \param[out] position_gaps [cap] or NULL: distance of the points.
+ * \param[out] angles [cap] or NULL: angle in radians, NaN where there is none.
+ * \param[out] curvature_gaps [cap] or NULL: length of the difference of the curvature vectors, NaN where
+ *   there is none.
+ * \param[out] count or NULL: number of rows.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _TOLERANCE, _COUNT, _OVERLAP; _SIZE if cap is neither 0 nor
  *   enough; _NOT_REPRESENTABLE if a value overflows.
  * \since 1.0 */
@@ -1803,12 +1833,12 @@ NURBS_API nurbs_status nurbs_continuity(const nurbs *g, int32_t axis, double pos
  * \param[in] b the curve that follows, of the same dimension.
  * \param[in] end_b where it begins, NURBS_START or NURBS_END.
  * \param[in] position_tolerance,derivative_tolerance,angle_tolerance as for nurbs_continuity().
- * \param[out] order the parametric order that holds, at most the higher of the two degrees, or NULL.
- * \param[out] geometric the geometric order that holds, or NULL.
- * \param[out] position_gap distance of the points, or NULL.
- * \param[out] angle angle between the tangents in radians, NaN where there is none, or NULL.
- * \param[out] curvature_gap length of the difference of the curvature vectors, NaN where there is none, or
- *   NULL.
+ * \param[out] order or NULL: the parametric order that holds, at most the higher of the two degrees.
+ * \param[out] geometric or NULL: the geometric order that holds.
+ * \param[out] position_gap or NULL: distance of the points.
+ * \param[out] angle or NULL: angle between the tangents in radians, NaN where there is none.
+ * \param[out] curvature_gap or NULL: length of the difference of the curvature vectors, NaN where there is
+ *   none.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _END, _TOLERANCE; _INCOMPATIBLE if the dimensions differ.
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_continuity_between(const nurbs *a, int32_t end_a, const nurbs *b, int32_t end_b,
@@ -1832,8 +1862,8 @@ NURBS_API nurbs_status nurbs_continuity_between(const nurbs *a, int32_t end_a, c
  * beside rounding, unless that takes more than 600 subdivisions. Weights may be 0; where the weights do not
  * let a denominator be shown to have no zero, at_most is infinite.
  * \param[in] f,g two splines.
- * \param[out] at_least a distance that is reached, or NULL.
- * \param[out] at_most one that is not exceeded, or NULL.
+ * \param[out] at_least or NULL: a distance that is reached.
+ * \param[out] at_most or NULL: one that is not exceeded.
  * \return NURBS_OK, NURBS_ERROR_NULL, _OVERFLOW; _INCOMPATIBLE if axes, dimensions or domains differ,
  *   _NOT_REPRESENTABLE if a coefficient overflows.
  * \since 1.0 */
@@ -1853,8 +1883,8 @@ NURBS_API nurbs_status nurbs_deviation(const nurbs *f, const nurbs *g, double *a
  * \param[in] knot the knot, inside the domain; on a periodic axis its ends too if they occur twice.
  * \param[in] times how often at most.
  * \param[in] tolerance largest distance from g, >= 0, may be infinite.
- * \param[out] removed how often, or NULL.
- * \param[out] bound proven bound of the distance from g, at most the tolerance, or NULL; 0 if nothing was
+ * \param[out] removed or NULL: how often.
+ * \param[out] bound or NULL: proven bound of the distance from g, at most the tolerance; 0 if nothing was
  *   removed.
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN, _TIMES, _TOLERANCE,
@@ -1873,7 +1903,7 @@ NURBS_API nurbs_status nurbs_remove_knot(const nurbs *g, int32_t axis, double kn
  * \param[in] g a spline.
  * \param[in] axis 0-based axis, or -1 for every one, in their order, with an even share of the tolerance.
  * \param[in] tolerance largest distance from g, >= 0, may be infinite.
- * \param[out] bound proven bound of the distance from g, at most the tolerance, or NULL; 0 if nothing was
+ * \param[out] bound or NULL: proven bound of the distance from g, at most the tolerance; 0 if nothing was
  *   removed.
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _TOLERANCE, _OVERFLOW; _PERIODIC_KNOTS as for nurbs_elevate();
@@ -1892,7 +1922,7 @@ NURBS_API nurbs_status nurbs_reduce_knots(const nurbs *g, int32_t axis, double t
  * \param[in] g a spline.
  * \param[in] axis 0-based axis.
  * \param[in] times by how much; 0 gives the same spline.
- * \param[out] bound proven bound of the distance from g, or NULL.
+ * \param[out] bound or NULL: proven bound of the distance from g.
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _TIMES, _OVERFLOW; _DEGREE if times exceeds the degree,
  *   _WEIGHT_SIGN if g has weights >= 0 and the result would not; _PERIODIC_KNOTS as for
@@ -1906,8 +1936,8 @@ NURBS_API nurbs_status nurbs_reduce_degree(const nurbs *g, int32_t axis, int32_t
  * below 1, where steps would begin), and knots are removed by nurbs_reduce_knots(). The ends stay.
  * \param[in] g a spline.
  * \param[in] tolerance largest distance from g, >= 0, may be infinite.
- * \param[out] bound proven bound of the distance from g, at most the tolerance, or NULL; 0 if nothing
- * changed.
+ * \param[out] bound or NULL: proven bound of the distance from g, at most the tolerance; 0 if nothing
+ *   changed.
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _TOLERANCE, _OVERFLOW; _PERIODIC_KNOTS as for nurbs_elevate();
  *   _NOT_REPRESENTABLE if a point overflows.
@@ -1929,7 +1959,7 @@ NURBS_API nurbs_status nurbs_simplify(const nurbs *g, double tolerance, double *
  * \param[in] g a spline.
  * \param[in] out_dim dimension of the result.
  * \param[in] matrix [out_dim][dim] A, row by row.
- * \param[in] translation [out_dim] b, or NULL for 0.
+ * \param[in] translation [out_dim] or NULL for 0: b.
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _DIMENSION, _OVERFLOW; _MATRIX if an entry is not finite,
  *   _NOT_REPRESENTABLE if a coordinate, or its product with the weight, overflows.
@@ -1977,11 +2007,11 @@ NURBS_API nurbs_status nurbs_mirror(const nurbs *g, const double *point, const d
  * \param[in] g a spline.
  * \param[in] point [dim] a point of the plane.
  * \param[in] normal [dim] of any length but 0.
- * \param[in] direction [dim] d, of any length but 0, or NULL: along the normal.
+ * \param[in] direction [dim] or NULL for the normal: d, of any length but 0.
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _POINT_NOT_FINITE; _DIRECTION if the normal or the direction is 0 or
- * not
- *   finite, or the direction parallel to the plane to rounding; _NOT_REPRESENTABLE if a coordinate overflows.
+ *   not finite, or the direction parallel to the plane to rounding; _NOT_REPRESENTABLE if a coordinate
+ *   overflows.
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_project_to_plane(const nurbs *g, const double *point, const double *normal,
                                               const double *direction, nurbs **out);
@@ -1997,8 +2027,8 @@ NURBS_API nurbs_status nurbs_project_to_plane(const nurbs *g, const double *poin
  * \param[in] normal [dim] of any length but 0.
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _POINT_NOT_FINITE; _DIRECTION if the normal is 0 or not finite, or the
- * eye
- *   lies in the plane to rounding; _WEIGHTS_VANISH, _NOT_REPRESENTABLE as for nurbs_transform_projective().
+ *   eye lies in the plane to rounding; _WEIGHTS_VANISH, _NOT_REPRESENTABLE as for
+ *   nurbs_transform_projective().
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_project_from(const nurbs *g, const double *eye, const double *point,
                                           const double *normal, nurbs **out);
@@ -2057,7 +2087,7 @@ NURBS_API nurbs_status nurbs_curve_line(int32_t dim, const double *a, const doub
  * \param[in] dim dimension, at least 1.
  * \param[in] points [n][dim] its corners in order; for a closed one the last is the first.
  * \param[in] point_stride,point_component_stride layout of points, 0 = packed.
- * \param[in] params [n] the parameters of the points, increasing; or NULL for 0, 1, ..., n - 1.
+ * \param[in] params [n] or NULL for 0, 1, ..., n - 1: the parameters of the points, increasing.
  * \param[in] param_stride distance between parameters, 0 = 1.
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _TOO_FEW_POINTS, _DIMENSION, _STRIDE, _POINT_NOT_FINITE,
@@ -2071,7 +2101,7 @@ NURBS_API nurbs_status nurbs_curve_polyline(int64_t n, int32_t dim, const double
 /** \brief A closed regular polygon, of degree 1, counterclockwise about the axis. Its corners are at the
  * angles 2 pi i / sides; the parameter is i / sides there.
  * \param[in] dim 2 or 3.
- * \param[in] center,axis,x [dim] placement.
+ * \param[in] center,axis,x [dim] or NULL: placement.
  * \param[in] radius distance of the corners from the centre, > 0.
  * \param[in] sides number of sides, at least 3.
  * \param[out] out the new handle.
@@ -2086,7 +2116,7 @@ NURBS_API nurbs_status nurbs_curve_polygon(int32_t dim, const double *center, co
  * corners leave no length are left out; with corner_radius 0 the rectangle has degree 1. Knots are spaced
  * evenly.
  * \param[in] dim 2 or 3.
- * \param[in] center,axis,x [dim] placement; the centre is that of the rectangle.
+ * \param[in] center,axis,x [dim] or NULL: placement; the centre is that of the rectangle.
  * \param[in] width,height lengths of the sides along X and Y, > 0.
  * \param[in] corner_radius 0 to half of the smaller side.
  * \param[out] out the new handle.
@@ -2101,7 +2131,7 @@ NURBS_API nurbs_status nurbs_curve_rounded_rectangle(int32_t dim, const double *
  * full turn. With NURBS_ARC_QUARTERS it has 9 control points, with NURBS_ARC_THIRDS 7, with
  * NURBS_ARC_SMOOTH 6.
  * \param[in] dim 2 or 3.
- * \param[in] center,axis,x [dim] placement.
+ * \param[in] center,axis,x [dim] or NULL: placement.
  * \param[in] radius > 0.
  * \param[in] form one of the NURBS_ARC_ constants.
  * \param[out] out the new handle.
@@ -2114,7 +2144,7 @@ NURBS_API nurbs_status nurbs_curve_circle(int32_t dim, const double *center, con
 /** \brief A circular arc: center + radius (X cos a + Y sin a), a from start to start + sweep. A piece of
  * angle d has the weights 1, cos(d / 2), 1 and its middle control point where its end tangents meet.
  * \param[in] dim 2 or 3.
- * \param[in] center,axis,x [dim] placement.
+ * \param[in] center,axis,x [dim] or NULL: placement.
  * \param[in] radius > 0.
  * \param[in] start,sweep angles; a negative sweep runs clockwise.
  * \param[in] form one of the NURBS_ARC_ constants.
@@ -2155,12 +2185,12 @@ NURBS_API nurbs_status nurbs_curve_arc_tangent(int32_t dim, const double *a, con
 /** \brief An elliptic arc: center + radius_x X cos a + radius_y Y sin a, a from start to start + sweep; a is
  * the eccentric angle, not that of the point seen from the centre.
  * \param[in] dim 2 or 3.
- * \param[in] center,axis,x [dim] placement.
+ * \param[in] center,axis,x [dim] or NULL: placement.
  * \param[in] radius_x,radius_y semi-axes, > 0, in any order.
  * \param[in] start,sweep angles, as for nurbs_curve_arc().
  * \param[in] form one of the NURBS_ARC_ constants.
  * \param[out] out the new handle.
- * \return as nurbs_curve_arc().
+ * \return as for nurbs_curve_arc().
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_curve_ellipse(int32_t dim, const double *center, const double *axis,
                                            const double *x, double radius_x, double radius_y, double start,
@@ -2169,7 +2199,7 @@ NURBS_API nurbs_status nurbs_curve_ellipse(int32_t dim, const double *center, co
 /** \brief A parabolic arc, polynomial of degree 2 over [start, end]: vertex + t^2 / (4 focal_length) X + t
  * Y, so that the parameter is the coordinate along Y.
  * \param[in] dim 2 or 3.
- * \param[in] vertex,axis,x [dim] placement; X points to the focus.
+ * \param[in] vertex,axis,x [dim] or NULL: placement; X points to the focus.
  * \param[in] focal_length distance from the vertex to the focus, > 0.
  * \param[in] start,end the domain, start < end.
  * \param[out] out the new handle.
@@ -2185,11 +2215,11 @@ NURBS_API nurbs_status nurbs_curve_parabola(int32_t dim, const double *vertex, c
  * u, u from start to end. A piece that spans d in u has the weights 1, cosh(d / 2), 1; pieces of degree 2
  * are of equal length in u, at most 2.
  * \param[in] dim 2 or 3.
- * \param[in] center,axis,x [dim] placement.
+ * \param[in] center,axis,x [dim] or NULL: placement.
  * \param[in] radius_x,radius_y semi-axes, > 0; the asymptotes are Y = +-(radius_y / radius_x) X.
  * \param[in] start,end values of u, start < end.
  * \param[out] out the new handle.
- * \return as nurbs_curve_parabola().
+ * \return as for nurbs_curve_parabola().
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_curve_hyperbola(int32_t dim, const double *center, const double *axis,
                                              const double *x, double radius_x, double radius_y, double start,
@@ -2289,7 +2319,8 @@ NURBS_API nurbs_status nurbs_conic_axes(const double *coefficients, int32_t *typ
  * \param[in] start,end range of the parameter of that curve.
  * \param[in] form one of the NURBS_ARC_ constants; used for ellipses.
  * \param[out] out the new handle, of dimension 2.
- * \return what nurbs_conic_axes() and the function for the kind return.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _FACTOR, _CONIC, _NOT_REPRESENTABLE as for nurbs_conic_axes(); for
+ *   ellipses _ANGLE, _FORM, for the others _PARAMETER_NOT_FINITE, _EMPTY_DOMAIN, _KNOT_NOT_FINITE.
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_curve_conic_implicit(const double *coefficients, double start, double end,
                                                   int32_t form, nurbs **out);
@@ -2300,8 +2331,8 @@ NURBS_API nurbs_status nurbs_curve_conic_implicit(const double *coefficients, do
  * focus|. The parameter is that of the rational quadratic pieces.
  * \param[in] dim 2 or 3.
  * \param[in] focus [dim] the focus.
- * \param[in] axis [dim] normal of the plane in dimension 3: its part across foot - focus counts; NULL is
- *   (0, 0, 1) and, in dimension 2, what is needed.
+ * \param[in] axis [dim] or NULL for (0, 0, 1), and in dimension 2 for what is needed: normal of the plane in
+ *   dimension 3; its part across foot - focus counts.
  * \param[in] foot [dim] the point of the directrix that is nearest to the focus; the directrix is
  *   perpendicular to the line from the focus to it.
  * \param[in] eccentricity e > 0.
@@ -2342,14 +2373,14 @@ NURBS_API nurbs_status nurbs_curve_shape_factor(const nurbs *g, double *factor, 
  * angle d is at most 0.2176 tan(d / 4)^7 times the way gone by radius and pitch for each radian. The domain
  * is [0, turns]; joints of pieces are points of the true curve.
  * \param[in] dim 2 or 3.
- * \param[in] origin,axis,x [dim] placement.
+ * \param[in] origin,axis,x [dim] or NULL: placement.
  * \param[in] radius at the start, >= 0, and > 0 where growth is 0.
  * \param[in] growth change of the radius in a turn; the radius at the end must be >= 0, too.
  * \param[in] pitch rise along the axis in a turn; 0 in dimension 2.
  * \param[in] start angle at which the curve begins.
  * \param[in] turns number of turns, > 0.
  * \param[in] tolerance largest distance between the curve and the true one at the same angle, > 0.
- * \param[out] error a proven bound of that distance, rounding left out; or NULL.
+ * \param[out] error or NULL: a proven bound of that distance, rounding left out.
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _DIMENSION, _DIRECTION, _POINT_NOT_FINITE, _ANGLE, _TOLERANCE,
  *   _LENGTH if a length is not finite or a radius is out of range, _FACTOR if the turns are,
@@ -2398,8 +2429,8 @@ NURBS_API nurbs_status nurbs_extrude(const nurbs *g, const double *vector, nurbs
  * the axis goes along the control points of an arc of radius r; weights are multiplied (Piegl & Tiller
  * 8.5).
  * \param[in] g a spline of 1 or 2 axes and dimension 3.
- * \param[in] point [3] a point of the axis; NULL: the origin.
- * \param[in] axis [3] its direction; NULL: (0, 0, 1).
+ * \param[in] point [3] or NULL for the origin: a point of the axis.
+ * \param[in] axis [3] or NULL for (0, 0, 1): its direction.
  * \param[in] sweep angle, right-handed about the axis.
  * \param[in] form one of the NURBS_ARC_ constants.
  * \param[out] out the new handle, with one axis more.
@@ -2463,7 +2494,7 @@ NURBS_API nurbs_status nurbs_surface_swung(const nurbs *trajectory, const nurbs 
 
 /** \brief The parallelogram origin + s u + t v, of degree 1 on both axes.
  * \param[in] dim dimension, at least 2.
- * \param[in] origin [dim] a corner; NULL: 0.
+ * \param[in] origin [dim] or NULL for 0: a corner.
  * \param[in] u,v [dim] two sides.
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _DIMENSION, _POINT_NOT_FINITE; _DIRECTION if a side is zero, not
@@ -2494,7 +2525,7 @@ NURBS_API nurbs_status nurbs_volume_trilinear(int32_t dim, const double *corners
 
 /** \brief The whole sphere by longitude (axis 0) and latitude (axis 1, from the pole -Z to the pole Z); its
  * poles are collapsed edges, its seam closes bit for bit.
- * \param[in] center,axis,x [3] placement.
+ * \param[in] center,axis,x [3] or NULL: placement.
  * \param[in] radius > 0.
  * \param[in] form one of the NURBS_ARC_ constants, for both axes.
  * \param[out] out the new handle.
@@ -2505,13 +2536,13 @@ NURBS_API nurbs_status nurbs_surface_sphere(const double *center, const double *
                                             double radius, int32_t form, nurbs **out);
 
 /** \brief A patch of a sphere between two meridians and two circles of latitude.
- * \param[in] center,axis,x [3] placement.
+ * \param[in] center,axis,x [3] or NULL: placement.
  * \param[in] radius > 0.
  * \param[in] start,sweep longitudes, as for nurbs_curve_arc().
  * \param[in] south,north latitudes, -pi/2 <= south < north <= pi/2; a hemisphere is 0, pi/2.
  * \param[in] form one of the NURBS_ARC_ constants, for both axes.
  * \param[out] out the new handle.
- * \return as nurbs_surface_sphere(), and NURBS_ERROR_ANGLE.
+ * \return as for nurbs_surface_sphere(), and NURBS_ERROR_ANGLE.
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_surface_spherical_patch(const double *center, const double *axis,
                                                      const double *x, double radius, double start,
@@ -2522,21 +2553,21 @@ NURBS_API nurbs_status nurbs_surface_spherical_patch(const double *center, const
  * arcs of great circles, without a singular point (after Cobb 1988). Neighbours share their edge curves bit
  * for bit, up to direction. The names in the list are "+X", "+Y", "-X", "-Y", "+Z", "-Z". With
  * NURBS_HEMISPHERE the half towards Z: "+Z" whole, and the upper halves of "+X", "+Y", "-X", "-Y".
- * \param[in] center,axis,x [3] placement.
+ * \param[in] center,axis,x [3] or NULL: placement.
  * \param[in] radius > 0.
  * \param[in] flags NURBS_HEMISPHERE, or 0.
  * \param[out] out the new list.
- * \return as nurbs_surface_sphere(), _FLAGS in place of _FORM.
+ * \return as for nurbs_surface_sphere(), _FLAGS in place of _FORM.
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_surface_sphere_patches(const double *center, const double *axis, const double *x,
                                                     double radius, uint32_t flags, nurbs_list **out);
 
 /** \brief The whole ellipsoid with semi-axes along X, Y and Z, parametrized as nurbs_surface_sphere().
- * \param[in] center,axis,x [3] placement.
+ * \param[in] center,axis,x [3] or NULL: placement.
  * \param[in] radius_x,radius_y,radius_z semi-axes, > 0.
  * \param[in] form one of the NURBS_ARC_ constants.
  * \param[out] out the new handle.
- * \return as nurbs_surface_sphere().
+ * \return as for nurbs_surface_sphere().
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_surface_ellipsoid(const double *center, const double *axis, const double *x,
                                                double radius_x, double radius_y, double radius_z,
@@ -2544,7 +2575,7 @@ NURBS_API nurbs_status nurbs_surface_ellipsoid(const double *center, const doubl
 
 /** \brief A circular cylinder: origin + radius (X cos a + Y sin a) + v height Z. Axis 0 is the angle, axis
  * 1, of degree 1, the height.
- * \param[in] origin,axis,x [3] placement; the origin is the centre of the base.
+ * \param[in] origin,axis,x [3] or NULL: placement; the origin is the centre of the base.
  * \param[in] radius,height > 0.
  * \param[in] start,sweep angles, as for nurbs_curve_arc().
  * \param[in] form one of the NURBS_ARC_ constants.
@@ -2558,13 +2589,13 @@ NURBS_API nurbs_status nurbs_surface_cylinder(const double *origin, const double
 
 /** \brief A circular cone or its frustum, parametrized as nurbs_surface_cylinder(), with a radius that
  * changes from base_radius at the origin to top_radius at origin + height Z.
- * \param[in] origin,axis,x [3] placement; the origin is the centre of the base.
+ * \param[in] origin,axis,x [3] or NULL: placement; the origin is the centre of the base.
  * \param[in] base_radius,top_radius >= 0, not equal; where one is 0 the apex is a collapsed edge.
  * \param[in] height > 0.
  * \param[in] start,sweep angles, as for nurbs_curve_arc().
  * \param[in] form one of the NURBS_ARC_ constants.
  * \param[out] out the new handle.
- * \return as nurbs_surface_cylinder().
+ * \return as for nurbs_surface_cylinder().
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_surface_cone(const double *origin, const double *axis, const double *x,
                                           double base_radius, double top_radius, double height, double start,
@@ -2573,13 +2604,13 @@ NURBS_API nurbs_status nurbs_surface_cone(const double *origin, const double *ax
 /** \brief A torus: (R + r cos b) (X cos a + Y sin a) + r sin b Z about the centre. Axis 0 is the angle a
  * about the axis, axis 1 the angle b about the tube, counted from the outer equator upwards. Where r > R it
  * cuts itself.
- * \param[in] center,axis,x [3] placement.
+ * \param[in] center,axis,x [3] or NULL: placement.
  * \param[in] major_radius,minor_radius R, r > 0.
  * \param[in] start,sweep angles a.
  * \param[in] tube_start,tube_sweep angles b.
  * \param[in] form one of the NURBS_ARC_ constants, for both axes.
  * \param[out] out the new handle.
- * \return as nurbs_surface_cylinder().
+ * \return as for nurbs_surface_cylinder().
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_surface_torus(const double *center, const double *axis, const double *x,
                                            double major_radius, double minor_radius, double start,
@@ -2588,13 +2619,13 @@ NURBS_API nurbs_status nurbs_surface_torus(const double *center, const double *a
 
 /** \brief A bowl of the elliptic paraboloid Z = height ((X / radius_x)^2 + (Y / radius_y)^2), from the
  * vertex, a collapsed edge, at v = 0 to the rim at v = 1, Z = height v^2. Axis 0 is the angle.
- * \param[in] vertex,axis,x [3] placement.
+ * \param[in] vertex,axis,x [3] or NULL: placement.
  * \param[in] radius_x,radius_y semi-axes of the rim, > 0.
  * \param[in] height > 0.
  * \param[in] start,sweep angles, as for nurbs_curve_ellipse().
  * \param[in] form one of the NURBS_ARC_ constants.
  * \param[out] out the new handle.
- * \return as nurbs_surface_cylinder().
+ * \return as for nurbs_surface_cylinder().
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_surface_paraboloid(const double *vertex, const double *axis, const double *x,
                                                 double radius_x, double radius_y, double height, double start,
@@ -2603,7 +2634,7 @@ NURBS_API nurbs_status nurbs_surface_paraboloid(const double *vertex, const doub
 /** \brief A saddle of the hyperbolic paraboloid Z = height ((X / radius_x)^2 - (Y / radius_y)^2) over the
  * rectangle |X| <= radius_x, |Y| <= radius_y: polynomial, of degree 2 on both axes, X along axis 0 and Y
  * along axis 1.
- * \param[in] center,axis,x [3] placement.
+ * \param[in] center,axis,x [3] or NULL: placement.
  * \param[in] radius_x,radius_y,height > 0.
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _DIRECTION, _POINT_NOT_FINITE; _LENGTH if a length is not finite or
@@ -2616,14 +2647,14 @@ NURBS_API nurbs_status nurbs_surface_saddle(const double *center, const double *
  * planes Z = bottom and Z = top; or with NURBS_TWO_SHEETS of the sheets (Z / radius_z)^2 - (X / radius_x)^2
  * - (Y / radius_y)^2 = 1, both planes being on one sheet: radius_z <= bottom or top <= -radius_z. Axis 0 is
  * the angle.
- * \param[in] center,axis,x [3] placement.
+ * \param[in] center,axis,x [3] or NULL: placement.
  * \param[in] radius_x,radius_y,radius_z > 0.
  * \param[in] bottom,top heights, bottom < top.
  * \param[in] start,sweep angles, as for nurbs_curve_ellipse().
  * \param[in] form one of the NURBS_ARC_ constants, for the angle.
  * \param[in] flags NURBS_TWO_SHEETS, or 0.
  * \param[out] out the new handle.
- * \return as nurbs_surface_cylinder(), and NURBS_ERROR_FLAGS.
+ * \return as for nurbs_surface_cylinder(), and NURBS_ERROR_FLAGS.
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_surface_hyperboloid(const double *center, const double *axis, const double *x,
                                                  double radius_x, double radius_y, double radius_z,
@@ -2725,20 +2756,20 @@ NURBS_API nurbs_status nurbs_surface_coons(const nurbs *const *boundaries, doubl
  * are the ones used; M holds what results. Two surfaces that share a boundary, its cross tangents and the
  * twists at its ends join with one tangent plane along it.
  * \param[in] boundaries [4] curves of the same dimension, in the order above.
- * \param[in] cross [4] curves of the same dimension: the derivative of the surface by the fixed axis along
- *   each boundary (0: S_u(u0, v), 2: S_v(u, v0)); or NULL. Their domains are mapped to those of the
- *   boundaries without changing their values.
+ * \param[in] cross [4] or NULL: curves of the same dimension: the derivative of the surface by the fixed axis
+ *   along each boundary (0: S_u(u0, v), 2: S_v(u, v0)). Their domains are mapped to those of the boundaries
+ *   without changing their values.
  * \param[in] twist one of the NURBS_TWIST_ constants; without cross not NURBS_TWIST_COMPATIBLE or _AVERAGE.
- * \param[in] twists [4][dim] S_uv at (u0, v0), (u0, v1), (u1, v0), (u1, v1) for NURBS_TWIST_GIVEN, else
- *   NULL.
+ * \param[in] twists [4][dim] or NULL, which it must be but for NURBS_TWIST_GIVEN: S_uv at (u0, v0), (u0, v1),
+ *   (u1, v0), (u1, v1).
  * \param[in] tolerance largest gap at a corner, between tangents of boundaries and cross tangents there,
  *   and for NURBS_TWIST_COMPATIBLE between twists, >= 0.
- * \param[out] bound largest difference between the twists used and those of the cross tangents, 0 without
- *   cross; or NULL.
+ * \param[out] bound or NULL: largest difference between the twists used and those of the cross tangents, 0
+ *   without cross.
  * \param[out] out the new handle.
- * \return as nurbs_surface_coons(), and NURBS_ERROR_OVERLAP, _TWIST_RULE if twist is none of the constants
- *   or does not suit, or twists are given to another one, _POINT_NOT_FINITE if a twist is not finite,
- *   _TANGENT if a cross tangent differs from the tangent of the boundary at a corner by more than the
+ * \return as for nurbs_surface_coons(), and NURBS_ERROR_OVERLAP, _TWIST_RULE if twist is none of the
+ *   constants or does not suit, or twists are given to another one, _POINT_NOT_FINITE if a twist is not
+ *   finite, _TANGENT if a cross tangent differs from the tangent of the boundary at a corner by more than the
  *   tolerance, _TWIST if twists do; the message names the corner and the difference.
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_surface_coons_hermite(const nurbs *const *boundaries, const nurbs *const *cross,
@@ -2748,12 +2779,12 @@ NURBS_API nurbs_status nurbs_surface_coons_hermite(const nurbs *const *boundarie
 /** \brief What does not meet at the corners of a surface to be: corners in the order (u0, v0), (u0, v1),
  * (u1, v0), (u1, v1). All differences are lengths of vectors.
  * \param[in] boundaries [4] curves of the same dimension, in the order above.
- * \param[in] cross [4] as for nurbs_surface_coons_hermite(), or NULL.
+ * \param[in] cross [4] or NULL: as for nurbs_surface_coons_hermite().
  * \param[out] positions [4] distances between the ends of the two boundaries.
- * \param[out] tangents [4][2] differences between the derivative of a boundary and the cross tangent that
- *   belongs to the other one, first S_u, then S_v; 0 without cross; or NULL.
- * \param[out] twists [4] differences between the derivatives of the two cross tangents; 0 without cross; or
- *   NULL.
+ * \param[out] tangents [4][2] or NULL: differences between the derivative of a boundary and the cross tangent
+ *   that belongs to the other one, first S_u, then S_v; 0 without cross.
+ * \param[out] twists [4] or NULL: differences between the derivatives of the two cross tangents; 0 without
+ *   cross.
  * \return NURBS_OK, NURBS_ERROR_NULL, _OVERLAP, _KNOTS_MERGE; _AXES if one is no curve, _DIMENSION if
  *   dimensions differ, _WEIGHTS_VANISH if a corner lies at infinity, _NOT_REPRESENTABLE if a difference
  *   overflows.
@@ -2767,7 +2798,7 @@ NURBS_API nurbs_status nurbs_coons_gaps(const nurbs *const *boundaries, const nu
  * \param[in] faces [6] surfaces of the same dimension, in the order above.
  * \param[in] tolerance largest gap along an edge, >= 0.
  * \param[out] out the new handle.
- * \return as nurbs_surface_coons(), _AXES if a face is no surface; _GAP also names the edge.
+ * \return as for nurbs_surface_coons(), _AXES if a face is no surface; _GAP also names the edge.
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_volume_coons(const nurbs *const *faces, double tolerance, nurbs **out);
 /** @} */
@@ -2835,10 +2866,10 @@ NURBS_API nurbs_status nurbs_volume_coons(const nurbs *const *faces, double tole
  * \param[in] g a curve or surface of dimension 2 or 3.
  * \param[in] tolerance largest distance from the shape, > 0.
  * \param[out] shape one of the NURBS_SHAPE_ constants.
- * \param[out] placement [9] origin, axis and x, three each; or NULL.
- * \param[out] sizes [2] see above; or NULL.
- * \param[out] deviation a proven bound of the distance of points of g from the shape with these numbers, at
- *   most the tolerance; 0 for NURBS_SHAPE_NONE; or NULL.
+ * \param[out] placement [9] or NULL: origin, axis and x, three each.
+ * \param[out] sizes [2] or NULL: see above.
+ * \param[out] deviation or NULL: a proven bound of the distance of points of g from the shape with these
+ *   numbers, at most the tolerance; 0 for NURBS_SHAPE_NONE.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DIMENSION, _TOLERANCE, _OVERLAP; _NOT_REPRESENTABLE if a
  *   value overflows on the way.
  * \since 1.0 */
@@ -2898,16 +2929,16 @@ NURBS_API nurbs_status nurbs_recognize(const nurbs *g, double tolerance, int32_t
  * \param[in] n number of query points.
  * \param[in] points [n][dim].
  * \param[in] point_stride,point_component_stride layout of points, 0 = packed.
- * \param[in] range [axes][2] the part of the domain that is searched, or NULL for all of it.
+ * \param[in] range [axes][2] or NULL for all of it: the part of the domain that is searched.
  * \param[in] tolerance how much nearer another point may be, >= 0.
  * \param[in] budget most pieces looked at for a point, 0 for 20000.
- * \param[out] params [n][axes], or NULL.
+ * \param[out] params [n][axes] or NULL.
  * \param[in] param_stride,param_component_stride layout of params, 0 = packed.
- * \param[out] feet [n][dim] the nearest points, as nurbs_eval() gives them, or NULL.
+ * \param[out] feet [n][dim] or NULL: the nearest points, as nurbs_eval() gives them.
  * \param[in] foot_stride,foot_component_stride layout of feet, 0 = packed.
- * \param[out] distances [n], or NULL.
+ * \param[out] distances [n] or NULL.
  * \param[in] distance_stride distance between values of distances, 0 = 1.
- * \param[out] status [n] sum of NURBS_CLOSEST_ bits, or NULL.
+ * \param[out] status [n] or NULL: sum of NURBS_CLOSEST_ bits.
  * \param[in] flags NURBS_NAN_POINTS: a query point that is not finite gives NaN and NURBS_CLOSEST_INVALID
  *   in place of an error; or 0.
  * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERFLOW, _STRIDE, _OVERLAP, _FLAGS, _TOLERANCE,
@@ -2927,16 +2958,16 @@ NURBS_API nurbs_status nurbs_closest_points(const nurbs *g, int64_t n, const dou
  * \param[in] n number of query points.
  * \param[in] points [n][dim].
  * \param[in] point_stride,point_component_stride layout of points, 0 = packed.
- * \param[in] range [axes][2] the part of the domain that is searched, or NULL for all of it.
+ * \param[in] range [axes][2] or NULL for all of it: the part of the domain that is searched.
  * \param[in] tolerance how much farther another point may be, >= 0.
  * \param[in] budget most pieces looked at for a point, 0 for 20000.
- * \param[out] params [n][axes], or NULL.
+ * \param[out] params [n][axes] or NULL.
  * \param[in] param_stride,param_component_stride layout of params, 0 = packed.
- * \param[out] feet [n][dim] the farthest points, or NULL.
+ * \param[out] feet [n][dim] or NULL: the farthest points.
  * \param[in] foot_stride,foot_component_stride layout of feet, 0 = packed.
- * \param[out] distances [n], or NULL.
+ * \param[out] distances [n] or NULL.
  * \param[in] distance_stride distance between values of distances, 0 = 1.
- * \param[out] status [n] sum of NURBS_CLOSEST_ bits, or NULL.
+ * \param[out] status [n] or NULL: sum of NURBS_CLOSEST_ bits.
  * \param[in] flags NURBS_NAN_POINTS, or 0.
  * \return as for nurbs_closest_points().
  * \since 1.0 */
@@ -2954,14 +2985,14 @@ NURBS_API nurbs_status nurbs_farthest_points(
  * \param[in] point_stride,point_component_stride layout of points, 0 = packed.
  * \param[in] guesses [n][axes] parameters in the domain.
  * \param[in] guess_stride,guess_component_stride layout of guesses, 0 = packed.
- * \param[out] params [n][axes], or NULL.
+ * \param[out] params [n][axes] or NULL.
  * \param[in] param_stride,param_component_stride layout of params, 0 = packed.
- * \param[out] feet [n][dim], or NULL.
+ * \param[out] feet [n][dim] or NULL.
  * \param[in] foot_stride,foot_component_stride layout of feet, 0 = packed.
- * \param[out] distances [n], or NULL.
+ * \param[out] distances [n] or NULL.
  * \param[in] distance_stride distance between values of distances, 0 = 1.
- * \param[out] status [n] NURBS_CLOSEST_BOUNDARY, NURBS_CLOSEST_BUDGET where 100 steps did not converge,
- *   NURBS_CLOSEST_INVALID; or NULL.
+ * \param[out] status [n] or NULL: NURBS_CLOSEST_BOUNDARY, NURBS_CLOSEST_BUDGET where 100 steps did not
+ *   converge, NURBS_CLOSEST_INVALID.
  * \param[in] flags NURBS_NAN_POINTS, or 0.
  * \return as for nurbs_closest_points(); _PARAMETER_NOT_FINITE or _OUTSIDE_DOMAIN naming a guess.
  * \since 1.0 */
@@ -2980,14 +3011,14 @@ NURBS_API nurbs_status nurbs_closest_local(const nurbs *g, int64_t n, const doub
  * NURBS_CLOSEST_CERTIFIED.
  * \param[in] g a spline.
  * \param[in] point [dim].
- * \param[in] range [axes][2] the part of the domain that is searched, or NULL for all of it.
+ * \param[in] range [axes][2] or NULL for all of it: the part of the domain that is searched.
  * \param[in] tolerance >= 0.
  * \param[in] budget most pieces looked at, 0 for 20000.
  * \param[in] cap length of the outputs: 0, or at least the number of points.
- * \param[out] params [cap][axes] in rising order, or NULL.
- * \param[out] distances [cap], or NULL.
- * \param[out] count number of points, or NULL.
- * \param[out] status sum of NURBS_CLOSEST_ bits: certified if no other is as near; or NULL.
+ * \param[out] params [cap][axes] or NULL: in rising order.
+ * \param[out] distances [cap] or NULL.
+ * \param[out] count or NULL: number of points.
+ * \param[out] status or NULL: sum of NURBS_CLOSEST_ bits: certified if no other is as near.
  * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERLAP, _TOLERANCE, _POINT_NOT_FINITE; _SIZE if cap is
  *   neither 0 nor enough; _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN or _EMPTY_DOMAIN if range is no interval
  *   of the domain.
@@ -3003,16 +3034,16 @@ NURBS_API nurbs_status nurbs_closest_all(const nurbs *g, const double *point, co
  * not tell from it; its kind is that of samples around it.
  * \param[in] g a spline.
  * \param[in] point [dim].
- * \param[in] range [axes][2] the part of the domain that is searched, or NULL for all of it.
+ * \param[in] range [axes][2] or NULL for all of it: the part of the domain that is searched.
  * \param[in] tolerance >= 0, how far apart points of g are told apart.
  * \param[in] budget most pieces looked at, 0 for 20000.
  * \param[in] cap length of the outputs: 0, or at least the number of points.
- * \param[out] params [cap][axes] in rising order, or NULL.
- * \param[out] distances [cap], or NULL.
- * \param[out] kinds [cap] NURBS_CRITICAL_ constants, or NULL.
- * \param[out] count number of points, or NULL.
- * \param[out] status NURBS_CLOSEST_CERTIFIED if there are no others, NURBS_CLOSEST_NOT_UNIQUE if they are
- *   not isolated, NURBS_CLOSEST_BUDGET; or NULL.
+ * \param[out] params [cap][axes] or NULL: in rising order.
+ * \param[out] distances [cap] or NULL.
+ * \param[out] kinds [cap] or NULL: NURBS_CRITICAL_ constants.
+ * \param[out] count or NULL: number of points.
+ * \param[out] status or NULL: NURBS_CLOSEST_CERTIFIED if there are no others, NURBS_CLOSEST_NOT_UNIQUE if
+ *   they are not isolated, NURBS_CLOSEST_BUDGET.
  * \return as for nurbs_closest_all().
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_critical_points(const nurbs *g, const double *point, const double *range,
@@ -3031,9 +3062,9 @@ NURBS_API nurbs_status nurbs_critical_points(const nurbs *g, const double *point
  * \param[in] budget most pieces looked at for a point, 0 for 20000.
  * \param[out] distances [n] with their sign.
  * \param[in] distance_stride distance between values of distances, 0 = 1.
- * \param[out] params [n], or NULL.
+ * \param[out] params [n] or NULL.
  * \param[in] param_stride distance between values of params, 0 = 1.
- * \param[out] status [n] as for nurbs_closest_points(), or NULL.
+ * \param[out] status [n] or NULL: as for nurbs_closest_points().
  * \param[in] flags NURBS_NAN_POINTS, or 0.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DIMENSION, _COUNT, _OVERFLOW, _STRIDE, _OVERLAP, _FLAGS,
  *   _TOLERANCE, _POINT_NOT_FINITE.
@@ -3053,10 +3084,10 @@ NURBS_API nurbs_status nurbs_curve_signed_distances(const nurbs *g, int64_t n, c
  * \param[in] a,b two splines of the same dimension.
  * \param[in] tolerance >= 0.
  * \param[in] budget most pairs of pieces looked at, 0 for 200000.
- * \param[out] at_least,at_most the bounds, or NULL.
- * \param[out] params_a [axes of a] the parameters of the point of a, or NULL.
- * \param[out] params_b [axes of b] those of the point of b, or NULL.
- * \param[out] status NURBS_CLOSEST_CERTIFIED, NURBS_CLOSEST_BUDGET; or NULL.
+ * \param[out] at_least,at_most or NULL: the bounds.
+ * \param[out] params_a [axes of a] or NULL: the parameters of the point of a.
+ * \param[out] params_b [axes of b] or NULL: those of the point of b.
+ * \param[out] status or NULL: NURBS_CLOSEST_CERTIFIED, NURBS_CLOSEST_BUDGET.
  * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERLAP, _TOLERANCE; _INCOMPATIBLE if the dimensions differ,
  *   _NOT_REPRESENTABLE if a distance overflows.
  * \since 1.0 */
@@ -3075,9 +3106,9 @@ NURBS_API nurbs_status nurbs_distance(const nurbs *a, const nurbs *b, double tol
  * \param[in] budget most pieces looked at in each direction, 0 for 200000.
  * \param[out] at_least [2] from a to b, from b to a.
  * \param[out] at_most [2] the same, from above.
- * \param[out] params_a [axes of a] the parameters of a point of a that is at_least[0] away from b, or NULL.
- * \param[out] params_b [axes of b] those of a point of b that is at_least[1] away from a, or NULL.
- * \param[out] status NURBS_CLOSEST_CERTIFIED, NURBS_CLOSEST_BUDGET; or NULL.
+ * \param[out] params_a [axes of a] or NULL: the parameters of a point of a that is at_least[0] away from b.
+ * \param[out] params_b [axes of b] or NULL: those of a point of b that is at_least[1] away from a.
+ * \param[out] status or NULL: NURBS_CLOSEST_CERTIFIED, NURBS_CLOSEST_BUDGET.
  * \return as for nurbs_distance().
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_hausdorff_distance(const nurbs *a, const nurbs *b, double tolerance,
@@ -3105,10 +3136,10 @@ NURBS_API nurbs_status nurbs_hausdorff_distance(const nurbs *a, const nurbs *b, 
 
 /** \brief Length of a curve or of a part of it.
  * \param[in] g a curve.
- * \param[in] range [2] the part of the domain, or NULL for all of it.
+ * \param[in] range [2] or NULL for all of it: the part of the domain.
  * \param[in] relative_tolerance >= 0.
  * \param[out] length the integral of |C'(t)|.
- * \param[out] error estimate of the error, or NULL.
+ * \param[out] error or NULL: estimate of the error.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _TOLERANCE; _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN or
  *   _EMPTY_DOMAIN if range is no interval of the domain; _NOT_CONVERGED naming the error reached,
  *   _NOT_REPRESENTABLE if the length overflows.
@@ -3155,12 +3186,12 @@ NURBS_API nurbs_status nurbs_curve_params_at_lengths(const nurbs *g, int64_t n, 
  * chains of points are followed as their distance rises and falls. On curves that wind about themselves this
  * finds most divisions into few parts; into ten or more the way may be too long: NURBS_ERROR_NOT_CONVERGED.
  * \param[in] g a curve.
- * \param[in] range [2] the part of the domain, or NULL for all of it.
+ * \param[in] range [2] or NULL for all of it: the part of the domain.
  * \param[in] parts number of parts, > 0.
  * \param[in] relative_tolerance >= 0, of a part.
  * \param[in] flags NURBS_EQUAL_CHORDS: distances in place of lengths; or 0.
  * \param[out] params [parts + 1] rising, the first and last one the ends of range.
- * \param[out] size length or chord of a part, or NULL.
+ * \param[out] size or NULL: length or chord of a part.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _COUNT, _OVERFLOW, _OVERLAP, _FLAGS, _TOLERANCE;
  *   _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN or _EMPTY_DOMAIN if range is no interval of the domain; _LENGTH
  *   if the curve has none, _NOT_CONVERGED (chords also where no division is found), _NOT_REPRESENTABLE.
@@ -3171,11 +3202,11 @@ NURBS_API nurbs_status nurbs_curve_divide(const nurbs *g, const double *range, i
 
 /** \brief Area of a surface, in any dimension.
  * \param[in] g a surface.
- * \param[in] range [2][2] the part of the domain, or NULL for all of it.
+ * \param[in] range [2][2] or NULL for all of it: the part of the domain.
  * \param[in] relative_tolerance >= 0.
  * \param[out] area the integral of |S_u x S_v|, in other dimensions sqrt(|S_u|^2 |S_v|^2 - (S_u . S_v)^2).
- * \param[out] error estimate of the error, or NULL.
- * \return as nurbs_curve_length(), _AXES if g is no surface.
+ * \param[out] error or NULL: estimate of the error.
+ * \return as for nurbs_curve_length(), _AXES if g is no surface.
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_surface_area(const nurbs *g, const double *range, double relative_tolerance,
                                           double *area, double *error);
@@ -3185,9 +3216,9 @@ NURBS_API nurbs_status nurbs_surface_area(const nurbs *g, const double *range, d
  * \param[in] g a spline; a volume of dimension 3.
  * \param[in] relative_tolerance >= 0.
  * \param[out] content length, area or volume.
- * \param[out] centroid [dim], or NULL.
- * \param[out] inertia [dim][dim], or NULL.
- * \param[out] error estimate of the error of content, or NULL.
+ * \param[out] centroid [dim] or NULL.
+ * \param[out] inertia [dim][dim] or NULL.
+ * \param[out] error or NULL: estimate of the error of content.
  * \return NURBS_OK, NURBS_ERROR_NULL, _OVERLAP, _TOLERANCE; _DIMENSION if g is a volume of another
  *   dimension, _LENGTH if the content is 0 and centroid or inertia are wanted, _NOT_CONVERGED,
  *   _NOT_REPRESENTABLE.
@@ -3204,9 +3235,9 @@ NURBS_API nurbs_status nurbs_moments(const nurbs *g, double relative_tolerance, 
  * \param[in] tolerance largest gap between an end and the start that is nearest to it, >= 0.
  * \param[in] relative_tolerance >= 0.
  * \param[out] area signed.
- * \param[out] centroid [2], or NULL.
- * \param[out] inertia [2][2], or NULL.
- * \param[out] error estimate of the error of area, gaps not included, or NULL.
+ * \param[out] centroid [2] or NULL.
+ * \param[out] inertia [2][2] or NULL.
+ * \param[out] error or NULL: estimate of the error of area, gaps not included.
  * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _AXES, _DIMENSION, _OVERLAP, _TOLERANCE; _GAP naming the
  *   curve and the gap, _LENGTH if the area is 0 and centroid or inertia are wanted, _NOT_CONVERGED,
  *   _NOT_REPRESENTABLE.
@@ -3223,10 +3254,10 @@ NURBS_API nurbs_status nurbs_enclosed_area(int64_t count, const nurbs *const *cu
  * \param[in] surfaces [count] surfaces of dimension 3.
  * \param[in] relative_tolerance >= 0.
  * \param[out] volume signed.
- * \param[out] centroid [3], or NULL.
- * \param[out] inertia [3][3], or NULL.
- * \param[out] openness length of the vector area, or NULL.
- * \param[out] error estimate of the error of volume, gaps not included, or NULL.
+ * \param[out] centroid [3] or NULL.
+ * \param[out] inertia [3][3] or NULL.
+ * \param[out] openness or NULL: length of the vector area.
+ * \param[out] error or NULL: estimate of the error of volume, gaps not included.
  * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _AXES, _DIMENSION, _OVERLAP, _TOLERANCE; _LENGTH if the
  *   volume is 0 and centroid or inertia are wanted, _NOT_CONVERGED, _NOT_REPRESENTABLE.
  * \since 1.0 */
@@ -3247,13 +3278,13 @@ NURBS_API nurbs_status nurbs_enclosed_volume(int64_t count, const nurbs *const *
 /** \brief An axis-aligned box that contains a spline, and all points that evaluation gives of it (but for
  * homogeneous ones, whose rounding has no such bound).
  * \param[in] g a spline.
- * \param[in] range [axes][2] the part of the domain, or NULL for all of it.
+ * \param[in] range [axes][2] or NULL for all of it: the part of the domain.
  * \param[in] tolerance how far a face may be from the nearest point of g, >= 0; infinite: the box of the
  *   Bezier points.
  * \param[out] lower [dim].
  * \param[out] upper [dim].
- * \param[out] gap largest distance of a face from the spline, proven, at most the tolerance beside rounding
- *   unless 20000 halvings do not reach it; or NULL.
+ * \param[out] gap or NULL: largest distance of a face from the spline, proven, at most the tolerance beside
+ *   rounding unless 20000 halvings do not reach it.
  * \return NURBS_OK, NURBS_ERROR_NULL, _OVERLAP, _TOLERANCE; _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN or
  *   _EMPTY_DOMAIN if range is no interval of the domain.
  * \since 1.0 */
@@ -3278,7 +3309,7 @@ NURBS_API nurbs_status nurbs_oriented_box(const nurbs *g, double tolerance, doub
  * vectors have none. Boundaries of Bezier pieces where derivatives vanish to rounding are divided out.
  * \param[in] g a spline.
  * \param[in] axis 0-based axis.
- * \param[in] range [axes][2] the part of the domain, or NULL for all of it.
+ * \param[in] range [axes][2] or NULL for all of it: the part of the domain.
  * \param[in] tolerance halving ends when a derivative occurs whose angle with the direction is within this
  *   of that of the cone, or after 2000 halvings; >= 0, in radians, may be infinite.
  * \param[out] direction [dim] unit vector, the axis of the cone: the middle of the coefficients.
@@ -3292,11 +3323,11 @@ NURBS_API nurbs_status nurbs_tangent_cone(const nurbs *g, int32_t axis, const do
 
 /** \brief A cone that contains the directions of all normals S_u x S_v of a surface in space.
  * \param[in] g a surface of dimension 3.
- * \param[in] range [2][2] the part of the domain, or NULL for all of it.
+ * \param[in] range [2][2] or NULL for all of it: the part of the domain.
  * \param[in] tolerance as for nurbs_tangent_cone().
  * \param[out] direction [3] unit vector, the axis of the cone.
  * \param[out] angle half its opening, in radians; pi if no smaller one is found.
- * \return as nurbs_tangent_cone(), and NURBS_ERROR_AXES, _DIMENSION.
+ * \return as for nurbs_tangent_cone(), and NURBS_ERROR_AXES, _DIMENSION.
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_normal_cone(const nurbs *g, const double *range, double tolerance,
                                          double *direction, double *angle);
@@ -3304,13 +3335,13 @@ NURBS_API nurbs_status nurbs_normal_cone(const nurbs *g, const double *range, do
 /** \brief The point of a spline that is farthest in a direction: the largest value of direction . C(t).
  * \param[in] g a spline.
  * \param[in] direction [dim], not zero.
- * \param[in] range [axes][2] the part of the domain, or NULL for all of it.
+ * \param[in] range [axes][2] or NULL for all of it: the part of the domain.
  * \param[in] tolerance how much farther another point may be, as a length, >= 0.
- * \param[out] params [axes] of the point, or NULL. Where g jumps, or ends in the range, the limit from
- *   inside the range may be meant.
- * \param[out] value direction . C there, or NULL.
- * \param[out] bound no point has more, proven; at most value + tolerance |direction| beside rounding unless
- *   20000 halvings do not reach it; or NULL.
+ * \param[out] params [axes] or NULL: of the point. Where g jumps, or ends in the range, the limit from inside
+ *   the range may be meant.
+ * \param[out] value or NULL: direction . C there.
+ * \param[out] bound or NULL: no point has more, proven; at most value + tolerance |direction| beside rounding
+ *   unless 20000 halvings do not reach it.
  * \return NURBS_OK, NURBS_ERROR_NULL, _OVERLAP, _TOLERANCE, _DIRECTION; _NOT_REPRESENTABLE if the value
  *   overflows, or no weight can be shown to be positive; _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN or
  *   _EMPTY_DOMAIN if range is no interval of the domain.
@@ -3365,12 +3396,12 @@ NURBS_API nurbs_status nurbs_extreme_point(const nurbs *g, const double *directi
  * \param[in] g a curve of dimension 2 or 3.
  * \param[in] kinds sum of NURBS_FEATURE_ constants.
  * \param[in] cap length of the outputs: 0, or at least the number of features.
- * \param[out] params [cap] where, rising, or NULL.
- * \param[out] found [cap] one NURBS_FEATURE_ constant each, or NULL.
- * \param[out] values [cap] the curvature there (signed in the plane; infinite at most cusps), the turning
- *   angle of a kink (in the plane positive to the left), the width of a jump, or NULL.
- * \param[out] count number of features, or NULL.
- * \param[out] complete 1 or 0, or NULL.
+ * \param[out] params [cap] or NULL: where, rising.
+ * \param[out] found [cap] or NULL: one NURBS_FEATURE_ constant each.
+ * \param[out] values [cap] or NULL: the curvature there (signed in the plane; infinite at most cusps), the
+ *   turning angle of a kink (in the plane positive to the left), the width of a jump.
+ * \param[out] count or NULL: number of features.
+ * \param[out] complete or NULL: 1 or 0.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _FLAGS, _COUNT, _OVERLAP; _DIMENSION also if changes of
  *   torsion are asked for in the plane; _SIZE if cap is neither 0 nor enough; _NOT_REPRESENTABLE if a
  *   coefficient overflows.
@@ -3384,11 +3415,11 @@ NURBS_API nurbs_status nurbs_curve_features(const nurbs *g, uint32_t kinds, int6
  * \param[in] g a curve.
  * \param[in] direction [dim], not zero.
  * \param[in] cap length of the outputs: 0, or at least the number of pieces.
- * \param[out] starts [cap] the lower ends of the pieces, rising, or NULL.
- * \param[out] signs [cap] 1, -1 or 0, or NULL.
- * \param[out] count number of pieces, or NULL.
- * \param[out] complete 1 or 0, or NULL.
- * \return as nurbs_curve_features(), and NURBS_ERROR_DIRECTION.
+ * \param[out] starts [cap] or NULL: the lower ends of the pieces, rising.
+ * \param[out] signs [cap] or NULL: 1, -1 or 0.
+ * \param[out] count or NULL: number of pieces.
+ * \param[out] complete or NULL: 1 or 0.
+ * \return as for nurbs_curve_features(), and NURBS_ERROR_DIRECTION.
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_curve_monotone_pieces(const nurbs *g, const double *direction, int64_t cap,
                                                    double *starts, int32_t *signs, int64_t *count,
@@ -3405,9 +3436,9 @@ NURBS_API nurbs_status nurbs_curve_convexity(const nurbs *g, int32_t *convexity)
 
 /** \brief How far a spline is from a straight line: a line near the best one, and a proven bound.
  * \param[in] g a spline.
- * \param[out] origin [dim] a point of the line, or NULL.
- * \param[out] direction [dim] unit vector, from the start of a curve towards its end where they differ; or
- *   NULL.
+ * \param[out] origin [dim] or NULL: a point of the line.
+ * \param[out] direction [dim] or NULL: unit vector, from the start of a curve towards its end where they
+ *   differ.
  * \param[out] bound no point of g is farther from the line.
  * \return NURBS_OK, NURBS_ERROR_NULL, _OVERLAP, _NOT_REPRESENTABLE.
  * \since 1.0 */
@@ -3415,8 +3446,8 @@ NURBS_API nurbs_status nurbs_straightness(const nurbs *g, double *origin, double
 
 /** \brief How far a spline in space is from a plane: a plane near the best one, and a proven bound.
  * \param[in] g a spline of dimension 3.
- * \param[out] origin [3] a point of the plane, or NULL.
- * \param[out] normal [3] unit vector, its largest component positive; or NULL.
+ * \param[out] origin [3] or NULL: a point of the plane.
+ * \param[out] normal [3] or NULL: unit vector, its largest component positive.
  * \param[out] bound no point of g is farther from the plane.
  * \return NURBS_OK, NURBS_ERROR_NULL, _DIMENSION, _OVERLAP, _NOT_REPRESENTABLE.
  * \since 1.0 */
@@ -3426,12 +3457,12 @@ NURBS_API nurbs_status nurbs_planarity(const nurbs *g, double *origin, double *n
  * are counted by axis, then by end.
  * \param[in] g a spline.
  * \param[in] tolerance >= 0.
- * \param[out] closed [axes] 1 where the two boundaries of an axis are nowhere farther apart than the
- *   tolerance, at equal parameters, else 0; or NULL.
- * \param[out] gaps [axes] no point of one is farther than this from that of the other; or NULL.
- * \param[out] collapsed [2 * axes] 1 where a boundary lies within the tolerance of one point (the pole),
- *   else 0; of a curve always 1; or NULL.
- * \param[out] sizes [2 * axes] the boundary lies within this distance of a point; or NULL.
+ * \param[out] closed [axes] or NULL: 1 where the two boundaries of an axis are nowhere farther apart than the
+ *   tolerance, at equal parameters, else 0.
+ * \param[out] gaps [axes] or NULL: no point of one is farther than this from that of the other.
+ * \param[out] collapsed [2 * axes] or NULL: 1 where a boundary lies within the tolerance of one point (the
+ *   pole), else 0; of a curve always 1.
+ * \param[out] sizes [2 * axes] or NULL: the boundary lies within this distance of a point.
  * \return NURBS_OK, NURBS_ERROR_NULL, _OVERLAP, _TOLERANCE, _NOT_REPRESENTABLE.
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_boundary_contacts(const nurbs *g, double tolerance, int32_t *closed,
@@ -3444,12 +3475,12 @@ NURBS_API nurbs_status nurbs_boundary_contacts(const nurbs *g, double tolerance,
  * \param[in] tolerance how far apart in the parameters, as a part of the domain, places are told apart, >
  *   0.
  * \param[in] cap length of the outputs: 0, or at least the number of places.
- * \param[out] params [cap][axes] where, or NULL.
- * \param[out] boxes [cap][axes][2] intervals of the parameters in which the singular set around it lies, or
- *   NULL.
- * \param[out] count number of places, or NULL.
- * \param[out] complete 1 if it is proven that g is regular everywhere outside the boxes, but for boundaries
- *   of Bezier pieces that vanish to rounding, which are places with boxes of no width; else 0; or NULL.
+ * \param[out] params [cap][axes] or NULL: where.
+ * \param[out] boxes [cap][axes][2] or NULL: intervals of the parameters in which the singular set around it
+ *   lies.
+ * \param[out] count or NULL: number of places.
+ * \param[out] complete or NULL: 1 if it is proven that g is regular everywhere outside the boxes, but for
+ *   boundaries of Bezier pieces that vanish to rounding, which are places with boxes of no width; else 0.
  *   Boxes are larger than the tolerance where 20000 halvings do not reach it.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _TOLERANCE, _COUNT, _OVERFLOW, _OVERLAP, _NOT_REPRESENTABLE;
  *   _SIZE if cap is neither 0 nor enough.
@@ -3463,11 +3494,11 @@ NURBS_API nurbs_status nurbs_singular_points(const nurbs *g, double tolerance, i
  * do not decide, a J that comes to 0 inside without a change of sign, and volumes whose degrees are
  * together so high that J has more coefficients than can be formed in seconds.
  * \param[in] g a surface of dimension 2 or 3, or a volume of dimension 3.
- * \param[in] reference [3] of a surface in space: the direction that normals are compared with, or NULL:
- *   the vector area, the integral of S_u x S_v; else NULL.
+ * \param[in] reference [3] or NULL for the vector area, the integral of S_u x S_v: of a surface in space the
+ *   direction that normals are compared with; of others it must be NULL.
  * \param[out] result one of the NURBS_FOLD_ constants.
- * \param[out] positive [axes] parameters with J > 0, NaN if none are known; or NULL.
- * \param[out] negative [axes] parameters with J < 0, NaN if none are known; or NULL.
+ * \param[out] positive [axes] or NULL: parameters with J > 0, NaN if none are known.
+ * \param[out] negative [axes] or NULL: parameters with J < 0, NaN if none are known.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DIMENSION, _OVERLAP, _NOT_REPRESENTABLE; _DIRECTION if
  *   reference is zero, not finite or not NULL where it has to be, or the vector area vanishes, as that of a
  *   closed surface does.
@@ -3499,7 +3530,7 @@ NURBS_API nurbs_status nurbs_fold_test(const nurbs *g, const double *reference, 
  * \param[in] index control point.
  * \param[in] params [axes] parameter.
  * \param[in] distance d.
- * \param[out] weight the new weight, or NULL.
+ * \param[out] weight or NULL: the new weight.
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _INDEX, _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN, _INFLUENCE; _LENGTH
  *   if the distance is not finite or d >= |P_i S|, _WEIGHT_SIGN if d <= -|S B|, so that the weight would
@@ -3516,9 +3547,9 @@ NURBS_API nurbs_status nurbs_pull_weight(const nurbs *g, int64_t index, const do
  * \param[in] indices [count] control points, all different.
  * \param[in] params [axes] parameter.
  * \param[in] distance d.
- * \param[out] factor by which the weights were multiplied, or NULL.
+ * \param[out] factor or NULL: by which the weights were multiplied.
  * \param[out] out the new handle.
- * \return as nurbs_pull_weight(), and NURBS_ERROR_COUNT; _INDEX also if an index occurs twice.
+ * \return as for nurbs_pull_weight(), and NURBS_ERROR_COUNT; _INDEX also if an index occurs twice.
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_pull_weights(const nurbs *g, int64_t count, const int64_t *indices,
                                           const double *params, double distance, double *factor, nurbs **out);
@@ -3541,9 +3572,9 @@ NURBS_API nurbs_status nurbs_set_weights(const nurbs *g, int64_t count, const in
  * \param[in] g a spline.
  * \param[in] index control point.
  * \param[in] params [axes] parameter.
- * \param[out] at_zero [dim] the point m at weight 0; NaN if no other weight acts there; or NULL.
- * \param[out] at_one [dim] the point n at weight 1, or NULL.
- * \param[out] at_weight [dim] the point p at the present weight, or NULL.
+ * \param[out] at_zero [dim] or NULL: the point m at weight 0; NaN if no other weight acts there.
+ * \param[out] at_one [dim] or NULL: the point n at weight 1.
+ * \param[out] at_weight [dim] or NULL: the point p at the present weight.
  * \return NURBS_OK, NURBS_ERROR_NULL, _INDEX, _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN, _OVERLAP,
  *   _NOT_REPRESENTABLE; _POINT_NOT_FINITE if the control point is at infinity.
  * \since 1.0 */
@@ -3571,7 +3602,7 @@ NURBS_API nurbs_status nurbs_weight_cross_ratio(int32_t dim, const double *contr
  * \param[in] params [axes] parameter.
  * \param[in] target [dim] between P_i and the point at weight 0.
  * \param[in] tolerance largest distance of target from the line, >= 0.
- * \param[out] weight the new weight, or NULL.
+ * \param[out] weight or NULL: the new weight.
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _INDEX, _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN, _INFLUENCE (also if no
  *   weight moves the point), _TOLERANCE, _POINT_NOT_FINITE; _GAP naming the distance if target is not on the
@@ -3590,7 +3621,7 @@ NURBS_API nurbs_status nurbs_weight_through(const nurbs *g, int64_t index, const
  * \param[in] params [axes] parameter.
  * \param[in] direction [dim] V, not zero.
  * \param[in] distance d.
- * \param[out] moved how far the control point moved, with the sign of d; or NULL.
+ * \param[out] moved or NULL: how far the control point moved, with the sign of d.
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _INDEX, _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN, _INFLUENCE,
  *   _DIRECTION; _LENGTH if the distance is not finite, _NOT_REPRESENTABLE if the point overflows.
@@ -3603,8 +3634,8 @@ NURBS_API nurbs_status nurbs_pull_point(const nurbs *g, int64_t index, const dou
  * \param[in] n number of parameters.
  * \param[in] params [n][axes].
  * \param[in] param_stride,param_component_stride layout of params, 0 = packed.
- * \param[out] indices [n] control points, or NULL.
- * \param[out] influences [n] R_i(t), or NULL.
+ * \param[out] indices [n] or NULL: control points.
+ * \param[out] influences [n] or NULL: R_i(t).
  * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERFLOW, _STRIDE, _OVERLAP, _PARAMETER_NOT_FINITE,
  *   _OUTSIDE_DOMAIN.
  * \since 1.0 */
@@ -3626,11 +3657,10 @@ NURBS_API nurbs_status nurbs_most_influential(const nurbs *g, int64_t n, const d
  * \param[in] axis 0-based axis.
  * \param[in] index control point P_i, not the last one along the axis.
  * \param[in] ratio from 0 to 1.
- * \param[out] knot the knot, or NULL.
+ * \param[out] knot or NULL: the knot.
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _INDEX, _OVERFLOW, _PERIODIC_KNOTS; _DEGREE if it is 0, _FACTOR
- * if
- *   ratio is not in [0, 1], _MULTIPLICITY if the knot occurs degree + 1 times already, _WEIGHT_SIGN if the
+ *   if ratio is not in [0, 1], _MULTIPLICITY if the knot occurs degree + 1 times already, _WEIGHT_SIGN if the
  *   weights of the ends have not one sign, or just one is 0, so that no knot makes a point between them one,
  *   _POINT_NOT_FINITE if one of them is at infinity, _PERIODIC if a periodic axis has fewer different layers
  *   than its degree.
@@ -3644,11 +3674,11 @@ NURBS_API nurbs_status nurbs_insert_on_leg(const nurbs *g, int32_t axis, int64_t
  * \param[in] axis 0-based axis.
  * \param[in] point [dim].
  * \param[in] tolerance largest distance of the point from the leg, >= 0.
- * \param[out] index control point where the leg starts, or NULL.
- * \param[out] ratio where on the leg, or NULL.
- * \param[out] knot the knot, or NULL.
+ * \param[out] index or NULL: control point where the leg starts.
+ * \param[out] ratio or NULL: where on the leg.
+ * \param[out] knot or NULL: the knot.
  * \param[out] out the new handle.
- * \return as nurbs_insert_on_leg(), and NURBS_ERROR_TOLERANCE, _POINT_NOT_FINITE; _OFF_POLYGON naming the
+ * \return as for nurbs_insert_on_leg(), and NURBS_ERROR_TOLERANCE, _POINT_NOT_FINITE; _OFF_POLYGON naming the
  *   distance if the point is farther from every leg.
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_insert_at_point(const nurbs *g, int32_t axis, const double *point,
@@ -3681,24 +3711,22 @@ NURBS_API nurbs_status nurbs_insert_at_point(const nurbs *g, int32_t axis, const
  * one. Only control points that act on a constraint change. Cost: with m equations of n coordinates n m^2.
  * \param[in] g a spline.
  * \param[in] count number of constraints, > 0.
- * \param[in] kinds [count] NURBS_CONSTRAIN_ constants, or NULL: all VALUE.
- * \param[in] orders [count][axes] orders of the derivatives (VALUE, DIRECTION), else 0; or NULL: all 0,
- *   DIRECTION of a curve 1.
+ * \param[in] kinds [count] or NULL for all VALUE: NURBS_CONSTRAIN_ constants.
+ * \param[in] orders [count][axes] or NULL for all 0, DIRECTION of a curve 1: orders of the derivatives
+ *   (VALUE, DIRECTION), else 0.
  * \param[in] params [count][axes] parameters; a knot belongs to the span above it.
  * \param[in] targets [count][dim].
- * \param[in] keep [axes][2] highest order of derivatives that stay at the start and end of every axis, -1
- *   for none; or NULL for none. All control points on which they depend stay.
- * \param[in] costs [N] > 0, infinite for control points that stay; or NULL: all 1.
- * \param[in] weight_costs [N] > 0, infinite for weights that stay; or NULL: all stay.
+ * \param[in] keep [axes][2] or NULL for none: highest order of derivatives that stay at the start and end of
+ *   every axis, -1 for none. All control points on which they depend stay.
+ * \param[in] costs [N] or NULL for all 1: > 0, infinite for control points that stay.
+ * \param[in] weight_costs [N] or NULL, with which all stay: > 0, infinite for weights that stay.
  * \param[in] tolerance largest residual, >= 0: as a length for points, for derivatives as what control points
- * that
- *   are off by it can make of them; 0 means 64 eps times the size of the terms.
- * \param[out] residuals [count] how far each constraint is missed, or NULL: the length of the difference; of
- * the
- *   part of the derivative across the direction; of the parts of the derivatives along the normal.
- * \param[out] rank number of independent equations, or NULL: a point has one for each coordinate.
- * \param[out] moved largest distance by which a control point moved, or NULL.
- * \param[out] optimality length of the gradient of the Lagrangian relative to its terms, or NULL.
+ *   that are off by it can make of them; 0 means 64 eps times the size of the terms.
+ * \param[out] residuals [count] or NULL: how far each constraint is missed, the length of the difference; of
+ *   the part of the derivative across the direction; of the parts of the derivatives along the normal.
+ * \param[out] rank or NULL: number of independent equations; a point has one for each coordinate.
+ * \param[out] moved or NULL: largest distance by which a control point moved.
+ * \param[out] optimality or NULL: length of the gradient of the Lagrangian relative to its terms.
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERFLOW, _OVERLAP, _CONSTRAINT, _ORDER,
  *   _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN, _POINT_NOT_FINITE, _TOLERANCE; _FACTOR if a cost is not
@@ -3724,7 +3752,7 @@ NURBS_API nurbs_status nurbs_constrain(const nurbs *g, int64_t count, const int3
  * each axis: a product of B-splines of degree order + 1 over even knots, added exactly. Degrees become at
  * least order + 1; with weights they rise by as much.
  * \param[in] g a spline.
- * \param[in] range [axes][2] the region, or NULL for the whole domain.
+ * \param[in] range [axes][2] or NULL for the whole domain: the region.
  * \param[in] direction [dim], not zero.
  * \param[in] distance signed.
  * \param[in] order derivatives that stay at the ends of the region, 0 to 7.
@@ -3742,12 +3770,12 @@ NURBS_API nurbs_status nurbs_warp(const nurbs *g, const double *range, const dou
  * the degree allows. Along an axis of which the region is a part, each of 3 (degree + 1) equal parts of it
  * gets a knot if it has none, so that the middle third becomes flat.
  * \param[in] g a spline.
- * \param[in] range [axes][2] the region, or NULL for the whole domain.
+ * \param[in] range [axes][2] or NULL for the whole domain: the region.
  * \param[in] point [dim] a point of the plane.
  * \param[in] normal [dim] its normal.
- * \param[in] direction [dim] direction of projection, or NULL: the normal.
- * \param[out] moved largest distance by which a control point moved, which bounds that of the shape if all
- *   weights are >= 0; or NULL.
+ * \param[in] direction [dim] or NULL for the normal: direction of projection.
+ * \param[out] moved or NULL: largest distance by which a control point moved, which bounds that of the shape
+ *   if all weights are >= 0.
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _OVERFLOW, _POINT_NOT_FINITE, _PERIODIC_KNOTS; _DIRECTION if the normal
  *   or the direction is zero or not finite, or they are perpendicular; _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN
@@ -3773,9 +3801,9 @@ NURBS_API nurbs_status nurbs_flatten(const nurbs *g, const double *range, const 
  * \param[in] curvature k, signed; 0 changes nothing.
  * \param[in] lower,upper the bent part, lower < upper, infinite ones allowed.
  * \param[in] tolerance > 0.
- * \param[out] deviation largest distance from the exact image, or NULL: a bound if proven is 1, else of
+ * \param[out] deviation or NULL: largest distance from the exact image, a bound if proven is 1, else of
  *   samples.
- * \param[out] proven 1 or 0, or NULL.
+ * \param[out] proven or NULL: 1 or 0.
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _DIMENSION, _POINT_NOT_FINITE, _DIRECTION, _OVERFLOW, _TOLERANCE;
  *   _FACTOR if k is not finite, _EMPTY_DOMAIN unless lower < upper, _NOT_CONVERGED if the tolerance is not
@@ -3794,9 +3822,9 @@ NURBS_API nurbs_status nurbs_bend(const nurbs *g, const double *origin, const do
  * \param[in] volume V, with m axes and of dimension m.
  * \param[in] lower,upper [m] the box, lower < upper; g has to be inside.
  * \param[in] tolerance > 0.
- * \param[out] deviation largest distance from the exact image, or NULL: a bound if proven is 1, else of
+ * \param[out] deviation or NULL: largest distance from the exact image, a bound if proven is 1, else of
  *   samples.
- * \param[out] proven 1 or 0, or NULL.
+ * \param[out] proven or NULL: 1 or 0.
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _DIMENSION, _POINT_NOT_FINITE, _OVERFLOW, _TOLERANCE; _EMPTY_DOMAIN
  *   unless lower < upper, _OUTSIDE_DOMAIN if g leaves the box, _NOT_CONVERGED if the tolerance is not
@@ -3812,12 +3840,12 @@ NURBS_API nurbs_status nurbs_free_form_deform(const nurbs *g, const nurbs *volum
  * centre when rational). The bound is that of nurbs_deviation().
  * \param[in] g a spline.
  * \param[in] order of the derivatives: 1 (membrane), 2 (thin plate) or 3.
- * \param[in] keep [axes][2] highest order of derivatives that stay at the start and end of every axis, -1
- *   for none; or NULL: 0 for all that are not periodic, so that boundaries stay. All control points on which
- *   they depend stay.
+ * \param[in] keep [axes][2] or NULL for 0 on all axes that are not periodic, so that boundaries stay: highest
+ *   order of derivatives that stay at the start and end of every axis, -1 for none. All control points on
+ *   which they depend stay.
  * \param[in] tolerance largest distance from g, >= 0.
- * \param[out] energies [2] before and after, or NULL.
- * \param[out] bound proven bound of the distance from g, at most the tolerance; or NULL.
+ * \param[out] energies [2] or NULL: before and after.
+ * \param[out] bound or NULL: proven bound of the distance from g, at most the tolerance.
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _ORDER, _TOLERANCE, _OVERLAP, _OVERFLOW, _NOT_REPRESENTABLE; _DEGREE
  *   if no axis has a degree of at least order.
@@ -3836,7 +3864,7 @@ NURBS_API nurbs_status nurbs_fair(const nurbs *g, int32_t order, const int32_t *
  * \param[in] other_axis,other_end its boundary.
  * \param[in] order 0 (positions) or 1 (tangents too).
  * \param[in] flags NURBS_REVERSED: the boundaries of surfaces run against each other; or 0.
- * \param[out] bound proven bound of the distance from g, or NULL.
+ * \param[out] bound or NULL: proven bound of the distance from g.
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _AXIS, _END, _ORDER, _FLAGS, _INCOMPATIBLE, _PERIODIC,
  *   _DEGREE, _OVERFLOW, _KNOTS_MERGE, _NOT_REPRESENTABLE; _TANGENT if a tangent that is needed vanishes,
@@ -3868,16 +3896,16 @@ NURBS_API nurbs_status nurbs_snap_boundary(const nurbs *g, int32_t axis, int32_t
  * multiplied over the axes: within 3 p eps of itself for each axis of degree p inside the domain at order 0,
  * otherwise as the preamble says of a derivative.
  * \param[in] axes,degrees,counts,knots,knot_count as for nurbs_create().
- * \param[in] orders [axes] order of the derivative along each axis, with a sum of at most NURBS_MAX_ORDER; or
- *   NULL for 0.
+ * \param[in] orders [axes] or NULL for 0: order of the derivative along each axis, with a sum of at most
+ *   NURBS_MAX_ORDER.
  * \param[in] n number of parameters.
  * \param[in] params [n][axes].
  * \param[in] param_stride,param_component_stride layout of params, 0 = packed.
  * \param[in] cap length of values and columns: 0, or at least n * M.
- * \param[out] values [cap] receives the n * M entries, or NULL.
- * \param[out] columns [cap] receives their columns, or NULL.
- * \param[out] row_pointers [n + 1] receives 0, M, ..., n * M, or NULL.
- * \param[out] entries n * M, or NULL.
+ * \param[out] values [cap] or NULL: receives the n * M entries.
+ * \param[out] columns [cap] or NULL: receives their columns.
+ * \param[out] row_pointers [n + 1] or NULL: receives 0, M, ..., n * M.
+ * \param[out] entries or NULL: n * M.
  * \param[in] flags evaluation flags per axis.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DEGREE, _COUNT, _TOO_FEW_POINTS, _OVERFLOW, _SIZE, _ORDER,
  *   _STRIDE, _OVERLAP, _FLAGS, _KNOT_NOT_FINITE, _KNOTS_DECREASING, _END_MULTIPLICITY, _MULTIPLICITY,
@@ -3899,16 +3927,16 @@ NURBS_API nurbs_status nurbs_collocation(int32_t axes, const int32_t *degrees, c
  *
  * The values of order 0 are those of nurbs_rational_basis(), bit for bit.
  * \param[in] g a spline.
- * \param[in] orders [axes] order of the derivative along each axis, with a sum of at most NURBS_MAX_ORDER; or
- *   NULL for 0.
+ * \param[in] orders [axes] or NULL for 0: order of the derivative along each axis, with a sum of at most
+ *   NURBS_MAX_ORDER.
  * \param[in] n number of parameters.
  * \param[in] params [n][axes].
  * \param[in] param_stride,param_component_stride layout of params, 0 = packed.
  * \param[in] cap length of values and columns: 0, or at least n * M.
- * \param[out] values [cap] receives the n * M entries, or NULL.
- * \param[out] columns [cap] receives their columns, or NULL.
- * \param[out] row_pointers [n + 1] receives 0, M, ..., n * M, or NULL.
- * \param[out] entries n * M, or NULL.
+ * \param[out] values [cap] or NULL: receives the n * M entries.
+ * \param[out] columns [cap] or NULL: receives their columns.
+ * \param[out] row_pointers [n + 1] or NULL: receives 0, M, ..., n * M.
+ * \param[out] entries or NULL: n * M.
  * \param[in] flags evaluation flags per axis.
  * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERFLOW, _SIZE, _ORDER, _STRIDE, _OVERLAP, _FLAGS,
  *   _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN.
@@ -3930,9 +3958,9 @@ NURBS_API nurbs_status nurbs_rational_collocation(const nurbs *g, const int32_t 
  * \param[in] g a spline.
  * \param[in] axis 0-based axis, of degree p.
  * \param[in] cap length of the arrays in spans; 0 asks for the number only.
- * \param[out] operators [cap][p + 1][p + 1] receives C[j][k] of each span, packed; may be NULL.
- * \param[out] firsts [cap] receives the index of the first control point of each span; may be NULL.
- * \param[out] domains [cap][2] receives a and b of each span, packed; may be NULL.
+ * \param[out] operators [cap][p + 1][p + 1] or NULL: receives C[j][k] of each span, packed.
+ * \param[out] firsts [cap] or NULL: receives the index of the first control point of each span.
+ * \param[out] domains [cap][2] or NULL: receives a and b of each span, packed.
  * \param[out] count number of non-empty spans in the domain.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _COUNT, _OVERFLOW, _OVERLAP; _SIZE if cap is neither 0 nor
  *   enough.
@@ -3973,7 +4001,7 @@ NURBS_API nurbs_status nurbs_bezier_extraction(const nurbs *g, int32_t axis, int
  * \param[in] cotangents [n][S][dim] slots as for nurbs_eval_derivs(): coordinate c of slot s is component
  *   s * dim + c.
  * \param[in] cotangent_stride,cotangent_component_stride layout of cotangents, 0 = packed.
- * \param[in,out] grad_points [N][dim] last axis fastest, or NULL.
+ * \param[in,out] grad_points [N][dim] or NULL: last axis fastest.
  * \param[in] grad_point_stride,grad_point_component_stride layout of grad_points, 0 = packed.
  * \param[in,out] grad_weights [N] or NULL.
  * \param[in] grad_weight_stride distance between weight gradients, 0 = 1.
@@ -4021,7 +4049,7 @@ NURBS_API nurbs_status nurbs_read_options_init(nurbs_read_options *options, int6
  * listed in the notes.
  * \param[in] bytes [size] the contents of the file.
  * \param[in] size number of bytes.
- * \param[in] options settings, or NULL for the defaults.
+ * \param[in] options or NULL for the defaults: settings.
  * \param[out] out the new list.
  * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OPTIONS, _TOO_LARGE, _FORMAT, _TRUNCATED, _SYNTAX.
  * \since 1.0 */
@@ -4030,7 +4058,7 @@ NURBS_API nurbs_status nurbs_read(const void *bytes, int64_t size, const nurbs_r
 
 /** \brief Reads a file by its path; see nurbs_read().
  * \param[in] path file name, zero-terminated, in the system's encoding.
- * \param[in] options settings, or NULL for the defaults.
+ * \param[in] options or NULL for the defaults: settings.
  * \param[out] out the new list.
  * \return as for nurbs_read(), and NURBS_ERROR_FILE.
  * \since 1.0 */
@@ -4055,9 +4083,9 @@ NURBS_API nurbs_status nurbs_list_get(const nurbs_list *list, int64_t index, nur
  * "type#line" such as "126#17". At most cap - 1 bytes and a terminating zero are written.
  * \param[in] list a list.
  * \param[in] index 0-based.
- * \param[out] buf [cap] receives the text; may be NULL when cap is 0.
+ * \param[out] buf [cap] or NULL when cap is 0: receives the text.
  * \param[in] cap size of buf in bytes.
- * \param[out] length length of the whole name without the terminating zero; may be NULL.
+ * \param[out] length or NULL: length of the whole name without the terminating zero.
  * \return NURBS_OK, NURBS_ERROR_NULL, _INDEX, _COUNT.
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_list_name(const nurbs_list *list, int64_t index, char *buf, int64_t cap,
@@ -4073,13 +4101,13 @@ NURBS_API nurbs_status nurbs_list_note_count(const nurbs_list *list, int64_t *co
 /** \brief A note: which entity, where, and why it did not become a spline.
  * \param[in] list a list.
  * \param[in] index 0-based.
- * \param[out] entity_type type number of the entity in the file's format; may be NULL.
- * \param[out] line sequence number of the entity in the directory section; may be NULL.
- * \param[out] reason NURBS_ERROR_UNSUPPORTED for an entity that is not read, else what is wrong with it; may
- *   be NULL.
- * \param[out] buf [cap] receives the text; may be NULL when cap is 0.
+ * \param[out] entity_type or NULL: type number of the entity in the file's format.
+ * \param[out] line or NULL: sequence number of the entity in the directory section.
+ * \param[out] reason or NULL: NURBS_ERROR_UNSUPPORTED for an entity that is not read, else what is wrong with
+ *   it.
+ * \param[out] buf [cap] or NULL when cap is 0: receives the text.
  * \param[in] cap size of buf in bytes.
- * \param[out] length length of the whole text without the terminating zero; may be NULL.
+ * \param[out] length or NULL: length of the whole text without the terminating zero.
  * \return NURBS_OK, NURBS_ERROR_NULL, _INDEX, _COUNT.
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_list_note(const nurbs_list *list, int64_t index, int32_t *entity_type,
@@ -4095,7 +4123,7 @@ NURBS_API nurbs_status nurbs_list_note(const nurbs_list *list, int64_t index, in
 NURBS_API nurbs_status nurbs_list_unit(const nurbs_list *list, double *metres);
 
 /** \brief Frees a list. Handles taken from it stay valid.
- * \param[in] list a list, or NULL, which does nothing.
+ * \param[in] list or NULL, which does nothing: a list.
  * \since 1.0 */
 NURBS_API void nurbs_list_destroy(nurbs_list *list);
 /** @} */

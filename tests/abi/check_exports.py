@@ -1,4 +1,5 @@
-"""The header, the export map and the shared library name the same functions, and the library shows nothing else.
+"""The header, the export map and the shared library name the same functions and the versions that brought them, and the
+library shows nothing else.
 
 usage: check_exports.py nurbs.h nurbs.map libnurbs.so
 """
@@ -6,6 +7,11 @@ usage: check_exports.py nurbs.h nurbs.map libnurbs.so
 import re
 import subprocess
 import sys
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "cmake/interface"))
+
+import header  # noqa: E402 - from the project
 
 ALLOWED_LIBRARIES = re.compile(
     r"(libc|libm|libgcc_s|libstdc\+\+|libhwy|ld-linux[-\w]*)\.so(\.\d+)*$")
@@ -17,15 +23,6 @@ def output(*command):
 
 def without_comments(text):
     return re.sub(r"/\*.*?\*/", "", text, flags=re.DOTALL)
-
-
-def header_functions(text):
-    return re.findall(r"^NURBS_API\s[^;(]*?(\w+)\s*\(", without_comments(text), flags=re.MULTILINE)
-
-
-def header_version(text):
-    number = {part: re.search(rf"#define NURBS_VERSION_{part} (\d+)", text)[1] for part in ("MAJOR", "MINOR")}
-    return number["MAJOR"], number["MINOR"]
 
 
 def map_functions(text):
@@ -63,14 +60,13 @@ def repeated(kind, names):
 
 
 def problems(header_path, map_path, library):
-    with open(header_path, encoding="utf-8") as file:
-        header = file.read()
-    with open(map_path, encoding="utf-8") as file:
-        in_map = map_functions(file.read())
-    declared = header_functions(header)
-    major, minor = header_version(header)
+    manual = header.parse(Path(header_path).read_text(encoding="utf-8"))
+    in_map = map_functions(Path(map_path).read_text(encoding="utf-8"))
+    declared = [function.name for function in manual.functions]
+    promised = [(function.name, f"NURBS_{function.since}") for function in manual.functions]
+    major, minor, _ = manual.version.split(".")
     found = repeated("header", declared) + repeated("map", [name for name, _ in in_map])
-    found += differences("header and map", declared, [name for name, _ in in_map])
+    found += differences("header and map", promised, in_map)
     found += differences("map and library", in_map, exported(library))
     found += [f"the map has no node for this version, NURBS_{major}.{minor}"] * \
         (f"NURBS_{major}.{minor}" not in [node for _, node in in_map])

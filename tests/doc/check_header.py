@@ -1,119 +1,114 @@
 """Every function of nurbs.h is documented in the uniform way that generators of bindings read.
 
-usage: check_header.py nurbs.h
+usage: check_header.py TOP_FOLDER
 
-A function has \\brief and \\since, a \\param with its direction for every parameter and for no other, \\return unless it is
-void, and for every array the shape in brackets. Parameters described by reference ("a,b,c as for nurbs_create()") take
-their shape from the function referred to. Handles, options, paths and single results are not arrays.
+The rules are those of the header's section "Bindings". A function has \\brief, \\since, \\return unless it is void,
+and a \\param with its direction for every parameter and for no other; arrays have a shape in brackets, and pointers that
+may be NULL the words "or NULL" in their one place. Statuses that are listed exist.
 """
 
 import re
 import sys
-from dataclasses import dataclass, field
+from pathlib import Path
 
-HANDLES = ("nurbs", "nurbs_list")
-STRUCTS = ("nurbs_read_options",)
+TOP = Path(sys.argv[1] if len(sys.argv) > 1 else Path(__file__).resolve().parents[2])
+sys.path.insert(0, str(TOP / "cmake/interface"))
+
+import header  # noqa: E402 - from the project
+
 # Pointers to one value that is written; arrays have names in the plural.
 SINGLE_RESULTS = ("angle", "area", "at_least", "at_most", "axes", "bound", "complete", "content", "convexity",
                   "count", "curvature_gap", "degree", "deviation", "dim", "entity_type", "entries", "error", "factor",
                   "form", "gap", "geometric", "index", "knot", "length", "line", "metres", "moved", "openness",
                   "optimality", "order", "periodic", "position_gap", "proven", "rank", "ratio", "rational", "reason",
                   "removed", "result", "shape", "size", "slots", "status", "type", "value", "volume", "weight")
+ORDER = ["brief", "param", "return", "since"]
 
 
-@dataclass
-class Function:
-    name: str
-    result: str
-    parameters: list  # (type, name)
-    comment: str
-    described: dict = field(default_factory=dict)  # name -> (direction, text)
+def is_number(parameter):
+    return parameter.base in ("double", "float", "int32_t", "int64_t", "uint32_t", "nurbs_status", "char")
 
 
-def functions(text):
-    pattern = r"/\*\*((?:(?!\*/).)*)\*/\s*NURBS_API\s+([^;(]*?)(\w+)\s*\(([^)]*)\)\s*;"
-    for comment, result, name, parameters in re.findall(pattern, text, flags=re.DOTALL):
-        comment = re.sub(r"^\s*\* ?", "", comment, flags=re.MULTILINE)
-        yield Function(name, result.strip(), [parameter(p) for p in parameters.split(",") if p.strip() != "void"],
-                       comment, descriptions(comment))
+def shape_problem(parameter):
+    if parameter.pointers == 0 or parameter.name == "path":
+        return "a shape for what is no array" if parameter.shape else None
+    if parameter.base in manual.handles and not (parameter.pointers == 2 and parameter.is_const):
+        return "a shape for a handle" if parameter.shape else None
+    if parameter.shape or parameter.base in ("nurbs_read_options",):
+        return None
+    single = is_number(parameter) and not parameter.is_const and parameter.name in SINGLE_RESULTS
+    return None if single else "no shape in brackets"
 
 
-def parameter(text):
-    kind, name = re.fullmatch(r"\s*(.*?[\s*])(\w+)\s*", text, flags=re.DOTALL).groups()
-    return " ".join(kind.replace("*", " *").split()), name
-
-
-def descriptions(comment):
-    found = {}
-    for direction, names, text in re.findall(
-            r"\\param\[(in|out|in,out)\]\s+(\S+)\s*((?:(?!\n\\).)*)", comment, flags=re.DOTALL):
-        for name in names.split(","):
-            found[name] = (direction, " ".join(text.split()))
-    return found
-
-
-def pointed_to(kind):
-    """Type that a pointer points to, without const; None for a value or a pointer to a pointer."""
-    return kind.replace("const", "").replace("*", "").strip() if kind.count("*") == 1 else None
-
-
-def is_array(kind, name):
-    target = pointed_to(kind)
-    if target is None or target in HANDLES or target in STRUCTS or name == "path":
-        return False
-    return "const" in kind or name not in SINGLE_RESULTS
-
-
-def shape_of(function, name, by_name, seen=()):
-    _, text = function.described[name]
-    if text.startswith("["):
-        return text[:text.index("]") + 1]
-    reference = re.match(r"(?:a full knot vector, )?as for (nurbs_\w+)\(\)", text)
-    if reference and reference[1] not in seen and reference[1] in by_name:
-        other = by_name[reference[1]]
-        if name in other.described:
-            return shape_of(other, name, by_name, seen + (function.name,))
+def null_problem(parameter, text):
+    """`text` is the description as it is written, the mark included."""
+    if parameter.nullable and parameter.pointers == 0:
+        return "is no pointer, and cannot be NULL"
+    if parameter.nullable and parameter.pointers == 2 and not parameter.is_const:
+        return "a handle that is returned needs its place"
+    if "NULL" in text and not parameter.nullable:
+        return "speaks of NULL without the mark 'or NULL' in its place"
+    if re.search(r"(or|may be) NULL", parameter.text):
+        return "has the mark 'or NULL' twice"
     return None
 
 
-def parameter_problems(function, by_name):
-    names = [name for _, name in function.parameters]
+def parameter_problems(function):
+    names = [parameter.name for parameter in function.parameters]
     for name in function.described:
         if name not in names:
             yield f"\\param {name} is not a parameter"
-    for kind, name in function.parameters:
-        if name not in function.described:
-            yield f"no \\param for {name}"
+    for parameter in function.parameters:
+        if parameter.name not in function.described:
+            yield f"no \\param for {parameter.name}"
             continue
-        direction, text = function.described[name]
+        text = function.described[parameter.name][1]
+        freed = parameter.base in manual.handles and parameter.pointers == 1
+        written = parameter.pointers > 0 and not parameter.is_const and not freed
+        if written != (parameter.direction != "in"):
+            yield f"\\param {parameter.name} is marked {parameter.direction}"
         if not text:
-            yield f"\\param {name} says nothing"
-        written = "*" in kind and "const" not in kind and name != "g" and name != "list"
-        if written != (direction != "in"):
-            yield f"\\param {name} is marked {direction}"
-        if is_array(kind, name) and shape_of(function, name, by_name) is None:
-            yield f"no shape in brackets for the array {name}"
+            yield f"\\param {parameter.name} says nothing"
+        for problem in (shape_problem(parameter), null_problem(parameter, text)):
+            if problem:
+                yield f"\\param {parameter.name}: {problem}"
 
 
-def problems(function, by_name):
-    for tag in ("brief", "since") + (() if function.result == "void" else ("return",)):
-        if not re.search(rf"\\{tag}\s+\S", function.comment):
-            yield f"no \\{tag}"
-    yield from parameter_problems(function, by_name)
+def status_problems(function):
+    if function.result != "nurbs_status":
+        return
+    if not function.statuses or function.statuses[0] != "NURBS_OK":
+        yield "\\return does not list NURBS_OK first"
+    for status in function.statuses:
+        if status not in manual.constants:
+            yield f"there is no {status}"
+    required = any(parameter.pointers and not parameter.nullable for parameter in function.parameters)
+    if required != ("NURBS_ERROR_NULL" in function.statuses):
+        yield "NURBS_ERROR_NULL is " + ("missing" if required else "listed, but no pointer is required")
+
+
+def problems(function):
+    if not function.brief:
+        yield "no \\brief"
+    if not function.returns and function.result != "void":
+        yield "no \\return"
+    if list(function.tags) != sorted(function.tags, key=ORDER.index):
+        yield "the order of tags is not \\" + ", \\".join(ORDER)
+    if not re.fullmatch(r"\d+\.\d+", function.since):
+        yield f"\\since {function.since} is not a version"
+    yield from parameter_problems(function)
+    yield from status_problems(function)
 
 
 def main():
-    with open(sys.argv[1], encoding="utf-8") as file:
-        text = file.read()
-    found = list(functions(text))
-    by_name = {function.name: function for function in found}
-    messages = [f"{function.name}: {problem}" for function in found for problem in problems(function, by_name)]
-    declared = len(re.findall(r"^NURBS_API ", text, flags=re.MULTILINE))
-    if declared != len(found) or not found:
-        messages.append(f"{declared} functions are declared, {len(found)} of them with a comment before them")
-    print("\n".join(messages) or f"{len(found)} functions are documented")
+    messages = [f"{function.name}: {problem}" for function in manual.functions for problem in problems(function)]
+    if not manual.functions:
+        messages.append("no functions")
+    messages += [f"{constant.name} has no text" for constant in manual.constants.values() if not constant.text]
+    print("\n".join(messages) or f"{len(manual.functions)} functions are documented")
     return 1 if messages else 0
 
 
+manual = header.read(TOP)
 if __name__ == "__main__":
     sys.exit(main())

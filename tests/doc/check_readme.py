@@ -7,15 +7,13 @@ import re
 import sys
 from pathlib import Path
 
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "cmake/interface"))
+
+import header  # noqa: E402 - from the project
+
 
 def code_blocks(text, language):
     return re.findall(rf"^```{language}\n(.*?)^```$", text, flags=re.MULTILINE | re.DOTALL)
-
-
-def header_functions(top):
-    text = (top / "include/nurbs/nurbs.h").read_text(encoding="utf-8")
-    text = re.sub(r"/\*.*?\*/", "", text, flags=re.DOTALL)
-    return re.findall(r"^NURBS_API\s[^;(]*?(\w+)\s*\(", text, flags=re.MULTILINE)
 
 
 def named_functions(text):
@@ -31,11 +29,13 @@ def problems(top):
     for language, name in (("c", "readme.c"), ("python", "readme.py")):
         if code_blocks(text, language) != [(top / "capi/examples" / name).read_text(encoding="utf-8")]:
             yield f"the {language} program of the README is not capi/examples/{name}"
-    functions = header_functions(top)
+    manual = header.read(top)
+    functions = [function.name for function in manual.functions]
+    types = {*manual.handles, *manual.aliases, *(struct.name for struct in manual.structs)}
     for name in functions:
         if name not in named_functions(text):
             yield f"{name} is not mentioned"
-    for name in named_functions(text) - set(functions) - {"nurbs_list", "nurbs_status", "nurbs_read_options"}:
+    for name in named_functions(text) - set(functions) - types:
         yield f"{name} is mentioned but does not exist"
     for target in linked_files(text):
         if not (top / target).exists():

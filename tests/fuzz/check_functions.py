@@ -8,15 +8,18 @@ import sys
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "cmake/interface"))
+
+import header  # noqa: E402 - from the project
 
 
 def without_comments(text):
     return re.sub(r"/\*.*?\*/|//[^\n]*", "", text, flags=re.S)
 
 
-def declared(header):
+def declared(path):
     """Names of the functions, in the header's order."""
-    return re.findall(r"NURBS_API\b[^;()]*?\b(nurbs_\w+)\s*\(", without_comments(header.read_text()))
+    return [function.name for function in header.parse(path.read_text(encoding="utf-8")).functions]
 
 
 def table(path):
@@ -31,10 +34,10 @@ def called(target):
     return set(re.findall(r"\b(nurbs_\w+)\s*\(", text))
 
 
-def problems(header, folder):
-    functions, rows = declared(header), table(folder / "functions.txt")
+def problems(path, folder):
+    functions, rows = declared(path), table(folder / "functions.txt")
     if not functions:
-        yield f"{header}: no functions found"
+        yield f"{path}: no functions found"
     for row in rows:
         if len(row) != 2:
             yield f"functions.txt: a line is not 'function target': {' '.join(row)}"
@@ -54,12 +57,12 @@ def problems(header, folder):
 
 
 def main(arguments):
-    header = Path(arguments[0]) if arguments else HERE.parents[1] / "include" / "nurbs" / "nurbs.h"
+    path = Path(arguments[0]) if arguments else HERE.parents[1] / header.PATH
     folder = Path(arguments[1]) if len(arguments) > 1 else HERE
-    found = list(problems(header, folder))
+    found = list(problems(path, folder))
     for problem in found:
         print(problem)
-    print(f"{len(declared(header))} functions, {len(found)} problems")
+    print(f"{len(declared(path))} functions, {len(found)} problems")
     return 1 if found else 0
 
 

@@ -1,36 +1,47 @@
 ! SPDX-License-Identifier: MIT
+! Generated from include/nurbs/nurbs.h by: python3 cmake/interface/generate.py . - do not edit.
 !> The functions of nurbs.h as they stand, argument by argument; that header is the manual. Here the indices of axes,
 !> spans and list entries count from 0, flags are 32-bit patterns, and the optional arguments are those that may be
-!> NULL. An output array is intent(inout) because a failing call leaves it as it was.
+!> NULL. Outputs other than handles are intent(inout) because a failing call leaves them as they were.
 module nurbs_c
     use, intrinsic :: iso_c_binding
     implicit none
     public
 
+    !> Settings for nurbs_read(); fill with nurbs_read_options_init() first. Fields are only ever appended,
+    !> and struct_size is at most 4096. A file whose own unit is not known cannot be converted to another:
+    !> NURBS_ERROR_OPTIONS.
     type, bind(c) :: nurbs_read_options
-        integer(c_int64_t) :: struct_size
-        real(c_double) :: unit
-        integer(c_int64_t) :: max_bytes
+        integer(c_int64_t) :: struct_size  ! size of this struct as the caller knows it
+        real(c_double) :: unit  ! wanted unit in metres (0.001: millimetres); 0 keeps the file's own
+        integer(c_int64_t) :: max_bytes  ! largest file accepted; 0 means the default, 2^30
     end type nurbs_read_options
 
     interface
+        ! --- Version and errors
+        !> Version of the library that is running, encoded like NURBS_VERSION.
         function nurbs_version() bind(c) result(r)
             import
             integer(c_int32_t) :: r
         end function nurbs_version
+        !> Name of a status, such as "NURBS_ERROR_NULL".
         function nurbs_status_name(status) bind(c) result(r)
             import
             integer(c_int32_t), value :: status
             type(c_ptr) :: r
         end function nurbs_status_name
+        !> Copies the message of the last failed call in the calling thread, such as "params[17] = 1.2 outside
+        !> [0, 1]".
         function nurbs_last_error(buf, cap) bind(c) result(r)
             import
             character(kind=c_char), intent(inout), optional :: buf(*)
             integer(c_int64_t), value :: cap
             integer(c_int64_t) :: r
         end function nurbs_last_error
+        ! --- Construction
+        !> A spline from full knot vectors, Cartesian points and optional weights.
         function nurbs_create(axes, degrees, counts, knots, knot_count, dim, points, point_stride, &
-            point_component_stride, weights, weight_stride, flags, out) bind(c) result(r)
+                point_component_stride, weights, weight_stride, flags, out) bind(c) result(r)
             import
             integer(c_int32_t), value :: axes, dim, flags
             integer(c_int32_t), intent(in) :: degrees(*)
@@ -41,8 +52,9 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_create
+        !> A rational spline from homogeneous points (w x, w y, ..., w).
         function nurbs_create_homogeneous(axes, degrees, counts, knots, knot_count, dim, points, &
-            point_stride, point_component_stride, flags, out) bind(c) result(r)
+                point_stride, point_component_stride, flags, out) bind(c) result(r)
             import
             integer(c_int32_t), value :: axes, dim, flags
             integer(c_int32_t), intent(in) :: degrees(*)
@@ -52,8 +64,10 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_create_homogeneous
+        !> A spline from knot vectors without their first and last knot, as openNURBS, Rhino and Maya write
+        !> them.
         function nurbs_create_short(axes, degrees, counts, knots, knot_count, dim, points, point_stride, &
-            point_component_stride, weights, weight_stride, flags, out) bind(c) result(r)
+                point_component_stride, weights, weight_stride, flags, out) bind(c) result(r)
             import
             integer(c_int32_t), value :: axes, dim, flags
             integer(c_int32_t), intent(in) :: degrees(*)
@@ -64,9 +78,10 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_create_short
+        !> A spline from distinct knots with multiplicities, as STEP and Open CASCADE write them.
         function nurbs_create_multiplicities(axes, degrees, counts, distinct_counts, distinct_knots, &
-            multiplicities, dim, points, point_stride, point_component_stride, weights, weight_stride, &
-            flags, out) bind(c) result(r)
+                multiplicities, dim, points, point_stride, point_component_stride, weights, weight_stride, &
+                flags, out) bind(c) result(r)
             import
             integer(c_int32_t), value :: axes, dim, flags
             integer(c_int32_t), intent(in) :: degrees(*), multiplicities(*)
@@ -77,8 +92,10 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_create_multiplicities
+        !> A Bezier curve, patch or volume over [0, 1] on every axis: degrees[k] + 1 points along axis k, no
+        !> knots.
         function nurbs_create_bezier(axes, degrees, dim, points, point_stride, point_component_stride, &
-            weights, weight_stride, out) bind(c) result(r)
+                weights, weight_stride, out) bind(c) result(r)
             import
             integer(c_int32_t), value :: axes, dim
             integer(c_int32_t), intent(in) :: degrees(*)
@@ -88,8 +105,10 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_create_bezier
-        function nurbs_with_points(g, points, point_stride, point_component_stride, weights, &
-            weight_stride, out) bind(c) result(r)
+        !> The same degrees, knots, dimension and periodicity with other points; knots and their tables are
+        !> shared, not copied.
+        function nurbs_with_points(g, points, point_stride, point_component_stride, weights, weight_stride, &
+                out) bind(c) result(r)
             import
             type(c_ptr), value :: g
             real(c_double), intent(in) :: points(*)
@@ -98,16 +117,20 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_with_points
+        !> Another handle on the same spline, in constant time.
         function nurbs_clone(g, out) bind(c) result(r)
             import
             type(c_ptr), value :: g
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_clone
+        !> Frees a handle.
         subroutine nurbs_destroy(g) bind(c)
             import
             type(c_ptr), value :: g
         end subroutine nurbs_destroy
+        ! --- Knot vectors
+        !> Uniform unclamped knots: t_i = a + (i - p) h with h = (b - a) / (count - p); domain [a, b].
         function nurbs_knots_uniform(degree, count, a, b, knot_count, knots) bind(c) result(r)
             import
             integer(c_int32_t), value :: degree
@@ -116,6 +139,7 @@ module nurbs_c
             real(c_double), intent(inout) :: knots(*)
             integer(c_int32_t) :: r
         end function nurbs_knots_uniform
+        !> Open uniform (quasi-uniform, clamped) knots: a and b degree + 1 times, the others evenly between.
         function nurbs_knots_open_uniform(degree, count, a, b, knot_count, knots) bind(c) result(r)
             import
             integer(c_int32_t), value :: degree
@@ -124,6 +148,7 @@ module nurbs_c
             real(c_double), intent(inout) :: knots(*)
             integer(c_int32_t) :: r
         end function nurbs_knots_open_uniform
+        !> Piecewise Bezier knots: the ends degree + 1 times, each inner break degree times (degree 0: once).
         function nurbs_knots_bezier(degree, pieces, breaks, knot_count, knots) bind(c) result(r)
             import
             integer(c_int32_t), value :: degree
@@ -132,6 +157,8 @@ module nurbs_c
             real(c_double), intent(inout) :: knots(*)
             integer(c_int32_t) :: r
         end function nurbs_knots_bezier
+        !> Clamped knots averaged from parameters, for interpolation: t_(j+p) = (s_j + ... + s_(j+p-1)) / p, j
+        !> = 1, ..., count - p - 1; the ends are s_0 and s_(count-1).
         function nurbs_knots_averaged(degree, count, params, knot_count, knots) bind(c) result(r)
             import
             integer(c_int32_t), value :: degree
@@ -140,6 +167,8 @@ module nurbs_c
             real(c_double), intent(inout) :: knots(*)
             integer(c_int32_t) :: r
         end function nurbs_knots_averaged
+        !> Periodic knots from the breaks of one period: the given knots with their multiplicities, continued
+        !> with the period on both sides.
         function nurbs_knots_periodic(degree, n, breaks, multiplicities, knot_count, knots) bind(c) result(r)
             import
             integer(c_int32_t), value :: degree
@@ -149,44 +178,52 @@ module nurbs_c
             real(c_double), intent(inout) :: knots(*)
             integer(c_int32_t) :: r
         end function nurbs_knots_periodic
+        ! --- Inspection
+        !> Number of parametric axes: 1 curve, 2 surface, 3 volume.
         function nurbs_axes(g, axes) bind(c) result(r)
             import
             type(c_ptr), value :: g
-            integer(c_int32_t), intent(out) :: axes
+            integer(c_int32_t), intent(inout) :: axes
             integer(c_int32_t) :: r
         end function nurbs_axes
+        !> Dimension of the (Cartesian) points.
         function nurbs_dimension(g, dim) bind(c) result(r)
             import
             type(c_ptr), value :: g
-            integer(c_int32_t), intent(out) :: dim
+            integer(c_int32_t), intent(inout) :: dim
             integer(c_int32_t) :: r
         end function nurbs_dimension
+        !> Degree along an axis.
         function nurbs_degree(g, axis, degree) bind(c) result(r)
             import
             type(c_ptr), value :: g
             integer(c_int32_t), value :: axis
-            integer(c_int32_t), intent(out) :: degree
+            integer(c_int32_t), intent(inout) :: degree
             integer(c_int32_t) :: r
         end function nurbs_degree
+        !> Number of control points along an axis.
         function nurbs_count(g, axis, count) bind(c) result(r)
             import
             type(c_ptr), value :: g
             integer(c_int32_t), value :: axis
-            integer(c_int64_t), intent(out) :: count
+            integer(c_int64_t), intent(inout) :: count
             integer(c_int32_t) :: r
         end function nurbs_count
+        !> Number N of control points of all axes together: the product of the counts.
         function nurbs_point_count(g, count) bind(c) result(r)
             import
             type(c_ptr), value :: g
-            integer(c_int64_t), intent(out) :: count
+            integer(c_int64_t), intent(inout) :: count
             integer(c_int32_t) :: r
         end function nurbs_point_count
+        !> Whether the spline carries weights, equal ones included.
         function nurbs_is_rational(g, rational) bind(c) result(r)
             import
             type(c_ptr), value :: g
-            integer(c_int32_t), intent(out) :: rational
+            integer(c_int32_t), intent(inout) :: rational
             integer(c_int32_t) :: r
         end function nurbs_is_rational
+        !> The full knot vector of an axis.
         function nurbs_knots(g, axis, knot_count, knots) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -195,6 +232,7 @@ module nurbs_c
             real(c_double), intent(inout) :: knots(*)
             integer(c_int32_t) :: r
         end function nurbs_knots
+        !> The distinct knots of an axis and how often each occurs; those outside the domain are included.
         function nurbs_distinct_knots(g, axis, cap, knots, multiplicities, count) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -202,16 +240,19 @@ module nurbs_c
             integer(c_int64_t), value :: cap
             real(c_double), intent(inout), optional :: knots(*)
             integer(c_int32_t), intent(inout), optional :: multiplicities(*)
-            integer(c_int64_t), intent(out) :: count
+            integer(c_int64_t), intent(inout) :: count
             integer(c_int32_t) :: r
         end function nurbs_distinct_knots
+        !> Form of the knot vector of an axis: clamped at the start, at the end, declared periodic; 0 is
+        !> plainly unclamped.
         function nurbs_knot_form(g, axis, form) bind(c) result(r)
             import
             type(c_ptr), value :: g
             integer(c_int32_t), value :: axis
-            integer(c_int32_t), intent(out) :: form
+            integer(c_int32_t), intent(inout) :: form
             integer(c_int32_t) :: r
         end function nurbs_knot_form
+        !> Domain of an axis: [knots[degree], knots[count]].
         function nurbs_domain(g, axis, domain) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -219,6 +260,8 @@ module nurbs_c
             real(c_double), intent(inout) :: domain(*)
             integer(c_int32_t) :: r
         end function nurbs_domain
+        !> Greville abscissae of an axis: x_i = (t_(i+1) + ... + t_(i+p)) / p; for degree 0 (t_i + t_(i+1)) /
+        !> 2.
         function nurbs_greville(g, axis, count, abscissae) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -227,6 +270,7 @@ module nurbs_c
             real(c_double), intent(inout) :: abscissae(*)
             integer(c_int32_t) :: r
         end function nurbs_greville
+        !> The Cartesian control points.
         function nurbs_points(g, count, points, point_stride, point_component_stride) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -234,6 +278,7 @@ module nurbs_c
             real(c_double), intent(inout) :: points(*)
             integer(c_int32_t) :: r
         end function nurbs_points
+        !> The weights; all 1 for a polynomial spline.
         function nurbs_weights(g, count, weights, weight_stride) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -241,16 +286,19 @@ module nurbs_c
             real(c_double), intent(inout) :: weights(*)
             integer(c_int32_t) :: r
         end function nurbs_weights
-        function nurbs_homogeneous_points(g, count, points, point_stride, point_component_stride &
-            ) bind(c) result(r)
+        !> The homogeneous control points (w x, w y, ..., w); w = 1 for a polynomial spline.
+        function nurbs_homogeneous_points(g, count, points, point_stride, point_component_stride) bind(c) &
+                result(r)
             import
             type(c_ptr), value :: g
             integer(c_int64_t), value :: count, point_stride, point_component_stride
             real(c_double), intent(inout) :: points(*)
             integer(c_int32_t) :: r
         end function nurbs_homogeneous_points
+        !> Local hull size: the largest |coordinate| among the active control points of positive weight at
+        !> each parameter, the `hull` of the accuracy contract.
         function nurbs_hull_size(g, n, params, param_stride, param_component_stride, sizes, size_stride, &
-            flags) bind(c) result(r)
+                flags) bind(c) result(r)
             import
             type(c_ptr), value :: g
             integer(c_int64_t), value :: n, param_stride, param_component_stride, size_stride
@@ -259,8 +307,11 @@ module nurbs_c
             integer(c_int32_t), value :: flags
             integer(c_int32_t) :: r
         end function nurbs_hull_size
-        function nurbs_find_spans(degree, count, knots, knot_count, n, params, param_stride, spans, flags &
-            ) bind(c) result(r)
+        ! --- Bases
+        !> Span of each parameter: the index s with knots[s] <= t < knots[s+1] (the last span is closed),
+        !> degree <= s < count, never an empty span.
+        function nurbs_find_spans(degree, count, knots, knot_count, n, params, param_stride, spans, flags) &
+                bind(c) result(r)
             import
             integer(c_int32_t), value :: degree, flags
             integer(c_int64_t), value :: count, knot_count, n, param_stride
@@ -268,8 +319,10 @@ module nurbs_c
             integer(c_int64_t), intent(inout) :: spans(*)
             integer(c_int32_t) :: r
         end function nurbs_find_spans
+        !> Bernstein polynomials B_(j,p)(t) = binomial(p, j) t^j (1 - t)^(p - j), j = 0, ..., p, and their
+        !> derivatives.
         function nurbs_bernstein(degree, order, n, params, param_stride, values, value_stride, &
-            value_component_stride) bind(c) result(r)
+                value_component_stride) bind(c) result(r)
             import
             integer(c_int32_t), value :: degree, order
             integer(c_int64_t), value :: n, param_stride, value_stride, value_component_stride
@@ -277,8 +330,10 @@ module nurbs_c
             real(c_double), intent(inout) :: values(*)
             integer(c_int32_t) :: r
         end function nurbs_bernstein
+        !> B-spline basis functions that do not vanish at each parameter, and their derivatives (Cox-de Boor
+        !> recurrence).
         function nurbs_basis(degree, count, knots, knot_count, order, n, params, param_stride, spans, &
-            values, value_stride, value_component_stride, flags) bind(c) result(r)
+                values, value_stride, value_component_stride, flags) bind(c) result(r)
             import
             integer(c_int32_t), value :: degree, order, flags
             integer(c_int64_t), value :: count, knot_count, n, param_stride, value_stride, &
@@ -288,8 +343,10 @@ module nurbs_c
             real(c_double), intent(inout) :: values(*)
             integer(c_int32_t) :: r
         end function nurbs_basis
+        !> Rational basis functions R_i(t) = w_i N_i(t) / w(t) of the active control points; N_i for a
+        !> polynomial spline.
         function nurbs_rational_basis(g, n, params, param_stride, param_component_stride, spans, values, &
-            value_stride, value_component_stride, flags) bind(c) result(r)
+                value_stride, value_component_stride, flags) bind(c) result(r)
             import
             type(c_ptr), value :: g
             integer(c_int64_t), value :: n, param_stride, param_component_stride, value_stride, &
@@ -300,8 +357,10 @@ module nurbs_c
             integer(c_int32_t), value :: flags
             integer(c_int32_t) :: r
         end function nurbs_rational_basis
+        ! --- Evaluation
+        !> Points at parameters.
         function nurbs_eval(g, n, params, param_stride, param_component_stride, points, point_stride, &
-            point_component_stride, flags) bind(c) result(r)
+                point_component_stride, flags) bind(c) result(r)
             import
             type(c_ptr), value :: g
             integer(c_int64_t), value :: n, param_stride, param_component_stride, point_stride, &
@@ -311,14 +370,18 @@ module nurbs_c
             integer(c_int32_t), value :: flags
             integer(c_int32_t) :: r
         end function nurbs_eval
+        !> Number of derivative slots S = binomial(order + axes, axes), the partial derivatives of orders 0 to
+        !> `order`.
         function nurbs_derivative_slots(axes, order, slots) bind(c) result(r)
             import
             integer(c_int32_t), value :: axes, order
-            integer(c_int64_t), intent(out) :: slots
+            integer(c_int64_t), intent(inout) :: slots
             integer(c_int32_t) :: r
         end function nurbs_derivative_slots
+        !> Points and all partial derivatives up to an order, by the quotient rule when rational (Piegl &
+        !> Tiller A4.2, A4.4).
         function nurbs_eval_derivs(g, order, n, params, param_stride, param_component_stride, derivs, &
-            deriv_stride, deriv_component_stride, flags) bind(c) result(r)
+                deriv_stride, deriv_component_stride, flags) bind(c) result(r)
             import
             type(c_ptr), value :: g
             integer(c_int32_t), value :: order, flags
@@ -328,8 +391,9 @@ module nurbs_c
             real(c_double), intent(inout) :: derivs(*)
             integer(c_int32_t) :: r
         end function nurbs_eval_derivs
-        function nurbs_eval_grid(g, counts, params, points, point_stride, point_component_stride, flags &
-            ) bind(c) result(r)
+        !> Points on the grid of all combinations of one parameter from each axis.
+        function nurbs_eval_grid(g, counts, params, points, point_stride, point_component_stride, flags) &
+                bind(c) result(r)
             import
             type(c_ptr), value :: g
             integer(c_int64_t), intent(in) :: counts(*)
@@ -339,8 +403,9 @@ module nurbs_c
             integer(c_int32_t), value :: flags
             integer(c_int32_t) :: r
         end function nurbs_eval_grid
+        !> Points and partial derivatives on a grid.
         function nurbs_eval_grid_derivs(g, order, counts, params, derivs, deriv_stride, &
-            deriv_component_stride, flags) bind(c) result(r)
+                deriv_component_stride, flags) bind(c) result(r)
             import
             type(c_ptr), value :: g
             integer(c_int32_t), value :: order, flags
@@ -350,8 +415,10 @@ module nurbs_c
             integer(c_int64_t), value :: deriv_stride, deriv_component_stride
             integer(c_int32_t) :: r
         end function nurbs_eval_grid_derivs
+        !> Points at parameters in single precision: the results of nurbs_eval(), each rounded once to the
+        !> nearest float.
         function nurbs_eval_f32(g, n, params, param_stride, param_component_stride, points, point_stride, &
-            point_component_stride, flags) bind(c) result(r)
+                point_component_stride, flags) bind(c) result(r)
             import
             type(c_ptr), value :: g
             integer(c_int64_t), value :: n, param_stride, param_component_stride, point_stride, &
@@ -361,8 +428,10 @@ module nurbs_c
             integer(c_int32_t), value :: flags
             integer(c_int32_t) :: r
         end function nurbs_eval_f32
-        function nurbs_eval_grid_f32(g, counts, params, points, point_stride, point_component_stride, flags &
-            ) bind(c) result(r)
+        !> Points on a grid in single precision: the results of nurbs_eval_grid(), each rounded once to the
+        !> nearest float.
+        function nurbs_eval_grid_f32(g, counts, params, points, point_stride, point_component_stride, flags) &
+                bind(c) result(r)
             import
             type(c_ptr), value :: g
             integer(c_int64_t), intent(in) :: counts(*)
@@ -372,6 +441,8 @@ module nurbs_c
             integer(c_int32_t), value :: flags
             integer(c_int32_t) :: r
         end function nurbs_eval_grid_f32
+        !> The iso-curve of a surface, or iso-surface of a volume, on which the parameter of one axis is
+        !> fixed.
         function nurbs_iso(g, axis, param, flags, out) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -380,82 +451,93 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_iso
+        ! --- Frames and curvature
+        !> Points, first derivatives and unit normals of a surface in space.
         function nurbs_surface_eval_frames(g, n, params, param_stride, param_component_stride, points, &
-            point_stride, point_component_stride, du, du_stride, du_component_stride, dv, dv_stride, &
-            dv_component_stride, normals, normal_stride, normal_component_stride, status, flags) bind(c) &
-            result(r)
+                point_stride, point_component_stride, du, du_stride, du_component_stride, dv, dv_stride, &
+                dv_component_stride, normals, normal_stride, normal_component_stride, status, flags) bind(c) &
+                result(r)
             import
             type(c_ptr), value :: g
             integer(c_int64_t), value :: n, param_stride, param_component_stride, point_stride, &
                 point_component_stride, du_stride, du_component_stride, dv_stride, dv_component_stride, &
                 normal_stride, normal_component_stride
-            integer(c_int32_t), value :: flags
             real(c_double), intent(in) :: params(*)
             real(c_double), intent(inout), optional :: points(*), du(*), dv(*), normals(*)
             integer(c_int32_t), intent(inout), optional :: status(*)
+            integer(c_int32_t), value :: flags
             integer(c_int32_t) :: r
         end function nurbs_surface_eval_frames
+        !> The same on the grid of all combinations of a parameter of each axis.
         function nurbs_surface_eval_grid_frames(g, counts, params, points, point_stride, &
-            point_component_stride, du, du_stride, du_component_stride, dv, dv_stride, dv_component_stride, &
-            normals, normal_stride, normal_component_stride, status, flags) bind(c) result(r)
+                point_component_stride, du, du_stride, du_component_stride, dv, dv_stride, &
+                dv_component_stride, normals, normal_stride, normal_component_stride, status, flags) bind(c) &
+                result(r)
             import
             type(c_ptr), value :: g
-            integer(c_int64_t), value :: point_stride, point_component_stride, du_stride, &
-                du_component_stride, dv_stride, dv_component_stride, normal_stride, normal_component_stride
-            integer(c_int32_t), value :: flags
             integer(c_int64_t), intent(in) :: counts(*)
             real(c_double), intent(in) :: params(*)
             real(c_double), intent(inout), optional :: points(*), du(*), dv(*), normals(*)
+            integer(c_int64_t), value :: point_stride, point_component_stride, du_stride, &
+                du_component_stride, dv_stride, dv_component_stride, normal_stride, normal_component_stride
             integer(c_int32_t), intent(inout), optional :: status(*)
+            integer(c_int32_t), value :: flags
             integer(c_int32_t) :: r
         end function nurbs_surface_eval_grid_frames
+        !> Principal curvatures and directions of a surface in space, mean and Gaussian curvature.
         function nurbs_surface_eval_curvatures(g, n, params, param_stride, param_component_stride, &
-            principal, principal_stride, principal_component_stride, directions, direction_stride, &
-            direction_component_stride, mean, mean_stride, gaussian, gaussian_stride, status, flags) &
-            bind(c) result(r)
+                principal, principal_stride, principal_component_stride, directions, direction_stride, &
+                direction_component_stride, mean, mean_stride, gaussian, gaussian_stride, status, flags) &
+                bind(c) result(r)
             import
             type(c_ptr), value :: g
             integer(c_int64_t), value :: n, param_stride, param_component_stride, principal_stride, &
                 principal_component_stride, direction_stride, direction_component_stride, mean_stride, &
                 gaussian_stride
-            integer(c_int32_t), value :: flags
             real(c_double), intent(in) :: params(*)
             real(c_double), intent(inout), optional :: principal(*), directions(*), mean(*), gaussian(*)
             integer(c_int32_t), intent(inout), optional :: status(*)
+            integer(c_int32_t), value :: flags
             integer(c_int32_t) :: r
         end function nurbs_surface_eval_curvatures
+        !> Frenet frames of a curve in the plane or in space.
         function nurbs_curve_eval_frames(g, n, params, param_stride, points, point_stride, &
-            point_component_stride, tangents, tangent_stride, tangent_component_stride, normals, &
-            normal_stride, normal_component_stride, binormals, binormal_stride, binormal_component_stride, &
-            curvatures, curvature_stride, torsions, torsion_stride, status, flags) bind(c) result(r)
+                point_component_stride, tangents, tangent_stride, tangent_component_stride, normals, &
+                normal_stride, normal_component_stride, binormals, binormal_stride, &
+                binormal_component_stride, curvatures, curvature_stride, torsions, torsion_stride, status, &
+                flags) bind(c) result(r)
             import
             type(c_ptr), value :: g
             integer(c_int64_t), value :: n, param_stride, point_stride, point_component_stride, &
                 tangent_stride, tangent_component_stride, normal_stride, normal_component_stride, &
                 binormal_stride, binormal_component_stride, curvature_stride, torsion_stride
-            integer(c_int32_t), value :: flags
             real(c_double), intent(in) :: params(*)
             real(c_double), intent(inout), optional :: points(*), tangents(*), normals(*), binormals(*), &
                 curvatures(*), torsions(*)
             integer(c_int32_t), intent(inout), optional :: status(*)
+            integer(c_int32_t), value :: flags
             integer(c_int32_t) :: r
         end function nurbs_curve_eval_frames
+        !> Rotation-minimizing frames along a sequence of points of a curve in space, by double reflection
+        !> (Wang, Juttler, Zheng & Liu 2008): frames that turn about the tangent as little as possible.
         function nurbs_curve_rotation_minimizing_frames(g, n, params, param_stride, first_normal, points, &
-            point_stride, point_component_stride, tangents, tangent_stride, tangent_component_stride, &
-            normals, normal_stride, normal_component_stride, binormals, binormal_stride, &
-            binormal_component_stride, status, flags) bind(c) result(r)
+                point_stride, point_component_stride, tangents, tangent_stride, tangent_component_stride, &
+                normals, normal_stride, normal_component_stride, binormals, binormal_stride, &
+                binormal_component_stride, status, flags) bind(c) result(r)
             import
             type(c_ptr), value :: g
             integer(c_int64_t), value :: n, param_stride, point_stride, point_component_stride, &
                 tangent_stride, tangent_component_stride, normal_stride, normal_component_stride, &
                 binormal_stride, binormal_component_stride
-            integer(c_int32_t), value :: flags
             real(c_double), intent(in) :: params(*)
             real(c_double), intent(in), optional :: first_normal(*)
             real(c_double), intent(inout), optional :: points(*), tangents(*), normals(*), binormals(*)
             integer(c_int32_t), intent(inout), optional :: status(*)
+            integer(c_int32_t), value :: flags
             integer(c_int32_t) :: r
         end function nurbs_curve_rotation_minimizing_frames
+        ! --- Refinement
+        !> Inserts a knot without changing the shape (Boehm 1980).
         function nurbs_insert_knot(g, axis, knot, times, out) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -464,134 +546,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_insert_knot
-        function nurbs_elevate(g, axis, times, out) bind(c) result(r)
-            import
-            type(c_ptr), value :: g
-            integer(c_int32_t), value :: axis, times
-            type(c_ptr), intent(out) :: out
-            integer(c_int32_t) :: r
-        end function nurbs_elevate
-        function nurbs_reverse(g, axis, flags, out) bind(c) result(r)
-            import
-            type(c_ptr), value :: g
-            integer(c_int32_t), value :: axis, flags
-            type(c_ptr), intent(out) :: out
-            integer(c_int32_t) :: r
-        end function nurbs_reverse
-        function nurbs_transpose(g, permutation, out) bind(c) result(r)
-            import
-            type(c_ptr), value :: g
-            integer(c_int32_t), intent(in) :: permutation(*)
-            type(c_ptr), intent(out) :: out
-            integer(c_int32_t) :: r
-        end function nurbs_transpose
-        function nurbs_reparametrize(g, axis, lower, upper, out) bind(c) result(r)
-            import
-            type(c_ptr), value :: g
-            integer(c_int32_t), value :: axis
-            real(c_double), value :: lower, upper
-            type(c_ptr), intent(out) :: out
-            integer(c_int32_t) :: r
-        end function nurbs_reparametrize
-        function nurbs_make_rational(g, out) bind(c) result(r)
-            import
-            type(c_ptr), value :: g
-            type(c_ptr), intent(out) :: out
-            integer(c_int32_t) :: r
-        end function nurbs_make_rational
-        function nurbs_to_homogeneous(g, out) bind(c) result(r)
-            import
-            type(c_ptr), value :: g
-            type(c_ptr), intent(out) :: out
-            integer(c_int32_t) :: r
-        end function nurbs_to_homogeneous
-        function nurbs_from_homogeneous(g, out) bind(c) result(r)
-            import
-            type(c_ptr), value :: g
-            type(c_ptr), intent(out) :: out
-            integer(c_int32_t) :: r
-        end function nurbs_from_homogeneous
-        function nurbs_normalize_weights(g, out) bind(c) result(r)
-            import
-            type(c_ptr), value :: g
-            type(c_ptr), intent(out) :: out
-            integer(c_int32_t) :: r
-        end function nurbs_normalize_weights
-        function nurbs_reparametrize_moebius(g, axis, ratio, out) bind(c) result(r)
-            import
-            type(c_ptr), value :: g
-            integer(c_int32_t), value :: axis
-            real(c_double), value :: ratio
-            type(c_ptr), intent(out) :: out
-            integer(c_int32_t) :: r
-        end function nurbs_reparametrize_moebius
-        function nurbs_equalize_end_weights(g, axis, out) bind(c) result(r)
-            import
-            type(c_ptr), value :: g
-            integer(c_int32_t), value :: axis
-            type(c_ptr), intent(out) :: out
-            integer(c_int32_t) :: r
-        end function nurbs_equalize_end_weights
-        function nurbs_blossom(g, params, count, args, values, flags) bind(c) result(r)
-            import
-            type(c_ptr), value :: g
-            real(c_double), intent(in) :: params(*), args(*)
-            integer(c_int64_t), value :: count
-            real(c_double), intent(inout) :: values(*)
-            integer(c_int32_t), value :: flags
-            integer(c_int32_t) :: r
-        end function nurbs_blossom
-        function nurbs_derivative(g, axis, order, out) bind(c) result(r)
-            import
-            type(c_ptr), value :: g
-            integer(c_int32_t), value :: axis, order
-            type(c_ptr), intent(out) :: out
-            integer(c_int32_t) :: r
-        end function nurbs_derivative
-        function nurbs_antiderivative(g, axis, out) bind(c) result(r)
-            import
-            type(c_ptr), value :: g
-            integer(c_int32_t), value :: axis
-            type(c_ptr), intent(out) :: out
-            integer(c_int32_t) :: r
-        end function nurbs_antiderivative
-        function nurbs_product(a, b, flags, out) bind(c) result(r)
-            import
-            type(c_ptr), value :: a, b
-            integer(c_int32_t), value :: flags
-            type(c_ptr), intent(out) :: out
-            integer(c_int32_t) :: r
-        end function nurbs_product
-        function nurbs_compose(g, f, out) bind(c) result(r)
-            import
-            type(c_ptr), value :: g, f
-            type(c_ptr), intent(out) :: out
-            integer(c_int32_t) :: r
-        end function nurbs_compose
-        function nurbs_sum(a, alpha, b, beta, out) bind(c) result(r)
-            import
-            type(c_ptr), value :: a, b
-            real(c_double), value :: alpha, beta
-            type(c_ptr), intent(out) :: out
-            integer(c_int32_t) :: r
-        end function nurbs_sum
-        function nurbs_transform(g, out_dim, matrix, translation, out) bind(c) result(r)
-            import
-            type(c_ptr), value :: g
-            integer(c_int32_t), value :: out_dim
-            real(c_double), intent(in) :: matrix(*)
-            real(c_double), intent(in), optional :: translation(*)
-            type(c_ptr), intent(out) :: out
-            integer(c_int32_t) :: r
-        end function nurbs_transform
-        function nurbs_transform_projective(g, out_dim, matrix, out) bind(c) result(r)
-            import
-            type(c_ptr), value :: g
-            integer(c_int32_t), value :: out_dim
-            real(c_double), intent(in) :: matrix(*)
-            type(c_ptr), intent(out) :: out
-            integer(c_int32_t) :: r
-        end function nurbs_transform_projective
+        !> Inserts a list of knots at once without changing the shape.
         function nurbs_refine(g, axis, count, knots, out) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -601,6 +556,8 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_refine
+        !> Divides every non-empty span of the domain into equal parts by knots: a + (b - a) i / parts, 0 < i
+        !> < parts, in the span [a, b].
         function nurbs_refine_uniform(g, axis, parts, out) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -609,18 +566,20 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_refine_uniform
+        !> The matrix A of nurbs_refine() along one axis, as compressed sparse rows (CSR): new layer i is
+        !> sum_j A[i][j] * old layer j, with homogeneous points when rational.
         function nurbs_refinement_matrix(g, axis, count, knots, cap, values, columns, row_pointers, entries) &
-            bind(c) result(r)
+                bind(c) result(r)
             import
             type(c_ptr), value :: g
             integer(c_int32_t), value :: axis
             integer(c_int64_t), value :: count, cap
             real(c_double), intent(in) :: knots(*)
             real(c_double), intent(inout), optional :: values(*)
-            integer(c_int64_t), intent(inout), optional :: columns(*), row_pointers(*)
-            integer(c_int64_t), intent(inout), optional :: entries
+            integer(c_int64_t), intent(inout), optional :: columns(*), row_pointers(*), entries
             integer(c_int32_t) :: r
         end function nurbs_refinement_matrix
+        !> Splits a spline at a parameter of an axis, for a single Bezier piece by de Casteljau's subdivision.
         function nurbs_split(g, axis, param, lower, upper) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -629,6 +588,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: lower, upper
             integer(c_int32_t) :: r
         end function nurbs_split
+        !> The part of a curve, surface or volume over a box in the domain.
         function nurbs_extract(g, lower, upper, out) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -636,12 +596,17 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_extract
+        !> Decomposes a spline into its polynomial (rational) pieces, as Bezier splines over their own
+        !> domains: each has degree + 1 layers along each axis.
         function nurbs_decompose(g, out) bind(c) result(r)
             import
             type(c_ptr), value :: g
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_decompose
+        !> Splits a spline at all knots inside the domain of an axis where its order of continuity, degree -
+        !> multiplicity, is less than a given one: 0 at jumps, 1 also at kinks (where it is only continuous),
+        !> `degree` at every knot.
         function nurbs_split_at_knots(g, axis, order, out) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -649,6 +614,8 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_split_at_knots
+        !> Clamps ends of an axis: knots are inserted until the end of the domain occurs degree + 1 times, and
+        !> what lies outside the domain is dropped.
         function nurbs_clamp_ends(g, axis, flags, out) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -656,6 +623,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_clamp_ends
+        !> Moves the seam of a periodic axis: the same shape, periodic again, over [param, param + period].
         function nurbs_move_seam(g, axis, param, out) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -664,6 +632,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_move_seam
+        !> Joins splines end to end along an axis.
         function nurbs_join(count, parts, axis, tolerance, flags, gap, out) bind(c) result(r)
             import
             integer(c_int64_t), value :: count
@@ -674,6 +643,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_join
+        !> Makes near-equal knots of an axis equal; control points stay.
         function nurbs_snap_knots(g, axis, tolerance, deviation, out) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -683,6 +653,9 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_snap_knots
+        !> Brings splines to one degree and one knot vector on every axis, without changing their shapes
+        !> unless a tolerance allows it, and all to weights if one of them is rational (and to homogeneous
+        !> points if one was built so).
         function nurbs_make_compatible(count, splines, tolerance, flags, deviation, out) bind(c) result(r)
             import
             integer(c_int64_t), value :: count
@@ -693,73 +666,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_make_compatible
-        function nurbs_create_hermite(n, params, dim, points, point_stride, point_component_stride, tangents, &
-            tangent_stride, tangent_component_stride, out) bind(c) result(r)
-            import
-            integer(c_int64_t), value :: n, point_stride, point_component_stride, tangent_stride
-            integer(c_int64_t), value :: tangent_component_stride
-            real(c_double), intent(in) :: params(*), points(*), tangents(*)
-            integer(c_int32_t), value :: dim
-            type(c_ptr), intent(out) :: out
-            integer(c_int32_t) :: r
-        end function nurbs_create_hermite
-        function nurbs_to_hermite(g, cap, params, points, tangents, count) bind(c) result(r)
-            import
-            type(c_ptr), value :: g
-            integer(c_int64_t), value :: cap
-            real(c_double), intent(inout), optional :: params(*), points(*), tangents(*)
-            integer(c_int64_t), intent(inout), optional :: count
-            integer(c_int32_t) :: r
-        end function nurbs_to_hermite
-        function nurbs_to_power(g, cap, coefficients, breaks, piece_counts, count) bind(c) result(r)
-            import
-            type(c_ptr), value :: g
-            integer(c_int64_t), value :: cap
-            real(c_double), intent(inout), optional :: coefficients(*), breaks(*)
-            integer(c_int64_t), intent(inout), optional :: piece_counts(*)
-            integer(c_int64_t), intent(inout), optional :: count
-            integer(c_int32_t) :: r
-        end function nurbs_to_power
-        function nurbs_create_power(axes, degrees, piece_counts, breaks, break_count, dim, coefficients, &
-            coefficient_stride, coefficient_component_stride, flags, out) bind(c) result(r)
-            import
-            integer(c_int32_t), value :: axes, dim, flags
-            integer(c_int32_t), intent(in) :: degrees(*)
-            integer(c_int64_t), intent(in) :: piece_counts(*)
-            real(c_double), intent(in) :: breaks(*), coefficients(*)
-            integer(c_int64_t), value :: break_count, coefficient_stride, coefficient_component_stride
-            type(c_ptr), intent(out) :: out
-            integer(c_int32_t) :: r
-        end function nurbs_create_power
-        function nurbs_basis_matrix(from, to, degree, size, matrix) bind(c) result(r)
-            import
-            integer(c_int32_t), value :: from, to, degree
-            integer(c_int64_t), value :: size
-            real(c_double), intent(inout) :: matrix(*)
-            integer(c_int32_t) :: r
-        end function nurbs_basis_matrix
-        function nurbs_mirror(g, point, normal, out) bind(c) result(r)
-            import
-            type(c_ptr), value :: g
-            real(c_double), intent(in) :: point(*), normal(*)
-            type(c_ptr), intent(out) :: out
-            integer(c_int32_t) :: r
-        end function nurbs_mirror
-        function nurbs_project_to_plane(g, point, normal, direction, out) bind(c) result(r)
-            import
-            type(c_ptr), value :: g
-            real(c_double), intent(in) :: point(*), normal(*)
-            real(c_double), intent(in), optional :: direction(*)
-            type(c_ptr), intent(out) :: out
-            integer(c_int32_t) :: r
-        end function nurbs_project_to_plane
-        function nurbs_project_from(g, eye, point, normal, out) bind(c) result(r)
-            import
-            type(c_ptr), value :: g
-            real(c_double), intent(in) :: eye(*), point(*), normal(*)
-            type(c_ptr), intent(out) :: out
-            integer(c_int32_t) :: r
-        end function nurbs_project_from
+        !> Extends a spline beyond an end of an axis by a length of the parameter.
         function nurbs_extend(g, axis, end, amount, order, out) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -768,6 +675,8 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_extend
+        !> Unclamps ends of an axis: the end of the domain becomes a single knot, and the knots beyond it
+        !> repeat those of the domain with its length as the period, so that even spans go on evenly.
         function nurbs_unclamp(g, axis, flags, out) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -775,6 +684,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_unclamp
+        !> Makes a closed spline periodic along an axis, over the same domain.
         function nurbs_make_periodic(g, axis, tolerance, deviation, order, out) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -785,27 +695,230 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_make_periodic
+        !> Whether an axis is periodic in fact: its knots repeat as NURBS_PERIODIC asks, and so do its points
+        !> and weights, bit for bit.
         function nurbs_detect_periodic(g, axis, periodic) bind(c) result(r)
             import
             type(c_ptr), value :: g
             integer(c_int32_t), value :: axis
-            integer(c_int32_t), intent(out) :: periodic
+            integer(c_int32_t), intent(inout) :: periodic
             integer(c_int32_t) :: r
         end function nurbs_detect_periodic
-        function nurbs_continuity(g, axis, position_tolerance, derivative_tolerance, angle_tolerance, cap, knots, &
-            knot_orders, orders, geometric_orders, position_gaps, angles, curvature_gaps, count) bind(c) result(r)
+        ! --- Degree and form
+        !> Raises the degree along an axis without changing the shape (Prautzsch 1984).
+        function nurbs_elevate(g, axis, times, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int32_t), value :: axis, times
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_elevate
+        !> Turns an axis round: the result at -t is g at t, exactly.
+        function nurbs_reverse(g, axis, flags, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int32_t), value :: axis, flags
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_reverse
+        !> Puts the axes in another order: axis k of the result is axis permutation[k] of g.
+        function nurbs_transpose(g, permutation, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int32_t), intent(in) :: permutation(*)
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_transpose
+        !> Moves the domain [a, b] of an axis to [lower, upper] by the affine map t -> lower + (t - a) (upper
+        !> - lower) / (b - a).
+        function nurbs_reparametrize(g, axis, lower, upper, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int32_t), value :: axis
+            real(c_double), value :: lower, upper
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_reparametrize
+        !> The same spline with weights: a polynomial one gets weights of 1; any other is returned as it is.
+        function nurbs_make_rational(g, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_make_rational
+        !> The homogeneous points (w x, w y, ..., w) of a spline as the points of a polynomial spline of
+        !> dimension dim + 1; the weights of a polynomial g are 1.
+        function nurbs_to_homogeneous(g, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_to_homogeneous
+        !> The rational spline of dimension dim - 1 whose homogeneous points are the points of a polynomial
+        !> spline, as of nurbs_create_homogeneous(): the last coordinate becomes the weight.
+        function nurbs_from_homogeneous(g, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_from_homogeneous
+        !> Divides all weights by the one of largest magnitude, which becomes 1; if all are equal they are
+        !> dropped, and the result is polynomial.
+        function nurbs_normalize_weights(g, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_normalize_weights
+        !> Changes the parameter of an axis by a rational linear map of its domain [a, b] to itself, which
+        !> keeps the shape and changes the weights (Lee & Lucian 1991; Piegl & Tiller 6.4).
+        function nurbs_reparametrize_moebius(g, axis, ratio, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int32_t), value :: axis
+            real(c_double), value :: ratio
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_reparametrize_moebius
+        !> nurbs_reparametrize_moebius() with the ratio w(a) / w(b), so that the weights at both ends of the
+        !> domain of an axis are the same to (4 p + 8) eps.
+        function nurbs_equalize_end_weights(g, axis, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int32_t), value :: axis
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_equalize_end_weights
+        ! --- Calculus
+        !> Values of the polar form (blossom) of a polynomial piece (Ramshaw 1989): the symmetric function of
+        !> p arguments, affine in each of them, that at p equal arguments is the spline.
+        function nurbs_blossom(g, params, count, args, values, flags) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            real(c_double), intent(in) :: params(*), args(*)
+            integer(c_int64_t), value :: count
+            real(c_double), intent(inout) :: values(*)
+            integer(c_int32_t), value :: flags
+            integer(c_int32_t) :: r
+        end function nurbs_blossom
+        !> The partial derivative of a spline along an axis, as a spline (hodograph).
+        function nurbs_derivative(g, axis, order, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int32_t), value :: axis, order
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_derivative
+        !> The integral of a polynomial spline along an axis from the lower end a of its domain.
+        function nurbs_antiderivative(g, axis, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int32_t), value :: axis
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_antiderivative
+        !> The pointwise product of two splines over the same domain on every axis: component by component,
+        !> where one of them may have dimension 1 and multiplies all components of the other; or the dot or
+        !> cross product.
+        function nurbs_product(a, b, flags, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: a, b
+            integer(c_int32_t), value :: flags
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_product
+        !> The curve g(f(t)): a curve g over another parameter, or the curve in space that a curve f in the
+        !> parameter space of a surface or volume g traces on it.
+        function nurbs_compose(g, f, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g, f
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_compose
+        !> The linear combination alpha a(t) + beta b(t) of two splines over the same domain on every axis.
+        function nurbs_sum(a, alpha, b, beta, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: a, b
+            real(c_double), value :: alpha, beta
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_sum
+        !> The C^1 piecewise cubic curve through points with given derivatives, as a spline with double knots:
+        !> its control points are the Bezier points P_i - h_(i-1) T_i / 3 and P_i + h_i T_i / 3 beside each
+        !> point, and the two ends, each within 2 eps of the sum of its terms.
+        function nurbs_create_hermite(n, params, dim, points, point_stride, point_component_stride, &
+                tangents, tangent_stride, tangent_component_stride, out) bind(c) result(r)
+            import
+            integer(c_int64_t), value :: n, point_stride, point_component_stride, tangent_stride, &
+                tangent_component_stride
+            real(c_double), intent(in) :: params(*), points(*), tangents(*)
+            integer(c_int32_t), value :: dim
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_create_hermite
+        !> The points and derivatives of a C^1 piecewise cubic at the ends of its non-empty spans, from which
+        !> nurbs_create_hermite() makes the same curve: clamped, with double knots.
+        function nurbs_to_hermite(g, cap, params, points, tangents, count) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int64_t), value :: cap
+            real(c_double), intent(inout), optional :: params(*), points(*), tangents(*)
+            integer(c_int64_t), intent(inout), optional :: count
+            integer(c_int32_t) :: r
+        end function nurbs_to_hermite
+        !> The power basis of every polynomial piece of a spline: on the piece over the span [a, b] of each
+        !> axis.
+        function nurbs_to_power(g, cap, coefficients, breaks, piece_counts, count) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int64_t), value :: cap
+            real(c_double), intent(inout), optional :: coefficients(*), breaks(*)
+            integer(c_int64_t), intent(inout), optional :: piece_counts(*), count
+            integer(c_int32_t) :: r
+        end function nurbs_to_power
+        !> A spline from the power basis of its pieces, as nurbs_to_power() gives it.
+        function nurbs_create_power(axes, degrees, piece_counts, breaks, break_count, dim, coefficients, &
+                coefficient_stride, coefficient_component_stride, flags, out) bind(c) result(r)
+            import
+            integer(c_int32_t), value :: axes, dim, flags
+            integer(c_int32_t), intent(in) :: degrees(*)
+            integer(c_int64_t), intent(in) :: piece_counts(*)
+            real(c_double), intent(in) :: breaks(*), coefficients(*)
+            integer(c_int64_t), value :: break_count, coefficient_stride, coefficient_component_stride
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_create_power
+        !> The matrix that takes the coefficients of a polynomial over [0, 1] in one basis to those in
+        !> another: coefficient i of `to` is sum_j M_ij * coefficient j of `from`.
+        function nurbs_basis_matrix(from, to, degree, size, matrix) bind(c) result(r)
+            import
+            integer(c_int32_t), value :: from, to, degree
+            integer(c_int64_t), value :: size
+            real(c_double), intent(inout) :: matrix(*)
+            integer(c_int32_t) :: r
+        end function nurbs_basis_matrix
+        ! --- Continuity
+        !> Continuity at the knots of an axis: one row for each distinct knot inside the domain, and one more,
+        !> named by the upper end of the domain, for the seam of an axis that is periodic or whose ends meet
+        !> within position_tolerance.
+        function nurbs_continuity(g, axis, position_tolerance, derivative_tolerance, angle_tolerance, cap, &
+                knots, knot_orders, orders, geometric_orders, position_gaps, angles, curvature_gaps, count) &
+                bind(c) result(r)
             import
             type(c_ptr), value :: g
             integer(c_int32_t), value :: axis
             real(c_double), value :: position_tolerance, derivative_tolerance, angle_tolerance
             integer(c_int64_t), value :: cap
-            real(c_double), intent(inout), optional :: knots(*), position_gaps(*), angles(*), curvature_gaps(*)
+            real(c_double), intent(inout), optional :: knots(*), position_gaps(*), angles(*), &
+                curvature_gaps(*)
             integer(c_int32_t), intent(inout), optional :: knot_orders(*), orders(*), geometric_orders(*)
             integer(c_int64_t), intent(inout), optional :: count
             integer(c_int32_t) :: r
         end function nurbs_continuity
+        !> Continuity of two curves at one end of each, on the way along a to its end and from the end of b
+        !> along b: a parameter that runs the other way changes its sign.
         function nurbs_continuity_between(a, end_a, b, end_b, position_tolerance, derivative_tolerance, &
-            angle_tolerance, order, geometric, position_gap, angle, curvature_gap) bind(c) result(r)
+                angle_tolerance, order, geometric, position_gap, angle, curvature_gap) bind(c) result(r)
             import
             type(c_ptr), value :: a, b
             integer(c_int32_t), value :: end_a, end_b
@@ -814,12 +927,16 @@ module nurbs_c
             real(c_double), intent(inout), optional :: position_gap, angle, curvature_gap
             integer(c_int32_t) :: r
         end function nurbs_continuity_between
+        ! --- Reduction
+        !> Encloses the largest distance sup |f(t) - g(t)| of two splines over their domain, both limits at
+        !> jumps included.
         function nurbs_deviation(f, g, at_least, at_most) bind(c) result(r)
             import
             type(c_ptr), value :: f, g
             real(c_double), intent(inout), optional :: at_least, at_most
             integer(c_int32_t) :: r
         end function nurbs_deviation
+        !> Removes copies of a knot as long as the shape moves by at most a tolerance (Tiller 1992).
         function nurbs_remove_knot(g, axis, knot, times, tolerance, removed, bound, out) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -830,6 +947,8 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_remove_knot
+        !> Removes as many knots inside the domain as a tolerance allows (Lyche & Morken 1988; Piegl & Tiller
+        !> A9.8): always the one whose removal moves the shape least, with the moves added up span by span.
         function nurbs_reduce_knots(g, axis, tolerance, bound, out) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -839,6 +958,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_reduce_knots
+        !> Lowers the degree along an axis.
         function nurbs_reduce_degree(g, axis, times, bound, out) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -847,6 +967,9 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_reduce_degree
+        !> The simplest spline within a tolerance: weights are dropped if they may be, the degree of each axis
+        !> is lowered by nurbs_reduce_degree() as long as that stays within and leaves no more control points
+        !> (but not below 1, where steps would begin), and knots are removed by nurbs_reduce_knots().
         function nurbs_simplify(g, tolerance, bound, out) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -855,6 +978,56 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_simplify
+        ! --- Transformations
+        !> Applies the affine map x -> A x + b to the control points, and with them to the shape.
+        function nurbs_transform(g, out_dim, matrix, translation, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int32_t), value :: out_dim
+            real(c_double), intent(in) :: matrix(*)
+            real(c_double), intent(in), optional :: translation(*)
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_transform
+        !> Applies a projective map to the homogeneous control points h = (w x, w y, ..., w).
+        function nurbs_transform_projective(g, out_dim, matrix, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int32_t), value :: out_dim
+            real(c_double), intent(in) :: matrix(*)
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_transform_projective
+        !> The mirror image in the plane (in 2D the line, in general the hyperplane) through a point: x -> x -
+        !> 2 n (n . (x - point)) / (n . n).
+        function nurbs_mirror(g, point, normal, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            real(c_double), intent(in) :: point(*), normal(*)
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_mirror
+        !> Projects a spline to the plane (line, hyperplane) through a point, along a direction: x -> x - d (n
+        !> . (x - point)) / (n . d).
+        function nurbs_project_to_plane(g, point, normal, direction, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            real(c_double), intent(in) :: point(*), normal(*)
+            real(c_double), intent(in), optional :: direction(*)
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_project_to_plane
+        !> Projects a spline from an eye to the plane (line, hyperplane) through a point, in perspective: x ->
+        !> eye + (x - eye) (n . (point - eye)) / (n . (x - eye)).
+        function nurbs_project_from(g, eye, point, normal, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            real(c_double), intent(in) :: eye(*), point(*), normal(*)
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_project_from
+        ! --- Lines, conics and helices
+        !> The segment (1 - t) a + t b, of degree 1.
         function nurbs_curve_line(dim, a, b, out) bind(c) result(r)
             import
             integer(c_int32_t), value :: dim
@@ -862,8 +1035,9 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_curve_line
+        !> The polyline through n points, of degree 1, with one knot for each point.
         function nurbs_curve_polyline(n, dim, points, point_stride, point_component_stride, params, &
-            param_stride, out) bind(c) result(r)
+                param_stride, out) bind(c) result(r)
             import
             integer(c_int64_t), value :: n, point_stride, point_component_stride, param_stride
             integer(c_int32_t), value :: dim
@@ -872,6 +1046,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_curve_polyline
+        !> A closed regular polygon, of degree 1, counterclockwise about the axis.
         function nurbs_curve_polygon(dim, center, axis, x, radius, sides, out) bind(c) result(r)
             import
             integer(c_int32_t), value :: dim
@@ -881,8 +1056,10 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_curve_polygon
-        function nurbs_curve_rounded_rectangle(dim, center, axis, x, width, height, corner_radius, &
-            out) bind(c) result(r)
+        !> A closed rectangle with sides along X and Y whose corners are rounded by quarter circles, of degree
+        !> 2, counterclockwise about the axis, beginning at the start of its lower side.
+        function nurbs_curve_rounded_rectangle(dim, center, axis, x, width, height, corner_radius, out) &
+                bind(c) result(r)
             import
             integer(c_int32_t), value :: dim
             real(c_double), intent(in), optional :: center(*), axis(*), x(*)
@@ -890,6 +1067,8 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_curve_rounded_rectangle
+        !> The full circle, from the direction X counterclockwise about the axis: nurbs_curve_arc() over a
+        !> full turn.
         function nurbs_curve_circle(dim, center, axis, x, radius, form, out) bind(c) result(r)
             import
             integer(c_int32_t), value :: dim, form
@@ -898,6 +1077,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_curve_circle
+        !> A circular arc: center + radius (X cos a + Y sin a), a from start to start + sweep.
         function nurbs_curve_arc(dim, center, axis, x, radius, start, sweep, form, out) bind(c) result(r)
             import
             integer(c_int32_t), value :: dim, form
@@ -906,6 +1086,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_curve_arc
+        !> The circular arc from a through b to c.
         function nurbs_curve_arc_through(dim, a, b, c, form, out) bind(c) result(r)
             import
             integer(c_int32_t), value :: dim, form
@@ -913,6 +1094,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_curve_arc_through
+        !> The circular arc that leaves a in the direction of a tangent and ends at b.
         function nurbs_curve_arc_tangent(dim, a, tangent, b, form, out) bind(c) result(r)
             import
             integer(c_int32_t), value :: dim, form
@@ -920,8 +1102,10 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_curve_arc_tangent
-        function nurbs_curve_ellipse(dim, center, axis, x, radius_x, radius_y, start, sweep, form, &
-            out) bind(c) result(r)
+        !> An elliptic arc: center + radius_x X cos a + radius_y Y sin a, a from start to start + sweep; a is
+        !> the eccentric angle, not that of the point seen from the centre.
+        function nurbs_curve_ellipse(dim, center, axis, x, radius_x, radius_y, start, sweep, form, out) &
+                bind(c) result(r)
             import
             integer(c_int32_t), value :: dim, form
             real(c_double), intent(in), optional :: center(*), axis(*), x(*)
@@ -929,6 +1113,8 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_curve_ellipse
+        !> A parabolic arc, polynomial of degree 2 over [start, end]: vertex + t^2 / (4 focal_length) X + t Y,
+        !> so that the parameter is the coordinate along Y.
         function nurbs_curve_parabola(dim, vertex, axis, x, focal_length, start, end, out) bind(c) result(r)
             import
             integer(c_int32_t), value :: dim
@@ -937,8 +1123,10 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_curve_parabola
-        function nurbs_curve_hyperbola(dim, center, axis, x, radius_x, radius_y, start, end, &
-            out) bind(c) result(r)
+        !> An arc of the branch of a hyperbola that opens to X: center + radius_x X cosh u + radius_y Y sinh
+        !> u, u from start to end.
+        function nurbs_curve_hyperbola(dim, center, axis, x, radius_x, radius_y, start, end, out) bind(c) &
+                result(r)
             import
             integer(c_int32_t), value :: dim
             real(c_double), intent(in), optional :: center(*), axis(*), x(*)
@@ -946,6 +1134,8 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_curve_hyperbola
+        !> The conic with a control triangle and a shape factor C_sf = w1^2 / (w0 w2): degree 2, the weights
+        !> 1, sqrt(C_sf), 1.
         function nurbs_curve_conic_triangle(dim, p0, p1, p2, shape_factor, out) bind(c) result(r)
             import
             integer(c_int32_t), value :: dim
@@ -954,6 +1144,9 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_curve_conic_triangle
+        !> The conic arc that leaves a in one direction and arrives at b in another one, and whose shoulder
+        !> point is at the part rho of the way from the middle of the chord to the point where the tangents
+        !> meet: an ellipse where rho < 1/2, a parabola where rho = 1/2, a hyperbola where rho > 1/2.
         function nurbs_curve_conic_shoulder(dim, a, tangent_a, b, tangent_b, rho, out) bind(c) result(r)
             import
             integer(c_int32_t), value :: dim
@@ -962,6 +1155,9 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_curve_conic_shoulder
+        !> The conic arc from a to b with given tangent lines at both ends that passes through a third point;
+        !> degree 2, in pieces of which none turns by more than the form allows in the affine picture in which
+        !> it is a circle.
         function nurbs_curve_conic_point(dim, a, tangent_a, b, tangent_b, point, form, out) bind(c) result(r)
             import
             integer(c_int32_t), value :: dim, form
@@ -969,8 +1165,10 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_curve_conic_point
-        function nurbs_curve_conic_through(dim, points, point_stride, point_component_stride, form, &
-            out) bind(c) result(r)
+        !> The conic arc through five points, from the first to the last in this order; tangents at its ends
+        !> by Pascal's theorem, pieces as for nurbs_curve_conic_point().
+        function nurbs_curve_conic_through(dim, points, point_stride, point_component_stride, form, out) &
+                bind(c) result(r)
             import
             integer(c_int32_t), value :: dim, form
             real(c_double), intent(in) :: points(*)
@@ -978,6 +1176,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_curve_conic_through
+        !> Kind and axes of the conic A x^2 + B x y + C y^2 + D x + E y + F = 0, from its principal axes.
         function nurbs_conic_axes(coefficients, type, origin, x, sizes) bind(c) result(r)
             import
             real(c_double), intent(in) :: coefficients(*)
@@ -985,6 +1184,9 @@ module nurbs_c
             real(c_double), intent(inout) :: origin(*), x(*), sizes(*)
             integer(c_int32_t) :: r
         end function nurbs_conic_axes
+        !> An arc of the conic with an implicit equation, as described by nurbs_conic_axes(): of an ellipse as
+        !> nurbs_curve_ellipse() with start and sweep = end - start, of a parabola and a hyperbola (the branch
+        !> towards x) as nurbs_curve_parabola() and nurbs_curve_hyperbola() from start to end.
         function nurbs_curve_conic_implicit(coefficients, start, end, form, out) bind(c) result(r)
             import
             real(c_double), intent(in) :: coefficients(*)
@@ -993,8 +1195,12 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_curve_conic_implicit
-        function nurbs_curve_conic_focus(dim, focus, axis, foot, eccentricity, start, sweep, form, &
-            out) bind(c) result(r)
+        !> An arc of the conic with a focus, a directrix and an eccentricity e: the points whose distance from
+        !> the focus is e times that from the directrix, at angles about the focus from start to start +
+        !> sweep, counted from the foot of the perpendicular to the directrix; r(a) = e d / (1 + e cos a)
+        !> where d = |foot - focus|.
+        function nurbs_curve_conic_focus(dim, focus, axis, foot, eccentricity, start, sweep, form, out) &
+                bind(c) result(r)
             import
             integer(c_int32_t), value :: dim, form
             real(c_double), intent(in) :: focus(*), foot(*)
@@ -1003,6 +1209,8 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_curve_conic_focus
+        !> Shape factor C_sf = w1^2 / (w0 w2) and kind of a conic segment: a curve of degree 2 with one
+        !> polynomial piece.
         function nurbs_curve_shape_factor(g, factor, type) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -1010,8 +1218,9 @@ module nurbs_c
             integer(c_int32_t), intent(inout) :: type
             integer(c_int32_t) :: r
         end function nurbs_curve_shape_factor
+        !> A circular helix or Archimedean spiral to a tolerance.
         function nurbs_curve_helix(dim, origin, axis, x, radius, growth, pitch, start, turns, tolerance, &
-            error, out) bind(c) result(r)
+                error, out) bind(c) result(r)
             import
             integer(c_int32_t), value :: dim
             real(c_double), intent(in), optional :: origin(*), axis(*), x(*)
@@ -1020,6 +1229,9 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_curve_helix
+        ! --- Surfaces and volumes from curves
+        !> Moves a curve or surface along a vector: (u, v) -> g(u) + v vector, the new axis last, of degree 1
+        !> over [0, 1].
         function nurbs_extrude(g, vector, out) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -1027,6 +1239,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_extrude
+        !> Turns a curve or surface in space about an axis, the angle as a new axis 0 over [0, 1].
         function nurbs_revolve(g, point, axis, sweep, form, out) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -1036,6 +1249,8 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_revolve
+        !> The surface of straight lines between curves, or the volume between surfaces, with a new last axis
+        !> v over [0, 1].
         function nurbs_ruled(a, b, flags, out) bind(c) result(r)
             import
             type(c_ptr), value :: a, b
@@ -1043,6 +1258,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_ruled
+        !> The translational sweep alpha a(u) + beta b(v), the axes of b behind those of a.
         function nurbs_tensor_sum(a, alpha, b, beta, out) bind(c) result(r)
             import
             type(c_ptr), value :: a, b
@@ -1050,12 +1266,16 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_tensor_sum
+        !> The product a(u) b(v), component by component, the axes of b behind those of a; one of them may
+        !> have dimension 1 and multiplies all components of the other.
         function nurbs_tensor_product(a, b, out) bind(c) result(r)
             import
             type(c_ptr), value :: a, b
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_tensor_product
+        !> A swung surface: (u, v) -> (scale r(v) x(u), scale r(v) y(u), z(v)) for the trajectory (x, y) and
+        !> the profile (r, z).
         function nurbs_surface_swung(trajectory, profile, scale, out) bind(c) result(r)
             import
             type(c_ptr), value :: trajectory, profile
@@ -1063,6 +1283,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_surface_swung
+        !> The parallelogram origin + s u + t v, of degree 1 on both axes.
         function nurbs_surface_plane(dim, origin, u, v, out) bind(c) result(r)
             import
             integer(c_int32_t), value :: dim
@@ -1071,8 +1292,9 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_surface_plane
-        function nurbs_surface_bilinear(dim, corners, corner_stride, corner_component_stride, &
-            out) bind(c) result(r)
+        !> The bilinear patch over four corners, of degree 1 on both axes.
+        function nurbs_surface_bilinear(dim, corners, corner_stride, corner_component_stride, out) bind(c) &
+                result(r)
             import
             integer(c_int32_t), value :: dim
             real(c_double), intent(in) :: corners(*)
@@ -1080,8 +1302,9 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_surface_bilinear
-        function nurbs_volume_trilinear(dim, corners, corner_stride, corner_component_stride, &
-            out) bind(c) result(r)
+        !> The trilinear volume over eight corners, of degree 1 on all axes.
+        function nurbs_volume_trilinear(dim, corners, corner_stride, corner_component_stride, out) bind(c) &
+                result(r)
             import
             integer(c_int32_t), value :: dim
             real(c_double), intent(in) :: corners(*)
@@ -1089,6 +1312,8 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_volume_trilinear
+        !> The whole sphere by longitude (axis 0) and latitude (axis 1, from the pole -Z to the pole Z); its
+        !> poles are collapsed edges, its seam closes bit for bit.
         function nurbs_surface_sphere(center, axis, x, radius, form, out) bind(c) result(r)
             import
             real(c_double), intent(in), optional :: center(*), axis(*), x(*)
@@ -1097,8 +1322,9 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_surface_sphere
+        !> A patch of a sphere between two meridians and two circles of latitude.
         function nurbs_surface_spherical_patch(center, axis, x, radius, start, sweep, south, north, form, &
-            out) bind(c) result(r)
+                out) bind(c) result(r)
             import
             real(c_double), intent(in), optional :: center(*), axis(*), x(*)
             real(c_double), value :: radius, start, sweep, south, north
@@ -1106,6 +1332,8 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_surface_spherical_patch
+        !> The sphere without poles: six patches of degree 4 x 4 over the faces of a cube, each bounded by
+        !> arcs of great circles, without a singular point (after Cobb 1988).
         function nurbs_surface_sphere_patches(center, axis, x, radius, flags, out) bind(c) result(r)
             import
             real(c_double), intent(in), optional :: center(*), axis(*), x(*)
@@ -1114,8 +1342,9 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_surface_sphere_patches
-        function nurbs_surface_ellipsoid(center, axis, x, radius_x, radius_y, radius_z, form, &
-            out) bind(c) result(r)
+        !> The whole ellipsoid with semi-axes along X, Y and Z, parametrized as nurbs_surface_sphere().
+        function nurbs_surface_ellipsoid(center, axis, x, radius_x, radius_y, radius_z, form, out) bind(c) &
+                result(r)
             import
             real(c_double), intent(in), optional :: center(*), axis(*), x(*)
             real(c_double), value :: radius_x, radius_y, radius_z
@@ -1123,8 +1352,9 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_surface_ellipsoid
-        function nurbs_surface_cylinder(origin, axis, x, radius, height, start, sweep, form, &
-            out) bind(c) result(r)
+        !> A circular cylinder: origin + radius (X cos a + Y sin a) + v height Z.
+        function nurbs_surface_cylinder(origin, axis, x, radius, height, start, sweep, form, out) bind(c) &
+                result(r)
             import
             real(c_double), intent(in), optional :: origin(*), axis(*), x(*)
             real(c_double), value :: radius, height, start, sweep
@@ -1132,8 +1362,10 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_surface_cylinder
+        !> A circular cone or its frustum, parametrized as nurbs_surface_cylinder(), with a radius that
+        !> changes from base_radius at the origin to top_radius at origin + height Z.
         function nurbs_surface_cone(origin, axis, x, base_radius, top_radius, height, start, sweep, form, &
-            out) bind(c) result(r)
+                out) bind(c) result(r)
             import
             real(c_double), intent(in), optional :: origin(*), axis(*), x(*)
             real(c_double), value :: base_radius, top_radius, height, start, sweep
@@ -1141,8 +1373,9 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_surface_cone
-        function nurbs_surface_torus(center, axis, x, major_radius, minor_radius, start, sweep, &
-            tube_start, tube_sweep, form, out) bind(c) result(r)
+        !> A torus: (R + r cos b) (X cos a + Y sin a) + r sin b Z about the centre.
+        function nurbs_surface_torus(center, axis, x, major_radius, minor_radius, start, sweep, tube_start, &
+                tube_sweep, form, out) bind(c) result(r)
             import
             real(c_double), intent(in), optional :: center(*), axis(*), x(*)
             real(c_double), value :: major_radius, minor_radius, start, sweep, tube_start, tube_sweep
@@ -1150,8 +1383,10 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_surface_torus
-        function nurbs_surface_paraboloid(vertex, axis, x, radius_x, radius_y, height, start, sweep, &
-            form, out) bind(c) result(r)
+        !> A bowl of the elliptic paraboloid Z = height ((X / radius_x)^2 + (Y / radius_y)^2), from the
+        !> vertex, a collapsed edge, at v = 0 to the rim at v = 1, Z = height v^2.
+        function nurbs_surface_paraboloid(vertex, axis, x, radius_x, radius_y, height, start, sweep, form, &
+                out) bind(c) result(r)
             import
             real(c_double), intent(in), optional :: vertex(*), axis(*), x(*)
             real(c_double), value :: radius_x, radius_y, height, start, sweep
@@ -1159,6 +1394,9 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_surface_paraboloid
+        !> A saddle of the hyperbolic paraboloid Z = height ((X / radius_x)^2 - (Y / radius_y)^2) over the
+        !> rectangle |X| <= radius_x, |Y| <= radius_y: polynomial, of degree 2 on both axes, X along axis 0
+        !> and Y along axis 1.
         function nurbs_surface_saddle(center, axis, x, radius_x, radius_y, height, out) bind(c) result(r)
             import
             real(c_double), intent(in), optional :: center(*), axis(*), x(*)
@@ -1166,8 +1404,12 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_surface_saddle
+        !> A band of the hyperboloid (X / radius_x)^2 + (Y / radius_y)^2 - (Z / radius_z)^2 = 1 between two
+        !> planes Z = bottom and Z = top; or with NURBS_TWO_SHEETS of the sheets (Z / radius_z)^2 - (X /
+        !> radius_x)^2 - (Y / radius_y)^2 = 1, both planes being on one sheet: radius_z <= bottom or top <=
+        !> -radius_z.
         function nurbs_surface_hyperboloid(center, axis, x, radius_x, radius_y, radius_z, bottom, top, &
-            start, sweep, form, flags, out) bind(c) result(r)
+                start, sweep, form, flags, out) bind(c) result(r)
             import
             real(c_double), intent(in), optional :: center(*), axis(*), x(*)
             real(c_double), value :: radius_x, radius_y, radius_z, bottom, top, start, sweep
@@ -1175,12 +1417,16 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_surface_hyperboloid
+        ! --- Surfaces and volumes from their boundaries
+        !> The boundaries of a surface or volume, in the order above, each bit for bit what nurbs_iso() gives;
+        !> named "0-", "0+", "1-", "1+", and so on.
         function nurbs_boundaries(g, out) bind(c) result(r)
             import
             type(c_ptr), value :: g
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_boundaries
+        !> The bilinearly blended Coons surface of four curves (Coons 1967): with u and v mapped to [0, 1].
         function nurbs_surface_coons(boundaries, tolerance, out) bind(c) result(r)
             import
             type(c_ptr), intent(in) :: boundaries(*)
@@ -1188,8 +1434,9 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_surface_coons
-        function nurbs_surface_coons_hermite(boundaries, cross, twist, twists, tolerance, bound, &
-            out) bind(c) result(r)
+        !> The bicubically blended Coons surface of four curves and the derivatives across them.
+        function nurbs_surface_coons_hermite(boundaries, cross, twist, twists, tolerance, bound, out) &
+                bind(c) result(r)
             import
             type(c_ptr), intent(in) :: boundaries(*)
             type(c_ptr), intent(in), optional :: cross(*)
@@ -1200,6 +1447,8 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_surface_coons_hermite
+        !> What does not meet at the corners of a surface to be: corners in the order (u0, v0), (u0, v1), (u1,
+        !> v0), (u1, v1).
         function nurbs_coons_gaps(boundaries, cross, positions, tangents, twists) bind(c) result(r)
             import
             type(c_ptr), intent(in) :: boundaries(*)
@@ -1208,6 +1457,8 @@ module nurbs_c
             real(c_double), intent(inout), optional :: tangents(*), twists(*)
             integer(c_int32_t) :: r
         end function nurbs_coons_gaps
+        !> The volume that blends six faces linearly (Gordon & Hall 1973): the sum of the blends of opposite
+        !> faces, less those of the twelve edges, plus that of the eight corners.
         function nurbs_volume_coons(faces, tolerance, out) bind(c) result(r)
             import
             type(c_ptr), intent(in) :: faces(*)
@@ -1215,6 +1466,11 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_volume_coons
+        ! --- Recognition
+        !> Whether a curve is a line, circle or conic, or a surface a plane, sphere, cylinder, cone or torus:
+        !> of a curve the first of point, line, circle, parabola, ellipse and hyperbola, of a surface the
+        !> first of plane, sphere, cylinder, cone and torus, from which no point of g is farther than the
+        !> tolerance.
         function nurbs_recognize(g, tolerance, shape, placement, sizes, deviation) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -1223,13 +1479,16 @@ module nurbs_c
             real(c_double), intent(inout), optional :: placement(*), sizes(*), deviation
             integer(c_int32_t) :: r
         end function nurbs_recognize
-        function nurbs_closest_points(g, n, points, point_stride, point_component_stride, range, &
-            tolerance, budget, params, param_stride, param_component_stride, feet, foot_stride, &
-            foot_component_stride, distances, distance_stride, status, flags) bind(c) result(r)
+        ! --- Distances and closest points
+        !> The points of a spline that are nearest to given points: parameters, points and distances, each
+        !> with its status.
+        function nurbs_closest_points(g, n, points, point_stride, point_component_stride, range, tolerance, &
+                budget, params, param_stride, param_component_stride, feet, foot_stride, &
+                foot_component_stride, distances, distance_stride, status, flags) bind(c) result(r)
             import
             type(c_ptr), value :: g
-            integer(c_int64_t), value :: n, point_stride, point_component_stride, budget, &
-                param_stride, param_component_stride, foot_stride, foot_component_stride, distance_stride
+            integer(c_int64_t), value :: n, point_stride, point_component_stride, budget, param_stride, &
+                param_component_stride, foot_stride, foot_component_stride, distance_stride
             real(c_double), intent(in) :: points(*)
             real(c_double), intent(in), optional :: range(*)
             real(c_double), value :: tolerance
@@ -1238,13 +1497,14 @@ module nurbs_c
             integer(c_int32_t), value :: flags
             integer(c_int32_t) :: r
         end function nurbs_closest_points
-        function nurbs_farthest_points(g, n, points, point_stride, point_component_stride, range, &
-            tolerance, budget, params, param_stride, param_component_stride, feet, foot_stride, &
-            foot_component_stride, distances, distance_stride, status, flags) bind(c) result(r)
+        !> The points of a spline that are farthest from given points; otherwise as nurbs_closest_points().
+        function nurbs_farthest_points(g, n, points, point_stride, point_component_stride, range, tolerance, &
+                budget, params, param_stride, param_component_stride, feet, foot_stride, &
+                foot_component_stride, distances, distance_stride, status, flags) bind(c) result(r)
             import
             type(c_ptr), value :: g
-            integer(c_int64_t), value :: n, point_stride, point_component_stride, budget, &
-                param_stride, param_component_stride, foot_stride, foot_component_stride, distance_stride
+            integer(c_int64_t), value :: n, point_stride, point_component_stride, budget, param_stride, &
+                param_component_stride, foot_stride, foot_component_stride, distance_stride
             real(c_double), intent(in) :: points(*)
             real(c_double), intent(in), optional :: range(*)
             real(c_double), value :: tolerance
@@ -1253,9 +1513,12 @@ module nurbs_c
             integer(c_int32_t), value :: flags
             integer(c_int32_t) :: r
         end function nurbs_farthest_points
+        !> Local minima of the distance to given points, each the one that a descent from a guess comes to:
+        !> Newton's method with a trust region, box-constrained to the domain, across knots.
         function nurbs_closest_local(g, n, points, point_stride, point_component_stride, guesses, &
-            guess_stride, guess_component_stride, params, param_stride, param_component_stride, feet, &
-            foot_stride, foot_component_stride, distances, distance_stride, status, flags) bind(c) result(r)
+                guess_stride, guess_component_stride, params, param_stride, param_component_stride, feet, &
+                foot_stride, foot_component_stride, distances, distance_stride, status, flags) bind(c) &
+                result(r)
             import
             type(c_ptr), value :: g
             integer(c_int64_t), value :: n, point_stride, point_component_stride, guess_stride, &
@@ -1267,8 +1530,10 @@ module nurbs_c
             integer(c_int32_t), value :: flags
             integer(c_int32_t) :: r
         end function nurbs_closest_local
+        !> All points of a spline whose distance to a point exceeds the smallest one by at most a tolerance
+        !> and that are local minima of it.
         function nurbs_closest_all(g, point, range, tolerance, budget, cap, params, distances, count, &
-            status) bind(c) result(r)
+                status) bind(c) result(r)
             import
             type(c_ptr), value :: g
             real(c_double), intent(in) :: point(*)
@@ -1280,8 +1545,10 @@ module nurbs_c
             integer(c_int32_t), intent(inout), optional :: status
             integer(c_int32_t) :: r
         end function nurbs_closest_all
-        function nurbs_critical_points(g, point, range, tolerance, budget, cap, params, distances, &
-            kinds, count, status) bind(c) result(r)
+        !> All critical points of the distance from a point: where x - C is perpendicular to the tangents of
+        !> g, and at ends and kinks of a curve, where the distance has a minimum or maximum.
+        function nurbs_critical_points(g, point, range, tolerance, budget, cap, params, distances, kinds, &
+                count, status) bind(c) result(r)
             import
             type(c_ptr), value :: g
             real(c_double), intent(in) :: point(*)
@@ -1293,13 +1560,14 @@ module nurbs_c
             integer(c_int64_t), intent(inout), optional :: count
             integer(c_int32_t) :: r
         end function nurbs_critical_points
-        function nurbs_curve_signed_distances(g, n, points, point_stride, point_component_stride, &
-            tolerance, budget, distances, distance_stride, params, param_stride, status, flags) bind(c) &
-            result(r)
+        !> Signed distances of points in the plane from a curve: positive to the left of its direction, so
+        !> inside a closed curve that runs counterclockwise without crossing itself.
+        function nurbs_curve_signed_distances(g, n, points, point_stride, point_component_stride, tolerance, &
+                budget, distances, distance_stride, params, param_stride, status, flags) bind(c) result(r)
             import
             type(c_ptr), value :: g
-            integer(c_int64_t), value :: n, point_stride, point_component_stride, budget, &
-                distance_stride, param_stride
+            integer(c_int64_t), value :: n, point_stride, point_component_stride, budget, distance_stride, &
+                param_stride
             real(c_double), intent(in) :: points(*)
             real(c_double), value :: tolerance
             real(c_double), intent(inout) :: distances(*)
@@ -1308,8 +1576,11 @@ module nurbs_c
             integer(c_int32_t), value :: flags
             integer(c_int32_t) :: r
         end function nurbs_curve_signed_distances
+        !> The smallest distance between two splines, of any number of axes each, enclosed: at_least <=
+        !> distance of the nearest points <= at_most, which is the distance of the two points returned; they
+        !> differ by at most the tolerance and rounding unless the budget ends.
         function nurbs_distance(a, b, tolerance, budget, at_least, at_most, params_a, params_b, status) &
-            bind(c) result(r)
+                bind(c) result(r)
             import
             type(c_ptr), value :: a, b
             real(c_double), value :: tolerance
@@ -1318,8 +1589,11 @@ module nurbs_c
             integer(c_int32_t), intent(inout), optional :: status
             integer(c_int32_t) :: r
         end function nurbs_distance
-        function nurbs_hausdorff_distance(a, b, tolerance, budget, at_least, at_most, params_a, &
-            params_b, status) bind(c) result(r)
+        !> The Hausdorff distances of two splines as sets of points, whatever their parameters: how far the
+        !> point of a that is farthest from b is from it, and the other way round; the larger of the two is
+        !> the symmetric distance.
+        function nurbs_hausdorff_distance(a, b, tolerance, budget, at_least, at_most, params_a, params_b, &
+                status) bind(c) result(r)
             import
             type(c_ptr), value :: a, b
             real(c_double), value :: tolerance
@@ -1329,6 +1603,8 @@ module nurbs_c
             integer(c_int32_t), intent(inout), optional :: status
             integer(c_int32_t) :: r
         end function nurbs_hausdorff_distance
+        ! --- Lengths, areas and moments
+        !> Length of a curve or of a part of it.
         function nurbs_curve_length(g, range, relative_tolerance, length, error) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -1338,8 +1614,9 @@ module nurbs_c
             real(c_double), intent(inout), optional :: error
             integer(c_int32_t) :: r
         end function nurbs_curve_length
-        function nurbs_curve_lengths(g, n, params, param_stride, relative_tolerance, lengths, &
-            length_stride) bind(c) result(r)
+        !> Lengths from the start of the domain to given parameters.
+        function nurbs_curve_lengths(g, n, params, param_stride, relative_tolerance, lengths, length_stride) &
+                bind(c) result(r)
             import
             type(c_ptr), value :: g
             integer(c_int64_t), value :: n, param_stride, length_stride
@@ -1348,8 +1625,9 @@ module nurbs_c
             real(c_double), intent(inout) :: lengths(*)
             integer(c_int32_t) :: r
         end function nurbs_curve_lengths
+        !> Parameters at given lengths from the start of the domain.
         function nurbs_curve_params_at_lengths(g, n, lengths, length_stride, relative_tolerance, params, &
-            param_stride, flags) bind(c) result(r)
+                param_stride, flags) bind(c) result(r)
             import
             type(c_ptr), value :: g
             integer(c_int64_t), value :: n, length_stride, param_stride
@@ -1359,8 +1637,9 @@ module nurbs_c
             integer(c_int32_t), value :: flags
             integer(c_int32_t) :: r
         end function nurbs_curve_params_at_lengths
+        !> Divides a curve into parts of equal length, or so that consecutive points have equal distances.
         function nurbs_curve_divide(g, range, parts, relative_tolerance, flags, params, size) bind(c) &
-            result(r)
+                result(r)
             import
             type(c_ptr), value :: g
             real(c_double), intent(in), optional :: range(*)
@@ -1371,6 +1650,7 @@ module nurbs_c
             real(c_double), intent(inout), optional :: size
             integer(c_int32_t) :: r
         end function nurbs_curve_divide
+        !> Area of a surface, in any dimension.
         function nurbs_surface_area(g, range, relative_tolerance, area, error) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -1380,8 +1660,9 @@ module nurbs_c
             real(c_double), intent(inout), optional :: error
             integer(c_int32_t) :: r
         end function nurbs_surface_area
-        function nurbs_moments(g, relative_tolerance, content, centroid, inertia, error) bind(c) &
-            result(r)
+        !> Content, centroid and inertia of a spline itself: of a curve as a wire, of a surface as a sheet, of
+        !> a volume as a body (the integral of |det J|, J its derivatives).
+        function nurbs_moments(g, relative_tolerance, content, centroid, inertia, error) bind(c) result(r)
             import
             type(c_ptr), value :: g
             real(c_double), value :: relative_tolerance
@@ -1389,8 +1670,10 @@ module nurbs_c
             real(c_double), intent(inout), optional :: centroid(*), inertia(*), error
             integer(c_int32_t) :: r
         end function nurbs_moments
-        function nurbs_enclosed_area(count, curves, tolerance, relative_tolerance, area, centroid, &
-            inertia, error) bind(c) result(r)
+        !> Area, centroid and inertia of the region of the plane that closed chains of curves enclose, by
+        !> Green's theorem: 1/2 integral of x dy - y dx.
+        function nurbs_enclosed_area(count, curves, tolerance, relative_tolerance, area, centroid, inertia, &
+                error) bind(c) result(r)
             import
             integer(c_int64_t), value :: count
             type(c_ptr), intent(in) :: curves(*)
@@ -1399,8 +1682,10 @@ module nurbs_c
             real(c_double), intent(inout), optional :: centroid(*), inertia(*), error
             integer(c_int32_t) :: r
         end function nurbs_enclosed_area
+        !> Volume, centroid and inertia of the body that surfaces enclose, by the divergence theorem: 1/3
+        !> integral of S . (S_u x S_v).
         function nurbs_enclosed_volume(count, surfaces, relative_tolerance, volume, centroid, inertia, &
-            openness, error) bind(c) result(r)
+                openness, error) bind(c) result(r)
             import
             integer(c_int64_t), value :: count
             type(c_ptr), intent(in) :: surfaces(*)
@@ -1409,6 +1694,9 @@ module nurbs_c
             real(c_double), intent(inout), optional :: centroid(*), inertia(*), openness, error
             integer(c_int32_t) :: r
         end function nurbs_enclosed_volume
+        ! --- Boxes and cones
+        !> An axis-aligned box that contains a spline, and all points that evaluation gives of it (but for
+        !> homogeneous ones, whose rounding has no such bound).
         function nurbs_box(g, range, tolerance, lower, upper, gap) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -1418,6 +1706,8 @@ module nurbs_c
             real(c_double), intent(inout), optional :: gap
             integer(c_int32_t) :: r
         end function nurbs_box
+        !> A box with axes of its own that contains a spline: { center + sum_k x_k axes[k], |x_k| <= half[k]
+        !> }.
         function nurbs_oriented_box(g, tolerance, center, axes, half) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -1425,6 +1715,8 @@ module nurbs_c
             real(c_double), intent(inout) :: center(*), axes(*), half(*)
             integer(c_int32_t) :: r
         end function nurbs_oriented_box
+        !> A cone that contains the directions of all derivatives along an axis, and so those at kinks; zero
+        !> vectors have none.
         function nurbs_tangent_cone(g, axis, range, tolerance, direction, angle) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -1434,6 +1726,7 @@ module nurbs_c
             real(c_double), intent(inout) :: direction(*), angle
             integer(c_int32_t) :: r
         end function nurbs_tangent_cone
+        !> A cone that contains the directions of all normals S_u x S_v of a surface in space.
         function nurbs_normal_cone(g, range, tolerance, direction, angle) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -1442,8 +1735,8 @@ module nurbs_c
             real(c_double), intent(inout) :: direction(*), angle
             integer(c_int32_t) :: r
         end function nurbs_normal_cone
-        function nurbs_extreme_point(g, direction, range, tolerance, params, value, bound) bind(c) &
-            result(r)
+        !> The point of a spline that is farthest in a direction: the largest value of direction . C(t).
+        function nurbs_extreme_point(g, direction, range, tolerance, params, value, bound) bind(c) result(r)
             import
             type(c_ptr), value :: g
             real(c_double), intent(in) :: direction(*)
@@ -1452,8 +1745,9 @@ module nurbs_c
             real(c_double), intent(inout), optional :: params(*), value, bound
             integer(c_int32_t) :: r
         end function nurbs_extreme_point
-        function nurbs_curve_features(g, kinds, cap, params, found, values, count, complete) bind(c) &
-            result(r)
+        ! --- Features of a shape
+        !> Inflections, extrema of curvature, cusps, kinks, jumps and changes of torsion along a curve.
+        function nurbs_curve_features(g, kinds, cap, params, found, values, count, complete) bind(c) result(r)
             import
             type(c_ptr), value :: g
             integer(c_int32_t), value :: kinds
@@ -1463,8 +1757,10 @@ module nurbs_c
             integer(c_int64_t), intent(inout), optional :: count
             integer(c_int32_t) :: r
         end function nurbs_curve_features
+        !> The pieces of a curve on which it runs one way along a direction: direction . C(t) rises, falls or,
+        !> to rounding, stays on whole Bezier pieces.
         function nurbs_curve_monotone_pieces(g, direction, cap, starts, signs, count, complete) bind(c) &
-            result(r)
+                result(r)
             import
             type(c_ptr), value :: g
             real(c_double), intent(in) :: direction(*)
@@ -1474,12 +1770,16 @@ module nurbs_c
             integer(c_int64_t), intent(inout), optional :: count
             integer(c_int32_t) :: r
         end function nurbs_curve_monotone_pieces
+        !> Whether a curve in the plane is convex: turns one way only and by at most a full turn, kinks
+        !> included, to rounding: pieces count as straight, and places as not turning, where double precision
+        !> does not tell.
         function nurbs_curve_convexity(g, convexity) bind(c) result(r)
             import
             type(c_ptr), value :: g
             integer(c_int32_t), intent(inout) :: convexity
             integer(c_int32_t) :: r
         end function nurbs_curve_convexity
+        !> How far a spline is from a straight line: a line near the best one, and a proven bound.
         function nurbs_straightness(g, origin, direction, bound) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -1487,6 +1787,7 @@ module nurbs_c
             real(c_double), intent(inout) :: bound
             integer(c_int32_t) :: r
         end function nurbs_straightness
+        !> How far a spline in space is from a plane: a plane near the best one, and a proven bound.
         function nurbs_planarity(g, origin, normal, bound) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -1494,6 +1795,7 @@ module nurbs_c
             real(c_double), intent(inout) :: bound
             integer(c_int32_t) :: r
         end function nurbs_planarity
+        !> Which axes of a spline close and which of its boundaries collapse, with proven bounds.
         function nurbs_boundary_contacts(g, tolerance, closed, gaps, collapsed, sizes) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -1502,8 +1804,9 @@ module nurbs_c
             real(c_double), intent(inout), optional :: gaps(*), sizes(*)
             integer(c_int32_t) :: r
         end function nurbs_boundary_contacts
-        function nurbs_singular_points(g, tolerance, cap, params, boxes, count, complete) bind(c) &
-            result(r)
+        !> Places where a curve or surface is singular: C' = 0, or S_u x S_v = 0 (the two first derivatives
+        !> are parallel, or one of them vanishes).
+        function nurbs_singular_points(g, tolerance, cap, params, boxes, count, complete) bind(c) result(r)
             import
             type(c_ptr), value :: g
             real(c_double), value :: tolerance
@@ -1513,6 +1816,9 @@ module nurbs_c
             integer(c_int32_t), intent(inout), optional :: complete
             integer(c_int32_t) :: r
         end function nurbs_singular_points
+        !> Whether a surface or volume folds over: whether the sign of J changes, J being the determinant of
+        !> the first derivatives of a surface in the plane or a volume in space, of a surface in space (S_u x
+        !> S_v) . reference.
         function nurbs_fold_test(g, reference, result, positive, negative) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -1521,6 +1827,9 @@ module nurbs_c
             real(c_double), intent(inout), optional :: positive(*), negative(*)
             integer(c_int32_t) :: r
         end function nurbs_fold_test
+        ! --- Weights and control points
+        !> Changes a weight so that the point at a parameter moves by a distance towards the control point, or
+        !> away from it if the distance is negative.
         function nurbs_pull_weight(g, index, params, distance, weight, out) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -1531,6 +1840,9 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_pull_weight
+        !> Multiplies several weights by one factor so that the point at a parameter moves by a distance
+        !> towards (or away from) their common centre Q = sum R_i P_i / sum R_i: the formula of
+        !> nurbs_pull_weight() with Q and sum R_i.
         function nurbs_pull_weights(g, count, indices, params, distance, factor, out) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -1542,6 +1854,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_pull_weights
+        !> Sets weights; control points stay, and a polynomial spline becomes rational.
         function nurbs_set_weights(g, count, indices, weights, out) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -1551,6 +1864,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_set_weights
+        !> The points at a parameter for the weights 0, 1 and the present one of a control point.
         function nurbs_weight_points(g, index, params, at_zero, at_one, at_weight) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -1559,16 +1873,19 @@ module nurbs_c
             real(c_double), intent(inout), optional :: at_zero(*), at_one(*), at_weight(*)
             integer(c_int32_t) :: r
         end function nurbs_weight_points
-        function nurbs_weight_cross_ratio(dim, control_point, at_zero, at_one, at_weight, weight) &
-            bind(c) result(r)
+        !> The weight as the cross ratio of four points on a line: w = (P n / n m) / (P p / p m), signed
+        !> lengths, where m, n, p are the points of nurbs_weight_points().
+        function nurbs_weight_cross_ratio(dim, control_point, at_zero, at_one, at_weight, weight) bind(c) &
+                result(r)
             import
             integer(c_int32_t), value :: dim
             real(c_double), intent(in) :: control_point(*), at_zero(*), at_one(*), at_weight(*)
             real(c_double), intent(inout) :: weight
             integer(c_int32_t) :: r
         end function nurbs_weight_cross_ratio
-        function nurbs_weight_through(g, index, params, target, tolerance, weight, out) bind(c) &
-            result(r)
+        !> Sets the weight of a control point so that the point at a parameter becomes a given one, on the
+        !> line through P_i and the point at weight 0, by the cross ratio.
+        function nurbs_weight_through(g, index, params, target, tolerance, weight, out) bind(c) result(r)
             import
             type(c_ptr), value :: g
             integer(c_int64_t), value :: index
@@ -1578,6 +1895,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_weight_through
+        !> Moves a control point so that the point at a parameter moves by a distance along a direction.
         function nurbs_pull_point(g, index, params, direction, distance, moved, out) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -1588,8 +1906,9 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_pull_point
+        !> The control point with the largest |R_i(t)|, the first of several.
         function nurbs_most_influential(g, n, params, param_stride, param_component_stride, indices, &
-            influences) bind(c) result(r)
+                influences) bind(c) result(r)
             import
             type(c_ptr), value :: g
             integer(c_int64_t), value :: n, param_stride, param_component_stride
@@ -1598,6 +1917,8 @@ module nurbs_c
             real(c_double), intent(inout), optional :: influences(*)
             integer(c_int32_t) :: r
         end function nurbs_most_influential
+        !> Inverse knot insertion: inserts the knot that makes a point of a leg of the control polygon a
+        !> control point.
         function nurbs_insert_on_leg(g, axis, index, ratio, knot, out) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -1608,8 +1929,9 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_insert_on_leg
-        function nurbs_insert_at_point(g, axis, point, tolerance, index, ratio, knot, out) bind(c) &
-            result(r)
+        !> Inverse knot insertion at a point of the control polygon: the leg along the axis that is nearest to
+        !> the point is taken, and the knot inserted as by nurbs_insert_on_leg().
+        function nurbs_insert_at_point(g, axis, point, tolerance, index, ratio, knot, out) bind(c) result(r)
             import
             type(c_ptr), value :: g
             integer(c_int32_t), value :: axis
@@ -1620,8 +1942,11 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_insert_at_point
+        ! --- Constraints
+        !> The smallest change of control points, and if wanted of weights, that makes a shape meet
+        !> constraints.
         function nurbs_constrain(g, count, kinds, orders, params, targets, keep, costs, weight_costs, &
-            tolerance, residuals, rank, moved, optimality, out) bind(c) result(r)
+                tolerance, residuals, rank, moved, optimality, out) bind(c) result(r)
             import
             type(c_ptr), value :: g
             integer(c_int64_t), value :: count
@@ -1634,6 +1959,10 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_constrain
+        ! --- Deformations
+        !> Raises a region along a direction: adds distance * b(t) * direction / |direction|, where b is 1 in
+        !> the middle of the range, 0 at its ends with the first `order` derivatives, and rises and falls once
+        !> along each axis: a product of B-splines of degree order + 1 over even knots, added exactly.
         function nurbs_warp(g, range, direction, distance, order, out) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -1644,6 +1973,9 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_warp
+        !> Flattens a region to a plane (in the plane: to a line): control points of the region are projected
+        !> onto it along a direction; those inside it only, so that the shape joins what is outside as
+        !> smoothly as the degree allows.
         function nurbs_flatten(g, range, point, normal, direction, moved, out) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -1653,8 +1985,9 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_flatten
-        function nurbs_bend(g, origin, along, across, curvature, lower, upper, tolerance, deviation, &
-            proven, out) bind(c) result(r)
+        !> Bends a shape about an axis (Barr 1984).
+        function nurbs_bend(g, origin, along, across, curvature, lower, upper, tolerance, deviation, proven, &
+                out) bind(c) result(r)
             import
             type(c_ptr), value :: g
             real(c_double), intent(in) :: origin(*), along(*), across(*)
@@ -1664,8 +1997,10 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_bend
-        function nurbs_free_form_deform(g, volume, lower, upper, tolerance, deviation, proven, out) &
-            bind(c) result(r)
+        !> Free-form deformation (Sederberg & Parry 1986): maps a shape by a volume, C -> V(A C), where A maps
+        !> the box from lower to upper to the domain of V.
+        function nurbs_free_form_deform(g, volume, lower, upper, tolerance, deviation, proven, out) bind(c) &
+                result(r)
             import
             type(c_ptr), value :: g, volume
             real(c_double), intent(in) :: lower(*), upper(*)
@@ -1675,6 +2010,10 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_free_form_deform
+        !> Fairs a shape: among the splines with the same knots and weights that are at most a tolerance away,
+        !> and of them those that move control points least for their energy, the one with the least energy,
+        !> the integral of the squared derivatives of an order, summed over the axes (of homogeneous
+        !> coordinates about the centre when rational).
         function nurbs_fair(g, order, keep, tolerance, energies, bound, out) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -1685,8 +2024,10 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_fair
-        function nurbs_snap_boundary(g, axis, end, other, other_axis, other_end, order, flags, bound, &
-            out) bind(c) result(r)
+        !> Moves a boundary of a spline onto one of another: a curve's end onto an end, a surface's edge onto
+        !> an edge.
+        function nurbs_snap_boundary(g, axis, end, other, other_axis, other_end, order, flags, bound, out) &
+                bind(c) result(r)
             import
             type(c_ptr), value :: g, other
             integer(c_int32_t), value :: axis, end, other_axis, other_end, order, flags
@@ -1694,33 +2035,38 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_snap_boundary
-        function nurbs_collocation(axes, degrees, counts, knots, knot_count, orders, n, params, param_stride, &
-            param_component_stride, cap, values, columns, row_pointers, entries, flags) bind(c) result(r)
+        ! --- Derivatives with respect to data
+        !> Collocation matrix of B-spline basis functions, or of one of their partial derivatives, as
+        !> compressed sparse rows (CSR), the arrays that SciPy and Eigen take.
+        function nurbs_collocation(axes, degrees, counts, knots, knot_count, orders, n, params, &
+                param_stride, param_component_stride, cap, values, columns, row_pointers, entries, flags) &
+                bind(c) result(r)
             import
             integer(c_int32_t), value :: axes, flags
             integer(c_int32_t), intent(in) :: degrees(*)
             integer(c_int64_t), intent(in) :: counts(*)
             real(c_double), intent(in) :: knots(*), params(*)
-            integer(c_int32_t), intent(in), optional :: orders(*)
             integer(c_int64_t), value :: knot_count, n, param_stride, param_component_stride, cap
+            integer(c_int32_t), intent(in), optional :: orders(*)
             real(c_double), intent(inout), optional :: values(*)
-            integer(c_int64_t), intent(inout), optional :: columns(*), row_pointers(*)
-            integer(c_int64_t), intent(inout), optional :: entries
+            integer(c_int64_t), intent(inout), optional :: columns(*), row_pointers(*), entries
             integer(c_int32_t) :: r
         end function nurbs_collocation
+        !> Collocation matrix of the rational basis functions R_j = w_j N_j / w(t) of a spline, or of one of
+        !> their partial derivatives; of N_j for a polynomial spline.
         function nurbs_rational_collocation(g, orders, n, params, param_stride, param_component_stride, cap, &
-            values, columns, row_pointers, entries, flags) bind(c) result(r)
+                values, columns, row_pointers, entries, flags) bind(c) result(r)
             import
             type(c_ptr), value :: g
             integer(c_int32_t), intent(in), optional :: orders(*)
             integer(c_int64_t), value :: n, param_stride, param_component_stride, cap
             real(c_double), intent(in) :: params(*)
             real(c_double), intent(inout), optional :: values(*)
-            integer(c_int64_t), intent(inout), optional :: columns(*), row_pointers(*)
-            integer(c_int64_t), intent(inout), optional :: entries
+            integer(c_int64_t), intent(inout), optional :: columns(*), row_pointers(*), entries
             integer(c_int32_t), value :: flags
             integer(c_int32_t) :: r
         end function nurbs_rational_collocation
+        !> Bezier extraction operators of the non-empty spans of an axis (Borden, Scott, Evans & Hughes 2011).
         function nurbs_bezier_extraction(g, axis, cap, operators, firsts, domains, count) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -1728,13 +2074,15 @@ module nurbs_c
             integer(c_int64_t), value :: cap
             real(c_double), intent(inout), optional :: operators(*), domains(*)
             integer(c_int64_t), intent(inout), optional :: firsts(*)
-            integer(c_int64_t), intent(out) :: count
+            integer(c_int64_t), intent(inout) :: count
             integer(c_int32_t) :: r
         end function nurbs_bezier_extraction
+        !> Gradients of a function L of points and derivatives with respect to the control points, the weights
+        !> and the parameters: the transpose of nurbs_eval_derivs(), or of nurbs_eval() with order 0.
         function nurbs_eval_adjoint(g, order, n, params, param_stride, param_component_stride, cotangents, &
-            cotangent_stride, cotangent_component_stride, grad_points, grad_point_stride, &
-            grad_point_component_stride, grad_weights, grad_weight_stride, grad_params, grad_param_stride, &
-            grad_param_component_stride, flags) bind(c) result(r)
+                cotangent_stride, cotangent_component_stride, grad_points, grad_point_stride, &
+                grad_point_component_stride, grad_weights, grad_weight_stride, grad_params, &
+                grad_param_stride, grad_param_component_stride, flags) bind(c) result(r)
             import
             type(c_ptr), value :: g
             integer(c_int32_t), value :: order, flags
@@ -1745,12 +2093,15 @@ module nurbs_c
             real(c_double), intent(inout), optional :: grad_points(*), grad_weights(*), grad_params(*)
             integer(c_int32_t) :: r
         end function nurbs_eval_adjoint
+        ! --- Reading files
+        !> Fills an options struct with the defaults.
         function nurbs_read_options_init(options, struct_size) bind(c) result(r)
             import
-            type(nurbs_read_options), intent(out) :: options
+            type(nurbs_read_options), intent(inout) :: options
             integer(c_int64_t), value :: struct_size
             integer(c_int32_t) :: r
         end function nurbs_read_options_init
+        !> Reads the curves and surfaces of an IGES 5.x file (fixed-length ASCII form).
         function nurbs_read(bytes, size, options, out) bind(c) result(r)
             import
             type(c_ptr), value :: bytes
@@ -1759,6 +2110,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_read
+        !> Reads a file by its path; see nurbs_read().
         function nurbs_read_file(path, options, out) bind(c) result(r)
             import
             character(kind=c_char), intent(in) :: path(*)
@@ -1766,12 +2118,14 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_read_file
+        !> Number of splines in a list.
         function nurbs_list_count(list, count) bind(c) result(r)
             import
             type(c_ptr), value :: list
-            integer(c_int64_t), intent(out) :: count
+            integer(c_int64_t), intent(inout) :: count
             integer(c_int32_t) :: r
         end function nurbs_list_count
+        !> A new handle on spline `index`; it outlives the list.
         function nurbs_list_get(list, index, out) bind(c) result(r)
             import
             type(c_ptr), value :: list
@@ -1779,6 +2133,8 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_list_get
+        !> Name of spline `index`: that of the file (name property, else label and subscript), else
+        !> "type#line" such as "126#17".
         function nurbs_list_name(list, index, buf, cap, length) bind(c) result(r)
             import
             type(c_ptr), value :: list
@@ -1787,12 +2143,14 @@ module nurbs_c
             integer(c_int64_t), intent(inout), optional :: length
             integer(c_int32_t) :: r
         end function nurbs_list_name
+        !> Number of notes: entities of the file that did not become a spline.
         function nurbs_list_note_count(list, count) bind(c) result(r)
             import
             type(c_ptr), value :: list
-            integer(c_int64_t), intent(out) :: count
+            integer(c_int64_t), intent(inout) :: count
             integer(c_int32_t) :: r
         end function nurbs_list_note_count
+        !> A note: which entity, where, and why it did not become a spline.
         function nurbs_list_note(list, index, entity_type, line, reason, buf, cap, length) bind(c) result(r)
             import
             type(c_ptr), value :: list
@@ -1802,12 +2160,14 @@ module nurbs_c
             character(kind=c_char), intent(inout), optional :: buf(*)
             integer(c_int32_t) :: r
         end function nurbs_list_note
+        !> Unit of length of the splines in a list.
         function nurbs_list_unit(list, metres) bind(c) result(r)
             import
             type(c_ptr), value :: list
-            real(c_double), intent(out) :: metres
+            real(c_double), intent(inout) :: metres
             integer(c_int32_t) :: r
         end function nurbs_list_unit
+        !> Frees a list.
         subroutine nurbs_list_destroy(list) bind(c)
             import
             type(c_ptr), value :: list

@@ -1,202 +1,221 @@
 # SPDX-License-Identifier: MIT
-"""The constants of nurbs.h, with its names and values, and its two macros for flags."""
+# Generated from include/nurbs/nurbs.h by: python3 cmake/interface/generate.py . - do not edit.
+"""The constants of nurbs.h, with its names and values, and its macros for flags."""
 
-NURBS_VERSION_MAJOR = 1
-NURBS_VERSION_MINOR = 0
-NURBS_VERSION_PATCH = 0
+# --- Version and limits
+NURBS_VERSION_MAJOR = 1  # Changes when binaries built before stop working.
+NURBS_VERSION_MINOR = 0  # Changes when functions, constants or options are added.
+NURBS_VERSION_PATCH = 0  # Changes when defects are mended.
+# major * 10000 + minor * 100 + patch, as returned by nurbs_version().
 NURBS_VERSION = NURBS_VERSION_MAJOR * 10000 + NURBS_VERSION_MINOR * 100 + NURBS_VERSION_PATCH
-NURBS_MAX_DEGREE = 31
-NURBS_MAX_AXES = 3
-NURBS_MAX_ORDER = 255
+NURBS_MAX_DEGREE = 31  # Highest degree accepted on any axis.
+NURBS_MAX_AXES = 3  # Highest number of parametric axes.
+NURBS_MAX_ORDER = 255  # Highest order of derivatives that the evaluating functions compute.
 
-# Statuses
-NURBS_OK = 0
-NURBS_ERROR_NULL = 1
-NURBS_ERROR_AXES = 2
-NURBS_ERROR_AXIS = 3
-NURBS_ERROR_DEGREE = 4
-NURBS_ERROR_COUNT = 5
-NURBS_ERROR_TOO_FEW_POINTS = 6
-NURBS_ERROR_OVERFLOW = 7
-NURBS_ERROR_SIZE = 8
-NURBS_ERROR_DIMENSION = 9
-NURBS_ERROR_STRIDE = 10
-NURBS_ERROR_OVERLAP = 11
-NURBS_ERROR_FLAGS = 12
-NURBS_ERROR_ORDER = 13
-NURBS_ERROR_KNOT_NOT_FINITE = 14
-NURBS_ERROR_KNOTS_DECREASING = 15
-NURBS_ERROR_END_MULTIPLICITY = 16
-NURBS_ERROR_MULTIPLICITY = 17
-NURBS_ERROR_EMPTY_DOMAIN = 18
-NURBS_ERROR_POINT_NOT_FINITE = 19
-NURBS_ERROR_WEIGHT_NOT_FINITE = 20
-NURBS_ERROR_WEIGHT_NEGATIVE = 21
-NURBS_ERROR_WEIGHTS_VANISH = 22
-NURBS_ERROR_PARAMETER_NOT_FINITE = 23
-NURBS_ERROR_PERIODIC_KNOTS = 24
-NURBS_ERROR_PERIODIC_POINTS = 25
-NURBS_ERROR_TIMES = 26
-NURBS_ERROR_OPTIONS = 27
-NURBS_ERROR_INDEX = 28
-NURBS_ERROR_DIRECTION = 29
-NURBS_ERROR_END_KNOT = 30
-NURBS_ERROR_NOT_A_KNOT = 31
-NURBS_ERROR_MATRIX = 32
-NURBS_ERROR_RATIONAL = 33
-NURBS_ERROR_INCOMPATIBLE = 40
-NURBS_ERROR_GAP = 41
-NURBS_ERROR_TOLERANCE = 42
-NURBS_ERROR_NOT_PERIODIC = 43
-NURBS_ERROR_END_WEIGHTS = 44
-NURBS_ERROR_FACTOR = 45
-NURBS_ERROR_PERIODIC = 48
-NURBS_ERROR_END = 49
-NURBS_ERROR_BASIS = 50
-NURBS_ERROR_NOT_MONOTONE = 51
-NURBS_ERROR_CONTINUITY = 46
-NURBS_ERROR_WEIGHT_SIGN = 47
-NURBS_ERROR_ANGLE = 52
-NURBS_ERROR_LENGTH = 53
-NURBS_ERROR_COLLINEAR = 54
-NURBS_ERROR_CONIC = 55
-NURBS_ERROR_FORM = 56
-NURBS_ERROR_TANGENT = 57
-NURBS_ERROR_TWIST = 58
-NURBS_ERROR_TWIST_RULE = 59
-NURBS_ERROR_INFLUENCE = 60
-NURBS_ERROR_CONTRADICTION = 61
-NURBS_ERROR_CONSTRAINT = 62
-NURBS_ERROR_OFF_POLYGON = 63
-NURBS_ERROR_OUTSIDE_DOMAIN = 100
-NURBS_ERROR_NOT_REPRESENTABLE = 200
-NURBS_ERROR_KNOTS_MERGE = 202
-NURBS_ERROR_NOT_CONVERGED = 203
-NURBS_ERROR_MEMORY = 300
-NURBS_ERROR_FILE = 301
-NURBS_ERROR_TOO_LARGE = 302
-NURBS_ERROR_FORMAT = 400
-NURBS_ERROR_TRUNCATED = 401
-NURBS_ERROR_SYNTAX = 402
-NURBS_ERROR_UNSUPPORTED = 403
-NURBS_ERROR_INTERNAL = 900
+# --- Statuses
+NURBS_OK = 0  # success
+NURBS_ERROR_NULL = 1  # a required pointer is NULL
+NURBS_ERROR_AXES = 2  # number of axes not 1 to 3, or not one that the function is for
+NURBS_ERROR_AXIS = 3  # axis index not in [0, axes)
+NURBS_ERROR_DEGREE = 4  # degree not in [0, NURBS_MAX_DEGREE]
+NURBS_ERROR_COUNT = 5  # a count is negative, or zero where something is needed
+NURBS_ERROR_TOO_FEW_POINTS = 6  # fewer control points than degree + 1
+NURBS_ERROR_OVERFLOW = 7  # the sizes asked for do not fit in memory addresses
+NURBS_ERROR_SIZE = 8  # a stated array length is not the one required
+NURBS_ERROR_DIMENSION = 9  # dimension not in [1, 2^31 - 2], or not one allowed here
+NURBS_ERROR_STRIDE = 10  # negative stride, or neither records nor components lie apart
+NURBS_ERROR_OVERLAP = 11  # an output array overlaps another array
+NURBS_ERROR_FLAGS = 12  # unknown flag bits, or flags that exclude each other
+NURBS_ERROR_ORDER = 13  # derivative order not in [0, NURBS_MAX_ORDER]
+NURBS_ERROR_KNOT_NOT_FINITE = 14  # a knot is NaN or infinite, or the knots' range overflows
+NURBS_ERROR_KNOTS_DECREASING = 15  # a knot is smaller than the one before it
+NURBS_ERROR_END_MULTIPLICITY = 16  # the first or last knot occurs more than degree + 1 times
+NURBS_ERROR_MULTIPLICITY = 17  # an interior knot occurs, or would occur, more than degree + 1 times
+NURBS_ERROR_EMPTY_DOMAIN = 18  # knots[degree] == knots[count], or an empty interval
+NURBS_ERROR_POINT_NOT_FINITE = 19  # a coordinate is NaN or infinite
+NURBS_ERROR_WEIGHT_NOT_FINITE = 20  # a weight is NaN or infinite
+NURBS_ERROR_WEIGHT_NEGATIVE = 21  # a weight is < 0
+NURBS_ERROR_WEIGHTS_VANISH = 22  # all weights that are active at some parameter are 0
+NURBS_ERROR_PARAMETER_NOT_FINITE = 23  # a parameter is NaN or infinite
+NURBS_ERROR_PERIODIC_KNOTS = 24  # knots of an axis flagged periodic do not repeat with the period
+NURBS_ERROR_PERIODIC_POINTS = 25  # points or weights of an axis flagged periodic do not wrap bit for bit
+NURBS_ERROR_TIMES = 26  # a number of repetitions is negative
+NURBS_ERROR_OPTIONS = 27  # an options struct has a wrong size or a value out of range
+NURBS_ERROR_INDEX = 28  # an index is outside its list
+NURBS_ERROR_DIRECTION = 29  # a direction is zero, not finite, or parallel to another one
+NURBS_ERROR_END_KNOT = 30  # a knot at an end of the domain, where it cannot be removed
+NURBS_ERROR_NOT_A_KNOT = 31  # a value that has to be a knot of the axis is none
+NURBS_ERROR_MATRIX = 32  # an entry of a matrix or translation is NaN or infinite
+NURBS_ERROR_RATIONAL = 33  # the spline is rational, which the function is not for
+NURBS_ERROR_INCOMPATIBLE = 40  # splines differ in what they have to share
+NURBS_ERROR_GAP = 41  # ends that are to be joined lie farther apart than the tolerance
+NURBS_ERROR_TOLERANCE = 42  # a tolerance is negative or NaN
+NURBS_ERROR_NOT_PERIODIC = 43  # an axis that has to be periodic was not declared so
+NURBS_ERROR_END_WEIGHTS = 44  # no one factor makes the weights at the ends of an axis equal
+NURBS_ERROR_FACTOR = 45  # a factor is not finite, or not positive where it has to be
+NURBS_ERROR_CONTINUITY = 46  # a knot is less smooth than the function needs
+NURBS_ERROR_WEIGHT_SIGN = 47  # a weight of the result would not be positive
+NURBS_ERROR_PERIODIC = 48  # an axis is periodic, which the function is not for
+NURBS_ERROR_END = 49  # an end is neither NURBS_START nor NURBS_END
+NURBS_ERROR_BASIS = 50  # not one of the NURBS_BASIS_ constants
+NURBS_ERROR_NOT_MONOTONE = 51  # a function neither increases nor decreases strictly
+NURBS_ERROR_ANGLE = 52  # an angle is not finite, or a sweep is 0 or more than a full turn
+NURBS_ERROR_LENGTH = 53  # a radius or another length is not finite or out of range
+NURBS_ERROR_COLLINEAR = 54  # points that must not be on a line are on one
+NURBS_ERROR_CONIC = 55  # no conic, or no arc of one in one piece, fulfils the conditions
+NURBS_ERROR_FORM = 56  # not one of the NURBS_ARC_ constants that are allowed here
+NURBS_ERROR_TANGENT = 57  # tangents that have to agree differ by more than the tolerance
+NURBS_ERROR_TWIST = 58  # twists that have to agree differ by more than the tolerance
+NURBS_ERROR_TWIST_RULE = 59  # not one of the NURBS_TWIST_ constants, or one that does not suit
+NURBS_ERROR_INFLUENCE = 60  # a control point has no influence at the parameter
+NURBS_ERROR_CONTRADICTION = 61  # constraints contradict each other
+NURBS_ERROR_CONSTRAINT = 62  # not one of the NURBS_CONSTRAIN_ constants
+NURBS_ERROR_OFF_POLYGON = 63  # a point is not on the control polygon
+NURBS_ERROR_OUTSIDE_DOMAIN = 100  # a parameter or knot lies outside the domain
+NURBS_ERROR_NOT_REPRESENTABLE = 200  # a value of the result overflows double precision
+NURBS_ERROR_KNOTS_MERGE = 202  # knots that differ would become equal or change their order
+NURBS_ERROR_NOT_CONVERGED = 203  # an iteration did not reach its goal
+NURBS_ERROR_MEMORY = 300  # an allocation failed
+NURBS_ERROR_FILE = 301  # a file cannot be opened or read
+NURBS_ERROR_TOO_LARGE = 302  # a file exceeds the size limit of the options
+NURBS_ERROR_FORMAT = 400  # not a file of a known format
+NURBS_ERROR_TRUNCATED = 401  # the file ends, or a section is missing, before its contents are complete
+NURBS_ERROR_SYNTAX = 402  # the file breaks the rules of its format
+NURBS_ERROR_UNSUPPORTED = 403  # an entity that this version does not read (only in notes)
+NURBS_ERROR_INTERNAL = 900  # a defect of the library; please report it
 
-# Flags of one axis, moved with on_axis() and on_all_axes()
-NURBS_LEFT = 0x01
-NURBS_CLAMP = 0x02
-NURBS_EXTRAPOLATE = 0x04
+# --- Flags by axis
+NURBS_LEFT = 0x01  # Evaluation: at a knot take the limit from below.
+NURBS_CLAMP = 0x02  # Evaluation: move a parameter outside the domain (infinite ones too) to the nearer end.
+NURBS_EXTRAPOLATE = 0x04  # Evaluation: outside the domain continue the first or last polynomial piece.
+# Evaluation: reduce the parameter by multiples of the domain's length; the start and the end are the same place, seen
+# from the right unless NURBS_LEFT is set. Allowed on every axis, periodic or not.
 NURBS_WRAP = 0x08
+# Evaluation: a parameter that cannot be evaluated gives NaN in place of an error. NURBS_CLAMP, NURBS_EXTRAPOLATE and
+# NURBS_WRAP exclude each other; each may be combined with NURBS_NAN.
 NURBS_NAN = 0x10
+# Creation: the axis is periodic with period knots[count] - knots[degree]: knots[i + m] = knots[i] + period to within
+# the rounding of the largest knot, and the last `degree` layers of points and weights equal the first ones bit for bit,
+# where m = count - degree is the number of distinct layers. Operations keep the axis periodic.
 NURBS_PERIODIC = 0x01
 
-# Global flags
-NURBS_ACCUMULATE = 0x01000000
-NURBS_KEEP_DOMAIN = 0x02000000
-NURBS_KEEP_GAPS = 0x04000000
-NURBS_PRODUCT_DOT = 0x08000000
-NURBS_PRODUCT_CROSS = 0x10000000
-NURBS_HOMOGENEOUS = 0x20000000
-NURBS_MAP_DOMAINS = 0x40000000
-NURBS_RULED_CARTESIAN = 0x80000000
-NURBS_HEMISPHERE = 0x01000000
-NURBS_TWO_SHEETS = 0x02000000
+# --- Global flags
+NURBS_ACCUMULATE = 0x01000000  # nurbs_eval_adjoint(): add to what the outputs hold in place of overwriting it.
+NURBS_KEEP_DOMAIN = 0x02000000  # nurbs_reverse(): map the domain to itself in place of negating the parameter.
+NURBS_KEEP_GAPS = 0x04000000  # nurbs_join(): ends that do not meet become a jump, in place of an error.
+NURBS_PRODUCT_DOT = 0x08000000  # nurbs_product(): the dot product.
+NURBS_PRODUCT_CROSS = 0x10000000  # nurbs_product(): the cross product in dimension 3.
+NURBS_HOMOGENEOUS = 0x20000000  # nurbs_create_power(): homogeneous records (w x, w y, ..., w).
+NURBS_MAP_DOMAINS = 0x40000000  # nurbs_make_compatible(): map the domains of all splines to that of the first one.
+# nurbs_curve_divide(): equal distances of consecutive points in place of equal lengths.
 NURBS_EQUAL_CHORDS = 0x02000000
-NURBS_REVERSED = 0x04000000
+NURBS_REVERSED = 0x04000000  # nurbs_snap_boundary(): the two boundaries run against each other.
+# nurbs_closest_points() and its neighbours: a point that is not finite gives NaN in place of an error.
 NURBS_NAN_POINTS = 0x01000000
-NURBS_BASIS_POWER = 0
-NURBS_BASIS_BERNSTEIN = 1
-NURBS_BASIS_HERMITE = 2
-NURBS_BASIS_BSPLINE = 3
-NURBS_START = 0
-NURBS_END = 1
 
-# Bits of the form of a knot vector
-NURBS_FORM_CLAMPED_START = 0x01
-NURBS_FORM_CLAMPED_END = 0x02
-NURBS_FORM_PERIODIC = 0x04
+# --- Form of a knot vector, as reported by nurbs_knot_form()
+NURBS_FORM_CLAMPED_START = 0x01  # the first degree + 1 knots are equal
+NURBS_FORM_CLAMPED_END = 0x02  # the last degree + 1 knots are equal
+NURBS_FORM_PERIODIC = 0x04  # the axis was declared periodic
 
-# Bits of the status of a point of a frame
-NURBS_FRAME_LIMIT = 0x01
-NURBS_FRAME_NORMAL_LIMIT = 0x02
-NURBS_FRAME_RULE = 0x04
-NURBS_FRAME_UNDEFINED = 0x08
+# --- Bases of a polynomial segment, for nurbs_basis_matrix()
+NURBS_BASIS_POWER = 0  # 1, t, t^2, ...
+NURBS_BASIS_BERNSTEIN = 1  # the Bezier points over [0, 1]
+NURBS_BASIS_HERMITE = 2  # f(0), f'(0), ..., then f(1), f'(1), ...; odd degrees
+NURBS_BASIS_BSPLINE = 3  # control points over the knots -degree, ..., degree + 1
 
-# Forms of an arc
-NURBS_ARC_QUARTERS = 0
-NURBS_ARC_THIRDS = 1
-NURBS_ARC_SMOOTH = 2
+# --- Ends of an axis
+NURBS_START = 0  # the lower end of the domain
+NURBS_END = 1  # the upper end of the domain
 
-# Kinds of conics
-NURBS_CONIC_ELLIPSE = 1
-NURBS_CONIC_PARABOLA = 2
-NURBS_CONIC_HYPERBOLA = 3
-NURBS_CONIC_CHORD = 4
-NURBS_CONIC_LEGS = 5
-NURBS_CONIC_LINE = 6
+# --- Status of a point
+NURBS_FRAME_LIMIT = 0x01  # tangent of a curve, normal of a surface: a one-sided limit
+NURBS_FRAME_NORMAL_LIMIT = 0x02  # normal of a curve in space: a one-sided limit
+NURBS_FRAME_RULE = 0x04  # nothing distinguishes a direction: the function's rule chose it
+NURBS_FRAME_UNDEFINED = 0x08  # some result does not exist and is NaN
 
-# Twists of a bicubic Coons surface
-NURBS_TWIST_COMPATIBLE = 0
-NURBS_TWIST_AVERAGE = 1
-NURBS_TWIST_GIVEN = 2
-NURBS_TWIST_ZERO = 3
-NURBS_TWIST_BILINEAR = 4
-NURBS_TWIST_ADINI = 5
+# --- Forms of an arc
+NURBS_ARC_QUARTERS = 0  # degree 2, equal pieces of at most a quarter turn
+NURBS_ARC_THIRDS = 1  # degree 2, equal pieces of at most a third of a turn
+NURBS_ARC_SMOOTH = 2  # One polynomial piece: degree 2 up to a third of a turn, degree 5 beyond; weights are positive.
 
-# Shapes that are recognized
-NURBS_SHAPE_NONE = 0
-NURBS_SHAPE_POINT = 1
-NURBS_SHAPE_LINE = 2
-NURBS_SHAPE_CIRCLE = 3
-NURBS_SHAPE_ELLIPSE = 4
-NURBS_SHAPE_PARABOLA = 5
-NURBS_SHAPE_HYPERBOLA = 6
-NURBS_SHAPE_PLANE = 7
-NURBS_SHAPE_SPHERE = 8
-NURBS_SHAPE_CYLINDER = 9
-NURBS_SHAPE_CONE = 10
-NURBS_SHAPE_TORUS = 11
+# --- Kinds of conics
+NURBS_CONIC_ELLIPSE = 1  # shape factor below 1
+NURBS_CONIC_PARABOLA = 2  # shape factor 1
+NURBS_CONIC_HYPERBOLA = 3  # shape factor above 1
+NURBS_CONIC_CHORD = 4  # degenerate: shape factor 0, the segment P0 P2
+NURBS_CONIC_LEGS = 5  # degenerate: shape factor infinite, the segments P0 P1 and P1 P2
+NURBS_CONIC_LINE = 6  # degenerate: P0, P1 and P2 on a line
 
-# Bits of the status of a closest point
-NURBS_CLOSEST_CERTIFIED = 0x01
-NURBS_CLOSEST_BOUNDARY = 0x02
-NURBS_CLOSEST_NOT_UNIQUE = 0x04
-NURBS_CLOSEST_BUDGET = 0x08
-NURBS_CLOSEST_INVALID = 0x10
-NURBS_CLOSEST_COARSE = 0x20
-NURBS_CLOSEST_LEFT = 0x100
+# --- Flags of constructions
+# nurbs_ruled(): rulings of Cartesian points, divided evenly, not those of homogeneous ones.
+NURBS_RULED_CARTESIAN = 0x80000000
+NURBS_HEMISPHERE = 0x01000000  # nurbs_surface_sphere_patches(): the half towards Z.
+NURBS_TWO_SHEETS = 0x02000000  # nurbs_surface_hyperboloid(): the hyperboloid of two sheets.
 
-# Kinds of critical points
-NURBS_CRITICAL_MINIMUM = 1
-NURBS_CRITICAL_MAXIMUM = 2
-NURBS_CRITICAL_SADDLE = 3
-NURBS_CRITICAL_UNDECIDED = 4
+# --- Twists of nurbs_surface_coons_hermite()
+NURBS_TWIST_COMPATIBLE = 0  # both, which must agree to the tolerance
+NURBS_TWIST_AVERAGE = 1  # their mean
+NURBS_TWIST_GIVEN = 2  # the ones given
+NURBS_TWIST_ZERO = 3  # zero (Ferguson's patch)
+NURBS_TWIST_BILINEAR = 4  # that of the bilinear patch of the corners
+NURBS_TWIST_ADINI = 5  # that of the bilinear Coons surface of the boundaries (Adini's twist)
 
-# Features of curves
-NURBS_FEATURE_INFLECTION = 0x01
-NURBS_FEATURE_CURVATURE_MAXIMUM = 0x02
-NURBS_FEATURE_CURVATURE_MINIMUM = 0x04
-NURBS_FEATURE_CUSP = 0x08
-NURBS_FEATURE_KINK = 0x10
-NURBS_FEATURE_JUMP = 0x20
-NURBS_FEATURE_TORSION = 0x40
+# --- Shapes
+NURBS_SHAPE_NONE = 0  # none of these, to the tolerance
+NURBS_SHAPE_POINT = 1  # a single point
+NURBS_SHAPE_LINE = 2  # a piece of a straight line
+NURBS_SHAPE_CIRCLE = 3  # a circle, or an arc of one
+NURBS_SHAPE_ELLIPSE = 4  # an ellipse, or an arc of one
+NURBS_SHAPE_PARABOLA = 5  # an arc of a parabola
+NURBS_SHAPE_HYPERBOLA = 6  # an arc of one branch of a hyperbola
+NURBS_SHAPE_PLANE = 7  # a piece of a plane
+NURBS_SHAPE_SPHERE = 8  # a sphere, or a piece of one
+NURBS_SHAPE_CYLINDER = 9  # a piece of a circular cylinder
+NURBS_SHAPE_CONE = 10  # a piece of one half of a circular cone
+NURBS_SHAPE_TORUS = 11  # a torus, or a piece of one
 
-# Convexity of a curve in the plane
-NURBS_CONVEXITY_NONE = 0
-NURBS_CONVEXITY_LEFT = 1
-NURBS_CONVEXITY_RIGHT = 2
-NURBS_CONVEXITY_STRAIGHT = 3
-NURBS_CONVEXITY_UNDECIDED = 4
+# --- Status of a closest point
+NURBS_CLOSEST_CERTIFIED = 0x01  # proven to be the nearest, or farthest, point to the tolerance
+NURBS_CLOSEST_BOUNDARY = 0x02  # on an end or an edge of the domain, or of range
+NURBS_CLOSEST_NOT_UNIQUE = 0x04  # points elsewhere are as near to the tolerance
+NURBS_CLOSEST_BUDGET = 0x08  # the budget ended before a proof was found
+NURBS_CLOSEST_INVALID = 0x10  # the query point is not finite; results are NaN
+NURBS_CLOSEST_COARSE = 0x20  # proven, but rounding the parameters moves the point by more
+NURBS_CLOSEST_LEFT = 0x100  # NURBS_LEFT is meant on axis 0; 0x200 on axis 1, 0x400 on axis 2
 
-# Folds
-NURBS_FOLD_NONE = 0
-NURBS_FOLD_FOUND = 1
-NURBS_FOLD_UNDECIDED = 2
+# --- Kind of a critical point
+NURBS_CRITICAL_MINIMUM = 1  # a local minimum of the distance
+NURBS_CRITICAL_MAXIMUM = 2  # a local maximum of the distance
+NURBS_CRITICAL_SADDLE = 3  # neither
+NURBS_CRITICAL_UNDECIDED = 4  # rounding leaves the kind open
 
-# Kinds of constraints
-NURBS_CONSTRAIN_VALUE = 0
-NURBS_CONSTRAIN_DIRECTION = 1
-NURBS_CONSTRAIN_NORMAL = 2
-NURBS_CONSTRAIN_CURVATURE = 3
+# --- Features of curves
+NURBS_FEATURE_INFLECTION = 0x01  # the curvature changes its sign; in space: it vanishes
+NURBS_FEATURE_CURVATURE_MAXIMUM = 0x02  # a local maximum of |curvature|
+NURBS_FEATURE_CURVATURE_MINIMUM = 0x04  # a local minimum of |curvature|, where it is not 0
+NURBS_FEATURE_CUSP = 0x08  # the first derivative vanishes
+NURBS_FEATURE_KINK = 0x10  # a knot where the direction of the tangent jumps
+NURBS_FEATURE_JUMP = 0x20  # a knot where the curve jumps
+NURBS_FEATURE_TORSION = 0x40  # the torsion changes its sign (dimension 3)
+
+# --- Convexity of a curve in the plane
+NURBS_CONVEXITY_NONE = 0  # turns both ways, or through more than a full turn, or has a cusp
+NURBS_CONVEXITY_LEFT = 1  # turns to the left only, by at most a full turn
+NURBS_CONVEXITY_RIGHT = 2  # turns to the right only, by at most a full turn
+NURBS_CONVEXITY_STRAIGHT = 3  # a straight line that does not turn back, to rounding
+NURBS_CONVEXITY_UNDECIDED = 4  # double precision does not tell
+
+# --- Folds
+NURBS_FOLD_NONE = 0  # proven: there is none
+NURBS_FOLD_FOUND = 1  # proven: there is one
+NURBS_FOLD_UNDECIDED = 2  # neither
+
+# --- Kinds of constraints
+NURBS_CONSTRAIN_VALUE = 0  # the derivative of the given orders is the target; orders 0: the point
+NURBS_CONSTRAIN_DIRECTION = 1  # the derivative is parallel to the target, either way
+NURBS_CONSTRAIN_NORMAL = 2  # all first derivatives are perpendicular to the target
+NURBS_CONSTRAIN_CURVATURE = 3  # the curvature vector (C'' - (C'' T) T) / |C'|^2 of a curve is the target
 
 
 def on_axis(axis, flags):
@@ -205,5 +224,5 @@ def on_axis(axis, flags):
 
 
 def on_all_axes(axes, flags):
-    """The bits `flags` for the first `axes` axes: the macro NURBS_ON_ALL_AXES."""
+    """The bits `flags` for the first `axes` axes (1, 2 or 3): the macro NURBS_ON_ALL_AXES."""
     return flags * (0x010101 >> (8 * (3 - axes)))

@@ -1,235 +1,432 @@
 // SPDX-License-Identifier: MIT
+// Generated from include/nurbs/nurbs.h by: python3 cmake/interface/generate.py . - do not edit.
 //! The C interface as it stands: the names, arguments and constants of `nurbs.h`, which is the manual.
 
 #![allow(non_camel_case_types)]
 
 use std::os::raw::{c_char, c_void};
 
-/// A spline. Never made or moved on this side.
+/// A spline: immutable, reference counted, opaque. Never made or moved on this side.
 #[repr(C)]
 pub struct nurbs {
     _private: [u8; 0],
 }
 
-/// What a file held. Never made or moved on this side.
+/// Splines in an order: the parts of one, or what a file held, with names, and notes on everything that was
+/// not turned into one. Never made or moved on this side.
 #[repr(C)]
 pub struct nurbs_list {
     _private: [u8; 0],
 }
 
+/// Result of a call: 0, or one of the NURBS_ERROR_ codes.
 pub type nurbs_status = i32;
 
-/// Settings for reading, filled by `nurbs_read_options_init`.
+/// Settings for nurbs_read(); fill with nurbs_read_options_init() first. Fields are only ever appended, and
+/// struct_size is at most 4096. A file whose own unit is not known cannot be converted to another:
+/// NURBS_ERROR_OPTIONS.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct nurbs_read_options {
+    /// size of this struct as the caller knows it
     pub struct_size: i64,
+    /// wanted unit in metres (0.001: millimetres); 0 keeps the file's own
     pub unit: f64,
+    /// largest file accepted; 0 means the default, 2^30
     pub max_bytes: i64,
 }
 
+// --- Version and limits
+/// Changes when binaries built before stop working.
 pub const NURBS_VERSION_MAJOR: i32 = 1;
+/// Changes when functions, constants or options are added.
 pub const NURBS_VERSION_MINOR: i32 = 0;
+/// Changes when defects are mended.
 pub const NURBS_VERSION_PATCH: i32 = 0;
+/// major \* 10000 + minor \* 100 + patch, as returned by nurbs_version().
 pub const NURBS_VERSION: i32 = NURBS_VERSION_MAJOR * 10000 + NURBS_VERSION_MINOR * 100 + NURBS_VERSION_PATCH;
+/// Highest degree accepted on any axis.
 pub const NURBS_MAX_DEGREE: i32 = 31;
+/// Highest number of parametric axes.
 pub const NURBS_MAX_AXES: i32 = 3;
+/// Highest order of derivatives that the evaluating functions compute.
 pub const NURBS_MAX_ORDER: i32 = 255;
 
-// Statuses
+// --- Statuses
+/// success
 pub const NURBS_OK: nurbs_status = 0;
+/// a required pointer is NULL
 pub const NURBS_ERROR_NULL: nurbs_status = 1;
+/// number of axes not 1 to 3, or not one that the function is for
 pub const NURBS_ERROR_AXES: nurbs_status = 2;
+/// axis index not in \[0, axes)
 pub const NURBS_ERROR_AXIS: nurbs_status = 3;
+/// degree not in \[0, NURBS_MAX_DEGREE\]
 pub const NURBS_ERROR_DEGREE: nurbs_status = 4;
+/// a count is negative, or zero where something is needed
 pub const NURBS_ERROR_COUNT: nurbs_status = 5;
+/// fewer control points than degree + 1
 pub const NURBS_ERROR_TOO_FEW_POINTS: nurbs_status = 6;
+/// the sizes asked for do not fit in memory addresses
 pub const NURBS_ERROR_OVERFLOW: nurbs_status = 7;
+/// a stated array length is not the one required
 pub const NURBS_ERROR_SIZE: nurbs_status = 8;
+/// dimension not in \[1, 2^31 - 2\], or not one allowed here
 pub const NURBS_ERROR_DIMENSION: nurbs_status = 9;
+/// negative stride, or neither records nor components lie apart
 pub const NURBS_ERROR_STRIDE: nurbs_status = 10;
+/// an output array overlaps another array
 pub const NURBS_ERROR_OVERLAP: nurbs_status = 11;
+/// unknown flag bits, or flags that exclude each other
 pub const NURBS_ERROR_FLAGS: nurbs_status = 12;
+/// derivative order not in \[0, NURBS_MAX_ORDER\]
 pub const NURBS_ERROR_ORDER: nurbs_status = 13;
+/// a knot is NaN or infinite, or the knots' range overflows
 pub const NURBS_ERROR_KNOT_NOT_FINITE: nurbs_status = 14;
+/// a knot is smaller than the one before it
 pub const NURBS_ERROR_KNOTS_DECREASING: nurbs_status = 15;
+/// the first or last knot occurs more than degree + 1 times
 pub const NURBS_ERROR_END_MULTIPLICITY: nurbs_status = 16;
+/// an interior knot occurs, or would occur, more than degree + 1 times
 pub const NURBS_ERROR_MULTIPLICITY: nurbs_status = 17;
+/// knots\[degree\] == knots\[count\], or an empty interval
 pub const NURBS_ERROR_EMPTY_DOMAIN: nurbs_status = 18;
+/// a coordinate is NaN or infinite
 pub const NURBS_ERROR_POINT_NOT_FINITE: nurbs_status = 19;
+/// a weight is NaN or infinite
 pub const NURBS_ERROR_WEIGHT_NOT_FINITE: nurbs_status = 20;
+/// a weight is \< 0
 pub const NURBS_ERROR_WEIGHT_NEGATIVE: nurbs_status = 21;
+/// all weights that are active at some parameter are 0
 pub const NURBS_ERROR_WEIGHTS_VANISH: nurbs_status = 22;
+/// a parameter is NaN or infinite
 pub const NURBS_ERROR_PARAMETER_NOT_FINITE: nurbs_status = 23;
+/// knots of an axis flagged periodic do not repeat with the period
 pub const NURBS_ERROR_PERIODIC_KNOTS: nurbs_status = 24;
+/// points or weights of an axis flagged periodic do not wrap bit for bit
 pub const NURBS_ERROR_PERIODIC_POINTS: nurbs_status = 25;
+/// a number of repetitions is negative
 pub const NURBS_ERROR_TIMES: nurbs_status = 26;
+/// an options struct has a wrong size or a value out of range
 pub const NURBS_ERROR_OPTIONS: nurbs_status = 27;
+/// an index is outside its list
 pub const NURBS_ERROR_INDEX: nurbs_status = 28;
+/// a direction is zero, not finite, or parallel to another one
 pub const NURBS_ERROR_DIRECTION: nurbs_status = 29;
+/// a knot at an end of the domain, where it cannot be removed
 pub const NURBS_ERROR_END_KNOT: nurbs_status = 30;
+/// a value that has to be a knot of the axis is none
 pub const NURBS_ERROR_NOT_A_KNOT: nurbs_status = 31;
+/// an entry of a matrix or translation is NaN or infinite
 pub const NURBS_ERROR_MATRIX: nurbs_status = 32;
+/// the spline is rational, which the function is not for
 pub const NURBS_ERROR_RATIONAL: nurbs_status = 33;
+/// splines differ in what they have to share
 pub const NURBS_ERROR_INCOMPATIBLE: nurbs_status = 40;
+/// ends that are to be joined lie farther apart than the tolerance
 pub const NURBS_ERROR_GAP: nurbs_status = 41;
+/// a tolerance is negative or NaN
 pub const NURBS_ERROR_TOLERANCE: nurbs_status = 42;
+/// an axis that has to be periodic was not declared so
 pub const NURBS_ERROR_NOT_PERIODIC: nurbs_status = 43;
+/// no one factor makes the weights at the ends of an axis equal
 pub const NURBS_ERROR_END_WEIGHTS: nurbs_status = 44;
+/// a factor is not finite, or not positive where it has to be
 pub const NURBS_ERROR_FACTOR: nurbs_status = 45;
-pub const NURBS_ERROR_PERIODIC: nurbs_status = 48;
-pub const NURBS_ERROR_END: nurbs_status = 49;
-pub const NURBS_ERROR_BASIS: nurbs_status = 50;
-pub const NURBS_ERROR_NOT_MONOTONE: nurbs_status = 51;
+/// a knot is less smooth than the function needs
 pub const NURBS_ERROR_CONTINUITY: nurbs_status = 46;
+/// a weight of the result would not be positive
 pub const NURBS_ERROR_WEIGHT_SIGN: nurbs_status = 47;
+/// an axis is periodic, which the function is not for
+pub const NURBS_ERROR_PERIODIC: nurbs_status = 48;
+/// an end is neither NURBS_START nor NURBS_END
+pub const NURBS_ERROR_END: nurbs_status = 49;
+/// not one of the NURBS_BASIS_ constants
+pub const NURBS_ERROR_BASIS: nurbs_status = 50;
+/// a function neither increases nor decreases strictly
+pub const NURBS_ERROR_NOT_MONOTONE: nurbs_status = 51;
+/// an angle is not finite, or a sweep is 0 or more than a full turn
 pub const NURBS_ERROR_ANGLE: nurbs_status = 52;
+/// a radius or another length is not finite or out of range
 pub const NURBS_ERROR_LENGTH: nurbs_status = 53;
+/// points that must not be on a line are on one
 pub const NURBS_ERROR_COLLINEAR: nurbs_status = 54;
+/// no conic, or no arc of one in one piece, fulfils the conditions
 pub const NURBS_ERROR_CONIC: nurbs_status = 55;
+/// not one of the NURBS_ARC_ constants that are allowed here
 pub const NURBS_ERROR_FORM: nurbs_status = 56;
+/// tangents that have to agree differ by more than the tolerance
 pub const NURBS_ERROR_TANGENT: nurbs_status = 57;
+/// twists that have to agree differ by more than the tolerance
 pub const NURBS_ERROR_TWIST: nurbs_status = 58;
+/// not one of the NURBS_TWIST_ constants, or one that does not suit
 pub const NURBS_ERROR_TWIST_RULE: nurbs_status = 59;
+/// a control point has no influence at the parameter
 pub const NURBS_ERROR_INFLUENCE: nurbs_status = 60;
+/// constraints contradict each other
 pub const NURBS_ERROR_CONTRADICTION: nurbs_status = 61;
+/// not one of the NURBS_CONSTRAIN_ constants
 pub const NURBS_ERROR_CONSTRAINT: nurbs_status = 62;
+/// a point is not on the control polygon
 pub const NURBS_ERROR_OFF_POLYGON: nurbs_status = 63;
+/// a parameter or knot lies outside the domain
 pub const NURBS_ERROR_OUTSIDE_DOMAIN: nurbs_status = 100;
+/// a value of the result overflows double precision
 pub const NURBS_ERROR_NOT_REPRESENTABLE: nurbs_status = 200;
+/// knots that differ would become equal or change their order
 pub const NURBS_ERROR_KNOTS_MERGE: nurbs_status = 202;
+/// an iteration did not reach its goal
 pub const NURBS_ERROR_NOT_CONVERGED: nurbs_status = 203;
+/// an allocation failed
 pub const NURBS_ERROR_MEMORY: nurbs_status = 300;
+/// a file cannot be opened or read
 pub const NURBS_ERROR_FILE: nurbs_status = 301;
+/// a file exceeds the size limit of the options
 pub const NURBS_ERROR_TOO_LARGE: nurbs_status = 302;
+/// not a file of a known format
 pub const NURBS_ERROR_FORMAT: nurbs_status = 400;
+/// the file ends, or a section is missing, before its contents are complete
 pub const NURBS_ERROR_TRUNCATED: nurbs_status = 401;
+/// the file breaks the rules of its format
 pub const NURBS_ERROR_SYNTAX: nurbs_status = 402;
+/// an entity that this version does not read (only in notes)
 pub const NURBS_ERROR_UNSUPPORTED: nurbs_status = 403;
+/// a defect of the library; please report it
 pub const NURBS_ERROR_INTERNAL: nurbs_status = 900;
 
-// Flags of one axis, to be moved with on_axis() or on_all_axes()
+// --- Flags by axis
+/// Evaluation: at a knot take the limit from below.
 pub const NURBS_LEFT: u32 = 0x01;
+/// Evaluation: move a parameter outside the domain (infinite ones too) to the nearer end.
 pub const NURBS_CLAMP: u32 = 0x02;
+/// Evaluation: outside the domain continue the first or last polynomial piece.
 pub const NURBS_EXTRAPOLATE: u32 = 0x04;
+/// Evaluation: reduce the parameter by multiples of the domain's length; the start and the end are the same
+/// place, seen from the right unless NURBS_LEFT is set. Allowed on every axis, periodic or not.
 pub const NURBS_WRAP: u32 = 0x08;
+/// Evaluation: a parameter that cannot be evaluated gives NaN in place of an error. NURBS_CLAMP,
+/// NURBS_EXTRAPOLATE and NURBS_WRAP exclude each other; each may be combined with NURBS_NAN.
 pub const NURBS_NAN: u32 = 0x10;
+/// Creation: the axis is periodic with period knots\[count\] - knots\[degree\]: knots\[i + m\] = knots\[i\] +
+/// period to within the rounding of the largest knot, and the last `degree` layers of points and weights
+/// equal the first ones bit for bit, where m = count - degree is the number of distinct layers. Operations
+/// keep the axis periodic.
 pub const NURBS_PERIODIC: u32 = 0x01;
 
-// Global flags
+// --- Global flags
+/// nurbs_eval_adjoint(): add to what the outputs hold in place of overwriting it.
 pub const NURBS_ACCUMULATE: u32 = 0x01000000;
+/// nurbs_reverse(): map the domain to itself in place of negating the parameter.
 pub const NURBS_KEEP_DOMAIN: u32 = 0x02000000;
+/// nurbs_join(): ends that do not meet become a jump, in place of an error.
 pub const NURBS_KEEP_GAPS: u32 = 0x04000000;
+/// nurbs_product(): the dot product.
 pub const NURBS_PRODUCT_DOT: u32 = 0x08000000;
+/// nurbs_product(): the cross product in dimension 3.
 pub const NURBS_PRODUCT_CROSS: u32 = 0x10000000;
+/// nurbs_create_power(): homogeneous records (w x, w y, ..., w).
 pub const NURBS_HOMOGENEOUS: u32 = 0x20000000;
+/// nurbs_make_compatible(): map the domains of all splines to that of the first one.
 pub const NURBS_MAP_DOMAINS: u32 = 0x40000000;
-pub const NURBS_RULED_CARTESIAN: u32 = 0x80000000;
-pub const NURBS_HEMISPHERE: u32 = 0x01000000;
-pub const NURBS_TWO_SHEETS: u32 = 0x02000000;
+/// nurbs_curve_divide(): equal distances of consecutive points in place of equal lengths.
 pub const NURBS_EQUAL_CHORDS: u32 = 0x02000000;
+/// nurbs_snap_boundary(): the two boundaries run against each other.
 pub const NURBS_REVERSED: u32 = 0x04000000;
+/// nurbs_closest_points() and its neighbours: a point that is not finite gives NaN in place of an error.
 pub const NURBS_NAN_POINTS: u32 = 0x01000000;
-pub const NURBS_BASIS_POWER: i32 = 0;
-pub const NURBS_BASIS_BERNSTEIN: i32 = 1;
-pub const NURBS_BASIS_HERMITE: i32 = 2;
-pub const NURBS_BASIS_BSPLINE: i32 = 3;
-pub const NURBS_START: i32 = 0;
-pub const NURBS_END: i32 = 1;
 
-// Bits of the form of a knot vector
+// --- Form of a knot vector, as reported by nurbs_knot_form()
+/// the first degree + 1 knots are equal
 pub const NURBS_FORM_CLAMPED_START: i32 = 0x01;
+/// the last degree + 1 knots are equal
 pub const NURBS_FORM_CLAMPED_END: i32 = 0x02;
+/// the axis was declared periodic
 pub const NURBS_FORM_PERIODIC: i32 = 0x04;
 
-// Bits of the status of a point of a frame
+// --- Bases of a polynomial segment, for nurbs_basis_matrix()
+/// 1, t, t^2, ...
+pub const NURBS_BASIS_POWER: i32 = 0;
+/// the Bezier points over \[0, 1\]
+pub const NURBS_BASIS_BERNSTEIN: i32 = 1;
+/// f(0), f'(0), ..., then f(1), f'(1), ...; odd degrees
+pub const NURBS_BASIS_HERMITE: i32 = 2;
+/// control points over the knots -degree, ..., degree + 1
+pub const NURBS_BASIS_BSPLINE: i32 = 3;
+
+// --- Ends of an axis
+/// the lower end of the domain
+pub const NURBS_START: i32 = 0;
+/// the upper end of the domain
+pub const NURBS_END: i32 = 1;
+
+// --- Status of a point
+/// tangent of a curve, normal of a surface: a one-sided limit
 pub const NURBS_FRAME_LIMIT: i32 = 0x01;
+/// normal of a curve in space: a one-sided limit
 pub const NURBS_FRAME_NORMAL_LIMIT: i32 = 0x02;
+/// nothing distinguishes a direction: the function's rule chose it
 pub const NURBS_FRAME_RULE: i32 = 0x04;
+/// some result does not exist and is NaN
 pub const NURBS_FRAME_UNDEFINED: i32 = 0x08;
 
-// Forms of an arc
+// --- Forms of an arc
+/// degree 2, equal pieces of at most a quarter turn
 pub const NURBS_ARC_QUARTERS: i32 = 0;
+/// degree 2, equal pieces of at most a third of a turn
 pub const NURBS_ARC_THIRDS: i32 = 1;
+/// One polynomial piece: degree 2 up to a third of a turn, degree 5 beyond; weights are positive.
 pub const NURBS_ARC_SMOOTH: i32 = 2;
 
-// Kinds of conics
+// --- Kinds of conics
+/// shape factor below 1
 pub const NURBS_CONIC_ELLIPSE: i32 = 1;
+/// shape factor 1
 pub const NURBS_CONIC_PARABOLA: i32 = 2;
+/// shape factor above 1
 pub const NURBS_CONIC_HYPERBOLA: i32 = 3;
+/// degenerate: shape factor 0, the segment P0 P2
 pub const NURBS_CONIC_CHORD: i32 = 4;
+/// degenerate: shape factor infinite, the segments P0 P1 and P1 P2
 pub const NURBS_CONIC_LEGS: i32 = 5;
+/// degenerate: P0, P1 and P2 on a line
 pub const NURBS_CONIC_LINE: i32 = 6;
 
-// Twists of a bicubic Coons surface
+// --- Flags of constructions
+/// nurbs_ruled(): rulings of Cartesian points, divided evenly, not those of homogeneous ones.
+pub const NURBS_RULED_CARTESIAN: u32 = 0x80000000;
+/// nurbs_surface_sphere_patches(): the half towards Z.
+pub const NURBS_HEMISPHERE: u32 = 0x01000000;
+/// nurbs_surface_hyperboloid(): the hyperboloid of two sheets.
+pub const NURBS_TWO_SHEETS: u32 = 0x02000000;
+
+// --- Twists of nurbs_surface_coons_hermite()
+/// both, which must agree to the tolerance
 pub const NURBS_TWIST_COMPATIBLE: i32 = 0;
+/// their mean
 pub const NURBS_TWIST_AVERAGE: i32 = 1;
+/// the ones given
 pub const NURBS_TWIST_GIVEN: i32 = 2;
+/// zero (Ferguson's patch)
 pub const NURBS_TWIST_ZERO: i32 = 3;
+/// that of the bilinear patch of the corners
 pub const NURBS_TWIST_BILINEAR: i32 = 4;
+/// that of the bilinear Coons surface of the boundaries (Adini's twist)
 pub const NURBS_TWIST_ADINI: i32 = 5;
 
-// Shapes that are recognized
+// --- Shapes
+/// none of these, to the tolerance
 pub const NURBS_SHAPE_NONE: i32 = 0;
+/// a single point
 pub const NURBS_SHAPE_POINT: i32 = 1;
+/// a piece of a straight line
 pub const NURBS_SHAPE_LINE: i32 = 2;
+/// a circle, or an arc of one
 pub const NURBS_SHAPE_CIRCLE: i32 = 3;
+/// an ellipse, or an arc of one
 pub const NURBS_SHAPE_ELLIPSE: i32 = 4;
+/// an arc of a parabola
 pub const NURBS_SHAPE_PARABOLA: i32 = 5;
+/// an arc of one branch of a hyperbola
 pub const NURBS_SHAPE_HYPERBOLA: i32 = 6;
+/// a piece of a plane
 pub const NURBS_SHAPE_PLANE: i32 = 7;
+/// a sphere, or a piece of one
 pub const NURBS_SHAPE_SPHERE: i32 = 8;
+/// a piece of a circular cylinder
 pub const NURBS_SHAPE_CYLINDER: i32 = 9;
+/// a piece of one half of a circular cone
 pub const NURBS_SHAPE_CONE: i32 = 10;
+/// a torus, or a piece of one
 pub const NURBS_SHAPE_TORUS: i32 = 11;
 
-// Bits of the status of a closest point
+// --- Status of a closest point
+/// proven to be the nearest, or farthest, point to the tolerance
 pub const NURBS_CLOSEST_CERTIFIED: i32 = 0x01;
+/// on an end or an edge of the domain, or of range
 pub const NURBS_CLOSEST_BOUNDARY: i32 = 0x02;
+/// points elsewhere are as near to the tolerance
 pub const NURBS_CLOSEST_NOT_UNIQUE: i32 = 0x04;
+/// the budget ended before a proof was found
 pub const NURBS_CLOSEST_BUDGET: i32 = 0x08;
+/// the query point is not finite; results are NaN
 pub const NURBS_CLOSEST_INVALID: i32 = 0x10;
+/// proven, but rounding the parameters moves the point by more
 pub const NURBS_CLOSEST_COARSE: i32 = 0x20;
+/// NURBS_LEFT is meant on axis 0; 0x200 on axis 1, 0x400 on axis 2
 pub const NURBS_CLOSEST_LEFT: i32 = 0x100;
 
-// Kinds of critical points
+// --- Kind of a critical point
+/// a local minimum of the distance
 pub const NURBS_CRITICAL_MINIMUM: i32 = 1;
+/// a local maximum of the distance
 pub const NURBS_CRITICAL_MAXIMUM: i32 = 2;
+/// neither
 pub const NURBS_CRITICAL_SADDLE: i32 = 3;
+/// rounding leaves the kind open
 pub const NURBS_CRITICAL_UNDECIDED: i32 = 4;
 
-// Features of curves
+// --- Features of curves
+/// the curvature changes its sign; in space: it vanishes
 pub const NURBS_FEATURE_INFLECTION: u32 = 0x01;
+/// a local maximum of |curvature|
 pub const NURBS_FEATURE_CURVATURE_MAXIMUM: u32 = 0x02;
+/// a local minimum of |curvature|, where it is not 0
 pub const NURBS_FEATURE_CURVATURE_MINIMUM: u32 = 0x04;
+/// the first derivative vanishes
 pub const NURBS_FEATURE_CUSP: u32 = 0x08;
+/// a knot where the direction of the tangent jumps
 pub const NURBS_FEATURE_KINK: u32 = 0x10;
+/// a knot where the curve jumps
 pub const NURBS_FEATURE_JUMP: u32 = 0x20;
+/// the torsion changes its sign (dimension 3)
 pub const NURBS_FEATURE_TORSION: u32 = 0x40;
 
-// Convexity of a curve in the plane
+// --- Convexity of a curve in the plane
+/// turns both ways, or through more than a full turn, or has a cusp
 pub const NURBS_CONVEXITY_NONE: i32 = 0;
+/// turns to the left only, by at most a full turn
 pub const NURBS_CONVEXITY_LEFT: i32 = 1;
+/// turns to the right only, by at most a full turn
 pub const NURBS_CONVEXITY_RIGHT: i32 = 2;
+/// a straight line that does not turn back, to rounding
 pub const NURBS_CONVEXITY_STRAIGHT: i32 = 3;
+/// double precision does not tell
 pub const NURBS_CONVEXITY_UNDECIDED: i32 = 4;
 
-// Folds
+// --- Folds
+/// proven: there is none
 pub const NURBS_FOLD_NONE: i32 = 0;
+/// proven: there is one
 pub const NURBS_FOLD_FOUND: i32 = 1;
+/// neither
 pub const NURBS_FOLD_UNDECIDED: i32 = 2;
 
-// Kinds of constraints
+// --- Kinds of constraints
+/// the derivative of the given orders is the target; orders 0: the point
 pub const NURBS_CONSTRAIN_VALUE: i32 = 0;
+/// the derivative is parallel to the target, either way
 pub const NURBS_CONSTRAIN_DIRECTION: i32 = 1;
+/// all first derivatives are perpendicular to the target
 pub const NURBS_CONSTRAIN_NORMAL: i32 = 2;
+/// the curvature vector (C'' - (C'' T) T) / |C'|^2 of a curve is the target
 pub const NURBS_CONSTRAIN_CURVATURE: i32 = 3;
 
 #[link(name = "nurbs")]
 extern "C" {
+    // --- Version and errors
+    /// Version of the library that is running, encoded like NURBS_VERSION.
     pub fn nurbs_version() -> i32;
+    /// Name of a status, such as "NURBS_ERROR_NULL".
     pub fn nurbs_status_name(status: nurbs_status) -> *const c_char;
+    /// Copies the message of the last failed call in the calling thread, such as "params\[17\] = 1.2 outside
+    /// \[0, 1\]".
+    ///
+    /// May be null: `buf`.
     pub fn nurbs_last_error(buf: *mut c_char, cap: i64) -> i64;
+    // --- Construction
+    /// A spline from full knot vectors, Cartesian points and optional weights.
+    ///
+    /// May be null: `weights`.
     pub fn nurbs_create(
         axes: i32,
         degrees: *const i32,
@@ -245,6 +442,7 @@ extern "C" {
         flags: u32,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
+    /// A rational spline from homogeneous points (w x, w y, ..., w).
     pub fn nurbs_create_homogeneous(
         axes: i32,
         degrees: *const i32,
@@ -258,6 +456,9 @@ extern "C" {
         flags: u32,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
+    /// A spline from knot vectors without their first and last knot, as openNURBS, Rhino and Maya write them.
+    ///
+    /// May be null: `weights`.
     pub fn nurbs_create_short(
         axes: i32,
         degrees: *const i32,
@@ -273,6 +474,9 @@ extern "C" {
         flags: u32,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
+    /// A spline from distinct knots with multiplicities, as STEP and Open CASCADE write them.
+    ///
+    /// May be null: `weights`.
     pub fn nurbs_create_multiplicities(
         axes: i32,
         degrees: *const i32,
@@ -289,6 +493,10 @@ extern "C" {
         flags: u32,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
+    /// A Bezier curve, patch or volume over \[0, 1\] on every axis: degrees\[k\] + 1 points along axis k, no
+    /// knots.
+    ///
+    /// May be null: `weights`.
     pub fn nurbs_create_bezier(
         axes: i32,
         degrees: *const i32,
@@ -300,6 +508,10 @@ extern "C" {
         weight_stride: i64,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
+    /// The same degrees, knots, dimension and periodicity with other points; knots and their tables are
+    /// shared, not copied.
+    ///
+    /// May be null: `weights`.
     pub fn nurbs_with_points(
         g: *const nurbs,
         points: *const f64,
@@ -309,8 +521,14 @@ extern "C" {
         weight_stride: i64,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
+    /// Another handle on the same spline, in constant time.
     pub fn nurbs_clone(g: *const nurbs, out: *mut *mut nurbs) -> nurbs_status;
+    /// Frees a handle.
+    ///
+    /// May be null: `g`.
     pub fn nurbs_destroy(g: *mut nurbs);
+    // --- Knot vectors
+    /// Uniform unclamped knots: t_i = a + (i - p) h with h = (b - a) / (count - p); domain \[a, b\].
     pub fn nurbs_knots_uniform(
         degree: i32,
         count: i64,
@@ -319,6 +537,7 @@ extern "C" {
         knot_count: i64,
         knots: *mut f64,
     ) -> nurbs_status;
+    /// Open uniform (quasi-uniform, clamped) knots: a and b degree + 1 times, the others evenly between.
     pub fn nurbs_knots_open_uniform(
         degree: i32,
         count: i64,
@@ -327,6 +546,9 @@ extern "C" {
         knot_count: i64,
         knots: *mut f64,
     ) -> nurbs_status;
+    /// Piecewise Bezier knots: the ends degree + 1 times, each inner break degree times (degree 0: once).
+    ///
+    /// May be null: `breaks`.
     pub fn nurbs_knots_bezier(
         degree: i32,
         pieces: i64,
@@ -334,6 +556,8 @@ extern "C" {
         knot_count: i64,
         knots: *mut f64,
     ) -> nurbs_status;
+    /// Clamped knots averaged from parameters, for interpolation: t_(j+p) = (s_j + ... + s_(j+p-1)) / p, j =
+    /// 1, ..., count - p - 1; the ends are s_0 and s_(count-1).
     pub fn nurbs_knots_averaged(
         degree: i32,
         count: i64,
@@ -341,6 +565,10 @@ extern "C" {
         knot_count: i64,
         knots: *mut f64,
     ) -> nurbs_status;
+    /// Periodic knots from the breaks of one period: the given knots with their multiplicities, continued
+    /// with the period on both sides.
+    ///
+    /// May be null: `multiplicities`.
     pub fn nurbs_knots_periodic(
         degree: i32,
         n: i64,
@@ -349,13 +577,24 @@ extern "C" {
         knot_count: i64,
         knots: *mut f64,
     ) -> nurbs_status;
+    // --- Inspection
+    /// Number of parametric axes: 1 curve, 2 surface, 3 volume.
     pub fn nurbs_axes(g: *const nurbs, axes: *mut i32) -> nurbs_status;
+    /// Dimension of the (Cartesian) points.
     pub fn nurbs_dimension(g: *const nurbs, dim: *mut i32) -> nurbs_status;
+    /// Degree along an axis.
     pub fn nurbs_degree(g: *const nurbs, axis: i32, degree: *mut i32) -> nurbs_status;
+    /// Number of control points along an axis.
     pub fn nurbs_count(g: *const nurbs, axis: i32, count: *mut i64) -> nurbs_status;
+    /// Number N of control points of all axes together: the product of the counts.
     pub fn nurbs_point_count(g: *const nurbs, count: *mut i64) -> nurbs_status;
+    /// Whether the spline carries weights, equal ones included.
     pub fn nurbs_is_rational(g: *const nurbs, rational: *mut i32) -> nurbs_status;
+    /// The full knot vector of an axis.
     pub fn nurbs_knots(g: *const nurbs, axis: i32, knot_count: i64, knots: *mut f64) -> nurbs_status;
+    /// The distinct knots of an axis and how often each occurs; those outside the domain are included.
+    ///
+    /// May be null: `knots`, `multiplicities`.
     pub fn nurbs_distinct_knots(
         g: *const nurbs,
         axis: i32,
@@ -364,9 +603,14 @@ extern "C" {
         multiplicities: *mut i32,
         count: *mut i64,
     ) -> nurbs_status;
+    /// Form of the knot vector of an axis: clamped at the start, at the end, declared periodic; 0 is plainly
+    /// unclamped.
     pub fn nurbs_knot_form(g: *const nurbs, axis: i32, form: *mut i32) -> nurbs_status;
+    /// Domain of an axis: \[knots\[degree\], knots\[count\]\].
     pub fn nurbs_domain(g: *const nurbs, axis: i32, domain: *mut f64) -> nurbs_status;
+    /// Greville abscissae of an axis: x_i = (t_(i+1) + ... + t_(i+p)) / p; for degree 0 (t_i + t_(i+1)) / 2.
     pub fn nurbs_greville(g: *const nurbs, axis: i32, count: i64, abscissae: *mut f64) -> nurbs_status;
+    /// The Cartesian control points.
     pub fn nurbs_points(
         g: *const nurbs,
         count: i64,
@@ -374,7 +618,9 @@ extern "C" {
         point_stride: i64,
         point_component_stride: i64,
     ) -> nurbs_status;
+    /// The weights; all 1 for a polynomial spline.
     pub fn nurbs_weights(g: *const nurbs, count: i64, weights: *mut f64, weight_stride: i64) -> nurbs_status;
+    /// The homogeneous control points (w x, w y, ..., w); w = 1 for a polynomial spline.
     pub fn nurbs_homogeneous_points(
         g: *const nurbs,
         count: i64,
@@ -382,6 +628,8 @@ extern "C" {
         point_stride: i64,
         point_component_stride: i64,
     ) -> nurbs_status;
+    /// Local hull size: the largest |coordinate| among the active control points of positive weight at each
+    /// parameter, the `hull` of the accuracy contract.
     pub fn nurbs_hull_size(
         g: *const nurbs,
         n: i64,
@@ -392,6 +640,9 @@ extern "C" {
         size_stride: i64,
         flags: u32,
     ) -> nurbs_status;
+    // --- Bases
+    /// Span of each parameter: the index s with knots\[s\] \<= t \< knots\[s+1\] (the last span is closed),
+    /// degree \<= s \< count, never an empty span.
     pub fn nurbs_find_spans(
         degree: i32,
         count: i64,
@@ -403,6 +654,8 @@ extern "C" {
         spans: *mut i64,
         flags: u32,
     ) -> nurbs_status;
+    /// Bernstein polynomials B_(j,p)(t) = binomial(p, j) t^j (1 - t)^(p - j), j = 0, ..., p, and their
+    /// derivatives.
     pub fn nurbs_bernstein(
         degree: i32,
         order: i32,
@@ -413,6 +666,10 @@ extern "C" {
         value_stride: i64,
         value_component_stride: i64,
     ) -> nurbs_status;
+    /// B-spline basis functions that do not vanish at each parameter, and their derivatives (Cox-de Boor
+    /// recurrence).
+    ///
+    /// May be null: `spans`.
     pub fn nurbs_basis(
         degree: i32,
         count: i64,
@@ -428,6 +685,10 @@ extern "C" {
         value_component_stride: i64,
         flags: u32,
     ) -> nurbs_status;
+    /// Rational basis functions R_i(t) = w_i N_i(t) / w(t) of the active control points; N_i for a polynomial
+    /// spline.
+    ///
+    /// May be null: `spans`.
     pub fn nurbs_rational_basis(
         g: *const nurbs,
         n: i64,
@@ -440,6 +701,8 @@ extern "C" {
         value_component_stride: i64,
         flags: u32,
     ) -> nurbs_status;
+    // --- Evaluation
+    /// Points at parameters.
     pub fn nurbs_eval(
         g: *const nurbs,
         n: i64,
@@ -451,7 +714,11 @@ extern "C" {
         point_component_stride: i64,
         flags: u32,
     ) -> nurbs_status;
+    /// Number of derivative slots S = binomial(order + axes, axes), the partial derivatives of orders 0 to
+    /// `order`.
     pub fn nurbs_derivative_slots(axes: i32, order: i32, slots: *mut i64) -> nurbs_status;
+    /// Points and all partial derivatives up to an order, by the quotient rule when rational (Piegl & Tiller
+    /// A4.2, A4.4).
     pub fn nurbs_eval_derivs(
         g: *const nurbs,
         order: i32,
@@ -464,6 +731,7 @@ extern "C" {
         deriv_component_stride: i64,
         flags: u32,
     ) -> nurbs_status;
+    /// Points on the grid of all combinations of one parameter from each axis.
     pub fn nurbs_eval_grid(
         g: *const nurbs,
         counts: *const i64,
@@ -473,6 +741,7 @@ extern "C" {
         point_component_stride: i64,
         flags: u32,
     ) -> nurbs_status;
+    /// Points and partial derivatives on a grid.
     pub fn nurbs_eval_grid_derivs(
         g: *const nurbs,
         order: i32,
@@ -483,6 +752,8 @@ extern "C" {
         deriv_component_stride: i64,
         flags: u32,
     ) -> nurbs_status;
+    /// Points at parameters in single precision: the results of nurbs_eval(), each rounded once to the
+    /// nearest float.
     pub fn nurbs_eval_f32(
         g: *const nurbs,
         n: i64,
@@ -494,6 +765,8 @@ extern "C" {
         point_component_stride: i64,
         flags: u32,
     ) -> nurbs_status;
+    /// Points on a grid in single precision: the results of nurbs_eval_grid(), each rounded once to the
+    /// nearest float.
     pub fn nurbs_eval_grid_f32(
         g: *const nurbs,
         counts: *const i64,
@@ -503,6 +776,7 @@ extern "C" {
         point_component_stride: i64,
         flags: u32,
     ) -> nurbs_status;
+    /// The iso-curve of a surface, or iso-surface of a volume, on which the parameter of one axis is fixed.
     pub fn nurbs_iso(
         g: *const nurbs,
         axis: i32,
@@ -510,6 +784,10 @@ extern "C" {
         flags: u32,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
+    // --- Frames and curvature
+    /// Points, first derivatives and unit normals of a surface in space.
+    ///
+    /// May be null: `points`, `du`, `dv`, `normals`, `status`.
     pub fn nurbs_surface_eval_frames(
         g: *const nurbs,
         n: i64,
@@ -531,6 +809,9 @@ extern "C" {
         status: *mut i32,
         flags: u32,
     ) -> nurbs_status;
+    /// The same on the grid of all combinations of a parameter of each axis.
+    ///
+    /// May be null: `points`, `du`, `dv`, `normals`, `status`.
     pub fn nurbs_surface_eval_grid_frames(
         g: *const nurbs,
         counts: *const i64,
@@ -550,6 +831,9 @@ extern "C" {
         status: *mut i32,
         flags: u32,
     ) -> nurbs_status;
+    /// Principal curvatures and directions of a surface in space, mean and Gaussian curvature.
+    ///
+    /// May be null: `principal`, `directions`, `mean`, `gaussian`, `status`.
     pub fn nurbs_surface_eval_curvatures(
         g: *const nurbs,
         n: i64,
@@ -569,6 +853,9 @@ extern "C" {
         status: *mut i32,
         flags: u32,
     ) -> nurbs_status;
+    /// Frenet frames of a curve in the plane or in space.
+    ///
+    /// May be null: `points`, `tangents`, `normals`, `binormals`, `curvatures`, `torsions`, `status`.
     pub fn nurbs_curve_eval_frames(
         g: *const nurbs,
         n: i64,
@@ -593,6 +880,10 @@ extern "C" {
         status: *mut i32,
         flags: u32,
     ) -> nurbs_status;
+    /// Rotation-minimizing frames along a sequence of points of a curve in space, by double reflection (Wang,
+    /// Juttler, Zheng & Liu 2008): frames that turn about the tangent as little as possible.
+    ///
+    /// May be null: `first_normal`, `points`, `tangents`, `normals`, `binormals`, `status`.
     pub fn nurbs_curve_rotation_minimizing_frames(
         g: *const nurbs,
         n: i64,
@@ -614,6 +905,8 @@ extern "C" {
         status: *mut i32,
         flags: u32,
     ) -> nurbs_status;
+    // --- Refinement
+    /// Inserts a knot without changing the shape (Boehm 1980).
     pub fn nurbs_insert_knot(
         g: *const nurbs,
         axis: i32,
@@ -621,59 +914,7 @@ extern "C" {
         times: i32,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
-    pub fn nurbs_elevate(g: *const nurbs, axis: i32, times: i32, out: *mut *mut nurbs) -> nurbs_status;
-    pub fn nurbs_reverse(g: *const nurbs, axis: i32, flags: u32, out: *mut *mut nurbs) -> nurbs_status;
-    pub fn nurbs_transpose(g: *const nurbs, permutation: *const i32, out: *mut *mut nurbs) -> nurbs_status;
-    pub fn nurbs_reparametrize(
-        g: *const nurbs,
-        axis: i32,
-        lower: f64,
-        upper: f64,
-        out: *mut *mut nurbs,
-    ) -> nurbs_status;
-    pub fn nurbs_make_rational(g: *const nurbs, out: *mut *mut nurbs) -> nurbs_status;
-    pub fn nurbs_to_homogeneous(g: *const nurbs, out: *mut *mut nurbs) -> nurbs_status;
-    pub fn nurbs_from_homogeneous(g: *const nurbs, out: *mut *mut nurbs) -> nurbs_status;
-    pub fn nurbs_normalize_weights(g: *const nurbs, out: *mut *mut nurbs) -> nurbs_status;
-    pub fn nurbs_reparametrize_moebius(
-        g: *const nurbs,
-        axis: i32,
-        ratio: f64,
-        out: *mut *mut nurbs,
-    ) -> nurbs_status;
-    pub fn nurbs_equalize_end_weights(g: *const nurbs, axis: i32, out: *mut *mut nurbs) -> nurbs_status;
-    pub fn nurbs_blossom(
-        g: *const nurbs,
-        params: *const f64,
-        count: i64,
-        args: *const f64,
-        values: *mut f64,
-        flags: u32,
-    ) -> nurbs_status;
-    pub fn nurbs_derivative(g: *const nurbs, axis: i32, order: i32, out: *mut *mut nurbs) -> nurbs_status;
-    pub fn nurbs_antiderivative(g: *const nurbs, axis: i32, out: *mut *mut nurbs) -> nurbs_status;
-    pub fn nurbs_product(a: *const nurbs, b: *const nurbs, flags: u32, out: *mut *mut nurbs) -> nurbs_status;
-    pub fn nurbs_compose(g: *const nurbs, f: *const nurbs, out: *mut *mut nurbs) -> nurbs_status;
-    pub fn nurbs_sum(
-        a: *const nurbs,
-        alpha: f64,
-        b: *const nurbs,
-        beta: f64,
-        out: *mut *mut nurbs,
-    ) -> nurbs_status;
-    pub fn nurbs_transform(
-        g: *const nurbs,
-        out_dim: i32,
-        matrix: *const f64,
-        translation: *const f64,
-        out: *mut *mut nurbs,
-    ) -> nurbs_status;
-    pub fn nurbs_transform_projective(
-        g: *const nurbs,
-        out_dim: i32,
-        matrix: *const f64,
-        out: *mut *mut nurbs,
-    ) -> nurbs_status;
+    /// Inserts a list of knots at once without changing the shape.
     pub fn nurbs_refine(
         g: *const nurbs,
         axis: i32,
@@ -681,8 +922,14 @@ extern "C" {
         knots: *const f64,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
+    /// Divides every non-empty span of the domain into equal parts by knots: a + (b - a) i / parts, 0 \< i \<
+    /// parts, in the span \[a, b\].
     pub fn nurbs_refine_uniform(g: *const nurbs, axis: i32, parts: i64, out: *mut *mut nurbs)
         -> nurbs_status;
+    /// The matrix A of nurbs_refine() along one axis, as compressed sparse rows (CSR): new layer i is sum_j
+    /// A\[i\]\[j\] \* old layer j, with homogeneous points when rational.
+    ///
+    /// May be null: `values`, `columns`, `row_pointers`, `entries`.
     pub fn nurbs_refinement_matrix(
         g: *const nurbs,
         axis: i32,
@@ -694,6 +941,7 @@ extern "C" {
         row_pointers: *mut i64,
         entries: *mut i64,
     ) -> nurbs_status;
+    /// Splits a spline at a parameter of an axis, for a single Bezier piece by de Casteljau's subdivision.
     pub fn nurbs_split(
         g: *const nurbs,
         axis: i32,
@@ -701,21 +949,45 @@ extern "C" {
         lower: *mut *mut nurbs,
         upper: *mut *mut nurbs,
     ) -> nurbs_status;
+    /// The part of a curve, surface or volume over a box in the domain.
     pub fn nurbs_extract(
         g: *const nurbs,
         lower: *const f64,
         upper: *const f64,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
+    /// Decomposes a spline into its polynomial (rational) pieces, as Bezier splines over their own domains:
+    /// each has degree + 1 layers along each axis.
     pub fn nurbs_decompose(g: *const nurbs, out: *mut *mut nurbs_list) -> nurbs_status;
+    /// Splits a spline at all knots inside the domain of an axis where its order of continuity, degree -
+    /// multiplicity, is less than a given one: 0 at jumps, 1 also at kinks (where it is only continuous),
+    /// `degree` at every knot.
     pub fn nurbs_split_at_knots(
         g: *const nurbs,
         axis: i32,
         order: i32,
         out: *mut *mut nurbs_list,
     ) -> nurbs_status;
+    /// Clamps ends of an axis: knots are inserted until the end of the domain occurs degree + 1 times, and
+    /// what lies outside the domain is dropped.
     pub fn nurbs_clamp_ends(g: *const nurbs, axis: i32, flags: u32, out: *mut *mut nurbs) -> nurbs_status;
+    /// Moves the seam of a periodic axis: the same shape, periodic again, over \[param, param + period\].
     pub fn nurbs_move_seam(g: *const nurbs, axis: i32, param: f64, out: *mut *mut nurbs) -> nurbs_status;
+    /// Joins splines end to end along an axis.
+    ///
+    /// May be null: `gap`.
+    pub fn nurbs_join(
+        count: i64,
+        parts: *const *const nurbs,
+        axis: i32,
+        tolerance: f64,
+        flags: u32,
+        gap: *mut f64,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    /// Makes near-equal knots of an axis equal; control points stay.
+    ///
+    /// May be null: `deviation`.
     pub fn nurbs_snap_knots(
         g: *const nurbs,
         axis: i32,
@@ -723,6 +995,11 @@ extern "C" {
         deviation: *mut f64,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
+    /// Brings splines to one degree and one knot vector on every axis, without changing their shapes unless a
+    /// tolerance allows it, and all to weights if one of them is rational (and to homogeneous points if one
+    /// was built so).
+    ///
+    /// May be null: `deviation`.
     pub fn nurbs_make_compatible(
         count: i64,
         splines: *const *const nurbs,
@@ -731,6 +1008,103 @@ extern "C" {
         deviation: *mut f64,
         out: *mut *mut nurbs_list,
     ) -> nurbs_status;
+    /// Extends a spline beyond an end of an axis by a length of the parameter.
+    pub fn nurbs_extend(
+        g: *const nurbs,
+        axis: i32,
+        end: i32,
+        amount: f64,
+        order: i32,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    /// Unclamps ends of an axis: the end of the domain becomes a single knot, and the knots beyond it repeat
+    /// those of the domain with its length as the period, so that even spans go on evenly.
+    pub fn nurbs_unclamp(g: *const nurbs, axis: i32, flags: u32, out: *mut *mut nurbs) -> nurbs_status;
+    /// Makes a closed spline periodic along an axis, over the same domain.
+    ///
+    /// May be null: `deviation`, `order`.
+    pub fn nurbs_make_periodic(
+        g: *const nurbs,
+        axis: i32,
+        tolerance: f64,
+        deviation: *mut f64,
+        order: *mut i32,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    /// Whether an axis is periodic in fact: its knots repeat as NURBS_PERIODIC asks, and so do its points and
+    /// weights, bit for bit.
+    pub fn nurbs_detect_periodic(g: *const nurbs, axis: i32, periodic: *mut i32) -> nurbs_status;
+    // --- Degree and form
+    /// Raises the degree along an axis without changing the shape (Prautzsch 1984).
+    pub fn nurbs_elevate(g: *const nurbs, axis: i32, times: i32, out: *mut *mut nurbs) -> nurbs_status;
+    /// Turns an axis round: the result at -t is g at t, exactly.
+    pub fn nurbs_reverse(g: *const nurbs, axis: i32, flags: u32, out: *mut *mut nurbs) -> nurbs_status;
+    /// Puts the axes in another order: axis k of the result is axis permutation\[k\] of g.
+    pub fn nurbs_transpose(g: *const nurbs, permutation: *const i32, out: *mut *mut nurbs) -> nurbs_status;
+    /// Moves the domain \[a, b\] of an axis to \[lower, upper\] by the affine map t -\> lower + (t - a)
+    /// (upper - lower) / (b - a).
+    pub fn nurbs_reparametrize(
+        g: *const nurbs,
+        axis: i32,
+        lower: f64,
+        upper: f64,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    /// The same spline with weights: a polynomial one gets weights of 1; any other is returned as it is.
+    pub fn nurbs_make_rational(g: *const nurbs, out: *mut *mut nurbs) -> nurbs_status;
+    /// The homogeneous points (w x, w y, ..., w) of a spline as the points of a polynomial spline of
+    /// dimension dim + 1; the weights of a polynomial g are 1.
+    pub fn nurbs_to_homogeneous(g: *const nurbs, out: *mut *mut nurbs) -> nurbs_status;
+    /// The rational spline of dimension dim - 1 whose homogeneous points are the points of a polynomial
+    /// spline, as of nurbs_create_homogeneous(): the last coordinate becomes the weight.
+    pub fn nurbs_from_homogeneous(g: *const nurbs, out: *mut *mut nurbs) -> nurbs_status;
+    /// Divides all weights by the one of largest magnitude, which becomes 1; if all are equal they are
+    /// dropped, and the result is polynomial.
+    pub fn nurbs_normalize_weights(g: *const nurbs, out: *mut *mut nurbs) -> nurbs_status;
+    /// Changes the parameter of an axis by a rational linear map of its domain \[a, b\] to itself, which
+    /// keeps the shape and changes the weights (Lee & Lucian 1991; Piegl & Tiller 6.4).
+    pub fn nurbs_reparametrize_moebius(
+        g: *const nurbs,
+        axis: i32,
+        ratio: f64,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    /// nurbs_reparametrize_moebius() with the ratio w(a) / w(b), so that the weights at both ends of the
+    /// domain of an axis are the same to (4 p + 8) eps.
+    pub fn nurbs_equalize_end_weights(g: *const nurbs, axis: i32, out: *mut *mut nurbs) -> nurbs_status;
+    // --- Calculus
+    /// Values of the polar form (blossom) of a polynomial piece (Ramshaw 1989): the symmetric function of p
+    /// arguments, affine in each of them, that at p equal arguments is the spline.
+    pub fn nurbs_blossom(
+        g: *const nurbs,
+        params: *const f64,
+        count: i64,
+        args: *const f64,
+        values: *mut f64,
+        flags: u32,
+    ) -> nurbs_status;
+    /// The partial derivative of a spline along an axis, as a spline (hodograph).
+    pub fn nurbs_derivative(g: *const nurbs, axis: i32, order: i32, out: *mut *mut nurbs) -> nurbs_status;
+    /// The integral of a polynomial spline along an axis from the lower end a of its domain.
+    pub fn nurbs_antiderivative(g: *const nurbs, axis: i32, out: *mut *mut nurbs) -> nurbs_status;
+    /// The pointwise product of two splines over the same domain on every axis: component by component, where
+    /// one of them may have dimension 1 and multiplies all components of the other; or the dot or cross
+    /// product.
+    pub fn nurbs_product(a: *const nurbs, b: *const nurbs, flags: u32, out: *mut *mut nurbs) -> nurbs_status;
+    /// The curve g(f(t)): a curve g over another parameter, or the curve in space that a curve f in the
+    /// parameter space of a surface or volume g traces on it.
+    pub fn nurbs_compose(g: *const nurbs, f: *const nurbs, out: *mut *mut nurbs) -> nurbs_status;
+    /// The linear combination alpha a(t) + beta b(t) of two splines over the same domain on every axis.
+    pub fn nurbs_sum(
+        a: *const nurbs,
+        alpha: f64,
+        b: *const nurbs,
+        beta: f64,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    /// The C^1 piecewise cubic curve through points with given derivatives, as a spline with double knots:
+    /// its control points are the Bezier points P_i - h_(i-1) T_i / 3 and P_i + h_i T_i / 3 beside each
+    /// point, and the two ends, each within 2 eps of the sum of its terms.
     pub fn nurbs_create_hermite(
         n: i64,
         params: *const f64,
@@ -743,6 +1117,10 @@ extern "C" {
         tangent_component_stride: i64,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
+    /// The points and derivatives of a C^1 piecewise cubic at the ends of its non-empty spans, from which
+    /// nurbs_create_hermite() makes the same curve: clamped, with double knots.
+    ///
+    /// May be null: `params`, `points`, `tangents`, `count`.
     pub fn nurbs_to_hermite(
         g: *const nurbs,
         cap: i64,
@@ -751,6 +1129,10 @@ extern "C" {
         tangents: *mut f64,
         count: *mut i64,
     ) -> nurbs_status;
+    /// The power basis of every polynomial piece of a spline: on the piece over the span \[a, b\] of each
+    /// axis.
+    ///
+    /// May be null: `coefficients`, `breaks`, `piece_counts`, `count`.
     pub fn nurbs_to_power(
         g: *const nurbs,
         cap: i64,
@@ -759,6 +1141,7 @@ extern "C" {
         piece_counts: *mut i64,
         count: *mut i64,
     ) -> nurbs_status;
+    /// A spline from the power basis of its pieces, as nurbs_to_power() gives it.
     pub fn nurbs_create_power(
         axes: i32,
         degrees: *const i32,
@@ -772,45 +1155,16 @@ extern "C" {
         flags: u32,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
+    /// The matrix that takes the coefficients of a polynomial over \[0, 1\] in one basis to those in another:
+    /// coefficient i of `to` is sum_j M_ij \* coefficient j of `from`.
     pub fn nurbs_basis_matrix(from: i32, to: i32, degree: i32, size: i64, matrix: *mut f64) -> nurbs_status;
-    pub fn nurbs_mirror(
-        g: *const nurbs,
-        point: *const f64,
-        normal: *const f64,
-        out: *mut *mut nurbs,
-    ) -> nurbs_status;
-    pub fn nurbs_project_to_plane(
-        g: *const nurbs,
-        point: *const f64,
-        normal: *const f64,
-        direction: *const f64,
-        out: *mut *mut nurbs,
-    ) -> nurbs_status;
-    pub fn nurbs_project_from(
-        g: *const nurbs,
-        eye: *const f64,
-        point: *const f64,
-        normal: *const f64,
-        out: *mut *mut nurbs,
-    ) -> nurbs_status;
-    pub fn nurbs_extend(
-        g: *const nurbs,
-        axis: i32,
-        end: i32,
-        amount: f64,
-        order: i32,
-        out: *mut *mut nurbs,
-    ) -> nurbs_status;
-    pub fn nurbs_unclamp(g: *const nurbs, axis: i32, flags: u32, out: *mut *mut nurbs) -> nurbs_status;
-    pub fn nurbs_make_periodic(
-        g: *const nurbs,
-        axis: i32,
-        tolerance: f64,
-        deviation: *mut f64,
-        order: *mut i32,
-        out: *mut *mut nurbs,
-    ) -> nurbs_status;
-    pub fn nurbs_detect_periodic(g: *const nurbs, axis: i32, periodic: *mut i32) -> nurbs_status;
+    // --- Continuity
+    /// Continuity at the knots of an axis: one row for each distinct knot inside the domain, and one more,
+    /// named by the upper end of the domain, for the seam of an axis that is periodic or whose ends meet
+    /// within position_tolerance.
+    ///
+    /// May be null: `knots`, `knot_orders`, `orders`, `geometric_orders`, `position_gaps`, `angles`,
+    /// `curvature_gaps`, `count`.
     pub fn nurbs_continuity(
         g: *const nurbs,
         axis: i32,
@@ -827,6 +1181,10 @@ extern "C" {
         curvature_gaps: *mut f64,
         count: *mut i64,
     ) -> nurbs_status;
+    /// Continuity of two curves at one end of each, on the way along a to its end and from the end of b along
+    /// b: a parameter that runs the other way changes its sign.
+    ///
+    /// May be null: `order`, `geometric`, `position_gap`, `angle`, `curvature_gap`.
     pub fn nurbs_continuity_between(
         a: *const nurbs,
         end_a: i32,
@@ -841,21 +1199,20 @@ extern "C" {
         angle: *mut f64,
         curvature_gap: *mut f64,
     ) -> nurbs_status;
-    pub fn nurbs_join(
-        count: i64,
-        parts: *const *const nurbs,
-        axis: i32,
-        tolerance: f64,
-        flags: u32,
-        gap: *mut f64,
-        out: *mut *mut nurbs,
-    ) -> nurbs_status;
+    // --- Reduction
+    /// Encloses the largest distance sup |f(t) - g(t)| of two splines over their domain, both limits at jumps
+    /// included.
+    ///
+    /// May be null: `at_least`, `at_most`.
     pub fn nurbs_deviation(
         f: *const nurbs,
         g: *const nurbs,
         at_least: *mut f64,
         at_most: *mut f64,
     ) -> nurbs_status;
+    /// Removes copies of a knot as long as the shape moves by at most a tolerance (Tiller 1992).
+    ///
+    /// May be null: `removed`, `bound`.
     pub fn nurbs_remove_knot(
         g: *const nurbs,
         axis: i32,
@@ -866,6 +1223,10 @@ extern "C" {
         bound: *mut f64,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
+    /// Removes as many knots inside the domain as a tolerance allows (Lyche & Morken 1988; Piegl & Tiller
+    /// A9.8): always the one whose removal moves the shape least, with the moves added up span by span.
+    ///
+    /// May be null: `bound`.
     pub fn nurbs_reduce_knots(
         g: *const nurbs,
         axis: i32,
@@ -873,6 +1234,9 @@ extern "C" {
         bound: *mut f64,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
+    /// Lowers the degree along an axis.
+    ///
+    /// May be null: `bound`.
     pub fn nurbs_reduce_degree(
         g: *const nurbs,
         axis: i32,
@@ -880,9 +1244,69 @@ extern "C" {
         bound: *mut f64,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
-    pub fn nurbs_simplify(g: *const nurbs, tolerance: f64, bound: *mut f64, out: *mut *mut nurbs)
-        -> nurbs_status;
+    /// The simplest spline within a tolerance: weights are dropped if they may be, the degree of each axis is
+    /// lowered by nurbs_reduce_degree() as long as that stays within and leaves no more control points (but
+    /// not below 1, where steps would begin), and knots are removed by nurbs_reduce_knots().
+    ///
+    /// May be null: `bound`.
+    pub fn nurbs_simplify(
+        g: *const nurbs,
+        tolerance: f64,
+        bound: *mut f64,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    // --- Transformations
+    /// Applies the affine map x -\> A x + b to the control points, and with them to the shape.
+    ///
+    /// May be null: `translation`.
+    pub fn nurbs_transform(
+        g: *const nurbs,
+        out_dim: i32,
+        matrix: *const f64,
+        translation: *const f64,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    /// Applies a projective map to the homogeneous control points h = (w x, w y, ..., w).
+    pub fn nurbs_transform_projective(
+        g: *const nurbs,
+        out_dim: i32,
+        matrix: *const f64,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    /// The mirror image in the plane (in 2D the line, in general the hyperplane) through a point: x -\> x - 2
+    /// n (n . (x - point)) / (n . n).
+    pub fn nurbs_mirror(
+        g: *const nurbs,
+        point: *const f64,
+        normal: *const f64,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    /// Projects a spline to the plane (line, hyperplane) through a point, along a direction: x -\> x - d (n .
+    /// (x - point)) / (n . d).
+    ///
+    /// May be null: `direction`.
+    pub fn nurbs_project_to_plane(
+        g: *const nurbs,
+        point: *const f64,
+        normal: *const f64,
+        direction: *const f64,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    /// Projects a spline from an eye to the plane (line, hyperplane) through a point, in perspective: x -\>
+    /// eye + (x - eye) (n . (point - eye)) / (n . (x - eye)).
+    pub fn nurbs_project_from(
+        g: *const nurbs,
+        eye: *const f64,
+        point: *const f64,
+        normal: *const f64,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    // --- Lines, conics and helices
+    /// The segment (1 - t) a + t b, of degree 1.
     pub fn nurbs_curve_line(dim: i32, a: *const f64, b: *const f64, out: *mut *mut nurbs) -> nurbs_status;
+    /// The polyline through n points, of degree 1, with one knot for each point.
+    ///
+    /// May be null: `params`.
     pub fn nurbs_curve_polyline(
         n: i64,
         dim: i32,
@@ -893,6 +1317,9 @@ extern "C" {
         param_stride: i64,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
+    /// A closed regular polygon, of degree 1, counterclockwise about the axis.
+    ///
+    /// May be null: `center`, `axis`, `x`.
     pub fn nurbs_curve_polygon(
         dim: i32,
         center: *const f64,
@@ -902,6 +1329,10 @@ extern "C" {
         sides: i64,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
+    /// A closed rectangle with sides along X and Y whose corners are rounded by quarter circles, of degree 2,
+    /// counterclockwise about the axis, beginning at the start of its lower side.
+    ///
+    /// May be null: `center`, `axis`, `x`.
     pub fn nurbs_curve_rounded_rectangle(
         dim: i32,
         center: *const f64,
@@ -912,6 +1343,10 @@ extern "C" {
         corner_radius: f64,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
+    /// The full circle, from the direction X counterclockwise about the axis: nurbs_curve_arc() over a full
+    /// turn.
+    ///
+    /// May be null: `center`, `axis`, `x`.
     pub fn nurbs_curve_circle(
         dim: i32,
         center: *const f64,
@@ -921,6 +1356,9 @@ extern "C" {
         form: i32,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
+    /// A circular arc: center + radius (X cos a + Y sin a), a from start to start + sweep.
+    ///
+    /// May be null: `center`, `axis`, `x`.
     pub fn nurbs_curve_arc(
         dim: i32,
         center: *const f64,
@@ -932,6 +1370,7 @@ extern "C" {
         form: i32,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
+    /// The circular arc from a through b to c.
     pub fn nurbs_curve_arc_through(
         dim: i32,
         a: *const f64,
@@ -940,6 +1379,7 @@ extern "C" {
         form: i32,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
+    /// The circular arc that leaves a in the direction of a tangent and ends at b.
     pub fn nurbs_curve_arc_tangent(
         dim: i32,
         a: *const f64,
@@ -948,6 +1388,10 @@ extern "C" {
         form: i32,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
+    /// An elliptic arc: center + radius_x X cos a + radius_y Y sin a, a from start to start + sweep; a is the
+    /// eccentric angle, not that of the point seen from the centre.
+    ///
+    /// May be null: `center`, `axis`, `x`.
     pub fn nurbs_curve_ellipse(
         dim: i32,
         center: *const f64,
@@ -960,6 +1404,10 @@ extern "C" {
         form: i32,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
+    /// A parabolic arc, polynomial of degree 2 over \[start, end\]: vertex + t^2 / (4 focal_length) X + t Y,
+    /// so that the parameter is the coordinate along Y.
+    ///
+    /// May be null: `vertex`, `axis`, `x`.
     pub fn nurbs_curve_parabola(
         dim: i32,
         vertex: *const f64,
@@ -970,6 +1418,10 @@ extern "C" {
         end: f64,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
+    /// An arc of the branch of a hyperbola that opens to X: center + radius_x X cosh u + radius_y Y sinh u, u
+    /// from start to end.
+    ///
+    /// May be null: `center`, `axis`, `x`.
     pub fn nurbs_curve_hyperbola(
         dim: i32,
         center: *const f64,
@@ -981,6 +1433,8 @@ extern "C" {
         end: f64,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
+    /// The conic with a control triangle and a shape factor C_sf = w1^2 / (w0 w2): degree 2, the weights 1,
+    /// sqrt(C_sf), 1.
     pub fn nurbs_curve_conic_triangle(
         dim: i32,
         p0: *const f64,
@@ -989,6 +1443,9 @@ extern "C" {
         shape_factor: f64,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
+    /// The conic arc that leaves a in one direction and arrives at b in another one, and whose shoulder point
+    /// is at the part rho of the way from the middle of the chord to the point where the tangents meet: an
+    /// ellipse where rho \< 1/2, a parabola where rho = 1/2, a hyperbola where rho \> 1/2.
     pub fn nurbs_curve_conic_shoulder(
         dim: i32,
         a: *const f64,
@@ -998,6 +1455,9 @@ extern "C" {
         rho: f64,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
+    /// The conic arc from a to b with given tangent lines at both ends that passes through a third point;
+    /// degree 2, in pieces of which none turns by more than the form allows in the affine picture in which it
+    /// is a circle.
     pub fn nurbs_curve_conic_point(
         dim: i32,
         a: *const f64,
@@ -1008,6 +1468,8 @@ extern "C" {
         form: i32,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
+    /// The conic arc through five points, from the first to the last in this order; tangents at its ends by
+    /// Pascal's theorem, pieces as for nurbs_curve_conic_point().
     pub fn nurbs_curve_conic_through(
         dim: i32,
         points: *const f64,
@@ -1016,6 +1478,7 @@ extern "C" {
         form: i32,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
+    /// Kind and axes of the conic A x^2 + B x y + C y^2 + D x + E y + F = 0, from its principal axes.
     pub fn nurbs_conic_axes(
         coefficients: *const f64,
         r#type: *mut i32,
@@ -1023,6 +1486,9 @@ extern "C" {
         x: *mut f64,
         sizes: *mut f64,
     ) -> nurbs_status;
+    /// An arc of the conic with an implicit equation, as described by nurbs_conic_axes(): of an ellipse as
+    /// nurbs_curve_ellipse() with start and sweep = end - start, of a parabola and a hyperbola (the branch
+    /// towards x) as nurbs_curve_parabola() and nurbs_curve_hyperbola() from start to end.
     pub fn nurbs_curve_conic_implicit(
         coefficients: *const f64,
         start: f64,
@@ -1030,6 +1496,12 @@ extern "C" {
         form: i32,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
+    /// An arc of the conic with a focus, a directrix and an eccentricity e: the points whose distance from
+    /// the focus is e times that from the directrix, at angles about the focus from start to start + sweep,
+    /// counted from the foot of the perpendicular to the directrix; r(a) = e d / (1 + e cos a) where d =
+    /// |foot - focus|.
+    ///
+    /// May be null: `axis`.
     pub fn nurbs_curve_conic_focus(
         dim: i32,
         focus: *const f64,
@@ -1041,7 +1513,12 @@ extern "C" {
         form: i32,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
+    /// Shape factor C_sf = w1^2 / (w0 w2) and kind of a conic segment: a curve of degree 2 with one
+    /// polynomial piece.
     pub fn nurbs_curve_shape_factor(g: *const nurbs, factor: *mut f64, r#type: *mut i32) -> nurbs_status;
+    /// A circular helix or Archimedean spiral to a tolerance.
+    ///
+    /// May be null: `origin`, `axis`, `x`, `error`.
     pub fn nurbs_curve_helix(
         dim: i32,
         origin: *const f64,
@@ -1056,7 +1533,13 @@ extern "C" {
         error: *mut f64,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
+    // --- Surfaces and volumes from curves
+    /// Moves a curve or surface along a vector: (u, v) -\> g(u) + v vector, the new axis last, of degree 1
+    /// over \[0, 1\].
     pub fn nurbs_extrude(g: *const nurbs, vector: *const f64, out: *mut *mut nurbs) -> nurbs_status;
+    /// Turns a curve or surface in space about an axis, the angle as a new axis 0 over \[0, 1\].
+    ///
+    /// May be null: `point`, `axis`.
     pub fn nurbs_revolve(
         g: *const nurbs,
         point: *const f64,
@@ -1065,7 +1548,10 @@ extern "C" {
         form: i32,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
+    /// The surface of straight lines between curves, or the volume between surfaces, with a new last axis v
+    /// over \[0, 1\].
     pub fn nurbs_ruled(a: *const nurbs, b: *const nurbs, flags: u32, out: *mut *mut nurbs) -> nurbs_status;
+    /// The translational sweep alpha a(u) + beta b(v), the axes of b behind those of a.
     pub fn nurbs_tensor_sum(
         a: *const nurbs,
         alpha: f64,
@@ -1073,13 +1559,20 @@ extern "C" {
         beta: f64,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
+    /// The product a(u) b(v), component by component, the axes of b behind those of a; one of them may have
+    /// dimension 1 and multiplies all components of the other.
     pub fn nurbs_tensor_product(a: *const nurbs, b: *const nurbs, out: *mut *mut nurbs) -> nurbs_status;
+    /// A swung surface: (u, v) -\> (scale r(v) x(u), scale r(v) y(u), z(v)) for the trajectory (x, y) and the
+    /// profile (r, z).
     pub fn nurbs_surface_swung(
         trajectory: *const nurbs,
         profile: *const nurbs,
         scale: f64,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
+    /// The parallelogram origin + s u + t v, of degree 1 on both axes.
+    ///
+    /// May be null: `origin`.
     pub fn nurbs_surface_plane(
         dim: i32,
         origin: *const f64,
@@ -1087,6 +1580,7 @@ extern "C" {
         v: *const f64,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
+    /// The bilinear patch over four corners, of degree 1 on both axes.
     pub fn nurbs_surface_bilinear(
         dim: i32,
         corners: *const f64,
@@ -1094,6 +1588,7 @@ extern "C" {
         corner_component_stride: i64,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
+    /// The trilinear volume over eight corners, of degree 1 on all axes.
     pub fn nurbs_volume_trilinear(
         dim: i32,
         corners: *const f64,
@@ -1101,6 +1596,10 @@ extern "C" {
         corner_component_stride: i64,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
+    /// The whole sphere by longitude (axis 0) and latitude (axis 1, from the pole -Z to the pole Z); its
+    /// poles are collapsed edges, its seam closes bit for bit.
+    ///
+    /// May be null: `center`, `axis`, `x`.
     pub fn nurbs_surface_sphere(
         center: *const f64,
         axis: *const f64,
@@ -1109,6 +1608,9 @@ extern "C" {
         form: i32,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
+    /// A patch of a sphere between two meridians and two circles of latitude.
+    ///
+    /// May be null: `center`, `axis`, `x`.
     pub fn nurbs_surface_spherical_patch(
         center: *const f64,
         axis: *const f64,
@@ -1121,6 +1623,10 @@ extern "C" {
         form: i32,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
+    /// The sphere without poles: six patches of degree 4 x 4 over the faces of a cube, each bounded by arcs
+    /// of great circles, without a singular point (after Cobb 1988).
+    ///
+    /// May be null: `center`, `axis`, `x`.
     pub fn nurbs_surface_sphere_patches(
         center: *const f64,
         axis: *const f64,
@@ -1129,6 +1635,9 @@ extern "C" {
         flags: u32,
         out: *mut *mut nurbs_list,
     ) -> nurbs_status;
+    /// The whole ellipsoid with semi-axes along X, Y and Z, parametrized as nurbs_surface_sphere().
+    ///
+    /// May be null: `center`, `axis`, `x`.
     pub fn nurbs_surface_ellipsoid(
         center: *const f64,
         axis: *const f64,
@@ -1139,6 +1648,9 @@ extern "C" {
         form: i32,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
+    /// A circular cylinder: origin + radius (X cos a + Y sin a) + v height Z.
+    ///
+    /// May be null: `origin`, `axis`, `x`.
     pub fn nurbs_surface_cylinder(
         origin: *const f64,
         axis: *const f64,
@@ -1150,6 +1662,10 @@ extern "C" {
         form: i32,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
+    /// A circular cone or its frustum, parametrized as nurbs_surface_cylinder(), with a radius that changes
+    /// from base_radius at the origin to top_radius at origin + height Z.
+    ///
+    /// May be null: `origin`, `axis`, `x`.
     pub fn nurbs_surface_cone(
         origin: *const f64,
         axis: *const f64,
@@ -1162,6 +1678,9 @@ extern "C" {
         form: i32,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
+    /// A torus: (R + r cos b) (X cos a + Y sin a) + r sin b Z about the centre.
+    ///
+    /// May be null: `center`, `axis`, `x`.
     pub fn nurbs_surface_torus(
         center: *const f64,
         axis: *const f64,
@@ -1175,6 +1694,10 @@ extern "C" {
         form: i32,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
+    /// A bowl of the elliptic paraboloid Z = height ((X / radius_x)^2 + (Y / radius_y)^2), from the vertex, a
+    /// collapsed edge, at v = 0 to the rim at v = 1, Z = height v^2.
+    ///
+    /// May be null: `vertex`, `axis`, `x`.
     pub fn nurbs_surface_paraboloid(
         vertex: *const f64,
         axis: *const f64,
@@ -1187,6 +1710,11 @@ extern "C" {
         form: i32,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
+    /// A saddle of the hyperbolic paraboloid Z = height ((X / radius_x)^2 - (Y / radius_y)^2) over the
+    /// rectangle |X| \<= radius_x, |Y| \<= radius_y: polynomial, of degree 2 on both axes, X along axis 0 and
+    /// Y along axis 1.
+    ///
+    /// May be null: `center`, `axis`, `x`.
     pub fn nurbs_surface_saddle(
         center: *const f64,
         axis: *const f64,
@@ -1196,6 +1724,12 @@ extern "C" {
         height: f64,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
+    /// A band of the hyperboloid (X / radius_x)^2 + (Y / radius_y)^2 - (Z / radius_z)^2 = 1 between two
+    /// planes Z = bottom and Z = top; or with NURBS_TWO_SHEETS of the sheets (Z / radius_z)^2 - (X /
+    /// radius_x)^2 - (Y / radius_y)^2 = 1, both planes being on one sheet: radius_z \<= bottom or top \<=
+    /// -radius_z.
+    ///
+    /// May be null: `center`, `axis`, `x`.
     pub fn nurbs_surface_hyperboloid(
         center: *const f64,
         axis: *const f64,
@@ -1211,12 +1745,19 @@ extern "C" {
         flags: u32,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
+    // --- Surfaces and volumes from their boundaries
+    /// The boundaries of a surface or volume, in the order above, each bit for bit what nurbs_iso() gives;
+    /// named "0-", "0+", "1-", "1+", and so on.
     pub fn nurbs_boundaries(g: *const nurbs, out: *mut *mut nurbs_list) -> nurbs_status;
+    /// The bilinearly blended Coons surface of four curves (Coons 1967): with u and v mapped to \[0, 1\].
     pub fn nurbs_surface_coons(
         boundaries: *const *const nurbs,
         tolerance: f64,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
+    /// The bicubically blended Coons surface of four curves and the derivatives across them.
+    ///
+    /// May be null: `cross`, `twists`, `bound`.
     pub fn nurbs_surface_coons_hermite(
         boundaries: *const *const nurbs,
         cross: *const *const nurbs,
@@ -1226,6 +1767,10 @@ extern "C" {
         bound: *mut f64,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
+    /// What does not meet at the corners of a surface to be: corners in the order (u0, v0), (u0, v1), (u1,
+    /// v0), (u1, v1).
+    ///
+    /// May be null: `cross`, `tangents`, `twists`.
     pub fn nurbs_coons_gaps(
         boundaries: *const *const nurbs,
         cross: *const *const nurbs,
@@ -1233,11 +1778,19 @@ extern "C" {
         tangents: *mut f64,
         twists: *mut f64,
     ) -> nurbs_status;
+    /// The volume that blends six faces linearly (Gordon & Hall 1973): the sum of the blends of opposite
+    /// faces, less those of the twelve edges, plus that of the eight corners.
     pub fn nurbs_volume_coons(
         faces: *const *const nurbs,
         tolerance: f64,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
+    // --- Recognition
+    /// Whether a curve is a line, circle or conic, or a surface a plane, sphere, cylinder, cone or torus: of
+    /// a curve the first of point, line, circle, parabola, ellipse and hyperbola, of a surface the first of
+    /// plane, sphere, cylinder, cone and torus, from which no point of g is farther than the tolerance.
+    ///
+    /// May be null: `placement`, `sizes`, `deviation`.
     pub fn nurbs_recognize(
         g: *const nurbs,
         tolerance: f64,
@@ -1246,6 +1799,11 @@ extern "C" {
         sizes: *mut f64,
         deviation: *mut f64,
     ) -> nurbs_status;
+    // --- Distances and closest points
+    /// The points of a spline that are nearest to given points: parameters, points and distances, each with
+    /// its status.
+    ///
+    /// May be null: `range`, `params`, `feet`, `distances`, `status`.
     pub fn nurbs_closest_points(
         g: *const nurbs,
         n: i64,
@@ -1266,6 +1824,9 @@ extern "C" {
         status: *mut i32,
         flags: u32,
     ) -> nurbs_status;
+    /// The points of a spline that are farthest from given points; otherwise as nurbs_closest_points().
+    ///
+    /// May be null: `range`, `params`, `feet`, `distances`, `status`.
     pub fn nurbs_farthest_points(
         g: *const nurbs,
         n: i64,
@@ -1286,6 +1847,10 @@ extern "C" {
         status: *mut i32,
         flags: u32,
     ) -> nurbs_status;
+    /// Local minima of the distance to given points, each the one that a descent from a guess comes to:
+    /// Newton's method with a trust region, box-constrained to the domain, across knots.
+    ///
+    /// May be null: `params`, `feet`, `distances`, `status`.
     pub fn nurbs_closest_local(
         g: *const nurbs,
         n: i64,
@@ -1306,6 +1871,10 @@ extern "C" {
         status: *mut i32,
         flags: u32,
     ) -> nurbs_status;
+    /// All points of a spline whose distance to a point exceeds the smallest one by at most a tolerance and
+    /// that are local minima of it.
+    ///
+    /// May be null: `range`, `params`, `distances`, `count`, `status`.
     pub fn nurbs_closest_all(
         g: *const nurbs,
         point: *const f64,
@@ -1318,6 +1887,10 @@ extern "C" {
         count: *mut i64,
         status: *mut i32,
     ) -> nurbs_status;
+    /// All critical points of the distance from a point: where x - C is perpendicular to the tangents of g,
+    /// and at ends and kinks of a curve, where the distance has a minimum or maximum.
+    ///
+    /// May be null: `range`, `params`, `distances`, `kinds`, `count`, `status`.
     pub fn nurbs_critical_points(
         g: *const nurbs,
         point: *const f64,
@@ -1331,6 +1904,10 @@ extern "C" {
         count: *mut i64,
         status: *mut i32,
     ) -> nurbs_status;
+    /// Signed distances of points in the plane from a curve: positive to the left of its direction, so inside
+    /// a closed curve that runs counterclockwise without crossing itself.
+    ///
+    /// May be null: `params`, `status`.
     pub fn nurbs_curve_signed_distances(
         g: *const nurbs,
         n: i64,
@@ -1346,6 +1923,11 @@ extern "C" {
         status: *mut i32,
         flags: u32,
     ) -> nurbs_status;
+    /// The smallest distance between two splines, of any number of axes each, enclosed: at_least \<= distance
+    /// of the nearest points \<= at_most, which is the distance of the two points returned; they differ by at
+    /// most the tolerance and rounding unless the budget ends.
+    ///
+    /// May be null: `at_least`, `at_most`, `params_a`, `params_b`, `status`.
     pub fn nurbs_distance(
         a: *const nurbs,
         b: *const nurbs,
@@ -1357,6 +1939,11 @@ extern "C" {
         params_b: *mut f64,
         status: *mut i32,
     ) -> nurbs_status;
+    /// The Hausdorff distances of two splines as sets of points, whatever their parameters: how far the point
+    /// of a that is farthest from b is from it, and the other way round; the larger of the two is the
+    /// symmetric distance.
+    ///
+    /// May be null: `params_a`, `params_b`, `status`.
     pub fn nurbs_hausdorff_distance(
         a: *const nurbs,
         b: *const nurbs,
@@ -1368,6 +1955,10 @@ extern "C" {
         params_b: *mut f64,
         status: *mut i32,
     ) -> nurbs_status;
+    // --- Lengths, areas and moments
+    /// Length of a curve or of a part of it.
+    ///
+    /// May be null: `range`, `error`.
     pub fn nurbs_curve_length(
         g: *const nurbs,
         range: *const f64,
@@ -1375,6 +1966,7 @@ extern "C" {
         length: *mut f64,
         error: *mut f64,
     ) -> nurbs_status;
+    /// Lengths from the start of the domain to given parameters.
     pub fn nurbs_curve_lengths(
         g: *const nurbs,
         n: i64,
@@ -1384,6 +1976,7 @@ extern "C" {
         lengths: *mut f64,
         length_stride: i64,
     ) -> nurbs_status;
+    /// Parameters at given lengths from the start of the domain.
     pub fn nurbs_curve_params_at_lengths(
         g: *const nurbs,
         n: i64,
@@ -1394,6 +1987,9 @@ extern "C" {
         param_stride: i64,
         flags: u32,
     ) -> nurbs_status;
+    /// Divides a curve into parts of equal length, or so that consecutive points have equal distances.
+    ///
+    /// May be null: `range`, `size`.
     pub fn nurbs_curve_divide(
         g: *const nurbs,
         range: *const f64,
@@ -1403,6 +1999,9 @@ extern "C" {
         params: *mut f64,
         size: *mut f64,
     ) -> nurbs_status;
+    /// Area of a surface, in any dimension.
+    ///
+    /// May be null: `range`, `error`.
     pub fn nurbs_surface_area(
         g: *const nurbs,
         range: *const f64,
@@ -1410,6 +2009,10 @@ extern "C" {
         area: *mut f64,
         error: *mut f64,
     ) -> nurbs_status;
+    /// Content, centroid and inertia of a spline itself: of a curve as a wire, of a surface as a sheet, of a
+    /// volume as a body (the integral of |det J|, J its derivatives).
+    ///
+    /// May be null: `centroid`, `inertia`, `error`.
     pub fn nurbs_moments(
         g: *const nurbs,
         relative_tolerance: f64,
@@ -1418,6 +2021,10 @@ extern "C" {
         inertia: *mut f64,
         error: *mut f64,
     ) -> nurbs_status;
+    /// Area, centroid and inertia of the region of the plane that closed chains of curves enclose, by Green's
+    /// theorem: 1/2 integral of x dy - y dx.
+    ///
+    /// May be null: `centroid`, `inertia`, `error`.
     pub fn nurbs_enclosed_area(
         count: i64,
         curves: *const *const nurbs,
@@ -1428,6 +2035,10 @@ extern "C" {
         inertia: *mut f64,
         error: *mut f64,
     ) -> nurbs_status;
+    /// Volume, centroid and inertia of the body that surfaces enclose, by the divergence theorem: 1/3
+    /// integral of S . (S_u x S_v).
+    ///
+    /// May be null: `centroid`, `inertia`, `openness`, `error`.
     pub fn nurbs_enclosed_volume(
         count: i64,
         surfaces: *const *const nurbs,
@@ -1438,6 +2049,11 @@ extern "C" {
         openness: *mut f64,
         error: *mut f64,
     ) -> nurbs_status;
+    // --- Boxes and cones
+    /// An axis-aligned box that contains a spline, and all points that evaluation gives of it (but for
+    /// homogeneous ones, whose rounding has no such bound).
+    ///
+    /// May be null: `range`, `gap`.
     pub fn nurbs_box(
         g: *const nurbs,
         range: *const f64,
@@ -1446,6 +2062,8 @@ extern "C" {
         upper: *mut f64,
         gap: *mut f64,
     ) -> nurbs_status;
+    /// A box with axes of its own that contains a spline: { center + sum_k x_k axes\[k\], |x_k| \<= half\[k\]
+    /// }.
     pub fn nurbs_oriented_box(
         g: *const nurbs,
         tolerance: f64,
@@ -1453,6 +2071,10 @@ extern "C" {
         axes: *mut f64,
         half: *mut f64,
     ) -> nurbs_status;
+    /// A cone that contains the directions of all derivatives along an axis, and so those at kinks; zero
+    /// vectors have none.
+    ///
+    /// May be null: `range`.
     pub fn nurbs_tangent_cone(
         g: *const nurbs,
         axis: i32,
@@ -1461,6 +2083,9 @@ extern "C" {
         direction: *mut f64,
         angle: *mut f64,
     ) -> nurbs_status;
+    /// A cone that contains the directions of all normals S_u x S_v of a surface in space.
+    ///
+    /// May be null: `range`.
     pub fn nurbs_normal_cone(
         g: *const nurbs,
         range: *const f64,
@@ -1468,6 +2093,9 @@ extern "C" {
         direction: *mut f64,
         angle: *mut f64,
     ) -> nurbs_status;
+    /// The point of a spline that is farthest in a direction: the largest value of direction . C(t).
+    ///
+    /// May be null: `range`, `params`, `value`, `bound`.
     pub fn nurbs_extreme_point(
         g: *const nurbs,
         direction: *const f64,
@@ -1477,6 +2105,10 @@ extern "C" {
         value: *mut f64,
         bound: *mut f64,
     ) -> nurbs_status;
+    // --- Features of a shape
+    /// Inflections, extrema of curvature, cusps, kinks, jumps and changes of torsion along a curve.
+    ///
+    /// May be null: `params`, `found`, `values`, `count`, `complete`.
     pub fn nurbs_curve_features(
         g: *const nurbs,
         kinds: u32,
@@ -1487,6 +2119,10 @@ extern "C" {
         count: *mut i64,
         complete: *mut i32,
     ) -> nurbs_status;
+    /// The pieces of a curve on which it runs one way along a direction: direction . C(t) rises, falls or, to
+    /// rounding, stays on whole Bezier pieces.
+    ///
+    /// May be null: `starts`, `signs`, `count`, `complete`.
     pub fn nurbs_curve_monotone_pieces(
         g: *const nurbs,
         direction: *const f64,
@@ -1496,19 +2132,31 @@ extern "C" {
         count: *mut i64,
         complete: *mut i32,
     ) -> nurbs_status;
+    /// Whether a curve in the plane is convex: turns one way only and by at most a full turn, kinks included,
+    /// to rounding: pieces count as straight, and places as not turning, where double precision does not
+    /// tell.
     pub fn nurbs_curve_convexity(g: *const nurbs, convexity: *mut i32) -> nurbs_status;
+    /// How far a spline is from a straight line: a line near the best one, and a proven bound.
+    ///
+    /// May be null: `origin`, `direction`.
     pub fn nurbs_straightness(
         g: *const nurbs,
         origin: *mut f64,
         direction: *mut f64,
         bound: *mut f64,
     ) -> nurbs_status;
+    /// How far a spline in space is from a plane: a plane near the best one, and a proven bound.
+    ///
+    /// May be null: `origin`, `normal`.
     pub fn nurbs_planarity(
         g: *const nurbs,
         origin: *mut f64,
         normal: *mut f64,
         bound: *mut f64,
     ) -> nurbs_status;
+    /// Which axes of a spline close and which of its boundaries collapse, with proven bounds.
+    ///
+    /// May be null: `closed`, `gaps`, `collapsed`, `sizes`.
     pub fn nurbs_boundary_contacts(
         g: *const nurbs,
         tolerance: f64,
@@ -1517,6 +2165,10 @@ extern "C" {
         collapsed: *mut i32,
         sizes: *mut f64,
     ) -> nurbs_status;
+    /// Places where a curve or surface is singular: C' = 0, or S_u x S_v = 0 (the two first derivatives are
+    /// parallel, or one of them vanishes).
+    ///
+    /// May be null: `params`, `boxes`, `count`, `complete`.
     pub fn nurbs_singular_points(
         g: *const nurbs,
         tolerance: f64,
@@ -1526,6 +2178,11 @@ extern "C" {
         count: *mut i64,
         complete: *mut i32,
     ) -> nurbs_status;
+    /// Whether a surface or volume folds over: whether the sign of J changes, J being the determinant of the
+    /// first derivatives of a surface in the plane or a volume in space, of a surface in space (S_u x S_v) .
+    /// reference.
+    ///
+    /// May be null: `reference`, `positive`, `negative`.
     pub fn nurbs_fold_test(
         g: *const nurbs,
         reference: *const f64,
@@ -1533,6 +2190,11 @@ extern "C" {
         positive: *mut f64,
         negative: *mut f64,
     ) -> nurbs_status;
+    // --- Weights and control points
+    /// Changes a weight so that the point at a parameter moves by a distance towards the control point, or
+    /// away from it if the distance is negative.
+    ///
+    /// May be null: `weight`.
     pub fn nurbs_pull_weight(
         g: *const nurbs,
         index: i64,
@@ -1541,6 +2203,11 @@ extern "C" {
         weight: *mut f64,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
+    /// Multiplies several weights by one factor so that the point at a parameter moves by a distance towards
+    /// (or away from) their common centre Q = sum R_i P_i / sum R_i: the formula of nurbs_pull_weight() with
+    /// Q and sum R_i.
+    ///
+    /// May be null: `factor`.
     pub fn nurbs_pull_weights(
         g: *const nurbs,
         count: i64,
@@ -1550,6 +2217,7 @@ extern "C" {
         factor: *mut f64,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
+    /// Sets weights; control points stay, and a polynomial spline becomes rational.
     pub fn nurbs_set_weights(
         g: *const nurbs,
         count: i64,
@@ -1557,6 +2225,9 @@ extern "C" {
         weights: *const f64,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
+    /// The points at a parameter for the weights 0, 1 and the present one of a control point.
+    ///
+    /// May be null: `at_zero`, `at_one`, `at_weight`.
     pub fn nurbs_weight_points(
         g: *const nurbs,
         index: i64,
@@ -1565,6 +2236,8 @@ extern "C" {
         at_one: *mut f64,
         at_weight: *mut f64,
     ) -> nurbs_status;
+    /// The weight as the cross ratio of four points on a line: w = (P n / n m) / (P p / p m), signed lengths,
+    /// where m, n, p are the points of nurbs_weight_points().
     pub fn nurbs_weight_cross_ratio(
         dim: i32,
         control_point: *const f64,
@@ -1573,6 +2246,10 @@ extern "C" {
         at_weight: *const f64,
         weight: *mut f64,
     ) -> nurbs_status;
+    /// Sets the weight of a control point so that the point at a parameter becomes a given one, on the line
+    /// through P_i and the point at weight 0, by the cross ratio.
+    ///
+    /// May be null: `weight`.
     pub fn nurbs_weight_through(
         g: *const nurbs,
         index: i64,
@@ -1582,6 +2259,9 @@ extern "C" {
         weight: *mut f64,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
+    /// Moves a control point so that the point at a parameter moves by a distance along a direction.
+    ///
+    /// May be null: `moved`.
     pub fn nurbs_pull_point(
         g: *const nurbs,
         index: i64,
@@ -1591,6 +2271,9 @@ extern "C" {
         moved: *mut f64,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
+    /// The control point with the largest |R_i(t)|, the first of several.
+    ///
+    /// May be null: `indices`, `influences`.
     pub fn nurbs_most_influential(
         g: *const nurbs,
         n: i64,
@@ -1600,6 +2283,10 @@ extern "C" {
         indices: *mut i64,
         influences: *mut f64,
     ) -> nurbs_status;
+    /// Inverse knot insertion: inserts the knot that makes a point of a leg of the control polygon a control
+    /// point.
+    ///
+    /// May be null: `knot`.
     pub fn nurbs_insert_on_leg(
         g: *const nurbs,
         axis: i32,
@@ -1608,6 +2295,10 @@ extern "C" {
         knot: *mut f64,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
+    /// Inverse knot insertion at a point of the control polygon: the leg along the axis that is nearest to
+    /// the point is taken, and the knot inserted as by nurbs_insert_on_leg().
+    ///
+    /// May be null: `index`, `ratio`, `knot`.
     pub fn nurbs_insert_at_point(
         g: *const nurbs,
         axis: i32,
@@ -1618,6 +2309,11 @@ extern "C" {
         knot: *mut f64,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
+    // --- Constraints
+    /// The smallest change of control points, and if wanted of weights, that makes a shape meet constraints.
+    ///
+    /// May be null: `kinds`, `orders`, `keep`, `costs`, `weight_costs`, `residuals`, `rank`, `moved`,
+    /// `optimality`.
     pub fn nurbs_constrain(
         g: *const nurbs,
         count: i64,
@@ -1635,6 +2331,12 @@ extern "C" {
         optimality: *mut f64,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
+    // --- Deformations
+    /// Raises a region along a direction: adds distance \* b(t) \* direction / |direction|, where b is 1 in
+    /// the middle of the range, 0 at its ends with the first `order` derivatives, and rises and falls once
+    /// along each axis: a product of B-splines of degree order + 1 over even knots, added exactly.
+    ///
+    /// May be null: `range`.
     pub fn nurbs_warp(
         g: *const nurbs,
         range: *const f64,
@@ -1643,6 +2345,11 @@ extern "C" {
         order: i32,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
+    /// Flattens a region to a plane (in the plane: to a line): control points of the region are projected
+    /// onto it along a direction; those inside it only, so that the shape joins what is outside as smoothly
+    /// as the degree allows.
+    ///
+    /// May be null: `range`, `direction`, `moved`.
     pub fn nurbs_flatten(
         g: *const nurbs,
         range: *const f64,
@@ -1652,6 +2359,9 @@ extern "C" {
         moved: *mut f64,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
+    /// Bends a shape about an axis (Barr 1984).
+    ///
+    /// May be null: `deviation`, `proven`.
     pub fn nurbs_bend(
         g: *const nurbs,
         origin: *const f64,
@@ -1665,6 +2375,10 @@ extern "C" {
         proven: *mut i32,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
+    /// Free-form deformation (Sederberg & Parry 1986): maps a shape by a volume, C -\> V(A C), where A maps
+    /// the box from lower to upper to the domain of V.
+    ///
+    /// May be null: `deviation`, `proven`.
     pub fn nurbs_free_form_deform(
         g: *const nurbs,
         volume: *const nurbs,
@@ -1675,6 +2389,12 @@ extern "C" {
         proven: *mut i32,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
+    /// Fairs a shape: among the splines with the same knots and weights that are at most a tolerance away,
+    /// and of them those that move control points least for their energy, the one with the least energy, the
+    /// integral of the squared derivatives of an order, summed over the axes (of homogeneous coordinates
+    /// about the centre when rational).
+    ///
+    /// May be null: `keep`, `energies`, `bound`.
     pub fn nurbs_fair(
         g: *const nurbs,
         order: i32,
@@ -1684,6 +2404,10 @@ extern "C" {
         bound: *mut f64,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
+    /// Moves a boundary of a spline onto one of another: a curve's end onto an end, a surface's edge onto an
+    /// edge.
+    ///
+    /// May be null: `bound`.
     pub fn nurbs_snap_boundary(
         g: *const nurbs,
         axis: i32,
@@ -1696,6 +2420,11 @@ extern "C" {
         bound: *mut f64,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
+    // --- Derivatives with respect to data
+    /// Collocation matrix of B-spline basis functions, or of one of their partial derivatives, as compressed
+    /// sparse rows (CSR), the arrays that SciPy and Eigen take.
+    ///
+    /// May be null: `orders`, `values`, `columns`, `row_pointers`, `entries`.
     pub fn nurbs_collocation(
         axes: i32,
         degrees: *const i32,
@@ -1714,6 +2443,10 @@ extern "C" {
         entries: *mut i64,
         flags: u32,
     ) -> nurbs_status;
+    /// Collocation matrix of the rational basis functions R_j = w_j N_j / w(t) of a spline, or of one of
+    /// their partial derivatives; of N_j for a polynomial spline.
+    ///
+    /// May be null: `orders`, `values`, `columns`, `row_pointers`, `entries`.
     pub fn nurbs_rational_collocation(
         g: *const nurbs,
         orders: *const i32,
@@ -1728,6 +2461,9 @@ extern "C" {
         entries: *mut i64,
         flags: u32,
     ) -> nurbs_status;
+    /// Bezier extraction operators of the non-empty spans of an axis (Borden, Scott, Evans & Hughes 2011).
+    ///
+    /// May be null: `operators`, `firsts`, `domains`.
     pub fn nurbs_bezier_extraction(
         g: *const nurbs,
         axis: i32,
@@ -1737,6 +2473,10 @@ extern "C" {
         domains: *mut f64,
         count: *mut i64,
     ) -> nurbs_status;
+    /// Gradients of a function L of points and derivatives with respect to the control points, the weights
+    /// and the parameters: the transpose of nurbs_eval_derivs(), or of nurbs_eval() with order 0.
+    ///
+    /// May be null: `grad_points`, `grad_weights`, `grad_params`.
     pub fn nurbs_eval_adjoint(
         g: *const nurbs,
         order: i32,
@@ -1757,20 +2497,34 @@ extern "C" {
         grad_param_component_stride: i64,
         flags: u32,
     ) -> nurbs_status;
+    // --- Reading files
+    /// Fills an options struct with the defaults.
     pub fn nurbs_read_options_init(options: *mut nurbs_read_options, struct_size: i64) -> nurbs_status;
+    /// Reads the curves and surfaces of an IGES 5.x file (fixed-length ASCII form).
+    ///
+    /// May be null: `options`.
     pub fn nurbs_read(
         bytes: *const c_void,
         size: i64,
         options: *const nurbs_read_options,
         out: *mut *mut nurbs_list,
     ) -> nurbs_status;
+    /// Reads a file by its path; see nurbs_read().
+    ///
+    /// May be null: `options`.
     pub fn nurbs_read_file(
         path: *const c_char,
         options: *const nurbs_read_options,
         out: *mut *mut nurbs_list,
     ) -> nurbs_status;
+    /// Number of splines in a list.
     pub fn nurbs_list_count(list: *const nurbs_list, count: *mut i64) -> nurbs_status;
+    /// A new handle on spline `index`; it outlives the list.
     pub fn nurbs_list_get(list: *const nurbs_list, index: i64, out: *mut *mut nurbs) -> nurbs_status;
+    /// Name of spline `index`: that of the file (name property, else label and subscript), else "type#line"
+    /// such as "126#17".
+    ///
+    /// May be null: `buf`, `length`.
     pub fn nurbs_list_name(
         list: *const nurbs_list,
         index: i64,
@@ -1778,7 +2532,11 @@ extern "C" {
         cap: i64,
         length: *mut i64,
     ) -> nurbs_status;
+    /// Number of notes: entities of the file that did not become a spline.
     pub fn nurbs_list_note_count(list: *const nurbs_list, count: *mut i64) -> nurbs_status;
+    /// A note: which entity, where, and why it did not become a spline.
+    ///
+    /// May be null: `entity_type`, `line`, `reason`, `buf`, `length`.
     pub fn nurbs_list_note(
         list: *const nurbs_list,
         index: i64,
@@ -1789,6 +2547,10 @@ extern "C" {
         cap: i64,
         length: *mut i64,
     ) -> nurbs_status;
+    /// Unit of length of the splines in a list.
     pub fn nurbs_list_unit(list: *const nurbs_list, metres: *mut f64) -> nurbs_status;
+    /// Frees a list.
+    ///
+    /// May be null: `list`.
     pub fn nurbs_list_destroy(list: *mut nurbs_list);
 }

@@ -1,0 +1,54 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Writes the files that follow from nurbs.h alone.
+
+    generate.py [--check] TOP       TOP is the folder of the project
+
+With --check nothing is written: the exit code is 1 if a file is not what would be written, and the files are named.
+"""
+
+import sys
+from pathlib import Path
+
+import exports
+import fortran
+import header
+import python
+import rust
+
+BACKENDS = (fortran, python, rust, exports)
+
+
+def contents(manual):
+    """{path from the top folder: text}"""
+    return {path: make(manual) for backend in BACKENDS for path, make in backend.FILES.items()}
+
+
+def stale(top, wanted):
+    for path, text in wanted.items():
+        file = top / path
+        if not file.exists() or file.read_text(encoding="utf-8") != text:
+            yield path
+
+
+def main(arguments):
+    check = arguments[:1] == ["--check"]
+    if len(arguments) != 1 + check:
+        print(__doc__, file=sys.stderr)
+        return 2
+    top = Path(arguments[-1])
+    wanted = contents(header.read(top))
+    changed = list(stale(top, wanted))
+    for path in changed:
+        if not check:
+            (top / path).parent.mkdir(parents=True, exist_ok=True)
+            (top / path).write_text(wanted[path], encoding="utf-8")
+        print(f"{path} " + (f"does not follow {header.PATH}" if check else "written"))
+    if check and changed:
+        print(f"To refresh: {header.COMMAND}")
+    print(f"{len(wanted)} files, {len(changed)} " + ("stale" if check else "changed"))
+    return 1 if check and changed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
