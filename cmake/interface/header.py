@@ -67,7 +67,6 @@ class Constant:
     literal: str  # "0x01u", or an expression of other constants
     value: int
     text: str
-    section: str = ""  # class of a status
 
 
 @dataclass
@@ -279,15 +278,8 @@ class Reader:
 
     def read_enum(self, match):
         group = Group("Statuses", without_tags(self.comment), is_status=True)
-        section = ""
-        pattern = r"/\* (?P<section>[^*]*) \*/|(?P<name>\w+) =\s+(?P<value>\d+),?\s+(?:/\*\*<(?P<text>.*?)\*/)?"
-        for entry in re.finditer(pattern, match["enum"], flags=re.S):
-            section = entry["section"] or section
-            if entry["name"]:
-                text = one_line(entry["text"] or "")
-                status_section = section if text else ""
-                group.constants.append(
-                    Constant(entry["name"], entry["value"], int(entry["value"]), text, status_section))
+        for name, value, text in re.findall(r"(\w+) =\s+(\d+),?\s+(?:/\*\*<(.*?)\*/)?", match["enum"], flags=re.S):
+            group.constants.append(Constant(name, value, int(value), one_line(text)))
         self.header.groups.append(group)
 
     def read_handle(self, match):
