@@ -29,7 +29,8 @@ class Parameter:
     direction: str = ""  # "in", "out" or "in,out"; empty without a description
     shape: str = ""  # "[n][dim]", empty for single values
     nullable: bool = False
-    text: str = ""  # without shape, and without the mark of nullable ones
+    null: str = ""  # what NULL means, as it goes on behind "or NULL": " for all of it", ", which ..."
+    text: str = ""  # the rest
 
     @property
     def base(self):
@@ -66,7 +67,6 @@ class Constant:
     literal: str  # "0x01u", or an expression of other constants
     value: int
     text: str
-    section: str = ""  # class of a status
 
 
 @dataclass
@@ -185,6 +185,12 @@ def split_shape(text):
     return shape.rstrip("."), text[len(shape.rstrip(".")):].lstrip()
 
 
+def split_null(text):
+    """What stands behind "or NULL": what it means, up to a colon, and the description."""
+    before, colon, after = text.partition(": ")
+    return before.rstrip("."), after if colon else ""
+
+
 # --- the reader ---
 
 TOKEN = re.compile(
@@ -272,15 +278,8 @@ class Reader:
 
     def read_enum(self, match):
         group = Group("Statuses", without_tags(self.comment), is_status=True)
-        section = ""
-        pattern = r"/\* (?P<section>[^*]*) \*/|(?P<name>\w+) =\s+(?P<value>\d+),?\s+(?:/\*\*<(?P<text>.*?)\*/)?"
-        for entry in re.finditer(pattern, match["enum"], flags=re.S):
-            section = entry["section"] or section
-            if entry["name"]:
-                text = one_line(entry["text"] or "")
-                status_section = section if text else ""
-                group.constants.append(
-                    Constant(entry["name"], entry["value"], int(entry["value"]), text, status_section))
+        for name, value, text in re.findall(r"(\w+) =\s+(\d+),?\s+(?:/\*\*<(.*?)\*/)?", match["enum"], flags=re.S):
+            group.constants.append(Constant(name, value, int(value), one_line(text)))
         self.header.groups.append(group)
 
     def read_handle(self, match):
@@ -311,20 +310,20 @@ class Reader:
         for entry in function.parameters:
             if entry.name in function.described:
                 entry.direction = function.described[entry.name][0]
-                entry.shape, entry.nullable, entry.text = self.description(function, entry.name)
+                entry.shape, entry.nullable, entry.null, entry.text = self.description(function, entry.name)
 
     def description(self, function, name, seen=()):
-        """Shape, whether it may be NULL, and text."""
+        """Shape, whether it may be NULL, what that means, and text."""
         shape, text = split_shape(function.described[name][1])
         mark = NULL_MARK.match(text)
-        text = text[mark.end():].lstrip(": ") if mark else text.lstrip(": ")
+        null, text = split_null(text[mark.end():]) if mark else ("", text.lstrip(":,. "))
         reference = REFERENCE.match(text)
         if shape or mark or not reference or reference[1] == function.name or reference[1] in seen:
-            return shape, bool(mark), text
+            return shape, bool(mark), null, text
         other = next((entry for entry in self.header.functions if entry.name == reference[1]), None)
         if other is None or name not in other.described:
-            return shape, False, text
-        return *self.description(other, name, (*seen, function.name))[:2], text
+            return shape, False, "", text
+        return *self.description(other, name, (*seen, function.name))[:3], text
 
     def statuses(self, function, seen=()):
         """What \\return lists; "as for nurbs_eval(), without _FLAGS" and "_FLAGS in place of _FORM" included."""
@@ -333,14 +332,15 @@ class Reader:
         if other and other[1] not in seen:
             source = next(entry for entry in self.header.functions if entry.name == other[1])
             found += self.statuses(source, (*seen, function.name))
-        dropped = [full_status(name) for name in re.findall(r"(?:without|in place of) (_[A-Z]\w+)", function.returns)]
-        named = re.findall(r"(?<!\w)(NURBS_OK|NURBS_ERROR_[A-Z_]+[A-Z]|_[A-Z][A-Z_]+[A-Z])(?!\w)", function.returns)
-        found += [full_status(name) for name in named]
+        text = full_statuses(function.returns)
+        dropped = re.findall(r"(?:without|in place of) (NURBS_ERROR_\w+)", text)
+        found += re.findall(r"\bNURBS_OK\b|\bNURBS_ERROR_\w+", text)
         return [name for name in dict.fromkeys(found) if name not in dropped]
 
 
-def full_status(name):
-    return "NURBS_ERROR" + name if name.startswith("_") else name
+def full_statuses(text):
+    """_AXES is short for NURBS_ERROR_AXES."""
+    return re.sub(r"(?<!\w)_(?=[A-Z])", "NURBS_ERROR_", text)
 
 
 def plain_type(text):

@@ -3104,8 +3104,8 @@ NURBS_API nurbs_status nurbs_distance(const nurbs *a, const nurbs *b, double tol
  * \param[in] a,b two splines of the same dimension.
  * \param[in] tolerance >= 0.
  * \param[in] budget most pieces looked at in each direction, 0 for 200000.
- * \param[out] at_least [2] from a to b, from b to a.
- * \param[out] at_most [2] the same, from above.
+ * \param[out] at_least [2] or NULL: from a to b, from b to a.
+ * \param[out] at_most [2] or NULL: the same, from above.
  * \param[out] params_a [axes of a] or NULL: the parameters of a point of a that is at_least[0] away from b.
  * \param[out] params_b [axes of b] or NULL: those of a point of b that is at_least[1] away from a.
  * \param[out] status or NULL: NURBS_CLOSEST_CERTIFIED, NURBS_CLOSEST_BUDGET.

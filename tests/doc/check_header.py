@@ -3,8 +3,8 @@
 usage: check_header.py TOP_FOLDER
 
 The rules are those of the header's section "Bindings". A function has \\brief, \\since, \\return unless it is void,
-and a \\param with its direction for every parameter and for no other; arrays have a shape in brackets, and pointers that
-may be NULL the words "or NULL" in their one place. Statuses that are listed exist.
+and a \\param with its direction for every parameter and for no other; arrays have a shape in brackets, and pointers
+that may be NULL the words "or NULL" in their one place. Statuses that are listed exist.
 """
 
 import re

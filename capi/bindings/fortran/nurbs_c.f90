@@ -1598,8 +1598,7 @@ module nurbs_c
             type(c_ptr), value :: a, b
             real(c_double), value :: tolerance
             integer(c_int64_t), value :: budget
-            real(c_double), intent(inout) :: at_least(*), at_most(*)
-            real(c_double), intent(inout), optional :: params_a(*), params_b(*)
+            real(c_double), intent(inout), optional :: at_least(*), at_most(*), params_a(*), params_b(*)
             integer(c_int32_t), intent(inout), optional :: status
             integer(c_int32_t) :: r
         end function nurbs_hausdorff_distance

@@ -1943,7 +1943,7 @@ extern "C" {
     /// of a that is farthest from b is from it, and the other way round; the larger of the two is the
     /// symmetric distance.
     ///
-    /// May be null: `params_a`, `params_b`, `status`.
+    /// May be null: `at_least`, `at_most`, `params_a`, `params_b`, `status`.
     pub fn nurbs_hausdorff_distance(
         a: *const nurbs,
         b: *const nurbs,
