@@ -14,7 +14,7 @@ this module. Prefixes (nurbs_, curve_, surface_, volume_) are left out where the
 
 - Arrays have natural shapes: control points (counts..., dimension), parameters of a curve S, of a surface S + (2,), results
   S + (dimension,). Arrays of float64 with positive strides are passed without a copy, in either memory order; others are
-  converted. Results are new arrays, or `out` where a method takes it. Arrays that are properties are read-only.
+  converted. Results are new arrays, or `out` where a method takes it; properties that are arrays are copies.
 - A failure raises a NurbsError with `status`, `name` and `message`, which also is the exception that Python would raise:
   ArgumentError and DomainError are ValueError, RangeError is IndexError too, NumericError is ArithmeticError,
   OutOfMemoryError is MemoryError, FileError is OSError, ContentsError is ValueError, ResourceError and InternalError are

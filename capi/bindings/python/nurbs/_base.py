@@ -28,13 +28,8 @@ class DistinctKnots(NamedTuple):
     multiplicities: Int32s
 
 
-def _read_only(array: NDArray[Any]) -> NDArray[Any]:
-    array.flags.writeable = False
-    return array
-
-
 class SplineBase:
-    """The handle of a spline, which never changes, and its properties, which are fetched once."""
+    """The handle of a spline, which never changes, and its properties: numbers and tuples, and arrays that are copies."""
 
     _handle: Optional[int]
 
@@ -69,7 +64,7 @@ class SplineBase:
         if lib is not None and handle:
             lib.nurbs_destroy(handle)
 
-    # --- What it is made of: one entry for each axis, always in a tuple ---
+    # --- What it is made of; what axes have comes in tuples, of curves too ---
 
     @cached_property
     def axes(self) -> int:
@@ -116,40 +111,40 @@ class SplineBase:
         """The interval [knots[degree], knots[count]] of each axis, as (lower, upper)."""
         return tuple((float(ends[0]), float(ends[1])) for ends in self._each(lib.nurbs_domain, [2] * self.axes, False))
 
-    @cached_property
+    @property
     def knots(self) -> Tuple[Floats, ...]:
-        """Full knot vector of each axis, (count + degree + 1,); the arrays are read-only."""
+        """Full knot vector of each axis, (count + degree + 1,)."""
         sizes = [count + degree + 1 for count, degree in zip(self.counts, self.degrees)]
         return self._each(lib.nurbs_knots, sizes)
 
-    @cached_property
+    @property
     def greville(self) -> Tuple[Floats, ...]:
-        """Greville abscissae of each axis, (count,): x_i = (t_(i+1) + ... + t_(i+p)) / p; read-only."""
+        """Greville abscissae of each axis, (count,): x_i = (t_(i+1) + ... + t_(i+p)) / p."""
         return self._each(lib.nurbs_greville, self.counts)
 
-    @cached_property
+    @property
     def distinct_knots(self) -> Tuple[DistinctKnots, ...]:
-        """Distinct knots of each axis, and their multiplicities; read-only."""
+        """Distinct knots of each axis, and their multiplicities."""
         return tuple(self._distinct(axis) for axis in range(self.axes))
 
-    @cached_property
+    @property
     def points(self) -> Floats:
-        """Cartesian control points (counts..., dimension), bit for bit as they were given; read-only. Those built
-        homogeneous are divided by their weights, one at infinity has infinite and NaN coordinates."""
+        """Cartesian control points (counts..., dimension), bit for bit as they were given. Those built homogeneous are
+        divided by their weights, one at infinity has infinite and NaN coordinates."""
         return self._net(lib.nurbs_points, self.dimension)
 
-    @cached_property
+    @property
     def weights(self) -> Optional[Floats]:
-        """Weights (counts...), read-only; None of a polynomial spline."""
+        """Weights (counts...); None of a polynomial spline."""
         if not self.rational:
             return None
         output = Output(None, self.counts, 1)
         call(lib.nurbs_weights, self._handle, output.records.n, *output.layout[:2])
-        return _read_only(output.finish())
+        return output.finish()
 
-    @cached_property
+    @property
     def homogeneous_points(self) -> Floats:
-        """Homogeneous control points (w x, w y, ..., w), (counts..., dimension + 1); read-only."""
+        """Homogeneous control points (w x, w y, ..., w), (counts..., dimension + 1)."""
         return self._net(lib.nurbs_homogeneous_points, self.dimension + 1)
 
     def _each(self, function: Any, sizes: Iterable[int], sized: bool = True) -> Tuple[Floats, ...]:
@@ -157,19 +152,18 @@ class SplineBase:
         vectors = tuple(numpy.empty(size) for size in sizes)
         for axis, values in enumerate(vectors):
             call(function, self._handle, axis, *[values.size] * sized, values.ctypes.data)
-            _read_only(values)
         return vectors
 
     def _distinct(self, axis: int) -> DistinctKnots:
         size = get(ctypes.c_int64, lib.nurbs_distinct_knots, self._handle, axis, 0, None, None)
         found = DistinctKnots(numpy.empty(size), numpy.empty(size, numpy.int32))
         get(ctypes.c_int64, lib.nurbs_distinct_knots, self._handle, axis, size, *addresses(*found))
-        return DistinctKnots(_read_only(found.knots), _read_only(found.multiplicities))
+        return found
 
     def _net(self, function: Any, width: int) -> Floats:
         output = Output(None, (*self.counts, width), width)
         call(function, self._handle, output.records.n, *output.layout)
-        return _read_only(output.finish())
+        return output.finish()
 
     # --- Arguments that many methods take ---
 

@@ -49,16 +49,16 @@ class Calculus(SplineBase):
         return values
 
     def product(self, other: SplineBase, flags: int = 0) -> Spline:
-        """self(t) other(t): by components, or with NURBS_PRODUCT_DOT or NURBS_PRODUCT_CROSS. One of them may have
+        """The product self(t) other(t): by components, or with NURBS_PRODUCT_DOT or NURBS_PRODUCT_CROSS. One of them may have
         dimension 1 and multiplies all components of the other."""
         return self._made(lib.nurbs_product, self._handle, handle_of(other), flags)
 
     def compose(self, inner: SplineBase) -> Spline:
-        """self(inner(t)) for a curve in the parameter space of this spline."""
+        """The curve self(inner(t)) for a curve in the parameter space of this spline."""
         return self._made(lib.nurbs_compose, self._handle, handle_of(inner))
 
     def sum(self, other: SplineBase, alpha: float = 1.0, beta: float = 1.0) -> Spline:
-        """alpha self(t) + beta other(t)."""
+        """The spline alpha self(t) + beta other(t)."""
         return self._made(lib.nurbs_sum, self._handle, alpha, handle_of(other), beta)
 
     # --- Operators ---

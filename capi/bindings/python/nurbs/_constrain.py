@@ -55,7 +55,7 @@ class Constraints(SplineBase):
         options = [if_given(keep, 2 * axes, "keep", numpy.int32), if_given(costs, points, "costs"),
                    if_given(weight_costs, points, "weight_costs")]
         residuals, rank, moved, optimality = numpy.empty(at.n), ctypes.c_int64(), ctypes.c_double(), ctypes.c_double()
-        made = self._made(lib.nurbs_constrain, self._handle, at.n, *map(address, given), at.address, goals.ctypes.data,
+        made = self._made(lib.nurbs_constrain, self._handle, at.n, *map(address, given), at.layout[0], goals.ctypes.data,
                           *map(address, options), tolerance, residuals.ctypes.data, ctypes.byref(rank),
                           ctypes.byref(moved), ctypes.byref(optimality))
         return Constrained(made, residuals, rank.value, moved.value, optimality.value)

@@ -74,7 +74,7 @@ def find_spans(degree: int, knots: ArrayLike, params: ArrayLike, flags: int = 0)
     """The span of each parameter S in a full knot vector: s with knots[s] <= t < knots[s + 1]."""
     vectors, given = vector(knots), records(params, 1)
     spans = numpy.empty(numpy.shape(params), numpy.int64)
-    call(lib.nurbs_find_spans, *_knot_arguments(degree, vectors), given.n, given.address, given.stride,
+    call(lib.nurbs_find_spans, *_knot_arguments(degree, vectors), given.n, *given.layout[:2],
          spans.ctypes.data, flags)
     return spans
 
@@ -83,7 +83,7 @@ def bernstein(degree: int, params: ArrayLike, order: int = 0, out: Optional[Floa
     """Bernstein polynomials binomial(p, j) t^j (1 - t)^(p - j) and their derivatives at params S: an array
     S + (order + 1, degree + 1)."""
     given, output = records(params, 1), _basis_output(degree, order, params, out)
-    call(lib.nurbs_bernstein, degree, order, given.n, given.address, given.stride, *output.layout)
+    call(lib.nurbs_bernstein, degree, order, given.n, *given.layout[:2], *output.layout)
     return output.finish()
 
 
@@ -93,7 +93,7 @@ def basis(degree: int, knots: ArrayLike, params: ArrayLike, order: int = 0, flag
     values if it is given."""
     vectors, given = vector(knots), records(params, 1)
     output, spans = _basis_output(degree, order, params, out), numpy.empty(numpy.shape(params), numpy.int64)
-    call(lib.nurbs_basis, *_knot_arguments(degree, vectors), order, given.n, given.address, given.stride,
+    call(lib.nurbs_basis, *_knot_arguments(degree, vectors), order, given.n, *given.layout[:2],
          spans.ctypes.data, *output.layout, flags)
     return BasisFunctions(spans, output.finish())
 

@@ -48,4 +48,4 @@ class Net:
     @property
     def weight_layout(self) -> Tuple[Optional[int], int]:
         """Pointer and stride of the weights."""
-        return (None, 0) if self.weights is None else (self.weights.address, self.weights.stride)
+        return (None, 0) if self.weights is None else self.weights.layout[:2]

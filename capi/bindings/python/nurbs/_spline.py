@@ -47,8 +47,8 @@ class Spline(Evaluation, Calculus, Refinement, Forms, Transformations, Continuat
         s(t), s(t, nu=1), s.derivative(), s.insert_knot(0.5), s.knots, s.points, s.weights, s.domain
 
     What it is made of are properties; those of axes are tuples with one entry for each axis, of a curve too. Every C
-    function whose first argument is a spline is a method. A spline never changes, methods return new ones, and many
-    threads may use one at once.
+    function whose first argument is a spline is a method. A spline never changes: methods return new ones, arrays are
+    copies (with_points() makes a spline of changed ones), and many threads may use one at once.
 
     Splines are equal if they are so bit for bit, in degrees, knots, points, weights and periodicity, not if they only
     have the same shape (see deviation()). They can be hashed, and pickled without a loss.
