@@ -2,6 +2,7 @@
 """Splines as values in Python: properties, equality, pickles, copies, operators."""
 
 import copy
+import itertools
 import multiprocessing
 import pickle
 import unittest
@@ -79,8 +80,11 @@ class Values(unittest.TestCase):
         others = [c.insert_knot(0.3), c.reverse(), c.elevate(), patch(), c.transform(np.eye(2) * (1 + 2**-52)),
                   c.make_periodic(1e-9).spline, c.clamp(0).set_weights([0], [1 + 2**-52]), c.reparametrize(0, 2),
                   nurbs.Spline(1, [0, 0, 1, 1], [[0.0], [1]]), nurbs.Spline(1, [0, 0, 1, 1], [[-0.0], [1]]),
-                  nurbs.Spline(1, [0, 0, 1, 1], [[0.0], [1]], [1, 1])]
-        self.assertEqual(len({c, *others}), len(others) + 1)
+                  nurbs.Spline(1, [0, 0, 1, 1], [[0.0], [1]], [1, 1]),
+                  nurbs.Spline.homogeneous(1, [0, 0, 1, 1], [[0.0, 1], [1, 1]])]
+        for one, other in itertools.combinations([c, *others], 2):
+            self.assertFalse(one == other, (one, other))
+            self.assertNotEqual(hash(one), hash(other))
         self.assertTrue(c != 1 and not c == None)  # noqa: E711 - what is tested
         self.assertEqual(len(set(SPLINES)), len(SPLINES))
 

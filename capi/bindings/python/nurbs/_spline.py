@@ -138,17 +138,20 @@ class Spline(Evaluation, Calculus, Refinement, Forms, Transformations, Continuat
 
     def __repr__(self) -> str:
         kind = {1: "curve", 2: "surface"}.get(self.axes, "volume")
-        words = ["rational" if self.rational else "polynomial", f"{kind} in {self.dimension}D:",
-                 f"degree {_by_axis(self.degrees)},", f"{_by_axis(self.counts)} points,",
-                 "domain " + " x ".join(f"[{low:g}, {high:g}]" for low, high in self.domain)]
-        if any(self.periodic):
-            words[-1] += ", periodic"
-            words += [f"on axis {' and '.join(str(k) for k, is_so in enumerate(self.periodic) if is_so)}"][:self.axes - 1]
-        return f"<Spline: {' '.join(words)}>"
+        form = "rational" if self.rational else "polynomial"
+        domain = " x ".join(f"[{low:g}, {high:g}]" for low, high in self.domain)
+        return (f"<Spline: {form} {kind} in {self.dimension}D: degree {_by_axis(self.degrees)}, "
+                f"{_by_axis(self.counts)} points, domain {domain}{_periodic_axes(self.periodic)}>")
 
 
 def _by_axis(values: Tuple[int, ...]) -> str:
     return " x ".join(map(str, values))
+
+
+def _periodic_axes(periodic: Tuple[bool, ...]) -> str:
+    axes = [str(axis) for axis, is_so in enumerate(periodic) if is_so]
+    where = f" on axis {' and '.join(axes)}" if len(periodic) > 1 else ""
+    return f", periodic{where}" if axes else ""
 
 
 def _restored(homogeneous: bool, degrees: Tuple[int, ...], knots: Any, points: Any, weights: Any, flags: int) -> Spline:
