@@ -193,12 +193,14 @@ class Exceptions(unittest.TestCase):
         c, missing = circle(), "/no/such/file"
         for kinds, status, call in (
                 ((nurbs.ArgumentError, ValueError), nurbs.NURBS_ERROR_TIMES, lambda: c.elevate(-1)),
-                ((nurbs.RangeError, nurbs.ArgumentError, IndexError), nurbs.NURBS_ERROR_AXIS, lambda: c.elevate(axis=1)),
+                ((nurbs.RangeError, nurbs.ArgumentError, IndexError), nurbs.NURBS_ERROR_AXIS,
+                 lambda: c.elevate(axis=1)),
                 ((nurbs.RangeError, IndexError), nurbs.NURBS_ERROR_INDEX, lambda: c.set_weights([9], [1])),
                 ((nurbs.DomainError, ValueError), nurbs.NURBS_ERROR_OUTSIDE_DOMAIN, lambda: c(2)),
                 ((nurbs.NumericError, ArithmeticError), nurbs.NURBS_ERROR_KNOTS_MERGE,
                  lambda: c.reparametrize(1, 1 + 2**-52)),
-                ((nurbs.ResourceError, RuntimeError), nurbs.NURBS_ERROR_TOO_LARGE, lambda: nurbs.read(b"abc", max_bytes=1)),
+                ((nurbs.ResourceError, RuntimeError), nurbs.NURBS_ERROR_TOO_LARGE,
+                 lambda: nurbs.read(b"abc", max_bytes=1)),
                 ((nurbs.FileError, OSError), nurbs.NURBS_ERROR_FILE, lambda: nurbs.read_file(missing)),
                 ((nurbs.ContentsError, ValueError), nurbs.NURBS_ERROR_FORMAT, lambda: nurbs.read(b"abc"))):
             error = self.assert_raised(kinds, status, call)
@@ -223,7 +225,8 @@ class Exceptions(unittest.TestCase):
         for kind, call in ((TypeError, lambda: c.insert_knot("a")), (TypeError, lambda: c.elevate(1.5)),
                            (TypeError, lambda: c.sum(3)), (OverflowError, lambda: c.elevate(2**31)),
                            (OverflowError, lambda: c(0.5, flags=-1)), (ValueError, lambda: c(["a"])),
-                           (ValueError, lambda: nurbs.Spline(2, [0, 1], [1, 2])), (TypeError, lambda: nurbs.read("text")),
+                           (ValueError, lambda: nurbs.Spline(2, [0, 1], [1, 2])),
+                           (TypeError, lambda: nurbs.read("text")),
                            (ValueError, lambda: nurbs.Spline([1, 1], [[0, 1]], np.zeros((2, 2, 3))))):
             self.assertRaises(kind, call)
 

@@ -71,8 +71,8 @@ class Plots(unittest.TestCase):
         self.assertEqual(ends, [(0, 0), (1, 1)])
 
     def test_surfaces_and_volumes(self):
-        for shape in (nurbs.sphere(), patch(), nurbs.circle(center=[0, 0, 0]).extrude([0, 0, 1]),
-                      nurbs.arc(1, 0, 3, center=[0, 0, 0]).ruled(nurbs.arc(2, 0, 3, center=[0, 0, 0])).extrude([0, 0, 1])):
+        inner, outer = (nurbs.arc(radius, 0, 3, center=[0, 0, 0]) for radius in (1, 2))
+        for shape in (nurbs.sphere(), patch(), outer.extrude([0, 0, 1]), inner.ruled(outer).extrude([0, 0, 1])):
             ax = shape.plot()
             facets, = (part for part in ax.collections if isinstance(part, Poly3DCollection))
             corners = np.concatenate([facets._vec[:3, piece].T for piece in facets._segslices])

@@ -99,7 +99,8 @@ class Values(unittest.TestCase):
 class Properties(unittest.TestCase):
     def test_one_entry_for_each_axis(self):
         for spline in SPLINES:
-            for name in ("degrees", "counts", "knots", "domain", "greville", "distinct_knots", "knot_forms", "periodic"):
+            for name in ("degrees", "counts", "knots", "domain", "greville", "distinct_knots", "knot_forms",
+                         "periodic"):
                 self.assertEqual((type(getattr(spline, name)), len(getattr(spline, name))), (tuple, spline.axes), name)
             self.assertEqual(spline.points.shape, (*spline.counts, spline.dimension))
             self.assertEqual(spline.point_count, np.prod(spline.counts))
@@ -155,10 +156,11 @@ class Functions(unittest.TestCase):
         f, g = circle(), circle().reverse(keep_domain=True)
         t, v, a = np.linspace(0, 1, 17), np.array([2.0, -3.0]), np.array([[1.0, 2], [3, 4], [5, 6]])
         x, y = f(t), g(t)
-        for made, wanted in ((f + g, x + y), (f - g, x - y), (f * g, x * y), (f @ g, (x * y).sum(-1)[:, None]), (-f, -x),
-                             (f + v, x + v), (v + f, x + v), (f - v, x - v), (v - f, v - x), (f + 1, x + 1),
+        for made, wanted in ((f + g, x + y), (f - g, x - y), (f * g, x * y), (f @ g, (x * y).sum(-1)[:, None]),
+                             (-f, -x), (f + v, x + v), (v + f, x + v), (f - v, x - v), (v - f, v - x), (f + 1, x + 1),
                              (f * v, x * v), (v * f, x * v), (2 * f, 2 * x), (f / v, x / v), (f / 2, x / 2),
-                             (f + [1, 2], x + [1, 2]), ([1, 2] - f, [1, 2] - x), (a @ f, x @ a.T), (np.float64(2) * f, 2 * x)):
+                             (f + [1, 2], x + [1, 2]), ([1, 2] - f, [1, 2] - x), (a @ f, x @ a.T),
+                             (np.float64(2) * f, 2 * x)):
             near(made(t), wanted, by=1e-14)
         for bad in (lambda: f + "a", lambda: f * [1, 2, 3], lambda: np.eye(3) @ f, lambda: f @ 2, lambda: [1] * 3 - f,
                     lambda: f / "a", lambda: f - "a", lambda: "a" * f):

@@ -83,7 +83,8 @@ class Evaluation(unittest.TestCase):
 
     def test_continuity_of_the_circle(self):
         rows = circle().continuity()
-        self.assertEqual((rows.knots[0], rows.orders.tolist(), rows.geometric_orders.tolist()), (0.25, [1] * 4, [2] * 4))
+        found = rows.knots[0], rows.orders.tolist(), rows.geometric_orders.tolist()
+        self.assertEqual(found, (0.25, [1] * 4, [2] * 4))
         halves = circle().split(0.3)
         found = halves[0].continuity_between(nurbs.NURBS_END, halves[1], nurbs.NURBS_START)
         self.assertEqual((found.order, found.geometric, found.position_gap), (2, 2, 0))

@@ -7,19 +7,19 @@
     finer = circle.insert_knot(0.3, 2)
     finer.length(), finer.closest_points([3, 4]), finer.knots, finer.points, finer.plot()
 
-The manual is the header nurbs.h; this package keeps its names, its indices from 0 and its flags. One rule tells where a C
-function is: if its first argument is one spline it is a method of Spline, of what the spline is made of a property;
-constructors from points are class methods of Spline; everything else (shapes, several splines, knots, files) is a function of
-this module. Prefixes (nurbs_, curve_, surface_, volume_) are left out where the name is clear without.
+The manual is the header nurbs.h; this package keeps its names, its indices from 0 and its flags. One rule tells where a
+C function is: if its first argument is one spline it is a method of Spline, of what the spline is made of a property;
+constructors from points are class methods of Spline; everything else (shapes, several splines, knots, files) is a
+function of this module. Prefixes (nurbs_, curve_, surface_, volume_) are left out where the name is clear without.
 
-- Arrays have natural shapes: control points (counts..., dimension), parameters of a curve S, of a surface S + (2,), results
-  S + (dimension,). Arrays of float64 with positive strides are passed without a copy, in either memory order; others are
-  converted. Results are new arrays, or `out` where a method takes it; properties that are arrays are copies.
-- A failure raises a NurbsError with `status`, `name` and `message`, which also is the exception that Python would raise:
-  ArgumentError and DomainError are ValueError, RangeError is IndexError too, NumericError is ArithmeticError,
-  OutOfMemoryError is MemoryError, FileError is OSError, ContentsError is ValueError, ResourceError and InternalError are
-  RuntimeError. Arrays of a wrong shape raise ValueError, arguments of a wrong type TypeError, numbers that do not fit
-  OverflowError. A failing call writes nothing to `out`.
+- Arrays have natural shapes: control points (counts..., dimension), parameters of a curve S, of a surface S + (2,),
+  results S + (dimension,). Arrays of float64 with positive strides are passed without a copy, in either memory order;
+  others are converted. Results are new arrays, or `out` where a method takes it; properties that are arrays are copies.
+- A failure raises a NurbsError with `status`, `name` and `message`, which also is the exception that Python would
+  raise: ArgumentError and DomainError are ValueError, RangeError is IndexError too, NumericError is ArithmeticError,
+  OutOfMemoryError is MemoryError, FileError is OSError, ContentsError is ValueError, ResourceError and InternalError
+  are RuntimeError. Arrays of a wrong shape raise ValueError, arguments of a wrong type TypeError, numbers that do not
+  fit OverflowError. A failing call writes nothing to `out`.
 - The interpreter's lock is released during every call, and one spline may be used by many threads at once.
 - Splines are values: they never change, can be compared, hashed, copied and pickled, bit for bit.
 

@@ -84,7 +84,8 @@ class Fold(NamedTuple):
 
 
 class Recognized(NamedTuple):
-    """A NURBS_SHAPE_ constant, origin, axis and x (3,), sizes (2,), and a proven bound of the distance from the shape."""
+    """A NURBS_SHAPE_ constant, origin, axis and x (3,), sizes (2,), and a proven bound of the distance from the
+    shape."""
 
     shape: int
     origin: Floats
@@ -121,8 +122,8 @@ class Analysis(SplineBase):
     """Questions about the shape."""
 
     def features(self, kinds: Optional[int] = None) -> CurveFeatures:
-        """Inflections, extrema of curvature, cusps, kinks, jumps and, in space, changes of torsion along a curve; of all
-        kinds unless a sum of NURBS_FEATURE_ constants is given."""
+        """Inflections, extrema of curvature, cusps, kinks, jumps and, in space, changes of torsion along a curve; of
+        all kinds unless a sum of NURBS_FEATURE_ constants is given."""
         if kinds is None:
             kinds = _PLANE | NURBS_FEATURE_TORSION if self.dimension == 3 else _PLANE
         return _listed(CurveFeatures, lambda n: (numpy.empty(n), numpy.empty(n, numpy.int32), numpy.empty(n)),

@@ -29,7 +29,8 @@ class DistinctKnots(NamedTuple):
 
 
 class SplineBase:
-    """The handle of a spline, which never changes, and its properties: numbers and tuples, and arrays that are copies."""
+    """The handle of a spline, which never changes, and its properties: numbers and tuples, and arrays that are
+    copies."""
 
     _handle: Optional[int]
 

@@ -49,8 +49,8 @@ class Calculus(SplineBase):
         return values
 
     def product(self, other: SplineBase, flags: int = 0) -> Spline:
-        """The product self(t) other(t): by components, or with NURBS_PRODUCT_DOT or NURBS_PRODUCT_CROSS. One of them may have
-        dimension 1 and multiplies all components of the other."""
+        """The product self(t) other(t): by components, or with NURBS_PRODUCT_DOT or NURBS_PRODUCT_CROSS. One of them
+        may have dimension 1 and multiplies all components of the other."""
         return self._made(lib.nurbs_product, self._handle, handle_of(other), flags)
 
     def compose(self, inner: SplineBase) -> Spline:

@@ -41,8 +41,8 @@ class ClosestAll(NamedTuple):
 
 
 class CriticalPoints(NamedTuple):
-    """n critical points: parameters (n,) of a curve, else (n, axes), distances (n,), NURBS_CRITICAL_ constants (n,), and
-    the sum of NURBS_CLOSEST_ bits of the search."""
+    """n critical points: parameters (n,) of a curve, else (n, axes), distances (n,), NURBS_CRITICAL_ constants (n,),
+    and the sum of NURBS_CLOSEST_ bits of the search."""
 
     params: Floats
     distances: Floats

@@ -39,8 +39,8 @@ class Constraints(SplineBase):
                   orders: Optional[ArrayLike] = None, *, keep: Optional[ArrayLike] = None,
                   costs: Optional[ArrayLike] = None, weight_costs: Optional[ArrayLike] = None,
                   tolerance: float = 0.0) -> Constrained:
-        """Control points, and with weight_costs weights, changed so that constraints at parameters (n,) of a curve, else
-        (n, axes), meet targets (n, dimension); one alone may leave n out. Least sum costs_i |P_i* - P_i|^2 +
+        """Control points, and with weight_costs weights, changed so that constraints at parameters (n,) of a curve,
+        else (n, axes), meet targets (n, dimension); one alone may leave n out. Least sum costs_i |P_i* - P_i|^2 +
         weight_costs_i (w_i* / w_i - 1)^2.
 
         kinds are NURBS_CONSTRAIN_ constants (n,), None for values; orders are those of derivatives (n, axes), None for
@@ -55,7 +55,7 @@ class Constraints(SplineBase):
         options = [if_given(keep, 2 * axes, "keep", numpy.int32), if_given(costs, points, "costs"),
                    if_given(weight_costs, points, "weight_costs")]
         residuals, rank, moved, optimality = numpy.empty(at.n), ctypes.c_int64(), ctypes.c_double(), ctypes.c_double()
-        made = self._made(lib.nurbs_constrain, self._handle, at.n, *map(address, given), at.layout[0], goals.ctypes.data,
-                          *map(address, options), tolerance, residuals.ctypes.data, ctypes.byref(rank),
-                          ctypes.byref(moved), ctypes.byref(optimality))
+        made = self._made(lib.nurbs_constrain, self._handle, at.n, *map(address, given), at.layout[0],
+                          goals.ctypes.data, *map(address, options), tolerance, residuals.ctypes.data,
+                          ctypes.byref(rank), ctypes.byref(moved), ctypes.byref(optimality))
         return Constrained(made, residuals, rank.value, moved.value, optimality.value)

@@ -102,7 +102,7 @@ class Continuation(SplineBase):
                            derivative: float = 0.0, angle: float = 0.0) -> EndContinuity:
         """How this curve and another one meet, each at NURBS_START or NURBS_END, on the way along this one to its end
         and from the other's end along that."""
-        results: List[Any] = [ctypes.c_int32(), ctypes.c_int32(), ctypes.c_double(), ctypes.c_double(), ctypes.c_double()]
+        results: List[Any] = [ctypes.c_int32(), ctypes.c_int32(), *(ctypes.c_double() for _ in range(3))]
         call(lib.nurbs_continuity_between, self._handle, end, handle_of(other), other_end, position, derivative, angle,
              *(ctypes.byref(result) for result in results))
         order, geometric, *gaps = (result.value for result in results)

@@ -52,8 +52,9 @@ def coons_hermite(curves: Iterable[Spline], cross: Optional[Iterable[Spline]] = 
                   twists: Optional[ArrayLike] = None, tolerance: float = 0.0) -> HermiteCoons:
     """The bicubic blend of four curves and, unless None, derivatives across them.
 
-    twist is a NURBS_TWIST_ constant. Left out it is NURBS_TWIST_GIVEN where twists (4, dimension) are given, the average
-    with cross tangents, and the bilinear one without. Raises ArgumentError where data do not meet to the tolerance.
+    twist is a NURBS_TWIST_ constant. Left out it is NURBS_TWIST_GIVEN where twists (4, dimension) are given, the
+    average with cross tangents, and the bilinear one without. Raises ArgumentError where data do not meet to the
+    tolerance.
     """
     around, across = _four(curves), _four(cross)
     if twist is None:

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Lines, conics and helices.
 
-`center`, `axis` and `x` place a shape, vectors (dimension,) that tell its dimension. Without any of them a helix stands in space and
-other curves in the plane, about the origin. Angles are in radians.
+`center`, `axis` and `x` place a shape, vectors (dimension,) that tell its dimension. Without any of them a helix stands
+in space and other curves in the plane, about the origin. Angles are in radians.
 """
 
 from __future__ import annotations
@@ -89,8 +89,8 @@ def rounded_rectangle(width: float, height: float, corner_radius: float = 0.0, c
 
 def circle(radius: float = 1.0, center: Optional[ArrayLike] = None, axis: Optional[ArrayLike] = None,
            x: Optional[ArrayLike] = None, form: int = NURBS_ARC_QUARTERS) -> Spline:
-    """The full circle, exact, counterclockwise about the axis from the direction x. form is a NURBS_ARC_ constant: quarters
-    (9 control points of degree 2), thirds (7), or smooth (6 of degree 5)."""
+    """The full circle, exact, counterclockwise about the axis from the direction x. form is a NURBS_ARC_ constant:
+    quarters (9 control points of degree 2), thirds (7), or smooth (6 of degree 5)."""
     return _placed(lib.nurbs_curve_circle, center, axis, x, radius, form)
 
 
@@ -130,8 +130,8 @@ def hyperbola(radius_x: float, radius_y: float, start: float, end: float, center
 
 
 def conic_triangle(p0: ArrayLike, p1: ArrayLike, p2: ArrayLike, shape_factor: float) -> Spline:
-    """The conic of a control triangle with the shape factor w_1^2 / (w_0 w_2): below 1 an ellipse, 1 a parabola, above 1 a
-    hyperbola, 0 the chord, infinite the legs."""
+    """The conic of a control triangle with the shape factor w_1^2 / (w_0 w_2): below 1 an ellipse, 1 a parabola, above
+    1 a hyperbola, 0 the chord, infinite the legs."""
     return _through(lib.nurbs_curve_conic_triangle, (p0, p1, p2), shape_factor)
 
 
@@ -154,8 +154,8 @@ def conic_through(points: ArrayLike, form: int = NURBS_ARC_QUARTERS) -> Spline:
 
 
 def conic_axes(coefficients: ArrayLike) -> ConicAxes:
-    """Kind and axes of the conic A x^2 + B x y + C y^2 + D x + E y + F = 0, given its coefficients (6,). Raises ArgumentError
-    if it is a point, lines or nothing."""
+    """Kind and axes of the conic A x^2 + B x y + C y^2 + D x + E y + F = 0, given its coefficients (6,). Raises
+    ArgumentError if it is a point, lines or nothing."""
     given, kind = exactly(coefficients, 6, "coefficients"), ctypes.c_int32()
     origin, x, sizes = numpy.empty((3, 2))
     call(lib.nurbs_conic_axes, given.ctypes.data, ctypes.byref(kind), origin.ctypes.data, x.ctypes.data,
@@ -172,16 +172,16 @@ def conic_implicit(coefficients: ArrayLike, start: float = 0.0, end: float = FUL
 
 def conic_focus(focus: ArrayLike, foot: ArrayLike, eccentricity: float, start: float, sweep: float,
                 axis: Optional[ArrayLike] = None, form: int = NURBS_ARC_QUARTERS) -> Spline:
-    """The arc r(a) = e d / (1 + e cos a) about a focus, d = |foot - focus|, of the conic with an eccentricity e and the foot
-    of the perpendicular from the focus to the directrix, a from start to start + sweep."""
+    """The arc r(a) = e d / (1 + e cos a) about a focus, d = |foot - focus|, of the conic with an eccentricity e and the
+    foot of the perpendicular from the focus to the directrix, a from start to start + sweep."""
     return _through(lib.nurbs_curve_conic_focus, (focus, axis, foot), eccentricity, start, sweep, form)
 
 
 def helix(radius: float = 1.0, pitch: float = 1.0, turns: float = 1.0, *, tolerance: float, growth: float = 0.0,
           start: float = 0.0, origin: Optional[ArrayLike] = None, axis: Optional[ArrayLike] = None,
           x: Optional[ArrayLike] = None) -> Helix:
-    """The helix origin + r (X cos a + Y sin a) + pitch n Z, a = start + 2 pi n, r = radius + growth n, over [0, turns], to a
-    tolerance: conical where growth is not 0; in the plane, with pitch 0, a spiral."""
+    """The helix origin + r (X cos a + Y sin a) + pitch n Z, a = start + 2 pi n, r = radius + growth n, over [0, turns],
+    to a tolerance: conical where growth is not 0; in the plane, with pitch 0, a spiral."""
     where, _alive = place(origin, axis, x, 3)
     error = ctypes.c_double()
     made = Spline._made(lib.nurbs_curve_helix, *where, radius, growth, pitch, start, turns, tolerance,

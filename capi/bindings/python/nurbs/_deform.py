@@ -42,7 +42,8 @@ class Faired(NamedTuple):
 
 
 class Deformations(SplineBase):
-    """Deformations; a `range` is a part (axes, 2) of the domain, of a curve (2,), points and vectors are (dimension,)."""
+    """Deformations; a `range` is a part (axes, 2) of the domain, of a curve (2,), points and vectors are
+    (dimension,)."""
 
     def warp(self, direction: ArrayLike, distance: float, order: int, *, range: Optional[ArrayLike] = None) -> Spline:
         """A region raised along a direction; `order` derivatives stay at its ends."""

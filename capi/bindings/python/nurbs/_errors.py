@@ -7,8 +7,8 @@ from typing import Dict, Type
 
 from .constants import NURBS_ERROR_AXIS, NURBS_ERROR_FILE, NURBS_ERROR_INDEX, NURBS_ERROR_MEMORY
 
-__all__ = ["NurbsError", "ArgumentError", "RangeError", "DomainError", "NumericError", "ResourceError", "OutOfMemoryError",
-           "FileError", "ContentsError", "InternalError"]
+__all__ = ["NurbsError", "ArgumentError", "RangeError", "DomainError", "NumericError", "ResourceError",
+           "OutOfMemoryError", "FileError", "ContentsError", "InternalError"]
 
 
 class NurbsError(Exception):

@@ -86,7 +86,8 @@ class Transformations(SplineBase):
         return self._made(lib.nurbs_transform_projective, self._handle, len(given) - 1, given.ctypes.data)
 
     def mirror(self, point: ArrayLike, normal: ArrayLike) -> Spline:
-        """The mirror image in the plane (line, hyperplane) through a point: x -> x - 2 n (n . (x - point)) / (n . n)."""
+        """The mirror image in the plane (line, hyperplane) through a point: x -> x - 2 n (n . (x - point)) / (n .
+        n)."""
         at, n = self._coordinates(point, "a point"), self._coordinates(normal, "a normal")
         return self._made(lib.nurbs_mirror, self._handle, at.ctypes.data, n.ctypes.data)
 
@@ -100,5 +101,6 @@ class Transformations(SplineBase):
     def project_from(self, eye: ArrayLike, point: ArrayLike, normal: ArrayLike) -> Spline:
         """The image on the plane through a point seen from an eye:
         x -> eye + (x - eye) (n . (point - eye)) / (n . (x - eye))."""
-        vectors = [self._coordinates(v, name) for v, name in ((eye, "an eye"), (point, "a point"), (normal, "a normal"))]
+        named = (eye, "an eye"), (point, "a point"), (normal, "a normal")
+        vectors = [self._coordinates(values, name) for values, name in named]
         return self._made(lib.nurbs_project_from, self._handle, *(v.ctypes.data for v in vectors))

@@ -108,8 +108,8 @@ class Frames(SplineBase):
         return result
 
     def surface_curvatures(self, params: ArrayLike, flags: int = 0) -> Curvatures:
-        """Curvature of a surface in space at params S + (2,), positive where it bends towards its normal: a sphere whose
-        normals point outwards has -1 / radius."""
+        """Curvature of a surface in space at params S + (2,), positive where it bends towards its normal: a sphere
+        whose normals point outwards has -1 / radius."""
         given, shape = _pairs(params)
         result = Curvatures(numpy.empty((*shape, 2)), numpy.empty((*shape, 2, 3)), numpy.empty(shape),
                             numpy.empty(shape), numpy.empty(shape, numpy.int32))

@@ -254,8 +254,8 @@ def _load() -> ctypes.CDLL:
         # CDLL, unlike PyDLL, releases the interpreter's lock during calls.
         library = ctypes.CDLL(name)
     except OSError as error:
-        raise ImportError(f"the library {name} cannot be loaded ({error}); install libnurbs, or set NURBS_LIBRARY to the "
-                          "path of libnurbs.so") from error
+        raise ImportError(f"the library {name} cannot be loaded ({error}); install libnurbs, or set NURBS_LIBRARY to "
+                          "the path of libnurbs.so") from error
     for function, types in PROTOTYPES.items():
         result, arguments = types.split(" ")
         entry = getattr(library, function)

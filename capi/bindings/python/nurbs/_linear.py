@@ -24,8 +24,8 @@ __all__ = ["SparseMatrix", "Gradients", "collocation"]
 
 
 class SparseMatrix(NamedTuple):
-    """Compressed sparse rows, as scipy.sparse.csr_array() takes them: the entries and their columns (entries,), and where
-    each row begins (rows + 1,)."""
+    """Compressed sparse rows, as scipy.sparse.csr_array() takes them: the entries and their columns (entries,), and
+    where each row begins (rows + 1,)."""
 
     values: Floats
     columns: Int64s
@@ -71,8 +71,8 @@ class Linear(SplineBase):
 
     def rational_collocation(self, params: ArrayLike, orders: Optional[ArrayLike] = None,
                              flags: int = 0) -> SparseMatrix:
-        """The matrix of the rational basis functions R_j(t_i) = w_j N_j / w, or of their partial derivatives of `orders`
-        (axes,): times points.reshape(-1, dimension) it gives the points, or derivatives, at params."""
+        """The matrix of the rational basis functions R_j(t_i) = w_j N_j / w, or of their partial derivatives of
+        `orders` (axes,): times points.reshape(-1, dimension) it gives the points, or derivatives, at params."""
         given, _ = self._params(params)
         given_orders = if_given(orders, self.axes, "orders", numpy.int32)
         return _sparse(given.n, lambda *arrays: call(

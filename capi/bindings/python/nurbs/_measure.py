@@ -55,8 +55,8 @@ class EnclosedArea(NamedTuple):
 
 
 class EnclosedVolume(NamedTuple):
-    """Volume, centroid (3,), inertia (3, 3) about it, the length of the vector area, which is 0 of a closed shell, and an
-    estimate of the error of the volume."""
+    """Volume, centroid (3,), inertia (3, 3) about it, the length of the vector area, which is 0 of a closed shell, and
+    an estimate of the error of the volume."""
 
     volume: float
     centroid: Floats

@@ -31,8 +31,8 @@ class Net:
         self.axes = self.degrees.size
         given = numpy.asarray(points, dtype=numpy.float64)
         if given.ndim != self.axes + 1:
-            raise ValueError(f"points of shape {given.shape}, expected {self.axes + 1} dimensions: one for each degree, "
-                             "one for the coordinates")
+            raise ValueError(f"points of shape {given.shape}, expected {self.axes + 1} dimensions: one for each "
+                             "degree, one for the coordinates")
         self.counts = vector(given.shape[:-1], numpy.int64)
         self.width = given.shape[-1]
         self.points = records(given, self.width)

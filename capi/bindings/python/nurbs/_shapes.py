@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Surfaces and volumes: planes, quadrics and tori.
 
-`center`, `axis` and `x` (3,) place a shape in space; without them it stands at the origin, its axis along z. Angles are in
-radians, and shapes of revolution turn fully unless told otherwise. `form` is a NURBS_ARC_ constant.
+`center`, `axis` and `x` (3,) place a shape in space; without them it stands at the origin, its axis along z. Angles are
+in radians, and shapes of revolution turn fully unless told otherwise. `form` is a NURBS_ARC_ constant.
 """
 
 from __future__ import annotations
@@ -21,8 +21,8 @@ from ._spline import Spline
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
-__all__ = ["plane", "bilinear", "trilinear", "sphere", "spherical_patch", "sphere_patches", "ellipsoid", "cylinder", "cone",
-           "torus", "paraboloid", "saddle", "hyperboloid"]
+__all__ = ["plane", "bilinear", "trilinear", "sphere", "spherical_patch", "sphere_patches", "ellipsoid", "cylinder",
+           "cone", "torus", "paraboloid", "saddle", "hyperboloid"]
 
 
 def _placed(function: Any, center: Optional[ArrayLike], axis: Optional[ArrayLike], x: Optional[ArrayLike],
@@ -119,7 +119,7 @@ def saddle(radius_x: float = 1.0, radius_y: float = 1.0, height: float = 1.0, ce
 def hyperboloid(radius_x: float, radius_y: float, radius_z: float, bottom: float, top: float, start: float = 0.0,
                 sweep: float = FULL_TURN, center: Optional[ArrayLike] = None, axis: Optional[ArrayLike] = None,
                 x: Optional[ArrayLike] = None, form: int = NURBS_ARC_QUARTERS, two_sheets: bool = False) -> Spline:
-    """The band of (X / radius_x)^2 + (Y / radius_y)^2 - (Z / radius_z)^2 = 1 from Z = bottom to Z = top, or of two sheets,
-    where it is -1."""
+    """The band of (X / radius_x)^2 + (Y / radius_y)^2 - (Z / radius_z)^2 = 1 from Z = bottom to Z = top, or of two
+    sheets, where it is -1."""
     return _placed(lib.nurbs_surface_hyperboloid, center, axis, x, radius_x, radius_y, radius_z, bottom, top, start,
                    sweep, form, NURBS_TWO_SHEETS if two_sheets else 0)

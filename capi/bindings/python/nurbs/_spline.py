@@ -39,8 +39,8 @@ if TYPE_CHECKING:
 __all__ = ["Spline"]
 
 
-class Spline(Evaluation, Calculus, Refinement, Forms, Transformations, Continuation, Reduction, Segments, Sweeps, Frames,
-             Distances, Measures, Bounds, Analysis, Edits, Constraints, Deformations, Linear, Plots):
+class Spline(Evaluation, Calculus, Refinement, Forms, Transformations, Continuation, Reduction, Segments, Sweeps,
+             Frames, Distances, Measures, Bounds, Analysis, Edits, Constraints, Deformations, Linear, Plots):
     """A curve, surface or volume: C(t) = sum_i w_i N_i(t) P_i / sum_j w_j N_j(t).
 
         s = nurbs.Spline(2, [0, 0, 0, 1, 1, 1], [[1, 0], [1, 1], [0, 1]], [1, 0.5**0.5, 1])
@@ -56,9 +56,9 @@ class Spline(Evaluation, Calculus, Refinement, Forms, Transformations, Continuat
 
     def __init__(self, degrees: Union[int, Sequence[int]], knots: Union[ArrayLike, Sequence[ArrayLike]],
                  points: ArrayLike, weights: Optional[ArrayLike] = None, flags: int = 0) -> None:
-        """From full knot vectors: `degrees` a number or one for each axis, `knots` a vector (count + degree + 1,) or one
-        for each axis, `points` (counts..., dimension), `weights` (counts...) or None, `flags` NURBS_PERIODIC by axis.
-        Raises ArgumentError."""
+        """From full knot vectors: `degrees` a number or one for each axis, `knots` a vector (count + degree + 1,) or
+        one for each axis, `points` (counts..., dimension), `weights` (counts...) or None, `flags` NURBS_PERIODIC by
+        axis. Raises ArgumentError."""
         net = Net(degrees, points, weights)
         vectors, _ = concatenated(knots, net.axes)
         made = self._made(lib.nurbs_create, *net.sizes, vectors.ctypes.data, vectors.size, net.width,
@@ -69,8 +69,8 @@ class Spline(Evaluation, Calculus, Refinement, Forms, Transformations, Continuat
     @classmethod
     def homogeneous(cls, degrees: Union[int, Sequence[int]], knots: Union[ArrayLike, Sequence[ArrayLike]],
                     points: ArrayLike, flags: int = 0) -> Spline:
-        """A rational spline from points (counts..., dimension + 1) that are (w x, w y, ..., w): weights may be negative,
-        or 0, which is a control point at infinity."""
+        """A rational spline from points (counts..., dimension + 1) that are (w x, w y, ..., w): weights may be
+        negative, or 0, which is a control point at infinity."""
         net = Net(degrees, points, None)
         vectors, _ = concatenated(knots, net.axes)
         return cls._made(lib.nurbs_create_homogeneous, *net.sizes, vectors.ctypes.data, vectors.size, net.width - 1,
