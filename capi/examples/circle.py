@@ -1,28 +1,38 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""A circle is a rational curve: create it, evaluate a batch, insert a knot, and see that the radius did not change."""
+"""A circle is a rational curve: points, tangents, a knot more, the closest point, the length, and a call that fails."""
 
 import numpy as np
 
 import nurbs
 
 
-def report(curve):
-    """The largest distance of 1000 points of the curve from the unit circle."""
-    x, y = curve.eval(np.linspace(0, 1, 1000)).T
-    print(f"{curve.count()} control points, radius 1 to within {abs(np.hypot(x, y) - 1).max():.2g}")
+def radius_error(points):
+    """The largest distance of points (n, 2) from the unit circle."""
+    return abs(np.hypot(*points.T) - 1).max()
 
 
 def main():
-    s = 0.5**0.5
-    circle = nurbs.Spline(
-        degrees=2,
-        knots=[0, 0, 0, 0.25, 0.25, 0.5, 0.5, 0.75, 0.75, 1, 1, 1],
-        points=[[1, 0], [1, 1], [0, 1], [-1, 1], [-1, 0], [-1, -1], [0, -1], [1, -1], [1, 0]],
-        weights=[1, s, 1, s, 1, s, 1, s, 1],
-    )
-    report(circle)
-    report(circle.insert_knot(0.3, times=2))
+    circle, t = nurbs.circle(), np.linspace(0, 1, 1000)
+    points, tangents = circle(t), circle(t, nu=1)
+    print(f"{len(circle.points)} control points, radius 1 to within {radius_error(points):.2g}")
+    print(f"tangents at right angles to within {abs((points * tangents).sum(axis=1)).max():.2g}")
+
+    finer = circle.insert_knot(0.3, 2)
+    print(f"{len(finer.points)} control points, radius 1 to within {radius_error(finer(t)):.2g}")
+    print(f"the points moved by at most {abs(finer(t) - points).max():.2g}")
+
+    closest = circle.closest_points([3, 4])
+    x, y = closest.points
+    certified = "certified" if closest.status & nurbs.NURBS_CLOSEST_CERTIFIED else "not certified"
+    print(f"closest to (3, 4): ({x:.6f}, {y:.6f}), distance {closest.distances:.6f}, {certified}")
+
+    length = circle.length()
+    print(f"length {length.value:.12f}, error about {length.error:.2g}")
+    try:
+        circle(2)
+    except nurbs.DomainError as error:
+        print(f"a bad call says: {error.message}")
 
 
 if __name__ == "__main__":

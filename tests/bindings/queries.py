@@ -1,32 +1,11 @@
 # SPDX-License-Identifier: MIT
 """Distances, measures, boxes and features in Python: one known value of each."""
 
-import sys
 import unittest
 from math import inf, nan, pi, sqrt
 
-try:
-    import numpy as np
-except ImportError:
-    print("SKIPPED: NumPy is not installed")
-    sys.exit(77)
-
 import nurbs
-
-
-def near(actual, expected, by=1e-12):
-    np.testing.assert_allclose(actual, expected, rtol=0, atol=by)
-
-
-same = np.testing.assert_array_equal
-
-
-def status_of(call, *arguments, **options):
-    try:
-        call(*arguments, **options)
-    except nurbs.NurbsError as error:
-        return error.status
-    return nurbs.NURBS_OK
+from helpers import near, np, status_of
 
 
 def base():
@@ -41,74 +20,74 @@ def square():
 
 class Closest(unittest.TestCase):
     def test_closest_points(self):
-        found = nurbs.closest_points(base(), [[0.5, 1], [3, 0]])
+        found = base().closest_points([[0.5, 1], [3, 0]])
         near(found.params, [0.25, 1])
         near(found.points, [[0.5, 0], [2, 0]])
         near(found.distances, [1, 1])
         inside, end = found.status
         self.assertEqual(inside, nurbs.NURBS_CLOSEST_CERTIFIED)
         self.assertEqual(end, nurbs.NURBS_CLOSEST_CERTIFIED | nurbs.NURBS_CLOSEST_BOUNDARY)
-        part = nurbs.closest_points(base(), [0.5, 1], range=(0.5, 1))
+        part = base().closest_points([0.5, 1], range=(0.5, 1))
         self.assertEqual((part.params.shape, part.points.shape, part.distances.shape), ((), (2,), ()))
         near(part.params, 0.5)
 
     def test_other_layouts(self):
         points = np.array([[[0.5, 1], [3, 0]], [[1, 1], [0, 2]]], order="F")
-        found = nurbs.closest_points(base(), points)
+        found = base().closest_points(points)
         near(found.params, [[0.25, 1], [0.5, 0]])
         near(found.distances, [[1, 1], [1, 2]])
 
     def test_surfaces(self):
-        found = nurbs.closest_points(nurbs.plane([2, 0, 0], [0, 4, 0]), [[0.5, 1, 3], [9, 9, 0]])
+        found = nurbs.plane([2, 0, 0], [0, 4, 0]).closest_points([[0.5, 1, 3], [9, 9, 0]])
         near(found.params, [[0.25, 0.25], [1, 1]])
         near(found.distances, [3, sqrt(74)])
 
     def test_inversion(self):
         cube = nurbs.trilinear([[[[x, y, z] for z in (0, 1)] for y in (0, 1)] for x in (0, 1)])
-        near(nurbs.closest_points(cube, [0.25, 0.5, 0.75]).params, [0.25, 0.5, 0.75])
+        near(cube.closest_points([0.25, 0.5, 0.75]).params, [0.25, 0.5, 0.75])
 
     def test_farthest_points(self):
-        found = nurbs.farthest_points(base(), [0.5, 1])
+        found = base().farthest_points([0.5, 1])
         near(found.params, 1)
         near(found.distances, sqrt(3.25))
 
     def test_points_that_are_not_finite(self):
-        self.assertEqual(status_of(nurbs.closest_points, base(), [nan, 0]), nurbs.NURBS_ERROR_POINT_NOT_FINITE)
-        found = nurbs.closest_points(base(), [[nan, 0], [1, 0]], nan_points=True)
+        self.assertEqual(status_of(base().closest_points, [nan, 0]), nurbs.NURBS_ERROR_POINT_NOT_FINITE)
+        found = base().closest_points([[nan, 0], [1, 0]], nan_points=True)
         self.assertTrue(np.isnan(found.distances[0]) and found.distances[1] == 0)
         self.assertEqual(found.status[0], nurbs.NURBS_CLOSEST_INVALID)
 
     def test_closest_local(self):
-        found = nurbs.closest_local(square(), [[0, 0.5], [0, 0.5]], [0.3, 2.3])
+        found = square().closest_local([[0, 0.5], [0, 0.5]], [0.3, 2.3])
         near(found.params, [0.5, 2.5])
         near(found.points, [[0, -1], [0, 1]])
 
     def test_closest_all(self):
-        found = nurbs.closest_all(square(), [0, 0], tolerance=1e-9)
+        found = square().closest_all([0, 0], tolerance=1e-9)
         near(found.params, [0.5, 1.5, 2.5, 3.5])
         near(found.distances, 1)
         self.assertTrue(found.status & nurbs.NURBS_CLOSEST_CERTIFIED)
 
     def test_critical_points(self):
-        found = nurbs.critical_points(base(), [0.5, 1], tolerance=1e-9)
+        found = base().critical_points([0.5, 1], tolerance=1e-9)
         near(found.params, [0, 0.25, 1])
         near(found.distances, [sqrt(1.25), 1, sqrt(3.25)])
         low, high = nurbs.NURBS_CRITICAL_MINIMUM, nurbs.NURBS_CRITICAL_MAXIMUM
         self.assertEqual(found.kinds.tolist(), [high, low, high])
 
     def test_signed_distances(self):
-        found = nurbs.signed_distances(base(), [[1, 1], [0.5, -2]])
+        found = base().signed_distances([[1, 1], [0.5, -2]])
         near(found.distances, [1, -2])
         near(found.params, [0.5, 0.25])
         self.assertEqual(found.status.tolist(), [nurbs.NURBS_CLOSEST_CERTIFIED] * 2)
 
     def test_distances(self):
         a, b = nurbs.line([0, 0, 0], [2, 0, 0]), nurbs.line([1, -1, 1], [1, 1, 1])
-        found = nurbs.distance(a, b, 1e-9)
+        found = a.distance(b, 1e-9)
         self.assertTrue(1 - 1e-8 <= found.at_least <= 1 <= found.at_most + 1e-12 <= 1 + 1e-8)
         near([found.params_a, found.params_b], 0.5, by=1e-4)
         self.assertEqual(found.status, nurbs.NURBS_CLOSEST_CERTIFIED)
-        both = nurbs.hausdorff_distance(base(), nurbs.line([0, 1], [1, 1]), 1e-9)
+        both = base().hausdorff_distance(nurbs.line([0, 1], [1, 1]), 1e-9)
         near(both.at_least, [sqrt(2), 1], by=1e-8)
         near(both.at_most, [sqrt(2), 1], by=1e-8)
         near(both.params_a, [1], by=1e-4)
@@ -117,28 +96,28 @@ class Closest(unittest.TestCase):
 
 class Measures(unittest.TestCase):
     def test_lengths(self):
-        found = nurbs.length(nurbs.circle(2))
+        found = nurbs.circle(2).length()
         near(found.value, 4 * pi)
         self.assertLess(found.error, 1e-10)
-        near(nurbs.length(nurbs.circle(), 1e-9, range=(0, 0.25)).value, pi / 2, by=1e-8)
-        near(nurbs.lengths(base(), [[0.5], [1]]), [[1], [2]])
-        near(nurbs.params_at_lengths(base(), [0, 1]), [0, 0.5])
-        near(nurbs.params_at_lengths(base(), 5, clamp=True), 1)
-        self.assertEqual(status_of(nurbs.params_at_lengths, base(), 5), nurbs.NURBS_ERROR_LENGTH)
+        near(nurbs.circle().length(1e-9, range=(0, 0.25)).value, pi / 2, by=1e-8)
+        near(base().lengths([[0.5], [1]]), [[1], [2]])
+        near(base().params_at_lengths([0, 1]), [0, 0.5])
+        near(base().params_at_lengths(5, clamp=True), 1)
+        self.assertEqual(status_of(base().params_at_lengths, 5), nurbs.NURBS_ERROR_LENGTH)
 
     def test_divisions(self):
-        quarters = nurbs.divide(nurbs.circle(), 4)
+        quarters = nurbs.circle().divide(4)
         near(quarters.params, [0, 0.25, 0.5, 0.75, 1])
         near(quarters.size, pi / 2)
-        near(nurbs.divide(nurbs.circle(), 4, equal_chords=True).size, sqrt(2))
-        near(nurbs.divide(base(), 2, range=(0.5, 1)).params, [0.5, 0.75, 1])
+        near(nurbs.circle().divide(4, equal_chords=True).size, sqrt(2))
+        near(base().divide(2, range=(0.5, 1)).params, [0.5, 0.75, 1])
 
     def test_areas(self):
-        near(nurbs.area(nurbs.sphere(2)).value, 16 * pi, by=1e-11)
-        near(nurbs.area(nurbs.plane([2, 0, 0], [0, 4, 0]), range=[[0, 0.5], [0, 0.25]]).value, 1)
+        near(nurbs.sphere(2).area().value, 16 * pi, by=1e-11)
+        near(nurbs.plane([2, 0, 0], [0, 4, 0]).area(range=[[0, 0.5], [0, 0.25]]).value, 1)
 
     def test_moments(self):
-        wire = nurbs.moments(base())
+        wire = base().moments()
         near(wire.content, 2)
         near(wire.centroid, [1, 0])
         near(wire.inertia, [[0, 0], [0, 2 / 3]])
@@ -156,29 +135,29 @@ class Measures(unittest.TestCase):
 
 class Bounds(unittest.TestCase):
     def test_boxes(self):
-        found = nurbs.box(nurbs.circle(), 1e-9)
+        found = nurbs.circle().box(1e-9)
         near([found.lower, found.upper], [[-1, -1], [1, 1]], by=1e-8)
         self.assertLess(found.gap, 1e-8)
         self.assertTrue((found.lower <= -1).all() and (found.upper >= 1).all())
-        near(nurbs.box(nurbs.circle(), inf).upper, [1, 1])
-        near(nurbs.box(base(), 0, range=(0, 0.5)).upper, [1, 0])
+        near(nurbs.circle().box(inf).upper, [1, 1])
+        near(base().box(0, range=(0, 0.5)).upper, [1, 0])
 
     def test_oriented_boxes(self):
-        found = nurbs.oriented_box(nurbs.line([0, 0], [3, 4]), 1e-9)
+        found = nurbs.line([0, 0], [3, 4]).oriented_box(1e-9)
         near(found.center, [1.5, 2], by=1e-8)
         near(np.abs(found.axes[0]), [0.6, 0.8], by=1e-8)
         near(found.half, [2.5, 0], by=1e-8)
 
     def test_cones(self):
-        direction, angle = nurbs.tangent_cone(base(), 1e-3)
+        direction, angle = base().tangent_cone(1e-3)
         near(direction, [1, 0])
         near(angle, 0, by=1e-6)
-        direction, angle = nurbs.normal_cone(nurbs.plane([2, 0, 0], [0, 4, 0]), 1e-3)
+        direction, angle = nurbs.plane([2, 0, 0], [0, 4, 0]).normal_cone(1e-3)
         near(direction, [0, 0, 1])
         near(angle, 0, by=1e-6)
 
     def test_extreme_points(self):
-        found = nurbs.extreme_point(nurbs.circle(2), [0, 1], 1e-9)
+        found = nurbs.circle(2).extreme_point([0, 1], 1e-9)
         near(found.params, [0.25], by=1e-4)
         near([found.value, found.bound], 2, by=1e-8)
         self.assertGreaterEqual(found.bound, 2)
@@ -192,67 +171,67 @@ def cusp():
 class Features(unittest.TestCase):
     def test_features(self):
         bend = nurbs.Spline.bezier([[0, 0], [1, 2], [2, -2], [3, 0]])
-        found = nurbs.features(bend, nurbs.NURBS_FEATURE_INFLECTION)
+        found = bend.features(nurbs.NURBS_FEATURE_INFLECTION)
         near(found.params, [0.5])
         self.assertEqual((found.found.tolist(), found.complete), ([nurbs.NURBS_FEATURE_INFLECTION], True))
-        kink = nurbs.features(nurbs.polyline([[0, 0], [1, 0], [1, 1]]))
+        kink = nurbs.polyline([[0, 0], [1, 0], [1, 1]]).features()
         self.assertEqual(kink.found.tolist(), [nurbs.NURBS_FEATURE_KINK])
         near(kink.params, [1])
         near(kink.values, [pi / 2])
 
     def test_monotone_pieces(self):
-        found = nurbs.monotone_pieces(nurbs.circle(), [1, 0])
+        found = nurbs.circle().monotone_pieces([1, 0])
         near(found.starts, [0, 0.5])
         self.assertEqual((found.signs.tolist(), found.complete), ([-1, 1], True))
 
     def test_flatness(self):
-        self.assertEqual(nurbs.convexity(nurbs.circle()), nurbs.NURBS_CONVEXITY_LEFT)
-        self.assertEqual(nurbs.convexity(base()), nurbs.NURBS_CONVEXITY_STRAIGHT)
-        line = nurbs.straightness(base())
+        self.assertEqual(nurbs.circle().convexity(), nurbs.NURBS_CONVEXITY_LEFT)
+        self.assertEqual(base().convexity(), nurbs.NURBS_CONVEXITY_STRAIGHT)
+        line = base().straightness()
         near(line.direction, [1, 0])
         near([line.bound, line.origin[1]], 0)
-        plane = nurbs.planarity(nurbs.circle(center=[0, 0, 1]))
+        plane = nurbs.circle(center=[0, 0, 1]).planarity()
         near(plane.normal, [0, 0, 1])
         near([plane.bound, plane.origin[2] - 1], 0)
 
     def test_boundaries(self):
-        found = nurbs.boundary_contacts(nurbs.sphere(), 1e-9)
+        found = nurbs.sphere().boundary_contacts(1e-9)
         self.assertEqual(found.closed.tolist(), [True, False])
         self.assertEqual(found.collapsed.tolist(), [[False, False], [True, True]])
         near(found.gaps[0], 0)
         near(found.sizes[1], [0, 0])
 
     def test_singular_points(self):
-        found = nurbs.singular_points(cusp(), 1e-3)
+        found = cusp().singular_points(1e-3)
         near(found.params, [[0.5]], by=1e-3)
         self.assertTrue(found.complete and found.boxes.shape == (1, 1, 2))
         self.assertTrue(found.boxes[0, 0, 0] <= 0.5 <= found.boxes[0, 0, 1])
-        self.assertEqual(nurbs.singular_points(base(), 1e-3).params.shape, (0, 1))
+        self.assertEqual(base().singular_points(1e-3).params.shape, (0, 1))
 
     def test_folds(self):
         flat = nurbs.bilinear([[[0, 0], [0, 1]], [[1, 0], [1, 1]]])
-        self.assertEqual(nurbs.fold_test(flat).result, nurbs.NURBS_FOLD_NONE)
-        crossed = nurbs.fold_test(nurbs.bilinear([[[0, 0], [0, 1]], [[1, 1], [1, 0]]]))
+        self.assertEqual(flat.fold_test().result, nurbs.NURBS_FOLD_NONE)
+        crossed = nurbs.bilinear([[[0, 0], [0, 1]], [[1, 1], [1, 0]]]).fold_test()
         self.assertEqual(crossed.result, nurbs.NURBS_FOLD_FOUND)
         self.assertTrue(np.isfinite([crossed.positive, crossed.negative]).all())
         tent = nurbs.plane([2, 0, 0], [0, 4, 0])
-        self.assertEqual(nurbs.fold_test(tent, reference=[0, 0, 1]).result, nurbs.NURBS_FOLD_NONE)
+        self.assertEqual(tent.fold_test(reference=[0, 0, 1]).result, nurbs.NURBS_FOLD_NONE)
 
 
 class Errors(unittest.TestCase):
     def test_statuses(self):
-        self.assertEqual(status_of(nurbs.closest_points, base(), [0, 0], tolerance=-1), nurbs.NURBS_ERROR_TOLERANCE)
-        self.assertEqual(status_of(nurbs.closest_points, base(), [0, 0], range=(0, 2)),
+        self.assertEqual(status_of(base().closest_points, [0, 0], tolerance=-1), nurbs.NURBS_ERROR_TOLERANCE)
+        self.assertEqual(status_of(base().closest_points, [0, 0], range=(0, 2)),
                          nurbs.NURBS_ERROR_OUTSIDE_DOMAIN)
-        self.assertEqual(status_of(nurbs.length, nurbs.sphere()), nurbs.NURBS_ERROR_AXES)
-        self.assertEqual(status_of(nurbs.extreme_point, base(), [0, 0], 0), nurbs.NURBS_ERROR_DIRECTION)
-        self.assertEqual(status_of(nurbs.distance, base(), nurbs.sphere()), nurbs.NURBS_ERROR_INCOMPATIBLE)
+        self.assertEqual(status_of(nurbs.sphere().length), nurbs.NURBS_ERROR_AXES)
+        self.assertEqual(status_of(base().extreme_point, [0, 0], 0), nurbs.NURBS_ERROR_DIRECTION)
+        self.assertEqual(status_of(base().distance, nurbs.sphere()), nurbs.NURBS_ERROR_INCOMPATIBLE)
 
     def test_arrays_that_do_not_fit(self):
-        for call in (lambda: nurbs.closest_points(base(), [[1, 2, 3]]), lambda: nurbs.closest_points(base(), 1),
-                     lambda: nurbs.closest_points(base(), [1, 2], range=[1]),
-                     lambda: nurbs.closest_local(base(), [1, 2], [0.1, 0.2]),
-                     lambda: nurbs.monotone_pieces(base(), [1, 2, 3]), lambda: nurbs.fold_test(base(), [1, 2])):
+        for call in (lambda: base().closest_points([[1, 2, 3]]), lambda: base().closest_points(1),
+                     lambda: base().closest_points([1, 2], range=[1]),
+                     lambda: base().closest_local([1, 2], [0.1, 0.2]),
+                     lambda: base().monotone_pieces([1, 2, 3]), lambda: base().fold_test([1, 2])):
             with self.assertRaises(ValueError):
                 call()
 

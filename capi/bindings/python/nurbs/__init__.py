@@ -2,61 +2,62 @@
 """libnurbs for Python: NURBS curves, surfaces and volumes on NumPy arrays.
 
     import numpy, nurbs
-    arc = nurbs.Spline.bezier([[1, 0], [1, 1], [0, 1]], weights=[1, 0.5**0.5, 1])
-    points = arc.eval(numpy.linspace(0, 1, 100))
+    circle = nurbs.circle(2.0)                        # exact, as is everything that is one call
+    points = circle(numpy.linspace(0, 1, 1_000_000))  # (1000000, 2)
+    finer = circle.insert_knot(0.3, 2)
+    finer.length(), finer.closest_points([3, 4]), finer.knots, finer.points, finer.plot()
 
-The manual is the header nurbs.h; this package keeps its names, its indices from 0 and its flags. What differs:
+The manual is the header nurbs.h; this package keeps its names, its indices from 0 and its flags. One rule tells where a
+C function is: if its first argument is one spline it is a method of Spline, of what the spline is made of a property;
+constructors from points are class methods of Spline; everything else (shapes, several splines, knots, files) is a
+function of this module. Prefixes (nurbs_, curve_, surface_, volume_) are left out where the name is clear without.
 
-- A failure raises NurbsError with `status`, `name` and `message`.
-- Arrays have natural shapes: control points (counts..., dim), parameters of a curve (...), of a surface (..., 2),
-  results (..., dim). Arrays of float64 with positive strides are passed without a copy, in either memory order; others
-  are converted. Each evaluating method fills `out` if it is given.
+- Arrays have natural shapes: control points (counts..., dimension), parameters of a curve S, of a surface S + (2,),
+  results S + (dimension,). Arrays of float64 with positive strides are passed without a copy, in either memory order;
+  others are converted. Results are new arrays, or `out` where a method takes it; properties that are arrays are copies.
+- A failure raises a NurbsError with `status`, `name` and `message`, which also is the exception that Python would
+  raise: ArgumentError and DomainError are ValueError, RangeError is IndexError too, NumericError is ArithmeticError,
+  OutOfMemoryError is MemoryError, FileError is OSError, ContentsError is ValueError, ResourceError and InternalError
+  are RuntimeError. Arrays of a wrong shape raise ValueError, arguments of a wrong type TypeError, numbers that do not
+  fit OverflowError. A failing call writes nothing to `out`.
 - The interpreter's lock is released during every call, and one spline may be used by many threads at once.
+- Splines are values: they never change, can be compared, hashed, copied and pickled, bit for bit.
 
 The library is $NURBS_LIBRARY, a path to libnurbs.so, if that is set, else the system's libnurbs.so.1. The C functions
 themselves are attributes of `nurbs.lib`.
 """
 
-from ._library import NurbsError, last_error, lib, status_name, version
-from .analysis import (BoundaryContacts, CurveFeatures, Fold, MonotonePieces, Planarity, SingularPoints, Straightness,
-                       boundary_contacts, convexity, features, fold_test, monotone_pieces, planarity, singular_points,
-                       straightness)
-from .bounds import (Box, DirectionCone, ExtremePoint, OrientedBox, box, extreme_point, normal_cone, oriented_box,
-                     tangent_cone)
-from .closest import (ClosestAll, ClosestPoints, CriticalPoints, Distance, HausdorffDistance, SignedDistances,
-                      closest_all, closest_local, closest_points, critical_points, distance, farthest_points,
-                      hausdorff_distance, signed_distances)
-from .compatible import Compatible, Snapped, make_compatible, snap_knots
-from .constrain import Constrained, constrain
-from .continuation import PeriodicForm, detect_periodic, extend, make_periodic, unclamp
-from .continuity import EndContinuity, KnotContinuity, continuity, continuity_between
-from .constants import *  # noqa: F401,F403 - the names of the header
-from .coons import CoonsGaps, HermiteCoons, boundaries, coons, coons_gaps, coons_hermite, coons_volume
-from .curves import (ConicAxes, Helix, ShapeFactor, arc, arc_tangent, arc_through, circle, conic_axes, conic_focus,
-                     conic_implicit, conic_point, conic_shoulder, conic_through, conic_triangle, ellipse, helix,
-                     hyperbola, line, parabola, polygon, polyline, rounded_rectangle, shape_factor)
-from .deform import Deformed, Faired, bend, fair, flatten, free_form_deform, snap_boundary, warp
-from .edit import (Influences, LegEdit, PointEdit, WeightEdit, WeightPoints, WeightsEdit, insert_at_point,
-                   insert_on_leg, most_influential, pull_point, pull_weight, pull_weights, set_weights, weight_cross_ratio,
-                   weight_points, weight_through)
-from .files import Note, SplineList, read, read_file
-from .calculus import (antiderivative, blossom, compose, derivative, equalize_end_weights, normalize_weights,
-                       product, reparametrize_moebius, sum)
-from .frames import (CurveFrames, Curvatures, MinimalFrames, SurfaceFrames, curve_frames, rotation_minimizing_frames,
-                     surface_curvatures, surface_frames, surface_grid_frames)
-from .knots import (basis, bernstein, find_spans, knots_averaged, knots_bezier, knots_open_uniform,
-                    knots_periodic, knots_uniform)
-from .linear import (Gradients, bezier_extraction, collocation, eval_adjoint, rational_collocation,
-                     refinement_matrix)
-from .measure import (Division, EnclosedArea, EnclosedVolume, Measured, Moments, area, divide, enclosed_area,
-                      enclosed_volume, length, lengths, moments, params_at_lengths)
-from .parts import Joined, decompose, join, split_at_knots
-from .projections import mirror, project_from, project_to_plane
-from .recognize import Recognized, recognize
-from .segments import Hermite, PowerForm, basis_matrix, create_hermite, create_power, to_hermite, to_power
-from .shapes import (bilinear, cone, cylinder, ellipsoid, extrude, hyperboloid, paraboloid, plane, revolve, ruled,
-                     saddle, sphere, sphere_patches, spherical_patch, swung, tensor_product, tensor_sum, torus,
-                     trilinear)
-from .reduce import (Deviation, KnotRemoval, Reduced, deviation, reduce_degree, reduce_knots, remove_knot,
-                     simplify)
-from .spline import Spline, derivative_slots
+from ._base import DistinctKnots as DistinctKnots
+from ._errors import *  # noqa: F403
+from ._library import last_error as last_error, lib as lib, status_name as status_name, version as version
+from ._analysis import *  # noqa: F403
+from ._bounds import *  # noqa: F403
+from ._closest import *  # noqa: F403
+from .constants import *  # noqa: F403 - the names of the header
+from ._constrain import *  # noqa: F403
+from ._continuation import *  # noqa: F403
+from ._coons import *  # noqa: F403
+from ._curves import *  # noqa: F403
+from ._deform import *  # noqa: F403
+from ._edit import *  # noqa: F403
+from ._evaluation import *  # noqa: F403
+from ._files import *  # noqa: F403
+from ._frames import *  # noqa: F403
+from ._knots import *  # noqa: F403
+from ._linear import *  # noqa: F403
+from ._measure import *  # noqa: F403
+from ._reduce import *  # noqa: F403
+from ._refinement import *  # noqa: F403
+from ._segments import *  # noqa: F403
+from ._shapes import *  # noqa: F403
+from ._spline import Spline as Spline, _restored
+from ._together import *  # noqa: F403
+
+#: The version of this package; version() is that of the library that is loaded.
+__version__ = "1.0.0"
+
+# Results, exceptions and pickled splines are known by the names they have here.
+for _value in (*globals().values(), _restored):
+    if _value is _restored or isinstance(_value, type) and issubclass(_value, (tuple, Exception)):
+        _value.__module__ = __name__
+del _value

@@ -1,56 +1,74 @@
 # SPDX-License-Identifier: MIT
 """NumPy arrays as the library's pointers and strides."""
 
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, Optional, Tuple
+
 import numpy
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, DTypeLike, NDArray
+
+    #: Arrays that the functions return.
+    Floats = NDArray[numpy.float64]
+    Singles = NDArray[numpy.float32]
+    Int32s = NDArray[numpy.int32]
+    Int64s = NDArray[numpy.int64]
+    Booleans = NDArray[numpy.bool_]
+    Shape = Tuple[int, ...]
 
 
 class Records:
-    """n records of `width` numbers in memory that the library can use directly; strides count those numbers."""
+    """n records of numbers in memory that the library can use directly; strides count those numbers, 0 is packed."""
 
-    def __init__(self, array, width):
+    __slots__ = ("array", "n", "layout")
+
+    def __init__(self, array: NDArray[Any], n: int, stride: int = 0, component_stride: int = 0) -> None:
         self.array = array  # keeps the memory alive
-        self.n = array.shape[0]
-        self.address = array.ctypes.data
-        record, component = (step // array.itemsize for step in array.strides)
+        self.n = n
+        self.layout = array.ctypes.data, stride, component_stride
+
+    @classmethod
+    def of_table(cls, table: NDArray[Any]) -> Records:
+        """The rows of a table that _direct() lets through."""
+        n, width = table.shape
+        record, component = (step // table.itemsize for step in table.strides)
         # NumPy leaves the strides of axes of length 1 undefined.
-        self.component_stride = component if width > 1 else 1
-        self.stride = record if self.n > 1 else width * self.component_stride
-        if array.size == 0:
-            self.stride = self.component_stride = 0
-
-    @property
-    def layout(self):
-        return self.address, self.stride, self.component_stride
+        component = component if width > 1 else 1
+        return cls(table, n, record if n > 1 else width * component, component)
 
 
-def _direct(array, dtype=numpy.float64):
-    """Whether the library can address a 2-D array: whole positive strides, and no place used twice."""
-    if array.dtype != dtype or not array.dtype.isnative or not array.flags.aligned:
+def _direct(table: NDArray[Any]) -> bool:
+    """Whether the library can address the rows of a table: whole positive strides, and no place used twice."""
+    if not table.dtype.isnative or not table.flags.aligned:
         return False
-    if array.size == 0:
-        return True
-    unit = array.itemsize
-    if any(size > 1 and (step <= 0 or step % unit) for size, step in zip(array.shape, array.strides)):
+    unit = table.itemsize
+    if any(size > 1 and (step <= 0 or step % unit) for size, step in zip(table.shape, table.strides)):
         return False
-    (n, width), (record, component) = array.shape, array.strides
+    (n, width), (record, component) = table.shape, table.strides
     return n <= 1 or width <= 1 or record >= (width - 1) * component + unit or component >= (n - 1) * record + unit
 
 
-def records(values, width):
+def records(values: ArrayLike, width: int) -> Records:
     """An input of records: a view where possible, otherwise a packed copy."""
     array = numpy.asarray(values, dtype=numpy.float64)
     if array.size % max(width, 1):
         raise ValueError(f"an array of shape {array.shape} does not hold records of {width} components")
-    array = array.reshape(-1, width) if width else array.reshape(0, 0)
-    return Records(array if _direct(array) else numpy.ascontiguousarray(array), width)
+    n = array.size // max(width, 1)
+    flags = array.flags
+    if flags.c_contiguous and flags.aligned or n == 0:
+        return Records(array, n)
+    table = array.reshape(-1, width)
+    return Records.of_table(table) if _direct(table) else Records(numpy.array(table, order="C"), n)
 
 
-def vector(values, dtype=numpy.float64):
+def vector(values: ArrayLike, dtype: DTypeLike = numpy.float64) -> NDArray[Any]:
     """A packed vector; a plain number is a vector of one."""
     return numpy.ascontiguousarray(values, dtype=dtype).reshape(-1)
 
 
-def exactly(values, size, what, dtype=numpy.float64):
+def exactly(values: ArrayLike, size: int, what: str, dtype: DTypeLike = numpy.float64) -> NDArray[Any]:
     """A packed vector of one length."""
     array = vector(values, dtype)
     if array.size != size:
@@ -58,47 +76,77 @@ def exactly(values, size, what, dtype=numpy.float64):
     return array
 
 
-def if_given(values, size, what, dtype=numpy.float64):
+def if_given(values: Optional[ArrayLike], size: int, what: str,
+             dtype: DTypeLike = numpy.float64) -> Optional[NDArray[Any]]:
     """The same, or None."""
     return None if values is None else exactly(values, size, what, dtype)
 
 
-def address(array):
+def address(array: Optional[NDArray[Any]]) -> Optional[int]:
     """The pointer of an array, NULL for None."""
     return None if array is None else array.ctypes.data
 
 
-def _as_table(array, width, dtype):
-    """The array as (records, width) without a copy, or None."""
+def addresses(*arrays: Optional[NDArray[Any]]) -> Tuple[Optional[int], ...]:
+    """The pointers of arrays, NULL for None."""
+    return tuple(address(array) for array in arrays)
+
+
+def _in_place(array: NDArray[Any], width: int) -> Optional[Records]:
+    """The array as records without a copy, or None."""
+    flags = array.flags
+    if array.size == 0 or flags.c_contiguous and flags.aligned and array.dtype.isnative:
+        return Records(array, array.size // max(width, 1))
     table = array.view()
     try:
-        table.shape = (array.size // width if width else 0, width)
+        table.shape = (array.size // width, width)
     except AttributeError:
         return None
-    return table if _direct(table, dtype) else None
+    return Records.of_table(table) if _direct(table) else None
 
 
 class Output:
     """An array to be filled: `out` itself where the library can address it, else a packed array copied to it."""
 
-    def __init__(self, out, shape, width, dtype=numpy.float64):
-        if out is not None and (not isinstance(out, numpy.ndarray) or out.shape != tuple(shape)
-                                or out.dtype != dtype or not out.flags.writeable):
+    __slots__ = ("result", "_copy", "records")
+
+    def __init__(self, out: Optional[NDArray[Any]], shape: Shape, width: int,
+                 dtype: DTypeLike = numpy.float64) -> None:
+        self._copy: Optional[NDArray[Any]] = None
+        if out is None:
+            self.result: NDArray[Any] = numpy.empty(shape, dtype)
+            self.records = Records(self.result, self.result.size // max(width, 1))
+            return
+        if (not isinstance(out, numpy.ndarray) or out.shape != tuple(shape) or out.dtype != dtype
+                or not out.flags.writeable):
             raise ValueError(f"out must be a writeable {numpy.dtype(dtype)} array of shape {tuple(shape)}")
-        self.result = numpy.empty(shape, dtype) if out is None else out
-        table = _as_table(self.result, width, dtype)
-        self._copy = None
-        if table is None:
+        self.result = out
+        direct = _in_place(out, width)
+        if direct is None:
             self._copy = numpy.empty(shape, dtype)
-            table = _as_table(self._copy, width, dtype)
-        self.records = Records(table, width)
+            direct = Records(self._copy, out.size // max(width, 1))
+        self.records = direct
 
     @property
-    def layout(self):
+    def layout(self) -> Tuple[int, int, int]:
+        """Pointer, stride and component stride."""
         return self.records.layout
 
-    def finish(self):
+    def finish(self) -> NDArray[Any]:
         """The filled array."""
         if self._copy is not None:
             self.result[...] = self._copy
         return self.result
+
+
+class Gradient(Output):
+    """An output that may be added to."""
+
+    __slots__ = ()
+
+    def __init__(self, out: Optional[NDArray[Any]], shape: Shape, width: int, add: bool) -> None:
+        super().__init__(out, shape, width)
+        if add and out is None:
+            self.result[...] = 0
+        elif add and self._copy is not None:
+            self._copy[...] = self.result

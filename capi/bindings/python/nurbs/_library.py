@@ -1,20 +1,24 @@
 # SPDX-License-Identifier: MIT
-"""The shared library: where it is found, the types of its functions, its errors."""
+"""The shared library: where it is found, the types of its functions, how they are called."""
+
+from __future__ import annotations
 
 import ctypes
 import operator
 import os
+from typing import Any
 
+from ._errors import error_class
 from ._prototypes import PROTOTYPES
 from .constants import NURBS_OK
 
 
-def _integer(ctype, low, high):
+def _integer(ctype: Any, low: int, high: int) -> Any:
     """An argument type that refuses what does not fit, where ctypes would cut it off, and takes NumPy's integers."""
 
     class Argument:
         @staticmethod
-        def from_param(value):
+        def from_param(value: Any) -> Any:
             number = operator.index(value)
             if not low <= number <= high:
                 raise OverflowError(f"{number} does not fit {ctype.__name__}")
@@ -25,7 +29,7 @@ def _integer(ctype, low, high):
 
 class _Double:
     @staticmethod
-    def from_param(value):
+    def from_param(value: Any) -> ctypes.c_double:
         return ctypes.c_double(value)
 
 
@@ -40,44 +44,37 @@ _ARGUMENTS = {
 }
 
 
-class NurbsError(Exception):
-    """A call that failed: its status, the name of the status, and the library's message."""
-
-    def __init__(self, status, name, message):
-        super().__init__(status, name, message)
-        self.status = status
-        self.name = name
-        self.message = message
-
-    def __str__(self):
-        return f"{self.name}: {self.message}"
-
-
-def _load():
-    # CDLL, unlike PyDLL, releases the interpreter's lock during calls.
-    library = ctypes.CDLL(os.environ.get("NURBS_LIBRARY") or "libnurbs.so.1")
-    for name, types in PROTOTYPES.items():
+def _load() -> ctypes.CDLL:
+    name = os.environ.get("NURBS_LIBRARY") or "libnurbs.so.1"
+    try:
+        # CDLL, unlike PyDLL, releases the interpreter's lock during calls.
+        library = ctypes.CDLL(name)
+    except OSError as error:
+        raise ImportError(f"the library {name} cannot be loaded ({error}); install libnurbs, or set NURBS_LIBRARY to "
+                          "the path of libnurbs.so") from error
+    for function, types in PROTOTYPES.items():
         result, arguments = types.split(" ")
-        function = getattr(library, name)
-        function.restype = _RESULTS[result]
-        function.argtypes = [_ARGUMENTS[letter] for letter in arguments]
+        entry = getattr(library, function)
+        entry.restype = _RESULTS[result]
+        entry.argtypes = [_ARGUMENTS[letter] for letter in arguments]
     return library
 
 
+#: The C functions themselves, by their names in nurbs.h.
 lib = _load()
 
 
-def version():
-    """Version of the library: major * 10000 + minor * 100 + patch."""
-    return lib.nurbs_version()
+def version() -> int:
+    """Version of the library that is loaded: major * 10000 + minor * 100 + patch."""
+    return int(lib.nurbs_version())
 
 
-def status_name(status):
+def status_name(status: int) -> str:
     """Name of a status, such as "NURBS_ERROR_NULL"."""
-    return lib.nurbs_status_name(status).decode()
+    return str(lib.nurbs_status_name(status).decode())
 
 
-def last_error():
+def last_error() -> str:
     """Message of the last failed call in this thread."""
     size = lib.nurbs_last_error(None, 0) + 1
     text = ctypes.create_string_buffer(size)
@@ -85,23 +82,28 @@ def last_error():
     return text.value.decode(errors="replace")
 
 
-def check(status):
-    """Raises NurbsError unless the status is success."""
+def call(function: Any, *arguments: Any) -> None:
+    """Calls a function of the library; raises NurbsError unless its status is success."""
+    try:
+        status = function(*arguments)
+    except ctypes.ArgumentError as error:
+        kind = OverflowError if "OverflowError" in str(error) else TypeError
+        raise kind(f"{function.__name__}(), {error}") from None
     if status != NURBS_OK:
-        raise NurbsError(status, status_name(status), last_error())
+        raise error_class(status)(status, status_name(status), last_error())
 
 
-def get(ctype, function, *arguments):
+def get(ctype: Any, function: Any, *arguments: Any) -> Any:
     """The one value that a function writes through its last argument."""
     value = ctype()
-    check(function(*arguments, ctypes.byref(value)))
+    call(function, *arguments, ctypes.byref(value))
     return value.value
 
 
-def text(function, *arguments):
+def text(function: Any, *arguments: Any) -> str:
     """The text that a function writes to (buf, cap, length), its last arguments."""
     length = ctypes.c_int64()
-    check(function(*arguments, None, 0, ctypes.byref(length)))
+    call(function, *arguments, None, 0, ctypes.byref(length))
     buffer = ctypes.create_string_buffer(length.value + 1)
-    check(function(*arguments, buffer, length.value + 1, None))
+    call(function, *arguments, buffer, length.value + 1, None)
     return buffer.value.decode(errors="replace")

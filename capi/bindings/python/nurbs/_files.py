@@ -1,0 +1,111 @@
+# SPDX-License-Identifier: MIT
+"""Reading files: the splines that a file held, their names, and notes on the rest."""
+
+from __future__ import annotations
+
+import ctypes
+import os
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, List, NamedTuple, Optional, Union, overload
+
+from ._library import call, get, lib, text
+from ._spline import Spline
+
+if TYPE_CHECKING:
+    _Splines = Sequence[Spline]
+else:
+    _Splines = Sequence
+
+__all__ = ["Note", "SplineList", "read", "read_file"]
+
+
+class Note(NamedTuple):
+    """An entity of a file that did not become a spline: its type number, its line in the directory, a NURBS_ERROR_
+    constant, and what is wrong with it."""
+
+    entity_type: int
+    line: int
+    reason: int
+    text: str
+
+
+class _Options(ctypes.Structure):
+    _fields_ = [("struct_size", ctypes.c_int64), ("unit", ctypes.c_double), ("max_bytes", ctypes.c_int64)]
+
+
+def _options(unit: float, max_bytes: Optional[int]) -> Any:
+    options = _Options()
+    call(lib.nurbs_read_options_init, ctypes.byref(options), ctypes.sizeof(options))
+    options.unit = unit
+    if max_bytes is not None:
+        options.max_bytes = max_bytes
+    return ctypes.byref(options)
+
+
+class SplineList(_Splines):
+    """A sequence of splines, parts of one or those of a file, with names and notes."""
+
+    def __init__(self, handle: Optional[int]) -> None:
+        self._handle = handle
+
+    def __del__(self) -> None:
+        if lib is not None and getattr(self, "_handle", None):
+            lib.nurbs_list_destroy(self._handle)
+
+    def __len__(self) -> int:
+        return int(get(ctypes.c_int64, lib.nurbs_list_count, self._handle))
+
+    @overload
+    def __getitem__(self, index: int) -> Spline: ...
+
+    @overload
+    def __getitem__(self, index: slice) -> List[Spline]: ...
+
+    def __getitem__(self, index: Union[int, slice]) -> Union[Spline, List[Spline]]:
+        if isinstance(index, slice):
+            return [self[i] for i in range(*index.indices(len(self)))]
+        position = index + len(self) if index < 0 else index
+        if not 0 <= position < len(self):
+            raise IndexError(f"list index {index} out of range")
+        return Spline._made(lib.nurbs_list_get, self._handle, position)
+
+    def __repr__(self) -> str:
+        return f"<SplineList of {len(self)}: {', '.join(self.names[:4])}{', ...' if len(self) > 4 else ''}>"
+
+    def __reduce__(self) -> Any:
+        raise TypeError("a SplineList cannot be pickled; list(splines) can")
+
+    @property
+    def names(self) -> List[str]:
+        """Name of each spline: that in the file, or which part it is."""
+        return [text(lib.nurbs_list_name, self._handle, i) for i in range(len(self))]
+
+    @property
+    def notes(self) -> List[Note]:
+        """What of a file did not become a spline."""
+        return [self._note(i) for i in range(get(ctypes.c_int64, lib.nurbs_list_note_count, self._handle))]
+
+    @property
+    def unit(self) -> float:
+        """Metres per unit of length; 0 if the file names a unit that is not known."""
+        return float(get(ctypes.c_double, lib.nurbs_list_unit, self._handle))
+
+    def _note(self, index: int) -> Note:
+        kind, line, reason = ctypes.c_int32(), ctypes.c_int64(), ctypes.c_int32()
+        words = text(lib.nurbs_list_note, self._handle, index, ctypes.byref(kind), ctypes.byref(line),
+                     ctypes.byref(reason))
+        return Note(kind.value, line.value, reason.value, words)
+
+
+def read(contents: Union[bytes, bytearray, memoryview], unit: float = 0.0,
+         max_bytes: Optional[int] = None) -> SplineList:
+    """The curves and surfaces of an IGES file held in memory; unit is the wanted one in metres, 0 keeps the file's own.
+    Raises ContentsError if it is none, ResourceError if it is longer than max_bytes (by default 2^30)."""
+    given = bytes(contents)
+    return SplineList(get(ctypes.c_void_p, lib.nurbs_read, given, len(given), _options(unit, max_bytes)))
+
+
+def read_file(path: Union[str, bytes, os.PathLike[str]], unit: float = 0.0,
+              max_bytes: Optional[int] = None) -> SplineList:
+    """The curves and surfaces of an IGES file, as read() gives them. Raises FileError if it cannot be read."""
+    return SplineList(get(ctypes.c_void_p, lib.nurbs_read_file, os.fsencode(path), _options(unit, max_bytes)))

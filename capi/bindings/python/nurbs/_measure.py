@@ -1,0 +1,134 @@
+# SPDX-License-Identifier: MIT
+"""Lengths, areas and moments."""
+
+from __future__ import annotations
+
+import ctypes
+from typing import TYPE_CHECKING, Any, Iterable, NamedTuple, Optional
+
+import numpy
+
+from ._arrays import Output, address, records
+from ._base import SplineBase, handles
+from ._library import call, lib
+from .constants import NURBS_CLAMP, NURBS_EQUAL_CHORDS
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+    from ._arrays import Floats
+
+__all__ = ["Measured", "Division", "Moments", "EnclosedArea", "EnclosedVolume", "enclosed_area", "enclosed_volume"]
+
+
+class Measured(NamedTuple):
+    """An integral, and an estimate of its error."""
+
+    value: float
+    error: float
+
+
+class Division(NamedTuple):
+    """Parameters (parts + 1,), and the length or chord of a part."""
+
+    params: Floats
+    size: float
+
+
+class Moments(NamedTuple):
+    """Length, area or volume, centroid (dimension,), inertia (dimension, dimension) about it, and an estimate of the
+    error of the content."""
+
+    content: float
+    centroid: Floats
+    inertia: Floats
+    error: float
+
+
+class EnclosedArea(NamedTuple):
+    """Area, centroid (2,), inertia (2, 2) about it, and an estimate of the error of the area."""
+
+    area: float
+    centroid: Floats
+    inertia: Floats
+    error: float
+
+
+class EnclosedVolume(NamedTuple):
+    """Volume, centroid (3,), inertia (3, 3) about it, the length of the vector area, which is 0 of a closed shell, and
+    an estimate of the error of the volume."""
+
+    volume: float
+    centroid: Floats
+    inertia: Floats
+    openness: float
+    error: float
+
+
+class Measures(SplineBase):
+    """Integrals to a relative tolerance (0: the library's smallest), with an estimate of the error. A `range` is a part
+    (axes, 2) of the domain, of a curve (2,)."""
+
+    def _measured(self, function: Any, relative_tolerance: float, part: Optional[ArrayLike]) -> Measured:
+        limits, value, error = self._part(part), ctypes.c_double(), ctypes.c_double()
+        call(function, self._handle, address(limits), relative_tolerance, ctypes.byref(value), ctypes.byref(error))
+        return Measured(value.value, error.value)
+
+    def length(self, relative_tolerance: float = 0.0, *, range: Optional[ArrayLike] = None) -> Measured:
+        """Length of a curve, or of a part of it."""
+        return self._measured(lib.nurbs_curve_length, relative_tolerance, range)
+
+    def area(self, relative_tolerance: float = 0.0, *, range: Optional[ArrayLike] = None) -> Measured:
+        """Area of a surface, or of a part of it."""
+        return self._measured(lib.nurbs_surface_area, relative_tolerance, range)
+
+    def lengths(self, params: ArrayLike, relative_tolerance: float = 0.0, *, out: Optional[Floats] = None) -> Floats:
+        """Lengths of a curve from the start of its domain to parameters S, of their shape."""
+        given, output = records(params, 1), Output(out, numpy.shape(params), 1)
+        call(lib.nurbs_curve_lengths, self._handle, given.n, *given.layout[:2], relative_tolerance, *output.layout[:2])
+        return output.finish()
+
+    def params_at_lengths(self, lengths: ArrayLike, relative_tolerance: float = 0.0, *, clamp: bool = False,
+                          out: Optional[Floats] = None) -> Floats:
+        """Parameters of a curve at lengths S from the start of its domain, of their shape; with clamp lengths outside
+        give the nearer end, otherwise they raise ArgumentError."""
+        given, output = records(lengths, 1), Output(out, numpy.shape(lengths), 1)
+        call(lib.nurbs_curve_params_at_lengths, self._handle, given.n, *given.layout[:2], relative_tolerance,
+             *output.layout[:2], NURBS_CLAMP if clamp else 0)
+        return output.finish()
+
+    def divide(self, parts: int, relative_tolerance: float = 0.0, *, equal_chords: bool = False,
+               range: Optional[ArrayLike] = None) -> Division:
+        """A curve in parts of equal length, or with points at equal distances."""
+        limits, params, size = self._part(range), numpy.empty(max(parts, 0) + 1), ctypes.c_double()
+        call(lib.nurbs_curve_divide, self._handle, address(limits), parts, relative_tolerance,
+             NURBS_EQUAL_CHORDS if equal_chords else 0, params.ctypes.data, ctypes.byref(size))
+        return Division(params, size.value)
+
+    def moments(self, relative_tolerance: float = 0.0) -> Moments:
+        """Content, centroid and inertia of the spline itself: a wire, a sheet or a body."""
+        dim, content, error = self.dimension, ctypes.c_double(), ctypes.c_double()
+        centroid, inertia = numpy.empty(dim), numpy.empty((dim, dim))
+        call(lib.nurbs_moments, self._handle, relative_tolerance, ctypes.byref(content), centroid.ctypes.data,
+             inertia.ctypes.data, ctypes.byref(error))
+        return Moments(content.value, centroid, inertia, error.value)
+
+
+def enclosed_area(curves: Iterable[SplineBase], tolerance: float = 0.0,
+                  relative_tolerance: float = 0.0) -> EnclosedArea:
+    """What closed chains of curves in the plane enclose, counterclockwise ones counting positive; ends meet to within
+    the tolerance. Raises ArgumentError if a chain does not close."""
+    given, area, error = handles(curves), ctypes.c_double(), ctypes.c_double()
+    centroid, inertia = numpy.empty(2), numpy.empty((2, 2))
+    call(lib.nurbs_enclosed_area, len(given), given, tolerance, relative_tolerance,
+         ctypes.byref(area), centroid.ctypes.data, inertia.ctypes.data, ctypes.byref(error))
+    return EnclosedArea(area.value, centroid, inertia, error.value)
+
+
+def enclosed_volume(surfaces: Iterable[SplineBase], relative_tolerance: float = 0.0) -> EnclosedVolume:
+    """What surfaces enclose whose normals point outwards: 1/3 of the integral of S . (S_u x S_v)."""
+    given, (volume, openness, error) = handles(surfaces), (ctypes.c_double(), ctypes.c_double(), ctypes.c_double())
+    centroid, inertia = numpy.empty(3), numpy.empty((3, 3))
+    call(lib.nurbs_enclosed_volume, len(given), given, relative_tolerance, ctypes.byref(volume),
+         centroid.ctypes.data, inertia.ctypes.data, ctypes.byref(openness), ctypes.byref(error))
+    return EnclosedVolume(volume.value, centroid, inertia, openness.value, error.value)

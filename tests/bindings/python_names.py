@@ -1,0 +1,102 @@
+# SPDX-License-Identifier: MIT
+"""Names in Python: where the rule puts every C function, and what is said about each name."""
+
+import inspect
+import pathlib
+import re
+import unittest
+
+import nurbs
+
+HEADER = pathlib.Path(__file__).resolve().parents[2] / "include/nurbs/nurbs.h"
+NAMESAKES = {"clone": "copy", "clamp_ends": "clamp", "is_rational": "rational", "knot_form": "knot_forms",
+             "degree": "degrees", "count": "counts"}
+#: What is no function of its own: handles and lists.
+INSIDE = {"nurbs_create", "nurbs_destroy", "nurbs_read_options_init", "nurbs_list_count", "nurbs_list_get",
+          "nurbs_list_name", "nurbs_list_note_count", "nurbs_list_note", "nurbs_list_unit", "nurbs_list_destroy"}
+
+
+def functions():
+    """{name: whether its first argument is one spline that it only reads}."""
+    text = re.sub(r"/\*.*?\*/", " ", HEADER.read_text(), flags=re.S)
+    return {name: bool(re.match(r"\s*const nurbs \*\w+(,|$)", arguments))
+            for name, arguments in re.findall(r"NURBS_API[^;()]*?(\w+)\(([^)]*)\);", text)}
+
+
+def names_of(function):
+    """What a function may be called here."""
+    name = function[len("nurbs_"):]
+    short = re.sub(r"^(curve|surface|volume)_(?!eval)", "", name)
+    return {NAMESAKES.get(name, name), short, name.replace("_eval", ""), re.sub("^volume_(coons)", r"\1_volume", name),
+            re.sub("^create_", "", name)}
+
+
+def public(thing):
+    return {name: value for name, value in vars(thing).items() if not name.startswith("_")}
+
+
+def attributes(cls):
+    """{name: value} of all public attributes of a class."""
+    return {name: inspect.getattr_static(cls, name) for name in dir(cls) if not name.startswith("_")}
+
+
+def own(cls):
+    """Those that are not inherited from Python."""
+    inherited = {name for base in cls.__mro__ if not base.__module__.startswith("nurbs") for name in vars(base)}
+    return {name: value for name, value in attributes(cls).items() if name not in inherited}
+
+
+def unwrapped(value):
+    """The function behind a method, property or class method."""
+    return getattr(value, "fget", None) or getattr(value, "func", None) or getattr(value, "__func__", value)
+
+
+class Rule(unittest.TestCase):
+    def test_methods_have_a_spline_first(self):
+        functions_here, methods = public(nurbs), attributes(nurbs.Spline)
+        found = functions()
+        self.assertEqual(len(found), 203)
+        for function, is_method in found.items():
+            if function not in INSIDE:
+                named = names_of(function)
+                made = function.startswith("nurbs_create_")
+                self.assertEqual(bool(named & methods.keys()), is_method or made, function)
+                self.assertEqual(bool(named & functions_here.keys()), not is_method and not made, function)
+
+
+class Documentation(unittest.TestCase):
+    def names(self):
+        """(name, value) of everything that a user sees and that can be described."""
+        for name, value in public(nurbs).items():
+            if inspect.isfunction(value):
+                yield name, value
+            elif inspect.isclass(value):
+                yield name, value
+                for attribute, what in own(value).items():
+                    if attribute not in getattr(value, "_fields", ()):
+                        yield f"{name}.{attribute}", unwrapped(what)
+
+    def test_everything_is_described(self):
+        names = dict(self.names())
+        self.assertGreater(len(names), 260)
+        for name, value in names.items():
+            self.assertRegex(value.__doc__ or "", r"(?s)^\S.{8,}\.\s*$", name)
+        for name, value in names.items():
+            # The ones that NamedTuple writes say nothing.
+            self.assertNotRegex(value.__doc__, r"^\w+\(", name)
+
+    def test_everything_has_types(self):
+        for name, value in self.names():
+            if inspect.isclass(value):
+                for field in getattr(value, "_fields", ()):
+                    self.assertIn(field, value.__annotations__, name)
+                continue
+            signature = inspect.signature(value)
+            self.assertIsNot(signature.return_annotation, signature.empty, name)
+            for parameter in signature.parameters.values():
+                self.assertTrue(parameter.name in ("self", "cls") or parameter.annotation is not parameter.empty,
+                                (name, parameter.name))
+
+
+if __name__ == "__main__":
+    unittest.main()
