@@ -17,7 +17,7 @@ try:
 
         matplotlib.use("Agg")
         import matplotlib.pyplot as plt
-        from mpl_toolkits.mplot3d.art3d import Poly3DCollection
+        from mpl_toolkits.mplot3d import art3d
 except ImportError:
     print("SKIPPED: Matplotlib is not installed")
     sys.exit(77)
@@ -73,9 +73,10 @@ class Plots(unittest.TestCase):
     def test_surfaces_and_volumes(self):
         inner, outer = (nurbs.arc(radius, 0, 3, center=[0, 0, 0]) for radius in (1, 2))
         for shape in (nurbs.sphere(), patch(), outer.extrude([0, 0, 1]), inner.ruled(outer).extrude([0, 0, 1])):
-            ax = shape.plot()
-            facets, = (part for part in ax.collections if isinstance(part, Poly3DCollection))
-            corners = np.concatenate([facets._vec[:3, piece].T for piece in facets._segslices])
+            with mock.patch.object(art3d, "Poly3DCollection", wraps=art3d.Poly3DCollection) as made:
+                ax = shape.plot()
+            corners = np.concatenate(made.call_args.args[0])
+            self.assertEqual(len(ax.collections), 1)
             near(shape.closest_points(corners[::7]).distances, 0, by=1e-9)
             lower, upper, _ = shape.box(1e-6)
             near([corners.min(axis=0), corners.max(axis=0)], [lower, upper], by=1e-3)

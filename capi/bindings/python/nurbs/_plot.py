@@ -16,12 +16,13 @@ if TYPE_CHECKING:
 
 _COLOR, _NET = "#2f6db0", "#808080"
 _PIECES = 32  # of a curve between two knots
-_FACETS = 24  # of a surface along its longer axis, about
+_FACETS = 24  # along the longest axis, about
 _SIDE = 4  # pieces of a side of a facet
 _LIGHT = numpy.array([0.35, -0.5, 0.79])
 
 
 def _matplotlib(name: str) -> Any:
+    """A module of Matplotlib."""
     try:
         return import_module(f"matplotlib.{name}")
     except ImportError as error:
@@ -32,10 +33,10 @@ def _new_axes(dim: int) -> Any:
     pyplot = _matplotlib("pyplot")
     if dim == 2:
         return pyplot.figure(layout="constrained").add_subplot()
-    ax = pyplot.figure().add_axes((0.02, 0.02, 0.94, 0.96), projection="3d")
+    with pyplot.rc_context({"grid.color": "#e4e4e4", "grid.linewidth": 0.5}):
+        ax = pyplot.figure().add_axes((0.02, 0.02, 0.94, 0.96), projection="3d")
     for axis in (ax.xaxis, ax.yaxis, ax.zaxis):
         axis.set_pane_color((1.0, 1.0, 1.0, 0.0))
-        axis._axinfo["grid"].update(color="#e4e4e4", linewidth=0.5)
     return ax
 
 
@@ -95,12 +96,11 @@ def _sizes(surface: Spline) -> List[float]:
     return [float(step.sum(axis=axis).mean()) for axis, step in enumerate(steps)]
 
 
-def _facets(surface: Spline) -> Floats:
-    """Facets bounded by iso-curves: (facets, corners and points of the sides, coordinates), once around."""
-    sizes, params = _sizes(surface), []
-    for axis in range(2):
-        breaks = _breaks(surface, axis)
-        wanted = _FACETS * sizes[axis] / max(*sizes, 1e-300)
+def _facets(surface: Spline, side: float) -> Floats:
+    """Facets with sides of about one length, bounded by iso-curves: (facets, points once around, coordinates)."""
+    params = []
+    for axis, size in enumerate(_sizes(surface)):
+        breaks, wanted = _breaks(surface, axis), size / side
         params.append(_divided(breaks, _SIDE * max(1, round(wanted / (len(breaks) - 1)))))
     grid = _placed(surface, (params[0], params[1]), surface.eval_grid(*params))
     steps = range(_SIDE)
@@ -126,7 +126,9 @@ def _shades(facets: Floats, color: Any, alpha: float) -> Floats:
 
 
 def _draw_surfaces(ax: Any, surfaces: Iterable[Spline], color: Any, alpha: float) -> None:
-    facets = numpy.concatenate([_facets(part) for surface in surfaces for part in _without_jumps(surface)])
+    parts = [part for surface in surfaces for part in _without_jumps(surface)]
+    side = max(1e-300, *(size for part in parts for size in _sizes(part))) / _FACETS
+    facets = numpy.concatenate([_facets(part, side) for part in parts])
     facets = facets[numpy.isfinite(facets).all(axis=(1, 2))]
     edges = {"edgecolors": "#00000060", "linewidths": 0.3}
     if facets.shape[-1] == 2:
