@@ -44,7 +44,8 @@ def constant_group(group):
 def macro(entry):
     """NURBS_ON_AXIS becomes the function on_axis."""
     yield ""
-    yield f"def {entry.name.removeprefix('NURBS_').lower()}({', '.join(entry.parameters)}):"
+    parameters = ", ".join(f"{name}: int" for name in entry.parameters)
+    yield f"def {entry.name.removeprefix('NURBS_').lower()}({parameters}) -> int:"
     yield f'    """{entry.text.rstrip(".")}: the macro {entry.name}."""'
     yield f"    return {translated(entry.body)}"
     yield ""

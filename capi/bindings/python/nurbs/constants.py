@@ -218,11 +218,11 @@ NURBS_CONSTRAIN_NORMAL = 2  # all first derivatives are perpendicular to the tar
 NURBS_CONSTRAIN_CURVATURE = 3  # the curvature vector (C'' - (C'' T) T) / |C'|^2 of a curve is the target
 
 
-def on_axis(axis, flags):
+def on_axis(axis: int, flags: int) -> int:
     """The bits `flags` moved to those of `axis`: the macro NURBS_ON_AXIS."""
     return flags << (8 * axis)
 
 
-def on_all_axes(axes, flags):
+def on_all_axes(axes: int, flags: int) -> int:
     """The bits `flags` for the first `axes` axes (1, 2 or 3): the macro NURBS_ON_ALL_AXES."""
     return flags * (0x010101 >> (8 * (3 - axes)))
