@@ -9,26 +9,37 @@ use std::ptr::null_mut;
 /// What counts as no gap: a distance, a part of a derivative, an angle.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct ContinuityTolerances {
+    /// Of points.
     pub position: f64,
+    /// Of derivatives, relative to their size.
     pub derivative: f64,
+    /// Of directions, in radians.
     pub angle: f64,
 }
 
 /// How two pieces meet.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Continuity {
+    /// Of the derivatives.
     pub order: i32,
+    /// Of the shape.
     pub geometric: i32,
+    /// The distance of the points.
     pub position_gap: f64,
+    /// The angle between the tangents or normals.
     pub angle: f64,
+    /// The difference of the curvatures.
     pub curvature_gap: f64,
 }
 
 /// How they meet at a knot, and the order that the knots guarantee.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct KnotContinuity {
+    /// A knot inside the domain.
     pub knot: f64,
+    /// The order that its multiplicity promises.
     pub knot_order: i32,
+    /// What is there.
     pub found: Continuity,
 }
 

@@ -5,12 +5,19 @@
 //! interface as it stands, everything else is safe: a failure is an [`Error`] with the status and the message, arrays
 //! are slices whose lengths are checked, a [`Spline`] is freed when dropped and may be used by many threads at once.
 //!
-//! ```no_run
+//! ```
 //! # fn main() -> nurbs::Result<()> {
 //! let arc = nurbs::Spline::bezier(&[2], 2, &[1.0, 0.0, 1.0, 1.0, 0.0, 1.0], Some(&[1.0, 0.5f64.sqrt(), 1.0]))?;
 //! let points = arc.eval(&[0.0, 0.5, 1.0], 0)?;
+//! assert!((points[2].hypot(points[3]) - 1.0).abs() < 1e-15);
+//! let outside = arc.eval(&[2.0], 0).unwrap_err();
+//! assert_eq!(outside.to_string(), "NURBS_ERROR_OUTSIDE_DOMAIN: params[0] = 2 outside [0, 1]");
 //! # Ok(()) }
 //! ```
+//!
+//! Cargo links the library from the folder in NURBS_LIBRARY_DIR, else from where pkg-config knows it.
+
+#![deny(missing_docs, missing_debug_implementations)]
 
 mod analysis;
 mod arrays;
@@ -42,6 +49,7 @@ mod segments;
 mod reduce;
 mod shapes;
 mod spline;
+#[allow(missing_docs, missing_debug_implementations)] // nurbs.h is the manual of these
 pub mod sys;
 
 pub use analysis::{
@@ -88,3 +96,11 @@ pub const fn on_axis(axis: u32, flags: u32) -> u32 {
 pub const fn on_all_axes(axes: u32, flags: u32) -> u32 {
     flags * (0x010101 >> (8 * (3 - axes)))
 }
+
+// Checked by the compiler: threads may share what this crate makes.
+const fn shared<T: Send + Sync>() {}
+const _: () = {
+    shared::<Spline>();
+    shared::<List>();
+    shared::<Error>();
+};

@@ -7,16 +7,24 @@ use crate::sys;
 use std::ptr::null_mut;
 
 /// Points and tangents, packed, of a piecewise cubic at its breaks.
+#[derive(Debug)]
 pub struct Hermite {
+    /// Breaks.
     pub params: Vec<f64>,
+    /// Points at them, packed.
     pub points: Vec<f64>,
+    /// Derivatives at them, packed.
     pub tangents: Vec<f64>,
 }
 
 /// The power basis of all pieces, packed, and the breaks of the axes one after the other.
+#[derive(Debug)]
 pub struct PowerForm {
+    /// Of all pieces, packed.
     pub coefficients: Vec<f64>,
+    /// Of the axes one after the other.
     pub breaks: Vec<f64>,
+    /// Of each axis.
     pub piece_counts: Vec<i64>,
 }
 
