@@ -68,7 +68,8 @@ static void calls_that_stop() {
     EXPECT(surface_frames(unit_circle(), {0.5}).status() == Status::size);
     EXPECT(moments(Spline()).status() == Status::null && box(Spline(), 0).status() == Status::null);
     // The first failure is the one that is told.
-    EXPECT(std::string(mirror(unit_circle(), {0}, {0}).error().what()) == "vector holds 1 values, expected 2");
+    EXPECT(std::string(mirror(unit_circle(), {0}, {0}).error().what()) ==
+           "vector holds 1 values, expected 2");
 }
 
 static void handles() {
