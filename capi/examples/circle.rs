@@ -30,7 +30,8 @@ fn main() -> Result<()> {
     println!("the points moved by at most {:.1e}", moved);
     let found = circle.closest_points(&[3.0, 4.0], Search::default())?;
     let (x, y, distance) = (found.points[0], found.points[1], found.distances[0]);
-    let word = if found.status[0] & sys::NURBS_CLOSEST_CERTIFIED != 0 { "certified" } else { "not certified" };
+    let word =
+        if found.status[0] & sys::NURBS_CLOSEST_CERTIFIED != 0 { "certified" } else { "not certified" };
     println!("closest to (3, 4): ({:.6}, {:.6}), distance {:.6}, {}", x, y, distance, word);
     let length = circle.length(0.0, &[])?;
     println!("length {:.12}, error about {:.1e}", length.value, length.error);

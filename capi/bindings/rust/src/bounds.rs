@@ -17,7 +17,7 @@ pub struct BoundingBox {
     pub gap: f64,
 }
 
-/// The box of center + sum of x_k axes[k], |x_k| <= half[k], with axes `[dim][dim]`.
+/// The box of `center + sum of x_k axes[k]`, where `|x_k| <= half[k]`.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct OrientedBox {
     /// `[dim]`

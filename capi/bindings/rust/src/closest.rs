@@ -387,7 +387,7 @@ impl Spline {
     pub fn distance(&self, other: &Spline, tolerance: f64, budget: i64) -> Result<Distance> {
         let (a, b) = (self.raw(), other.raw());
         let mut params = [vec![0.0; self.axes()? as usize], vec![0.0; other.axes()? as usize]];
-        let [pa, pb] = params.each_mut().map(Vec::as_mut_ptr);
+        let (pa, pb) = (params[0].as_mut_ptr(), params[1].as_mut_ptr());
         let (mut at_least, mut at_most, mut status) = (0.0, 0.0, 0);
         check(unsafe {
             sys::nurbs_distance(a, b, tolerance, budget, &mut at_least, &mut at_most, pa, pb, &mut status)
@@ -404,7 +404,7 @@ impl Spline {
     ) -> Result<HausdorffDistance> {
         let (a, b) = (self.raw(), other.raw());
         let mut params = [vec![0.0; self.axes()? as usize], vec![0.0; other.axes()? as usize]];
-        let [pa, pb] = params.each_mut().map(Vec::as_mut_ptr);
+        let (pa, pb) = (params[0].as_mut_ptr(), params[1].as_mut_ptr());
         let (mut at_least, mut at_most, mut status) = ([0.0; 2], [0.0; 2], 0);
         let (low, high) = (at_least.as_mut_ptr(), at_most.as_mut_ptr());
         check(unsafe {

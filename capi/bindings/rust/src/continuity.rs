@@ -79,7 +79,20 @@ impl Spline {
         let skip = null_mut::<f64>();
         check(unsafe {
             sys::nurbs_continuity(
-                g, axis, t.position, t.derivative, t.angle, 0, skip, none, none, none, skip, skip, skip, &mut n,
+                g,
+                axis,
+                t.position,
+                t.derivative,
+                t.angle,
+                0,
+                skip,
+                none,
+                none,
+                none,
+                skip,
+                skip,
+                skip,
+                &mut n,
             )
         })?;
         let size = n as usize;
@@ -89,7 +102,20 @@ impl Spline {
         let o: Vec<*mut i32> = orders.iter_mut().map(|x| x.as_mut_ptr()).collect();
         check(unsafe {
             sys::nurbs_continuity(
-                g, axis, t.position, t.derivative, t.angle, n, v[0], o[0], o[1], o[2], v[1], v[2], v[3], null_mut(),
+                g,
+                axis,
+                t.position,
+                t.derivative,
+                t.angle,
+                n,
+                v[0],
+                o[0],
+                o[1],
+                o[2],
+                v[1],
+                v[2],
+                v[3],
+                null_mut(),
             )
         })?;
         let row = |i: usize| Continuity {

@@ -45,8 +45,8 @@ mod parts;
 mod placement;
 mod projections;
 mod recognize;
-mod segments;
 mod reduce;
+mod segments;
 mod shapes;
 mod spline;
 #[allow(missing_docs, missing_debug_implementations)] // nurbs.h is the manual of these
@@ -70,7 +70,7 @@ pub use curves::{conic_axes, ConicAxes, HelixShape};
 pub use deform::{Bend, Deformed, Faired};
 pub use edit::{weight_cross_ratio, Influence, LegEdit, WeightPoints};
 pub use error::{last_error, status_name, version, Error, Result};
-pub use frames::{CurveFrames, Curvatures, MinimalFrames, SurfaceFrames};
+pub use frames::{Curvatures, CurveFrames, MinimalFrames, SurfaceFrames};
 pub use knots::{
     basis, bernstein, find_spans, knots_averaged, knots_bezier, knots_bezier_breaks, knots_open_uniform,
     knots_periodic, knots_uniform, Basis,
@@ -83,8 +83,8 @@ pub use measure::{
 pub use parts::{join, Joined};
 pub use placement::{Placement, Turn};
 pub use recognize::Recognized;
-pub use segments::{basis_matrix, Hermite, PowerForm};
 pub use reduce::{KnotRemoval, Reduced};
+pub use segments::{basis_matrix, Hermite, PowerForm};
 pub use spline::{derivative_slots, DistinctKnots, Spline};
 
 /// The bits `flags` moved to those of `axis`: the macro `NURBS_ON_AXIS`.
