@@ -9,8 +9,9 @@ import pathlib
 import re
 import sys
 
-# A line of the dynamic linker (LD_DEBUG=bindings), or the name alone.
-CALL = re.compile(r"^(?:.*\[0\] to .*: normal symbol `)?(nurbs_\w+)(?:'.*)?$", re.M)
+# A line of the dynamic linker (LD_DEBUG=bindings) about a program, not about what the library binds itself; or the name
+# alone.
+CALL = re.compile(r"^(?:.*binding file (?!\S*libnurbs\.so)\S+ .*: normal symbol `)?(nurbs_\w+)(?:'.*)?$", re.M)
 
 
 def exported(version_script):

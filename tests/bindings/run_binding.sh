@@ -93,7 +93,7 @@ run_python() {
     fi
     mkdir -p "$work/calls"
     NURBS_LIBRARY=$library/libnurbs.so PYTHONPATH=$bindings/python PYTHONDONTWRITEBYTECODE=1 \
-        "$interpreter" -W error "$here/record_calls.py" "$work/calls/recorded" "$program" "$@"
+        "$interpreter" -W error "$here/trace_calls.py" "$work/calls/ctypes" "$program" "$@"
 }
 
 case $language in

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Runs a program and writes the functions of shared libraries that it really calls through ctypes, one in each line.
 
-usage: record_calls.py FILE PROGRAM [ARGUMENT...]
+usage: trace_calls.py FILE PROGRAM [ARGUMENT...]
 """
 
 import atexit
