@@ -89,9 +89,18 @@ public:
     [[nodiscard]] const Error &error() const { return *error_; }
 
     /// The value. Without one, the program ends with the message.
-    [[nodiscard]] T &value() & { return *checked(); }
-    [[nodiscard]] const T &value() const & { return *const_cast<Result *>(this)->checked(); }
-    [[nodiscard]] T &&value() && { return std::move(*checked()); }
+    [[nodiscard]] T &value() & {
+        require_value();
+        return value_;
+    }
+    [[nodiscard]] const T &value() const & {
+        require_value();
+        return value_;
+    }
+    [[nodiscard]] T &&value() && {
+        require_value();
+        return std::move(value_);
+    }
     /// The value; of a failure one that is empty or 0, on which every function fails again.
     T &operator*() &noexcept { return value_; }
     const T &operator*() const &noexcept { return value_; }
@@ -104,12 +113,11 @@ private:
     T value_;
     std::optional<Error> error_;
 
-    T *checked() {
+    void require_value() const {
         if (error_) {
             std::fprintf(stderr, "%s: %s\n", error_->name(), error_->what());
             std::abort();
         }
-        return &value_;
     }
 };
 

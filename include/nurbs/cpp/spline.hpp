@@ -456,7 +456,7 @@ inline std::vector<const nurbs *> handle_list(std::span<const Spline> splines) {
 
 // A part of the domain, [axes][2], or NULL for all of it.
 inline const double *range_of(const Spline &g, View<double> range) {
-    return if_given(std::span(range), 2 * detail::axes(g.get()), "range");
+    return if_given(std::span(range), std::int64_t{2} * axes(g.get()), "range");
 }
 
 // A parameter [axes], a point [dim].
