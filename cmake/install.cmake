@@ -15,10 +15,11 @@ install(DIRECTORY "${PROJECT_SOURCE_DIR}/capi/bindings/" DESTINATION "${CMAKE_IN
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}")
 
 set(package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/nurbs")
+set(NURBS_FORTRAN_DIR "${CMAKE_INSTALL_DATADIR}/nurbs/fortran")
 install(EXPORT nurbs-targets NAMESPACE nurbs:: DESTINATION "${package_dir}")
 configure_package_config_file("${PROJECT_SOURCE_DIR}/cmake/nurbs-config.cmake.in"
     "${PROJECT_BINARY_DIR}/nurbs-config.cmake"
-    INSTALL_DESTINATION "${package_dir}" NO_SET_AND_CHECK_MACRO)
+    INSTALL_DESTINATION "${package_dir}" PATH_VARS NURBS_FORTRAN_DIR NO_SET_AND_CHECK_MACRO)
 write_basic_package_version_file("${PROJECT_BINARY_DIR}/nurbs-config-version.cmake"
     COMPATIBILITY SameMajorVersion)
 install(FILES "${PROJECT_BINARY_DIR}/nurbs-config.cmake" "${PROJECT_BINARY_DIR}/nurbs-config-version.cmake"

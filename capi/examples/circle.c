@@ -1,55 +1,43 @@
 /* SPDX-License-Identifier: MIT */
-/* A circle is a rational curve: create it, evaluate a batch, insert a knot, and see that the radius did not
- * change.
+/* A circle is a rational curve: its points and tangents, a knot more, the point that is closest to another, its
+ * length, and what a bad call says. A call returns 0 or what is wrong, so that || stops at the first failure.
  *     cc circle.c $(pkg-config --cflags --libs nurbs) -lm -o circle && ./circle */
-#include <nurbs/nurbs.h>
-
 #include <math.h>
+#include <nurbs/nurbs.h>
 #include <stdio.h>
-#include <stdlib.h>
-
-enum { N = 1000 };
-
-static void check(nurbs_status status) {
-    char message[512];
-    if (status != NURBS_OK) {
-        nurbs_last_error(message, (int64_t)sizeof message);
-        fprintf(stderr, "%s: %s\n", nurbs_status_name(status), message);
-        exit(EXIT_FAILURE);
-    }
-}
-
-/* The largest distance of N points of the curve from the unit circle. */
-static double radius_error(const nurbs *curve) {
-    static double params[N], points[N][2];
-    double largest = 0;
-    int i;
-    for (i = 0; i < N; ++i) {
-        params[i] = i / (N - 1.0);
-    }
-    check(nurbs_eval(curve, N, params, 0, 0, points[0], 0, 0, 0));
-    for (i = 0; i < N; ++i) {
-        largest = fmax(largest, fabs(hypot(points[i][0], points[i][1]) - 1));
-    }
-    return largest;
-}
 
 int main(void) {
-    const double s = sqrt(0.5);
-    const double points[9][2] = {{1, 0},   {1, 1},  {0, 1},  {-1, 1}, {-1, 0},
-                                 {-1, -1}, {0, -1}, {1, -1}, {1, 0}};
-    const double weights[9] = {1, s, 1, s, 1, s, 1, s, 1};
-    const double knots[12] = {0, 0, 0, 0.25, 0.25, 0.5, 0.5, 0.75, 0.75, 1, 1, 1};
-    const int32_t degree = 2;
-    const int64_t count = 9;
-    nurbs *circle, *finer;
-    int64_t finer_count;
-
-    check(nurbs_create(1, &degree, &count, knots, 12, 2, points[0], 0, 0, weights, 0, 0, &circle));
-    check(nurbs_insert_knot(circle, 0, 0.3, 2, &finer));
-    check(nurbs_count(finer, 0, &finer_count));
-    printf("%lld control points, radius 1 to within %.2g\n", (long long)count, radius_error(circle));
-    printf("%lld control points, radius 1 to within %.2g\n", (long long)finer_count, radius_error(finer));
+    static double t[1000], c[1000][2][2], after[1000][2]; /* parameters; points, derivatives; points again */
+    double query[2] = {3, 4}, outside = 2, radius[2] = {0}, slant = 0, moved = 0, at[2], gap, length, error;
+    int64_t counts[2];
+    int32_t found;
+    char message[256];
+    nurbs *circle = NULL, *finer = NULL;
+    for (int i = 0; i < 1000; ++i)
+        t[i] = i / 999.0;
+    if (nurbs_curve_circle(2, 0, 0, 0, 1, NURBS_ARC_QUARTERS, &circle) ||
+        nurbs_eval_derivs(circle, 1, 1000, t, 0, 0, c[0][0], 0, 0, 0) || nurbs_count(circle, 0, &counts[0]) ||
+        nurbs_insert_knot(circle, 0, 0.3, 2, &finer) || nurbs_count(finer, 0, &counts[1]) ||
+        nurbs_eval(finer, 1000, t, 0, 0, after[0], 0, 0, 0) ||
+        nurbs_curve_length(circle, 0, 0, &length, &error) ||
+        nurbs_closest_points(circle, 1, query, 0, 0, 0, 0, 0, 0, 0, 0, at, 0, 0, &gap, 0, &found, 0))
+        return 1;
+    for (int i = 0; i < 1000; ++i) {
+        radius[0] = fmax(radius[0], fabs(hypot(c[i][0][0], c[i][0][1]) - 1));
+        radius[1] = fmax(radius[1], fabs(hypot(after[i][0], after[i][1]) - 1));
+        slant = fmax(slant, fabs(c[i][0][0] * c[i][1][0] + c[i][0][1] * c[i][1][1]));
+        moved = fmax(moved, fmax(fabs(after[i][0] - c[i][0][0]), fabs(after[i][1] - c[i][0][1])));
+    }
+    printf("%d control points, radius 1 to within %.2g\n", (int)counts[0], radius[0]);
+    printf("tangents at right angles to within %.2g\n", slant);
+    printf("%d control points, radius 1 to within %.2g\n", (int)counts[1], radius[1]);
+    printf("the points moved by at most %.2g\n", moved);
+    printf("closest to (3, 4): (%.6f, %.6f), distance %.6f, %s\n", at[0], at[1], gap,
+           found & NURBS_CLOSEST_CERTIFIED ? "certified" : "not certified");
+    printf("length %.12f, error about %.2g\n", length, error);
+    (void)nurbs_eval(circle, 1, &outside, 0, 0, at, 0, 0, 0); /* a bad call */
+    (void)nurbs_last_error(message, sizeof message);
+    printf("a bad call says: %s\n", message);
     nurbs_destroy(finer);
     nurbs_destroy(circle);
     return 0;

@@ -1,12 +1,25 @@
 /* SPDX-License-Identifier: MIT */
 /// \file nurbs.hpp
-/// \brief libnurbs for C++20: the C interface of nurbs.h with RAII, spans and exceptions, and nothing else.
+/// \brief libnurbs for C++20: the C interface of nurbs.h with RAII, spans and exceptions or results, and nothing else.
 ///
 /// nurbs.h is the manual; this header keeps its names, its argument order and its layouts. What differs:
-/// - a failure throws libnurbs::Error, which carries the status and the message;
+/// - a failure throws libnurbs::Error, which carries the status and the message. Where NURBS_CPP_RESULTS is defined
+///   before this header is included, and with -fno-exceptions, nothing throws: what is declared Returned<T> below is a
+///   Result<T>, which holds the value or the Error, and T otherwise. A source file has one of the two, a program may
+///   have both. The memory of a std::vector is not spoken of here: without it, the standard library does what it does;
+///
+///       #define NURBS_CPP_RESULTS
+///       #include <nurbs/nurbs.hpp>
+///       ...
+///       if (const auto circle = libnurbs::circle({}, 1); !circle) {
+///           std::puts(circle.error().what());
+///       } else if (const auto length = libnurbs::length(*circle); length) {
+///           std::printf("%g\n", length->value);
+///       }
+///
 /// - arrays are Input and Output. Any contiguous range of doubles converts to them and is taken as packed records;
 ///   `Input(values, n, stride, component_stride)` describes any other layout. Their lengths are known here, so an array
-///   that is too short is an Error as well, with NURBS_ERROR_SIZE;
+///   that is too short is a failure as well, with NURBS_ERROR_SIZE;
 /// - every function that fills an array also exists in a form that returns a std::vector.
 #ifndef NURBS_NURBS_HPP
 #define NURBS_NURBS_HPP
@@ -34,6 +47,7 @@
 #include <nurbs/cpp/projections.hpp>
 #include <nurbs/cpp/recognize.hpp>
 #include <nurbs/cpp/reduce.hpp>
+#include <nurbs/cpp/result.hpp>
 #include <nurbs/cpp/segments.hpp>
 #include <nurbs/cpp/shapes.hpp>
 #include <nurbs/cpp/spline.hpp>

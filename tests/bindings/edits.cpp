@@ -1,39 +1,8 @@
-// SPDX-License-Identifier: MIT Changes of weights and points, constraints and deformations through the C++
-// wrapper: one known value of each.
-#include <nurbs/nurbs.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <iostream>
-#include <limits>
+// SPDX-License-Identifier: MIT
+// Changes of weights and points, constraints and deformations through the C++ wrapper: one known value of each.
+#include "expect.hpp"
 
 using namespace libnurbs;
-using Values = std::vector<double>;
-
-static int failures = 0;
-static constexpr double infinity = std::numeric_limits<double>::infinity();
-
-static void expect(bool condition, const char *what, int line) {
-    if (!condition) {
-        std::cout << __FILE__ << ":" << line << ": " << what << "\n";
-        ++failures;
-    }
-}
-#define EXPECT(condition) expect((condition), #condition, __LINE__)
-
-static bool near(const Values &a, const Values &b, double by = 1e-12) {
-    return std::ranges::equal(a, b, [by](double x, double y) { return std::abs(x - y) <= by; });
-}
-
-template <class F>
-static Status status_of(F &&f) {
-    try {
-        f();
-    } catch (const Error &error) {
-        return error.status();
-    }
-    return Status::ok;
-}
 
 // A parabola with its top (1, 1) in the middle, where R = (1/4, 1/2, 1/4).
 static Spline arch() {

@@ -4,9 +4,8 @@ program edits
     use, intrinsic :: iso_c_binding
     use, intrinsic :: ieee_arithmetic
     use nurbs
+    use expectations
     implicit none
-    real(c_double), parameter :: tiny_bit = 1e-12_c_double
-    integer :: failures = 0
     ! A parabola with its top (1, 1) in the middle, where R = (1/4, 1/2, 1/4); a line along x from 0 to 1.
     type(nurbs_spline) :: arch, bar
 
@@ -22,37 +21,9 @@ program edits
     call deformations()
     call fairing()
     call snapping()
-    if (failures > 0) error stop 'failures, see above'
+    call finish()
 
 contains
-
-    subroutine expect(condition, what)
-        logical, intent(in) :: condition
-        character(len=*), intent(in) :: what
-        if (condition) return
-        print '(2a)', 'failed: ', what
-        failures = failures + 1
-    end subroutine expect
-
-    logical function near(a, b, by)
-        real(c_double), intent(in) :: a(:), b(:)
-        real(c_double), intent(in), optional :: by
-        real(c_double) :: allowed
-        allowed = tiny_bit
-        if (present(by)) allowed = by
-        near = size(a) == size(b)
-        if (near) near = all(abs(a - b) <= allowed)
-    end function near
-
-    ! Whether the point at the parameter is the expected one.
-    logical function on(g, param, expected, by)
-        type(nurbs_spline), intent(in) :: g
-        real(c_double), intent(in) :: param, expected(2)
-        real(c_double), intent(in), optional :: by
-        real(c_double) :: point(1, 2)
-        call g%eval([param], point)
-        on = near(point(1, :), expected, by)
-    end function on
 
     ! Whether these are the control points, x first.
     logical function has_points(g, expected, by)

@@ -1,19 +1,10 @@
 // SPDX-License-Identifier: MIT
 //! Changes of weights and points, constraints and deformations in Rust: one known value of each.
 
+mod common;
+
+use common::{close, near, status_of};
 use nurbs::{sys, weight_cross_ratio, Bend, ConstrainOptions, Constraints, Result, Spline};
-
-fn close(a: &[f64], b: &[f64], by: f64) -> bool {
-    a.len() == b.len() && a.iter().zip(b).all(|(x, y)| (x - y).abs() <= by)
-}
-
-fn near(a: &[f64], b: &[f64]) -> bool {
-    close(a, b, 1e-12)
-}
-
-fn status_of<T>(result: Result<T>) -> i32 {
-    result.map_or_else(|error| error.status, |_| sys::NURBS_OK)
-}
 
 /// A parabola with its top (1, 1) in the middle, where R = (1/4, 1/2, 1/4).
 fn arch() -> Result<Spline> {

@@ -1,41 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Distances, measures, boxes and features through the C++ wrapper: one known value of each.
-#include <nurbs/nurbs.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <iostream>
-#include <limits>
-#include <numbers>
+#include "expect.hpp"
 
 using namespace libnurbs;
-using Values = std::vector<double>;
-
-static int failures = 0;
-static constexpr double pi = std::numbers::pi;
-static constexpr double infinity = std::numeric_limits<double>::infinity();
-
-static void expect(bool condition, const char *what, int line) {
-    if (!condition) {
-        std::cout << __FILE__ << ":" << line << ": " << what << "\n";
-        ++failures;
-    }
-}
-#define EXPECT(condition) expect((condition), #condition, __LINE__)
-
-static bool near(const Values &a, const Values &b, double by = 1e-12) {
-    return std::ranges::equal(a, b, [by](double x, double y) { return std::abs(x - y) <= by; });
-}
-
-template <class F>
-static Status status_of(F &&f) {
-    try {
-        f();
-    } catch (const Error &error) {
-        return error.status();
-    }
-    return Status::ok;
-}
 
 // Along x from 0 to 2, in the plane.
 static Spline base() {
@@ -66,7 +33,6 @@ static void closest() {
     EXPECT(near(closest_local(square(), {0, 0.5, 0, 0.5}, {0.3, 2.3}).points, {0, -1, 0, 1}));
     closest_local(square(), {0, 0.5, 0, 0.5}, {0.3, 2.3}, {.distances = distances});
     EXPECT(near(distances, {1.5, 0.5}));
-    const double nan_value = std::numeric_limits<double>::quiet_NaN();
     const ClosestPoints odd = closest_points(base(), {nan_value, 0}, {.flags = nan_points});
     EXPECT(odd.status[0] == closest_invalid && std::isnan(odd.distances[0]));
     EXPECT(status_of([&] { (void)closest_points(base(), {nan_value, 0}); }) == Status::point_not_finite);

@@ -4,9 +4,9 @@ program queries
     use, intrinsic :: iso_c_binding
     use, intrinsic :: ieee_arithmetic
     use nurbs
+    use expectations
     implicit none
-    real(c_double), parameter :: pi = acos(-1.0_c_double), tiny_bit = 1e-12_c_double, small = 1e-8_c_double
-    integer :: failures = 0
+    real(c_double), parameter :: small = 1e-8_c_double
     type(nurbs_spline) :: base, square, ring, floor_plane, ball
 
     call shapes()
@@ -22,27 +22,9 @@ program queries
     call flatness()
     call surface_shapes()
     call folds()
-    if (failures > 0) error stop 'failures, see above'
+    call finish()
 
 contains
-
-    subroutine expect(condition, what)
-        logical, intent(in) :: condition
-        character(len=*), intent(in) :: what
-        if (condition) return
-        print '(2a)', 'failed: ', what
-        failures = failures + 1
-    end subroutine expect
-
-    logical function near(a, b, by)
-        real(c_double), intent(in) :: a(:), b(:)
-        real(c_double), intent(in), optional :: by
-        real(c_double) :: allowed
-        allowed = tiny_bit
-        if (present(by)) allowed = by
-        near = size(a) == size(b)
-        if (near) near = all(abs(a - b) <= allowed)
-    end function near
 
     ! A line along x from 0 to 2 and a square about the origin, in the plane; a part of the plane z = 0; a ball.
     subroutine shapes()

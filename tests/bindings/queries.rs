@@ -1,24 +1,14 @@
 // SPDX-License-Identifier: MIT
 //! Distances, measures, boxes and features in Rust: one known value of each.
 
+mod common;
+
+use common::{close, near, status_of, QUARTERS};
 use nurbs::{enclosed_area, enclosed_volume, sys};
 use nurbs::{ClosestPointsMut, Placement, Records, Result, Search, Spline, Turn};
 use std::f64::consts::PI;
 
-const QUARTERS: i32 = sys::NURBS_ARC_QUARTERS;
 const CERTIFIED: i32 = sys::NURBS_CLOSEST_CERTIFIED;
-
-fn close(a: &[f64], b: &[f64], by: f64) -> bool {
-    a.len() == b.len() && a.iter().zip(b).all(|(x, y)| (x - y).abs() <= by)
-}
-
-fn near(a: &[f64], b: &[f64]) -> bool {
-    close(a, b, 1e-12)
-}
-
-fn status_of<T>(result: Result<T>) -> i32 {
-    result.map_or_else(|error| error.status, |_| sys::NURBS_OK)
-}
 
 /// Along x from 0 to 2, in the plane.
 fn base() -> Result<Spline> {

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Compiles a program with a binding, and runs it. Exits with 77 if the language is not installed.
+# Compiles a program with a binding, and runs it; the functions that it calls are written to WORK_FOLDER/calls. The
+# binding is compiled once, beside WORK_FOLDER. Exits with 77 if the language is not installed.
 set -euo pipefail
 
 usage() {
@@ -14,7 +15,9 @@ library=$(realpath "$3")
 mkdir -p "$4"
 work=$(realpath "$4")
 shift 4
-bindings=$(realpath "$(dirname "${BASH_SOURCE[0]}")/../../capi/bindings")
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+bindings=$(realpath "$here/../../capi/bindings")
+compiled=$(dirname "$work")/$language
 export LD_LIBRARY_PATH=$library${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH}
 
 need() {
@@ -24,28 +27,61 @@ need() {
     fi
 }
 
-run_fortran() {
-    local compiler=${FC:-gfortran} module objects=()
-    need "$compiler"
-    local flags=(-std=f2018 -O2 -Wall -Wextra -Wno-compare-reals -Werror)
-    for module in nurbs_constants nurbs_c nurbs_support nurbs_handles nurbs_splines nurbs_frames nurbs_calculus \
-        nurbs_reduction nurbs_lists nurbs_compatible nurbs_continuities nurbs_continuation nurbs_projections \
-        nurbs_segments nurbs_placements nurbs_curves nurbs_shapes nurbs_coons nurbs_recognition \
-        nurbs_closest nurbs_measures nurbs_bounds nurbs_features nurbs_edits nurbs_deformations nurbs; do
-        "$compiler" "${flags[@]}" -J"$work" -c "$bindings/fortran/$module.f90" -o "$work/$module.o"
-        objects+=("$work/$module.o")
+# compile_once COMMAND SOURCE...: in the folder $compiled, one at a time, and again if a source is newer.
+compile_once() {
+    local command=$1
+    shift
+    mkdir -p "$compiled"
+    (
+        flock 9
+        if [ ! -e "$compiled/done" ] || [ -n "$(find "$@" "${BASH_SOURCE[0]}" -newer "$compiled/done")" ]; then
+            rm -f "$compiled/done"
+            (cd "$compiled" && "$command" "$@")
+            touch "$compiled/done"
+        fi
+    ) 9>"$compiled/lock"
+}
+
+# The sources in the order of their use statements.
+in_order() {
+    local file module
+    for file in "$@"; do
+        for module in $(sed -n 's/^ *use \([a-z]\w*\).*/\1/p' "$file"); do
+            echo "$(find "$@" -name "$module.f90") $file"
+        done
+    done | tsort
+}
+
+fortran_modules() {
+    local file
+    for file in $(in_order "$@"); do
+        "$compiler" "${flags[@]}" -c "$file"
     done
-    "$compiler" "${flags[@]}" -I"$work" "$program" "${objects[@]}" -L"$library" -lnurbs -o "$work/program"
-    "$work/program" "$@"
+    rm -f libmodules.a
+    ar cr libmodules.a ./*.o
+}
+
+run_fortran() {
+    local compiler=${FC:-gfortran}
+    need "$compiler"
+    local flags=(-std=f2018 -O1 -Wall -Wextra -Wno-compare-reals -Werror)
+    compile_once fortran_modules "$bindings"/fortran/*.f90 "$here/expectations.f90"
+    "$compiler" "${flags[@]}" -J"$work" -I"$compiled" "$program" -L"$compiled" -lmodules -L"$library" -lnurbs \
+        -Wl,-z,lazy -o "$work/program"
+    "$here/trace_calls.sh" "$work/calls" "$work/program" "$@"
+}
+
+rust_crate() {
+    "$compiler" "${flags[@]}" --crate-type rlib --crate-name nurbs "$bindings/rust/src/lib.rs"
 }
 
 run_rust() {
     local compiler=${RUSTC:-rustc}
     need "$compiler"
-    local flags=(--edition 2021 -D warnings -L "$library")
-    "$compiler" "${flags[@]}" --crate-type rlib --crate-name nurbs --out-dir "$work" "$bindings/rust/src/lib.rs"
-    "$compiler" "${flags[@]}" --extern nurbs="$work/libnurbs.rlib" -L "$work" -o "$work/program" "$program"
-    "$work/program" "$@"
+    local flags=(--edition 2021 -D warnings -C relro-level=partial -L "$library")
+    compile_once rust_crate "$bindings"/rust/src/*.rs
+    "$compiler" "${flags[@]}" --extern nurbs="$compiled/libnurbs.rlib" -L "$compiled" -o "$work/program" "$program"
+    "$here/trace_calls.sh" "$work/calls" "$work/program" "$@"
 }
 
 run_python() {
@@ -55,8 +91,9 @@ run_python() {
         echo "SKIPPED: $interpreter has no NumPy"
         exit 77
     fi
+    mkdir -p "$work/calls"
     NURBS_LIBRARY=$library/libnurbs.so PYTHONPATH=$bindings/python PYTHONDONTWRITEBYTECODE=1 \
-        "$interpreter" -W error "$program" "$@"
+        "$interpreter" -W error "$here/trace_calls.py" "$work/calls/ctypes" "$program" "$@"
 }
 
 case $language in

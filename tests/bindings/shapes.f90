@@ -4,9 +4,9 @@ program shapes
     use, intrinsic :: iso_c_binding
     use, intrinsic :: ieee_arithmetic
     use nurbs
+    use expectations
     implicit none
-    real(c_double), parameter :: pi = acos(-1.0_c_double), tiny_bit = 1e-14_c_double
-    integer :: failures = 0
+    real(c_double), parameter :: tiny_bit = 1e-14_c_double
 
     call lines()
     call circles()
@@ -21,33 +21,9 @@ program shapes
     call coons_corners()
     call coons_volumes()
     call recognition()
-    if (failures > 0) error stop 'failures, see above'
+    call finish()
 
 contains
-
-    subroutine expect(condition, what)
-        logical, intent(in) :: condition
-        character(len=*), intent(in) :: what
-        if (condition) return
-        print '(2a)', 'failed: ', what
-        failures = failures + 1
-    end subroutine expect
-
-    ! Whether the point at the parameters is the expected one.
-    logical function at(g, params, expected)
-        type(nurbs_spline), intent(in) :: g
-        real(c_double), intent(in) :: params(:), expected(:)
-        real(c_double) :: point(1, size(expected))
-        call g%eval(reshape(params, [1, size(params)]), point)
-        at = maxval(abs(point(1, :) - expected)) <= tiny_bit
-    end function at
-
-    ! The same on a curve.
-    logical function on(g, param, expected)
-        type(nurbs_spline), intent(in) :: g
-        real(c_double), intent(in) :: param, expected(:)
-        on = at(g, [param], expected)
-    end function on
 
     subroutine lines()
         type(nurbs_spline) :: g

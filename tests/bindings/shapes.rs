@@ -1,22 +1,19 @@
 // SPDX-License-Identifier: MIT
 //! Shapes in Rust: one known value of each.
 
+mod common;
+
+use common::{close, status_of, QUARTERS};
 use nurbs::{conic_axes, coons_gaps, sys};
 use nurbs::{HelixShape, HermiteBoundaries, List, Placement, Result, Spline, Turn};
 use std::f64::consts::PI;
 
-const QUARTERS: i32 = sys::NURBS_ARC_QUARTERS;
+fn same(a: &[f64], b: &[f64]) -> bool {
+    close(a, b, 1e-14)
+}
 
 fn anywhere() -> Placement<'static> {
     Placement::default()
-}
-
-fn near(a: &[f64], b: &[f64]) -> bool {
-    a.len() == b.len() && a.iter().zip(b).all(|(x, y)| (x - y).abs() <= 1e-14)
-}
-
-fn status_of<T>(result: Result<T>) -> i32 {
-    result.map_or_else(|error| error.status, |_| sys::NURBS_OK)
 }
 
 fn all(list: &List) -> Result<Vec<Spline>> {
@@ -45,7 +42,7 @@ fn circles() -> Result<()> {
     assert_eq!(Spline::arc(anywhere(), 1., quarter, QUARTERS)?.eval(&[1.], 0)?, [0., 1.]);
     let (a, b, c) = ([1., 0.], [0., 1.], [-1., 0.]);
     assert_eq!(Spline::arc_through(&a, &b, &c, QUARTERS)?.eval(&[1.], 0)?, c);
-    assert!(near(&Spline::arc_tangent(&a, &b, &c, QUARTERS)?.eval(&[0.5], 0)?, &b));
+    assert!(same(&Spline::arc_tangent(&a, &b, &c, QUARTERS)?.eval(&[0.5], 0)?, &b));
     assert_eq!(status_of(Spline::circle(anywhere(), -1., QUARTERS)), sys::NURBS_ERROR_LENGTH);
     assert_eq!(status_of(Spline::circle(anywhere(), 1., 7)), sys::NURBS_ERROR_FORM);
     assert_eq!(status_of(Spline::arc(anywhere(), 1., Turn::new(0., 7.), QUARTERS)), sys::NURBS_ERROR_ANGLE);
@@ -57,9 +54,9 @@ fn conics() -> Result<()> {
     assert_eq!(Spline::ellipse(anywhere(), [2., 1.], Turn::FULL, QUARTERS)?.eval(&[0.25], 0)?, [0., 1.]);
     assert_eq!(Spline::parabola(anywhere(), 1., -2., 2.)?.eval(&[2.], 0)?, [1., 2.]);
     let end = Spline::hyperbola(anywhere(), [1., 2.], 0., 1.)?.eval(&[1.], 0)?;
-    assert!(near(&end, &[1f64.cosh(), 2. * 1f64.sinh()]));
+    assert!(same(&end, &[1f64.cosh(), 2. * 1f64.sinh()]));
     let arc = Spline::conic_shoulder(&[0., 0.], &[1., 1.], &[2., 0.], &[1., -1.], 0.5)?;
-    assert!(near(&arc.eval(&[0.5], 0)?, &[1., 0.5]));
+    assert!(same(&arc.eval(&[0.5], 0)?, &[1., 0.5]));
     let up = [0., 1.];
     let half = Spline::conic_point(&[-1., 0.], &up, &[1., 0.], &up, &up, QUARTERS)?.eval(&[0.2], 0)?;
     assert!((half[0].hypot(half[1]) - 1.).abs() <= 1e-14);
@@ -68,10 +65,10 @@ fn conics() -> Result<()> {
     assert!((point[0].hypot(point[1]) - 1.).abs() <= 1e-12);
     let half_turn = Turn::new(-PI / 2., PI);
     let arc = Spline::conic_focus(&[0., 0.], &[], &[1., 0.], 1., half_turn, QUARTERS)?;
-    assert!(near(&arc.eval(&[0.5], 0)?, &[0.5, 0.]));
+    assert!(same(&arc.eval(&[0.5], 0)?, &[0.5, 0.]));
     let equation = [1., 0., 4., 0., 0., -4.];
     let axes = conic_axes(&equation)?;
-    assert!(axes.kind == sys::NURBS_CONIC_ELLIPSE && near(&axes.sizes, &[2., 1.]));
+    assert!(axes.kind == sys::NURBS_CONIC_ELLIPSE && same(&axes.sizes, &[2., 1.]));
     let top = Spline::conic_implicit(&equation, 0., 2. * PI, QUARTERS)?.eval(&[0.25], 0)?;
     assert!((top[1].abs() - 1.).abs() <= 1e-14);
     assert_eq!(status_of(conic_axes(&[1., 0., 1., 0., 0., 1.])), sys::NURBS_ERROR_CONIC);
@@ -89,7 +86,7 @@ fn shape_factors() -> Result<()> {
 fn helices() -> Result<()> {
     let shape = HelixShape { pitch: 2., turns: 3., ..HelixShape::default() };
     let (helix, error) = Spline::helix(Placement::at(&[0., 0., 1.]), shape, 1e-6)?;
-    assert!(near(&helix.eval(&[0., 3.], 0)?, &[1., 0., 1., 1., 0., 7.]) && error <= 1e-6);
+    assert!(same(&helix.eval(&[0., 3.], 0)?, &[1., 0., 1., 1., 0., 7.]) && error <= 1e-6);
     Ok(())
 }
 
@@ -100,7 +97,7 @@ fn from_curves() -> Result<()> {
     let upright = Spline::line(&[1., 0., 0.], &[1., 0., 1.])?;
     assert_eq!(upright.revolve(&[], &[], 2. * PI, QUARTERS)?.eval(&[0.25, 0.5], 0)?, [0., 1., 0.5]);
     let around = upright.revolve(&[2., 0., 0.], &[0., 0., 2.], PI, QUARTERS)?;
-    assert!(near(&around.eval(&[1., 0.5], 0)?, &[3., 0., 0.5]));
+    assert!(same(&around.eval(&[1., 0.5], 0)?, &[3., 0., 0.5]));
     for flags in [0, sys::NURBS_RULED_CARTESIAN] {
         assert_eq!(a.ruled(&b, flags)?.eval(&middle, 0)?, [0.5; 3]);
     }
@@ -124,29 +121,29 @@ fn patches() -> Result<()> {
 
 fn spheres() -> Result<()> {
     let (beside, at) = (Placement::at(&[1., 0., 0.]), [0.25, 0.5]);
-    assert!(near(&Spline::sphere(beside, 2., QUARTERS)?.eval(&at, 0)?, &[1., 2., 0.]));
+    assert!(same(&Spline::sphere(beside, 2., QUARTERS)?.eval(&at, 0)?, &[1., 2., 0.]));
     let patch = Spline::spherical_patch(anywhere(), 1., Turn::new(0., PI / 2.), 0., PI / 2., QUARTERS)?;
-    assert!(near(&patch.eval(&[1., 0.], 0)?, &[0., 1., 0.]));
+    assert!(same(&patch.eval(&[1., 0.], 0)?, &[0., 1., 0.]));
     assert_eq!(Spline::sphere_patches(anywhere(), 1., 0)?.name(4)?, "+Z");
     assert_eq!(Spline::sphere_patches(anywhere(), 1., sys::NURBS_HEMISPHERE)?.len(), 5);
-    assert!(near(&Spline::ellipsoid(anywhere(), [1., 2., 3.], QUARTERS)?.eval(&at, 0)?, &[0., 2., 0.]));
+    assert!(same(&Spline::ellipsoid(anywhere(), [1., 2., 3.], QUARTERS)?.eval(&at, 0)?, &[0., 2., 0.]));
     assert_eq!(status_of(Spline::sphere(Placement::at(&[0., 0.]), 1., QUARTERS)), sys::NURBS_ERROR_SIZE);
     Ok(())
 }
 
 fn quadrics() -> Result<()> {
     let (at, full) = ([0.25, 0.5], Turn::FULL);
-    assert!(near(&Spline::cylinder(anywhere(), 2., 3., full, QUARTERS)?.eval(&at, 0)?, &[0., 2., 1.5]));
-    assert!(near(&Spline::cone(anywhere(), [1., 0.], 2., full, QUARTERS)?.eval(&at, 0)?, &[0., 0.5, 1.]));
+    assert!(same(&Spline::cylinder(anywhere(), 2., 3., full, QUARTERS)?.eval(&at, 0)?, &[0., 2., 1.5]));
+    assert!(same(&Spline::cone(anywhere(), [1., 0.], 2., full, QUARTERS)?.eval(&at, 0)?, &[0., 0.5, 1.]));
     let torus = Spline::torus(anywhere(), [2., 0.5], full, full, QUARTERS)?;
-    assert!(near(&torus.eval(&at, 0)?, &[0., 1.5, 0.]));
+    assert!(same(&torus.eval(&at, 0)?, &[0., 1.5, 0.]));
     let bowl = Spline::paraboloid(anywhere(), [1., 1.], 1., full, QUARTERS)?;
-    assert!(near(&bowl.eval(&at, 0)?, &[0., 0.5, 0.25]));
-    assert!(near(&Spline::saddle(anywhere(), [1., 1.], 1.)?.eval(&[1., 0.5], 0)?, &[1., 0., 1.]));
+    assert!(same(&bowl.eval(&at, 0)?, &[0., 0.5, 0.25]));
+    assert!(same(&Spline::saddle(anywhere(), [1., 1.], 1.)?.eval(&[1., 0.5], 0)?, &[1., 0., 1.]));
     for (heights, flags, value) in [([-1., 1.], 0, 1.), ([1., 2.], sys::NURBS_TWO_SHEETS, -1.)] {
         let surface = Spline::hyperboloid(anywhere(), [1.; 3], heights, full, QUARTERS, flags)?;
         let p = surface.eval(&[0.3, 0.7], 0)?;
-        assert!(near(&[p[0] * p[0] + p[1] * p[1] - p[2] * p[2]], &[value]));
+        assert!(same(&[p[0] * p[0] + p[1] * p[1] - p[2] * p[2]], &[value]));
     }
     Ok(())
 }
@@ -168,7 +165,7 @@ fn coons_surfaces() -> Result<()> {
     let full = HermiteBoundaries { cross, twist: sys::NURBS_TWIST_COMPATIBLE, ..plain };
     for boundaries in [plain, given, full] {
         let (made, bound) = Spline::coons_hermite(boundaries, 0.)?;
-        assert!(near(&made.eval(&at, 0)?, &expected) && bound == 0.);
+        assert!(same(&made.eval(&at, 0)?, &expected) && bound == 0.);
     }
     let (odd, high) = (Spline::line(&[2., 0., 0.], &[2., 0., 1.])?, Spline::line(&[0., 1., 3.], &[1.; 3])?);
     let cross = Some([&odd, &across[1], &across[2], &across[3]]);
@@ -194,7 +191,7 @@ fn coons_volumes() -> Result<()> {
 fn recognition() -> Result<()> {
     let found = Spline::circle(Placement::at(&[1., 1.]), 2., QUARTERS)?.recognize(1e-9)?;
     assert!(found.shape == sys::NURBS_SHAPE_CIRCLE && found.axis == [0., 0., 1.] && found.deviation <= 1e-9);
-    assert!(near(&found.origin, &[1., 1., 0.]) && near(&found.sizes, &[2., 0.]));
+    assert!(same(&found.origin, &[1., 1., 0.]) && same(&found.sizes, &[2., 0.]));
     let curve = Spline::bezier(&[3], 2, &[0., 0., 1., 2., 2., -2., 3., 0.], None)?;
     assert_eq!(curve.recognize(1e-3)?.shape, sys::NURBS_SHAPE_NONE);
     Ok(())

@@ -1,37 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The C++ wrapper: create, evaluate a batch, insert a knot, and be told what is wrong.
-#include <nurbs/nurbs.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <iostream>
-#include <limits>
+#include "expect.hpp"
 
 using libnurbs::Input;
 using libnurbs::Output;
 using libnurbs::Spline;
-
-static int failures = 0;
-static constexpr double eps = std::numeric_limits<double>::epsilon();
-
-static void expect(bool condition, const char *what, int line) {
-    if (!condition) {
-        std::cout << __FILE__ << ":" << line << ": " << what << "\n";
-        ++failures;
-    }
-}
-#define EXPECT(condition) expect((condition), #condition, __LINE__)
-
-// The error that a call throws; success if it throws none.
-template <class F>
-static libnurbs::Error error_of(F &&f) {
-    try {
-        f();
-    } catch (const libnurbs::Error &error) {
-        return error;
-    }
-    return {libnurbs::Status::ok, ""};
-}
 
 static const std::vector<double> circle_points{1, 0, 1, 1, 0, 1, -1, 1, -1, 0, -1, -1, 0, -1, 1, -1, 1, 0};
 
@@ -53,14 +26,6 @@ static std::vector<double> samples() {
         params[i] = static_cast<double>(i) / 1000.0;
     }
     return params;
-}
-
-static double largest_difference(const std::vector<double> &a, const std::vector<double> &b) {
-    double largest = a.size() == b.size() ? 0 : 1;
-    for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
-        largest = std::max(largest, std::abs(a[i] - b[i]));
-    }
-    return largest;
 }
 
 static void known_points() {
@@ -131,7 +96,7 @@ static void parts_of_the_circle() {
     const Spline parts[] = {lower, upper};
     const auto joined = libnurbs::join(parts, 0);
     const auto params = samples();
-    EXPECT(joined.gap == 0 && largest_difference(joined.spline.eval(params), g.eval(params)) <= 8 * eps);
+    EXPECT(joined.gap == 0 && near(joined.spline.eval(params), g.eval(params), 8 * eps));
     EXPECT(g.extract(std::vector{0.1}, std::vector{0.2}).count(0) == 3);
     EXPECT(libnurbs::decompose(g).size() == 4 && libnurbs::split_at_knots(g, 0, 0).size() == 1);
     EXPECT(g.clamp(0).count(0) == 9);
@@ -200,7 +165,7 @@ static void insertion_keeps_the_circle() {
     const Spline before = circle(), after = before.insert_knot(0, 0.3, 2);
     const auto points = after.eval(params);
     EXPECT(after.count(0) == 11);
-    EXPECT(largest_difference(points, before.eval(params)) <= 8 * eps);
+    EXPECT(near(points, before.eval(params), 8 * eps));
     for (std::size_t i = 0; i < points.size(); i += 2) {
         EXPECT(std::abs(std::hypot(points[i], points[i + 1]) - 1) <= 8 * eps);
     }
@@ -208,7 +173,6 @@ static void insertion_keeps_the_circle() {
 
 static void forms_and_maps() {
     const Spline g = circle();
-    using Values = std::vector<double>;
     EXPECT(g.elevate(0, 2).degree(0) == 4);
     EXPECT(g.reverse(0).reverse(0).points() == circle_points);
     EXPECT((g.reverse(0, libnurbs::keep_domain).eval({0.25}) == Values{0, -1}));
@@ -259,7 +223,7 @@ static void constructors_agree() {
           Spline::create_multiplicities({2}, {9}, {5}, d.knots, d.multiplicities, 2, circle_points, weights),
           Spline::create_homogeneous({2}, {9}, knots, 2, g.homogeneous_points())}) {
         EXPECT(other.knots(0) == knots);
-        EXPECT(largest_difference(other.eval({0.1}), g.eval({0.1})) <= 4 * eps);
+        EXPECT(near(other.eval({0.1}), g.eval({0.1}), 4 * eps));
     }
 }
 

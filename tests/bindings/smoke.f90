@@ -3,10 +3,9 @@
 program smoke
     use, intrinsic :: iso_c_binding
     use nurbs
+    use expectations
     implicit none
     integer, parameter :: samples = 1001
-    real(c_double), parameter :: eps = epsilon(1.0_c_double)
-    integer :: failures = 0
 
     call known_points()
     call insertion_keeps_the_circle()
@@ -26,28 +25,22 @@ program smoke
     call inspection()
     call constructors_agree()
     call errors_name_what_is_wrong()
-    call files()
-    if (failures > 0) error stop 'failures, see above'
+    call knot_vectors()
+    call bases()
+    call finish()
 
 contains
-
-    subroutine expect(condition, what)
-        logical, intent(in) :: condition
-        character(len=*), intent(in) :: what
-        if (condition) return
-        print '(2a)', 'failed: ', what
-        failures = failures + 1
-    end subroutine expect
 
     ! The unit circle as four rational quadratic quarters.
     subroutine make_circle(g)
         type(nurbs_spline), intent(inout) :: g
-        real(c_double) :: points(9, 2), weights(9), knots(12)
+        real(c_double) :: points(9, 2), weights(9)
+        real(c_double), allocatable :: knots(:)
         points(:, 1) = [1, 1, 0, -1, -1, -1, 0, 1, 1]
         points(:, 2) = [0, 1, 1, 1, 0, -1, -1, -1, 0]
         weights = 1
         weights(2:8:2) = sqrt(0.5_c_double)
-        call expect(nurbs_knots_bezier(2, 4_c_int64_t, knot_count=12_c_int64_t, knots=knots) == NURBS_OK, 'knots')
+        call knots_bezier(2, 4, knots)
         call g%create([2], [9], knots, points, weights)
     end subroutine make_circle
 
@@ -444,12 +437,53 @@ contains
         call expect(.not. c_associated(g%handle), 'nothing is left after a failure')
     end subroutine errors_name_what_is_wrong
 
-    subroutine files()
-        type(nurbs_list) :: list
-        integer(c_int32_t) :: status
-        call list%read_file('/no/such/file', status=status)
-        call expect(status == NURBS_ERROR_FILE, 'a file that is not there')
-        call list%read('no file of a known format', status=status)
-        call expect(status / 100 == 4, 'not a known format')
-    end subroutine files
+    subroutine knot_vectors()
+        real(c_double), allocatable :: knots(:)
+        integer(c_int32_t) :: code
+        call knots_uniform(1, 3, knots)
+        call expect(all(knots == [-0.5d0, 0d0, 0.5d0, 1d0, 1.5d0]), 'uniform knots')
+        call knots_uniform(1, 3, knots, a=1d0, b=3d0)
+        call expect(all(knots == [0, 1, 2, 3, 4]), 'uniform knots over a domain')
+        call knots_open_uniform(2, 4, knots, b=2d0)
+        call expect(all(knots == [0, 0, 0, 1, 2, 2, 2]), 'open uniform knots')
+        call knots_bezier(1, 2, knots)
+        call expect(all(knots == [0d0, 0d0, 0.5d0, 1d0, 1d0]), 'knots of Bezier pieces')
+        call knots_bezier(1, 2, knots, breaks=[0d0, 2d0, 3d0])
+        call expect(all(knots == [0, 0, 2, 3, 3]), 'knots of Bezier pieces between breaks')
+        call knots_averaged(2, [0d0, 1d0, 2d0, 4d0], knots)
+        call expect(all(knots == [0d0, 0d0, 0d0, 1.5d0, 4d0, 4d0, 4d0]), 'averaged knots')
+        call knots_periodic(1, [0d0, 1d0, 2d0], knots)
+        call expect(all(knots == [-1, 0, 1, 2, 3]), 'periodic knots')
+        call knots_periodic(1, [0d0, 1d0, 2d0], knots, multiplicities=[1, 2, 1])
+        call expect(size(knots) == 6 .and. count(abs(knots - 1) < eps) == 2, 'periodic knots, one of them twice')
+        call knots_uniform(-1, 3, knots, status=code)
+        call expect(code == NURBS_ERROR_DEGREE, 'knots of no degree')
+        call knots_bezier(1, 2, knots, breaks=[0d0, 2d0], status=code)
+        call expect(code == NURBS_ERROR_SIZE, 'too few breaks')
+    end subroutine knot_vectors
+
+    subroutine bases()
+        real(c_double), parameter :: knots(7) = [0d0, 0d0, 0d0, 0.5d0, 1d0, 1d0, 1d0], t(3) = [0d0, 0.5d0, 1d0]
+        real(c_double) :: values(3, 3, 2), curve(1, 3, 1)
+        real(c_double), allocatable :: entries(:)
+        integer(c_int64_t), allocatable :: columns(:), rows(:)
+        integer(c_int64_t) :: spans(3), again(3)
+        integer(c_int32_t) :: code
+        call find_spans(2, knots, t, spans)
+        call expect(all(spans == [3, 4, 4]), 'spans')
+        call basis(2, knots, 1, t, again, values)
+        call expect(all(again == spans), 'the same spans')
+        call expect(all(values(2, :, 1) == [0.5d0, 0.5d0, 0d0]) .and. all(values(1, :, 2) == [-4, 4, 0]), 'a basis')
+        call bernstein(2, 0, [0.5d0], curve)
+        call expect(all(curve(1, :, 1) == [0.25d0, 0.5d0, 0.25d0]), 'Bernstein polynomials')
+        call collocation([1, 1], [2, 2], [0d0, 0d0, 1d0, 1d0, 0d0, 0d0, 1d0, 1d0], reshape([0.25d0, 0.5d0], [1, 2]), &
+                         entries, columns, rows, orders=[0, 1])
+        call expect(all(entries == [-0.75d0, 0.75d0, -0.25d0, 0.25d0]), 'collocation')
+        call expect(all(columns == [1, 2, 3, 4]) .and. all(rows == [1, 5]), 'its columns and rows')
+        call expect(derivative_slots(2, 2) == 6, 'derivatives of a surface')
+        call find_spans(2, knots, t, spans(:2), status=code)
+        call expect(code == NURBS_ERROR_SIZE, 'too few spans')
+        call bernstein(2, 1, [0.5d0], curve, code)
+        call expect(code == NURBS_ERROR_SIZE, 'too few derivatives')
+    end subroutine bases
 end program smoke

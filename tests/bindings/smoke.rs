@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 //! The Rust binding: create, evaluate a batch, insert a knot, and be told what is wrong.
 
+mod common;
+
+use common::{close, EPS};
 use nurbs::{sys, List, Records, RecordsMut, Result, Spline};
 use std::thread;
-
-const EPS: f64 = f64::EPSILON;
 
 const CIRCLE: [f64; 18] = [1., 0., 1., 1., 0., 1., -1., 1., -1., 0., -1., -1., 0., -1., 1., -1., 1., 0.];
 
@@ -22,11 +23,6 @@ fn patch() -> Result<Spline> {
 
 fn params() -> Vec<f64> {
     (0..=1000).map(|i| f64::from(i) / 1000.0).collect()
-}
-
-fn largest_difference(a: &[f64], b: &[f64]) -> f64 {
-    assert_eq!(a.len(), b.len());
-    a.iter().zip(b).map(|(x, y)| (x - y).abs()).fold(0.0, f64::max)
 }
 
 fn known_points() -> Result<()> {
@@ -81,7 +77,7 @@ fn insertion_keeps_the_circle() -> Result<()> {
     assert_eq!(after.count(0)?, 11);
     assert_eq!(after.knots(0)?.iter().filter(|&&knot| knot == 0.3).count(), 2);
     let points = after.eval(&t, 0)?;
-    assert!(largest_difference(&points, &before.eval(&t, 0)?) <= 8.0 * EPS);
+    assert!(close(&points, &before.eval(&t, 0)?, 8.0 * EPS));
     assert!(points.chunks(2).all(|p| (p[0].hypot(p[1]) - 1.0).abs() <= 8.0 * EPS));
     Ok(())
 }
@@ -131,7 +127,7 @@ fn parts_of_the_circle() -> Result<()> {
     let (lower, upper) = g.split(0, 0.3)?;
     let joined = nurbs::join(&[&lower, &upper], 0, 0.0, 0)?;
     assert_eq!(joined.gap, 0.0);
-    assert!(largest_difference(&joined.spline.eval(&t, 0)?, &g.eval(&t, 0)?) <= 8.0 * EPS);
+    assert!(close(&joined.spline.eval(&t, 0)?, &g.eval(&t, 0)?, 8.0 * EPS));
     assert_eq!(g.extract(&[0.1], &[0.2])?.count(0)?, 3);
     assert_eq!((g.decompose()?.len(), g.split_at_knots(0, 0)?.len()), (4, 1));
     assert_eq!(g.clamp(0, 3)?.count(0)?, 9);
@@ -217,6 +213,7 @@ fn inspection() -> Result<()> {
     assert_eq!((distinct.knots[1], distinct.multiplicities), (0.25, vec![3, 2, 2, 2, 3]));
     assert_eq!(c.hull_size(&[0.1], 0)?, [1.0]);
     assert_eq!(c.rational_basis(&[0.0], 0)?.values, [1.0, 0.0, 0.0]);
+    assert_eq!(format!("{:?}", c), "Spline { degrees: [2], counts: [9], dimension: 2, rational: true }");
     Ok(())
 }
 
@@ -230,7 +227,7 @@ fn constructors_agree() -> Result<()> {
     let projective = Spline::create_homogeneous(&[2], &[9], &knots, 2, &homogeneous, 0)?;
     for other in [short, multiple, projective] {
         assert_eq!(other.knots(0)?, knots);
-        assert!(largest_difference(&other.eval(&[0.1], 0)?, &c.eval(&[0.1], 0)?) <= 4.0 * EPS);
+        assert!(close(&other.eval(&[0.1], 0)?, &c.eval(&[0.1], 0)?, 4.0 * EPS));
     }
     Ok(())
 }

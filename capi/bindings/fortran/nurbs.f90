@@ -11,19 +11,19 @@
 !> - Results are arguments, not function values, which compilers of today do not always finalize. The result of
 !>   an operation must be another variable than its operand.
 !>
-!> Order of compilation: nurbs_constants, nurbs_c, nurbs_support, nurbs_handles, nurbs_splines, nurbs_frames,
-!> nurbs_calculus, nurbs_reduction, nurbs_lists, nurbs_compatible, nurbs_continuities,
-!> nurbs_continuation, nurbs_projections, nurbs_segments, nurbs_placements, nurbs_curves, nurbs_shapes, nurbs_coons,
-!> nurbs_recognition, nurbs_closest, nurbs_measures, nurbs_bounds, nurbs_features, nurbs_edits, nurbs_deformations,
-!> nurbs.
+!> A CMake project writes find_package(nurbs COMPONENTS Fortran) and links nurbs::fortran. By hand, the modules are
+!> compiled in the order of their use statements:
+!>
+!>     gfortran -c $(for f in *.f90; do sed -n "s/^ *use \(nurbs\w*\).*/\1.f90 $f/p" $f; done | tsort)
 module nurbs
     use nurbs_constants ! statuses, flags and limits
-    use nurbs_c         ! the C functions; knot generators, span search and bases are called by these names
+    use nurbs_c         ! the C functions as they stand, for what is not below: nurbs_version
     use nurbs_support, only: nurbs_message, nurbs_status_text, nurbs_on_axis, nurbs_on_all_axes
-    use nurbs_splines, only: nurbs_spline
+    use nurbs_knot_vectors
+    use nurbs_splines, only: nurbs_spline, derivative_slots
     use nurbs_frames
     use nurbs_calculus
-    use nurbs_lists, only: nurbs_list
+    use nurbs_lists, only: nurbs_list, default_read_options
     use nurbs_compatible
     use nurbs_continuities
     use nurbs_continuation

@@ -8,6 +8,7 @@ module nurbs_lists
     use nurbs_splines
     implicit none
     private
+    public :: default_read_options
 
     !> Splines with names: parts of one, or what a file held, with notes on the rest. A list cannot be copied.
     type, public :: nurbs_list
@@ -21,6 +22,13 @@ module nurbs_lists
     end type nurbs_list
 
 contains
+
+    !> The settings that read() and read_file() have without options, to change some of them.
+    subroutine default_read_options(options, status)
+        type(nurbs_read_options), intent(out) :: options
+        integer(c_int32_t), intent(out), optional :: status
+        call settle(nurbs_read_options_init(options, int(c_sizeof(options), c_int64_t)), status)
+    end subroutine default_read_options
 
     !> Reads the contents of a file from memory.
     subroutine read(this, contents, options, status)

@@ -8,6 +8,7 @@ module nurbs_splines
     use nurbs_handles
     implicit none
     private
+    public :: derivative_slots
 
     !> A spline; an assignment makes another handle on the same data.
     type, extends(nurbs_handle), public :: nurbs_spline
@@ -27,6 +28,14 @@ module nurbs_splines
     end type nurbs_spline
 
 contains
+
+    !> Columns of derivatives of orders 0 to `order`: binomial(order + axes, axes).
+    integer(c_int64_t) function derivative_slots(axes, order, status)
+        integer(c_int32_t), intent(in) :: axes, order
+        integer(c_int32_t), intent(out), optional :: status
+        derivative_slots = 0
+        call settle(nurbs_derivative_slots(axes, order, derivative_slots), status)
+    end function derivative_slots
 
     ! Construction
 
@@ -143,7 +152,6 @@ contains
         call out%replace(made)
         call settle(code, status)
     end subroutine with_points
-
 
     ! Evaluation
 
@@ -354,10 +362,7 @@ contains
         if (code == NURBS_OK) code = nurbs_rational_collocation(this%handle, orders, n, params, step(params), &
             column(params), 0_c_int64_t, entries=entries, flags=bits(flags))
         if (code == NURBS_OK) then
-            if (allocated(values)) deallocate (values)
-            if (allocated(columns)) deallocate (columns)
-            if (allocated(row_pointers)) deallocate (row_pointers)
-            allocate (values(entries), columns(entries), row_pointers(n + 1))
+            call make_sparse(entries, n, values, columns, row_pointers)
             code = nurbs_rational_collocation(this%handle, orders, n, params, step(params), column(params), &
                 entries, values, columns, row_pointers, flags=bits(flags))
             columns = columns + 1
@@ -603,10 +608,7 @@ contains
         code = nurbs_refinement_matrix(this%handle, axis - 1, n, knots, 0_c_int64_t, entries=entries)
         if (code == NURBS_OK) code = nurbs_count(this%handle, axis - 1, rows)
         if (code == NURBS_OK) then
-            if (allocated(values)) deallocate (values)
-            if (allocated(columns)) deallocate (columns)
-            if (allocated(row_pointers)) deallocate (row_pointers)
-            allocate (values(entries), columns(entries), row_pointers(rows + n + 1))
+            call make_sparse(entries, rows + n, values, columns, row_pointers)
             code = nurbs_refinement_matrix(this%handle, axis - 1, n, knots, entries, values, columns, row_pointers)
             columns = columns + 1
             row_pointers = row_pointers + 1

@@ -185,6 +185,14 @@ contains
         if (present(states)) has_length = size(states, kind=c_int64_t) == rows
     end function has_length
 
+    !> Arrays for `entries` of a matrix of so many rows, in place of what they held.
+    subroutine make_sparse(entries, rows, values, columns, row_pointers)
+        integer(c_int64_t), intent(in) :: entries, rows
+        real(c_double), allocatable, intent(out) :: values(:)
+        integer(c_int64_t), allocatable, intent(out) :: columns(:), row_pointers(:)
+        allocate (values(entries), columns(entries), row_pointers(rows + 1))
+    end subroutine make_sparse
+
     !> Stride between the rows of a column-wise array; a single row is simply packed.
     pure integer(c_int64_t) function apart(rows)
         integer(c_int64_t), intent(in) :: rows

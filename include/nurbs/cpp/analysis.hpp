@@ -11,6 +11,7 @@
 #include <vector>
 
 namespace libnurbs {
+inline namespace NURBS_CPP_POLICY {
 
 /// Features of curves, any sum of which may be asked for.
 inline constexpr std::uint32_t feature_inflection = NURBS_FEATURE_INFLECTION;
@@ -42,14 +43,14 @@ struct CurveFeatures {
 };
 
 /// The features of these kinds along a curve.
-inline CurveFeatures features(const Spline &g, std::uint32_t kinds) {
+inline Returned<CurveFeatures> features(const Spline &g, std::uint32_t kinds) {
     CurveFeatures result{};
     std::vector<std::int32_t> found;
     std::int64_t count = 0;
     std::int32_t complete = 0;
     const auto call = [&](std::int64_t cap) {
-        detail::check(nurbs_curve_features(g.get(), kinds, cap, result.params.data(), found.data(),
-                                           result.values.data(), &count, &complete));
+        detail::call(nurbs_curve_features, g.get(), kinds, cap, result.params.data(), found.data(),
+                     result.values.data(), &count, &complete);
     };
     call(0);
     result.params.resize(detail::to_size(count));
@@ -69,14 +70,14 @@ struct MonotonePieces {
 };
 
 /// The pieces of a curve on which it runs one way along a direction [dim].
-inline MonotonePieces monotone_pieces(const Spline &g, View<double> direction) {
+inline Returned<MonotonePieces> monotone_pieces(const Spline &g, View<double> direction) {
     const double *along = detail::point_of(g, direction, "direction");
     MonotonePieces found{};
     std::int64_t count = 0;
     std::int32_t complete = 0;
     const auto call = [&](std::int64_t cap) {
-        detail::check(nurbs_curve_monotone_pieces(g.get(), along, cap, found.starts.data(),
-                                                  found.signs.data(), &count, &complete));
+        detail::call(nurbs_curve_monotone_pieces, g.get(), along, cap, found.starts.data(),
+                     found.signs.data(), &count, &complete);
     };
     call(0);
     found.starts.resize(detail::to_size(count));
@@ -87,7 +88,7 @@ inline MonotonePieces monotone_pieces(const Spline &g, View<double> direction) {
 }
 
 /// One of the convexity_ constants.
-inline std::int32_t convexity(const Spline &g) {
+inline Returned<std::int32_t> convexity(const Spline &g) {
     return detail::result_of<std::int32_t>([&](auto *v) { return nurbs_curve_convexity(g.get(), v); });
 }
 
@@ -99,10 +100,10 @@ struct Straightness {
 };
 
 /// How far a spline is from a straight line.
-inline Straightness straightness(const Spline &g) {
-    const auto dim = detail::to_size(g.dimension());
+inline Returned<Straightness> straightness(const Spline &g) {
+    const auto dim = detail::to_size(detail::dimension(g.get()));
     Straightness found{std::vector<double>(dim), std::vector<double>(dim), 0};
-    detail::check(nurbs_straightness(g.get(), found.origin.data(), found.direction.data(), &found.bound));
+    detail::call(nurbs_straightness, g.get(), found.origin.data(), found.direction.data(), &found.bound);
     return found;
 }
 
@@ -114,9 +115,9 @@ struct Planarity {
 };
 
 /// How far a spline in space is from a plane.
-inline Planarity planarity(const Spline &g) {
+inline Returned<Planarity> planarity(const Spline &g) {
     Planarity found{};
-    detail::check(nurbs_planarity(g.get(), found.origin.data(), found.normal.data(), &found.bound));
+    detail::call(nurbs_planarity, g.get(), found.origin.data(), found.normal.data(), &found.bound);
     return found;
 }
 
@@ -129,12 +130,12 @@ struct BoundaryContacts {
     std::vector<double> sizes;
 };
 
-inline BoundaryContacts boundary_contacts(const Spline &g, double tolerance = 0) {
-    const auto axes = detail::to_size(g.axes());
+inline Returned<BoundaryContacts> boundary_contacts(const Spline &g, double tolerance = 0) {
+    const auto axes = detail::to_size(detail::axes(g.get()));
     BoundaryContacts found{std::vector<std::int32_t>(axes), std::vector<double>(axes),
                            std::vector<std::int32_t>(2 * axes), std::vector<double>(2 * axes)};
-    detail::check(nurbs_boundary_contacts(g.get(), tolerance, found.closed.data(), found.gaps.data(),
-                                          found.collapsed.data(), found.sizes.data()));
+    detail::call(nurbs_boundary_contacts, g.get(), tolerance, found.closed.data(), found.gaps.data(),
+                 found.collapsed.data(), found.sizes.data());
     return found;
 }
 
@@ -146,16 +147,16 @@ struct SingularPoints {
 };
 
 /// Places where a curve or surface is singular; the tolerance is a part of the domain.
-inline SingularPoints singular_points(const Spline &g, double tolerance) {
+inline Returned<SingularPoints> singular_points(const Spline &g, double tolerance) {
     SingularPoints found{};
     std::int64_t count = 0;
     std::int32_t complete = 0;
     const auto call = [&](std::int64_t cap) {
-        detail::check(nurbs_singular_points(g.get(), tolerance, cap, found.params.data(), found.boxes.data(),
-                                            &count, &complete));
+        detail::call(nurbs_singular_points, g.get(), tolerance, cap, found.params.data(), found.boxes.data(),
+                     &count, &complete);
     };
     call(0);
-    found.params.resize(detail::to_size(count * g.axes()));
+    found.params.resize(detail::to_size(count * detail::axes(g.get())));
     found.boxes.resize(2 * found.params.size());
     call(count);
     found.complete = complete != 0;
@@ -171,14 +172,15 @@ struct Fold {
 
 /// Whether a surface or volume folds over; reference [3] is the direction that normals are compared with, if
 // any.
-inline Fold fold_test(const Spline &g, View<double> reference = {}) {
-    const auto axes = detail::to_size(g.axes());
+inline Returned<Fold> fold_test(const Spline &g, View<double> reference = {}) {
+    const auto axes = detail::to_size(detail::axes(g.get()));
     Fold found{0, std::vector<double>(axes), std::vector<double>(axes)};
-    detail::check(nurbs_fold_test(g.get(), detail::if_given(std::span(reference), 3, "reference"),
-                                  &found.result, found.positive.data(), found.negative.data()));
+    detail::call(nurbs_fold_test, g.get(), detail::if_given(std::span(reference), 3, "reference"),
+                 &found.result, found.positive.data(), found.negative.data());
     return found;
 }
 
+} // namespace NURBS_CPP_POLICY
 } // namespace libnurbs
 
 #endif // NURBS_CPP_ANALYSIS_HPP

@@ -4,7 +4,7 @@
 #ifndef NURBS_CPP_ARRAYS_HPP
 #define NURBS_CPP_ARRAYS_HPP
 
-#include <nurbs/cpp/status.hpp>
+#include <nurbs/cpp/result.hpp>
 
 #include <concepts>
 #include <cstddef>
@@ -16,12 +16,12 @@
 #include <vector>
 
 namespace libnurbs {
+inline namespace NURBS_CPP_POLICY {
 
 namespace detail {
 
-[[noreturn]] inline void wrong_size(const char *what, std::size_t holds, const std::string &wanted) {
-    throw Error(Status::size,
-                std::string(what) + " holds " + std::to_string(holds) + " values, expected " + wanted);
+inline void wrong_size(const char *what, std::size_t holds, const std::string &wanted) {
+    fail(Status::size, std::string(what) + " holds " + std::to_string(holds) + " values, expected " + wanted);
 }
 
 inline std::size_t to_size(std::int64_t n) {
@@ -63,14 +63,14 @@ std::int64_t product(std::span<const T> counts) {
 template <class T, class F>
 T result_of(F &&f) {
     T result{};
-    check(f(&result));
+    attempt([&] { return f(&result); });
     return result;
 }
 
 template <class T = double, class F>
 std::vector<T> filled(std::int64_t size, F &&f) {
     std::vector<T> values(to_size(size));
-    f(values);
+    run(f, values);
     return values;
 }
 
@@ -78,9 +78,9 @@ std::vector<T> filled(std::int64_t size, F &&f) {
 template <class F>
 std::string text_of(F &&f) {
     std::int64_t length = 0;
-    check(f(nullptr, 0, &length));
+    attempt([&] { return f(nullptr, 0, &length); });
     std::string text(to_size(length), '\0');
-    check(f(text.data(), length + 1, &length));
+    attempt([&] { return f(text.data(), length + 1, &length); });
     return text;
 }
 
@@ -122,7 +122,7 @@ public:
         }
         return width > 0 ? size / width : 0;
     }
-    /// Throws unless exactly n records were described and the array is long enough for them.
+    /// Fails unless exactly n records were described and the array is long enough for them.
     void require(std::int64_t n, std::int64_t width, const char *what) const {
         if (n < 0 || width < 1) {
             return;
@@ -191,6 +191,7 @@ T *if_given(std::span<T> values, std::int64_t size, const char *what) {
 
 } // namespace detail
 
+} // namespace NURBS_CPP_POLICY
 } // namespace libnurbs
 
 #endif // NURBS_CPP_ARRAYS_HPP

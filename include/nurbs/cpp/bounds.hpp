@@ -10,6 +10,7 @@
 #include <vector>
 
 namespace libnurbs {
+inline namespace NURBS_CPP_POLICY {
 
 /// Lower and upper ends [dim], and how far a face is from the spline at most.
 struct Box {
@@ -19,11 +20,11 @@ struct Box {
 };
 
 /// An axis-aligned box, tight to the tolerance; infinite: that of the Bezier points.
-inline Box box(const Spline &g, double tolerance, View<double> range = {}) {
-    const auto dim = detail::to_size(g.dimension());
+inline Returned<Box> box(const Spline &g, double tolerance, View<double> range = {}) {
+    const auto dim = detail::to_size(detail::dimension(g.get()));
     Box found{std::vector<double>(dim), std::vector<double>(dim), 0};
-    detail::check(nurbs_box(g.get(), detail::range_of(g, range), tolerance, found.lower.data(),
-                            found.upper.data(), &found.gap));
+    detail::call(nurbs_box, g.get(), detail::range_of(g, range), tolerance, found.lower.data(),
+                 found.upper.data(), &found.gap);
     return found;
 }
 
@@ -35,11 +36,11 @@ struct OrientedBox {
 };
 
 /// A box with axes of its own.
-inline OrientedBox oriented_box(const Spline &g, double tolerance) {
-    const auto dim = detail::to_size(g.dimension());
+inline Returned<OrientedBox> oriented_box(const Spline &g, double tolerance) {
+    const auto dim = detail::to_size(detail::dimension(g.get()));
     OrientedBox found{std::vector<double>(dim), std::vector<double>(dim * dim), std::vector<double>(dim)};
-    detail::check(
-        nurbs_oriented_box(g.get(), tolerance, found.center.data(), found.axes.data(), found.half.data()));
+    detail::call(nurbs_oriented_box, g.get(), tolerance, found.center.data(), found.axes.data(),
+                 found.half.data());
     return found;
 }
 
@@ -50,19 +51,19 @@ struct DirectionCone {
 };
 
 /// The directions of the derivatives along an axis.
-inline DirectionCone tangent_cone(const Spline &g, std::int32_t axis, double tolerance,
-                                  View<double> range = {}) {
-    DirectionCone found{std::vector<double>(detail::to_size(g.dimension())), 0};
-    detail::check(nurbs_tangent_cone(g.get(), axis, detail::range_of(g, range), tolerance,
-                                     found.direction.data(), &found.angle));
+inline Returned<DirectionCone> tangent_cone(const Spline &g, std::int32_t axis, double tolerance,
+                                            View<double> range = {}) {
+    DirectionCone found{std::vector<double>(detail::to_size(detail::dimension(g.get()))), 0};
+    detail::call(nurbs_tangent_cone, g.get(), axis, detail::range_of(g, range), tolerance,
+                 found.direction.data(), &found.angle);
     return found;
 }
 
 /// The directions of the normals of a surface in space.
-inline DirectionCone normal_cone(const Spline &g, double tolerance, View<double> range = {}) {
+inline Returned<DirectionCone> normal_cone(const Spline &g, double tolerance, View<double> range = {}) {
     DirectionCone found{std::vector<double>(3), 0};
-    detail::check(nurbs_normal_cone(g.get(), detail::range_of(g, range), tolerance, found.direction.data(),
-                                    &found.angle));
+    detail::call(nurbs_normal_cone, g.get(), detail::range_of(g, range), tolerance, found.direction.data(),
+                 &found.angle);
     return found;
 }
 
@@ -74,15 +75,15 @@ struct ExtremePoint {
 };
 
 /// The point that is farthest in a direction [dim].
-inline ExtremePoint extreme_point(const Spline &g, View<double> direction, double tolerance,
-                                  View<double> range = {}) {
-    ExtremePoint found{std::vector<double>(detail::to_size(g.axes())), 0, 0};
-    detail::check(nurbs_extreme_point(g.get(), detail::point_of(g, direction, "direction"),
-                                      detail::range_of(g, range), tolerance, found.params.data(),
-                                      &found.value, &found.bound));
+inline Returned<ExtremePoint> extreme_point(const Spline &g, View<double> direction, double tolerance,
+                                            View<double> range = {}) {
+    ExtremePoint found{std::vector<double>(detail::to_size(detail::axes(g.get()))), 0, 0};
+    detail::call(nurbs_extreme_point, g.get(), detail::point_of(g, direction, "direction"),
+                 detail::range_of(g, range), tolerance, found.params.data(), &found.value, &found.bound);
     return found;
 }
 
+} // namespace NURBS_CPP_POLICY
 } // namespace libnurbs
 
 #endif // NURBS_CPP_BOUNDS_HPP

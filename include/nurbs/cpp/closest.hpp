@@ -12,6 +12,7 @@
 #include <vector>
 
 namespace libnurbs {
+inline namespace NURBS_CPP_POLICY {
 
 /// Bits of the status of a closest point.
 inline constexpr std::int32_t closest_certified = NURBS_CLOSEST_CERTIFIED;
@@ -60,71 +61,73 @@ struct ClosestPointers {
     double *params, *points, *distances;
     std::int32_t *status;
     ClosestPointers(const Spline &g, std::int64_t n, const ClosestOutputs &out)
-        : params(wanted(out.params, n, g.axes(), "params")),
-          points(wanted(out.points, n, g.dimension(), "points")),
+        : params(wanted(out.params, n, detail::axes(g.get()), "params")),
+          points(wanted(out.points, n, detail::dimension(g.get()), "points")),
           distances(wanted(out.distances, n, 1, "distances")), status(if_given(out.status, n, "status")) {}
 };
 
 // nurbs_closest_points or nurbs_farthest_points
-inline void search(decltype(&nurbs_closest_points) function, const Spline &g, Input points,
+inline Done search(decltype(&nurbs_closest_points) function, const Spline &g, Input points,
                    const ClosestOutputs &out, const Search &how) {
-    const std::int64_t n = records(points, g.dimension(), "points");
+    const std::int64_t n = records(points, detail::dimension(g.get()), "points");
     const ClosestPointers to(g, n, out);
-    check(function(g.get(), n, points.data(), points.stride(), points.component_stride(),
-                   range_of(g, how.range), how.tolerance, how.budget, to.params, out.params.stride(),
-                   out.params.component_stride(), to.points, out.points.stride(),
-                   out.points.component_stride(), to.distances, out.distances.stride(), to.status,
-                   how.flags));
+    return call(function, g.get(), n, points.data(), points.stride(), points.component_stride(),
+                range_of(g, how.range), how.tolerance, how.budget, to.params, out.params.stride(),
+                out.params.component_stride(), to.points, out.points.stride(), out.points.component_stride(),
+                to.distances, out.distances.stride(), to.status, how.flags);
 }
 
 // The results of f(outputs) for all points.
 template <class F>
 ClosestPoints closest_of(const Spline &g, Input points, F &&f) {
-    const std::int64_t n = records(points, g.dimension(), "points");
-    ClosestPoints found{std::vector<double>(to_size(n * g.axes())),
-                        std::vector<double>(to_size(n * g.dimension())), std::vector<double>(to_size(n)),
-                        std::vector<std::int32_t>(to_size(n))};
-    f(ClosestOutputs{found.params, found.points, found.distances, found.status});
+    const std::int64_t n = records(points, detail::dimension(g.get()), "points");
+    ClosestPoints found{std::vector<double>(to_size(n * detail::axes(g.get()))),
+                        std::vector<double>(to_size(n * detail::dimension(g.get()))),
+                        std::vector<double>(to_size(n)), std::vector<std::int32_t>(to_size(n))};
+    run(f, ClosestOutputs{found.params, found.points, found.distances, found.status});
     return found;
 }
 
 } // namespace detail
 
 /// The nearest points of a spline; in a volume this is inversion.
-inline void closest_points(const Spline &g, Input points, const ClosestOutputs &out, const Search &how = {}) {
-    detail::search(nurbs_closest_points, g, points, out, how);
+inline Returned<void> closest_points(const Spline &g, Input points, const ClosestOutputs &out,
+                                     const Search &how = {}) {
+    return detail::search(nurbs_closest_points, g, points, out, how);
 }
-[[nodiscard]] inline ClosestPoints closest_points(const Spline &g, Input points, const Search &how = {}) {
+[[nodiscard]] inline Returned<ClosestPoints> closest_points(const Spline &g, Input points,
+                                                            const Search &how = {}) {
     return detail::closest_of(g, points,
-                              [&](const ClosestOutputs &out) { closest_points(g, points, out, how); });
+                              [&](const ClosestOutputs &out) { return closest_points(g, points, out, how); });
 }
 
 /// The farthest points of a spline.
-inline void farthest_points(const Spline &g, Input points, const ClosestOutputs &out,
-                            const Search &how = {}) {
-    detail::search(nurbs_farthest_points, g, points, out, how);
+inline Returned<void> farthest_points(const Spline &g, Input points, const ClosestOutputs &out,
+                                      const Search &how = {}) {
+    return detail::search(nurbs_farthest_points, g, points, out, how);
 }
-[[nodiscard]] inline ClosestPoints farthest_points(const Spline &g, Input points, const Search &how = {}) {
-    return detail::closest_of(g, points,
-                              [&](const ClosestOutputs &out) { farthest_points(g, points, out, how); });
+[[nodiscard]] inline Returned<ClosestPoints> farthest_points(const Spline &g, Input points,
+                                                             const Search &how = {}) {
+    return detail::closest_of(
+        g, points, [&](const ClosestOutputs &out) { return farthest_points(g, points, out, how); });
 }
 
 /// Local minima of the distance, each the one that a descent from a guess [axes] comes to.
-inline void closest_local(const Spline &g, Input points, Input guesses, const ClosestOutputs &out,
-                          std::uint32_t flags = 0) {
-    const std::int64_t n = detail::records(points, g.dimension(), "points");
-    guesses.require(n, g.axes(), "guesses");
+inline Returned<void> closest_local(const Spline &g, Input points, Input guesses, const ClosestOutputs &out,
+                                    std::uint32_t flags = 0) {
+    const std::int64_t n = detail::records(points, detail::dimension(g.get()), "points");
+    guesses.require(n, detail::axes(g.get()), "guesses");
     const detail::ClosestPointers to(g, n, out);
-    detail::check(nurbs_closest_local(g.get(), n, points.data(), points.stride(), points.component_stride(),
-                                      guesses.data(), guesses.stride(), guesses.component_stride(), to.params,
-                                      out.params.stride(), out.params.component_stride(), to.points,
-                                      out.points.stride(), out.points.component_stride(), to.distances,
-                                      out.distances.stride(), to.status, flags));
+    return detail::call(
+        nurbs_closest_local, g.get(), n, points.data(), points.stride(), points.component_stride(),
+        guesses.data(), guesses.stride(), guesses.component_stride(), to.params, out.params.stride(),
+        out.params.component_stride(), to.points, out.points.stride(), out.points.component_stride(),
+        to.distances, out.distances.stride(), to.status, flags);
 }
-[[nodiscard]] inline ClosestPoints closest_local(const Spline &g, Input points, Input guesses,
-                                                 std::uint32_t flags = 0) {
+[[nodiscard]] inline Returned<ClosestPoints> closest_local(const Spline &g, Input points, Input guesses,
+                                                           std::uint32_t flags = 0) {
     return detail::closest_of(
-        g, points, [&](const ClosestOutputs &out) { closest_local(g, points, guesses, out, flags); });
+        g, points, [&](const ClosestOutputs &out) { return closest_local(g, points, guesses, out, flags); });
 }
 
 /// Points as near as the nearest one to the tolerance: parameters [n][axes], and the status of the search.
@@ -135,16 +138,16 @@ struct ClosestAll {
 };
 
 /// All of them that are local minima.
-inline ClosestAll closest_all(const Spline &g, View<double> point, const Search &how = {}) {
+inline Returned<ClosestAll> closest_all(const Spline &g, View<double> point, const Search &how = {}) {
     const double *x = detail::point_of(g, point, "point"), *range = detail::range_of(g, how.range);
     ClosestAll found{};
     std::int64_t count = 0;
     const auto call = [&](std::int64_t cap) {
-        detail::check(nurbs_closest_all(g.get(), x, range, how.tolerance, how.budget, cap,
-                                        found.params.data(), found.distances.data(), &count, &found.status));
+        detail::call(nurbs_closest_all, g.get(), x, range, how.tolerance, how.budget, cap,
+                     found.params.data(), found.distances.data(), &count, &found.status);
     };
     call(0);
-    found.params.resize(detail::to_size(count * g.axes()));
+    found.params.resize(detail::to_size(count * detail::axes(g.get())));
     found.distances.resize(detail::to_size(count));
     call(count);
     return found;
@@ -159,17 +162,16 @@ struct CriticalPoints {
 };
 
 /// All of them.
-inline CriticalPoints critical_points(const Spline &g, View<double> point, const Search &how = {}) {
+inline Returned<CriticalPoints> critical_points(const Spline &g, View<double> point, const Search &how = {}) {
     const double *x = detail::point_of(g, point, "point"), *range = detail::range_of(g, how.range);
     CriticalPoints found{};
     std::int64_t count = 0;
     const auto call = [&](std::int64_t cap) {
-        detail::check(nurbs_critical_points(g.get(), x, range, how.tolerance, how.budget, cap,
-                                            found.params.data(), found.distances.data(), found.kinds.data(),
-                                            &count, &found.status));
+        detail::call(nurbs_critical_points, g.get(), x, range, how.tolerance, how.budget, cap,
+                     found.params.data(), found.distances.data(), found.kinds.data(), &count, &found.status);
     };
     call(0);
-    found.params.resize(detail::to_size(count * g.axes()));
+    found.params.resize(detail::to_size(count * detail::axes(g.get())));
     found.distances.resize(detail::to_size(count));
     found.kinds.resize(detail::to_size(count));
     call(count);
@@ -191,20 +193,23 @@ struct SignedOutputs {
 };
 
 /// Signed distances of points [n][2] from a curve in the plane; the search has no range.
-inline void signed_distances(const Spline &g, Input points, const SignedOutputs &out,
-                             const Search &how = {}) {
-    const std::int64_t n = detail::records(points, g.dimension(), "points");
+inline Returned<void> signed_distances(const Spline &g, Input points, const SignedOutputs &out,
+                                       const Search &how = {}) {
+    const std::int64_t n = detail::records(points, detail::dimension(g.get()), "points");
     out.distances.require(n, 1, "distances");
     double *params = detail::wanted(out.params, n, 1, "params");
-    detail::check(nurbs_curve_signed_distances(
-        g.get(), n, points.data(), points.stride(), points.component_stride(), how.tolerance, how.budget,
-        out.distances.data(), out.distances.stride(), params, out.params.stride(),
-        detail::if_given(out.status, n, "status"), how.flags));
+    return detail::call(nurbs_curve_signed_distances, g.get(), n, points.data(), points.stride(),
+                        points.component_stride(), how.tolerance, how.budget, out.distances.data(),
+                        out.distances.stride(), params, out.params.stride(),
+                        detail::if_given(out.status, n, "status"), how.flags);
 }
-[[nodiscard]] inline SignedDistances signed_distances(const Spline &g, Input points, const Search &how = {}) {
-    const auto n = detail::to_size(detail::records(points, g.dimension(), "points"));
+[[nodiscard]] inline Returned<SignedDistances> signed_distances(const Spline &g, Input points,
+                                                                const Search &how = {}) {
+    const auto n = detail::to_size(detail::records(points, detail::dimension(g.get()), "points"));
     SignedDistances found{std::vector<double>(n), std::vector<double>(n), std::vector<std::int32_t>(n)};
-    signed_distances(g, points, {found.distances, found.params, found.status}, how);
+    detail::run([&] {
+        return signed_distances(g, points, {found.distances, found.params, found.status}, how);
+    });
     return found;
 }
 
@@ -218,11 +223,12 @@ struct Distance {
 };
 
 /// The smallest distance of two splines; the points are at_most apart.
-inline Distance distance(const Spline &a, const Spline &b, double tolerance = 0, std::int64_t budget = 0) {
-    Distance found{0, 0, std::vector<double>(detail::to_size(a.axes())),
-                   std::vector<double>(detail::to_size(b.axes())), 0};
-    detail::check(nurbs_distance(a.get(), b.get(), tolerance, budget, &found.at_least, &found.at_most,
-                                 found.params_a.data(), found.params_b.data(), &found.status));
+inline Returned<Distance> distance(const Spline &a, const Spline &b, double tolerance = 0,
+                                   std::int64_t budget = 0) {
+    Distance found{0, 0, std::vector<double>(detail::to_size(detail::axes(a.get()))),
+                   std::vector<double>(detail::to_size(detail::axes(b.get()))), 0};
+    detail::call(nurbs_distance, a.get(), b.get(), tolerance, budget, &found.at_least, &found.at_most,
+                 found.params_a.data(), found.params_b.data(), &found.status);
     return found;
 }
 
@@ -237,19 +243,19 @@ struct HausdorffDistance {
 };
 
 /// Of two splines as sets of points.
-inline HausdorffDistance hausdorff_distance(const Spline &a, const Spline &b, double tolerance,
-                                            std::int64_t budget = 0) {
+inline Returned<HausdorffDistance> hausdorff_distance(const Spline &a, const Spline &b, double tolerance,
+                                                      std::int64_t budget = 0) {
     HausdorffDistance found{{},
                             {},
-                            std::vector<double>(detail::to_size(a.axes())),
-                            std::vector<double>(detail::to_size(b.axes())),
+                            std::vector<double>(detail::to_size(detail::axes(a.get()))),
+                            std::vector<double>(detail::to_size(detail::axes(b.get()))),
                             0};
-    detail::check(nurbs_hausdorff_distance(a.get(), b.get(), tolerance, budget, found.at_least.data(),
-                                           found.at_most.data(), found.params_a.data(), found.params_b.data(),
-                                           &found.status));
+    detail::call(nurbs_hausdorff_distance, a.get(), b.get(), tolerance, budget, found.at_least.data(),
+                 found.at_most.data(), found.params_a.data(), found.params_b.data(), &found.status);
     return found;
 }
 
+} // namespace NURBS_CPP_POLICY
 } // namespace libnurbs
 
 #endif // NURBS_CPP_CLOSEST_HPP

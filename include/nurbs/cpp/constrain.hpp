@@ -11,6 +11,7 @@
 #include <vector>
 
 namespace libnurbs {
+inline namespace NURBS_CPP_POLICY {
 
 /// Kinds of constraints.
 inline constexpr std::int32_t constrain_value = NURBS_CONSTRAIN_VALUE;
@@ -46,25 +47,25 @@ struct Constrained {
     double optimality;
 };
 
-inline Constrained constrain(const Spline &g, const Constraints &given,
-                             const ConstrainOptions &options = {}) {
-    const std::int64_t axes = g.axes(), points = g.point_count();
+inline Returned<Constrained> constrain(const Spline &g, const Constraints &given,
+                                       const ConstrainOptions &options = {}) {
+    const std::int64_t axes = detail::axes(g.get()), points = detail::point_count(g.get());
     const std::int64_t count = detail::records(given.params, axes, "params");
-    const double *targets = detail::exactly(std::span(given.targets), count * g.dimension(), "targets");
+    const double *targets =
+        detail::exactly(std::span(given.targets), count * detail::dimension(g.get()), "targets");
     const std::int32_t *kinds = detail::if_given(std::span(given.kinds), count, "kinds");
     const std::int32_t *orders = detail::if_given(std::span(given.orders), count * axes, "orders");
     const std::int32_t *keep = detail::if_given(std::span(options.keep), 2 * axes, "keep");
     const double *costs = detail::if_given(std::span(options.costs), points, "costs");
     const double *weight_costs = detail::if_given(std::span(options.weight_costs), points, "weight_costs");
     Constrained made{{}, std::vector<double>(detail::to_size(count)), 0, 0, 0};
-    made.spline = detail::spline_of([&](nurbs **out) {
-        return nurbs_constrain(g.get(), count, kinds, orders, given.params.data(), targets, keep, costs,
-                               weight_costs, options.tolerance, made.residuals.data(), &made.rank,
-                               &made.moved, &made.optimality, out);
-    });
+    made.spline = detail::spline_of(nurbs_constrain, g.get(), count, kinds, orders, given.params.data(),
+                                    targets, keep, costs, weight_costs, options.tolerance,
+                                    made.residuals.data(), &made.rank, &made.moved, &made.optimality);
     return made;
 }
 
+} // namespace NURBS_CPP_POLICY
 } // namespace libnurbs
 
 #endif // NURBS_CPP_CONSTRAIN_HPP

@@ -9,21 +9,18 @@
 #include <cstdint>
 
 namespace libnurbs {
+inline namespace NURBS_CPP_POLICY {
 
 /// A spline extended beyond an end (NURBS_START or NURBS_END) by a Taylor polynomial.
-inline Spline extend(const Spline &g, std::int32_t axis, std::int32_t end, double amount,
-                     std::int32_t order) {
-    nurbs *out = nullptr;
-    detail::check(nurbs_extend(g.get(), axis, end, amount, order, &out));
-    return Spline(out);
+inline Returned<Spline> extend(const Spline &g, std::int32_t axis, std::int32_t end, double amount,
+                               std::int32_t order) {
+    return detail::spline_of(nurbs_extend, g.get(), axis, end, amount, order);
 }
 
 /// The same shape with unclamped ends.
-inline Spline unclamp(const Spline &g, std::int32_t axis,
-                      std::uint32_t flags = NURBS_FORM_CLAMPED_START | NURBS_FORM_CLAMPED_END) {
-    nurbs *out = nullptr;
-    detail::check(nurbs_unclamp(g.get(), axis, flags, &out));
-    return Spline(out);
+inline Returned<Spline> unclamp(const Spline &g, std::int32_t axis,
+                                std::uint32_t flags = NURBS_FORM_CLAMPED_START | NURBS_FORM_CLAMPED_END) {
+    return detail::spline_of(nurbs_unclamp, g.get(), axis, flags);
 }
 
 /// A periodic spline, a proved bound of how far the shape moved, and the order of its seam.
@@ -34,21 +31,22 @@ struct PeriodicForm {
 };
 
 /// A closed spline made periodic.
-inline PeriodicForm make_periodic(const Spline &g, std::int32_t axis, double tolerance) {
+inline Returned<PeriodicForm> make_periodic(const Spline &g, std::int32_t axis, double tolerance) {
     nurbs *out = nullptr;
     double deviation = 0;
     std::int32_t order = 0;
-    detail::check(nurbs_make_periodic(g.get(), axis, tolerance, &deviation, &order, &out));
-    return {Spline(out), deviation, order};
+    detail::call(nurbs_make_periodic, g.get(), axis, tolerance, &deviation, &order, &out);
+    return PeriodicForm{Spline(out), deviation, order};
 }
 
 /// Whether knots and points of an axis repeat.
-inline bool detect_periodic(const Spline &g, std::int32_t axis) {
+inline Returned<bool> detect_periodic(const Spline &g, std::int32_t axis) {
     std::int32_t repeats = 0;
-    detail::check(nurbs_detect_periodic(g.get(), axis, &repeats));
+    detail::call(nurbs_detect_periodic, g.get(), axis, &repeats);
     return repeats != 0;
 }
 
+} // namespace NURBS_CPP_POLICY
 } // namespace libnurbs
 
 #endif // NURBS_CPP_CONTINUATION_HPP

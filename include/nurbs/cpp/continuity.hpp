@@ -11,6 +11,7 @@
 #include <vector>
 
 namespace libnurbs {
+inline namespace NURBS_CPP_POLICY {
 
 /// What counts as no gap: a distance, a part of a derivative, an angle.
 struct ContinuityTolerances {
@@ -31,14 +32,13 @@ struct KnotContinuity {
 };
 
 /// Continuity at the knots of an axis and at its seam.
-inline KnotContinuity continuity(const Spline &g, std::int32_t axis,
-                                 const ContinuityTolerances &allowed = {}) {
+inline Returned<KnotContinuity> continuity(const Spline &g, std::int32_t axis,
+                                           const ContinuityTolerances &allowed = {}) {
     std::int64_t count = 0;
     const auto call = [&](std::int64_t cap, KnotContinuity &r) {
-        detail::check(nurbs_continuity(g.get(), axis, allowed.position, allowed.derivative, allowed.angle,
-                                       cap, r.knots.data(), r.knot_orders.data(), r.orders.data(),
-                                       r.geometric_orders.data(), r.position_gaps.data(), r.angles.data(),
-                                       r.curvature_gaps.data(), &count));
+        detail::call(nurbs_continuity, g.get(), axis, allowed.position, allowed.derivative, allowed.angle,
+                     cap, r.knots.data(), r.knot_orders.data(), r.orders.data(), r.geometric_orders.data(),
+                     r.position_gaps.data(), r.angles.data(), r.curvature_gaps.data(), &count);
     };
     KnotContinuity result;
     call(0, result);
@@ -63,15 +63,17 @@ struct EndContinuity {
 };
 
 /// Continuity of two curves at one end of each.
-inline EndContinuity continuity_between(const Spline &a, std::int32_t end_a, const Spline &b,
-                                        std::int32_t end_b, const ContinuityTolerances &allowed = {}) {
+inline Returned<EndContinuity> continuity_between(const Spline &a, std::int32_t end_a, const Spline &b,
+                                                  std::int32_t end_b,
+                                                  const ContinuityTolerances &allowed = {}) {
     EndContinuity r{};
-    detail::check(nurbs_continuity_between(a.get(), end_a, b.get(), end_b, allowed.position,
-                                           allowed.derivative, allowed.angle, &r.order, &r.geometric,
-                                           &r.position_gap, &r.angle, &r.curvature_gap));
+    detail::call(nurbs_continuity_between, a.get(), end_a, b.get(), end_b, allowed.position,
+                 allowed.derivative, allowed.angle, &r.order, &r.geometric, &r.position_gap, &r.angle,
+                 &r.curvature_gap);
     return r;
 }
 
+} // namespace NURBS_CPP_POLICY
 } // namespace libnurbs
 
 #endif // NURBS_CPP_CONTINUITY_HPP

@@ -13,6 +13,7 @@
 #include <optional>
 
 namespace libnurbs {
+inline namespace NURBS_CPP_POLICY {
 
 /// Twists of coons_hermite().
 inline constexpr std::int32_t twist_compatible = NURBS_TWIST_COMPATIBLE;
@@ -53,17 +54,16 @@ struct Cross {
 } // namespace detail
 
 /// The four curves of a surface, or the six faces of a volume.
-inline List boundaries(const Spline &g) {
+inline Returned<List> boundaries(const Spline &g) {
     nurbs_list *list = nullptr;
-    detail::check(nurbs_boundaries(g.get(), &list));
+    detail::call(nurbs_boundaries, g.get(), &list);
     return List(list);
 }
 
 /// The bilinear blend of four curves.
-inline Spline coons(const FourCurves &boundaries, double tolerance = 0) {
+inline Returned<Spline> coons(const FourCurves &boundaries, double tolerance = 0) {
     const auto handles = detail::handles_of(boundaries);
-    return detail::spline_of(
-        [&](nurbs **out) { return nurbs_surface_coons(handles.data(), tolerance, out); });
+    return detail::spline_of(nurbs_surface_coons, handles.data(), tolerance);
 }
 
 /// The surface, and the largest difference between its twists and those of the cross tangents.
@@ -73,19 +73,18 @@ struct HermiteCoons {
 };
 
 /// The bicubic blend of four curves, derivatives across them (or none), and twists [4][dim] for twist_given.
-inline HermiteCoons coons_hermite(const FourCurves &boundaries, const std::optional<FourCurves> &cross,
-                                  std::int32_t twist, double tolerance = 0, View<double> twists = {}) {
+inline Returned<HermiteCoons> coons_hermite(const FourCurves &boundaries,
+                                            const std::optional<FourCurves> &cross, std::int32_t twist,
+                                            double tolerance = 0, View<double> twists = {}) {
     const auto handles = detail::handles_of(boundaries);
     const detail::Cross across(cross);
     if (!twists.empty()) {
-        detail::require_length(4 * boundaries[0].dimension(), {twists});
+        detail::require_length(4 * detail::dimension(boundaries[0].get()), {twists});
     }
     double bound = 0;
-    Spline spline = detail::spline_of([&](nurbs **out) {
-        return nurbs_surface_coons_hermite(handles.data(), across.get(), twist, detail::pointer(twists),
-                                           tolerance, &bound, out);
-    });
-    return {spline, bound};
+    Spline spline = detail::spline_of(nurbs_surface_coons_hermite, handles.data(), across.get(), twist,
+                                      detail::pointer(twists), tolerance, &bound);
+    return HermiteCoons{spline, bound};
 }
 
 /// What does not meet at the corners (u0, v0), (u0, v1), (u1, v0), (u1, v1); tangents by u, then by v.
@@ -95,13 +94,14 @@ struct CoonsGaps {
     std::array<double, 4> twists;
 };
 
-inline CoonsGaps coons_gaps(const FourCurves &boundaries, const std::optional<FourCurves> &cross = {}) {
+inline Returned<CoonsGaps> coons_gaps(const FourCurves &boundaries,
+                                      const std::optional<FourCurves> &cross = {}) {
     const auto handles = detail::handles_of(boundaries);
     const detail::Cross across(cross);
     CoonsGaps gaps{};
     std::array<double, 8> tangents{};
-    detail::check(nurbs_coons_gaps(handles.data(), across.get(), gaps.positions.data(), tangents.data(),
-                                   gaps.twists.data()));
+    detail::call(nurbs_coons_gaps, handles.data(), across.get(), gaps.positions.data(), tangents.data(),
+                 gaps.twists.data());
     for (std::size_t i = 0; i < tangents.size(); ++i) {
         gaps.tangents[i / 2][i % 2] = tangents[i];
     }
@@ -109,11 +109,12 @@ inline CoonsGaps coons_gaps(const FourCurves &boundaries, const std::optional<Fo
 }
 
 /// The linear blend of six faces.
-inline Spline coons_volume(const SixFaces &faces, double tolerance = 0) {
+inline Returned<Spline> coons_volume(const SixFaces &faces, double tolerance = 0) {
     const auto handles = detail::handles_of(faces);
-    return detail::spline_of([&](nurbs **out) { return nurbs_volume_coons(handles.data(), tolerance, out); });
+    return detail::spline_of(nurbs_volume_coons, handles.data(), tolerance);
 }
 
+} // namespace NURBS_CPP_POLICY
 } // namespace libnurbs
 
 #endif // NURBS_CPP_COONS_HPP

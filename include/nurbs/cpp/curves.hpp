@@ -10,6 +10,7 @@
 #include <cstdint>
 
 namespace libnurbs {
+inline namespace NURBS_CPP_POLICY {
 
 /// Kinds of conics.
 inline constexpr std::int32_t conic_ellipse = NURBS_CONIC_ELLIPSE;
@@ -22,138 +23,121 @@ inline constexpr std::int32_t conic_line = NURBS_CONIC_LINE;
 // Lines
 
 /// From a to b.
-inline Spline line(View<double> a, View<double> b) {
+inline Returned<Spline> line(View<double> a, View<double> b) {
     const auto dim = static_cast<std::int32_t>(a.size());
     detail::require_length(dim, {b});
-    return detail::spline_of([&](nurbs **out) { return nurbs_curve_line(dim, a.data(), b.data(), out); });
+    return detail::spline_of(nurbs_curve_line, dim, a.data(), b.data());
 }
 
 /// Through points [n][dim], at 0, 1, ..., n - 1 unless parameters are given.
-inline Spline polyline(std::int32_t dim, Input points, Input params = {}) {
+inline Returned<Spline> polyline(std::int32_t dim, Input points, Input params = {}) {
     const std::int64_t n = points.count(dim, "points");
     points.require(n, dim, "points");
     if (!params.empty()) {
         params.require(n, 1, "params");
     }
-    return detail::spline_of([&](nurbs **out) {
-        return nurbs_curve_polyline(n, dim, points.data(), points.stride(), points.component_stride(),
-                                    params.data(), params.stride(), out);
-    });
+    return detail::spline_of(nurbs_curve_polyline, n, dim, points.data(), points.stride(),
+                             points.component_stride(), params.data(), params.stride());
 }
 
 /// A closed regular polygon; the radius is that of its corners.
-inline Spline polygon(const Placement &at, double radius, std::int64_t sides) {
+inline Returned<Spline> polygon(const Placement &at, double radius, std::int64_t sides) {
     const detail::Place p(at);
-    return detail::spline_of(
-        [&](nurbs **out) { return nurbs_curve_polygon(p.dim, p.origin, p.axis, p.x, radius, sides, out); });
+    return detail::spline_of(nurbs_curve_polygon, p.dim, p.origin, p.axis, p.x, radius, sides);
 }
 
 /// A rectangle about a centre, its corners quarter circles.
-inline Spline rounded_rectangle(const Placement &at, double width, double height, double corner_radius) {
+inline Returned<Spline> rounded_rectangle(const Placement &at, double width, double height,
+                                          double corner_radius) {
     const detail::Place p(at);
-    return detail::spline_of([&](nurbs **out) {
-        return nurbs_curve_rounded_rectangle(p.dim, p.origin, p.axis, p.x, width, height, corner_radius, out);
-    });
+    return detail::spline_of(nurbs_curve_rounded_rectangle, p.dim, p.origin, p.axis, p.x, width, height,
+                             corner_radius);
 }
 
 // Circles
 
-inline Spline circle(const Placement &at, double radius, std::int32_t form = arc_quarters) {
+inline Returned<Spline> circle(const Placement &at, double radius, std::int32_t form = arc_quarters) {
     const detail::Place p(at);
-    return detail::spline_of(
-        [&](nurbs **out) { return nurbs_curve_circle(p.dim, p.origin, p.axis, p.x, radius, form, out); });
+    return detail::spline_of(nurbs_curve_circle, p.dim, p.origin, p.axis, p.x, radius, form);
 }
 
-inline Spline arc(const Placement &at, double radius, double start, double sweep,
-                  std::int32_t form = arc_quarters) {
+inline Returned<Spline> arc(const Placement &at, double radius, double start, double sweep,
+                            std::int32_t form = arc_quarters) {
     const detail::Place p(at);
-    return detail::spline_of([&](nurbs **out) {
-        return nurbs_curve_arc(p.dim, p.origin, p.axis, p.x, radius, start, sweep, form, out);
-    });
+    return detail::spline_of(nurbs_curve_arc, p.dim, p.origin, p.axis, p.x, radius, start, sweep, form);
 }
 
 /// From a through b to c.
-inline Spline arc_through(View<double> a, View<double> b, View<double> c, std::int32_t form = arc_quarters) {
+inline Returned<Spline> arc_through(View<double> a, View<double> b, View<double> c,
+                                    std::int32_t form = arc_quarters) {
     const auto dim = static_cast<std::int32_t>(a.size());
     detail::require_length(dim, {b, c});
-    return detail::spline_of(
-        [&](nurbs **out) { return nurbs_curve_arc_through(dim, a.data(), b.data(), c.data(), form, out); });
+    return detail::spline_of(nurbs_curve_arc_through, dim, a.data(), b.data(), c.data(), form);
 }
 
 /// From a in the direction of a tangent to b.
-inline Spline arc_tangent(View<double> a, View<double> tangent, View<double> b,
-                          std::int32_t form = arc_quarters) {
+inline Returned<Spline> arc_tangent(View<double> a, View<double> tangent, View<double> b,
+                                    std::int32_t form = arc_quarters) {
     const auto dim = static_cast<std::int32_t>(a.size());
     detail::require_length(dim, {tangent, b});
-    return detail::spline_of([&](nurbs **out) {
-        return nurbs_curve_arc_tangent(dim, a.data(), tangent.data(), b.data(), form, out);
-    });
+    return detail::spline_of(nurbs_curve_arc_tangent, dim, a.data(), tangent.data(), b.data(), form);
 }
 
 // Conics
 
-inline Spline ellipse(const Placement &at, double radius_x, double radius_y, double start = 0,
-                      double sweep = full_turn, std::int32_t form = arc_quarters) {
+inline Returned<Spline> ellipse(const Placement &at, double radius_x, double radius_y, double start = 0,
+                                double sweep = full_turn, std::int32_t form = arc_quarters) {
     const detail::Place p(at);
-    return detail::spline_of([&](nurbs **out) {
-        return nurbs_curve_ellipse(p.dim, p.origin, p.axis, p.x, radius_x, radius_y, start, sweep, form, out);
-    });
+    return detail::spline_of(nurbs_curve_ellipse, p.dim, p.origin, p.axis, p.x, radius_x, radius_y, start,
+                             sweep, form);
 }
 
 /// Over [start, end], the coordinates along Y; x points from the vertex to the focus.
-inline Spline parabola(const Placement &at, double focal_length, double start, double end) {
+inline Returned<Spline> parabola(const Placement &at, double focal_length, double start, double end) {
     const detail::Place p(at);
-    return detail::spline_of([&](nurbs **out) {
-        return nurbs_curve_parabola(p.dim, p.origin, p.axis, p.x, focal_length, start, end, out);
-    });
+    return detail::spline_of(nurbs_curve_parabola, p.dim, p.origin, p.axis, p.x, focal_length, start, end);
 }
 
 /// The branch that opens to x.
-inline Spline hyperbola(const Placement &at, double radius_x, double radius_y, double start, double end) {
+inline Returned<Spline> hyperbola(const Placement &at, double radius_x, double radius_y, double start,
+                                  double end) {
     const detail::Place p(at);
-    return detail::spline_of([&](nurbs **out) {
-        return nurbs_curve_hyperbola(p.dim, p.origin, p.axis, p.x, radius_x, radius_y, start, end, out);
-    });
+    return detail::spline_of(nurbs_curve_hyperbola, p.dim, p.origin, p.axis, p.x, radius_x, radius_y, start,
+                             end);
 }
 
 /// By a control triangle and C_sf = w1^2 / (w0 w2).
-inline Spline conic_triangle(View<double> p0, View<double> p1, View<double> p2, double shape_factor) {
+inline Returned<Spline> conic_triangle(View<double> p0, View<double> p1, View<double> p2,
+                                       double shape_factor) {
     const auto dim = static_cast<std::int32_t>(p0.size());
     detail::require_length(dim, {p1, p2});
-    return detail::spline_of([&](nurbs **out) {
-        return nurbs_curve_conic_triangle(dim, p0.data(), p1.data(), p2.data(), shape_factor, out);
-    });
+    return detail::spline_of(nurbs_curve_conic_triangle, dim, p0.data(), p1.data(), p2.data(), shape_factor);
 }
 
 /// By two points with tangents, and how far the shoulder point is on its way from the chord to the tangents.
-inline Spline conic_shoulder(View<double> a, View<double> tangent_a, View<double> b, View<double> tangent_b,
-                             double rho) {
+inline Returned<Spline> conic_shoulder(View<double> a, View<double> tangent_a, View<double> b,
+                                       View<double> tangent_b, double rho) {
     const auto dim = static_cast<std::int32_t>(a.size());
     detail::require_length(dim, {tangent_a, b, tangent_b});
-    return detail::spline_of([&](nurbs **out) {
-        return nurbs_curve_conic_shoulder(dim, a.data(), tangent_a.data(), b.data(), tangent_b.data(), rho,
-                                          out);
-    });
+    return detail::spline_of(nurbs_curve_conic_shoulder, dim, a.data(), tangent_a.data(), b.data(),
+                             tangent_b.data(), rho);
 }
 
 /// By two points with tangent lines, and a third point between them.
-inline Spline conic_point(View<double> a, View<double> tangent_a, View<double> b, View<double> tangent_b,
-                          View<double> point, std::int32_t form = arc_quarters) {
+inline Returned<Spline> conic_point(View<double> a, View<double> tangent_a, View<double> b,
+                                    View<double> tangent_b, View<double> point,
+                                    std::int32_t form = arc_quarters) {
     const auto dim = static_cast<std::int32_t>(a.size());
     detail::require_length(dim, {tangent_a, b, tangent_b, point});
-    return detail::spline_of([&](nurbs **out) {
-        return nurbs_curve_conic_point(dim, a.data(), tangent_a.data(), b.data(), tangent_b.data(),
-                                       point.data(), form, out);
-    });
+    return detail::spline_of(nurbs_curve_conic_point, dim, a.data(), tangent_a.data(), b.data(),
+                             tangent_b.data(), point.data(), form);
 }
 
 /// Through five points [5][dim].
-inline Spline conic_through(std::int32_t dim, Input points, std::int32_t form = arc_quarters) {
+inline Returned<Spline> conic_through(std::int32_t dim, Input points, std::int32_t form = arc_quarters) {
     points.require(5, dim, "points");
-    return detail::spline_of([&](nurbs **out) {
-        return nurbs_curve_conic_through(dim, points.data(), points.stride(), points.component_stride(), form,
-                                         out);
-    });
+    return detail::spline_of(nurbs_curve_conic_through, dim, points.data(), points.stride(),
+                             points.component_stride(), form);
 }
 
 /// A conic of the plane: its kind, centre or vertex, the direction to its vertex or focus, and semi-axes or
@@ -166,28 +150,25 @@ struct ConicAxes {
 };
 
 /// Of A x^2 + B x y + C y^2 + D x + E y + F = 0.
-inline ConicAxes conic_axes(const std::array<double, 6> &coefficients) {
+inline Returned<ConicAxes> conic_axes(const std::array<double, 6> &coefficients) {
     ConicAxes axes{};
-    detail::check(nurbs_conic_axes(coefficients.data(), &axes.type, axes.origin.data(), axes.x.data(),
-                                   axes.sizes.data()));
+    detail::call(nurbs_conic_axes, coefficients.data(), &axes.type, axes.origin.data(), axes.x.data(),
+                 axes.sizes.data());
     return axes;
 }
 
-inline Spline conic_implicit(const std::array<double, 6> &coefficients, double start, double end,
-                             std::int32_t form = arc_quarters) {
-    return detail::spline_of(
-        [&](nurbs **out) { return nurbs_curve_conic_implicit(coefficients.data(), start, end, form, out); });
+inline Returned<Spline> conic_implicit(const std::array<double, 6> &coefficients, double start, double end,
+                                       std::int32_t form = arc_quarters) {
+    return detail::spline_of(nurbs_curve_conic_implicit, coefficients.data(), start, end, form);
 }
 
 /// By a focus, the nearest point of the directrix, and the eccentricity; in space also by the axis.
-inline Spline conic_focus(View<double> focus, View<double> foot, double eccentricity, double start,
-                          double sweep, std::int32_t form = arc_quarters, View<double> axis = {}) {
+inline Returned<Spline> conic_focus(View<double> focus, View<double> foot, double eccentricity, double start,
+                                    double sweep, std::int32_t form = arc_quarters, View<double> axis = {}) {
     const std::int32_t dim = detail::dimension_of({focus, axis}, 0);
     detail::require_length(dim, {foot});
-    return detail::spline_of([&](nurbs **out) {
-        return nurbs_curve_conic_focus(dim, focus.data(), detail::pointer(axis), foot.data(), eccentricity,
-                                       start, sweep, form, out);
-    });
+    return detail::spline_of(nurbs_curve_conic_focus, dim, focus.data(), detail::pointer(axis), foot.data(),
+                             eccentricity, start, sweep, form);
 }
 
 struct ShapeFactor {
@@ -196,9 +177,9 @@ struct ShapeFactor {
 };
 
 /// C_sf and kind of a conic segment of degree 2.
-inline ShapeFactor shape_factor(const Spline &g) {
+inline Returned<ShapeFactor> shape_factor(const Spline &g) {
     ShapeFactor result{};
-    detail::check(nurbs_curve_shape_factor(g.get(), &result.factor, &result.type));
+    detail::call(nurbs_curve_shape_factor, g.get(), &result.factor, &result.type);
     return result;
 }
 
@@ -219,16 +200,15 @@ struct Helix {
     double error;
 };
 
-inline Helix helix(const Placement &at, const HelixShape &shape, double tolerance) {
+inline Returned<Helix> helix(const Placement &at, const HelixShape &shape, double tolerance) {
     const detail::Place p(at, 3);
     double error = 0;
-    Spline spline = detail::spline_of([&](nurbs **out) {
-        return nurbs_curve_helix(p.dim, p.origin, p.axis, p.x, shape.radius, shape.growth, shape.pitch,
-                                 shape.start, shape.turns, tolerance, &error, out);
-    });
-    return {spline, error};
+    Spline spline = detail::spline_of(nurbs_curve_helix, p.dim, p.origin, p.axis, p.x, shape.radius,
+                                      shape.growth, shape.pitch, shape.start, shape.turns, tolerance, &error);
+    return Helix{spline, error};
 }
 
+} // namespace NURBS_CPP_POLICY
 } // namespace libnurbs
 
 #endif // NURBS_CPP_CURVES_HPP

@@ -11,6 +11,7 @@
 #include <vector>
 
 namespace libnurbs {
+inline namespace NURBS_CPP_POLICY {
 
 /// The spline, and the weight that it got.
 struct WeightEdit {
@@ -19,12 +20,12 @@ struct WeightEdit {
 };
 
 /// A weight changed so that the point at params [axes] moves by a distance towards the control point.
-inline WeightEdit pull_weight(const Spline &g, std::int64_t index, View<double> params, double distance) {
+inline Returned<WeightEdit> pull_weight(const Spline &g, std::int64_t index, View<double> params,
+                                        double distance) {
     const double *at = detail::param_of(g, params);
     double weight = 0;
-    Spline spline = detail::spline_of(
-        [&](nurbs **out) { return nurbs_pull_weight(g.get(), index, at, distance, &weight, out); });
-    return {std::move(spline), weight};
+    Spline spline = detail::spline_of(nurbs_pull_weight, g.get(), index, at, distance, &weight);
+    return WeightEdit{std::move(spline), weight};
 }
 
 /// The spline, and the factor of the weights.
@@ -34,23 +35,20 @@ struct WeightsEdit {
 };
 
 /// Several weights multiplied by one factor, so that the point moves towards their common centre.
-inline WeightsEdit pull_weights(const Spline &g, View<std::int64_t> indices, View<double> params,
-                                double distance) {
+inline Returned<WeightsEdit> pull_weights(const Spline &g, View<std::int64_t> indices, View<double> params,
+                                          double distance) {
     const double *at = detail::param_of(g, params);
     double factor = 0;
-    Spline spline = detail::spline_of([&](nurbs **out) {
-        return nurbs_pull_weights(g.get(), detail::length(indices), indices.data(), at, distance, &factor,
-                                  out);
-    });
-    return {std::move(spline), factor};
+    Spline spline = detail::spline_of(nurbs_pull_weights, g.get(), detail::length(indices), indices.data(),
+                                      at, distance, &factor);
+    return WeightsEdit{std::move(spline), factor};
 }
 
 /// The weights of some control points set.
-inline Spline set_weights(const Spline &g, View<std::int64_t> indices, View<double> weights) {
+inline Returned<Spline> set_weights(const Spline &g, View<std::int64_t> indices, View<double> weights) {
     const std::int64_t count = detail::length(indices);
     const double *values = detail::exactly(std::span(weights), count, "weights");
-    return detail::spline_of(
-        [&](nurbs **out) { return nurbs_set_weights(g.get(), count, indices.data(), values, out); });
+    return detail::spline_of(nurbs_set_weights, g.get(), count, indices.data(), values);
 }
 
 /// The points [dim] at a parameter for the weights 0, 1 and the present one.
@@ -60,17 +58,17 @@ struct WeightPoints {
     std::vector<double> at_weight;
 };
 
-inline WeightPoints weight_points(const Spline &g, std::int64_t index, View<double> params) {
-    const auto dim = detail::to_size(g.dimension());
+inline Returned<WeightPoints> weight_points(const Spline &g, std::int64_t index, View<double> params) {
+    const auto dim = detail::to_size(detail::dimension(g.get()));
     WeightPoints found{std::vector<double>(dim), std::vector<double>(dim), std::vector<double>(dim)};
-    detail::check(nurbs_weight_points(g.get(), index, detail::param_of(g, params), found.at_zero.data(),
-                                      found.at_one.data(), found.at_weight.data()));
+    detail::call(nurbs_weight_points, g.get(), index, detail::param_of(g, params), found.at_zero.data(),
+                 found.at_one.data(), found.at_weight.data());
     return found;
 }
 
 /// The weight from a control point and these three points, all of one dimension.
-inline double weight_cross_ratio(View<double> control_point, View<double> at_zero, View<double> at_one,
-                                 View<double> at_weight) {
+inline Returned<double> weight_cross_ratio(View<double> control_point, View<double> at_zero,
+                                           View<double> at_one, View<double> at_weight) {
     const auto dim = static_cast<std::int32_t>(control_point.size());
     detail::require_length(dim, {at_zero, at_one, at_weight});
     return detail::result_of<double>([&](auto *weight) {
@@ -80,13 +78,12 @@ inline double weight_cross_ratio(View<double> control_point, View<double> at_zer
 }
 
 /// A weight set so that the point at params [axes] becomes the target [dim].
-inline WeightEdit weight_through(const Spline &g, std::int64_t index, View<double> params,
-                                 View<double> target, double tolerance) {
+inline Returned<WeightEdit> weight_through(const Spline &g, std::int64_t index, View<double> params,
+                                           View<double> target, double tolerance) {
     const double *at = detail::param_of(g, params), *to = detail::point_of(g, target, "target");
     double weight = 0;
-    Spline spline = detail::spline_of(
-        [&](nurbs **out) { return nurbs_weight_through(g.get(), index, at, to, tolerance, &weight, out); });
-    return {std::move(spline), weight};
+    Spline spline = detail::spline_of(nurbs_weight_through, g.get(), index, at, to, tolerance, &weight);
+    return WeightEdit{std::move(spline), weight};
 }
 
 /// The spline, and how far a control point moved.
@@ -96,13 +93,12 @@ struct PointEdit {
 };
 
 /// A control point moved so that the point at params [axes] moves by a distance along a direction [dim].
-inline PointEdit pull_point(const Spline &g, std::int64_t index, View<double> params, View<double> direction,
-                            double distance) {
+inline Returned<PointEdit> pull_point(const Spline &g, std::int64_t index, View<double> params,
+                                      View<double> direction, double distance) {
     const double *at = detail::param_of(g, params), *along = detail::point_of(g, direction, "direction");
     double moved = 0;
-    Spline spline = detail::spline_of(
-        [&](nurbs **out) { return nurbs_pull_point(g.get(), index, at, along, distance, &moved, out); });
-    return {std::move(spline), moved};
+    Spline spline = detail::spline_of(nurbs_pull_point, g.get(), index, at, along, distance, &moved);
+    return PointEdit{std::move(spline), moved};
 }
 
 /// Control points, and their R_i.
@@ -112,12 +108,11 @@ struct Influences {
 };
 
 /// The control point with the largest |R_i| at each of params [n][axes].
-inline Influences most_influential(const Spline &g, Input params) {
-    const std::int64_t n = detail::records(params, g.axes(), "params");
+inline Returned<Influences> most_influential(const Spline &g, Input params) {
+    const std::int64_t n = detail::records(params, detail::axes(g.get()), "params");
     Influences found{std::vector<std::int64_t>(detail::to_size(n)), std::vector<double>(detail::to_size(n))};
-    detail::check(nurbs_most_influential(g.get(), n, params.data(), params.stride(),
-                                         params.component_stride(), found.indices.data(),
-                                         found.influences.data()));
+    detail::call(nurbs_most_influential, g.get(), n, params.data(), params.stride(),
+                 params.component_stride(), found.indices.data(), found.influences.data());
     return found;
 }
 
@@ -130,23 +125,23 @@ struct LegEdit {
 };
 
 /// The knot inserted that makes a point of a leg a control point.
-inline LegEdit insert_on_leg(const Spline &g, std::int32_t axis, std::int64_t index, double ratio) {
+inline Returned<LegEdit> insert_on_leg(const Spline &g, std::int32_t axis, std::int64_t index, double ratio) {
     double knot = 0;
-    Spline spline = detail::spline_of(
-        [&](nurbs **out) { return nurbs_insert_on_leg(g.get(), axis, index, ratio, &knot, out); });
-    return {std::move(spline), index, ratio, knot};
+    Spline spline = detail::spline_of(nurbs_insert_on_leg, g.get(), axis, index, ratio, &knot);
+    return LegEdit{std::move(spline), index, ratio, knot};
 }
 
 /// The same for the point [dim] on the leg that is nearest to it.
-inline LegEdit insert_at_point(const Spline &g, std::int32_t axis, View<double> point, double tolerance) {
+inline Returned<LegEdit> insert_at_point(const Spline &g, std::int32_t axis, View<double> point,
+                                         double tolerance) {
     const double *at = detail::point_of(g, point, "point");
     LegEdit made{};
-    made.spline = detail::spline_of([&](nurbs **out) {
-        return nurbs_insert_at_point(g.get(), axis, at, tolerance, &made.index, &made.ratio, &made.knot, out);
-    });
+    made.spline = detail::spline_of(nurbs_insert_at_point, g.get(), axis, at, tolerance, &made.index,
+                                    &made.ratio, &made.knot);
     return made;
 }
 
+} // namespace NURBS_CPP_POLICY
 } // namespace libnurbs
 
 #endif // NURBS_CPP_EDIT_HPP

@@ -14,6 +14,7 @@
 #include <vector>
 
 namespace libnurbs {
+inline namespace NURBS_CPP_POLICY {
 
 /// Bits of the status of a point.
 inline constexpr std::int32_t frame_limit = NURBS_FRAME_LIMIT;
@@ -103,64 +104,74 @@ inline std::int64_t grid_size(View<std::int64_t> counts, View<double> params) {
 
 } // namespace detail
 
-inline void surface_frames(const Spline &g, Input params, const SurfaceFrameOutputs &out,
-                           std::uint32_t flags = 0) {
+inline Returned<void> surface_frames(const Spline &g, Input params, const SurfaceFrameOutputs &out,
+                                     std::uint32_t flags = 0) {
     const std::int64_t n = detail::number_of(params, 2);
     detail::require_wanted(out, n);
-    detail::check(nurbs_surface_eval_frames(
-        g.get(), n, params.data(), params.stride(), params.component_stride(), out.points.data(),
-        out.points.stride(), out.points.component_stride(), out.du.data(), out.du.stride(),
+    return detail::call(
+        nurbs_surface_eval_frames, g.get(), n, params.data(), params.stride(), params.component_stride(),
+        out.points.data(), out.points.stride(), out.points.component_stride(), out.du.data(), out.du.stride(),
         out.du.component_stride(), out.dv.data(), out.dv.stride(), out.dv.component_stride(),
-        out.normals.data(), out.normals.stride(), out.normals.component_stride(), out.status.data(), flags));
+        out.normals.data(), out.normals.stride(), out.normals.component_stride(), out.status.data(), flags);
 }
-[[nodiscard]] inline SurfaceFrames surface_frames(const Spline &g, Input params, std::uint32_t flags = 0) {
+[[nodiscard]] inline Returned<SurfaceFrames> surface_frames(const Spline &g, Input params,
+                                                            std::uint32_t flags = 0) {
     SurfaceFrames f = detail::room_for_frames(detail::to_size(detail::number_of(params, 2)));
-    surface_frames(g, params, {f.points, f.du, f.dv, f.normals, f.status}, flags);
+    detail::run([&] {
+        return surface_frames(g, params, {f.points, f.du, f.dv, f.normals, f.status}, flags);
+    });
     return f;
 }
 
-inline void surface_grid_frames(const Spline &g, View<std::int64_t> counts, View<double> params,
-                                const SurfaceFrameOutputs &out, std::uint32_t flags = 0) {
+inline Returned<void> surface_grid_frames(const Spline &g, View<std::int64_t> counts, View<double> params,
+                                          const SurfaceFrameOutputs &out, std::uint32_t flags = 0) {
     detail::require_wanted(out, detail::grid_size(counts, params));
-    detail::check(nurbs_surface_eval_grid_frames(
-        g.get(), counts.data(), params.data(), out.points.data(), out.points.stride(),
-        out.points.component_stride(), out.du.data(), out.du.stride(), out.du.component_stride(),
-        out.dv.data(), out.dv.stride(), out.dv.component_stride(), out.normals.data(), out.normals.stride(),
-        out.normals.component_stride(), out.status.data(), flags));
+    return detail::call(nurbs_surface_eval_grid_frames, g.get(), counts.data(), params.data(),
+                        out.points.data(), out.points.stride(), out.points.component_stride(), out.du.data(),
+                        out.du.stride(), out.du.component_stride(), out.dv.data(), out.dv.stride(),
+                        out.dv.component_stride(), out.normals.data(), out.normals.stride(),
+                        out.normals.component_stride(), out.status.data(), flags);
 }
-[[nodiscard]] inline SurfaceFrames surface_grid_frames(const Spline &g, View<std::int64_t> counts,
-                                                       View<double> params, std::uint32_t flags = 0) {
+[[nodiscard]] inline Returned<SurfaceFrames> surface_grid_frames(const Spline &g, View<std::int64_t> counts,
+                                                                 View<double> params,
+                                                                 std::uint32_t flags = 0) {
     SurfaceFrames f = detail::room_for_frames(detail::to_size(detail::grid_size(counts, params)));
-    surface_grid_frames(g, counts, params, {f.points, f.du, f.dv, f.normals, f.status}, flags);
+    detail::run([&] {
+        return surface_grid_frames(g, counts, params, {f.points, f.du, f.dv, f.normals, f.status}, flags);
+    });
     return f;
 }
 
-inline void surface_curvatures(const Spline &g, Input params, const CurvatureOutputs &out,
-                               std::uint32_t flags = 0) {
+inline Returned<void> surface_curvatures(const Spline &g, Input params, const CurvatureOutputs &out,
+                                         std::uint32_t flags = 0) {
     const std::int64_t n = detail::number_of(params, 2);
     detail::require_wanted(out.principal, n, 2, "principal");
     detail::require_wanted(out.directions, n, 6, "directions");
     detail::require_wanted(out.mean, n, 1, "mean");
     detail::require_wanted(out.gaussian, n, 1, "gaussian");
     detail::require_wanted(out.status, n);
-    detail::check(nurbs_surface_eval_curvatures(
-        g.get(), n, params.data(), params.stride(), params.component_stride(), out.principal.data(),
-        out.principal.stride(), out.principal.component_stride(), out.directions.data(),
-        out.directions.stride(), out.directions.component_stride(), out.mean.data(), out.mean.stride(),
-        out.gaussian.data(), out.gaussian.stride(), out.status.data(), flags));
+    return detail::call(nurbs_surface_eval_curvatures, g.get(), n, params.data(), params.stride(),
+                        params.component_stride(), out.principal.data(), out.principal.stride(),
+                        out.principal.component_stride(), out.directions.data(), out.directions.stride(),
+                        out.directions.component_stride(), out.mean.data(), out.mean.stride(),
+                        out.gaussian.data(), out.gaussian.stride(), out.status.data(), flags);
 }
-[[nodiscard]] inline Curvatures surface_curvatures(const Spline &g, Input params, std::uint32_t flags = 0) {
+[[nodiscard]] inline Returned<Curvatures> surface_curvatures(const Spline &g, Input params,
+                                                             std::uint32_t flags = 0) {
     const std::size_t n = detail::to_size(detail::number_of(params, 2));
     Curvatures c{std::vector<double>(2 * n), std::vector<double>(6 * n), std::vector<double>(n),
                  std::vector<double>(n), std::vector<std::int32_t>(n)};
-    surface_curvatures(g, params, {c.principal, c.directions, c.mean, c.gaussian, c.status}, flags);
+    detail::run([&] {
+        return surface_curvatures(g, params, {c.principal, c.directions, c.mean, c.gaussian, c.status},
+                                  flags);
+    });
     return c;
 }
 
-inline void curve_frames(const Spline &g, Input params, const CurveFrameOutputs &out,
-                         std::uint32_t flags = 0) {
+inline Returned<void> curve_frames(const Spline &g, Input params, const CurveFrameOutputs &out,
+                                   std::uint32_t flags = 0) {
     const std::int64_t n = detail::number_of(params, 1);
-    const std::int64_t dim = g.dimension();
+    const std::int64_t dim = detail::dimension(g.get());
     detail::require_wanted(out.points, n, dim, "points");
     detail::require_wanted(out.tangents, n, dim, "tangents");
     detail::require_wanted(out.normals, n, dim, "normals");
@@ -168,18 +179,19 @@ inline void curve_frames(const Spline &g, Input params, const CurveFrameOutputs 
     detail::require_wanted(out.curvatures, n, 1, "curvatures");
     detail::require_wanted(out.torsions, n, 1, "torsions");
     detail::require_wanted(out.status, n);
-    detail::check(nurbs_curve_eval_frames(
-        g.get(), n, params.data(), params.stride(), out.points.data(), out.points.stride(),
-        out.points.component_stride(), out.tangents.data(), out.tangents.stride(),
-        out.tangents.component_stride(), out.normals.data(), out.normals.stride(),
-        out.normals.component_stride(), out.binormals.data(), out.binormals.stride(),
-        out.binormals.component_stride(), out.curvatures.data(), out.curvatures.stride(), out.torsions.data(),
-        out.torsions.stride(), out.status.data(), flags));
+    return detail::call(nurbs_curve_eval_frames, g.get(), n, params.data(), params.stride(),
+                        out.points.data(), out.points.stride(), out.points.component_stride(),
+                        out.tangents.data(), out.tangents.stride(), out.tangents.component_stride(),
+                        out.normals.data(), out.normals.stride(), out.normals.component_stride(),
+                        out.binormals.data(), out.binormals.stride(), out.binormals.component_stride(),
+                        out.curvatures.data(), out.curvatures.stride(), out.torsions.data(),
+                        out.torsions.stride(), out.status.data(), flags);
 }
-[[nodiscard]] inline CurveFrames curve_frames(const Spline &g, Input params, std::uint32_t flags = 0) {
+[[nodiscard]] inline Returned<CurveFrames> curve_frames(const Spline &g, Input params,
+                                                        std::uint32_t flags = 0) {
     const std::size_t n = detail::to_size(detail::number_of(params, 1));
-    const std::size_t space = g.dimension() == 3 ? n : 0;
-    const std::vector<double> vectors(n * detail::to_size(g.dimension()));
+    const std::size_t space = detail::dimension(g.get()) == 3 ? n : 0;
+    const std::vector<double> vectors(n * detail::to_size(detail::dimension(g.get())));
     CurveFrames f{vectors,
                   vectors,
                   vectors,
@@ -187,39 +199,46 @@ inline void curve_frames(const Spline &g, Input params, const CurveFrameOutputs 
                   std::vector<double>(n),
                   std::vector<double>(space),
                   std::vector<std::int32_t>(n)};
-    curve_frames(g, params,
-                 {f.points, f.tangents, f.normals, f.binormals, f.curvatures, f.torsions, f.status}, flags);
+    detail::run([&] {
+        return curve_frames(
+            g, params, {f.points, f.tangents, f.normals, f.binormals, f.curvatures, f.torsions, f.status},
+            flags);
+    });
     return f;
 }
 
-inline void rotation_minimizing_frames(const Spline &g, Input params, const MinimalFrameOutputs &out,
-                                       const std::optional<std::array<double, 3>> &first_normal = {},
-                                       std::uint32_t flags = 0) {
+inline Returned<void>
+rotation_minimizing_frames(const Spline &g, Input params, const MinimalFrameOutputs &out,
+                           const std::optional<std::array<double, 3>> &first_normal = {},
+                           std::uint32_t flags = 0) {
     const std::int64_t n = detail::number_of(params, 1);
     detail::require_wanted(out.points, n, 3, "points");
     detail::require_wanted(out.tangents, n, 3, "tangents");
     detail::require_wanted(out.normals, n, 3, "normals");
     detail::require_wanted(out.binormals, n, 3, "binormals");
     detail::require_wanted(out.status, n);
-    detail::check(nurbs_curve_rotation_minimizing_frames(
-        g.get(), n, params.data(), params.stride(), first_normal ? first_normal->data() : nullptr,
-        out.points.data(), out.points.stride(), out.points.component_stride(), out.tangents.data(),
-        out.tangents.stride(), out.tangents.component_stride(), out.normals.data(), out.normals.stride(),
-        out.normals.component_stride(), out.binormals.data(), out.binormals.stride(),
-        out.binormals.component_stride(), out.status.data(), flags));
+    return detail::call(nurbs_curve_rotation_minimizing_frames, g.get(), n, params.data(), params.stride(),
+                        first_normal ? first_normal->data() : nullptr, out.points.data(), out.points.stride(),
+                        out.points.component_stride(), out.tangents.data(), out.tangents.stride(),
+                        out.tangents.component_stride(), out.normals.data(), out.normals.stride(),
+                        out.normals.component_stride(), out.binormals.data(), out.binormals.stride(),
+                        out.binormals.component_stride(), out.status.data(), flags);
 }
-[[nodiscard]] inline MinimalFrames
+[[nodiscard]] inline Returned<MinimalFrames>
 rotation_minimizing_frames(const Spline &g, Input params,
                            const std::optional<std::array<double, 3>> &first_normal = {},
                            std::uint32_t flags = 0) {
     const std::size_t n = detail::to_size(detail::number_of(params, 1));
     const std::vector<double> vectors(3 * n);
     MinimalFrames f{vectors, vectors, vectors, vectors, std::vector<std::int32_t>(n)};
-    rotation_minimizing_frames(g, params, {f.points, f.tangents, f.normals, f.binormals, f.status},
-                               first_normal, flags);
+    detail::run([&] {
+        return rotation_minimizing_frames(g, params, {f.points, f.tangents, f.normals, f.binormals, f.status},
+                                          first_normal, flags);
+    });
     return f;
 }
 
+} // namespace NURBS_CPP_POLICY
 } // namespace libnurbs
 
 #endif // NURBS_CPP_FRAMES_HPP

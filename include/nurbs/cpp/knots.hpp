@@ -12,6 +12,7 @@
 #include <vector>
 
 namespace libnurbs {
+inline namespace NURBS_CPP_POLICY {
 
 namespace detail {
 
@@ -21,7 +22,7 @@ std::vector<double> generated_knots(std::int32_t degree, std::int64_t count, F &
     // A count that no memory holds is left to the library to refuse, before it touches the array.
     const bool sane = degree >= 0 && degree <= max_degree && count >= 0 && count < (std::int64_t{1} << 48);
     const std::int64_t size = sane ? count + degree + 1 : 0;
-    return filled(size, [&](auto &knots) { check(f(size, knots.data())); });
+    return filled(size, [&](auto &knots) { attempt([&] { return f(size, knots.data()); }); });
 }
 
 // Values per parameter; 0 where the library will refuse the degree or the order.
@@ -36,22 +37,22 @@ inline std::int64_t control_points(std::int32_t degree, View<double> knots) {
 
 } // namespace detail
 
-inline std::vector<double> knots_uniform(std::int32_t degree, std::int64_t count, double a = 0,
-                                         double b = 1) {
+inline Returned<std::vector<double>> knots_uniform(std::int32_t degree, std::int64_t count, double a = 0,
+                                                   double b = 1) {
     return detail::generated_knots(degree, count, [&](std::int64_t size, double *knots) {
         return nurbs_knots_uniform(degree, count, a, b, size, knots);
     });
 }
 
-inline std::vector<double> knots_open_uniform(std::int32_t degree, std::int64_t count, double a = 0,
-                                              double b = 1) {
+inline Returned<std::vector<double>> knots_open_uniform(std::int32_t degree, std::int64_t count, double a = 0,
+                                                        double b = 1) {
     return detail::generated_knots(degree, count, [&](std::int64_t size, double *knots) {
         return nurbs_knots_open_uniform(degree, count, a, b, size, knots);
     });
 }
 
 /// Breaks 0, 1/pieces, ..., 1.
-inline std::vector<double> knots_bezier(std::int32_t degree, std::int64_t pieces) {
+inline Returned<std::vector<double>> knots_bezier(std::int32_t degree, std::int64_t pieces) {
     const bool sane = pieces >= 0 && pieces < (std::int64_t{1} << 48);
     const std::int64_t count = sane ? (degree == 0 ? pieces : pieces * degree + 1) : -1;
     return detail::generated_knots(degree, count, [&](std::int64_t size, double *knots) {
@@ -60,7 +61,7 @@ inline std::vector<double> knots_bezier(std::int32_t degree, std::int64_t pieces
 }
 
 /// The given breaks; one more than pieces.
-inline std::vector<double> knots_bezier(std::int32_t degree, View<double> breaks) {
+inline Returned<std::vector<double>> knots_bezier(std::int32_t degree, View<double> breaks) {
     const std::int64_t pieces = detail::length(breaks) - 1;
     const std::int64_t count = degree == 0 ? pieces : pieces * degree + 1;
     return detail::generated_knots(degree, count, [&](std::int64_t size, double *knots) {
@@ -68,7 +69,7 @@ inline std::vector<double> knots_bezier(std::int32_t degree, View<double> breaks
     });
 }
 
-inline std::vector<double> knots_averaged(std::int32_t degree, View<double> params) {
+inline Returned<std::vector<double>> knots_averaged(std::int32_t degree, View<double> params) {
     const std::int64_t count = detail::length(params);
     return detail::generated_knots(degree, count, [&](std::int64_t size, double *knots) {
         return nurbs_knots_averaged(degree, count, params.data(), size, knots);
@@ -76,8 +77,8 @@ inline std::vector<double> knots_averaged(std::int32_t degree, View<double> para
 }
 
 /// Multiplicities are one for each break, or none, which means all 1.
-inline std::vector<double> knots_periodic(std::int32_t degree, View<double> breaks,
-                                          View<std::int32_t> multiplicities = {}) {
+inline Returned<std::vector<double>> knots_periodic(std::int32_t degree, View<double> breaks,
+                                                    View<std::int32_t> multiplicities = {}) {
     const std::int64_t n = detail::length(breaks);
     if (!multiplicities.empty() && multiplicities.size() != breaks.size()) {
         detail::wrong_size("multiplicities", multiplicities.size(), std::to_string(breaks.size()));
@@ -92,43 +93,43 @@ inline std::vector<double> knots_periodic(std::int32_t degree, View<double> brea
 }
 
 /// The span of each parameter in a full knot vector.
-inline std::vector<std::int64_t> find_spans(std::int32_t degree, View<double> knots, Input params,
-                                            std::uint32_t flags = 0) {
+inline Returned<std::vector<std::int64_t>> find_spans(std::int32_t degree, View<double> knots, Input params,
+                                                      std::uint32_t flags = 0) {
     const std::int64_t n = params.count(1, "params");
     params.require(n, 1, "params");
     std::vector<std::int64_t> spans(detail::to_size(n));
-    detail::check(nurbs_find_spans(degree, detail::control_points(degree, knots), knots.data(),
-                                   detail::length(knots), n, params.data(), params.stride(), spans.data(),
-                                   flags));
+    detail::call(nurbs_find_spans, degree, detail::control_points(degree, knots), knots.data(),
+                 detail::length(knots), n, params.data(), params.stride(), spans.data(), flags);
     return spans;
 }
 
 /// [n][order + 1][degree + 1] Bernstein polynomials and derivatives.
-inline void bernstein(std::int32_t degree, std::int32_t order, Input params, Output values) {
+inline Returned<void> bernstein(std::int32_t degree, std::int32_t order, Input params, Output values) {
     const std::int64_t n = params.count(1, "params");
     params.require(n, 1, "params");
     values.require(n, detail::basis_width(degree, order), "values");
-    detail::check(nurbs_bernstein(degree, order, n, params.data(), params.stride(), values.data(),
-                                  values.stride(), values.component_stride()));
+    return detail::call(nurbs_bernstein, degree, order, n, params.data(), params.stride(), values.data(),
+                        values.stride(), values.component_stride());
 }
-inline std::vector<double> bernstein(std::int32_t degree, std::int32_t order, Input params) {
+inline Returned<std::vector<double>> bernstein(std::int32_t degree, std::int32_t order, Input params) {
     return detail::filled(params.count(1, "params") * detail::basis_width(degree, order),
-                          [&](auto &values) { bernstein(degree, order, params, values); });
+                          [&](auto &values) { return bernstein(degree, order, params, values); });
 }
 
 /// [n][order + 1][degree + 1] B-spline basis functions and derivatives, and the span of each parameter.
-inline Basis basis(std::int32_t degree, View<double> knots, std::int32_t order, Input params,
-                   std::uint32_t flags = 0) {
+inline Returned<Basis> basis(std::int32_t degree, View<double> knots, std::int32_t order, Input params,
+                             std::uint32_t flags = 0) {
     const std::int64_t n = params.count(1, "params");
     params.require(n, 1, "params");
     Basis result{std::vector<std::int64_t>(detail::to_size(n)),
                  std::vector<double>(detail::to_size(n * detail::basis_width(degree, order)))};
-    detail::check(nurbs_basis(degree, detail::control_points(degree, knots), knots.data(),
-                              detail::length(knots), order, n, params.data(), params.stride(),
-                              result.spans.data(), result.values.data(), 0, 0, flags));
+    detail::call(nurbs_basis, degree, detail::control_points(degree, knots), knots.data(),
+                 detail::length(knots), order, n, params.data(), params.stride(), result.spans.data(),
+                 result.values.data(), 0, 0, flags);
     return result;
 }
 
+} // namespace NURBS_CPP_POLICY
 } // namespace libnurbs
 
 #endif // NURBS_CPP_KNOTS_HPP

@@ -11,6 +11,7 @@
 #include <vector>
 
 namespace libnurbs {
+inline namespace NURBS_CPP_POLICY {
 
 /// Compressed sparse rows.
 struct SparseMatrix {
@@ -39,10 +40,10 @@ namespace detail {
 template <class F>
 SparseMatrix sparse(std::int64_t n, F &&f) {
     std::int64_t entries = 0;
-    check(f(0, nullptr, nullptr, nullptr, &entries));
+    attempt([&] { return f(0, nullptr, nullptr, nullptr, &entries); });
     SparseMatrix m{std::vector<double>(to_size(entries)), std::vector<std::int64_t>(to_size(entries)),
                    std::vector<std::int64_t>(to_size(n + 1))};
-    check(f(entries, m.values.data(), m.columns.data(), m.row_pointers.data(), nullptr));
+    attempt([&] { return f(entries, m.values.data(), m.columns.data(), m.row_pointers.data(), nullptr); });
     return m;
 }
 
@@ -57,8 +58,9 @@ inline const std::int32_t *orders_for(View<std::int32_t> orders, std::size_t axe
 
 /// Matrix of B-spline basis functions or of a derivative of them; without orders, of the functions
 // themselves.
-inline SparseMatrix collocation(View<std::int32_t> degrees, View<std::int64_t> counts, View<double> knots,
-                                Input params, View<std::int32_t> orders = {}, std::uint32_t flags = 0) {
+inline Returned<SparseMatrix> collocation(View<std::int32_t> degrees, View<std::int64_t> counts,
+                                          View<double> knots, Input params, View<std::int32_t> orders = {},
+                                          std::uint32_t flags = 0) {
     if (counts.size() != degrees.size()) {
         detail::wrong_size("counts", counts.size(), std::to_string(degrees.size()));
     }
@@ -74,9 +76,9 @@ inline SparseMatrix collocation(View<std::int32_t> degrees, View<std::int64_t> c
 }
 
 /// Matrix of the rational basis functions of a spline or of a derivative of them.
-inline SparseMatrix rational_collocation(const Spline &g, Input params, View<std::int32_t> orders = {},
-                                         std::uint32_t flags = 0) {
-    const std::int32_t axes = g.axes();
+inline Returned<SparseMatrix> rational_collocation(const Spline &g, Input params,
+                                                   View<std::int32_t> orders = {}, std::uint32_t flags = 0) {
+    const std::int32_t axes = detail::axes(g.get());
     const std::int32_t *of = detail::orders_for(orders, detail::to_size(axes));
     const std::int64_t n = detail::records(params, axes, "params");
     return detail::sparse(n, [&](std::int64_t cap, double *values, std::int64_t *columns, std::int64_t *rows,
@@ -88,54 +90,61 @@ inline SparseMatrix rational_collocation(const Spline &g, Input params, View<std
 }
 
 /// Matrix that Spline::refine() applies along an axis.
-inline SparseMatrix refinement_matrix(const Spline &g, std::int32_t axis, View<double> knots) {
+inline Returned<SparseMatrix> refinement_matrix(const Spline &g, std::int32_t axis, View<double> knots) {
     const std::int64_t count = detail::length(knots);
-    return detail::sparse(g.count(axis) + count, [&](std::int64_t cap, double *values, std::int64_t *columns,
-                                                     std::int64_t *rows, std::int64_t *entries) {
-        return nurbs_refinement_matrix(g.get(), axis, count, knots.data(), cap, values, columns, rows,
-                                       entries);
-    });
+    return detail::sparse(detail::count(g.get(), axis) + count,
+                          [&](std::int64_t cap, double *values, std::int64_t *columns, std::int64_t *rows,
+                              std::int64_t *entries) {
+                              return nurbs_refinement_matrix(g.get(), axis, count, knots.data(), cap, values,
+                                                             columns, rows, entries);
+                          });
 }
 
-inline Extraction bezier_extraction(const Spline &g, std::int32_t axis) {
+inline Returned<Extraction> bezier_extraction(const Spline &g, std::int32_t axis) {
     auto spans = detail::result_of<std::int64_t>(
         [&](auto *v) { return nurbs_bezier_extraction(g.get(), axis, 0, nullptr, nullptr, nullptr, v); });
-    const std::int64_t width = g.degree(axis) + 1;
+    const std::int64_t width = detail::degree(g.get(), axis) + 1;
     Extraction result{std::vector<double>(detail::to_size(spans * width * width)),
                       std::vector<std::int64_t>(detail::to_size(spans)),
                       std::vector<double>(detail::to_size(2 * spans))};
-    detail::check(nurbs_bezier_extraction(g.get(), axis, spans, result.operators.data(), result.firsts.data(),
-                                          result.domains.data(), &spans));
+    detail::call(nurbs_bezier_extraction, g.get(), axis, spans, result.operators.data(), result.firsts.data(),
+                 result.domains.data(), &spans);
     return result;
 }
 
 /// Gradients of a function of points and derivatives, from its cotangents [n][slots][dim]. An output without
 /// elements is not wanted.
-inline void eval_adjoint(const Spline &g, std::int32_t order, Input params, Input cotangents,
-                         Output grad_points, Output grad_weights, Output grad_params,
-                         std::uint32_t flags = 0) {
-    const std::int32_t axes = g.axes();
+inline Returned<void> eval_adjoint(const Spline &g, std::int32_t order, Input params, Input cotangents,
+                                   Output grad_points, Output grad_weights, Output grad_params,
+                                   std::uint32_t flags = 0) {
+    const std::int32_t axes = detail::axes(g.get());
     const std::int64_t n = detail::records(params, axes, "params");
-    cotangents.require(n, derivative_slots(axes, order) * g.dimension(), "cotangents");
-    double *points = detail::wanted(grad_points, g.point_count(), g.dimension(), "grad_points");
-    double *weights = detail::wanted(grad_weights, g.point_count(), 1, "grad_weights");
+    cotangents.require(n, detail::derivative_slots(axes, order) * detail::dimension(g.get()), "cotangents");
+    double *points =
+        detail::wanted(grad_points, detail::point_count(g.get()), detail::dimension(g.get()), "grad_points");
+    double *weights = detail::wanted(grad_weights, detail::point_count(g.get()), 1, "grad_weights");
     double *to_params = detail::wanted(grad_params, n, axes, "grad_params");
-    detail::check(nurbs_eval_adjoint(g.get(), order, n, params.data(), params.stride(),
-                                     params.component_stride(), cotangents.data(), cotangents.stride(),
-                                     cotangents.component_stride(), points, grad_points.stride(),
-                                     grad_points.component_stride(), weights, grad_weights.stride(),
-                                     to_params, grad_params.stride(), grad_params.component_stride(), flags));
+    return detail::call(nurbs_eval_adjoint, g.get(), order, n, params.data(), params.stride(),
+                        params.component_stride(), cotangents.data(), cotangents.stride(),
+                        cotangents.component_stride(), points, grad_points.stride(),
+                        grad_points.component_stride(), weights, grad_weights.stride(), to_params,
+                        grad_params.stride(), grad_params.component_stride(), flags);
 }
-inline Gradients eval_adjoint(const Spline &g, std::int32_t order, Input params, Input cotangents,
-                              std::uint32_t flags = 0) {
-    const std::int64_t n = detail::records(params, g.axes(), "params");
-    Gradients result{std::vector<double>(detail::to_size(g.point_count() * g.dimension())),
-                     std::vector<double>(detail::to_size(g.point_count())),
-                     std::vector<double>(detail::to_size(n * g.axes()))};
-    eval_adjoint(g, order, params, cotangents, result.points, result.weights, result.params, flags);
+inline Returned<Gradients> eval_adjoint(const Spline &g, std::int32_t order, Input params, Input cotangents,
+                                        std::uint32_t flags = 0) {
+    const std::int64_t n = detail::records(params, detail::axes(g.get()), "params");
+    Gradients result{
+        std::vector<double>(detail::to_size(detail::point_count(g.get()) * detail::dimension(g.get()))),
+        std::vector<double>(detail::to_size(detail::point_count(g.get()))),
+        std::vector<double>(detail::to_size(n * detail::axes(g.get())))};
+    detail::run([&] {
+        return eval_adjoint(g, order, params, cotangents, result.points, result.weights, result.params,
+                            flags);
+    });
     return result;
 }
 
+} // namespace NURBS_CPP_POLICY
 } // namespace libnurbs
 
 #endif // NURBS_CPP_LINEAR_HPP

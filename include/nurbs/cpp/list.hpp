@@ -14,11 +14,12 @@
 #include <utility>
 
 namespace libnurbs {
+inline namespace NURBS_CPP_POLICY {
 
 /// Settings of List::read(), initialised to the defaults.
 struct ReadOptions : nurbs_read_options {
     ReadOptions() : nurbs_read_options{} {
-        detail::check(nurbs_read_options_init(this, static_cast<std::int64_t>(sizeof(nurbs_read_options))));
+        detail::call(nurbs_read_options_init, this, static_cast<std::int64_t>(sizeof(nurbs_read_options)));
     }
 };
 
@@ -45,34 +46,35 @@ public:
     [[nodiscard]] const nurbs_list *get() const noexcept { return handle_; }
     [[nodiscard]] nurbs_list *release() noexcept { return std::exchange(handle_, nullptr); }
 
-    [[nodiscard]] static List read(std::span<const std::byte> bytes, const ReadOptions &options = {}) {
+    [[nodiscard]] static Returned<List> read(std::span<const std::byte> bytes,
+                                             const ReadOptions &options = {}) {
         List result;
-        detail::check(nurbs_read(bytes.data(), detail::length(bytes), &options, &result.handle_));
+        detail::call(nurbs_read, bytes.data(), detail::length(bytes), &options, &result.handle_);
         return result;
     }
-    [[nodiscard]] static List read_file(const std::string &path, const ReadOptions &options = {}) {
+    [[nodiscard]] static Returned<List> read_file(const std::string &path, const ReadOptions &options = {}) {
         List result;
-        detail::check(nurbs_read_file(path.c_str(), &options, &result.handle_));
+        detail::call(nurbs_read_file, path.c_str(), &options, &result.handle_);
         return result;
     }
 
-    [[nodiscard]] std::int64_t size() const {
+    [[nodiscard]] Returned<std::int64_t> size() const {
         return detail::result_of<std::int64_t>([&](auto *v) { return nurbs_list_count(handle_, v); });
     }
-    [[nodiscard]] Spline operator[](std::int64_t index) const {
+    [[nodiscard]] Returned<Spline> operator[](std::int64_t index) const {
         nurbs *spline = nullptr;
-        detail::check(nurbs_list_get(handle_, index, &spline));
+        detail::call(nurbs_list_get, handle_, index, &spline);
         return Spline(spline);
     }
-    [[nodiscard]] std::string name(std::int64_t index) const {
+    [[nodiscard]] Returned<std::string> name(std::int64_t index) const {
         return detail::text_of([&](char *buf, std::int64_t cap, std::int64_t *length) {
             return nurbs_list_name(handle_, index, buf, cap, length);
         });
     }
-    [[nodiscard]] std::int64_t note_count() const {
+    [[nodiscard]] Returned<std::int64_t> note_count() const {
         return detail::result_of<std::int64_t>([&](auto *v) { return nurbs_list_note_count(handle_, v); });
     }
-    [[nodiscard]] Note note(std::int64_t index) const {
+    [[nodiscard]] Returned<Note> note(std::int64_t index) const {
         Note note{};
         nurbs_status reason = NURBS_OK;
         note.text = detail::text_of([&](char *buf, std::int64_t cap, std::int64_t *length) {
@@ -82,7 +84,7 @@ public:
         return note;
     }
     /// Metres per unit of length; 0 if the file does not say.
-    [[nodiscard]] double unit() const {
+    [[nodiscard]] Returned<double> unit() const {
         return detail::result_of<double>([&](auto *v) { return nurbs_list_unit(handle_, v); });
     }
 
@@ -90,6 +92,7 @@ private:
     nurbs_list *handle_ = nullptr;
 };
 
+} // namespace NURBS_CPP_POLICY
 } // namespace libnurbs
 
 #endif // NURBS_CPP_LIST_HPP

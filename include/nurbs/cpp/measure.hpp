@@ -12,6 +12,7 @@
 #include <vector>
 
 namespace libnurbs {
+inline namespace NURBS_CPP_POLICY {
 
 /// An integral, and an estimate of its error.
 struct Measured {
@@ -20,38 +21,39 @@ struct Measured {
 };
 
 /// Length of a curve over a range [2] of its domain, or all of it.
-inline Measured length(const Spline &g, double relative_tolerance = 0, View<double> range = {}) {
+inline Returned<Measured> length(const Spline &g, double relative_tolerance = 0, View<double> range = {}) {
     Measured found{};
-    detail::check(nurbs_curve_length(g.get(), detail::range_of(g, range), relative_tolerance, &found.value,
-                                     &found.error));
+    detail::call(nurbs_curve_length, g.get(), detail::range_of(g, range), relative_tolerance, &found.value,
+                 &found.error);
     return found;
 }
 
 /// Lengths from the start of the domain to parameters.
-inline void lengths(const Spline &g, Input params, Output lengths, double relative_tolerance = 0) {
+inline Returned<void> lengths(const Spline &g, Input params, Output lengths, double relative_tolerance = 0) {
     const std::int64_t n = detail::records(params, 1, "params");
     lengths.require(n, 1, "lengths");
-    detail::check(nurbs_curve_lengths(g.get(), n, params.data(), params.stride(), relative_tolerance,
-                                      lengths.data(), lengths.stride()));
+    return detail::call(nurbs_curve_lengths, g.get(), n, params.data(), params.stride(), relative_tolerance,
+                        lengths.data(), lengths.stride());
 }
-[[nodiscard]] inline std::vector<double> lengths(const Spline &g, Input params,
-                                                 double relative_tolerance = 0) {
-    return detail::filled(detail::records(params, 1, "params"),
-                          [&](auto &values) { lengths(g, params, Output(values), relative_tolerance); });
+[[nodiscard]] inline Returned<std::vector<double>> lengths(const Spline &g, Input params,
+                                                           double relative_tolerance = 0) {
+    return detail::filled(detail::records(params, 1, "params"), [&](auto &values) {
+        return lengths(g, params, Output(values), relative_tolerance);
+    });
 }
 
 /// Parameters at lengths from the start of the domain; flags: 0 or clamp.
-inline void params_at_lengths(const Spline &g, Input lengths, Output params, double relative_tolerance = 0,
-                              std::uint32_t flags = 0) {
+inline Returned<void> params_at_lengths(const Spline &g, Input lengths, Output params,
+                                        double relative_tolerance = 0, std::uint32_t flags = 0) {
     const std::int64_t n = detail::records(lengths, 1, "lengths");
     params.require(n, 1, "params");
-    detail::check(nurbs_curve_params_at_lengths(g.get(), n, lengths.data(), lengths.stride(),
-                                                relative_tolerance, params.data(), params.stride(), flags));
+    return detail::call(nurbs_curve_params_at_lengths, g.get(), n, lengths.data(), lengths.stride(),
+                        relative_tolerance, params.data(), params.stride(), flags);
 }
-[[nodiscard]] inline std::vector<double>
+[[nodiscard]] inline Returned<std::vector<double>>
 params_at_lengths(const Spline &g, Input lengths, double relative_tolerance = 0, std::uint32_t flags = 0) {
     return detail::filled(detail::records(lengths, 1, "lengths"), [&](auto &params) {
-        params_at_lengths(g, lengths, Output(params), relative_tolerance, flags);
+        return params_at_lengths(g, lengths, Output(params), relative_tolerance, flags);
     });
 }
 
@@ -62,19 +64,19 @@ struct Division {
 };
 
 /// A curve in parts of equal length, or with flags equal_chords with points at equal distances.
-inline Division divide(const Spline &g, std::int64_t parts, double relative_tolerance = 0,
-                       std::uint32_t flags = 0, View<double> range = {}) {
+inline Returned<Division> divide(const Spline &g, std::int64_t parts, double relative_tolerance = 0,
+                                 std::uint32_t flags = 0, View<double> range = {}) {
     Division found{std::vector<double>(detail::to_size(parts) + 1), 0};
-    detail::check(nurbs_curve_divide(g.get(), detail::range_of(g, range), parts, relative_tolerance, flags,
-                                     found.params.data(), &found.size));
+    detail::call(nurbs_curve_divide, g.get(), detail::range_of(g, range), parts, relative_tolerance, flags,
+                 found.params.data(), &found.size);
     return found;
 }
 
 /// Area of a surface over a range [2][2] of its domain, or all of it.
-inline Measured area(const Spline &g, double relative_tolerance = 0, View<double> range = {}) {
+inline Returned<Measured> area(const Spline &g, double relative_tolerance = 0, View<double> range = {}) {
     Measured found{};
-    detail::check(nurbs_surface_area(g.get(), detail::range_of(g, range), relative_tolerance, &found.value,
-                                     &found.error));
+    detail::call(nurbs_surface_area, g.get(), detail::range_of(g, range), relative_tolerance, &found.value,
+                 &found.error);
     return found;
 }
 
@@ -88,11 +90,11 @@ struct Moments {
 };
 
 /// Of the spline itself: a wire, a sheet or a body.
-inline Moments moments(const Spline &g, double relative_tolerance = 0) {
-    const auto dim = detail::to_size(g.dimension());
+inline Returned<Moments> moments(const Spline &g, double relative_tolerance = 0) {
+    const auto dim = detail::to_size(detail::dimension(g.get()));
     Moments found{0, std::vector<double>(dim), std::vector<double>(dim * dim), 0};
-    detail::check(nurbs_moments(g.get(), relative_tolerance, &found.content, found.centroid.data(),
-                                found.inertia.data(), &found.error));
+    detail::call(nurbs_moments, g.get(), relative_tolerance, &found.content, found.centroid.data(),
+                 found.inertia.data(), &found.error);
     return found;
 }
 
@@ -105,13 +107,13 @@ struct EnclosedArea {
 };
 
 /// What closed chains of curves enclose; counterclockwise counts positive.
-inline EnclosedArea enclosed_area(std::span<const Spline> curves, double tolerance = 0,
-                                  double relative_tolerance = 0) {
+inline Returned<EnclosedArea> enclosed_area(std::span<const Spline> curves, double tolerance = 0,
+                                            double relative_tolerance = 0) {
     const std::vector<const nurbs *> handles = detail::handle_list(curves);
     EnclosedArea found{};
     std::array<double, 4> inertia{};
-    detail::check(nurbs_enclosed_area(detail::length(handles), handles.data(), tolerance, relative_tolerance,
-                                      &found.area, found.centroid.data(), inertia.data(), &found.error));
+    detail::call(nurbs_enclosed_area, detail::length(handles), handles.data(), tolerance, relative_tolerance,
+                 &found.area, found.centroid.data(), inertia.data(), &found.error);
     found.inertia = {{{inertia[0], inertia[1]}, {inertia[2], inertia[3]}}};
     return found;
 }
@@ -126,19 +128,20 @@ struct EnclosedVolume {
 };
 
 /// What surfaces enclose whose normals point outwards.
-inline EnclosedVolume enclosed_volume(std::span<const Spline> surfaces, double relative_tolerance = 0) {
+inline Returned<EnclosedVolume> enclosed_volume(std::span<const Spline> surfaces,
+                                                double relative_tolerance = 0) {
     const std::vector<const nurbs *> handles = detail::handle_list(surfaces);
     EnclosedVolume found{};
     std::array<double, 9> inertia{};
-    detail::check(nurbs_enclosed_volume(detail::length(handles), handles.data(), relative_tolerance,
-                                        &found.volume, found.centroid.data(), inertia.data(), &found.openness,
-                                        &found.error));
+    detail::call(nurbs_enclosed_volume, detail::length(handles), handles.data(), relative_tolerance,
+                 &found.volume, found.centroid.data(), inertia.data(), &found.openness, &found.error);
     for (std::size_t i = 0; i < inertia.size(); ++i) {
         found.inertia[i / 3][i % 3] = inertia[i];
     }
     return found;
 }
 
+} // namespace NURBS_CPP_POLICY
 } // namespace libnurbs
 
 #endif // NURBS_CPP_MEASURE_HPP

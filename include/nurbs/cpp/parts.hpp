@@ -12,18 +12,19 @@
 #include <vector>
 
 namespace libnurbs {
+inline namespace NURBS_CPP_POLICY {
 
 /// The polynomial pieces as Bezier splines over their own domains, last axis fastest.
-inline List decompose(const Spline &g) {
+inline Returned<List> decompose(const Spline &g) {
     nurbs_list *list = nullptr;
-    detail::check(nurbs_decompose(g.get(), &list));
+    detail::call(nurbs_decompose, g.get(), &list);
     return List(list);
 }
 
 /// The parts between the knots at which the order of continuity is less than `order`.
-inline List split_at_knots(const Spline &g, std::int32_t axis, std::int32_t order) {
+inline Returned<List> split_at_knots(const Spline &g, std::int32_t axis, std::int32_t order) {
     nurbs_list *list = nullptr;
-    detail::check(nurbs_split_at_knots(g.get(), axis, order, &list));
+    detail::call(nurbs_split_at_knots, g.get(), axis, order, &list);
     return List(list);
 }
 
@@ -34,15 +35,16 @@ struct Joined {
 };
 
 /// Splines joined end to end along an axis.
-inline Joined join(std::span<const Spline> parts, std::int32_t axis, double tolerance = 0,
-                   std::uint32_t flags = 0) {
+inline Returned<Joined> join(std::span<const Spline> parts, std::int32_t axis, double tolerance = 0,
+                             std::uint32_t flags = 0) {
     const std::vector<const nurbs *> handles = detail::handle_list(parts);
     nurbs *joined = nullptr;
     double gap = 0;
-    detail::check(nurbs_join(detail::length(handles), handles.data(), axis, tolerance, flags, &gap, &joined));
-    return {Spline(joined), gap};
+    detail::call(nurbs_join, detail::length(handles), handles.data(), axis, tolerance, flags, &gap, &joined);
+    return Joined{Spline(joined), gap};
 }
 
+} // namespace NURBS_CPP_POLICY
 } // namespace libnurbs
 
 #endif // NURBS_CPP_PARTS_HPP

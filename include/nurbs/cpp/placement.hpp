@@ -13,6 +13,7 @@
 #include <vector>
 
 namespace libnurbs {
+inline namespace NURBS_CPP_POLICY {
 
 /// Forms of an arc.
 inline constexpr std::int32_t arc_quarters = NURBS_ARC_QUARTERS;
@@ -31,14 +32,6 @@ struct Placement {
 };
 
 namespace detail {
-
-// Calls f(&handle) and owns what it makes.
-template <class F>
-Spline spline_of(F &&f) {
-    nurbs *out = nullptr;
-    check(f(&out));
-    return Spline(out);
-}
 
 inline const double *pointer(View<double> values) noexcept {
     return values.empty() ? nullptr : values.data();
@@ -95,6 +88,7 @@ struct Place {
 
 } // namespace detail
 
+} // namespace NURBS_CPP_POLICY
 } // namespace libnurbs
 
 #endif // NURBS_CPP_PLACEMENT_HPP

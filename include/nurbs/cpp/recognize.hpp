@@ -11,6 +11,7 @@
 #include <cstdint>
 
 namespace libnurbs {
+inline namespace NURBS_CPP_POLICY {
 
 /// What recognize() finds.
 inline constexpr std::int32_t shape_none = NURBS_SHAPE_NONE;
@@ -38,17 +39,18 @@ struct Recognized {
 };
 
 /// The first shape of the list from which no point is farther than the tolerance.
-inline Recognized recognize(const Spline &g, double tolerance) {
+inline Returned<Recognized> recognize(const Spline &g, double tolerance) {
     Recognized found{};
     std::array<double, 9> placement{};
-    detail::check(nurbs_recognize(g.get(), tolerance, &found.shape, placement.data(), found.sizes.data(),
-                                  &found.deviation));
+    detail::call(nurbs_recognize, g.get(), tolerance, &found.shape, placement.data(), found.sizes.data(),
+                 &found.deviation);
     std::copy_n(placement.begin(), 3, found.origin.begin());
     std::copy_n(placement.begin() + 3, 3, found.axis.begin());
     std::copy_n(placement.begin() + 6, 3, found.x.begin());
     return found;
 }
 
+} // namespace NURBS_CPP_POLICY
 } // namespace libnurbs
 
 #endif // NURBS_CPP_RECOGNIZE_HPP

@@ -9,6 +9,7 @@
 #include <cstdint>
 
 namespace libnurbs {
+inline namespace NURBS_CPP_POLICY {
 
 /// Proven bounds of a largest distance.
 struct Deviation {
@@ -17,9 +18,9 @@ struct Deviation {
 };
 
 /// Of two splines over the same domain.
-inline Deviation deviation(const Spline &f, const Spline &g) {
+inline Returned<Deviation> deviation(const Spline &f, const Spline &g) {
     Deviation result{};
-    detail::check(nurbs_deviation(f.get(), g.get(), &result.lower, &result.upper));
+    detail::call(nurbs_deviation, f.get(), g.get(), &result.lower, &result.upper);
     return result;
 }
 
@@ -31,13 +32,13 @@ struct KnotRemoval {
 };
 
 /// Copies of a knot removed, as many as the tolerance allows.
-inline KnotRemoval remove_knot(const Spline &g, std::int32_t axis, double knot, std::int32_t times,
-                               double tolerance) {
+inline Returned<KnotRemoval> remove_knot(const Spline &g, std::int32_t axis, double knot, std::int32_t times,
+                                         double tolerance) {
     nurbs *made = nullptr;
     std::int32_t removed = 0;
     double bound = 0;
-    detail::check(nurbs_remove_knot(g.get(), axis, knot, times, tolerance, &removed, &bound, &made));
-    return {Spline(made), removed, bound};
+    detail::call(nurbs_remove_knot, g.get(), axis, knot, times, tolerance, &removed, &bound, &made);
+    return KnotRemoval{Spline(made), removed, bound};
 }
 
 /// A spline within `bound` of the one it was made from.
@@ -47,29 +48,30 @@ struct Reduced {
 };
 
 /// As few knots as the tolerance allows, on one axis or on every one (-1).
-inline Reduced reduce_knots(const Spline &g, std::int32_t axis, double tolerance) {
+inline Returned<Reduced> reduce_knots(const Spline &g, std::int32_t axis, double tolerance) {
     nurbs *made = nullptr;
     double bound = 0;
-    detail::check(nurbs_reduce_knots(g.get(), axis, tolerance, &bound, &made));
-    return {Spline(made), bound};
+    detail::call(nurbs_reduce_knots, g.get(), axis, tolerance, &bound, &made);
+    return Reduced{Spline(made), bound};
 }
 
 /// The closest spline of lower degree.
-inline Reduced reduce_degree(const Spline &g, std::int32_t axis, std::int32_t times) {
+inline Returned<Reduced> reduce_degree(const Spline &g, std::int32_t axis, std::int32_t times) {
     nurbs *made = nullptr;
     double bound = 0;
-    detail::check(nurbs_reduce_degree(g.get(), axis, times, &bound, &made));
-    return {Spline(made), bound};
+    detail::call(nurbs_reduce_degree, g.get(), axis, times, &bound, &made);
+    return Reduced{Spline(made), bound};
 }
 
 /// The simplest spline within the tolerance.
-inline Reduced simplify(const Spline &g, double tolerance) {
+inline Returned<Reduced> simplify(const Spline &g, double tolerance) {
     nurbs *made = nullptr;
     double bound = 0;
-    detail::check(nurbs_simplify(g.get(), tolerance, &bound, &made));
-    return {Spline(made), bound};
+    detail::call(nurbs_simplify, g.get(), tolerance, &bound, &made);
+    return Reduced{Spline(made), bound};
 }
 
+} // namespace NURBS_CPP_POLICY
 } // namespace libnurbs
 
 #endif // NURBS_CPP_REDUCE_HPP

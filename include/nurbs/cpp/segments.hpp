@@ -12,6 +12,7 @@
 #include <vector>
 
 namespace libnurbs {
+inline namespace NURBS_CPP_POLICY {
 
 /// Bases of a polynomial over [0, 1].
 inline constexpr std::int32_t basis_power = NURBS_BASIS_POWER;
@@ -20,18 +21,16 @@ inline constexpr std::int32_t basis_hermite = NURBS_BASIS_HERMITE;
 inline constexpr std::int32_t basis_bspline = NURBS_BASIS_BSPLINE;
 
 /// The piecewise cubic through points with tangents, both packed.
-inline Spline create_hermite(View<double> params, std::int32_t dim, View<double> points,
-                             View<double> tangents) {
+inline Returned<Spline> create_hermite(View<double> params, std::int32_t dim, View<double> points,
+                                       View<double> tangents) {
     const auto wanted = params.size() * static_cast<std::size_t>(dim < 0 ? 0 : dim);
     for (const View<double> &values : {points, tangents}) {
         if (values.size() != wanted) {
             detail::wrong_size("points and tangents", values.size(), std::to_string(wanted));
         }
     }
-    nurbs *out = nullptr;
-    detail::check(nurbs_create_hermite(static_cast<std::int64_t>(params.size()), params.data(), dim,
-                                       points.data(), 0, 0, tangents.data(), 0, 0, &out));
-    return Spline(out);
+    return detail::spline_of(nurbs_create_hermite, static_cast<std::int64_t>(params.size()), params.data(),
+                             dim, points.data(), 0, 0, tangents.data(), 0, 0);
 }
 
 /// Points and tangents, packed, of a piecewise cubic at its breaks.
@@ -42,13 +41,13 @@ struct Hermite {
 };
 
 /// The data from which create_hermite() makes a C^1 piecewise cubic again.
-inline Hermite to_hermite(const Spline &g) {
+inline Returned<Hermite> to_hermite(const Spline &g) {
     const auto n = detail::result_of<std::int64_t>(
         [&](auto *v) { return nurbs_to_hermite(g.get(), 0, nullptr, nullptr, nullptr, v); });
-    std::vector<double> values(detail::to_size(n * g.dimension()));
+    std::vector<double> values(detail::to_size(n * detail::dimension(g.get())));
     Hermite result{std::vector<double>(detail::to_size(n)), values, values};
-    detail::check(nurbs_to_hermite(g.get(), n, result.params.data(), result.points.data(),
-                                   result.tangents.data(), nullptr));
+    detail::call(nurbs_to_hermite, g.get(), n, result.params.data(), result.points.data(),
+                 result.tangents.data(), nullptr);
     return result;
 }
 
@@ -60,19 +59,19 @@ struct PowerForm {
 };
 
 /// The power basis of every piece, of homogeneous points if the spline is rational.
-inline PowerForm to_power(const Spline &g) {
-    PowerForm form{{}, {}, std::vector<std::int64_t>(detail::to_size(g.axes()))};
+inline Returned<PowerForm> to_power(const Spline &g) {
+    PowerForm form{{}, {}, std::vector<std::int64_t>(detail::to_size(detail::axes(g.get())))};
     const auto n = detail::result_of<std::int64_t>(
         [&](auto *v) { return nurbs_to_power(g.get(), 0, nullptr, nullptr, form.piece_counts.data(), v); });
     form.coefficients.resize(detail::to_size(n));
     form.breaks.resize(detail::to_size(detail::sum(form.piece_counts)) + form.piece_counts.size());
-    detail::check(nurbs_to_power(g.get(), n, form.coefficients.data(), form.breaks.data(), nullptr, nullptr));
+    detail::call(nurbs_to_power, g.get(), n, form.coefficients.data(), form.breaks.data(), nullptr, nullptr);
     return form;
 }
 
 /// The spline of pieces in the power basis; flags: homogeneous_records.
-inline Spline create_power(View<std::int32_t> degrees, std::int32_t dim, const PowerForm &form,
-                           std::uint32_t flags = 0) {
+inline Returned<Spline> create_power(View<std::int32_t> degrees, std::int32_t dim, const PowerForm &form,
+                                     std::uint32_t flags = 0) {
     std::vector<std::int64_t> factors = form.piece_counts;
     for (const std::int32_t p : degrees) {
         factors.push_back(std::int64_t{p} + 1);
@@ -85,21 +84,20 @@ inline Spline create_power(View<std::int32_t> degrees, std::int32_t dim, const P
     if (wanted >= 0 && wanted != detail::length(form.coefficients)) {
         detail::wrong_size("coefficients", form.coefficients.size(), std::to_string(wanted));
     }
-    nurbs *out = nullptr;
-    detail::check(nurbs_create_power(
-        static_cast<std::int32_t>(degrees.size()), degrees.data(), form.piece_counts.data(),
-        form.breaks.data(), detail::length(form.breaks), dim, form.coefficients.data(), 0, 0, flags, &out));
-    return Spline(out);
+    return detail::spline_of(nurbs_create_power, static_cast<std::int32_t>(degrees.size()), degrees.data(),
+                             form.piece_counts.data(), form.breaks.data(), detail::length(form.breaks), dim,
+                             form.coefficients.data(), 0, 0, flags);
 }
 
 /// The matrix, row by row, that takes coefficients of one basis to those of another.
-inline std::vector<double> basis_matrix(std::int32_t from, std::int32_t to, std::int32_t degree) {
+inline Returned<std::vector<double>> basis_matrix(std::int32_t from, std::int32_t to, std::int32_t degree) {
     const std::int64_t size = degree < 0 || degree > NURBS_MAX_DEGREE ? 0 : (degree + 1) * (degree + 1);
     std::vector<double> matrix(static_cast<std::size_t>(size));
-    detail::check(nurbs_basis_matrix(from, to, degree, size, matrix.data()));
+    detail::call(nurbs_basis_matrix, from, to, degree, size, matrix.data());
     return matrix;
 }
 
+} // namespace NURBS_CPP_POLICY
 } // namespace libnurbs
 
 #endif // NURBS_CPP_SEGMENTS_HPP

@@ -11,169 +11,150 @@
 #include <cstdint>
 
 namespace libnurbs {
+inline namespace NURBS_CPP_POLICY {
 
 // From curves and surfaces
 
 /// Moved along a vector, which becomes a new last axis.
-inline Spline extrude(const Spline &g, View<double> vector) {
-    detail::require_length(g.dimension(), {vector});
-    return detail::spline_of([&](nurbs **out) { return nurbs_extrude(g.get(), vector.data(), out); });
+inline Returned<Spline> extrude(const Spline &g, View<double> vector) {
+    detail::require_length(detail::dimension(g.get()), {vector});
+    return detail::spline_of(nurbs_extrude, g.get(), vector.data());
 }
 
 /// Turned about an axis through a point, the angle being a new first axis.
-inline Spline revolve(const Spline &g, double sweep = full_turn, View<double> point = {},
-                      View<double> axis = {}, std::int32_t form = arc_quarters) {
+inline Returned<Spline> revolve(const Spline &g, double sweep = full_turn, View<double> point = {},
+                                View<double> axis = {}, std::int32_t form = arc_quarters) {
     if (detail::dimension_of({point, axis}, 3) != 3) {
         detail::wrong_size("point and axis", point.empty() ? axis.size() : point.size(), "3");
     }
-    return detail::spline_of([&](nurbs **out) {
-        return nurbs_revolve(g.get(), detail::pointer(point), detail::pointer(axis), sweep, form, out);
-    });
+    return detail::spline_of(nurbs_revolve, g.get(), detail::pointer(point), detail::pointer(axis), sweep,
+                             form);
 }
 
 /// Straight lines from a to b; flags: ruled_cartesian.
-inline Spline ruled(const Spline &a, const Spline &b, std::uint32_t flags = 0) {
-    return detail::spline_of([&](nurbs **out) { return nurbs_ruled(a.get(), b.get(), flags, out); });
+inline Returned<Spline> ruled(const Spline &a, const Spline &b, std::uint32_t flags = 0) {
+    return detail::spline_of(nurbs_ruled, a.get(), b.get(), flags);
 }
 
 /// alpha a(u) + beta b(v)
-inline Spline tensor_sum(const Spline &a, double alpha, const Spline &b, double beta) {
-    return detail::spline_of(
-        [&](nurbs **out) { return nurbs_tensor_sum(a.get(), alpha, b.get(), beta, out); });
+inline Returned<Spline> tensor_sum(const Spline &a, double alpha, const Spline &b, double beta) {
+    return detail::spline_of(nurbs_tensor_sum, a.get(), alpha, b.get(), beta);
 }
 
 /// a(u) b(v), component by component
-inline Spline tensor_product(const Spline &a, const Spline &b) {
-    return detail::spline_of([&](nurbs **out) { return nurbs_tensor_product(a.get(), b.get(), out); });
+inline Returned<Spline> tensor_product(const Spline &a, const Spline &b) {
+    return detail::spline_of(nurbs_tensor_product, a.get(), b.get());
 }
 
 /// (scale r(v) x(u), scale r(v) y(u), z(v)) for the trajectory (x, y) and the profile (r, z)
-inline Spline swung(const Spline &trajectory, const Spline &profile, double scale = 1) {
-    return detail::spline_of(
-        [&](nurbs **out) { return nurbs_surface_swung(trajectory.get(), profile.get(), scale, out); });
+inline Returned<Spline> swung(const Spline &trajectory, const Spline &profile, double scale = 1) {
+    return detail::spline_of(nurbs_surface_swung, trajectory.get(), profile.get(), scale);
 }
 
 // Patches
 
 /// The parallelogram over two sides from an origin, which is 0 if empty.
-inline Spline plane(View<double> u, View<double> v, View<double> origin = {}) {
+inline Returned<Spline> plane(View<double> u, View<double> v, View<double> origin = {}) {
     const std::int32_t dim = detail::dimension_of({u, v, origin}, 0);
-    return detail::spline_of([&](nurbs **out) {
-        return nurbs_surface_plane(dim, detail::pointer(origin), u.data(), v.data(), out);
-    });
+    return detail::spline_of(nurbs_surface_plane, dim, detail::pointer(origin), u.data(), v.data());
 }
 
 /// Over corners [4][dim].
-inline Spline bilinear(std::int32_t dim, Input corners) {
+inline Returned<Spline> bilinear(std::int32_t dim, Input corners) {
     corners.require(4, dim, "corners");
-    return detail::spline_of([&](nurbs **out) {
-        return nurbs_surface_bilinear(dim, corners.data(), corners.stride(), corners.component_stride(), out);
-    });
+    return detail::spline_of(nurbs_surface_bilinear, dim, corners.data(), corners.stride(),
+                             corners.component_stride());
 }
 
 /// Over corners [8][dim].
-inline Spline trilinear(std::int32_t dim, Input corners) {
+inline Returned<Spline> trilinear(std::int32_t dim, Input corners) {
     corners.require(8, dim, "corners");
-    return detail::spline_of([&](nurbs **out) {
-        return nurbs_volume_trilinear(dim, corners.data(), corners.stride(), corners.component_stride(), out);
-    });
+    return detail::spline_of(nurbs_volume_trilinear, dim, corners.data(), corners.stride(),
+                             corners.component_stride());
 }
 
 // Spheres
 
 /// By longitude and latitude, with poles.
-inline Spline sphere(const Placement &at, double radius, std::int32_t form = arc_quarters) {
+inline Returned<Spline> sphere(const Placement &at, double radius, std::int32_t form = arc_quarters) {
     const detail::Space p(at);
-    return detail::spline_of(
-        [&](nurbs **out) { return nurbs_surface_sphere(p.origin, p.axis, p.x, radius, form, out); });
+    return detail::spline_of(nurbs_surface_sphere, p.origin, p.axis, p.x, radius, form);
 }
 
-inline Spline spherical_patch(const Placement &at, double radius, double start, double sweep, double south,
-                              double north, std::int32_t form = arc_quarters) {
+inline Returned<Spline> spherical_patch(const Placement &at, double radius, double start, double sweep,
+                                        double south, double north, std::int32_t form = arc_quarters) {
     const detail::Space p(at);
-    return detail::spline_of([&](nurbs **out) {
-        return nurbs_surface_spherical_patch(p.origin, p.axis, p.x, radius, start, sweep, south, north, form,
-                                             out);
-    });
+    return detail::spline_of(nurbs_surface_spherical_patch, p.origin, p.axis, p.x, radius, start, sweep,
+                             south, north, form);
 }
 
 /// Six patches of degree 4 x 4 without poles; flags: hemisphere, five patches.
-inline List sphere_patches(const Placement &at, double radius, std::uint32_t flags = 0) {
+inline Returned<List> sphere_patches(const Placement &at, double radius, std::uint32_t flags = 0) {
     const detail::Space p(at);
     nurbs_list *list = nullptr;
-    detail::check(nurbs_surface_sphere_patches(p.origin, p.axis, p.x, radius, flags, &list));
+    detail::call(nurbs_surface_sphere_patches, p.origin, p.axis, p.x, radius, flags, &list);
     return List(list);
 }
 
 /// Semi-axes along X, Y and Z.
-inline Spline ellipsoid(const Placement &at, const std::array<double, 3> &radii,
-                        std::int32_t form = arc_quarters) {
+inline Returned<Spline> ellipsoid(const Placement &at, const std::array<double, 3> &radii,
+                                  std::int32_t form = arc_quarters) {
     const detail::Space p(at);
-    return detail::spline_of([&](nurbs **out) {
-        return nurbs_surface_ellipsoid(p.origin, p.axis, p.x, radii[0], radii[1], radii[2], form, out);
-    });
+    return detail::spline_of(nurbs_surface_ellipsoid, p.origin, p.axis, p.x, radii[0], radii[1], radii[2],
+                             form);
 }
 
 // Surfaces of revolution
 
-inline Spline cylinder(const Placement &at, double radius, double height, double start = 0,
-                       double sweep = full_turn, std::int32_t form = arc_quarters) {
+inline Returned<Spline> cylinder(const Placement &at, double radius, double height, double start = 0,
+                                 double sweep = full_turn, std::int32_t form = arc_quarters) {
     const detail::Space p(at);
-    return detail::spline_of([&](nurbs **out) {
-        return nurbs_surface_cylinder(p.origin, p.axis, p.x, radius, height, start, sweep, form, out);
-    });
+    return detail::spline_of(nurbs_surface_cylinder, p.origin, p.axis, p.x, radius, height, start, sweep,
+                             form);
 }
 
-inline Spline cone(const Placement &at, double base_radius, double top_radius, double height,
-                   double start = 0, double sweep = full_turn, std::int32_t form = arc_quarters) {
+inline Returned<Spline> cone(const Placement &at, double base_radius, double top_radius, double height,
+                             double start = 0, double sweep = full_turn, std::int32_t form = arc_quarters) {
     const detail::Space p(at);
-    return detail::spline_of([&](nurbs **out) {
-        return nurbs_surface_cone(p.origin, p.axis, p.x, base_radius, top_radius, height, start, sweep, form,
-                                  out);
-    });
+    return detail::spline_of(nurbs_surface_cone, p.origin, p.axis, p.x, base_radius, top_radius, height,
+                             start, sweep, form);
 }
 
-inline Spline torus(const Placement &at, double major_radius, double minor_radius, double start = 0,
-                    double sweep = full_turn, double tube_start = 0, double tube_sweep = full_turn,
-                    std::int32_t form = arc_quarters) {
+inline Returned<Spline> torus(const Placement &at, double major_radius, double minor_radius, double start = 0,
+                              double sweep = full_turn, double tube_start = 0, double tube_sweep = full_turn,
+                              std::int32_t form = arc_quarters) {
     const detail::Space p(at);
-    return detail::spline_of([&](nurbs **out) {
-        return nurbs_surface_torus(p.origin, p.axis, p.x, major_radius, minor_radius, start, sweep,
-                                   tube_start, tube_sweep, form, out);
-    });
+    return detail::spline_of(nurbs_surface_torus, p.origin, p.axis, p.x, major_radius, minor_radius, start,
+                             sweep, tube_start, tube_sweep, form);
 }
 
 // Other quadrics
 
 /// A bowl from its vertex to a rim with two semi-axes.
-inline Spline paraboloid(const Placement &at, const std::array<double, 2> &radii, double height,
-                         double start = 0, double sweep = full_turn, std::int32_t form = arc_quarters) {
+inline Returned<Spline> paraboloid(const Placement &at, const std::array<double, 2> &radii, double height,
+                                   double start = 0, double sweep = full_turn,
+                                   std::int32_t form = arc_quarters) {
     const detail::Space p(at);
-    return detail::spline_of([&](nurbs **out) {
-        return nurbs_surface_paraboloid(p.origin, p.axis, p.x, radii[0], radii[1], height, start, sweep, form,
-                                        out);
-    });
+    return detail::spline_of(nurbs_surface_paraboloid, p.origin, p.axis, p.x, radii[0], radii[1], height,
+                             start, sweep, form);
 }
 
 /// The hyperbolic paraboloid over a rectangle.
-inline Spline saddle(const Placement &at, const std::array<double, 2> &radii, double height) {
+inline Returned<Spline> saddle(const Placement &at, const std::array<double, 2> &radii, double height) {
     const detail::Space p(at);
-    return detail::spline_of([&](nurbs **out) {
-        return nurbs_surface_saddle(p.origin, p.axis, p.x, radii[0], radii[1], height, out);
-    });
+    return detail::spline_of(nurbs_surface_saddle, p.origin, p.axis, p.x, radii[0], radii[1], height);
 }
 
 /// Between two heights; flags: two_sheets.
-inline Spline hyperboloid(const Placement &at, const std::array<double, 3> &radii, double bottom, double top,
-                          double start = 0, double sweep = full_turn, std::int32_t form = arc_quarters,
-                          std::uint32_t flags = 0) {
+inline Returned<Spline> hyperboloid(const Placement &at, const std::array<double, 3> &radii, double bottom,
+                                    double top, double start = 0, double sweep = full_turn,
+                                    std::int32_t form = arc_quarters, std::uint32_t flags = 0) {
     const detail::Space p(at);
-    return detail::spline_of([&](nurbs **out) {
-        return nurbs_surface_hyperboloid(p.origin, p.axis, p.x, radii[0], radii[1], radii[2], bottom, top,
-                                         start, sweep, form, flags, out);
-    });
+    return detail::spline_of(nurbs_surface_hyperboloid, p.origin, p.axis, p.x, radii[0], radii[1], radii[2],
+                             bottom, top, start, sweep, form, flags);
 }
 
+} // namespace NURBS_CPP_POLICY
 } // namespace libnurbs
 
 #endif // NURBS_CPP_SHAPES_HPP

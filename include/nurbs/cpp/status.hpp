@@ -1,13 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 /// \file status.hpp
-/// \brief Statuses, flags and the exception that carries a status.
+/// \brief Statuses, flags and messages.
 #ifndef NURBS_CPP_STATUS_HPP
 #define NURBS_CPP_STATUS_HPP
 
 #include <nurbs/nurbs.h>
 
 #include <cstdint>
-#include <stdexcept>
 #include <string>
 
 namespace libnurbs {
@@ -144,27 +143,6 @@ inline std::string last_error() {
     nurbs_last_error(text.data(), static_cast<std::int64_t>(text.size()) + 1);
     return text;
 }
-
-/// What every failure throws; what() is the library's message.
-class Error : public std::runtime_error {
-public:
-    Error(Status status, const std::string &message) : std::runtime_error(message), status_(status) {}
-    [[nodiscard]] Status status() const noexcept { return status_; }
-    [[nodiscard]] const char *name() const noexcept { return status_name(status_); }
-
-private:
-    Status status_;
-};
-
-namespace detail {
-
-inline void check(nurbs_status status) {
-    if (status != NURBS_OK) {
-        throw Error(static_cast<Status>(status), last_error());
-    }
-}
-
-} // namespace detail
 
 } // namespace libnurbs
 

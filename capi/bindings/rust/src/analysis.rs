@@ -10,38 +10,51 @@ use std::ptr::null_mut;
 /// Where it is, one `NURBS_FEATURE_` constant, and the curvature, turning angle or width there.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Feature {
+    /// Where it is.
     pub param: f64,
+    /// One of the `NURBS_FEATURE_` constants.
     pub kind: u32,
+    /// Curvature, turning angle or width there.
     pub value: f64,
 }
 
 /// Features in rising order of their parameters.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Features {
+    /// In rising order of their parameters.
     pub found: Vec<Feature>,
+    /// Whether nothing was missed.
     pub complete: bool,
 }
 
 /// Lower ends of pieces, with 1, -1 or 0 where the curve rises, falls or stays.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct MonotonePieces {
+    /// Lower ends, and 1, -1 or 0 where the curve rises, falls or stays.
     pub pieces: Vec<(f64, i32)>,
+    /// Whether nothing was missed.
     pub complete: bool,
 }
 
 /// A line, and a proven bound of the distance from it.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Straightness {
+    /// A point of the line, `[dim]`.
     pub origin: Vec<f64>,
+    /// Its direction, `[dim]`.
     pub direction: Vec<f64>,
+    /// A proven bound of the distance from it.
     pub bound: f64,
 }
 
 /// A plane, and a proven bound of the distance from it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Planarity {
+    /// A point of the plane.
     pub origin: [f64; 3],
+    /// Its unit normal.
     pub normal: [f64; 3],
+    /// A proven bound of the distance from it.
     pub bound: f64,
 }
 
@@ -49,25 +62,35 @@ pub struct Planarity {
 /// collapses and its size.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct BoundaryContacts {
+    /// Of each axis, whether it closes.
     pub closed: Vec<bool>,
+    /// Of each axis, a bound of the gap.
     pub gaps: Vec<f64>,
+    /// Of each boundary, by axis, then by end, whether it is a point.
     pub collapsed: Vec<bool>,
+    /// Of each boundary, its size.
     pub sizes: Vec<f64>,
 }
 
 /// Parameters `[n][axes]`, and the boxes `[n][axes][2]` in which the singular sets lie.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct SingularPoints {
+    /// `[n][axes]`
     pub params: Vec<f64>,
+    /// Boxes in which the singular sets lie, `[n][axes]` of lower and upper ends.
     pub boxes: Vec<[f64; 2]>,
+    /// Whether nothing was missed.
     pub complete: bool,
 }
 
 /// A `NURBS_FOLD_` constant, and parameters `[axes]` of either sign, NaN if none are known.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Fold {
+    /// One of the `NURBS_FOLD_` constants.
     pub result: i32,
+    /// Parameters `[axes]` where the sign is positive, NaN if none are known.
     pub positive: Vec<f64>,
+    /// Parameters `[axes]` where the sign is negative, NaN if none are known.
     pub negative: Vec<f64>,
 }
 

@@ -4,7 +4,7 @@
 use crate::error::{Error, Result};
 use std::ptr::{null, null_mut};
 
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 struct Layout {
     count: Option<usize>,
     stride: usize,
@@ -45,7 +45,7 @@ impl Layout {
 }
 
 /// An input array of records. A slice, array or vector converts to packed records.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub struct Records<'a> {
     values: &'a [f64],
     layout: Layout,
@@ -84,6 +84,7 @@ impl<'a, T: AsRef<[f64]> + ?Sized> From<&'a T> for Records<'a> {
 }
 
 /// An output array of records, `f64` or `f32`. A mutable slice, array or vector converts to packed records.
+#[derive(Debug)]
 pub struct RecordsMut<'a, T = f64> {
     values: &'a mut [T],
     layout: Layout,

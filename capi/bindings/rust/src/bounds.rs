@@ -9,31 +9,42 @@ use crate::sys;
 /// Lower and upper ends `[dim]`, and how far a face is from the spline at most.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct BoundingBox {
+    /// `[dim]`
     pub lower: Vec<f64>,
+    /// `[dim]`
     pub upper: Vec<f64>,
+    /// How far a face is from the spline at most.
     pub gap: f64,
 }
 
-/// The box of center + sum of x_k axes[k], |x_k| <= half[k], with axes `[dim][dim]`.
+/// The box of `center + sum of x_k axes[k]`, where `|x_k| <= half[k]`.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct OrientedBox {
+    /// `[dim]`
     pub center: Vec<f64>,
+    /// Unit vectors `[dim][dim]`.
     pub axes: Vec<f64>,
+    /// Half the extent along each of them.
     pub half: Vec<f64>,
 }
 
 /// A unit vector `[dim]`, and half the opening in radians; pi for all of space.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct DirectionCone {
+    /// A unit vector.
     pub direction: Vec<f64>,
+    /// Half the opening in radians; pi for all of space.
     pub angle: f64,
 }
 
 /// Parameters `[axes]` of a point, its component along a direction, and a bound of that of all others.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ExtremePoint {
+    /// `[axes]`
     pub params: Vec<f64>,
+    /// Its component along the direction.
     pub value: f64,
+    /// A bound of that of all other points.
     pub bound: f64,
 }
 

@@ -23,18 +23,26 @@ pub struct Search<'a> {
 /// Parameters `[n][axes]`, points `[n][dim]`, distances, and sums of `NURBS_CLOSEST_` bits.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ClosestPoints {
+    /// `[n][axes]`
     pub params: Vec<f64>,
+    /// `[n][dim]`
     pub points: Vec<f64>,
+    /// `[n]`
     pub distances: Vec<f64>,
+    /// Sums of `NURBS_CLOSEST_` bits, `[n]`.
     pub status: Vec<i32>,
 }
 
 /// Where they are written; those that are `None` are not wanted.
-#[derive(Default)]
+#[derive(Default, Debug)]
 pub struct ClosestPointsMut<'a> {
+    /// `[n][axes]`
     pub params: Option<RecordsMut<'a>>,
+    /// `[n][dim]`
     pub points: Option<RecordsMut<'a>>,
+    /// `[n]`
     pub distances: Option<RecordsMut<'a>>,
+    /// Sums of `NURBS_CLOSEST_` bits, `[n]`.
     pub status: Option<&'a mut [i32]>,
 }
 
@@ -61,34 +69,48 @@ impl ClosestPoints {
 /// n points as near as the nearest one: parameters `[n][axes]`, and the status of the search.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ClosestAll {
+    /// `[n][axes]`
     pub params: Vec<f64>,
+    /// `[n]`
     pub distances: Vec<f64>,
+    /// Of the search: a sum of `NURBS_CLOSEST_` bits.
     pub status: i32,
 }
 
 /// Critical points: parameters `[n][axes]`, `NURBS_CRITICAL_` constants, and the status of the search.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct CriticalPoints {
+    /// `[n][axes]`
     pub params: Vec<f64>,
+    /// `[n]`
     pub distances: Vec<f64>,
+    /// `NURBS_CRITICAL_` constants, `[n]`.
     pub kinds: Vec<i32>,
+    /// Of the search: a sum of `NURBS_CLOSEST_` bits.
     pub status: i32,
 }
 
 /// Distances, positive to the left of a curve, parameters, and sums of `NURBS_CLOSEST_` bits.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct SignedDistances {
+    /// Positive to the left of the curve.
     pub distances: Vec<f64>,
+    /// Of the nearest points.
     pub params: Vec<f64>,
+    /// Sums of `NURBS_CLOSEST_` bits.
     pub status: Vec<i32>,
 }
 
 /// Bounds of a distance, and the parameters of a point of each spline.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Distance {
+    /// A proven lower bound.
     pub at_least: f64,
+    /// The distance of the points at `params`.
     pub at_most: f64,
+    /// Parameters of a point of each spline.
     pub params: [Vec<f64>; 2],
+    /// `NURBS_CLOSEST_CERTIFIED` or `NURBS_CLOSEST_BUDGET`.
     pub status: i32,
 }
 
@@ -96,9 +118,13 @@ pub struct Distance {
 /// `at_least` so far away.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct HausdorffDistance {
+    /// Lower bounds of the distances from one to the other and back.
     pub at_least: [f64; 2],
+    /// Upper bounds of them.
     pub at_most: [f64; 2],
+    /// Parameters of points that are at least so far away.
     pub params: [Vec<f64>; 2],
+    /// `NURBS_CLOSEST_CERTIFIED` or `NURBS_CLOSEST_BUDGET`.
     pub status: i32,
 }
 
@@ -192,6 +218,7 @@ impl Spline {
         self.closest_points_into(x, found.outputs(), how)?;
         Ok(found)
     }
+    /// The same, written to arrays of the caller.
     pub fn closest_points_into<'a>(
         &self,
         points: impl Into<Records<'a>>,
@@ -208,6 +235,7 @@ impl Spline {
         self.farthest_points_into(x, found.outputs(), how)?;
         Ok(found)
     }
+    /// The same, written to arrays of the caller.
     pub fn farthest_points_into<'a>(
         &self,
         points: impl Into<Records<'a>>,
@@ -229,6 +257,7 @@ impl Spline {
         self.closest_local_into(x, guesses, found.outputs(), flags)?;
         Ok(found)
     }
+    /// The same, written to arrays of the caller.
     pub fn closest_local_into<'a, 'b>(
         &self,
         points: impl Into<Records<'a>>,
@@ -358,7 +387,7 @@ impl Spline {
     pub fn distance(&self, other: &Spline, tolerance: f64, budget: i64) -> Result<Distance> {
         let (a, b) = (self.raw(), other.raw());
         let mut params = [vec![0.0; self.axes()? as usize], vec![0.0; other.axes()? as usize]];
-        let [pa, pb] = params.each_mut().map(Vec::as_mut_ptr);
+        let (pa, pb) = (params[0].as_mut_ptr(), params[1].as_mut_ptr());
         let (mut at_least, mut at_most, mut status) = (0.0, 0.0, 0);
         check(unsafe {
             sys::nurbs_distance(a, b, tolerance, budget, &mut at_least, &mut at_most, pa, pb, &mut status)
@@ -375,7 +404,7 @@ impl Spline {
     ) -> Result<HausdorffDistance> {
         let (a, b) = (self.raw(), other.raw());
         let mut params = [vec![0.0; self.axes()? as usize], vec![0.0; other.axes()? as usize]];
-        let [pa, pb] = params.each_mut().map(Vec::as_mut_ptr);
+        let (pa, pb) = (params[0].as_mut_ptr(), params[1].as_mut_ptr());
         let (mut at_least, mut at_most, mut status) = ([0.0; 2], [0.0; 2], 0);
         let (low, high) = (at_least.as_mut_ptr(), at_most.as_mut_ptr());
         check(unsafe {

@@ -9,7 +9,9 @@ use crate::sys;
 /// Constraints at `params` `[n][axes]` with `targets` `[n][dim]`, packed.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Constraints<'a> {
+    /// `[n][axes]`
     pub params: &'a [f64],
+    /// `[n][dim]`
     pub targets: &'a [f64],
     /// `NURBS_CONSTRAIN_` constants; empty: all values.
     pub kinds: &'a [i32],
@@ -32,15 +34,22 @@ pub struct ConstrainOptions<'a> {
 
 /// The spline, how far each constraint is missed, the number of independent equations, the largest distance by which a
 /// control point moved, and the gradient of the Lagrangian.
+#[derive(Debug)]
 pub struct Constrained {
+    /// The changed spline.
     pub spline: Spline,
+    /// How far each constraint is missed.
     pub residuals: Vec<f64>,
+    /// The number of independent equations.
     pub rank: i64,
+    /// The largest distance by which a control point moved.
     pub moved: f64,
+    /// The size of the gradient of the Lagrangian.
     pub optimality: f64,
 }
 
 impl Spline {
+    /// The smallest change that meets constraints.
     pub fn constrain(&self, given: Constraints, options: ConstrainOptions) -> Result<Constrained> {
         let (axes, dim, points) = (self.axes()? as usize, self.dimension()? as usize, self.point_count()?);
         let n = Records::from(given.params).count(axes, "params")?;

@@ -6,9 +6,13 @@ use crate::spline::Spline;
 use crate::sys;
 
 /// A periodic spline, a proved bound of how far the shape moved, and the order of its seam.
+#[derive(Debug)]
 pub struct PeriodicForm {
+    /// The periodic spline.
     pub spline: Spline,
+    /// How far its shape moved.
     pub deviation: f64,
+    /// The order of continuity at the seam.
     pub order: i32,
 }
 

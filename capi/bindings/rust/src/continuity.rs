@@ -9,26 +9,37 @@ use std::ptr::null_mut;
 /// What counts as no gap: a distance, a part of a derivative, an angle.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct ContinuityTolerances {
+    /// Of points.
     pub position: f64,
+    /// Of derivatives, relative to their size.
     pub derivative: f64,
+    /// Of directions, in radians.
     pub angle: f64,
 }
 
 /// How two pieces meet.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Continuity {
+    /// Of the derivatives.
     pub order: i32,
+    /// Of the shape.
     pub geometric: i32,
+    /// The distance of the points.
     pub position_gap: f64,
+    /// The angle between the tangents or normals.
     pub angle: f64,
+    /// The difference of the curvatures.
     pub curvature_gap: f64,
 }
 
 /// How they meet at a knot, and the order that the knots guarantee.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct KnotContinuity {
+    /// A knot inside the domain.
     pub knot: f64,
+    /// The order that its multiplicity promises.
     pub knot_order: i32,
+    /// What is there.
     pub found: Continuity,
 }
 
@@ -68,7 +79,20 @@ impl Spline {
         let skip = null_mut::<f64>();
         check(unsafe {
             sys::nurbs_continuity(
-                g, axis, t.position, t.derivative, t.angle, 0, skip, none, none, none, skip, skip, skip, &mut n,
+                g,
+                axis,
+                t.position,
+                t.derivative,
+                t.angle,
+                0,
+                skip,
+                none,
+                none,
+                none,
+                skip,
+                skip,
+                skip,
+                &mut n,
             )
         })?;
         let size = n as usize;
@@ -78,7 +102,20 @@ impl Spline {
         let o: Vec<*mut i32> = orders.iter_mut().map(|x| x.as_mut_ptr()).collect();
         check(unsafe {
             sys::nurbs_continuity(
-                g, axis, t.position, t.derivative, t.angle, n, v[0], o[0], o[1], o[2], v[1], v[2], v[3], null_mut(),
+                g,
+                axis,
+                t.position,
+                t.derivative,
+                t.angle,
+                n,
+                v[0],
+                o[0],
+                o[1],
+                o[2],
+                v[1],
+                v[2],
+                v[3],
+                null_mut(),
             )
         })?;
         let row = |i: usize| Continuity {

@@ -9,8 +9,9 @@ use crate::sys;
 use std::ptr::null;
 
 /// What `Spline::coons_hermite` blends.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub struct HermiteBoundaries<'a> {
+    /// The boundaries, as those of `Spline::coons`.
     pub curves: [&'a Spline; 4],
     /// The derivatives across the curves.
     pub cross: Option<[&'a Spline; 4]>,
@@ -23,8 +24,11 @@ pub struct HermiteBoundaries<'a> {
 /// What does not meet at the corners (u0, v0), (u0, v1), (u1, v0), (u1, v1); tangents by u, then by v.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct CoonsGaps {
+    /// Of the corners.
     pub positions: [f64; 4],
+    /// Of the tangents at each corner.
     pub tangents: [[f64; 2]; 4],
+    /// Of the twists at each corner.
     pub twists: [f64; 4],
 }
 

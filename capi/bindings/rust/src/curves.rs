@@ -11,9 +11,13 @@ use std::ptr::null;
 /// A conic of the plane: its kind, centre or vertex, the direction to its vertex or focus, and semi-axes or focal length.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ConicAxes {
+    /// One of the `NURBS_CONIC_` constants.
     pub kind: i32,
+    /// Centre or vertex.
     pub origin: [f64; 2],
+    /// Direction to the vertex or focus.
     pub x: [f64; 2],
+    /// Semi-axes, or the focal length.
     pub sizes: [f64; 2],
 }
 
@@ -26,7 +30,9 @@ pub struct HelixShape {
     pub growth: f64,
     /// Rise in a turn.
     pub pitch: f64,
+    /// The angle where it starts.
     pub start: f64,
+    /// How many there are.
     pub turns: f64,
 }
 
@@ -79,10 +85,12 @@ impl Spline {
 
 /// Circles. The form is a `NURBS_ARC_` constant.
 impl Spline {
+    /// A full circle; `form` is one of the `NURBS_ARC_` constants, as in all that follow.
     pub fn circle(at: Placement, radius: f64, form: i32) -> Result<Spline> {
         let (dim, [o, z, x]) = at.place(2)?;
         Spline::made(|out| unsafe { sys::nurbs_curve_circle(dim, o, z, x, radius, form, out) })
     }
+    /// A part of a circle.
     pub fn arc(at: Placement, radius: f64, turn: Turn, form: i32) -> Result<Spline> {
         let (dim, [o, z, x]) = at.place(2)?;
         let Turn { start, sweep } = turn;

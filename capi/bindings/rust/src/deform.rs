@@ -8,28 +8,41 @@ use crate::spline::Spline;
 use crate::sys;
 
 /// A spline near the exact image: how far it is from that, a bound if proven, else of samples.
+#[derive(Debug)]
 pub struct Deformed {
+    /// The spline.
     pub spline: Spline,
+    /// How far it is from the exact image.
     pub deviation: f64,
+    /// Whether that is a bound, or else of samples.
     pub proven: bool,
 }
 
 /// A bend about an axis across the plane of the unit vectors of `along` and `across`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bend<'a> {
+    /// A point that stays, `[dim]`.
     pub origin: &'a [f64],
+    /// The direction that is bent, `[dim]`.
     pub along: &'a [f64],
+    /// The direction away from the axis, `[dim]`.
     pub across: &'a [f64],
+    /// Of the line along.
     pub curvature: f64,
     /// The bent part; infinite ends are allowed.
     pub lower: f64,
+    /// The end of what is bent along it.
     pub upper: f64,
 }
 
 /// The spline, its energies before and after, and a bound of how far it moved.
+#[derive(Debug)]
 pub struct Faired {
+    /// The spline.
     pub spline: Spline,
+    /// Before and after.
     pub energies: [f64; 2],
+    /// Of how far it moved.
     pub bound: f64,
 }
 
@@ -56,6 +69,7 @@ impl Spline {
             Spline::made(|out| unsafe { sys::nurbs_flatten(g, part, on, up, along, &mut moved, out) })?;
         Ok((spline, moved))
     }
+    /// A bend about an axis across the plane of two vectors.
     pub fn bend(&self, how: Bend, tolerance: f64) -> Result<Deformed> {
         let (g, origin) = (self.raw(), self.vector(how.origin, "origin")?);
         let (along, across) = (self.vector(how.along, "along")?, self.vector(how.across, "across")?);

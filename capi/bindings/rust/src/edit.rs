@@ -10,23 +10,33 @@ use crate::sys;
 /// The points `[dim]` at a parameter for the weights 0, 1 and the present one.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct WeightPoints {
+    /// For the weight 0.
     pub at_zero: Vec<f64>,
+    /// For the weight 1.
     pub at_one: Vec<f64>,
+    /// For the present weight.
     pub at_weight: Vec<f64>,
 }
 
 /// A control point, and its R_i.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Influence {
+    /// Of the control point.
     pub index: i64,
+    /// How far the point moves with it.
     pub influence: f64,
 }
 
 /// The spline, the leg by the control point where it starts, the place on it, and the knot.
+#[derive(Debug)]
 pub struct LegEdit {
+    /// With one knot more.
     pub spline: Spline,
+    /// Of the control point where the leg starts.
     pub index: i64,
+    /// The place on the leg, from 0 to 1.
     pub ratio: f64,
+    /// The knot inserted.
     pub knot: f64,
 }
 

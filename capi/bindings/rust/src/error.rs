@@ -15,6 +15,7 @@ pub struct Error {
     pub message: String,
 }
 
+/// What calls return: a value, or why there is none.
 pub type Result<T> = std::result::Result<T, Error>;
 
 impl Error {

@@ -26,6 +26,7 @@ impl Spline {
         self.eval_into(params, &mut points, flags)?;
         Ok(points)
     }
+    /// The same, written to an array of the caller.
     pub fn eval_into<'a, 'b>(
         &self,
         params: impl Into<Records<'a>>,
@@ -62,6 +63,7 @@ impl Spline {
         self.eval_derivs_into(order, params, &mut derivs, flags)?;
         Ok(derivs)
     }
+    /// The same, written to an array of the caller.
     pub fn eval_derivs_into<'a, 'b>(
         &self,
         order: i32,
@@ -105,6 +107,7 @@ impl Spline {
         self.eval_grid_into(params, &mut points, flags)?;
         Ok(points)
     }
+    /// The same, written to an array of the caller.
     pub fn eval_grid_into<'b>(
         &self,
         params: &[&[f64]],
@@ -134,6 +137,7 @@ impl Spline {
         self.eval_grid_derivs_into(order, params, &mut derivs, flags)?;
         Ok(derivs)
     }
+    /// The same, written to an array of the caller.
     pub fn eval_grid_derivs_into<'b>(
         &self,
         order: i32,
@@ -165,6 +169,7 @@ impl Spline {
         self.eval_f32_into(params, &mut points, flags)?;
         Ok(points)
     }
+    /// The same, written to an array of the caller.
     pub fn eval_f32_into<'a, 'b>(
         &self,
         params: impl Into<Records<'a>>,
@@ -195,6 +200,7 @@ impl Spline {
         self.eval_grid_f32_into(params, &mut points, flags)?;
         Ok(points)
     }
+    /// The same, written to an array of the caller.
     pub fn eval_grid_f32_into<'b>(
         &self,
         params: &[&[f64]],

@@ -11,42 +11,64 @@ use crate::sys;
 /// Vectors `[n][3]`, and the status of each point.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct SurfaceFrames {
+    /// Points `[n][3]`.
     pub points: Vec<f64>,
+    /// Derivatives along the first axis, `[n][3]`.
     pub du: Vec<f64>,
+    /// Derivatives along the second axis, `[n][3]`.
     pub dv: Vec<f64>,
+    /// Unit normals `[n][3]`.
     pub normals: Vec<f64>,
+    /// Sums of `NURBS_FRAME_` bits, `[n]`.
     pub status: Vec<i32>,
 }
 
 /// `principal` is `[n][2]`, `directions` `[n][2][3]`, the others are `[n]`.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Curvatures {
+    /// The larger first, `[n][2]`.
     pub principal: Vec<f64>,
+    /// Their directions, `[n][2][3]`.
     pub directions: Vec<f64>,
+    /// `[n]`
     pub mean: Vec<f64>,
+    /// `[n]`
     pub gaussian: Vec<f64>,
+    /// Sums of `NURBS_FRAME_` bits, `[n]`.
     pub status: Vec<i32>,
 }
 
 /// Vectors `[n][dim]`, the others `[n]`; in the plane binormals and torsions are empty.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct CurveFrames {
+    /// Points `[n][dim]`.
     pub points: Vec<f64>,
+    /// Unit tangents `[n][dim]`.
     pub tangents: Vec<f64>,
+    /// Principal normals `[n][dim]`.
     pub normals: Vec<f64>,
+    /// `[n][3]`, in space only.
     pub binormals: Vec<f64>,
+    /// `[n]`
     pub curvatures: Vec<f64>,
+    /// `[n]`, in space only.
     pub torsions: Vec<f64>,
+    /// Sums of `NURBS_FRAME_` bits, `[n]`.
     pub status: Vec<i32>,
 }
 
 /// Vectors `[n][3]`, and the status of each point.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct MinimalFrames {
+    /// Points `[n][3]`.
     pub points: Vec<f64>,
+    /// Unit tangents `[n][3]`.
     pub tangents: Vec<f64>,
+    /// `[n][3]`
     pub normals: Vec<f64>,
+    /// `[n][3]`
     pub binormals: Vec<f64>,
+    /// Sums of `NURBS_FRAME_` bits, `[n]`.
     pub status: Vec<i32>,
 }
 

@@ -7,12 +7,15 @@ use crate::sys;
 use std::ptr::null_mut;
 
 impl Spline {
+    /// Number of parametric axes: 1, 2 or 3.
     pub fn axes(&self) -> Result<i32> {
         value(|v| unsafe { sys::nurbs_axes(self.raw(), v) })
     }
+    /// Number of coordinates of a point.
     pub fn dimension(&self) -> Result<i32> {
         value(|v| unsafe { sys::nurbs_dimension(self.raw(), v) })
     }
+    /// Degree along an axis.
     pub fn degree(&self, axis: i32) -> Result<i32> {
         value(|v| unsafe { sys::nurbs_degree(self.raw(), axis, v) })
     }
@@ -26,6 +29,7 @@ impl Spline {
         let count = value(|v: *mut i64| unsafe { sys::nurbs_point_count(self.raw(), v) })?;
         Ok(count as usize)
     }
+    /// Whether it has weights.
     pub fn is_rational(&self) -> Result<bool> {
         let rational = value(|v: *mut i32| unsafe { sys::nurbs_is_rational(self.raw(), v) })?;
         Ok(rational != 0)
@@ -34,6 +38,7 @@ impl Spline {
     pub fn knot_form(&self, axis: i32) -> Result<i32> {
         value(|v| unsafe { sys::nurbs_knot_form(self.raw(), axis, v) })
     }
+    /// The ends of the domain of an axis.
     pub fn domain(&self, axis: i32) -> Result<[f64; 2]> {
         value(|v: *mut [f64; 2]| unsafe { sys::nurbs_domain(self.raw(), axis, v.cast()) })
     }
@@ -42,6 +47,7 @@ impl Spline {
         let size = self.count(axis)? + self.degree(axis)? as usize + 1;
         filled(size, |v| unsafe { sys::nurbs_knots(self.raw(), axis, size as i64, v) })
     }
+    /// The knots without repetition, and how often each occurs.
     pub fn distinct_knots(&self, axis: i32) -> Result<DistinctKnots> {
         let g = self.raw();
         let size =
@@ -52,6 +58,7 @@ impl Spline {
         value(|v: *mut i64| unsafe { sys::nurbs_distinct_knots(g, axis, size, k, m, v) })?;
         Ok(DistinctKnots { knots, multiplicities })
     }
+    /// The Greville abscissa of each control point along an axis.
     pub fn greville(&self, axis: i32) -> Result<Vec<f64>> {
         let size = self.count(axis)?;
         filled(size, |v| unsafe { sys::nurbs_greville(self.raw(), axis, size as i64, v) })

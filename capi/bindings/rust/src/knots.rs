@@ -8,7 +8,9 @@ use crate::sys;
 /// Active basis functions at parameters: where they start, and their values.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Basis {
+    /// The span of each parameter.
     pub spans: Vec<i64>,
+    /// Of the functions that are active there.
     pub values: Vec<f64>,
 }
 

@@ -5,12 +5,19 @@
 //! interface as it stands, everything else is safe: a failure is an [`Error`] with the status and the message, arrays
 //! are slices whose lengths are checked, a [`Spline`] is freed when dropped and may be used by many threads at once.
 //!
-//! ```no_run
+//! ```
 //! # fn main() -> nurbs::Result<()> {
 //! let arc = nurbs::Spline::bezier(&[2], 2, &[1.0, 0.0, 1.0, 1.0, 0.0, 1.0], Some(&[1.0, 0.5f64.sqrt(), 1.0]))?;
 //! let points = arc.eval(&[0.0, 0.5, 1.0], 0)?;
+//! assert!((points[2].hypot(points[3]) - 1.0).abs() < 1e-15);
+//! let outside = arc.eval(&[2.0], 0).unwrap_err();
+//! assert_eq!(outside.to_string(), "NURBS_ERROR_OUTSIDE_DOMAIN: params[0] = 2 outside [0, 1]");
 //! # Ok(()) }
 //! ```
+//!
+//! Cargo links the library from the folder in NURBS_LIBRARY_DIR, else from where pkg-config knows it.
+
+#![deny(missing_docs, missing_debug_implementations)]
 
 mod analysis;
 mod arrays;
@@ -38,10 +45,11 @@ mod parts;
 mod placement;
 mod projections;
 mod recognize;
-mod segments;
 mod reduce;
+mod segments;
 mod shapes;
 mod spline;
+#[allow(missing_docs, missing_debug_implementations)] // nurbs.h is the manual of these
 pub mod sys;
 
 pub use analysis::{
@@ -62,7 +70,7 @@ pub use curves::{conic_axes, ConicAxes, HelixShape};
 pub use deform::{Bend, Deformed, Faired};
 pub use edit::{weight_cross_ratio, Influence, LegEdit, WeightPoints};
 pub use error::{last_error, status_name, version, Error, Result};
-pub use frames::{CurveFrames, Curvatures, MinimalFrames, SurfaceFrames};
+pub use frames::{Curvatures, CurveFrames, MinimalFrames, SurfaceFrames};
 pub use knots::{
     basis, bernstein, find_spans, knots_averaged, knots_bezier, knots_bezier_breaks, knots_open_uniform,
     knots_periodic, knots_uniform, Basis,
@@ -75,8 +83,8 @@ pub use measure::{
 pub use parts::{join, Joined};
 pub use placement::{Placement, Turn};
 pub use recognize::Recognized;
-pub use segments::{basis_matrix, Hermite, PowerForm};
 pub use reduce::{KnotRemoval, Reduced};
+pub use segments::{basis_matrix, Hermite, PowerForm};
 pub use spline::{derivative_slots, DistinctKnots, Spline};
 
 /// The bits `flags` moved to those of `axis`: the macro `NURBS_ON_AXIS`.
@@ -88,3 +96,11 @@ pub const fn on_axis(axis: u32, flags: u32) -> u32 {
 pub const fn on_all_axes(axes: u32, flags: u32) -> u32 {
     flags * (0x010101 >> (8 * (3 - axes)))
 }
+
+// Checked by the compiler: threads may share what this crate makes.
+const fn shared<T: Send + Sync>() {}
+const _: () = {
+    shared::<Spline>();
+    shared::<List>();
+    shared::<Error>();
+};

@@ -10,32 +10,44 @@ use std::ptr::{null, null_mut};
 /// Compressed sparse rows.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SparseMatrix {
+    /// Row by row.
     pub values: Vec<f64>,
+    /// The column of each value.
     pub columns: Vec<i64>,
+    /// Where each row starts, and where the last one ends.
     pub row_pointers: Vec<i64>,
 }
 
 /// Operators `[spans][degree + 1][degree + 1]`, the first control point and the domain of each span.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Extraction {
+    /// `[spans][degree + 1][degree + 1]`
     pub operators: Vec<f64>,
+    /// The first control point of each span.
     pub firsts: Vec<i64>,
+    /// The ends of each span.
     pub domains: Vec<[f64; 2]>,
 }
 
 /// Outputs of [`Spline::eval_adjoint_into`]; those that are `None` are not computed.
-#[derive(Default)]
+#[derive(Default, Debug)]
 pub struct GradientsMut<'a> {
+    /// With respect to the control points, `[n][dim]`.
     pub points: Option<RecordsMut<'a>>,
+    /// With respect to the weights, `[n]`.
     pub weights: Option<RecordsMut<'a>>,
+    /// With respect to the parameters, `[n][axes]`.
     pub params: Option<RecordsMut<'a>>,
 }
 
 /// Gradients `[N][dim]`, `[N]` and `[n][axes]`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Gradients {
+    /// With respect to the control points, `[n][dim]`.
     pub points: Vec<f64>,
+    /// With respect to the weights, `[n]`.
     pub weights: Vec<f64>,
+    /// With respect to the parameters, `[n][axes]`.
     pub params: Vec<f64>,
 }
 
@@ -128,6 +140,7 @@ impl Spline {
         })
     }
 
+    /// The operators that take Bernstein polynomials to the basis functions of each span.
     pub fn bezier_extraction(&self, axis: i32) -> Result<Extraction> {
         let g = self.raw();
         let (no, none) = (null_mut(), null_mut());
@@ -162,6 +175,7 @@ impl Spline {
         self.eval_adjoint_into(order, p, cotangents, out, flags)?;
         Ok(Gradients { points, weights, params: to_params })
     }
+    /// The same, written to arrays of the caller.
     pub fn eval_adjoint_into<'a, 'b>(
         &self,
         order: i32,

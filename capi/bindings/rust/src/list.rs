@@ -5,6 +5,7 @@ use crate::error::{check, text, value, Error, Result};
 use crate::spline::Spline;
 use crate::sys;
 use std::ffi::CString;
+use std::fmt;
 use std::os::raw::{c_char, c_void};
 use std::os::unix::ffi::OsStrExt;
 use std::path::Path;
@@ -17,6 +18,7 @@ pub struct ReadOptions {
 }
 
 impl ReadOptions {
+    /// The defaults.
     pub fn new() -> Result<ReadOptions> {
         let size = std::mem::size_of::<sys::nurbs_read_options>() as i64;
         let mut raw = sys::nurbs_read_options { struct_size: size, unit: 0.0, max_bytes: 0 };
@@ -38,9 +40,13 @@ impl ReadOptions {
 /// An entity of a file that did not become a spline.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Note {
+    /// Its number in the format of the file.
     pub entity_type: i32,
+    /// Its line in the directory of the file.
     pub line: i64,
+    /// A `NURBS_ERROR_` code.
     pub reason: i32,
+    /// The same in words.
     pub text: String,
 }
 
@@ -72,6 +78,13 @@ fn written(call: impl Fn(*mut c_char, i64, *mut i64) -> i32) -> Result<String> {
     Ok(text(buffer))
 }
 
+impl fmt::Debug for List {
+    /// The names of its splines.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_list().entries((0..self.len()).map(|i| self.name(i).unwrap_or_default())).finish()
+    }
+}
+
 impl List {
     pub(crate) fn made(call: impl FnOnce(*mut *mut sys::nurbs_list) -> i32) -> Result<List> {
         let mut out = null_mut();
@@ -89,6 +102,7 @@ impl List {
         List::made(|out| unsafe { sys::nurbs_read(start, bytes.len() as i64, pointer(options), out) })
     }
 
+    /// Reads a file by its path.
     pub fn read_file(path: impl AsRef<Path>, options: Option<&ReadOptions>) -> Result<List> {
         let path = CString::new(path.as_ref().as_os_str().as_bytes()).map_err(|_| Error {
             status: sys::NURBS_ERROR_FILE,
@@ -97,10 +111,12 @@ impl List {
         List::made(|out| unsafe { sys::nurbs_read_file(path.as_ptr(), pointer(options), out) })
     }
 
+    /// Number of splines.
     pub fn len(&self) -> usize {
         let count = value(|v: *mut i64| unsafe { sys::nurbs_list_count(self.raw(), v) });
         count.unwrap_or(0) as usize
     }
+    /// Whether there are none.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
@@ -108,15 +124,18 @@ impl List {
     pub fn get(&self, index: usize) -> Result<Spline> {
         Spline::made(|out| unsafe { sys::nurbs_list_get(self.raw(), index as i64, out) })
     }
+    /// The name of a spline.
     pub fn name(&self, index: usize) -> Result<String> {
         written(|buf, cap, length| unsafe {
             sys::nurbs_list_name(self.raw(), index as i64, buf, cap, length)
         })
     }
+    /// Number of notes.
     pub fn note_count(&self) -> Result<usize> {
         let count = value(|v: *mut i64| unsafe { sys::nurbs_list_note_count(self.raw(), v) })?;
         Ok(count as usize)
     }
+    /// A note.
     pub fn note(&self, index: usize) -> Result<Note> {
         let (mut kind, mut line, mut reason) = (0, 0, 0);
         let (k, l, r): (*mut i32, *mut i64, *mut i32) = (&mut kind, &mut line, &mut reason);

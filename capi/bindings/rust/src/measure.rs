@@ -9,42 +9,59 @@ use crate::sys;
 /// An integral, and an estimate of its error.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Measured {
+    /// The integral.
     pub value: f64,
+    /// An estimate of its error.
     pub error: f64,
 }
 
 /// Parameters `[parts + 1]`, and the length or chord of a part.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Division {
+    /// `[parts + 1]`
     pub params: Vec<f64>,
+    /// The length or the chord of a part.
     pub size: f64,
 }
 
 /// Length, area or volume, centroid `[dim]`, inertia `[dim][dim]` about it, and an estimate of the error of `content`.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Moments {
+    /// Length, area or volume.
     pub content: f64,
+    /// `[dim]`
     pub centroid: Vec<f64>,
+    /// About the centroid, `[dim][dim]`.
     pub inertia: Vec<f64>,
+    /// An estimate of the error of `content`.
     pub error: f64,
 }
 
 /// What curves in the plane enclose.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct EnclosedArea {
+    /// Positive inside counterclockwise curves.
     pub area: f64,
+    /// Of the region.
     pub centroid: [f64; 2],
+    /// About the centroid.
     pub inertia: [[f64; 2]; 2],
+    /// An estimate of the error of `area`.
     pub error: f64,
 }
 
 /// What surfaces enclose; `openness` is the length of the vector area, 0 of a closed shell.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct EnclosedVolume {
+    /// Positive if the normals point outwards.
     pub volume: f64,
+    /// Of the body.
     pub centroid: [f64; 3],
+    /// About the centroid.
     pub inertia: [[f64; 3]; 3],
+    /// The length of the vector area: 0 of a closed shell.
     pub openness: f64,
+    /// An estimate of the error of `volume`.
     pub error: f64,
 }
 

@@ -9,8 +9,11 @@ use crate::sys;
 use std::ptr::null_mut;
 
 /// The joined spline, and the largest distance of two ends.
+#[derive(Debug)]
 pub struct Joined {
+    /// The joined spline.
     pub spline: Spline,
+    /// The largest distance of two ends.
     pub gap: f64,
 }
 

@@ -9,8 +9,11 @@ use std::ptr::null;
 /// the default of `nurbs.h`; if all is, surfaces and helices stand in space and other curves in the plane.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Placement<'a> {
+    /// Centre or vertex.
     pub origin: &'a [f64],
+    /// The axis, in space.
     pub axis: &'a [f64],
+    /// The direction where angles start.
     pub x: &'a [f64],
 }
 
@@ -37,13 +40,17 @@ impl<'a> Placement<'a> {
 /// Angles from `start` to `start + sweep`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Turn {
+    /// The first angle in radians.
     pub start: f64,
+    /// How far it goes on.
     pub sweep: f64,
 }
 
 impl Turn {
+    /// All around, from the angle 0.
     pub const FULL: Turn = Turn { start: 0.0, sweep: 2.0 * PI };
 
+    /// From an angle, and how far.
     pub const fn new(start: f64, sweep: f64) -> Turn {
         Turn { start, sweep }
     }

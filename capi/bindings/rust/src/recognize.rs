@@ -9,11 +9,17 @@ use crate::sys;
 /// distance from it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Recognized {
+    /// One of the `NURBS_SHAPE_` constants.
     pub shape: i32,
+    /// Centre, vertex, apex or another point.
     pub origin: [f64; 3],
+    /// Normal or axis.
     pub axis: [f64; 3],
+    /// The direction where angles start.
     pub x: [f64; 3],
+    /// Radii, semi-axes, a focal length or half an opening angle.
     pub sizes: [f64; 2],
+    /// A proven bound of the distance from it.
     pub deviation: f64,
 }
 

@@ -6,15 +6,22 @@ use crate::spline::Spline;
 use crate::sys;
 
 /// A spline within `bound` of the one it was made from.
+#[derive(Debug)]
 pub struct Reduced {
+    /// The spline.
     pub spline: Spline,
+    /// A proven bound of how far it is from the one given.
     pub bound: f64,
 }
 
 /// What knot removal gave, and how often the knot went.
+#[derive(Debug)]
 pub struct KnotRemoval {
+    /// The spline.
     pub spline: Spline,
+    /// How often the knot was removed.
     pub removed: i32,
+    /// A proven bound of how far it is from the one given.
     pub bound: f64,
 }
 

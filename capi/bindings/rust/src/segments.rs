@@ -7,16 +7,24 @@ use crate::sys;
 use std::ptr::null_mut;
 
 /// Points and tangents, packed, of a piecewise cubic at its breaks.
+#[derive(Debug)]
 pub struct Hermite {
+    /// Breaks.
     pub params: Vec<f64>,
+    /// Points at them, packed.
     pub points: Vec<f64>,
+    /// Derivatives at them, packed.
     pub tangents: Vec<f64>,
 }
 
 /// The power basis of all pieces, packed, and the breaks of the axes one after the other.
+#[derive(Debug)]
 pub struct PowerForm {
+    /// Of all pieces, packed.
     pub coefficients: Vec<f64>,
+    /// Of the axes one after the other.
     pub breaks: Vec<f64>,
+    /// Of each axis.
     pub piece_counts: Vec<i64>,
 }
 
@@ -70,13 +78,18 @@ impl Spline {
     /// The spline of pieces in the power basis; flags: `NURBS_HOMOGENEOUS`.
     pub fn power(degrees: &[i32], dim: i32, form: &PowerForm, flags: u32) -> Result<Spline> {
         let width = i64::from(dim) + i64::from(flags & sys::NURBS_HOMOGENEOUS != 0);
-        let layers = degrees.iter().zip(&form.piece_counts).map(|(p, n)| (i64::from(*p) + 1).checked_mul(*n));
-        let wanted = layers.fold(Some(width), |size, n| size?.checked_mul(n?));
+        let mut layers =
+            degrees.iter().zip(&form.piece_counts).map(|(p, n)| (i64::from(*p) + 1).checked_mul(*n));
+        let wanted = layers.try_fold(width, |size, n| size.checked_mul(n?));
         if form.piece_counts.len() != degrees.len() {
             return Err(Error::size("piece_counts", form.piece_counts.len(), degrees.len().to_string()));
         }
         if wanted != Some(form.coefficients.len() as i64) {
-            return Err(Error::size("coefficients", form.coefficients.len(), format!("{wanted:?}")));
+            return Err(Error::size(
+                "coefficients",
+                form.coefficients.len(),
+                wanted.map_or("less".into(), |n| n.to_string()),
+            ));
         }
         let (p, n, b) = (degrees.as_ptr(), form.piece_counts.as_ptr(), form.breaks.as_ptr());
         let (axes, breaks, c) = (degrees.len() as i32, form.breaks.len() as i64, form.coefficients.as_ptr());

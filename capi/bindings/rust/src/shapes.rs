@@ -104,6 +104,7 @@ impl Spline {
 
 /// Surfaces of revolution.
 impl Spline {
+    /// The side of a cylinder, or a part of it.
     pub fn cylinder(at: Placement, radius: f64, height: f64, turn: Turn, form: i32) -> Result<Spline> {
         let ([o, z, x], Turn { start, sweep }) = (at.space()?, turn);
         Spline::made(|out| unsafe {

@@ -4,6 +4,7 @@
 use crate::arrays::Records;
 use crate::error::{check, value, Error, Result};
 use crate::sys;
+use std::fmt;
 use std::ptr::{null, null_mut, NonNull};
 
 /// A curve, surface or volume: an immutable handle, freed when dropped.
@@ -28,9 +29,25 @@ impl Clone for Spline {
     }
 }
 
+impl fmt::Debug for Spline {
+    /// What it is, without its knots and points.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let axes = 0..self.axes().unwrap_or(0);
+        f.debug_struct("Spline")
+            .field("degrees", &axes.clone().map(|k| self.degree(k).unwrap_or(0)).collect::<Vec<_>>())
+            .field("counts", &axes.map(|k| self.count(k).unwrap_or(0)).collect::<Vec<_>>())
+            .field("dimension", &self.dimension().unwrap_or(0))
+            .field("rational", &self.is_rational().unwrap_or(false))
+            .finish()
+    }
+}
+
+/// Knots without repetition.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DistinctKnots {
+    /// In rising order.
     pub knots: Vec<f64>,
+    /// How often each of them occurs.
     pub multiplicities: Vec<i32>,
 }
 
