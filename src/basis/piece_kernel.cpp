@@ -17,13 +17,28 @@ namespace HWY_NAMESPACE {
 
 using Wide = hn::CappedTag<double, 8>;
 
-// Loops over the functions of low degrees are unrolled, so that their numbers stay in registers.
+// Loops over the functions of low degrees are unrolled, so that their numbers stay in registers; where the
+// degree is any, only the inner ones are, because the code would be multiplied by the turns of each.
+template <int kDegree, class Body>
+HWY_INLINE void for_each(int first, int last, const Body &body) {
+    if constexpr (kDegree > 0) {
+#pragma GCC unroll 4
+        for (int i = first; i <= last; ++i) {
+            body(i);
+        }
+    } else {
+        for (int i = first; i <= last; ++i) {
+            body(i);
+        }
+    }
+}
 
-// The functions of several spans, one in each lane, seen from the middles of the spans. kMost: the largest
-// degree.
-template <int kMost, class D>
+// The functions of several spans, one in each lane, seen from the middles of the spans. kDegree < 0 stands
+// for any degree.
+template <int kDegree, class D>
 class CentredFunctions {
 public:
+    static constexpr int kMost = kDegree > 0 ? kDegree : max_piece_degree;
     using V = hn::Vec<D>;
     using Number = Twin<V>;
 
@@ -38,8 +53,7 @@ public:
                 scaled(exact_sum(middle, hn::Neg(hn::LoadU(d, knots + (degree - 1 - i) * lanes))), scale);
             ahead[i] = scaled(exact_sum(hn::LoadU(d, knots + (degree + i) * lanes), hn::Neg(middle)), scale);
         }
-#pragma GCC unroll 4
-        for (int e = 1; e <= degree; ++e) {
+        for_each<kDegree>(1, degree, [&](int e) HWY_ATTR {
 #pragma GCC unroll 4
             for (int r = 0; r < e; ++r) {
                 const Number slope = inverse(behind[e - 1 - r] + ahead[r]);
@@ -47,7 +61,7 @@ public:
                 behind_[e - 1][r] = behind[e - 1 - r] * slope;
                 ahead_[e - 1][r] = ahead[r] * slope;
             }
-        }
+        });
     }
 
     // One step of the Cox-de Boor recurrence at the middle, from degree e - 1 to degree e.
@@ -122,27 +136,23 @@ HWY_INLINE void fill_pieces(D d, int any_degree, const double *knots, int count,
         middles[l] = pieces[std::min(l, count - 1)][Piece::middle];
         scales[l] = pieces[std::min(l, count - 1)][Piece::scale];
     }
-    const CentredFunctions<most, D> centred(d, degree, knots, hn::Load(d, middles), hn::Load(d, scales));
+    const CentredFunctions<kDegree, D> centred(d, degree, knots, hn::Load(d, middles), hn::Load(d, scales));
     const int lanes = Piece::lanes(degree + 1);
     Number functions[most + 1];
+    Number row[most + 1];
     functions[0] = {hn::Set(d, 1.0), hn::Zero(d)};
-#pragma GCC unroll 4
-    for (int e = 0; e <= degree; ++e) {
+    for_each<kDegree>(0, degree, [&](int e) HWY_ATTR {
         if (e > 0) {
             centred.raise_degree(e, functions);
         }
-        Number row[most + 1];
         std::copy_n(functions, e + 1, row);
-#pragma GCC unroll 4
-        for (int raised = e + 1; raised <= degree; ++raised) {
-            centred.differentiate(raised, row);
-        }
+        for_each<kDegree>(e + 1, degree, [&](int raised) HWY_ATTR { centred.differentiate(raised, row); });
         // The factors degree, ..., e + 1 of the difference formula, over the factorial of the order.
         const int order = degree - e;
         const double factor = binomial(degree, order);
         store_row(d, row, degree, factor, Piece::head_size + static_cast<int64_t>(order) * lanes, count,
                   pieces, rests);
-    }
+    });
 }
 
 template <class D>
@@ -197,8 +207,7 @@ HWY_INLINE void combine_degree(const double *HWY_RESTRICT basis, const double *H
             products[j] = exact_product(hn::Set(d, weights[j]),
                                         hn::LoadU(d, points + static_cast<int64_t>(j) * lanes + c));
         }
-#pragma GCC unroll 4
-        for (int k = 0; k <= degree; ++k) {
+        for_each<kDegree>(0, degree, [&](int k) HWY_ATTR {
             Twin<V> sum{hn::Zero(d), hn::Zero(d)};
 #pragma GCC unroll 4
             for (int j = 0; j <= degree; ++j) {
@@ -211,7 +220,7 @@ HWY_INLINE void combine_degree(const double *HWY_RESTRICT basis, const double *H
                 sum = {next.high, hn::Add(sum.low, hn::Add(next.low, small))};
             }
             hn::StoreU(hn::Add(sum.high, sum.low), d, powers + static_cast<int64_t>(k) * lanes + c);
-        }
+        });
     }
 }
 
