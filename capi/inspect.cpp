@@ -50,6 +50,12 @@ nurbs_status nurbs_is_rational(const nurbs *g, int32_t *rational) {
     return guard([&] { store(int32_t{spline_of(g).rational()}, rational, "rational"); });
 }
 
+nurbs_status nurbs_is_homogeneous(const nurbs *g, int32_t *homogeneous) {
+    return guard([&] {
+        store(int32_t{spline_of(g).form() == Spline::Form::homogeneous}, homogeneous, "homogeneous");
+    });
+}
+
 nurbs_status nurbs_knots(const nurbs *g, int32_t axis, int64_t knot_count, double *knots) {
     return guard([&] {
         const std::span<const double> stored = axis_of(g, axis).knots();

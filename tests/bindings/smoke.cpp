@@ -178,7 +178,7 @@ static void forms_and_maps() {
     EXPECT((g.reverse(0, libnurbs::keep_domain).eval({0.25}) == Values{0, -1}));
     EXPECT((g.reparametrize(0, 1, 5).eval({2}) == Values{0, 1}));
     EXPECT(g.to_homogeneous().from_homogeneous().weights() == g.weights());
-    EXPECT(g.make_rational().is_rational());
+    EXPECT(g.make_rational().is_rational() && !g.make_rational().is_homogeneous());
     EXPECT((g.transform(2, Values{0, 1, 2, 0}, Values{10, 20}).eval({0}) == Values{10, 22}));
     EXPECT((g.transform_projective(2, Values{1, 0, 0, 0, 1, 0, 0, 0, 2}).eval({0.25}) == Values{0, 0.5}));
     const std::vector<std::int32_t> bilinear = {1, 1}, swapped = {1, 0};

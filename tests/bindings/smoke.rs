@@ -89,7 +89,7 @@ fn forms_and_maps() -> Result<()> {
     assert_eq!(g.reverse(0, nurbs::sys::NURBS_KEEP_DOMAIN)?.eval(&[0.25], 0)?, [0.0, -1.0]);
     assert_eq!(g.reparametrize(0, 1.0, 5.0)?.eval(&[2.0], 0)?, [0.0, 1.0]);
     assert_eq!(g.to_homogeneous()?.from_homogeneous()?.weights()?, g.weights()?);
-    assert!(g.make_rational()?.is_rational()?);
+    assert!(g.make_rational()?.is_rational()? && !g.make_rational()?.is_homogeneous()?);
     let moved = g.transform(2, &[0.0, 1.0, 2.0, 0.0], Some(&[10.0, 20.0]))?;
     assert_eq!(moved.eval(&[0.0], 0)?, [10.0, 22.0]);
     let half = g.transform_projective(2, &[1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 2.0])?;

@@ -816,6 +816,7 @@ void scalars_allocate_nothing() {
     CHECK(nurbs_axes(in.curve, &small) == NURBS_OK && nurbs_dimension(in.curve, &small) == NURBS_OK);
     CHECK(nurbs_degree(in.curve, 0, &small) == NURBS_OK && nurbs_count(in.curve, 0, &large) == NURBS_OK);
     CHECK(nurbs_point_count(in.curve, &large) == NURBS_OK && nurbs_is_rational(in.curve, &small) == NURBS_OK);
+    CHECK(nurbs_is_homogeneous(in.curve, &small) == NURBS_OK);
     CHECK(nurbs_knot_form(in.curve, 0, &small) == NURBS_OK && nurbs_domain(in.curve, 0, domain) == NURBS_OK);
     CHECK(nurbs_derivative_slots(3, 9, &large) == NURBS_OK && nurbs_version() == NURBS_VERSION);
     CHECK(nurbs_list_count(in.list, &large) == NURBS_OK &&

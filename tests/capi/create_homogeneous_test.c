@@ -39,12 +39,14 @@ static SplineArgs half_circle(void) {
 static void stored_records(void) {
     static const double weights[] = {1, 0, 1};
     double records[9], points[6];
-    int32_t rational = 0;
+    int32_t rational = 0, homogeneous = 0;
     SplineArgs a = half_circle();
     nurbs *g = NULL;
     CHECK_OK(create_homogeneous(&a, &g));
     CHECK_OK(nurbs_is_rational(g, &rational));
     CHECK_INT(rational, 1);
+    CHECK_OK(nurbs_is_homogeneous(g, &homogeneous));
+    CHECK_INT(homogeneous, 1);
     CHECK_WEIGHTS(g, weights);
     CHECK_OK(nurbs_homogeneous_points(g, 3, records, 0, 0));
     CHECK_BITS(records, a.points, sizeof records);

@@ -8,7 +8,7 @@
 
 static void sizes(SplineArgs a) {
     nurbs *g = make(a);
-    int32_t axes = 0, dim = 0, degree = -1, rational = -1;
+    int32_t axes = 0, dim = 0, degree = -1, rational = -1, homogeneous = -1;
     int64_t count = 0, total = 0, product = 1;
     CHECK_OK(nurbs_axes(g, &axes));
     CHECK_INT(axes, a.axes);
@@ -16,6 +16,8 @@ static void sizes(SplineArgs a) {
     CHECK_INT(dim, a.dim);
     CHECK_OK(nurbs_is_rational(g, &rational));
     CHECK_INT(rational, a.weights != NULL);
+    CHECK_OK(nurbs_is_homogeneous(g, &homogeneous));
+    CHECK_INT(homogeneous, 0);
     for (int32_t k = 0; k < a.axes; ++k) {
         CHECK_OK(nurbs_degree(g, k, &degree));
         CHECK_INT(degree, a.degrees[k]);
@@ -168,6 +170,8 @@ static void null_arguments(void) {
     CHECK_FAILS(nurbs_point_count(g, NULL), NURBS_ERROR_NULL, "count");
     CHECK_FAILS(nurbs_is_rational(NULL, &small), NURBS_ERROR_NULL, "g");
     CHECK_FAILS(nurbs_is_rational(g, NULL), NURBS_ERROR_NULL, "rational");
+    CHECK_FAILS(nurbs_is_homogeneous(NULL, &small), NURBS_ERROR_NULL, "g");
+    CHECK_FAILS(nurbs_is_homogeneous(g, NULL), NURBS_ERROR_NULL, "homogeneous");
     CHECK_FAILS(nurbs_knots(NULL, 0, 8, values), NURBS_ERROR_NULL, "g");
     CHECK_FAILS(nurbs_knots(g, 0, 8, NULL), NURBS_ERROR_NULL, "knots");
     CHECK_FAILS(nurbs_distinct_knots(NULL, 0, 0, NULL, NULL, &large), NURBS_ERROR_NULL, "g");

@@ -19,7 +19,7 @@ import header  # noqa: E402 - from the project
 # Pointers to one value that is written; arrays have names in the plural.
 SINGLE_RESULTS = ("angle", "area", "at_least", "at_most", "axes", "bound", "complete", "content", "convexity",
                   "count", "curvature_gap", "degree", "deviation", "dim", "entity_type", "entries", "error", "factor",
-                  "form", "gap", "geometric", "index", "knot", "length", "line", "metres", "moved", "openness",
+                  "form", "gap", "geometric", "homogeneous", "index", "knot", "length", "line", "metres", "moved", "openness",
                   "optimality", "order", "periodic", "position_gap", "proven", "rank", "ratio", "rational", "reason",
                   "removed", "result", "shape", "size", "slots", "status", "type", "value", "volume", "weight")
 ORDER = ["brief", "param", "return", "since"]

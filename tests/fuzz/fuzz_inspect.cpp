@@ -6,12 +6,13 @@ using fuzz::Input;
 namespace {
 
 void sizes(const nurbs *g, const fuzz::Spline &s) {
-    int32_t axes = 0, dim = 0, rational = -1;
+    int32_t axes = 0, dim = 0, rational = -1, homogeneous = -1;
     int64_t total = 0;
     FUZZ_REQUIRE(nurbs_axes(g, &axes) == NURBS_OK && axes == s.axes());
     FUZZ_REQUIRE(nurbs_dimension(g, &dim) == NURBS_OK && dim == s.dim);
     FUZZ_REQUIRE(nurbs_point_count(g, &total) == NURBS_OK && total == s.total);
     FUZZ_REQUIRE(nurbs_is_rational(g, &rational) == NURBS_OK && rational == (s.weights.empty() ? 0 : 1));
+    FUZZ_REQUIRE(nurbs_is_homogeneous(g, &homogeneous) == NURBS_OK && homogeneous <= rational);
 }
 
 // Distinct knots with their multiplicities spell the knot vector.

@@ -223,6 +223,14 @@ module nurbs_c
             integer(c_int32_t), intent(inout) :: rational
             integer(c_int32_t) :: r
         end function nurbs_is_rational
+        !> Whether the stored values are homogeneous points: those of nurbs_create_homogeneous(), and of what
+        !> is made from such a spline.
+        function nurbs_is_homogeneous(g, homogeneous) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int32_t), intent(inout) :: homogeneous
+            integer(c_int32_t) :: r
+        end function nurbs_is_homogeneous
         !> The full knot vector of an axis.
         function nurbs_knots(g, axis, knot_count, knots) bind(c) result(r)
             import

@@ -14,7 +14,7 @@ module nurbs_handles
     contains
         procedure :: destroy, replace
         procedure :: axes, dimension => get_dimension, degree, count => get_count, point_count
-        procedure :: is_rational, knot_form, domain, knots, distinct_knots, greville
+        procedure :: is_rational, is_homogeneous, knot_form, domain, knots, distinct_knots, greville
         procedure :: points, weights, homogeneous_points
         procedure, private :: copy
         generic :: assignment(=) => copy
@@ -97,6 +97,16 @@ contains
         call settle(nurbs_is_rational(this%handle, answer), status)
         is_rational = answer /= 0
     end function is_rational
+
+    !> Whether homogeneous points are stored, and not Cartesian ones with or without weights.
+    logical function is_homogeneous(this, status)
+        class(nurbs_handle), intent(in) :: this
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: answer
+        answer = 0
+        call settle(nurbs_is_homogeneous(this%handle, answer), status)
+        is_homogeneous = answer /= 0
+    end function is_homogeneous
 
     !> Sum of NURBS_FORM_ bits.
     integer(c_int32_t) function knot_form(this, axis, status)

@@ -146,6 +146,11 @@ public:
     }
     [[nodiscard]] Returned<std::int64_t> point_count() const { return detail::point_count(handle_); }
     [[nodiscard]] Returned<bool> is_rational() const { return detail::is_rational(handle_); }
+    /// Whether homogeneous points are stored, and not Cartesian ones with or without weights.
+    [[nodiscard]] Returned<bool> is_homogeneous() const {
+        return detail::result_of<std::int32_t>([&](auto *v) { return nurbs_is_homogeneous(handle_, v); }) !=
+               0;
+    }
     [[nodiscard]] Returned<std::int32_t> knot_form(std::int32_t axis) const {
         return detail::result_of<std::int32_t>([&](auto *v) { return nurbs_knot_form(handle_, axis, v); });
     }

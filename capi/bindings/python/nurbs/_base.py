@@ -83,6 +83,11 @@ class SplineBase:
         return bool(get(ctypes.c_int32, lib.nurbs_is_rational, self._handle))
 
     @cached_property
+    def is_homogeneous(self) -> bool:
+        """Whether homogeneous points are stored, and not Cartesian ones with or without weights."""
+        return bool(get(ctypes.c_int32, lib.nurbs_is_homogeneous, self._handle))
+
+    @cached_property
     def degrees(self) -> Tuple[int, ...]:
         """Degree of each axis."""
         return tuple(get(ctypes.c_int32, lib.nurbs_degree, self._handle, axis) for axis in range(self.axes))

@@ -28,6 +28,7 @@ PROTOTYPES = {
     "nurbs_count": "i pip",
     "nurbs_point_count": "i pp",
     "nurbs_is_rational": "i pp",
+    "nurbs_is_homogeneous": "i pp",
     "nurbs_knots": "i pilp",
     "nurbs_distinct_knots": "i pilppp",
     "nurbs_knot_form": "i pip",

@@ -5,8 +5,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, Optional, Tuple
 
-import numpy
-
 from .constants import NURBS_PERIODIC, on_axis
 
 if TYPE_CHECKING:
@@ -20,7 +18,7 @@ if TYPE_CHECKING:
 def state_of(spline: Spline) -> State:
     """The arguments of the constructor that makes the same spline, and whether that is Spline.homogeneous()."""
     flags = sum(on_axis(axis, NURBS_PERIODIC) for axis, periodic in enumerate(spline.periodic) if periodic)
-    if built_homogeneous(spline):
+    if spline.is_homogeneous:
         return True, spline.degrees, spline.knots, spline.homogeneous_points, None, flags
     return False, spline.degrees, spline.knots, spline.points, spline.weights, flags
 
@@ -30,19 +28,3 @@ def key_of(spline: Spline) -> Tuple[Any, ...]:
     homogeneous, degrees, knots, points, weights, flags = state_of(spline)
     return (homogeneous, degrees, tuple(axis.tobytes() for axis in knots), points.shape, points.tobytes(),
             None if weights is None else weights.tobytes(), flags)
-
-
-def built_homogeneous(spline: Spline) -> bool:
-    """Whether a spline holds homogeneous points, which divided by weights do not give all their bits back.
-
-    The library does not tell. But a weight that is set to the smallest number leaves a Cartesian point where it is, and
-    takes all digits from a homogeneous one; 0.3 in place of the coordinates makes sure that there are some.
-    """
-    weights = spline.weights
-    if weights is None:
-        return False
-    if (weights < 0).any():
-        return True
-    place = int(numpy.flatnonzero(weights)[0])
-    moved = spline.transform(numpy.zeros((1, spline.dimension)), [0.3]).set_weights([place], [5e-324])
-    return bool(moved.points.reshape(-1)[place] != 0.3)

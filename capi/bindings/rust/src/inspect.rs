@@ -34,6 +34,11 @@ impl Spline {
         let rational = value(|v: *mut i32| unsafe { sys::nurbs_is_rational(self.raw(), v) })?;
         Ok(rational != 0)
     }
+    /// Whether homogeneous points are stored, and not Cartesian ones with or without weights.
+    pub fn is_homogeneous(&self) -> Result<bool> {
+        let homogeneous = value(|v: *mut i32| unsafe { sys::nurbs_is_homogeneous(self.raw(), v) })?;
+        Ok(homogeneous != 0)
+    }
     /// Sum of `NURBS_FORM_` bits.
     pub fn knot_form(&self, axis: i32) -> Result<i32> {
         value(|v| unsafe { sys::nurbs_knot_form(self.raw(), axis, v) })

@@ -590,6 +590,9 @@ extern "C" {
     pub fn nurbs_point_count(g: *const nurbs, count: *mut i64) -> nurbs_status;
     /// Whether the spline carries weights, equal ones included.
     pub fn nurbs_is_rational(g: *const nurbs, rational: *mut i32) -> nurbs_status;
+    /// Whether the stored values are homogeneous points: those of nurbs_create_homogeneous(), and of what is
+    /// made from such a spline.
+    pub fn nurbs_is_homogeneous(g: *const nurbs, homogeneous: *mut i32) -> nurbs_status;
     /// The full knot vector of an axis.
     pub fn nurbs_knots(g: *const nurbs, axis: i32, knot_count: i64, knots: *mut f64) -> nurbs_status;
     /// The distinct knots of an axis and how often each occurs; those outside the domain are included.
