@@ -16,8 +16,8 @@ bool inside(const nurbs *g, int32_t axis, double t) {
 }
 
 void features(Input &in, const nurbs *g, const fuzz::Spline &s) {
-    const auto kinds =
-        in.rarely() ? static_cast<uint32_t>(in.bits()) : static_cast<uint32_t>(in.below(s.dim == 3 ? 128 : 64));
+    const auto kinds = in.rarely() ? static_cast<uint32_t>(in.bits())
+                                   : static_cast<uint32_t>(in.below(s.dim == 3 ? 128 : 64));
     int64_t count = -1;
     int32_t complete = -1;
     if (!FUZZ_OK(nurbs_curve_features(g, kinds, 0, nullptr, nullptr, nullptr, &count, &complete))) {
