@@ -191,6 +191,14 @@ static void arrays_of_any_layout() {
     circle().eval({0, 0.25, 0.5, 0.75}, Output(columns, 4, 1, 4));
     EXPECT((columns == std::vector<double>{1, 0, -1, 0, 0, 1, 0, -1}));
     EXPECT(circle().with_points(Input(circle_points, 9, 2, 1)).points() == circle_points);
+    // Where the library takes one stride, that of components counts too.
+    const Values spread{0, 9, 0.5, 9, 1}, packed{0, 0.5, 1};
+    const Input apart(spread, 3, 0, 2);
+    Values sizes(5, 9.0);
+    circle().hull_size(packed, Output(sizes, 3, 0, 2));
+    EXPECT((sizes == Values{1, 9, 1, 9, 1}));
+    EXPECT(lengths(circle(), apart) == lengths(circle(), packed));
+    EXPECT(libnurbs::bernstein(1, 0, apart) == libnurbs::bernstein(1, 0, packed));
 }
 
 static void values_of_a_handle() {
