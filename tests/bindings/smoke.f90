@@ -22,6 +22,7 @@ program smoke
     call data_derivatives()
     call frames()
     call sections_and_copies()
+    call copies_of_arrays()
     call inspection()
     call constructors_agree()
     call errors_name_what_is_wrong()
@@ -369,6 +370,22 @@ contains
         call expect(copied%dimension() == 2, 'assignment to itself')
     end subroutine sections_and_copies
 
+    subroutine copies_of_arrays()
+        type(nurbs_spline) :: all_of_them(3)
+        type(nurbs_spline), allocatable :: some(:)
+        call make_circle(all_of_them(1))
+        call make_circle(all_of_them(3))
+        allocate (some(2))
+        some = all_of_them(1:2)
+        call expect(some(1)%point_count() == 9, 'an array')
+        call expect(.not. c_associated(some(2)%handle), 'an empty element')
+        call expect(.not. c_associated(some(1)%handle, all_of_them(1)%handle), 'handles of its own')
+        some = all_of_them(3)
+        call all_of_them(3)%destroy()
+        call expect(some(1)%point_count() == 9, 'one to the first')
+        call expect(some(2)%point_count() == 9, 'one to the second')
+    end subroutine copies_of_arrays
+
     subroutine inspection()
         type(nurbs_spline) :: g
         real(c_double), allocatable :: knots(:), abscissae(:)
@@ -377,7 +394,8 @@ contains
         call make_circle(g)
         call expect(g%axes() == 1, 'axes')
         call expect(g%degree(1) == 2, 'degree')
-        call expect(g%is_rational() .and. .not. g%is_homogeneous(), 'rational')
+        call expect(g%is_rational(), 'rational')
+        call expect(.not. g%is_homogeneous(), 'homogeneous')
         call expect(all(g%domain(1) == [0, 1]), 'domain')
         call expect(g%knot_form(1) == NURBS_FORM_CLAMPED_START + NURBS_FORM_CLAMPED_END, 'form')
         call g%distinct_knots(1, knots, times)
