@@ -85,6 +85,8 @@ class Numbers(unittest.TestCase):
         for degree in (2**40 + 2, 2**70, -(2**70)):
             self.assertRaises(OverflowError, nurbs.Spline, degree, [0] * 6, np.zeros((3, 2)))
         self.assertRaises(OverflowError, circle().set_weights, [2**70], [1])
+        self.assertRaises(OverflowError, nurbs.status_name, 2**31)
+        self.assertRaises(TypeError, nurbs.status_name, 0.5)
         self.assertRaisesRegex(OverflowError, "8589934592 does not fit int32_t", circle().insert_knot, 0.5, 2**33)
 
     def test_integers_of_numpy(self):

@@ -71,7 +71,7 @@ def version() -> int:
 
 def status_name(status: int) -> str:
     """Name of a status, such as "NURBS_ERROR_NULL"."""
-    return str(lib.nurbs_status_name(status).decode())
+    return str(_result(lib.nurbs_status_name, status).decode())
 
 
 def last_error() -> str:
@@ -82,13 +82,18 @@ def last_error() -> str:
     return text.value.decode(errors="replace")
 
 
-def call(function: Any, *arguments: Any) -> None:
-    """Calls a function of the library; raises NurbsError unless its status is success."""
+def _result(function: Any, *arguments: Any) -> Any:
+    """What a function of the library returns; arguments that are no numbers, or do not fit, are natural errors."""
     try:
-        status = function(*arguments)
+        return function(*arguments)
     except ctypes.ArgumentError as error:
         kind = OverflowError if "OverflowError" in str(error) else TypeError
         raise kind(f"{function.__name__}(), {error}") from None
+
+
+def call(function: Any, *arguments: Any) -> None:
+    """Calls a function of the library; raises NurbsError unless its status is success."""
+    status = _result(function, *arguments)
     if status != NURBS_OK:
         raise error_class(status)(status, status_name(status), last_error())
 
