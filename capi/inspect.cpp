@@ -51,9 +51,8 @@ nurbs_status nurbs_is_rational(const nurbs *g, int32_t *rational) {
 }
 
 nurbs_status nurbs_is_homogeneous(const nurbs *g, int32_t *homogeneous) {
-    return guard([&] {
-        store(int32_t{spline_of(g).form() == Spline::Form::homogeneous}, homogeneous, "homogeneous");
-    });
+    return guard(
+        [&] { store(int32_t{spline_of(g).form() == Form::homogeneous}, homogeneous, "homogeneous"); });
 }
 
 nurbs_status nurbs_knots(const nurbs *g, int32_t axis, int64_t knot_count, double *knots) {

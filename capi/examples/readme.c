@@ -16,9 +16,9 @@ int main(void) {
              nurbs_insert_knot(arc, 0, 0.3, 1, &finer) == NURBS_OK &&
              nurbs_eval(finer, 5, params, 0, 0, after[0], 0, 0, 0) == NURBS_OK;
     for (int i = 0; ok && i < 5; ++i) {
-        printf("C(%.2f) = (%.15f, %.15f), C' = (%.3f, %.3f), ", params[i], derivs[i][0][0], derivs[i][0][1],
+        printf("C(%.2f) = (%.12f, %.12f), C' = (%.3f, %.3f), ", params[i], derivs[i][0][0], derivs[i][0][1],
                derivs[i][1][0], derivs[i][1][1]);
-        printf("with a knot more (%.15f, %.15f)\n", after[i][0], after[i][1]);
+        printf("with a knot more (%.12f, %.12f)\n", after[i][0], after[i][1]);
     }
     if (ok && nurbs_eval(arc, 1, &outside, 0, 0, none, 0, 0, 0) != NURBS_OK) {
         nurbs_last_error(message, sizeof message);

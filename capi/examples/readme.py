@@ -6,7 +6,7 @@ params = [0, 0.25, 0.5, 0.75, 1]
 derivs = arc.eval_derivs(params, order=1)  # an array of shape (5, 2, 2)
 after = arc.insert_knot(0.3)(params)  # one of shape (5, 2)
 for u, ((x, y), (dx, dy)), (fx, fy) in zip(params, derivs, after):
-    print(f"C({u:.2f}) = ({x:.15f}, {y:.15f}), C' = ({dx:.3f}, {dy:.3f}), with a knot more ({fx:.15f}, {fy:.15f})")
+    print(f"C({u:.2f}) = ({x:.12f}, {y:.12f}), C' = ({dx:.3f}, {dy:.3f}), with a knot more ({fx:.12f}, {fy:.12f})")
 try:
     arc(1.5)
 except nurbs.NurbsError as error:

@@ -6,7 +6,7 @@
 // so little that its code, a twelfth of the library, is not worth loading.
 #pragma once
 
-#define NURBS_UNUSED_TARGETS \
+#define NURBS_UNUSED_TARGETS                                                                                 \
     (HWY_SSSE3 | HWY_SSE4 | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
 #if defined(NURBS_SANITIZED) // where compilers need minutes for each of them, two stand for all
 #define HWY_DISABLED_TARGETS (NURBS_UNUSED_TARGETS | HWY_AVX3 | HWY_AVX3_DL)

@@ -395,7 +395,7 @@ contains
         call expect(g%axes() == 1, 'axes')
         call expect(g%degree(1) == 2, 'degree')
         call expect(g%is_rational(), 'rational')
-        call expect(.not. g%is_homogeneous(), 'homogeneous')
+        call expect(.not. g%is_homogeneous(), 'weights')
         call expect(all(g%domain(1) == [0, 1]), 'domain')
         call expect(g%knot_form(1) == NURBS_FORM_CLAMPED_START + NURBS_FORM_CLAMPED_END, 'form')
         call g%distinct_knots(1, knots, times)

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Whether a circle example tells the story of circle.txt, in which ROUNDING stands for numbers of at most 1e-13.
+"""Whether an example tells a story, in which ROUNDING stands for numbers of at most 1e-13.
 
-usage: check_circle.py COMMAND...     exits with 77 if the command does, because a language is not installed
+usage: check_story.py STORY COMMAND...     STORY is a file; exits with 77 if the command does, without its language
 """
 
 import difflib
@@ -21,11 +21,11 @@ def told(text):
 
 
 def main():
-    run = subprocess.run(sys.argv[1:], stdout=subprocess.PIPE, text=True)
+    run = subprocess.run(sys.argv[2:], stdout=subprocess.PIPE, text=True)
     if run.returncode == 77:
         print(run.stdout, end="")
         return 77
-    wanted = pathlib.Path(__file__).with_name("circle.txt").read_text().splitlines()
+    wanted = pathlib.Path(sys.argv[1]).read_text().splitlines()
     found = told(run.stdout)
     difference = "\n".join(difflib.unified_diff(wanted, found, "the story", "this example", lineterm=""))
     print(difference or run.stdout, end="")
