@@ -6,7 +6,7 @@ import pickle
 import unittest
 
 import nurbs
-from helpers import circle, np, patch, same
+from helpers import circle, np, patch, same, spied
 
 WIDE = 200_000  # numbers of an array whose memory goes back to the system when it is freed
 
@@ -22,6 +22,20 @@ class Memory(unittest.TestCase):
         corners = np.arange(8.0 * WIDE).reshape(8, WIDE)[::-1]
         same(nurbs.bilinear(corners[:4]).points.reshape(4, WIDE), corners[:4])
         same(nurbs.trilinear(corners).points.reshape(8, WIDE), corners)
+
+    def test_arrays_that_are_not_aligned(self):
+        def shifted(values):
+            return np.frombuffer(b"." + np.array(values, float).tobytes(), offset=1).reshape(np.shape(values))
+
+        c, t = circle(), [0.25, 0.5]
+        same(c(shifted(t)), c(t))
+        for name, use, argument in (("nurbs_refine", lambda: c.refine(shifted(t)), 3),
+                                    ("nurbs_transform", lambda: shifted(np.eye(2)) @ c, 2),
+                                    ("nurbs_create_hermite", lambda: nurbs.Spline.hermite(
+                                        [0, 1], shifted(np.eye(2)), np.eye(2)), 3)):
+            with spied(name) as calls:
+                use()
+            self.assertEqual(calls[0][argument] % 8, 0, name)
 
     def test_an_array_that_is_another_one_each_time(self):
         class Growing:

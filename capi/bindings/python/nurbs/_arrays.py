@@ -70,6 +70,12 @@ def records(values: ArrayLike, width: int) -> Records:
     return found
 
 
+def packed(values: ArrayLike, dtype: DTypeLike = numpy.float64) -> NDArray[Any]:
+    """An array as C has it: without gaps, and aligned, which views of bytes need not be."""
+    array = numpy.ascontiguousarray(values, dtype=dtype)
+    return array if array.flags.aligned else array.copy()
+
+
 def _integers(values: ArrayLike, dtype: DTypeLike) -> NDArray[Any]:
     """Integers, which NumPy would round and cut off to make others fit."""
     array = numpy.asarray(values)
@@ -84,7 +90,7 @@ def _integers(values: ArrayLike, dtype: DTypeLike) -> NDArray[Any]:
 def vector(values: ArrayLike, dtype: DTypeLike = numpy.float64) -> NDArray[Any]:
     """A packed vector; a plain number is a vector of one."""
     given = values if dtype is numpy.float64 else _integers(values, dtype)
-    return numpy.ascontiguousarray(given, dtype=dtype).reshape(-1)
+    return packed(given, dtype).reshape(-1)
 
 
 def exactly(values: ArrayLike, size: int, what: str, dtype: DTypeLike = numpy.float64) -> NDArray[Any]:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, Callable, Union
 
 import numpy
 
-from ._arrays import exactly, vector
+from ._arrays import exactly, packed, vector
 from ._base import SplineBase, handle_of
 from ._library import call, lib
 from .constants import NURBS_PRODUCT_DOT
@@ -113,7 +113,7 @@ class Calculus(SplineBase):
         return self.product(other, NURBS_PRODUCT_DOT) if isinstance(other, SplineBase) else NotImplemented
 
     def __rmatmul__(self, matrix: ArrayLike) -> Spline:
-        given = numpy.ascontiguousarray(matrix, numpy.float64)
+        given = packed(matrix)
         if given.ndim != 2 or given.shape[1] != self.dimension:
             return NotImplemented
         return self._made(lib.nurbs_transform, self._handle, len(given), given.ctypes.data, None)
