@@ -152,7 +152,7 @@ static void reduction() {
     const Spline g = circle();
     const auto back = libnurbs::remove_knot(g.insert_knot(0, 0.3, 2), 0, 0.3, 5, 1e-12);
     EXPECT(back.removed == 2 && back.spline.count(0) == 9 && back.bound <= 1e-12);
-    EXPECT(libnurbs::deviation(g, back.spline).upper <= 1e-12);
+    EXPECT(libnurbs::deviation(g, back.spline).at_most <= 1e-12);
     EXPECT(libnurbs::reduce_knots(g.refine_uniform(0, 3), -1, 1e-12).spline.count(0) == 9);
     EXPECT(libnurbs::reduce_degree(g.elevate(0, 1), 0, 1).spline.count(0) == 9);
     EXPECT(libnurbs::simplify(g.elevate(0, 1), 1e-12).spline.degree(0) == 2);
