@@ -116,6 +116,8 @@ class Numbers(unittest.TestCase):
                     lambda: c + (1 + 2j)):
             self.assertRaisesRegex(TypeError, "unsupported operand|can.t multiply", use)
         self.assertRaisesRegex(nurbs.ArgumentError, "not finite", lambda: c / 0)
+        for function in (nurbs.coons, nurbs.coons_hermite, nurbs.coons_gaps, nurbs.join):
+            self.assertRaisesRegex(TypeError, "NoneType", function, None)
 
 
 class Files(unittest.TestCase):
