@@ -14,7 +14,7 @@ constexpr double eps = std::numeric_limits<double>::epsilon();
 
 const nrb::Document &models() {
     static const nrb::Document document = [] {
-        const auto folder = std::filesystem::path(__FILE__).parent_path() / "../../../capi/examples/models";
+        const auto folder = std::filesystem::path(NURBS_SOURCE_DIR) / "capi/examples/models";
         std::ifstream file(folder / "models.igs", std::ios::binary);
         return iges_test::read(
             std::string(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()));
