@@ -12,9 +12,10 @@
  *
  * Handles are immutable. Every operation reads `const nurbs *` and returns a new handle through its last
  * argument, which is set to NULL on failure. Inputs are copied, getters copy out, nothing is borrowed and no
- * argument changes its owner. Free every handle with nurbs_destroy(). Any number of threads may use one
- * handle at once; only nurbs_destroy() needs the handle to itself. The library has no contexts, no
- * initialisation, no settings and starts no threads.
+ * argument changes its owner. Free every handle once with nurbs_destroy(), from any thread. Any number of
+ * threads may use one handle at once; only nurbs_destroy() needs the handle to itself: not what was made from
+ * it, nor a clone. The library has no contexts, no initialisation, no settings, starts no threads and calls
+ * nothing back.
  *
  * # Conventions
  * - **Degree** p, not order. Degrees run from 0 to NURBS_MAX_DEGREE.
@@ -32,8 +33,9 @@
  *   strides may be 0, which means packed: component_stride 0 is 1, stride 0 is (record length) *
  *   component_stride. A C array of points is (0, 0), a Fortran array x(n, dim) is (1, n). Either the
  *   records lie apart (stride covers a record) or the components do (component_stride covers all records);
- *   anything else is an error. Outputs must overlap neither inputs nor each other. Where n is 0 the pointers
- *   may be NULL.
+ *   anything else is an error. Outputs must overlap neither inputs nor each other; arrays of doubles may be
+ *   parts of one table, with its row as their stride and component_stride 1. Inputs may be the same memory.
+ *   Where n is 0 the pointers may be NULL.
  * - **A parameter** in a span uses [t_i, t_i+1), the last span is closed. Flags choose the other side, and
  *   what happens outside the domain.
  *
@@ -42,11 +44,11 @@
  * header does not name. The classes are: 1-99 argument, 100-199 domain, 200-299 numeric, 300-399 resource,
  * 400-499 file contents, 900-999 internal. The code alone is enough to act upon; nurbs_last_error() adds the
  * array, the index, the value and what was expected, for the last failure in the calling thread. A failing
- * call writes nothing to its output arrays. No value in an argument makes a call crash; an array shorter than
- * its stated length cannot be detected. Floating-point exceptions are taken to be masked, as they are unless
- * a program unmasks them; any call may set their flags. Every function that allocates can return
- * NURBS_ERROR_MEMORY, and every function NURBS_ERROR_INTERNAL (a defect of the library); the lists of
- * statuses below do not repeat these two.
+ * call writes to none of its outputs, but for handles, which become NULL. No value in an argument makes a
+ * call crash; an array shorter than its stated length cannot be detected, nor a handle that was destroyed.
+ * Floating-point exceptions are taken to be masked, as they are unless a program unmasks them; any call may
+ * set their flags. Every function that allocates can return NURBS_ERROR_MEMORY, and every function
+ * NURBS_ERROR_INTERNAL (a defect of the library); the lists of statuses below do not repeat these two.
  *
  * # Accuracy
  * eps = 2^-52. For a spline with weights >= 0 every coordinate of a point inside the domain is within
@@ -98,15 +100,18 @@
  * earlier one that has the functions it calls.
  * - A **patch** version mends defects. Results may change within the bounds stated here, and by what the
  *   defect was; texts of messages may change.
- * - A **minor** version adds functions, constants, flags, statuses and fields at the ends of structs. The
- *   entry of a function names the version that brought it, and its symbol carries that version (NURBS_1.0).
+ * - A **minor** version also adds functions, constants, flags, statuses and fields at the ends of structs,
+ *   and may do what was an error: calls that failed succeed, and files give more splines and fewer notes.
+ *   The entry of a function names the version that brought it, and its symbol carries that version
+ *   (NURBS_1.0).
  * - A **major** version may do anything, has another file name (libnurbs.so.1 is version 1), and can be
  *   installed beside this one.
  *
  * Names, types, values and meanings never change within a major version. Structs tell their size, so that a
- * library knows which fields its caller has; those that a caller lacks have their defaults. A caller has to
- * be ready for statuses that its header does not name, and must not pass bits or constants that it does not
- * name.
+ * library knows which fields its caller has; those that a caller lacks have their defaults, and those that a
+ * library does not know must be 0, which leaves them at their defaults (else NURBS_ERROR_OPTIONS). A caller
+ * has to be ready for statuses that its header does not name, and must not pass bits or constants that it
+ * does not name.
  *
  * # Bindings
  * The comments below can be read by a program, and a binding needs nothing else. cmake/interface in the
@@ -115,7 +120,9 @@
  * - **Types.** Signatures use int32_t, int64_t, uint32_t, double, pointers to these and to float, char
  *   buffers, bytes (`const void *`) and opaque handles, nothing else; nurbs_status is an int32_t. Arrays of
  *   float are results in single precision; their strides count floats. Structs are passed by pointers, and
- *   have the layout of C. Constants are ints, those that end with u uint32_t.
+ *   have the layout of C. Constants are ints, those that end with u uint32_t; the two macros with
+ *   arguments are for a binding to write itself. Answers of yes or no are 1 or 0. Arrays are aligned as
+ *   their elements are in C.
  * - **Functions** have a comment with `\brief`, whose first sentence stands for itself, the text that
  *   belongs to it, and, in this order, a `\param` for every parameter, `\return` unless the result is
  *   void, and `\since`, the version that brought the function. Chapters are `\defgroup`, groups of
@@ -143,11 +150,20 @@
  *   exchanges them. Conditions follow where the name does not say enough. Functions with other results
  *   cannot fail.
  * - **Ownership.** What is received through a `nurbs **` or `nurbs_list **` belongs to the caller, who
- *   frees it with nurbs_destroy() or nurbs_list_destroy(). All memory that is passed stays the caller's,
- *   and no pointer to it is kept. The text that nurbs_status_name() returns is static.
+ *   frees it with nurbs_destroy() or nurbs_list_destroy(); a finalizer may do so in a thread of its own, if
+ *   it cannot run before the last call that uses the handle returns. All memory that is passed stays the
+ *   caller's, and no pointer to it is kept. The text that nurbs_status_name() returns is static. In arrays
+ *   of handles none may be NULL, and one may stand several times.
  * - **Lengths that are not known before.** Where a parameter is called `cap`, arrays have that length; 0
- *   asks for the number needed, which comes back in `count`, `entries` or `length`. Texts of at most cap -
- *   1 bytes are terminated by a zero, and cut if they are longer.
+ *   asks for the number needed, which comes back in `count`, `entries` or `length`. With a larger cap what
+ *   is beyond that number is not written, a smaller one is NURBS_ERROR_SIZE. Texts of at most cap - 1 bytes
+ *   are terminated by a zero, and cut if they are longer.
+ * - **Texts** are ASCII, but for names from files, which are the bytes of the file in whatever encoding, and
+ *   for the path and the system's words on it in messages of NURBS_ERROR_FILE.
+ * - **Threads.** A message belongs to the thread of the operating system whose call failed. Where a
+ *   runtime moves tasks between threads (Go), a task has to stay in its thread until it has read the
+ *   message. Calls may take long and cannot be interrupted; locks of an interpreter are best released
+ *   meanwhile.
  */
 #ifndef NURBS_NURBS_H
 #define NURBS_NURBS_H
@@ -366,8 +382,8 @@ NURBS_API int32_t nurbs_version(void);
 NURBS_API const char *nurbs_status_name(nurbs_status status);
 
 /** \brief Copies the message of the last failed call in the calling thread, such as "params[17] = 1.2 outside
- * [0, 1]". Successful calls leave the message as it was; before any failure it is empty. At most cap - 1
- * bytes and a terminating zero are written.
+ * [0, 1]". Successful calls leave the message as it was, and so does this one; before any failure it is
+ * empty. At most cap - 1 bytes and a terminating zero are written.
  * \param[out] buf [cap] or NULL, which asks for the length only: receives the text.
  * \param[in] cap size of buf in bytes; values < 0 count as 0.
  * \return the length of the whole message, without the terminating zero.
@@ -464,7 +480,7 @@ NURBS_API nurbs_status nurbs_create_multiplicities(int32_t axes, const int32_t *
  * \param[in] degrees [axes] degree along each axis.
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DEGREE, _OVERFLOW, _DIMENSION, _STRIDE, _POINT_NOT_FINITE,
- *   _WEIGHT_NOT_FINITE, _WEIGHT_NEGATIVE, _WEIGHTS_VANISH, _NOT_REPRESENTABLE;
+ *   _WEIGHT_NOT_FINITE, _WEIGHT_NEGATIVE, _WEIGHTS_VANISH;
  *   _NOT_REPRESENTABLE if a weight times a coordinate overflows.
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_create_bezier(int32_t axes, const int32_t *degrees, int32_t dim,
@@ -1796,12 +1812,11 @@ NURBS_API nurbs_status nurbs_basis_matrix(int32_t from, int32_t to, int32_t degr
  * longer one, and all of them by the rounding that their computation may have, so that tolerances of 0 ask
  * for what double precision can tell. The geometric order is 0 where the points agree so, 1 where in addition
  * the angle between the tangents is at most angle_tolerance, and 2 where their curvature vectors (C'' - (C''
- * T) T) /
- * |C'|^2 differ by at most derivative_tolerance times the longer one, or times 1 / l, l the length |C'| h of
- * the longer one of the two spans [t, t + h]: along l a gap d turns the tangent by d l, so that no rounding
- * breaks a straight line. Where the first derivative vanishes the tangent is the limit, given by the first
- * derivative that does not, and the geometric order is at most 1; where all vanish it is at most 0, and the
- * angle NaN.
+ * T) T) / |C'|^2 differ by at most derivative_tolerance times the longer one, or times 1 / l, l the length
+ * |C'| h of the longer one of the two spans [t, t + h]: along l a gap d turns the tangent by d l, so that no
+ * rounding breaks a straight line. Where the first derivative vanishes the tangent is the limit, given by the
+ * first derivative that does not, and the geometric order is at most 1; where all vanish it is at most 0, and
+ * the angle NaN.
  * @{ */
 
 /** \brief Continuity at the knots of an axis: one row for each distinct knot inside the domain, and one more,

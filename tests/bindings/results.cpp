@@ -67,6 +67,8 @@ static void calls_that_stop() {
     EXPECT(features(Spline(), feature_inflection).status() == Status::null);
     EXPECT(surface_frames(unit_circle(), {0.5}).status() == Status::size);
     EXPECT(moments(Spline()).status() == Status::null && box(Spline(), 0).status() == Status::null);
+    EXPECT(Spline().transform(1, {1}).status() == Status::null);
+    EXPECT(Spline().transform_projective(1, {1}).status() == Status::null);
     // The first failure is the one that is told.
     EXPECT(std::string(mirror(unit_circle(), {0}, {0}).error().what()) ==
            "vector holds 1 values, expected 2");

@@ -152,7 +152,7 @@ static void reduction() {
     const Spline g = circle();
     const auto back = libnurbs::remove_knot(g.insert_knot(0, 0.3, 2), 0, 0.3, 5, 1e-12);
     EXPECT(back.removed == 2 && back.spline.count(0) == 9 && back.bound <= 1e-12);
-    EXPECT(libnurbs::deviation(g, back.spline).upper <= 1e-12);
+    EXPECT(libnurbs::deviation(g, back.spline).at_most <= 1e-12);
     EXPECT(libnurbs::reduce_knots(g.refine_uniform(0, 3), -1, 1e-12).spline.count(0) == 9);
     EXPECT(libnurbs::reduce_degree(g.elevate(0, 1), 0, 1).spline.count(0) == 9);
     EXPECT(libnurbs::simplify(g.elevate(0, 1), 1e-12).spline.degree(0) == 2);
@@ -191,6 +191,14 @@ static void arrays_of_any_layout() {
     circle().eval({0, 0.25, 0.5, 0.75}, Output(columns, 4, 1, 4));
     EXPECT((columns == std::vector<double>{1, 0, -1, 0, 0, 1, 0, -1}));
     EXPECT(circle().with_points(Input(circle_points, 9, 2, 1)).points() == circle_points);
+    // Where the library takes one stride, that of components counts too.
+    const Values spread{0, 9, 0.5, 9, 1}, packed{0, 0.5, 1};
+    const Input apart(spread, 3, 0, 2);
+    Values sizes(5, 9.0);
+    circle().hull_size(packed, Output(sizes, 3, 0, 2));
+    EXPECT((sizes == Values{1, 9, 1, 9, 1}));
+    EXPECT(lengths(circle(), apart) == lengths(circle(), packed));
+    EXPECT(libnurbs::bernstein(1, 0, apart) == libnurbs::bernstein(1, 0, packed));
 }
 
 static void values_of_a_handle() {

@@ -22,6 +22,7 @@ program smoke
     call data_derivatives()
     call frames()
     call sections_and_copies()
+    call copies_of_arrays()
     call inspection()
     call constructors_agree()
     call errors_name_what_is_wrong()
@@ -368,6 +369,22 @@ contains
         copied = copied
         call expect(copied%dimension() == 2, 'assignment to itself')
     end subroutine sections_and_copies
+
+    subroutine copies_of_arrays()
+        type(nurbs_spline) :: all_of_them(3)
+        type(nurbs_spline), allocatable :: some(:)
+        call make_circle(all_of_them(1))
+        call make_circle(all_of_them(3))
+        allocate (some(2))
+        some = all_of_them(1:2)
+        call expect(some(1)%point_count() == 9, 'an array')
+        call expect(.not. c_associated(some(2)%handle), 'an empty element')
+        call expect(.not. c_associated(some(1)%handle, all_of_them(1)%handle), 'handles of its own')
+        some = all_of_them(3)
+        call all_of_them(3)%destroy()
+        call expect(some(1)%point_count() == 9, 'one to the first')
+        call expect(some(2)%point_count() == 9, 'one to the second')
+    end subroutine copies_of_arrays
 
     subroutine inspection()
         type(nurbs_spline) :: g

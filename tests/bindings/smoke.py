@@ -119,7 +119,7 @@ class Evaluation(unittest.TestCase):
         g = circle()
         back = g.insert_knot(0.3, times=2).remove_knot(0.3, times=5, tolerance=1e-12)
         self.assertEqual((back.removed, back.spline.counts[0]), (2, 9))
-        self.assertLessEqual(g.deviation(back.spline).upper, 1e-12)
+        self.assertLessEqual(g.deviation(back.spline).at_most, 1e-12)
         self.assertEqual(g.refine_uniform(3).reduce_knots(1e-12).spline.counts[0], 9)
         self.assertEqual(g.elevate(1).reduce_degree().spline.counts[0], 9)
         self.assertLessEqual(g.elevate(1).simplify(1e-12).bound, 1e-12)

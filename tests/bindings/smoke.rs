@@ -201,6 +201,17 @@ fn strided_arrays() -> Result<()> {
     assert!((0..n).all(|i| columns[i] == expected[2 * i] && columns[n + i] == expected[2 * i + 1]));
     let same = circle()?.with_points(Records::strided(&CIRCLE, 9, 2, 1), None)?;
     assert_eq!(same.points()?, CIRCLE);
+    // Where the library takes one stride, that of components counts too.
+    let (spread, packed) = ([0.0, 9.0, 0.5, 9.0, 1.0], [0.0, 0.5, 1.0]);
+    let apart = || Records::strided(&spread, 3, 0, 2);
+    assert_eq!(circle()?.lengths(apart(), 1e-9)?, circle()?.lengths(&packed, 1e-9)?);
+    assert_eq!(circle()?.curve_frames(apart(), 0)?, circle()?.curve_frames(&packed, 0)?);
+    assert_eq!(nurbs::bernstein(1, 0, apart())?, nurbs::bernstein(1, 0, &packed)?);
+    let mut distances = [9.0; 3];
+    let out = RecordsMut::strided(&mut distances, 2, 0, 2);
+    let out = nurbs::ClosestPointsMut { distances: Some(out), ..Default::default() };
+    circle()?.closest_points_into(&[2.0, 0.0, 0.0, 3.0], out, Default::default())?;
+    assert_eq!(distances, [1.0, 9.0, 2.0]);
     Ok(())
 }
 

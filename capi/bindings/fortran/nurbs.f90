@@ -10,6 +10,10 @@
 !>   An array whose shape does not suit is NURBS_ERROR_SIZE.
 !> - Results are arguments, not function values, which compilers of today do not always finalize. The result of
 !>   an operation must be another variable than its operand.
+!> - An assignment makes another handle on the same data, also of arrays, which have to be allocated before, of the
+!>   same shape. What copies bit by bit in its place would have handles freed twice: allocate() with source=, and
+!>   in gfortran 12 assignments of types with splines in them; give such a type an assignment of its own, which
+!>   assigns these.
 !>
 !> A CMake project writes find_package(nurbs COMPONENTS Fortran) and links nurbs::fortran. By hand, the modules are
 !> compiled in the order of their use statements:

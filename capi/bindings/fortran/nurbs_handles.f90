@@ -8,7 +8,7 @@ module nurbs_handles
     implicit none
     private
 
-    !> An owned handle; an assignment makes another handle on the same data.
+    !> An owned handle. What extends it says what an assignment does.
     type, public :: nurbs_handle
         type(c_ptr) :: handle = c_null_ptr
     contains
@@ -16,21 +16,10 @@ module nurbs_handles
         procedure :: axes, dimension => get_dimension, degree, count => get_count, point_count
         procedure :: is_rational, is_homogeneous, knot_form, domain, knots, distinct_knots, greville
         procedure :: points, weights, homogeneous_points
-        procedure, private :: copy
-        generic :: assignment(=) => copy
         final :: finish
     end type nurbs_handle
 
 contains
-
-    subroutine copy(this, other)
-        class(nurbs_handle), intent(inout) :: this
-        class(nurbs_handle), intent(in) :: other
-        type(c_ptr) :: made
-        made = c_null_ptr
-        if (c_associated(other%handle)) call settle(nurbs_clone(other%handle, made))
-        call replace(this, made)
-    end subroutine copy
 
     subroutine destroy(this)
         class(nurbs_handle), intent(inout) :: this

@@ -95,7 +95,7 @@ contains
         call destroy(this)
     end subroutine finish
 
-    subroutine refuse_copy(this, other)
+    impure elemental subroutine refuse_copy(this, other)
         class(nurbs_list), intent(inout) :: this
         class(nurbs_list), intent(in) :: other
         if (.not. c_associated(this%handle, other%handle)) error stop 'a nurbs_list cannot be copied'

@@ -25,9 +25,21 @@ module nurbs_splines
         procedure, private :: eval_f32_1, eval_f32_n
         generic :: eval_f32 => eval_f32_1, eval_f32_n
         generic :: eval_derivs => eval_derivs_1, eval_derivs_n
+        procedure, private :: copy
+        generic :: assignment(=) => copy
     end type nurbs_spline
 
 contains
+
+    !> Elemental, so that arrays are not assigned bit by bit, which would free their handles twice.
+    impure elemental subroutine copy(this, other)
+        class(nurbs_spline), intent(inout) :: this
+        class(nurbs_spline), intent(in) :: other
+        type(c_ptr) :: made
+        made = c_null_ptr
+        if (c_associated(other%handle)) call settle(nurbs_clone(other%handle, made))
+        call this%replace(made)
+    end subroutine copy
 
     !> Columns of derivatives of orders 0 to `order`: binomial(order + axes, axes).
     integer(c_int64_t) function derivative_slots(axes, order, status)

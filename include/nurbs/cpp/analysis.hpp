@@ -122,7 +122,7 @@ inline Returned<Planarity> planarity(const Spline &g) {
 }
 
 /// Of each axis whether it closes and a bound of the gap; of each boundary, counted by axis, then by end,
-// whether it / collapses and its size.
+/// whether it collapses and its size.
 struct BoundaryContacts {
     std::vector<std::int32_t> closed;
     std::vector<double> gaps;
@@ -171,7 +171,7 @@ struct Fold {
 };
 
 /// Whether a surface or volume folds over; reference [3] is the direction that normals are compared with, if
-// any.
+/// any.
 inline Returned<Fold> fold_test(const Spline &g, View<double> reference = {}) {
     const auto axes = detail::to_size(detail::axes(g.get()));
     Fold found{0, std::vector<double>(axes), std::vector<double>(axes)};

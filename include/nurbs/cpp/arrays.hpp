@@ -97,7 +97,7 @@ public:
 };
 
 /// An array of records in the caller's memory. Without a layout it is packed, and its length gives the
-// number of records.
+/// number of records.
 template <class T>
 class Records {
 public:
@@ -143,6 +143,8 @@ public:
     [[nodiscard]] bool empty() const noexcept { return values_.empty(); }
     [[nodiscard]] std::int64_t stride() const noexcept { return stride_; }
     [[nodiscard]] std::int64_t component_stride() const noexcept { return component_stride_; }
+    /// The stride of records of one component, where the library takes only one.
+    [[nodiscard]] std::int64_t step() const noexcept { return stride_ == 0 ? component_stride_ : stride_; }
 
 private:
     std::span<T> values_;

@@ -30,7 +30,7 @@ inline constexpr std::int32_t critical_saddle = NURBS_CRITICAL_SADDLE;
 inline constexpr std::int32_t critical_undecided = NURBS_CRITICAL_UNDECIDED;
 
 /// How a search is done: the part [axes][2] of the domain, or empty for all of it; how much better another
-// point may / be; most pieces looked at, 0 for the default; 0 or nan_points.
+/// point may be; most pieces looked at, 0 for the default; 0 or nan_points.
 struct Search {
     std::vector<double> range{};
     double tolerance = 0;
@@ -74,7 +74,7 @@ inline Done search(decltype(&nurbs_closest_points) function, const Spline &g, In
     return call(function, g.get(), n, points.data(), points.stride(), points.component_stride(),
                 range_of(g, how.range), how.tolerance, how.budget, to.params, out.params.stride(),
                 out.params.component_stride(), to.points, out.points.stride(), out.points.component_stride(),
-                to.distances, out.distances.stride(), to.status, how.flags);
+                to.distances, out.distances.step(), to.status, how.flags);
 }
 
 // The results of f(outputs) for all points.
@@ -118,11 +118,11 @@ inline Returned<void> closest_local(const Spline &g, Input points, Input guesses
     const std::int64_t n = detail::records(points, detail::dimension(g.get()), "points");
     guesses.require(n, detail::axes(g.get()), "guesses");
     const detail::ClosestPointers to(g, n, out);
-    return detail::call(
-        nurbs_closest_local, g.get(), n, points.data(), points.stride(), points.component_stride(),
-        guesses.data(), guesses.stride(), guesses.component_stride(), to.params, out.params.stride(),
-        out.params.component_stride(), to.points, out.points.stride(), out.points.component_stride(),
-        to.distances, out.distances.stride(), to.status, flags);
+    return detail::call(nurbs_closest_local, g.get(), n, points.data(), points.stride(),
+                        points.component_stride(), guesses.data(), guesses.stride(),
+                        guesses.component_stride(), to.params, out.params.stride(),
+                        out.params.component_stride(), to.points, out.points.stride(),
+                        out.points.component_stride(), to.distances, out.distances.step(), to.status, flags);
 }
 [[nodiscard]] inline Returned<ClosestPoints> closest_local(const Spline &g, Input points, Input guesses,
                                                            std::uint32_t flags = 0) {
@@ -200,7 +200,7 @@ inline Returned<void> signed_distances(const Spline &g, Input points, const Sign
     double *params = detail::wanted(out.params, n, 1, "params");
     return detail::call(nurbs_curve_signed_distances, g.get(), n, points.data(), points.stride(),
                         points.component_stride(), how.tolerance, how.budget, out.distances.data(),
-                        out.distances.stride(), params, out.params.stride(),
+                        out.distances.step(), params, out.params.step(),
                         detail::if_given(out.status, n, "status"), how.flags);
 }
 [[nodiscard]] inline Returned<SignedDistances> signed_distances(const Spline &g, Input points,
@@ -233,7 +233,7 @@ inline Returned<Distance> distance(const Spline &a, const Spline &b, double tole
 }
 
 /// Bounds of the distances from a to b and from b to a, and the parameters of points that are at_least so
-// far away.
+/// far away.
 struct HausdorffDistance {
     std::array<double, 2> at_least;
     std::array<double, 2> at_most;

@@ -20,7 +20,7 @@ inline constexpr std::int32_t constrain_normal = NURBS_CONSTRAIN_NORMAL;
 inline constexpr std::int32_t constrain_curvature = NURBS_CONSTRAIN_CURVATURE;
 
 /// Constraints at params [n][axes] with targets [n][dim], packed. Kinds [n] left empty are values, orders
-// [n][axes] / left empty are 0, and 1 for directions of a curve.
+/// [n][axes] left empty are 0, and 1 for directions of a curve.
 struct Constraints {
     std::vector<double> params;
     std::vector<double> targets;
@@ -29,7 +29,7 @@ struct Constraints {
 };
 
 /// What else holds; what is empty is the default of nurbs.h: derivatives that stay [axes][2], costs [N] of
-// moving / control points and of changing weights; and the largest residual.
+/// moving control points and of changing weights; and the largest residual.
 struct ConstrainOptions {
     std::vector<std::int32_t> keep{};
     std::vector<double> costs{};
@@ -38,7 +38,7 @@ struct ConstrainOptions {
 };
 
 /// The spline, how far each constraint is missed, the number of independent equations, the largest distance
-// by which a / control point moved, and the gradient of the Lagrangian.
+/// by which a control point moved, and the gradient of the Lagrangian.
 struct Constrained {
     Spline spline;
     std::vector<double> residuals;

@@ -37,7 +37,7 @@ inline Returned<Spline> polyline(std::int32_t dim, Input points, Input params = 
         params.require(n, 1, "params");
     }
     return detail::spline_of(nurbs_curve_polyline, n, dim, points.data(), points.stride(),
-                             points.component_stride(), params.data(), params.stride());
+                             points.component_stride(), params.data(), params.step());
 }
 
 /// A closed regular polygon; the radius is that of its corners.

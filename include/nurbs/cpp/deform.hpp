@@ -83,7 +83,7 @@ struct Faired {
 };
 
 /// Small energy within a tolerance: order 1 (membrane), 2 (thin plate) or 3; keep [axes][2] derivatives that
-// stay at / the ends, empty: positions.
+/// stay at the ends, empty: positions.
 inline Returned<Faired> fair(const Spline &g, std::int32_t order, double tolerance,
                              View<std::int32_t> keep = {}) {
     const std::int32_t *stay =

@@ -153,8 +153,8 @@ inline Returned<void> surface_curvatures(const Spline &g, Input params, const Cu
     return detail::call(nurbs_surface_eval_curvatures, g.get(), n, params.data(), params.stride(),
                         params.component_stride(), out.principal.data(), out.principal.stride(),
                         out.principal.component_stride(), out.directions.data(), out.directions.stride(),
-                        out.directions.component_stride(), out.mean.data(), out.mean.stride(),
-                        out.gaussian.data(), out.gaussian.stride(), out.status.data(), flags);
+                        out.directions.component_stride(), out.mean.data(), out.mean.step(),
+                        out.gaussian.data(), out.gaussian.step(), out.status.data(), flags);
 }
 [[nodiscard]] inline Returned<Curvatures> surface_curvatures(const Spline &g, Input params,
                                                              std::uint32_t flags = 0) {
@@ -179,13 +179,13 @@ inline Returned<void> curve_frames(const Spline &g, Input params, const CurveFra
     detail::require_wanted(out.curvatures, n, 1, "curvatures");
     detail::require_wanted(out.torsions, n, 1, "torsions");
     detail::require_wanted(out.status, n);
-    return detail::call(nurbs_curve_eval_frames, g.get(), n, params.data(), params.stride(),
-                        out.points.data(), out.points.stride(), out.points.component_stride(),
-                        out.tangents.data(), out.tangents.stride(), out.tangents.component_stride(),
-                        out.normals.data(), out.normals.stride(), out.normals.component_stride(),
-                        out.binormals.data(), out.binormals.stride(), out.binormals.component_stride(),
-                        out.curvatures.data(), out.curvatures.stride(), out.torsions.data(),
-                        out.torsions.stride(), out.status.data(), flags);
+    return detail::call(nurbs_curve_eval_frames, g.get(), n, params.data(), params.step(), out.points.data(),
+                        out.points.stride(), out.points.component_stride(), out.tangents.data(),
+                        out.tangents.stride(), out.tangents.component_stride(), out.normals.data(),
+                        out.normals.stride(), out.normals.component_stride(), out.binormals.data(),
+                        out.binormals.stride(), out.binormals.component_stride(), out.curvatures.data(),
+                        out.curvatures.step(), out.torsions.data(), out.torsions.step(), out.status.data(),
+                        flags);
 }
 [[nodiscard]] inline Returned<CurveFrames> curve_frames(const Spline &g, Input params,
                                                         std::uint32_t flags = 0) {
@@ -217,7 +217,7 @@ rotation_minimizing_frames(const Spline &g, Input params, const MinimalFrameOutp
     detail::require_wanted(out.normals, n, 3, "normals");
     detail::require_wanted(out.binormals, n, 3, "binormals");
     detail::require_wanted(out.status, n);
-    return detail::call(nurbs_curve_rotation_minimizing_frames, g.get(), n, params.data(), params.stride(),
+    return detail::call(nurbs_curve_rotation_minimizing_frames, g.get(), n, params.data(), params.step(),
                         first_normal ? first_normal->data() : nullptr, out.points.data(), out.points.stride(),
                         out.points.component_stride(), out.tangents.data(), out.tangents.stride(),
                         out.tangents.component_stride(), out.normals.data(), out.normals.stride(),

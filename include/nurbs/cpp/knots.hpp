@@ -99,7 +99,7 @@ inline Returned<std::vector<std::int64_t>> find_spans(std::int32_t degree, View<
     params.require(n, 1, "params");
     std::vector<std::int64_t> spans(detail::to_size(n));
     detail::call(nurbs_find_spans, degree, detail::control_points(degree, knots), knots.data(),
-                 detail::length(knots), n, params.data(), params.stride(), spans.data(), flags);
+                 detail::length(knots), n, params.data(), params.step(), spans.data(), flags);
     return spans;
 }
 
@@ -108,7 +108,7 @@ inline Returned<void> bernstein(std::int32_t degree, std::int32_t order, Input p
     const std::int64_t n = params.count(1, "params");
     params.require(n, 1, "params");
     values.require(n, detail::basis_width(degree, order), "values");
-    return detail::call(nurbs_bernstein, degree, order, n, params.data(), params.stride(), values.data(),
+    return detail::call(nurbs_bernstein, degree, order, n, params.data(), params.step(), values.data(),
                         values.stride(), values.component_stride());
 }
 inline Returned<std::vector<double>> bernstein(std::int32_t degree, std::int32_t order, Input params) {
@@ -124,7 +124,7 @@ inline Returned<Basis> basis(std::int32_t degree, View<double> knots, std::int32
     Basis result{std::vector<std::int64_t>(detail::to_size(n)),
                  std::vector<double>(detail::to_size(n * detail::basis_width(degree, order)))};
     detail::call(nurbs_basis, degree, detail::control_points(degree, knots), knots.data(),
-                 detail::length(knots), order, n, params.data(), params.stride(), result.spans.data(),
+                 detail::length(knots), order, n, params.data(), params.step(), result.spans.data(),
                  result.values.data(), 0, 0, flags);
     return result;
 }

@@ -21,7 +21,7 @@ struct SparseMatrix {
 };
 
 /// Operators [spans][degree + 1][degree + 1], the first control point and the domain [spans][2] of each
-// span.
+/// span.
 struct Extraction {
     std::vector<double> operators;
     std::vector<std::int64_t> firsts;
@@ -57,7 +57,7 @@ inline const std::int32_t *orders_for(View<std::int32_t> orders, std::size_t axe
 } // namespace detail
 
 /// Matrix of B-spline basis functions or of a derivative of them; without orders, of the functions
-// themselves.
+/// themselves.
 inline Returned<SparseMatrix> collocation(View<std::int32_t> degrees, View<std::int64_t> counts,
                                           View<double> knots, Input params, View<std::int32_t> orders = {},
                                           std::uint32_t flags = 0) {
@@ -127,7 +127,7 @@ inline Returned<void> eval_adjoint(const Spline &g, std::int32_t order, Input pa
     return detail::call(nurbs_eval_adjoint, g.get(), order, n, params.data(), params.stride(),
                         params.component_stride(), cotangents.data(), cotangents.stride(),
                         cotangents.component_stride(), points, grad_points.stride(),
-                        grad_points.component_stride(), weights, grad_weights.stride(), to_params,
+                        grad_points.component_stride(), weights, grad_weights.step(), to_params,
                         grad_params.stride(), grad_params.component_stride(), flags);
 }
 inline Returned<Gradients> eval_adjoint(const Spline &g, std::int32_t order, Input params, Input cotangents,

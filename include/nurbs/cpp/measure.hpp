@@ -32,8 +32,8 @@ inline Returned<Measured> length(const Spline &g, double relative_tolerance = 0,
 inline Returned<void> lengths(const Spline &g, Input params, Output lengths, double relative_tolerance = 0) {
     const std::int64_t n = detail::records(params, 1, "params");
     lengths.require(n, 1, "lengths");
-    return detail::call(nurbs_curve_lengths, g.get(), n, params.data(), params.stride(), relative_tolerance,
-                        lengths.data(), lengths.stride());
+    return detail::call(nurbs_curve_lengths, g.get(), n, params.data(), params.step(), relative_tolerance,
+                        lengths.data(), lengths.step());
 }
 [[nodiscard]] inline Returned<std::vector<double>> lengths(const Spline &g, Input params,
                                                            double relative_tolerance = 0) {
@@ -47,8 +47,8 @@ inline Returned<void> params_at_lengths(const Spline &g, Input lengths, Output p
                                         double relative_tolerance = 0, std::uint32_t flags = 0) {
     const std::int64_t n = detail::records(lengths, 1, "lengths");
     params.require(n, 1, "params");
-    return detail::call(nurbs_curve_params_at_lengths, g.get(), n, lengths.data(), lengths.stride(),
-                        relative_tolerance, params.data(), params.stride(), flags);
+    return detail::call(nurbs_curve_params_at_lengths, g.get(), n, lengths.data(), lengths.step(),
+                        relative_tolerance, params.data(), params.step(), flags);
 }
 [[nodiscard]] inline Returned<std::vector<double>>
 params_at_lengths(const Spline &g, Input lengths, double relative_tolerance = 0, std::uint32_t flags = 0) {
@@ -81,7 +81,7 @@ inline Returned<Measured> area(const Spline &g, double relative_tolerance = 0, V
 }
 
 /// Length, area or volume, centroid [dim], inertia [dim][dim] about it, and an estimate of the error of
-// content.
+/// content.
 struct Moments {
     double content;
     std::vector<double> centroid;

@@ -13,14 +13,14 @@ inline namespace NURBS_CPP_POLICY {
 
 /// Proven bounds of a largest distance.
 struct Deviation {
-    double lower;
-    double upper;
+    double at_least;
+    double at_most;
 };
 
 /// Of two splines over the same domain.
 inline Returned<Deviation> deviation(const Spline &f, const Spline &g) {
     Deviation result{};
-    detail::call(nurbs_deviation, f.get(), g.get(), &result.lower, &result.upper);
+    detail::call(nurbs_deviation, f.get(), g.get(), &result.at_least, &result.at_most);
     return result;
 }
 

@@ -88,7 +88,7 @@ public:
         check_net(degrees, counts, dim, points, weights);
         return made(nurbs_create, axes_of(degrees), degrees.data(), counts.data(), knots.data(),
                     detail::length(knots), dim, points.data(), points.stride(), points.component_stride(),
-                    weights.data(), weights.stride(), flags);
+                    weights.data(), weights.step(), flags);
     }
     static Returned<Spline> create_homogeneous(View<std::int32_t> degrees, View<std::int64_t> counts,
                                                View<double> knots, std::int32_t dim, Input points,
@@ -104,7 +104,7 @@ public:
         check_net(degrees, counts, dim, points, weights);
         return made(nurbs_create_short, axes_of(degrees), degrees.data(), counts.data(), knots.data(),
                     detail::length(knots), dim, points.data(), points.stride(), points.component_stride(),
-                    weights.data(), weights.stride(), flags);
+                    weights.data(), weights.step(), flags);
     }
     static Returned<Spline> create_multiplicities(View<std::int32_t> degrees, View<std::int64_t> counts,
                                                   View<std::int64_t> distinct_counts,
@@ -115,7 +115,7 @@ public:
         check_distinct(degrees.size(), distinct_counts, distinct_knots, multiplicities);
         return made(nurbs_create_multiplicities, axes_of(degrees), degrees.data(), counts.data(),
                     distinct_counts.data(), distinct_knots.data(), multiplicities.data(), dim, points.data(),
-                    points.stride(), points.component_stride(), weights.data(), weights.stride(), flags);
+                    points.stride(), points.component_stride(), weights.data(), weights.step(), flags);
     }
     static Returned<Spline> create_bezier(View<std::int32_t> degrees, std::int32_t dim, Input points,
                                           Input weights = {}) {
@@ -125,13 +125,13 @@ public:
         }
         check_net(degrees, counts, dim, points, weights);
         return made(nurbs_create_bezier, axes_of(degrees), degrees.data(), dim, points.data(),
-                    points.stride(), points.component_stride(), weights.data(), weights.stride());
+                    points.stride(), points.component_stride(), weights.data(), weights.step());
     }
     [[nodiscard]] Returned<Spline> with_points(Input points, Input weights = {}) const {
         points.require(detail::point_count(handle_), detail::dimension(handle_), "points");
         require_weights(weights, detail::point_count(handle_));
         return made(nurbs_with_points, handle_, points.data(), points.stride(), points.component_stride(),
-                    weights.data(), weights.stride());
+                    weights.data(), weights.step());
     }
 
     // Inspection
@@ -189,7 +189,7 @@ public:
     Returned<void> weights(Output weights) const {
         weights.require(detail::point_count(handle_), 1, "weights");
         return detail::call(nurbs_weights, handle_, detail::point_count(handle_), weights.data(),
-                            weights.stride());
+                            weights.step());
     }
     [[nodiscard]] Returned<std::vector<double>> weights() const {
         return detail::filled(detail::point_count(handle_), [&](auto &v) { return weights(v); });
@@ -206,7 +206,7 @@ public:
     Returned<void> hull_size(Input params, Output sizes, std::uint32_t flags = 0) const {
         const std::int64_t n = batch(params, sizes, 1, "sizes");
         return detail::call(nurbs_hull_size, handle_, n, params.data(), params.stride(),
-                            params.component_stride(), sizes.data(), sizes.stride(), flags);
+                            params.component_stride(), sizes.data(), sizes.step(), flags);
     }
     [[nodiscard]] Returned<std::vector<double>> hull_size(Input params, std::uint32_t flags = 0) const {
         return detail::filled(number_of(params), [&](auto &v) { return hull_size(params, v, flags); });
@@ -411,7 +411,9 @@ private:
         }
     }
     static void check_matrix(View<double> matrix, std::int64_t rows, std::int64_t columns) {
-        if (detail::length(matrix) / columns != rows || detail::length(matrix) % columns != 0) {
+        // A spline that is empty has no columns, and has failed already.
+        if (columns > 0 &&
+            (detail::length(matrix) / columns != rows || detail::length(matrix) % columns != 0)) {
             detail::wrong_size("matrix", matrix.size(),
                                std::to_string(rows) + " rows of " + std::to_string(columns));
         }

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import operator
 from typing import TYPE_CHECKING, Any, Optional, Tuple
 
 import numpy
@@ -20,14 +21,18 @@ if TYPE_CHECKING:
 
 
 class Records:
-    """n records of numbers in memory that the library can use directly; strides count those numbers, 0 is packed."""
+    """n records of numbers in memory that the library can use directly; strides count those numbers, 0 is packed.
 
-    __slots__ = ("array", "n", "layout")
+    A layout is addresses, which keep nothing alive: the object has to live until the library has returned.
+    """
+
+    __slots__ = ("array", "n", "layout", "shape")
 
     def __init__(self, array: NDArray[Any], n: int, stride: int = 0, component_stride: int = 0) -> None:
         self.array = array  # keeps the memory alive
         self.n = n
         self.layout = array.ctypes.data, stride, component_stride
+        self.shape: Shape = array.shape  # of what was given, once records() is done
 
     @classmethod
     def of_table(cls, table: NDArray[Any]) -> Records:
@@ -60,12 +65,32 @@ def records(values: ArrayLike, width: int) -> Records:
     if flags.c_contiguous and flags.aligned or n == 0:
         return Records(array, n)
     table = array.reshape(-1, width)
-    return Records.of_table(table) if _direct(table) else Records(numpy.array(table, order="C"), n)
+    found = Records.of_table(table) if _direct(table) else Records(numpy.array(table, order="C"), n)
+    found.shape = array.shape
+    return found
+
+
+def packed(values: ArrayLike, dtype: DTypeLike = numpy.float64) -> NDArray[Any]:
+    """An array as C has it: without gaps, and aligned, which views of bytes need not be."""
+    array = numpy.ascontiguousarray(values, dtype=dtype)
+    return array if array.flags.aligned else array.copy()
+
+
+def _integers(values: ArrayLike, dtype: DTypeLike) -> NDArray[Any]:
+    """Integers, which NumPy would round and cut off to make others fit."""
+    array = numpy.asarray(values)
+    if array.dtype.kind not in "iub" and array.size:
+        array = numpy.array([operator.index(value) for value in array.ravel().tolist()], object)
+    limits = numpy.iinfo(dtype)
+    if array.size and not limits.min <= array.min() <= array.max() <= limits.max:
+        raise OverflowError(f"integers from {array.min()} to {array.max()} do not fit {limits.dtype}")
+    return array
 
 
 def vector(values: ArrayLike, dtype: DTypeLike = numpy.float64) -> NDArray[Any]:
     """A packed vector; a plain number is a vector of one."""
-    return numpy.ascontiguousarray(values, dtype=dtype).reshape(-1)
+    given = values if dtype is numpy.float64 else _integers(values, dtype)
+    return packed(given, dtype).reshape(-1)
 
 
 def exactly(values: ArrayLike, size: int, what: str, dtype: DTypeLike = numpy.float64) -> NDArray[Any]:

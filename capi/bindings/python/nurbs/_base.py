@@ -32,7 +32,7 @@ class SplineBase:
     """The handle of a spline, which never changes, and its properties: numbers and tuples, and arrays that are
     copies."""
 
-    _handle: Optional[int]
+    _handle: Optional[int] = None
 
     # --- Handles ---
 
@@ -52,7 +52,7 @@ class SplineBase:
         """The list that a function writes through its last argument."""
         from ._files import SplineList  # which makes splines, and so cannot come before them
 
-        return SplineList(get(ctypes.c_void_p, function, *arguments))
+        return SplineList._made(function, *arguments)
 
     def __setattr__(self, name: str, value: object) -> None:
         raise AttributeError(f"a Spline does not change: {name} cannot be set")

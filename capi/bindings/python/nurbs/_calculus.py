@@ -3,11 +3,11 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Union
+from typing import TYPE_CHECKING, Any, Callable, Union
 
 import numpy
 
-from ._arrays import exactly, vector
+from ._arrays import exactly, packed, vector
 from ._base import SplineBase, handle_of
 from ._library import call, lib
 from .constants import NURBS_PRODUCT_DOT
@@ -63,19 +63,24 @@ class Calculus(SplineBase):
 
     # --- Operators ---
 
-    def _affine(self, factors: Any, shift: Any = 0.0) -> Any:
-        """factors * self + shift, each a number or a vector; NotImplemented for anything else."""
-        try:
-            scale, offset = (numpy.broadcast_to(numpy.asarray(value, numpy.float64), self.dimension)
-                             for value in (factors, shift))
-        except (TypeError, ValueError):
-            return NotImplemented
-        matrix, translation = numpy.diag(scale), numpy.ascontiguousarray(offset)
+    def _affine(self, factors: Any, shift: Any = 0.0) -> Spline:
+        """factors * self + shift, each a number or a vector (dimension,)."""
+        matrix = numpy.diag(numpy.broadcast_to(factors, self.dimension).astype(numpy.float64))
+        translation = numpy.broadcast_to(shift, self.dimension).astype(numpy.float64)
         return self._made(lib.nurbs_transform, self._handle, self.dimension, matrix.ctypes.data,
                           translation.ctypes.data)
 
+    def _with(self, other: Any, operation: Callable[[Any], Spline]) -> Any:
+        """What an operation does with a number or a vector; NotImplemented for anything else."""
+        given = numpy.asarray(other)
+        if given.dtype.kind not in "biuf" or given.shape not in ((), (1,), (self.dimension,)):
+            return NotImplemented
+        return operation(given.astype(numpy.float64))
+
     def __add__(self, other: Union[SplineBase, ArrayLike]) -> Spline:
-        made: Spline = self.sum(other) if isinstance(other, SplineBase) else self._affine(1.0, other)
+        if isinstance(other, SplineBase):
+            return self.sum(other)
+        made: Spline = self._with(other, lambda v: self._affine(1.0, v))
         return made
 
     __radd__ = __add__
@@ -83,32 +88,32 @@ class Calculus(SplineBase):
     def __sub__(self, other: Union[SplineBase, ArrayLike]) -> Spline:
         if isinstance(other, SplineBase):
             return self.sum(other, 1.0, -1.0)
-        made: Spline = self._affine(1.0, numpy.negative(other))
+        made: Spline = self._with(other, lambda v: self._affine(1.0, -v))
         return made
 
     def __rsub__(self, other: ArrayLike) -> Spline:
-        made: Spline = self._affine(-1.0, other)
+        made: Spline = self._with(other, lambda v: self._affine(-1.0, v))
         return made
 
     def __mul__(self, other: Union[SplineBase, ArrayLike]) -> Spline:
-        made: Spline = self.product(other) if isinstance(other, SplineBase) else self._affine(other)
+        made: Spline = self.product(other) if isinstance(other, SplineBase) else self._with(other, self._affine)
         return made
 
     __rmul__ = __mul__
 
     def __truediv__(self, other: ArrayLike) -> Spline:
-        made: Spline = self._affine(numpy.divide(1.0, other))
+        with numpy.errstate(divide="ignore"):  # the library refuses what is not finite
+            made: Spline = self._with(other, lambda v: self._affine(1.0 / v))
         return made
 
     def __neg__(self) -> Spline:
-        made: Spline = self._affine(-1.0)
-        return made
+        return self._affine(-1.0)
 
     def __matmul__(self, other: SplineBase) -> Spline:
         return self.product(other, NURBS_PRODUCT_DOT) if isinstance(other, SplineBase) else NotImplemented
 
     def __rmatmul__(self, matrix: ArrayLike) -> Spline:
-        given = numpy.ascontiguousarray(matrix, numpy.float64)
+        given = packed(matrix)
         if given.ndim != 2 or given.shape[1] != self.dimension:
             return NotImplemented
         return self._made(lib.nurbs_transform, self._handle, len(given), given.ctypes.data, None)

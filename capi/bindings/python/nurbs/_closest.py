@@ -93,10 +93,10 @@ class Distances(SplineBase):
 
     def _queries(self, points: ArrayLike) -> Tuple[Records, Shape]:
         """The points as records, and the shape of the batch."""
-        shape, dim = numpy.shape(points), self.dimension
-        if not shape or shape[-1] != dim:
-            raise ValueError(f"points of shape {shape}, expected (..., {dim})")
-        return records(points, dim), shape[:-1]
+        given, dim = numpy.asarray(points, dtype=numpy.float64), self.dimension
+        if given.ndim == 0 or given.shape[-1] != dim:
+            raise ValueError(f"points of shape {given.shape}, expected (..., {dim})")
+        return records(given, dim), given.shape[:-1]
 
     def _room(self, shape: Shape) -> Floats:
         """Room for parameters; those of a curve are numbers."""

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple, Optional
 
 import numpy
 
-from ._arrays import address, exactly, if_given, records
+from ._arrays import address, exactly, if_given, packed, records
 from ._base import SplineBase
 from ._library import lib
 
@@ -49,7 +49,7 @@ class Constraints(SplineBase):
         each other, NumericError if none is found.
         """
         axes, points = self.axes, self.point_count
-        at = records(numpy.ascontiguousarray(params, dtype=numpy.float64), axes)
+        at = records(packed(params), axes)
         goals = exactly(targets, at.n * self.dimension, "targets")
         given = [if_given(kinds, at.n, "kinds", numpy.int32), if_given(orders, at.n * axes, "orders", numpy.int32)]
         options = [if_given(keep, 2 * axes, "keep", numpy.int32), if_given(costs, points, "costs"),

@@ -39,13 +39,13 @@ class CoonsGaps(NamedTuple):
 
 
 def _four(splines: Optional[Iterable[Spline]]) -> Any:
-    """Four handles, or none."""
+    """Four handles, or None."""
     return None if splines is None else handles(splines, 4)
 
 
 def coons(curves: Iterable[Spline], tolerance: float = 0.0) -> Spline:
     """The bilinear blend of four curves, whose ends meet to within the tolerance."""
-    return Spline._made(lib.nurbs_surface_coons, _four(curves), tolerance)
+    return Spline._made(lib.nurbs_surface_coons, handles(curves, 4), tolerance)
 
 
 def coons_hermite(curves: Iterable[Spline], cross: Optional[Iterable[Spline]] = None, twist: Optional[int] = None,
@@ -56,7 +56,7 @@ def coons_hermite(curves: Iterable[Spline], cross: Optional[Iterable[Spline]] = 
     average with cross tangents, and the bilinear one without. Raises ArgumentError where data do not meet to the
     tolerance.
     """
-    around, across = _four(curves), _four(cross)
+    around, across = handles(curves, 4), _four(cross)
     if twist is None:
         twist = NURBS_TWIST_AVERAGE if across is not None else NURBS_TWIST_BILINEAR
         twist = twist if twists is None else NURBS_TWIST_GIVEN
@@ -69,8 +69,7 @@ def coons_hermite(curves: Iterable[Spline], cross: Optional[Iterable[Spline]] = 
 def coons_gaps(curves: Iterable[Spline], cross: Optional[Iterable[Spline]] = None) -> CoonsGaps:
     """What does not meet at the corners of a surface to be."""
     gaps, across = CoonsGaps(numpy.empty(4), numpy.empty((4, 2)), numpy.empty(4)), _four(cross)
-    call(lib.nurbs_coons_gaps, _four(curves), across,
-         *addresses(*gaps))
+    call(lib.nurbs_coons_gaps, handles(curves, 4), across, *addresses(*gaps))
     return gaps
 
 

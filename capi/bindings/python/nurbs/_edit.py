@@ -75,9 +75,9 @@ class Edits(SplineBase):
         """The same degrees, knots and periodicity with other points (counts..., dimension), and other weights
         (counts...) if any are given; knots and their tables are shared."""
         shape = (*self.counts, self.dimension)
-        if numpy.shape(points) != shape:
-            raise ValueError(f"points of shape {numpy.shape(points)}, expected {shape}")
         given, others = records(points, self.dimension), None if weights is None else records(weights, 1)
+        if given.shape != shape:
+            raise ValueError(f"points of shape {given.shape}, expected {shape}")
         if others is not None and others.n != given.n:
             raise ValueError(f"{others.n} weights for {given.n} points")
         return self._made(lib.nurbs_with_points, self._handle, *given.layout,

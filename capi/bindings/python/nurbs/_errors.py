@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from typing import Dict, Type
+from typing import Dict, Tuple, Type
 
 from .constants import NURBS_ERROR_AXIS, NURBS_ERROR_FILE, NURBS_ERROR_INDEX, NURBS_ERROR_MEMORY
 
@@ -20,6 +20,9 @@ class NurbsError(Exception):
         self.status = status
         self.name = name
         self.message = message
+
+    def __reduce__(self) -> Tuple[Type[NurbsError], Tuple[int, str, str]]:
+        return type(self), (self.status, self.name, self.message)
 
     def __str__(self) -> str:
         return f"{self.name}: {self.message}"
@@ -51,6 +54,11 @@ class OutOfMemoryError(NurbsError, MemoryError):
 
 class FileError(NurbsError, OSError):
     """A file that cannot be opened or read: NURBS_ERROR_FILE."""
+
+    def __init__(self, status: int, name: str, message: str) -> None:
+        super().__init__(status, name, message)
+        # OSError takes its arguments for an errno and a path, which the library does not tell apart.
+        self.errno, self.strerror, self.filename = None, message, None  # type: ignore[assignment]
 
 
 class ContentsError(NurbsError, ValueError):

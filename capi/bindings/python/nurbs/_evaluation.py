@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import ctypes
+import operator
 from math import comb, prod
 from typing import TYPE_CHECKING, Any, List, NamedTuple, Optional, Sequence, Tuple, Union
 
@@ -65,7 +66,7 @@ class Evaluation(SplineBase):
         point of dimension 1 has the shape (1,). All points of a grid are faster by eval_grid().
         """
         at = params[0] if len(params) == 1 else self._together(params)
-        orders = [nu] if isinstance(nu, int) else list(nu)
+        orders = [int(nu)] if isinstance(nu, (int, numpy.integer)) else [operator.index(order) for order in nu]
         if not any(orders):
             return self.eval(at, flags, out)
         if len(orders) != self.axes or min(orders) < 0:

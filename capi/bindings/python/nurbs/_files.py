@@ -45,11 +45,20 @@ def _options(unit: float, max_bytes: Optional[int]) -> Any:
 class SplineList(_Splines):
     """A sequence of splines, parts of one or those of a file, with names and notes."""
 
-    def __init__(self, handle: Optional[int]) -> None:
-        self._handle = handle
+    _handle: Optional[int] = None
+
+    def __init__(self, *_: object) -> None:
+        raise TypeError("a SplineList comes from the library; a list of splines is one in brackets")
+
+    @classmethod
+    def _made(cls, function: Any, *arguments: Any) -> SplineList:
+        """The list that a function writes through its last argument."""
+        splines = cls.__new__(cls)
+        splines._handle = get(ctypes.c_void_p, function, *arguments)
+        return splines
 
     def __del__(self) -> None:
-        if lib is not None and getattr(self, "_handle", None):
+        if lib is not None and self._handle:
             lib.nurbs_list_destroy(self._handle)
 
     def __len__(self) -> int:
@@ -101,11 +110,14 @@ def read(contents: Union[bytes, bytearray, memoryview], unit: float = 0.0,
          max_bytes: Optional[int] = None) -> SplineList:
     """The curves and surfaces of an IGES file held in memory; unit is the wanted one in metres, 0 keeps the file's own.
     Raises ContentsError if it is none, ResourceError if it is longer than max_bytes (by default 2^30)."""
-    given = bytes(contents)
-    return SplineList(get(ctypes.c_void_p, lib.nurbs_read, given, len(given), _options(unit, max_bytes)))
+    given = contents if isinstance(contents, bytes) else memoryview(contents).tobytes()
+    return SplineList._made(lib.nurbs_read, given, len(given), _options(unit, max_bytes))
 
 
 def read_file(path: Union[str, bytes, os.PathLike[str]], unit: float = 0.0,
               max_bytes: Optional[int] = None) -> SplineList:
     """The curves and surfaces of an IGES file, as read() gives them. Raises FileError if it cannot be read."""
-    return SplineList(get(ctypes.c_void_p, lib.nurbs_read_file, os.fsencode(path), _options(unit, max_bytes)))
+    name = os.fsencode(path)
+    if b"\0" in name:
+        raise ValueError("a path with a zero in it")
+    return SplineList._made(lib.nurbs_read_file, name, _options(unit, max_bytes))

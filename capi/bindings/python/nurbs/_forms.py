@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, Optional
 
 import numpy
 
-from ._arrays import address, exactly, if_given
+from ._arrays import address, exactly, if_given, packed
 from ._base import SplineBase
 from ._library import lib
 from .constants import NURBS_KEEP_DOMAIN
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 
 def _matrix(values: ArrayLike, columns: int) -> NDArray[Any]:
-    matrix = numpy.ascontiguousarray(values, dtype=numpy.float64)
+    matrix = packed(values)
     if matrix.ndim != 2 or matrix.shape[1] != columns:
         raise ValueError(f"a matrix of shape {matrix.shape}, expected {columns} columns")
     return matrix

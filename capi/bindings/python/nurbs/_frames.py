@@ -75,10 +75,10 @@ def _values(*arrays: Optional[Floats]) -> Iterator[Any]:
 
 
 def _pairs(params: ArrayLike) -> Tuple[Records, Shape]:
-    shape = numpy.shape(params)
-    if not shape or shape[-1] != 2:
-        raise ValueError(f"params of shape {shape}, expected (..., 2)")
-    return records(params, 2), shape[:-1]
+    given = numpy.asarray(params, dtype=numpy.float64)
+    if given.ndim == 0 or given.shape[-1] != 2:
+        raise ValueError(f"params of shape {given.shape}, expected (..., 2)")
+    return records(given, 2), given.shape[:-1]
 
 
 def _surface_frames(shape: Shape) -> SurfaceFrames:
@@ -121,7 +121,8 @@ class Frames(SplineBase):
         """Frenet frames of a curve at params S. In space T = C' / |C'|, B = C' x C'' / |C' x C''|, N = B x T, curvature
         |C' x C''| / |C'|^3 and torsion (C' x C'') . C''' / |C' x C''|^2; in the plane N is T turned by +90 degrees and
         the curvature has a sign."""
-        given, shape, dim = records(params, 1), numpy.shape(params), self.dimension
+        given, dim = records(params, 1), self.dimension
+        shape = given.shape
         points, tangents, normals = (numpy.empty((*shape, dim)) for _ in range(3))
         binormals, torsions = (numpy.empty((*shape, 3)), numpy.empty(shape)) if dim == 3 else (None, None)
         result = CurveFrames(points, tangents, normals, binormals, numpy.empty(shape), torsions,

@@ -3,7 +3,8 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, NamedTuple, Optional, Tuple, Union
+import operator
+from typing import TYPE_CHECKING, Any, NamedTuple, Optional, Tuple, Union, cast
 
 import numpy
 
@@ -13,7 +14,7 @@ from ._library import call, lib
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
-    from ._arrays import Floats, Int64s
+    from ._arrays import Floats, Int64s, Records
 
 __all__ = ["BasisFunctions", "knots_uniform", "knots_open_uniform", "knots_bezier", "knots_averaged", "knots_periodic",
            "find_spans", "bernstein", "basis"]
@@ -46,7 +47,7 @@ def knots_open_uniform(degree: int, count: int, a: float = 0.0, b: float = 1.0) 
 def knots_bezier(degree: int, breaks: Union[int, ArrayLike]) -> Floats:
     """Piecewise Bezier knots: `breaks` is the number of pieces in [0, 1], or an array of breaks (pieces + 1,)."""
     given = None if numpy.ndim(breaks) == 0 else vector(breaks)
-    pieces = int(numpy.asarray(breaks)) if given is None else given.size - 1
+    pieces = operator.index(cast(int, breaks)) if given is None else given.size - 1
     count = pieces * max(degree, 0) + 1 if degree else pieces
     return _generated(degree, count, lib.nurbs_knots_bezier, pieces, None if given is None else given.ctypes.data)
 
@@ -73,7 +74,7 @@ def _knot_arguments(degree: int, knots: NDArray[Any]) -> Tuple[int, int, int, in
 def find_spans(degree: int, knots: ArrayLike, params: ArrayLike, flags: int = 0) -> Int64s:
     """The span of each parameter S in a full knot vector: s with knots[s] <= t < knots[s + 1]."""
     vectors, given = vector(knots), records(params, 1)
-    spans = numpy.empty(numpy.shape(params), numpy.int64)
+    spans = numpy.empty(given.shape, numpy.int64)
     call(lib.nurbs_find_spans, *_knot_arguments(degree, vectors), given.n, *given.layout[:2],
          spans.ctypes.data, flags)
     return spans
@@ -82,7 +83,8 @@ def find_spans(degree: int, knots: ArrayLike, params: ArrayLike, flags: int = 0)
 def bernstein(degree: int, params: ArrayLike, order: int = 0, out: Optional[Floats] = None) -> Floats:
     """Bernstein polynomials binomial(p, j) t^j (1 - t)^(p - j) and their derivatives at params S: an array
     S + (order + 1, degree + 1)."""
-    given, output = records(params, 1), _basis_output(degree, order, params, out)
+    given = records(params, 1)
+    output = _basis_output(degree, order, given, out)
     call(lib.nurbs_bernstein, degree, order, given.n, *given.layout[:2], *output.layout)
     return output.finish()
 
@@ -92,12 +94,12 @@ def basis(degree: int, knots: ArrayLike, params: ArrayLike, order: int = 0, flag
     """The B-spline basis functions that do not vanish at params S, and their derivatives; `out` is filled with the
     values if it is given."""
     vectors, given = vector(knots), records(params, 1)
-    output, spans = _basis_output(degree, order, params, out), numpy.empty(numpy.shape(params), numpy.int64)
+    output, spans = _basis_output(degree, order, given, out), numpy.empty(given.shape, numpy.int64)
     call(lib.nurbs_basis, *_knot_arguments(degree, vectors), order, given.n, *given.layout[:2],
          spans.ctypes.data, *output.layout, flags)
     return BasisFunctions(spans, output.finish())
 
 
-def _basis_output(degree: int, order: int, params: ArrayLike, out: Optional[Floats]) -> Output:
+def _basis_output(degree: int, order: int, params: Records, out: Optional[Floats]) -> Output:
     rows, columns = max(order + 1, 0), max(degree + 1, 0)
-    return Output(out, (*numpy.shape(params), rows, columns), rows * columns)
+    return Output(out, (*params.shape, rows, columns), rows * columns)

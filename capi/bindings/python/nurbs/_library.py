@@ -13,7 +13,7 @@ from ._prototypes import PROTOTYPES
 from .constants import NURBS_OK
 
 
-def _integer(ctype: Any, low: int, high: int) -> Any:
+def _integer(ctype: Any, name: str, low: int, high: int) -> Any:
     """An argument type that refuses what does not fit, where ctypes would cut it off, and takes NumPy's integers."""
 
     class Argument:
@@ -21,7 +21,7 @@ def _integer(ctype: Any, low: int, high: int) -> Any:
         def from_param(value: Any) -> Any:
             number = operator.index(value)
             if not low <= number <= high:
-                raise OverflowError(f"{number} does not fit {ctype.__name__}")
+                raise OverflowError(f"{number} does not fit {name}")
             return ctype(number)
 
     return Argument
@@ -36,9 +36,9 @@ class _Double:
 # The letters of _prototypes.py.
 _RESULTS = {"i": ctypes.c_int32, "l": ctypes.c_int64, "s": ctypes.c_char_p, "v": None}
 _ARGUMENTS = {
-    "i": _integer(ctypes.c_int32, -(2**31), 2**31 - 1),
-    "u": _integer(ctypes.c_uint32, 0, 2**32 - 1),
-    "l": _integer(ctypes.c_int64, -(2**63), 2**63 - 1),
+    "i": _integer(ctypes.c_int32, "int32_t", -(2**31), 2**31 - 1),
+    "u": _integer(ctypes.c_uint32, "uint32_t", 0, 2**32 - 1),
+    "l": _integer(ctypes.c_int64, "int64_t", -(2**63), 2**63 - 1),
     "d": _Double,
     "p": ctypes.c_void_p,
 }
@@ -71,7 +71,7 @@ def version() -> int:
 
 def status_name(status: int) -> str:
     """Name of a status, such as "NURBS_ERROR_NULL"."""
-    return str(lib.nurbs_status_name(status).decode())
+    return str(_result(lib.nurbs_status_name, status).decode())
 
 
 def last_error() -> str:
@@ -82,13 +82,18 @@ def last_error() -> str:
     return text.value.decode(errors="replace")
 
 
-def call(function: Any, *arguments: Any) -> None:
-    """Calls a function of the library; raises NurbsError unless its status is success."""
+def _result(function: Any, *arguments: Any) -> Any:
+    """What a function of the library returns; arguments that are no numbers, or do not fit, are natural errors."""
     try:
-        status = function(*arguments)
+        return function(*arguments)
     except ctypes.ArgumentError as error:
         kind = OverflowError if "OverflowError" in str(error) else TypeError
         raise kind(f"{function.__name__}(), {error}") from None
+
+
+def call(function: Any, *arguments: Any) -> None:
+    """Calls a function of the library; raises NurbsError unless its status is success."""
+    status = _result(function, *arguments)
     if status != NURBS_OK:
         raise error_class(status)(status, status_name(status), last_error())
 

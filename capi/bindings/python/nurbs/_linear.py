@@ -96,11 +96,11 @@ class Linear(SplineBase):
         dim, axes = self.dimension, self.axes
         slots = derivative_slots(axes, order or 0)
         wanted = (*shape, dim) if order is None else (*shape, slots, dim)
-        if numpy.shape(cotangents) != wanted:
-            raise ValueError(f"cotangents of shape {numpy.shape(cotangents)}, expected {wanted}")
         g, add = records(cotangents, slots * dim), bool(flags & NURBS_ACCUMULATE)
+        if g.shape != wanted:
+            raise ValueError(f"cotangents of shape {g.shape}, expected {wanted}")
         outputs = [Gradient(points, (*self.counts, dim), dim, add), Gradient(weights, self.counts, 1, add),
-                   Gradient(param_gradients, numpy.shape(params), axes, add)]
+                   Gradient(param_gradients, given.shape, axes, add)]
         of_points, of_weights, of_params = (output.layout for output in outputs)
         call(lib.nurbs_eval_adjoint, self._handle, order or 0, given.n, *given.layout, *g.layout, *of_points,
              *of_weights[:2], *of_params, flags)

@@ -84,7 +84,8 @@ class Measures(SplineBase):
 
     def lengths(self, params: ArrayLike, relative_tolerance: float = 0.0, *, out: Optional[Floats] = None) -> Floats:
         """Lengths of a curve from the start of its domain to parameters S, of their shape."""
-        given, output = records(params, 1), Output(out, numpy.shape(params), 1)
+        given = records(params, 1)
+        output = Output(out, given.shape, 1)
         call(lib.nurbs_curve_lengths, self._handle, given.n, *given.layout[:2], relative_tolerance, *output.layout[:2])
         return output.finish()
 
@@ -92,7 +93,8 @@ class Measures(SplineBase):
                           out: Optional[Floats] = None) -> Floats:
         """Parameters of a curve at lengths S from the start of its domain, of their shape; with clamp lengths outside
         give the nearer end, otherwise they raise ArgumentError."""
-        given, output = records(lengths, 1), Output(out, numpy.shape(lengths), 1)
+        given = records(lengths, 1)
+        output = Output(out, given.shape, 1)
         call(lib.nurbs_curve_params_at_lengths, self._handle, given.n, *given.layout[:2], relative_tolerance,
              *output.layout[:2], NURBS_CLAMP if clamp else 0)
         return output.finish()

@@ -18,8 +18,8 @@ __all__ = ["Deviation", "KnotRemoval", "Reduced", "Snapped"]
 class Deviation(NamedTuple):
     """Proven bounds of the largest distance of two splines at equal parameters."""
 
-    lower: float
-    upper: float
+    at_least: float
+    at_most: float
 
 
 class KnotRemoval(NamedTuple):
@@ -49,9 +49,9 @@ class Reduction(SplineBase):
 
     def deviation(self, other: SplineBase) -> Deviation:
         """Bounds of sup |self(t) - other(t)| over the domain, which has to be the same."""
-        lower = ctypes.c_double()
-        upper = get(ctypes.c_double, lib.nurbs_deviation, self._handle, handle_of(other), ctypes.byref(lower))
-        return Deviation(lower.value, upper)
+        at_least = ctypes.c_double()
+        at_most = get(ctypes.c_double, lib.nurbs_deviation, self._handle, handle_of(other), ctypes.byref(at_least))
+        return Deviation(at_least.value, at_most)
 
     def remove_knot(self, knot: float, times: int = 1, *, tolerance: float = 0.0, axis: int = 0) -> KnotRemoval:
         """Copies of a knot removed, as many of `times` as the tolerance allows. Raises ArgumentError if it is none."""

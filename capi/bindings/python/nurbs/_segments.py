@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, List, NamedTuple, Sequence
 
 import numpy
 
-from ._arrays import addresses, vector
+from ._arrays import addresses, packed, vector
 from ._base import SplineBase
 from ._library import call, get, lib
 from .constants import NURBS_HOMOGENEOUS
@@ -46,7 +46,7 @@ class Segments(SplineBase):
         """The C^1 piecewise cubic curve through points (n, dimension) with derivatives (n, dimension) at parameters
         (n,)."""
         at = vector(params)
-        nets = [numpy.ascontiguousarray(values, numpy.float64) for values in (points, tangents)]
+        nets = [packed(values) for values in (points, tangents)]
         if any(net.ndim != 2 or len(net) != at.size or net.shape != nets[0].shape for net in nets):
             raise ValueError(f"points {nets[0].shape} and tangents {nets[1].shape} for {at.size} parameters")
         return cls._made(lib.nurbs_create_hermite, at.size, at.ctypes.data, nets[0].shape[1], nets[0].ctypes.data, 0, 0,
@@ -63,7 +63,7 @@ class Segments(SplineBase):
     def power(cls, coefficients: ArrayLike, breaks: Sequence[ArrayLike], homogeneous: bool = False) -> Spline:
         """The spline of pieces sum_k c_k (t - a)^k, a the start of the piece: coefficients (pieces..., degree + 1...,
         width) over the breaks of each axis, homogeneous or not."""
-        values = numpy.ascontiguousarray(coefficients, numpy.float64)
+        values = packed(coefficients)
         parts = [vector(axis) for axis in breaks]
         axes = len(parts)
         pieces = numpy.array([axis.size - 1 for axis in parts], numpy.int64)

@@ -41,7 +41,8 @@ def _corners(function: Any, corners: ArrayLike, axes: int) -> Spline:
     array = numpy.asarray(corners, dtype=numpy.float64)
     if array.shape[:-1] not in ((2**axes,), (2,) * axes):
         raise ValueError(f"corners of shape {array.shape}, expected {(2,) * axes} and the dimension")
-    return Spline._made(function, array.shape[-1], *records(array, array.shape[-1]).layout)
+    given = records(array, array.shape[-1])
+    return Spline._made(function, array.shape[-1], *given.layout)
 
 
 def bilinear(corners: ArrayLike) -> Spline:

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, Callable, Dict, Optional, Sequence, Tuple, Union
+from typing import TYPE_CHECKING, Any, Callable, Dict, Optional, Sequence, Tuple, Type, Union
 
 import numpy
 
@@ -34,8 +34,6 @@ from ._sweeps import Sweeps
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
-    from ._state import State
-
 __all__ = ["Spline"]
 
 
@@ -59,6 +57,8 @@ class Spline(Evaluation, Calculus, Refinement, Forms, Transformations, Continuat
         """From full knot vectors: `degrees` a number or one for each axis, `knots` a vector (count + degree + 1,) or
         one for each axis, `points` (counts..., dimension), `weights` (counts...) or None, `flags` NURBS_PERIODIC by
         axis. Raises ArgumentError."""
+        if self._handle:
+            raise TypeError("a Spline does not change: it cannot be initialised again")
         net = Net(degrees, points, weights)
         vectors, _ = concatenated(knots, net.axes)
         made = self._made(lib.nurbs_create, *net.sizes, vectors.ctypes.data, vectors.size, net.width,
@@ -105,7 +105,8 @@ class Spline(Evaluation, Calculus, Refinement, Forms, Transformations, Continuat
     def bezier(cls, points: ArrayLike, weights: Optional[ArrayLike] = None) -> Spline:
         """A Bezier spline over [0, 1] on every axis, of the degrees that the shape (degree + 1..., dimension) of points
         has."""
-        net = Net([count - 1 for count in numpy.shape(points)[:-1]], points, weights)
+        given = numpy.asarray(points, dtype=numpy.float64)
+        net = Net([count - 1 for count in given.shape[:-1]], given, weights)
         return cls._made(lib.nurbs_create_bezier, net.axes, net.degrees.ctypes.data, net.width, *net.points.layout,
                          *net.weight_layout)
 
@@ -120,8 +121,8 @@ class Spline(Evaluation, Calculus, Refinement, Forms, Transformations, Continuat
     def __deepcopy__(self, memo: Dict[int, Any]) -> Spline:
         return self.copy()
 
-    def __reduce__(self) -> Tuple[Callable[..., Spline], State]:
-        return _restored, state_of(self)
+    def __reduce__(self) -> Tuple[Callable[..., Spline], Tuple[Any, ...]]:
+        return _restored, state_of(self) if type(self) is Spline else (*state_of(self), type(self))
 
     @cached_property
     def _key(self) -> Tuple[Any, ...]:
@@ -154,8 +155,10 @@ def _periodic_axes(periodic: Tuple[bool, ...]) -> str:
     return f", periodic{where}" if axes else ""
 
 
-def _restored(homogeneous: bool, degrees: Tuple[int, ...], knots: Any, points: Any, weights: Any, flags: int) -> Spline:
-    """The spline of a State."""
-    if homogeneous:
-        return Spline.homogeneous(degrees, knots, points, flags)
-    return Spline(degrees, knots, points, weights, flags)
+def _restored(homogeneous: bool, degrees: Tuple[int, ...], knots: Any, points: Any, weights: Any, flags: int,
+              kind: Optional[Type[Spline]] = None) -> Spline:
+    """The spline of a State, of a derived class if there is one: its instances are made without its __init__(), as by
+    all methods."""
+    made = (Spline.homogeneous(degrees, knots, points, flags) if homogeneous
+            else Spline(degrees, knots, points, weights, flags))
+    return made if kind is None else kind._owner(made.__dict__.pop("_handle"))

@@ -21,7 +21,8 @@ class Sweeps(SplineBase):
 
     def extrude(self, vector: ArrayLike) -> Spline:
         """A curve or surface moved along a vector, which becomes a new last axis over [0, 1]."""
-        return self._made(lib.nurbs_extrude, self._handle, self._coordinates(vector, "a vector").ctypes.data)
+        along = self._coordinates(vector, "a vector")
+        return self._made(lib.nurbs_extrude, self._handle, along.ctypes.data)
 
     def revolve(self, sweep: float = FULL_TURN, point: Optional[ArrayLike] = None, axis: Optional[ArrayLike] = None,
                 form: int = NURBS_ARC_QUARTERS) -> Spline:

@@ -24,6 +24,15 @@ impl Layout {
         }
     }
 
+    /// The stride of records of one component, where the library takes only one stride.
+    fn step(&self) -> usize {
+        if self.stride == 0 {
+            self.component_stride
+        } else {
+            self.stride
+        }
+    }
+
     /// One past the last element that n records touch.
     fn extent(&self, n: usize, width: usize) -> usize {
         if n == 0 || width == 0 {
@@ -68,6 +77,9 @@ impl<'a> Records<'a> {
     }
     pub(crate) fn pointer(&self) -> *const f64 {
         self.values.as_ptr()
+    }
+    pub(crate) fn step(&self) -> i64 {
+        self.layout.step() as i64
     }
     pub(crate) fn stride(&self) -> i64 {
         self.layout.stride as i64
@@ -127,7 +139,8 @@ pub(crate) fn layout(
         None => Ok((null_mut(), 0, 0)),
         Some(o) => {
             o.require(n, width, what)?;
-            Ok((o.pointer(), o.stride(), o.component_stride()))
+            let stride = if width == 1 { o.layout.step() as i64 } else { o.stride() };
+            Ok((o.pointer(), stride, o.component_stride()))
         }
     }
 }

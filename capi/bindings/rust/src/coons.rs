@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //! Surfaces and volumes from their boundaries, which are counted by axis, then by end.
 
+use crate::arrays::exactly;
 use crate::error::{check, Result};
 use crate::list::List;
-use crate::placement::require_length;
 use crate::spline::Spline;
 use crate::sys;
 use std::ptr::null;
@@ -60,7 +60,7 @@ impl Spline {
     /// The bicubic blend, and the largest difference between its twists and those of the cross tangents.
     pub fn coons_hermite(given: HermiteBoundaries, tolerance: f64) -> Result<(Spline, f64)> {
         if let Some(twists) = given.twists {
-            require_length(4 * given.curves[0].dimension()?, &[twists])?;
+            exactly(twists, 4 * given.curves[0].dimension()? as usize, "twists")?;
         }
         let (curves, cross) = (raw(given.curves), given.cross.map(raw));
         let across = cross.as_ref().map_or(null(), |handles| handles.as_ptr());

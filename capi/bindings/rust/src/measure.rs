@@ -121,7 +121,7 @@ impl Spline {
         let p = params.into();
         let n = p.count(1, "params")?;
         let mut found = vec![0.0; n];
-        let (first, stride, out) = (p.pointer(), p.stride(), found.as_mut_ptr());
+        let (first, stride, out) = (p.pointer(), p.step(), found.as_mut_ptr());
         check(unsafe {
             sys::nurbs_curve_lengths(self.raw(), n as i64, first, stride, relative_tolerance, out, 0)
         })?;
@@ -137,7 +137,7 @@ impl Spline {
         let l = lengths.into();
         let n = l.count(1, "lengths")?;
         let mut found = vec![0.0; n];
-        let (g, first, stride, out) = (self.raw(), l.pointer(), l.stride(), found.as_mut_ptr());
+        let (g, first, stride, out) = (self.raw(), l.pointer(), l.step(), found.as_mut_ptr());
         check(unsafe {
             sys::nurbs_curve_params_at_lengths(g, n as i64, first, stride, relative_tolerance, out, 0, flags)
         })?;

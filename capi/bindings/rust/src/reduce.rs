@@ -27,11 +27,11 @@ pub struct KnotRemoval {
 
 /// Reduction.
 impl Spline {
-    /// Proven bounds (lower, upper) of the largest distance of two splines over the same domain.
+    /// Proven bounds (at least, at most) of the largest distance of two splines over the same domain.
     pub fn deviation(&self, other: &Spline) -> Result<(f64, f64)> {
-        let (mut lower, mut upper) = (0.0, 0.0);
-        check(unsafe { sys::nurbs_deviation(self.raw(), other.raw(), &mut lower, &mut upper) })?;
-        Ok((lower, upper))
+        let (mut at_least, mut at_most) = (0.0, 0.0);
+        check(unsafe { sys::nurbs_deviation(self.raw(), other.raw(), &mut at_least, &mut at_most) })?;
+        Ok((at_least, at_most))
     }
     /// Copies of a knot removed, as many as the tolerance allows.
     pub fn remove_knot(&self, axis: i32, knot: f64, times: i32, tolerance: f64) -> Result<KnotRemoval> {

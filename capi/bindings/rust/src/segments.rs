@@ -40,7 +40,7 @@ pub fn basis_matrix(from: i32, to: i32, degree: i32) -> Result<Vec<f64>> {
 impl Spline {
     /// The piecewise cubic through points with tangents, both packed.
     pub fn hermite(params: &[f64], dim: i32, points: &[f64], tangents: &[f64]) -> Result<Spline> {
-        let wanted = params.len() * dim.max(0) as usize;
+        let wanted = params.len().saturating_mul(dim.max(0) as usize);
         for (name, values) in [("points", points), ("tangents", tangents)] {
             if values.len() != wanted {
                 return Err(Error::size(name, values.len(), wanted.to_string()));
