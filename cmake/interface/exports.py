@@ -28,7 +28,8 @@ def version_script(manual):
 
 def debian_symbols(manual):
     major = manual.version.split(".")[0]
-    lines = [f"# {header.NOTICE}", f"libnurbs.so.{major} libnurbs{major} #MINVER#"]
+    lines = [f"# {header.NOTICE}", f"libnurbs.so.{major} libnurbs{major} #MINVER#",
+             "* Build-Depends-Package: libnurbs-dev"]
     for version, names in by_version(manual):
         lines += [f" {name}@NURBS_{version} {version}.0" for name in (f"NURBS_{version}", *sorted(names))]
     return "\n".join(lines) + "\n"
