@@ -98,8 +98,8 @@ pub const fn on_all_axes(axes: u32, flags: u32) -> u32 {
 }
 
 // Checked by the compiler: threads may share what this crate makes.
-const fn shared<T: Send + Sync>() {}
-const _: () = {
+const _: fn() = || {
+    fn shared<T: Send + Sync>() {}
     shared::<Spline>();
     shared::<List>();
     shared::<Error>();
