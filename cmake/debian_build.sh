@@ -12,6 +12,8 @@ mkdir -p "$2"
 output=$(realpath "$2")
 shift 2
 
+# Modes of files are in the packages.
+umask 022
 # Debian's tools run Debian's Python and compilers, whatever else is on the PATH.
 export PATH=/usr/sbin:/usr/bin:/sbin:/bin
 version=$(dpkg-parsechangelog -l "$source/cmake/debian/changelog" -S Version | sed 's/-[^-]*$//')
