@@ -15,8 +15,12 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
+// The constructors are written out, because those that a compiler adds are not compiled for the instruction set.
 template <class V>
 struct Twin {
+    HWY_INLINE Twin() {}
+    HWY_INLINE Twin(V high_part, V low_part) : high(high_part), low(low_part) {}
+
     V high;
     V low;
 };
