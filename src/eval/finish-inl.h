@@ -38,11 +38,14 @@ HWY_INLINE void divide_record(const RecordShape &shape, double *HWY_RESTRICT rec
     }
 }
 
-// A record of kLanes lanes in registers.
+// A record of kLanes lanes in registers. The constructor is written out, because one that a compiler adds is not
+// compiled for the instruction set.
 template <int kSlots, int kLanes = 4>
 struct QuadRecord {
     static constexpr int parts = kLanes / quad_lanes;
     hn::Vec<Quad> values[parts][kSlots];
+
+    HWY_INLINE QuadRecord() {}
 
     // Divides by the weight, which is component `dim`.
     template <int kAxes, int kOrder>
