@@ -637,9 +637,10 @@ NURBS_API nurbs_status nurbs_point_count(const nurbs *g, int64_t *count);
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_is_rational(const nurbs *g, int32_t *rational);
 
-/** \brief Whether the stored values are homogeneous points: those of nurbs_create_homogeneous(), and of what
- * is made from such a spline. nurbs_homogeneous_points() then returns the stored bits, otherwise
- * nurbs_points() and nurbs_weights() do; creating a spline anew from what is stored gives the same spline.
+/** \brief Whether the stored values are homogeneous points: those of nurbs_create_homogeneous(), and of
+ * operations on such a spline that keep its weights. nurbs_homogeneous_points() then returns the stored bits,
+ * otherwise nurbs_points() and nurbs_weights() do; creating a spline anew from what is stored gives the same
+ * spline.
  * \param[in] g a spline.
  * \param[out] homogeneous 1 homogeneous points, 0 Cartesian points with or without weights.
  * \return NURBS_OK, NURBS_ERROR_NULL.

@@ -58,6 +58,23 @@ static void stored_records(void) {
     nurbs_destroy(g);
 }
 
+/* What is stored stays homogeneous through an operation, and ends where the weights do. */
+static void stored_form_is_kept(void) {
+    int32_t homogeneous = 0;
+    SplineArgs a = half_circle();
+    nurbs *g = NULL, *finer = NULL, *plain = NULL;
+    CHECK_OK(create_homogeneous(&a, &g));
+    CHECK_OK(nurbs_insert_knot(g, 0, 0.5, 1, &finer));
+    CHECK_OK(nurbs_is_homogeneous(finer, &homogeneous));
+    CHECK_INT(homogeneous, 1);
+    CHECK_OK(nurbs_to_homogeneous(g, &plain));
+    CHECK_OK(nurbs_is_homogeneous(plain, &homogeneous));
+    CHECK_INT(homogeneous, 0);
+    nurbs_destroy(plain);
+    nurbs_destroy(finer);
+    nurbs_destroy(g);
+}
+
 static void point_at_infinity_evaluates(void) {
     static const double params[] = {0, 0.25, 0.5, 1}, expected[] = {1, 0, 0.8, 0.6, 0, 1, -1, 0};
     double points[8];
@@ -174,6 +191,7 @@ static void negative_weights_accepted(void) {
 
 int main(void) {
     stored_records();
+    stored_form_is_kept();
     point_at_infinity_evaluates();
     pole();
     layouts();

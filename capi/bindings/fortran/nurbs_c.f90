@@ -223,8 +223,8 @@ module nurbs_c
             integer(c_int32_t), intent(inout) :: rational
             integer(c_int32_t) :: r
         end function nurbs_is_rational
-        !> Whether the stored values are homogeneous points: those of nurbs_create_homogeneous(), and of what
-        !> is made from such a spline.
+        !> Whether the stored values are homogeneous points: those of nurbs_create_homogeneous(), and of
+        !> operations on such a spline that keep its weights.
         function nurbs_is_homogeneous(g, homogeneous) bind(c) result(r)
             import
             type(c_ptr), value :: g

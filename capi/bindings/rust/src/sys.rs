@@ -590,8 +590,8 @@ extern "C" {
     pub fn nurbs_point_count(g: *const nurbs, count: *mut i64) -> nurbs_status;
     /// Whether the spline carries weights, equal ones included.
     pub fn nurbs_is_rational(g: *const nurbs, rational: *mut i32) -> nurbs_status;
-    /// Whether the stored values are homogeneous points: those of nurbs_create_homogeneous(), and of what is
-    /// made from such a spline.
+    /// Whether the stored values are homogeneous points: those of nurbs_create_homogeneous(), and of
+    /// operations on such a spline that keep its weights.
     pub fn nurbs_is_homogeneous(g: *const nurbs, homogeneous: *mut i32) -> nurbs_status;
     /// The full knot vector of an axis.
     pub fn nurbs_knots(g: *const nurbs, axis: i32, knot_count: i64, knots: *mut f64) -> nurbs_status;
