@@ -33,7 +33,7 @@ OPERATOR = re.compile("|".join(rf"\b{re.escape(word)}\b" if word.isalpha() else 
 NUMBER = re.compile(r"(?<![\w.])(\d+)(?![\w.]|\s*>)")
 NOT_CODE = re.compile(r"//[^\n]*|/\*.*?\*/|\"(?:\\.|[^\"\\\n])*\"|'(?:\\.|[^'\\\n])+'|^[ \t]*#[^\n]*",
                       flags=re.DOTALL | re.MULTILINE)
-PLAIN = re.compile(r"static_assert|template|namespace|using |operator")
+DECLARATION = re.compile(r"static_assert|template|namespace|using |operator")
 
 
 @dataclass(frozen=True)
@@ -56,7 +56,7 @@ def faults_of(source, path):
     for pattern, new in ((OPERATOR, SWAPS.get), (NUMBER, lambda digits: str(int(digits) + 1))):
         for match in pattern.finditer(code):
             line = code.count("\n", 0, match.start()) + 1
-            if not PLAIN.search(lines[line - 1]):
+            if not DECLARATION.search(lines[line - 1]):
                 yield Fault(name, match.start(), match[0], new(match[0]), line)
 
 

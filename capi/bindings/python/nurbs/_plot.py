@@ -172,7 +172,7 @@ class Plots(SplineBase):
             _draw_curve(ax, spline, color, knots)
         else:
             _draw_surfaces(ax, [spline] if self.axes == 2 else spline.boundaries(), color, alpha)
-        if self.axes == 1 if control is None else control:
+        if control or (control is None and self.axes == 1):
             _draw_net(ax, _net(spline))
         if self.dimension > 1:
             _even_scales(ax, dim)
