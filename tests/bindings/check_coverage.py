@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Every function, constant and macro of nurbs.h can be reached from the layers that are written by hand.
+"""Every function, constant and macro of nurbs.h can be reached from the layers that are written by hand, and every
+function is called by a test in C, and by those of memory and threads.
 
     check_coverage.py TOP     TOP is the folder of the project
 
@@ -19,7 +20,9 @@ sys.path.insert(0, str(TOP / "cmake/interface"))
 import header  # noqa: E402 - from the project
 from generate import contents  # noqa: E402 - from the project
 
-COMMENTS = {".hpp": r"/\*.*?\*/|//[^\n]*", ".f90": r"![^\n]*", ".py": r"(?<!.)#[^\n]*", ".rs": r"//[^\n]*"}
+COMMENT = r"/\*.*?\*/|//[^\n]*"
+COMMENTS = {".c": COMMENT, ".cpp": COMMENT, ".h": COMMENT, ".hpp": COMMENT, ".rs": COMMENT,
+            ".f90": r"![^\n]*", ".py": r"(?<!.)#[^\n]*"}
 
 
 def sources(manual, *patterns):
@@ -49,6 +52,10 @@ def problems(manual):
     fortran = sources(manual, "capi/bindings/fortran/*.f90").lower()
     python = sources(manual, "capi/bindings/python/nurbs/*.py")
     rust = sources(manual, "capi/bindings/rust/src/*.rs")
+    tests = sources(manual, "tests/capi/*.c", "tests/capi/*.h")
+    calls = sources(manual, "tests/capi/calls/*", "tests/capi/shapes.h")
+    yield from lacking("tests/capi", tests, r"\b{}\(", functions)
+    yield from lacking("tests/capi/calls", calls, r"\b{}\(", functions)
     yield from lacking("C++", cpp, r"\b{}\b", [*functions, *manual.constants, *macros])
     yield from lacking("Fortran", fortran, r"\b{}\b", fortran_functions(manual))
     yield from lacking("Fortran", fortran, r"function {}\(", [name.lower() for name in macros])

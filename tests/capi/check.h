@@ -17,9 +17,15 @@
 
 enum { check_scratch_size = 128, check_text_size = 1024 };
 
-static int check_failures;
-static double check_scratch[check_scratch_size], check_scratch_copy[check_scratch_size];
-static char check_before[check_text_size];
+#ifdef __cplusplus
+#define CHECK_STATE inline /* a C++ program may have several files */
+#else
+#define CHECK_STATE static
+#endif
+
+CHECK_STATE int check_failures;
+CHECK_STATE double check_scratch[check_scratch_size], check_scratch_copy[check_scratch_size];
+CHECK_STATE char check_before[check_text_size];
 
 static inline int check_report(const char *file, int line, const char *what) {
     ++check_failures;

@@ -1,10 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-// Eight threads on one handle: every kind of query, tables built at first use by all at once, handles cloned
-// and destroyed meanwhile. Results are those of one thread, bit for bit. Each thread has its own message.
-#include "check.h"
+// Eight threads on one handle: every function, tables built at first use by all at once, handles cloned and
+// destroyed meanwhile. Results are those of one thread, bit for bit. Each thread has its own message.
+#include "calls/calls.h"
 
 #include "iges_text.h"
-#include "shapes.h"
 
 #include <array>
 #include <atomic>
@@ -258,9 +257,106 @@ void lists_are_shared() {
     }
 }
 
+// What a call returned and wrote, with the numbers of the splines that it made.
+class Outcome {
+public:
+    Outcome(const calls::Call &call, const calls::Inputs &in) : status_(call.run(in, o_)) {
+        int64_t count = 0;
+        if (o_.list != nullptr) {
+            EXPECT(nurbs_list_count(o_.list, &count) == NURBS_OK);
+        }
+        for (int64_t i = 0; i < count; ++i) {
+            nurbs *g = nullptr;
+            EXPECT(nurbs_list_get(o_.list, i, &g) == NURBS_OK);
+            add_numbers(g);
+            nurbs_destroy(g);
+        }
+        if (o_.out != check_poison()) {
+            add_numbers(o_.out);
+        }
+        calls::destroy(o_);
+    }
+    [[nodiscard]] bool good() const noexcept { return status_ == NURBS_OK; }
+    [[nodiscard]] bool operator==(const Outcome &other) const {
+        return status_ == other.status_ && same(o_.values, other.o_.values) &&
+               same(o_.singles, other.o_.singles) && same(o_.spans, other.o_.spans) &&
+               same(o_.states, other.o_.states) && same(o_.text, other.o_.text) &&
+               numbers_.size() == other.numbers_.size() &&
+               std::memcmp(numbers_.data(), other.numbers_.data(), numbers_.size() * sizeof(double)) == 0;
+    }
+
+private:
+    template <class T, size_t n>
+    static bool same(const T (&a)[n], const T (&b)[n]) {
+        return std::memcmp(a, b, sizeof a) == 0;
+    }
+
+    double *more(int64_t n) {
+        numbers_.resize(numbers_.size() + static_cast<size_t>(n));
+        return numbers_.data() + numbers_.size() - n;
+    }
+
+    void add_numbers(const nurbs *g) {
+        int32_t axes = 0, dim = 0, degree = 0;
+        int64_t total = 0, count = 0;
+        EXPECT(nurbs_axes(g, &axes) == NURBS_OK && nurbs_dimension(g, &dim) == NURBS_OK);
+        EXPECT(nurbs_point_count(g, &total) == NURBS_OK);
+        EXPECT(nurbs_homogeneous_points(g, total, more(total * (dim + 1)), 0, 0) == NURBS_OK);
+        for (int32_t k = 0; k < axes; ++k) {
+            EXPECT(nurbs_degree(g, k, &degree) == NURBS_OK && nurbs_count(g, k, &count) == NURBS_OK);
+            EXPECT(nurbs_knots(g, k, count + degree + 1, more(count + degree + 1)) == NURBS_OK);
+        }
+    }
+
+    calls::Output o_;
+    nurbs_status status_;
+    std::vector<double> numbers_;
+};
+
+std::vector<calls::Call> all_calls() {
+    const auto scalars = calls::scalar_calls();
+    std::vector<calls::Call> all(scalars.begin(), scalars.end());
+    calls::for_each_allocating([&](const calls::Call &call) { all.push_back(call); });
+    return all;
+}
+
+void expect_same(const calls::Call &call, const calls::Inputs &in, const Outcome &expected) {
+    if (!(Outcome(call, in) == expected)) {
+        expect(false, call.name);
+    }
+}
+
+// Each call by all threads at once over handles that were asked nothing before; then all calls over the same
+// handles, each thread beginning with another one.
+void every_function() {
+    const std::vector<calls::Call> all = all_calls();
+    std::vector<Outcome> expected;
+    for (const calls::Call &call : all) {
+        const calls::Inputs alone = calls::make_inputs(), shared = calls::make_inputs();
+        expected.emplace_back(call, alone);
+        expect(expected.back().good(), call.name);
+        in_threads([&](int) { expect_same(call, shared, expected.back()); });
+        calls::destroy(alone);
+        calls::destroy(shared);
+    }
+    const calls::Inputs in = calls::make_inputs();
+    in_threads([&](int thread) {
+        for (size_t i = 0; i < all.size(); ++i) {
+            const size_t at = (i + static_cast<size_t>(thread) * all.size() / thread_count) % all.size();
+            expect_same(all[at], in, expected[at]);
+        }
+    });
+    calls::check_intact(in);
+    calls::destroy(in);
+}
+
 } // namespace
 
 int main() {
+    const char *const path = "threads_test.igs";
+    CHECK(calls::write_file(path));
+    every_function();
+    std::remove(path);
     for (const SplineArgs &a : shapes) {
         first_use_by_all(a);
         clones_come_and_go(a);
