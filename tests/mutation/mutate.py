@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """Plants faults in src, one at a time, and sees whether the tests notice.
 
-usage: mutate.py SOURCE BUILD REACH REPORT [--count N] [--seed S] [--share K/N]
+usage: mutate.py SOURCE BUILD REACH REPORT [--count N] [--seed S] [--share K/N] [--patience SECONDS]
 
 SOURCE is a checkout of its own (its files are changed and put back), BUILD a build of it with its tests, REACH the
 reach.json of reach.py, made of the same sources. A fault flips an operator or changes a constant. For each one the
@@ -10,11 +10,13 @@ library and the programs of those tests that run the line are built, and these t
 fails. Faults that do not compile, and those that leave the object code as it was, do not count, and others take their
 places. REPORT gets a line of JSON for each fault; a run that was broken off goes on where it was. --share K/N: this
 process takes each Nth fault, beginning with the Kth, so that N processes with a SOURCE and BUILD each can share the work.
+A fault that no test has noticed when the time for tests is over (--patience, 300) counts as not noticed.
 """
 
 import argparse
 import hashlib
 import json
+import os
 import pathlib
 import random
 import re
@@ -102,7 +104,7 @@ class Build:
         command = [self.moved(word) for word in test["command"]]
         try:
             done = subprocess.run(command, cwd=self.moved(test["folder"]), capture_output=True, check=False,
-                                  timeout=20 * test["seconds"] + 20)
+                                  env={**os.environ, **test["environment"]}, timeout=20 * test["seconds"] + 20)
         except subprocess.TimeoutExpired:
             return True
         return done.returncode not in (0, 77)
@@ -116,20 +118,23 @@ def plant(build, fault):
     return lambda: path.write_text(text, encoding="utf-8")
 
 
-def first_noticing(build, tests):
-    """The first test that fails; its program is built when it is needed."""
+def first_noticing(build, tests, patience):
+    """(name of the first test that fails or None, number of tests run); programs are built when they are needed."""
     built = set()
-    for test in tests:
+    end = time.monotonic() + patience
+    for index, test in enumerate(tests):
         program = pathlib.Path(test["command"][0]).name
         if program not in built and not build.make(program):
-            return "the program does not compile"
+            return "the program does not compile", index
         built.add(program)
         if build.notices(test):
-            return test["name"]
-    return None
+            return test["name"], index + 1
+        if time.monotonic() > end:
+            return None, index + 1
+    return None, len(tests)
 
 
-def tried(build, fault, reach, before):
+def tried(build, fault, reach, before, patience):
     """(verdict, detail) of a fault."""
     put_back = plant(build, fault)
     try:
@@ -140,8 +145,8 @@ def tried(build, fault, reach, before):
         tests = reach.tests_of(fault)
         if not tests:
             return "survived", "no test runs the line"
-        noticing = first_noticing(build, tests)
-        return ("noticed", noticing) if noticing else ("survived", f"{len(tests)} tests run the line")
+        noticing, run = first_noticing(build, tests, patience)
+        return ("noticed", noticing) if noticing else ("survived", f"{run} of {len(tests)} tests that run the line")
     finally:
         put_back()
 
@@ -172,6 +177,7 @@ def main():
     parser.add_argument("--count", type=int, default=200)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--share", default="1/1")
+    parser.add_argument("--patience", type=float, default=300)
     given = parser.parse_args()
     source = given.source.resolve()
     reach = Reach(given.reach)
@@ -189,7 +195,7 @@ def main():
             break
         if str(fault) not in done:
             start = time.monotonic()
-            verdict, detail = tried(build, fault, reach, before)
+            verdict, detail = tried(build, fault, reach, before, given.patience)
             report.append({"fault": str(fault), "verdict": verdict, "detail": detail,
                            "seconds": round(time.monotonic() - start, 1)})
             with given.report.open("a") as file:
