@@ -24,7 +24,8 @@ module nurbs
     use nurbs_c         ! the C functions as they stand, for what is not below: nurbs_version
     use nurbs_support, only: nurbs_message, nurbs_status_text, nurbs_on_axis, nurbs_on_all_axes
     use nurbs_knot_vectors
-    use nurbs_splines, only: nurbs_spline, derivative_slots
+    use nurbs_evaluation, only: derivative_slots
+    use nurbs_splines, only: nurbs_spline
     use nurbs_frames
     use nurbs_calculus
     use nurbs_lists, only: nurbs_list, default_read_options
