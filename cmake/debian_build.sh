@@ -11,6 +11,12 @@ source=$(realpath "$1")
 mkdir -p "$2"
 output=$(realpath "$2")
 shift 2
+case "$output" in
+*[[:space:]]*)
+    echo "debian_build.sh: blanks in \"$output\", which pybuild and dpkg's maps of paths do not take" >&2
+    exit 2
+    ;;
+esac
 
 # Modes of files are in the packages.
 umask 022
@@ -30,6 +36,9 @@ tar -C "$source" --exclude=__pycache__ --exclude=target --exclude=cmake/debian -
 # The same bytes whoever packs them, wherever and whenever.
 tar -C "$output" --sort=name --mtime="@$SOURCE_DATE_EPOCH" --owner=0 --group=0 --numeric-owner --mode=go=rX,u+rw \
     --format=gnu -cf - "$name" | xz -T1 >"$output/libnurbs_$version.orig.tar.xz"
+# Files keep their times in the packages where they are older than the changelog: those of the tarball.
+rm -rf "$tree"
+tar -C "$output" -xf "$output/libnurbs_$version.orig.tar.xz"
 cp -r "$source/cmake/debian" "$tree/debian"
 cd "$tree"
-dpkg-buildpackage --unsigned-source --unsigned-changes "$@"
+dpkg-buildpackage --sanitize-env --unsigned-source --unsigned-changes "$@"

@@ -25,7 +25,8 @@ write_basic_package_version_file("${PROJECT_BINARY_DIR}/nurbs-config-version.cma
 install(FILES "${PROJECT_BINARY_DIR}/nurbs-config.cmake" "${PROJECT_BINARY_DIR}/nurbs-config-version.cmake"
     DESTINATION "${package_dir}")
 
-# pkg-config: directories relative to the .pc file, except where the installer asked for absolute ones.
+# pkg-config: directories relative to the .pc file, except where the installer asked for absolute ones, and in the system's
+# own, which pkg-config leaves out of its answers only where it knows them by their names.
 foreach(kind LIB INCLUDE)
     string(TOLOWER "${kind}" name)
     if(IS_ABSOLUTE "${CMAKE_INSTALL_${kind}DIR}")
@@ -34,7 +35,7 @@ foreach(kind LIB INCLUDE)
         set(pc_${name}dir "\${prefix}/${CMAKE_INSTALL_${kind}DIR}")
     endif()
 endforeach()
-if(IS_ABSOLUTE "${CMAKE_INSTALL_LIBDIR}")
+if(IS_ABSOLUTE "${CMAKE_INSTALL_LIBDIR}" OR CMAKE_INSTALL_PREFIX STREQUAL "/usr")
     set(pc_prefix "${CMAKE_INSTALL_PREFIX}")
 else()
     file(RELATIVE_PATH pc_up "/${CMAKE_INSTALL_LIBDIR}/pkgconfig" "/")

@@ -11,6 +11,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "cmake/interface"))
 
+import exports  # noqa: E402 - from the project
 import header  # noqa: E402 - from the project
 
 ALLOWED_LIBRARIES = re.compile(
@@ -61,15 +62,16 @@ def repeated(kind, names):
 
 def problems(header_path, map_path, library):
     manual = header.parse(Path(header_path).read_text(encoding="utf-8"))
-    in_map = map_functions(Path(map_path).read_text(encoding="utf-8"))
+    map_text = Path(map_path).read_text(encoding="utf-8")
+    in_map = map_functions(map_text)
     declared = [function.name for function in manual.functions]
-    promised = [(function.name, f"NURBS_{function.since}") for function in manual.functions]
+    promised = [(function.name, f"NURBS_{exports.node(manual, function)}") for function in manual.functions]
     major, minor, _ = manual.version.split(".")
     found = repeated("header", declared) + repeated("map", [name for name, _ in in_map])
     found += differences("header and map", promised, in_map)
     found += differences("map and library", in_map, exported(library))
     found += [f"the map has no node for this version, NURBS_{major}.{minor}"] * \
-        (f"NURBS_{major}.{minor}" not in [node for _, node in in_map])
+        (f"\nNURBS_{major}.{minor} {{" not in map_text)
     found += differences("wanted and actual SONAME", [f"libnurbs.so.{major}"], dynamic_entries(library, "SONAME"))
     found += [f"needs {name}" for name in dynamic_entries(library, "NEEDED") if not ALLOWED_LIBRARIES.match(name)]
     found += [f"has the search path {path}" for path in dynamic_entries(library, "R(?:UN)?PATH")]

@@ -19,6 +19,8 @@ PLACES = (
     ("capi/bindings/python/nurbs/__init__.py", r'^__version__ = "(.*)"', 3, False),
     ("capi/bindings/python/nurbs/_library.py", r"libnurbs\.so\.(\d+)", 1, True),
     ("cmake/debian/changelog", r"\A\S+ \(([\d.]+)[-~)]", 3, False),
+    ("cmake/debian/control", r"^Package: libnurbs(\d+)$", 1, True),
+    ("include/nurbs/cpp/result.hpp", r"POLICY (?:returning|throwing)_(\d+_\d+)$", 2, True),
     ("cmake/debian/libnurbs1.symbols", r"^libnurbs\.so\.(\d+) ", 1, True),
 )
 
@@ -35,8 +37,8 @@ def place_problem(top, version, path, pattern, parts, needed):
     found = re.findall(pattern, file.read_text(encoding="utf-8"), flags=re.M)
     if not found:
         return f"{path} names no version" if needed else None
-    wanted = ".".join(version.split(".")[:parts])
-    return None if found[-1] == wanted else f"{path} has the version {found[-1]}, not {wanted}"
+    wanted, last = ".".join(version.split(".")[:parts]), found[-1].replace("_", ".")
+    return None if last == wanted else f"{path} has the version {last}, not {wanted}"
 
 
 def problems(top):

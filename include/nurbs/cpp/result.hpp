@@ -22,11 +22,12 @@
 #define NURBS_CPP_RESULTS
 #endif
 
-// The two kinds of functions have names of their own for the linker.
+// The two kinds of functions have names of their own for the linker; so have those of each minor version, whose headers
+// may be in one program, in libraries that were compiled apart.
 #ifdef NURBS_CPP_RESULTS
-#define NURBS_CPP_POLICY returning
+#define NURBS_CPP_POLICY returning_1_0
 #else
-#define NURBS_CPP_POLICY throwing
+#define NURBS_CPP_POLICY throwing_1_0
 #endif
 
 namespace libnurbs {

@@ -54,7 +54,10 @@ def _load() -> ctypes.CDLL:
                           "the path of libnurbs.so") from error
     for function, types in PROTOTYPES.items():
         result, arguments = types.split(" ")
-        entry = getattr(library, function)
+        try:
+            entry = getattr(library, function)
+        except AttributeError:
+            raise ImportError(f"the library {name} is older than this module: it has no {function}()") from None
         entry.restype = _RESULTS[result]
         entry.argtypes = [_ARGUMENTS[letter] for letter in arguments]
     return library
