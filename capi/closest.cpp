@@ -103,6 +103,9 @@ public:
         }
         check_overlap("status", out_.status, status_bytes, "points", batch_.points.data,
                       bytes(batch_.points));
+        if (guesses != nullptr) {
+            check_overlap("status", out_.status, status_bytes, "guesses", guesses->data, bytes(*guesses));
+        }
         check_overlap("status", out_.status, status_bytes, more.name, more.data, more.bytes);
         return out_;
     }

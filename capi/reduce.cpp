@@ -46,8 +46,8 @@ nurbs_status nurbs_reduce_knots(const nurbs *g, int32_t axis, double tolerance, 
     return guard([&] {
         require_out(out);
         require(g, "g");
-        if (axis != -1) {
-            check_axis(*g->spline, axis);
+        if (axis < -1 || axis >= g->spline->axes()) {
+            fail(NURBS_ERROR_AXIS, "axis = %d, expected -1 to %d", axis, g->spline->axes() - 1);
         }
         give_reduced(reduce_knots(g->spline, axis, tolerance), bound, out);
     });

@@ -15,7 +15,7 @@ COMMAND = "python3 cmake/interface/generate.py ."
 NOTICE = f"Generated from {PATH} by: {COMMAND} - do not edit."
 NULL_MARK = re.compile(r"or NULL\b")
 # A parameter described by another function takes its shape, and whether it may be NULL, from there.
-REFERENCE = re.compile(r"(?:a full knot vector, )?as for (nurbs_\w+)\(\)")
+REFERENCE = re.compile(r"as for (nurbs_\w+)\(\)")
 
 
 class HeaderError(Exception):

@@ -13,16 +13,17 @@
  * Handles are immutable. Every operation reads `const nurbs *` and returns a new handle through its last
  * argument, which is set to NULL on failure. Inputs are copied, getters copy out, nothing is borrowed and no
  * argument changes its owner. Free every handle once with nurbs_destroy(), from any thread. Any number of
- * threads may use one handle at once; only nurbs_destroy() needs the handle to itself: not what was made from
- * it, nor a clone. The library has no contexts, no initialisation, no settings, starts no threads and calls
- * nothing back.
+ * threads may use one handle, or one list, at once; nurbs_destroy() and nurbs_list_destroy() must not run
+ * while a call uses the same handle, but may while others use its clones and what was made from it. The
+ * library has to stay loaded until the last handle is freed. It has no contexts, no initialisation, no
+ * settings, starts no threads and calls nothing back.
  *
  * # Conventions
  * - **Degree** p, not order. Degrees run from 0 to NURBS_MAX_DEGREE.
  * - **Knots** are the full vector t_0 <= t_1 <= ... of count + degree + 1 values, for all axes one after the
  *   other. The domain of an axis is [t_p, t_count]; clamped, unclamped and periodic vectors are all first
  *   class. A knot occurs at most degree + 1 times. Knots are equal when they are equal: there is no built-in
- *   tolerance.
+ *   tolerance; one that is an argument may be infinite unless its text says otherwise.
  * - **Points** are Cartesian, not multiplied by the weights; the last axis varies fastest: in a surface with
  *   counts (m, n), point (i, j) is record i * n + j. `weights` may be NULL, which makes the spline
  *   polynomial. The values given are the values stored: getters return them bit for bit.
@@ -33,9 +34,10 @@
  *   strides may be 0, which means packed: component_stride 0 is 1, stride 0 is (record length) *
  *   component_stride. A C array of points is (0, 0), a Fortran array x(n, dim) is (1, n). Either the
  *   records lie apart (stride covers a record) or the components do (component_stride covers all records);
- *   anything else is an error. Outputs must overlap neither inputs nor each other; arrays of doubles may be
- *   parts of one table, with its row as their stride and component_stride 1. Inputs may be the same memory.
- *   Where n is 0 the pointers may be NULL.
+ *   anything else is an error. Strides of an array that is NULL are ignored. Outputs must overlap neither
+ *   inputs nor each other: arrays that do are refused (NURBS_ERROR_OVERLAP), outputs of one value not always.
+ *   Arrays of doubles may be parts of one table, with its row as their stride and component_stride 1. Inputs
+ *   may be the same memory. Where n is 0 the pointers may be NULL.
  * - **A parameter** in a span uses [t_i, t_i+1), the last span is closed. Flags choose the other side, and
  *   what happens outside the domain.
  *
@@ -135,14 +137,14 @@
  *   written in terms of other parameters, and of what belongs to the spline that is passed: its axes, its
  *   dimension dim, the number N of its control points, and rational, which is 1 with weights and 0 without;
  *   other letters are explained in the text of the function. Three dots between brackets stand for those of
- *   the other axes. An array of records whose layout the caller chooses has a parameter that ends with
- *   _stride, and another with _component_stride if its records have more than one component; all other
- *   arrays are packed.
+ *   the other axes. An array of records whose layout the caller chooses is followed at once by a
+ *   parameter that ends with _stride, and by another with _component_stride if its records have more than
+ *   one component; all other arrays are packed.
  * - **NULL.** A pointer may be NULL if `or NULL` stands behind its shape, or, without a shape, at the
  *   beginning of its text; what follows, up to a colon, says what NULL means, for an output without any
  *   such words that it is not wanted. Any other pointer is required (NURBS_ERROR_NULL), unless its array
  *   has the length 0.
- * - **References.** A parameter that is described as one of another function, such as "as for
+ * - **References.** A parameter whose text begins with another function, as in "as for
  *   nurbs_create()", without a shape of its own, has the shape of the parameter of that name there, and may
  *   be NULL if that may be.
  * - **Statuses** are listed behind `\return`: _AXES is short for NURBS_ERROR_AXES; "as for" another
@@ -170,7 +172,8 @@
 
 #include <stdint.h>
 
-/** \brief Marks the exported functions. */
+/** \brief Marks the exported functions. On Windows a program that links the static library defines
+ * NURBS_STATIC. */
 #if defined(_WIN32) && !defined(NURBS_STATIC)
 #define NURBS_API __declspec(dllimport)
 #elif defined(__GNUC__)
@@ -251,7 +254,7 @@ enum {
     NURBS_ERROR_RATIONAL = 33,   /**< the spline is rational, which the function is not for */
     NURBS_ERROR_INCOMPATIBLE = 40,  /**< splines differ in what they have to share */
     NURBS_ERROR_GAP = 41,           /**< ends that are to be joined lie farther apart than the tolerance */
-    NURBS_ERROR_TOLERANCE = 42,     /**< a tolerance is negative or NaN */
+    NURBS_ERROR_TOLERANCE = 42,     /**< a tolerance is negative or NaN, or otherwise out of range */
     NURBS_ERROR_NOT_PERIODIC = 43,  /**< an axis that has to be periodic was not declared so */
     NURBS_ERROR_END_WEIGHTS = 44,   /**< no one factor makes the weights at the ends of an axis equal */
     NURBS_ERROR_FACTOR = 45,        /**< a factor is not finite, or not positive where it has to be */
@@ -400,7 +403,7 @@ NURBS_API int64_t nurbs_last_error(char *buf, int64_t cap);
  * \param[in] degrees [axes] degree along each axis.
  * \param[in] counts [axes] number of control points along each axis.
  * \param[in] knots [knot_count] the knot vectors of all axes, one after the other.
- * \param[in] knot_count total number of knots, sum of counts[k] + degrees[k] + 1.
+ * \param[in] knot_count total number of knots, the sum of (counts[k] + degrees[k] + 1).
  * \param[in] dim dimension of the points.
  * \param[in] points [N][dim] Cartesian control points, last axis fastest.
  * \param[in] point_stride,point_component_stride layout of points, 0 = packed.
@@ -444,7 +447,7 @@ NURBS_API nurbs_status nurbs_create_homogeneous(int32_t axes, const int32_t *deg
  * \param[in]
  *   axes,degrees,counts,knots,dim,points,point_stride,point_component_stride,weights,weight_stride,flags as
  *   for nurbs_create(), except that degrees are >= 1.
- * \param[in] knot_count total number of knots, sum of counts[k] + degrees[k] - 1.
+ * \param[in] knot_count total number of knots, the sum of (counts[k] + degrees[k] - 1).
  * \param[out] out the new handle.
  * \return as for nurbs_create().
  * \since 1.0 */
@@ -474,8 +477,8 @@ NURBS_API nurbs_status nurbs_create_multiplicities(int32_t axes, const int32_t *
                                                    int64_t point_component_stride, const double *weights,
                                                    int64_t weight_stride, uint32_t flags, nurbs **out);
 
-/** \brief A Bezier curve, patch or volume over [0, 1] on every axis: degrees[k] + 1 points along axis k, no
- * knots.
+/** \brief A Bezier curve, patch or volume over [0, 1] on every axis: degrees[k] + 1 points along axis k, N in
+ * all, no knots.
  * \param[in] axes,dim,points,point_stride,point_component_stride,weights,weight_stride as for nurbs_create().
  * \param[in] degrees [axes] degree along each axis.
  * \param[out] out the new handle.
@@ -749,7 +752,9 @@ NURBS_API nurbs_status nurbs_hull_size(const nurbs *g, int64_t n, const double *
 /** \brief Span of each parameter: the index s with knots[s] <= t < knots[s+1] (the last span is closed),
  * degree <= s < count, never an empty span. The basis functions s - degree, ..., s are the ones that do not
  * vanish there.
- * \param[in] degree,count,knots,knot_count a full knot vector, as for nurbs_create().
+ * \param[in] degree,count degree and number of control points.
+ * \param[in] knots [knot_count] a full knot vector.
+ * \param[in] knot_count number of knots: count + degree + 1.
  * \param[in] n number of parameters.
  * \param[in] params [n].
  * \param[in] param_stride distance between parameters, 0 = 1.
@@ -781,12 +786,14 @@ NURBS_API nurbs_status nurbs_bernstein(int32_t degree, int32_t order, int64_t n,
 
 /** \brief B-spline basis functions that do not vanish at each parameter, and their derivatives (Cox-de Boor
  * recurrence).
- * \param[in] degree,count,knots,knot_count a full knot vector, as for nurbs_create().
+ * \param[in] degree,count degree and number of control points.
+ * \param[in] knots [knot_count] a full knot vector.
+ * \param[in] knot_count number of knots: count + degree + 1.
  * \param[in] order highest derivative; those above the degree are 0.
  * \param[in] n number of parameters.
  * \param[in] params [n].
  * \param[in] param_stride distance between parameters, 0 = 1.
- * \param[out] spans [n] or NULL: the span s of each parameter.
+ * \param[out] spans [n] or NULL: the span s of each parameter; NURBS_NAN gives span -1.
  * \param[out] values [n][order + 1][degree + 1]: derivative k of N_(s - degree + j) is component k * (degree
  *   + 1) + j.
  * \param[in] value_stride,value_component_stride layout of values, 0 = packed.
@@ -805,7 +812,7 @@ NURBS_API nurbs_status nurbs_basis(int32_t degree, int64_t count, const double *
  * \param[in] n number of parameters.
  * \param[in] params [n][axes].
  * \param[in] param_stride,param_component_stride layout of params, 0 = packed.
- * \param[out] spans [n][axes] or NULL: span on each axis, packed.
+ * \param[out] spans [n][axes] or NULL: span on each axis, packed; NURBS_NAN gives span -1 on all of them.
  * \param[out] values [n][M].
  * \param[in] value_stride,value_component_stride layout of values, 0 = packed.
  * \param[in] flags evaluation flags per axis.
@@ -864,7 +871,8 @@ NURBS_API nurbs_status nurbs_eval_derivs(const nurbs *g, int32_t order, int64_t 
                                          int64_t deriv_stride, int64_t deriv_component_stride,
                                          uint32_t flags);
 
-/** \brief Points on the grid of all combinations of one parameter from each axis.
+/** \brief Points on the grid of all combinations of one parameter from each axis. Where a count is 0 there
+ * are none, but the parameters of the other axes are checked.
  * \param[in] g a spline.
  * \param[in] counts [axes] number of parameters on each axis.
  * \param[in] params [sum of counts] the parameters of axis 0, then of axis 1, then of axis 2, in any order.
@@ -882,7 +890,8 @@ NURBS_API nurbs_status nurbs_eval_grid(const nurbs *g, const int64_t *counts, co
  * \param[in] order highest order.
  * \param[in] counts [axes] number of parameters on each axis.
  * \param[in] params [sum of counts] as for nurbs_eval_grid().
- * \param[out] derivs [counts[0]]...[counts[axes-1]][S][dim] slots as for nurbs_eval_derivs().
+ * \param[out] derivs [counts[0]]...[counts[axes-1]][S][dim] with S = binomial(order + axes, axes) slots
+ *   as for nurbs_eval_derivs().
  * \param[in] deriv_stride,deriv_component_stride layout of derivs, 0 = packed.
  * \param[in] flags evaluation flags per axis.
  * \return as for nurbs_eval_derivs().
@@ -1754,9 +1763,10 @@ NURBS_API nurbs_status nurbs_to_hermite(const nurbs *g, int64_t cap, double *par
  * conditioned at the far end of a span; the Bezier pieces of nurbs_decompose() are not.
  * \param[in] g a spline, of width W = dim, or dim + 1 if it is rational.
  * \param[in] cap length of coefficients in values: 0 asks for the numbers only, or at least count.
- * \param[out] coefficients [pieces][p_0 + 1]...[W] or NULL: c_k, pieces in the order of nurbs_decompose(),
- *   last axis fastest in pieces and powers. Written, as breaks, if cap is not 0.
- * \param[out] breaks [sum of piece_counts[k] + 1] or NULL: the distinct knots of the domain of every axis,
+ * \param[out] coefficients [pieces][p_0 + 1]...[W] or NULL: c_k; pieces, the product of piece_counts, stand
+ *   in the order of nurbs_decompose(), last axis fastest in pieces and powers. Written, as breaks, if cap is
+ *   not 0.
+ * \param[out] breaks [sum of (piece_counts[k] + 1)] or NULL: the distinct knots of the domain of every axis,
  *   one axis after the other.
  * \param[out] piece_counts [axes] or NULL: receives the number of pieces along each axis.
  * \param[out] count or NULL: number of values of all coefficients.
@@ -1776,10 +1786,10 @@ NURBS_API nurbs_status nurbs_to_power(const nurbs *g, int64_t cap, double *coeff
  * \param[in] piece_counts [axes] number of pieces along each axis, at least 1.
  * \param[in] breaks [break_count] the ends of the pieces along each axis, piece_counts[k] + 1 strictly
  *   increasing ones, one axis after the other.
- * \param[in] break_count length of breaks: sum of piece_counts[k] + 1.
+ * \param[in] break_count length of breaks: the sum of (piece_counts[k] + 1).
  * \param[in] dim dimension of the points.
- * \param[in] coefficients [pieces][p_0 + 1]...[W] as for nurbs_to_power(), W = dim, or dim + 1 with
- *   NURBS_HOMOGENEOUS.
+ * \param[in] coefficients [pieces][p_0 + 1]...[W] as for nurbs_to_power(); pieces is the product of
+ *   piece_counts, and W = dim, or dim + 1 with NURBS_HOMOGENEOUS.
  * \param[in] coefficient_stride,coefficient_component_stride layout of the records of W values, 0 = packed.
  * \param[in] flags NURBS_HOMOGENEOUS: the coefficients are those of (w x, w y, ..., w), and the spline is
  *   rational as from nurbs_create_homogeneous(); or 0: polynomial.
@@ -2070,10 +2080,11 @@ NURBS_API nurbs_status nurbs_project_from(const nurbs *g, const double *eye, con
  * Y is X turned a quarter to the left, and x NULL is (1, 0). An origin that is NULL is 0. For other
  * dimensions see nurbs_transform(), which is exact for all of these shapes.
  *
- * **Angles** are in radians, counted from X towards Y. A sweep is not 0 and at most a full turn either way;
- * one that is a multiple of 15 degrees to within 4 units of rounding is taken for that multiple, and so are
- * starts. Cosines and sines that are 0, 1/2 or 1 are exact then, and full turns end where they begin, bit
- * for bit. No angle may be above 2^22.
+ * **Angles** are in radians, counted from X towards Y. They are in proportion to the parameter where pieces
+ * join, and nearly so, not exactly, between (see nurbs_curve_params_at_lengths() for points at even lengths).
+ * A sweep is not 0 and at most a full turn either way; one that is a multiple of 15 degrees to within 4 units
+ * of rounding is taken for that multiple, and so are starts. Cosines and sines that are 0, 1/2 or 1 are exact
+ * then, and full turns end where they begin, bit for bit. No angle may be above 2^22.
  *
  * Distances of evaluated points to the true shape stay within 4 eps * size (tested), size being the largest
  * coordinate among the control points. For curves by points and tangents the true shape is the one that the
@@ -2311,9 +2322,9 @@ NURBS_API nurbs_status nurbs_curve_conic_point(int32_t dim, const double *a, con
  * \param[in] point_stride,point_component_stride layout of points, 0 = packed.
  * \param[in] form NURBS_ARC_QUARTERS or NURBS_ARC_THIRDS.
  * \param[out] out the new handle.
- * \return NURBS_OK, NURBS_ERROR_NULL, _DIMENSION, _STRIDE, _POINT_NOT_FINITE, _FORM; _COLLINEAR if three
- *   points are on a line to within rounding; _CONIC if they are not in one plane to within rounding, or not
- *   on one arc in this order; _NOT_REPRESENTABLE if a coordinate overflows.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _DIMENSION, _OVERFLOW, _STRIDE, _POINT_NOT_FINITE, _FORM; _COLLINEAR if
+ *   three points are on a line to within rounding; _CONIC if they are not in one plane to within rounding,
+ *   or not on one arc in this order; _NOT_REPRESENTABLE if a coordinate overflows.
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_curve_conic_through(int32_t dim, const double *points, int64_t point_stride,
                                                  int64_t point_component_stride, int32_t form, nurbs **out);
@@ -2404,7 +2415,8 @@ NURBS_API nurbs_status nurbs_curve_shape_factor(const nurbs *g, double *factor, 
  * \param[in] pitch rise along the axis in a turn; 0 in dimension 2.
  * \param[in] start angle at which the curve begins.
  * \param[in] turns number of turns, > 0.
- * \param[in] tolerance largest distance between the curve and the true one at the same angle, > 0.
+ * \param[in] tolerance largest distance between the curve and the true one at the same angle, > 0 and
+ *   finite.
  * \param[out] error or NULL: a proven bound of that distance, rounding left out.
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _DIMENSION, _DIRECTION, _POINT_NOT_FINITE, _ANGLE, _TOLERANCE,
@@ -2533,7 +2545,7 @@ NURBS_API nurbs_status nurbs_surface_plane(int32_t dim, const double *origin, co
  * \param[in] corners [4][dim] the points at (0, 0), (0, 1), (1, 0) and (1, 1).
  * \param[in] corner_stride,corner_component_stride layout of corners, 0 = packed.
  * \param[out] out the new handle.
- * \return NURBS_OK, NURBS_ERROR_NULL, _DIMENSION, _STRIDE, _POINT_NOT_FINITE.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _DIMENSION, _OVERFLOW, _STRIDE, _POINT_NOT_FINITE.
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_surface_bilinear(int32_t dim, const double *corners, int64_t corner_stride,
                                               int64_t corner_component_stride, nurbs **out);
@@ -2543,7 +2555,7 @@ NURBS_API nurbs_status nurbs_surface_bilinear(int32_t dim, const double *corners
  * \param[in] corners [8][dim] the points at (0, 0, 0), (0, 0, 1), (0, 1, 0), ..., (1, 1, 1).
  * \param[in] corner_stride,corner_component_stride layout of corners, 0 = packed.
  * \param[out] out the new handle.
- * \return NURBS_OK, NURBS_ERROR_NULL, _DIMENSION, _STRIDE, _POINT_NOT_FINITE.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _DIMENSION, _OVERFLOW, _STRIDE, _POINT_NOT_FINITE.
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_volume_trilinear(int32_t dim, const double *corners, int64_t corner_stride,
                                               int64_t corner_component_stride, nurbs **out);
@@ -2696,7 +2708,7 @@ NURBS_API nurbs_status nurbs_surface_hyperboloid(const double *center, const dou
  *             start       end         start       end         start       end
  *
  * Each runs over the other axes in their order: of a surface S(u, v), 0 and 1 are curves in v, 2 and 3 in
- * u.
+ * u. Where boundaries are given, dim is their dimension.
  *
  * A Coons surface takes the domain of axis 0 from boundary 2 and that of axis 1 from boundary 0; a Coons
  * volume those of its axes 1 and 2 from boundary 0, and that of axis 0 from boundary 2. Domains of the
@@ -3044,9 +3056,9 @@ NURBS_API nurbs_status nurbs_closest_local(const nurbs *g, int64_t n, const doub
  * \param[out] distances [cap] or NULL.
  * \param[out] count or NULL: number of points.
  * \param[out] status or NULL: sum of NURBS_CLOSEST_ bits: certified if no other is as near.
- * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERLAP, _TOLERANCE, _POINT_NOT_FINITE; _SIZE if cap is
- *   neither 0 nor enough; _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN or _EMPTY_DOMAIN if range is no interval
- *   of the domain.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERFLOW, _OVERLAP, _TOLERANCE, _POINT_NOT_FINITE; _SIZE if
+ *   cap is neither 0 nor enough; _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN or _EMPTY_DOMAIN if range is no
+ *   interval of the domain.
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_closest_all(const nurbs *g, const double *point, const double *range,
                                          double tolerance, int64_t budget, int64_t cap, double *params,
@@ -3165,8 +3177,8 @@ NURBS_API nurbs_status nurbs_hausdorff_distance(const nurbs *a, const nurbs *b, 
  * \param[in] relative_tolerance >= 0.
  * \param[out] length the integral of |C'(t)|.
  * \param[out] error or NULL: estimate of the error.
- * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _TOLERANCE; _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN or
- *   _EMPTY_DOMAIN if range is no interval of the domain; _NOT_CONVERGED naming the error reached,
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _OVERLAP, _TOLERANCE; _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN
+ *   or _EMPTY_DOMAIN if range is no interval of the domain; _NOT_CONVERGED naming the error reached,
  *   _NOT_REPRESENTABLE if the length overflows.
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_curve_length(const nurbs *g, const double *range, double relative_tolerance,
@@ -3253,8 +3265,8 @@ NURBS_API nurbs_status nurbs_moments(const nurbs *g, double relative_tolerance, 
 
 /** \brief Area, centroid and inertia of the region of the plane that closed chains of curves enclose, by
  * Green's theorem: 1/2 integral of x dy - y dx. What a chain that runs counterclockwise encloses counts
- * positive, so that holes run clockwise. The curves may come in any order but not in any direction; a jump
- * inside one is an end and a start.
+ * positive, so that holes run clockwise. The curves may come in any order, but each runs in the direction of
+ * its chain; a jump inside one is an end and a start.
  * \param[in] count number of curves, > 0.
  * \param[in] curves [count] curves of dimension 2.
  * \param[in] tolerance largest gap between an end and the start that is nearest to it, >= 0.
@@ -3574,13 +3586,13 @@ NURBS_API nurbs_status nurbs_pull_weight(const nurbs *g, int64_t index, const do
  * \param[in] distance d.
  * \param[out] factor or NULL: by which the weights were multiplied.
  * \param[out] out the new handle.
- * \return as for nurbs_pull_weight(), and NURBS_ERROR_COUNT; _INDEX also if an index occurs twice.
+ * \return as for nurbs_pull_weight(), and NURBS_ERROR_COUNT, _OVERFLOW; _INDEX also if an index occurs twice.
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_pull_weights(const nurbs *g, int64_t count, const int64_t *indices,
                                           const double *params, double distance, double *factor, nurbs **out);
 
-/** \brief Sets weights; control points stay, and a polynomial spline becomes rational. In a homogeneous
- * spline a control point of weight 0 has no place any more.
+/** \brief Sets weights; control points stay, and a polynomial spline becomes rational unless count is 0. In a
+ * homogeneous spline a control point of weight 0 has no place any more.
  * \param[in] g a spline.
  * \param[in] count number of weights.
  * \param[in] indices [count] control points, all different.
@@ -3891,8 +3903,10 @@ NURBS_API nurbs_status nurbs_fair(const nurbs *g, int32_t order, const int32_t *
  * \param[in] flags NURBS_REVERSED: the boundaries of surfaces run against each other; or 0.
  * \param[out] bound or NULL: proven bound of the distance from g.
  * \param[out] out the new handle.
- * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _AXIS, _END, _ORDER, _FLAGS, _INCOMPATIBLE, _PERIODIC,
- *   _DEGREE, _OVERFLOW, _KNOTS_MERGE, _NOT_REPRESENTABLE; _TANGENT if a tangent that is needed vanishes,
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _END, _ORDER, _OVERFLOW, _KNOTS_MERGE, _NOT_REPRESENTABLE;
+ *   _AXES if g is a volume or other has not as many axes, _FLAGS, also for NURBS_REVERSED with curves,
+ *   _INCOMPATIBLE if the dimensions differ, _PERIODIC if an axis across a boundary is periodic, _DEGREE if
+ *   one across has degree 0 and order is 1, _TANGENT if a tangent that is needed vanishes,
  *   _WEIGHT_SIGN if a weight of the second layer would not be positive.
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_snap_boundary(const nurbs *g, int32_t axis, int32_t end, const nurbs *other,
@@ -4023,8 +4037,8 @@ NURBS_API nurbs_status nurbs_bezier_extraction(const nurbs *g, int32_t axis, int
  * \param[in] n number of parameters.
  * \param[in] params [n][axes].
  * \param[in] param_stride,param_component_stride layout of params, 0 = packed.
- * \param[in] cotangents [n][S][dim] slots as for nurbs_eval_derivs(): coordinate c of slot s is component
- *   s * dim + c.
+ * \param[in] cotangents [n][S][dim] with S = binomial(order + axes, axes) slots as for nurbs_eval_derivs():
+ *   coordinate c of slot s is component s * dim + c.
  * \param[in] cotangent_stride,cotangent_component_stride layout of cotangents, 0 = packed.
  * \param[in,out] grad_points [N][dim] or NULL: last axis fastest.
  * \param[in] grad_point_stride,grad_point_component_stride layout of grad_points, 0 = packed.
@@ -4116,7 +4130,7 @@ NURBS_API nurbs_status nurbs_list_get(const nurbs_list *list, int64_t index, nur
 NURBS_API nurbs_status nurbs_list_name(const nurbs_list *list, int64_t index, char *buf, int64_t cap,
                                        int64_t *length);
 
-/** \brief Number of notes: entities of the file that did not become a spline.
+/** \brief Number of notes: entities of the file that did not become a spline; 0 in lists not from files.
  * \param[in] list a list.
  * \param[out] count the number.
  * \return NURBS_OK, NURBS_ERROR_NULL.
@@ -4141,7 +4155,8 @@ NURBS_API nurbs_status nurbs_list_note(const nurbs_list *list, int64_t index, in
 
 /** \brief Unit of length of the splines in a list.
  * \param[in] list a list.
- * \param[out] metres metres per unit, model scale included; 0 if the file names a unit that is not known.
+ * \param[out] metres metres per unit, model scale included; 0 if the file names a unit that is not known, and
+ *   in lists that are not from files.
  *   A file without any unit is in inches, as IGES has it.
  * \return NURBS_OK, NURBS_ERROR_NULL.
  * \since 1.0 */

@@ -2,9 +2,13 @@
 // base/twin-inl.h for vectors.
 #pragma once
 
+#include <cfloat>
 #include <cmath>
 
 namespace nrb {
+
+// On processors that compute with more digits (x87) the errors of operations would not be what is relied on.
+static_assert(FLT_EVAL_METHOD == 0, "operations on doubles have to be rounded to double");
 
 // high + low with |low| at most half a unit of rounding of high. Each operation is within 2^-102 of its
 // value, barring overflow and underflow; sums that cancel, within that of what was added.

@@ -205,6 +205,7 @@ static void bad_input(void) {
 static void local_minima(void) {
     static const double points[] = {0.9, 0.9, 0.9, 0.9}, guesses[] = {0.1, 1.9};
     const double bad[] = {0.1, 2.5}, no_number[] = {NAN, 1};
+    double same[] = {0.1, 1.9};
     nurbs *g = corner();
     CHECK_OK(nurbs_closest_local(g, 2, points, 0, 0, guesses, 0, 0, params, 0, 0, feet, 0, 0, distances, 0,
                                  states, 0));
@@ -221,6 +222,9 @@ static void local_minima(void) {
     CHECK_FAILS(
         nurbs_closest_local(g, 2, points, 0, 0, NULL, 0, 0, params, 0, 0, NULL, 0, 0, NULL, 0, NULL, 0),
         NURBS_ERROR_NULL, "guesses");
+    CHECK_FAILS(nurbs_closest_local(g, 2, points, 0, 0, same, 0, 0, params, 0, 0, NULL, 0, 0, NULL, 0,
+                                    (int32_t *)same, 0),
+                NURBS_ERROR_OVERLAP, "status|guesses");
     CHECK_UNTOUCHED(params);
     nurbs_destroy(g);
 }

@@ -111,7 +111,7 @@ static void data_reduction(void) {
     CHECK_NO_HANDLE(h, nurbs_reduce_knots(g, 0, -1, &bound, &h), NURBS_ERROR_TOLERANCE, "tolerance = -1");
     CHECK_NO_HANDLE(h, nurbs_reduce_knots(g, 0, NAN, &bound, &h), NURBS_ERROR_TOLERANCE, "nan");
     CHECK_NO_HANDLE(h, nurbs_reduce_knots(g, 1, 1, &bound, &h), NURBS_ERROR_AXIS, "axis = 1");
-    CHECK_NO_HANDLE(h, nurbs_reduce_knots(g, -2, 1, &bound, &h), NURBS_ERROR_AXIS, "axis = -2");
+    CHECK_NO_HANDLE(h, nurbs_reduce_knots(g, -2, 1, &bound, &h), NURBS_ERROR_AXIS, "axis = -2|-1 to 0");
     CHECK_NO_HANDLE(h, nurbs_reduce_knots(NULL, 0, 1, &bound, &h), NURBS_ERROR_NULL, "g");
     CHECK_FAILS(nurbs_reduce_knots(g, 0, 1, &bound, NULL), NURBS_ERROR_NULL, "out");
     nurbs_destroy(g);

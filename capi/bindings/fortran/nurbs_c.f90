@@ -92,8 +92,8 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_create_multiplicities
-        !> A Bezier curve, patch or volume over [0, 1] on every axis: degrees[k] + 1 points along axis k, no
-        !> knots.
+        !> A Bezier curve, patch or volume over [0, 1] on every axis: degrees[k] + 1 points along axis k, N in
+        !> all, no knots.
         function nurbs_create_bezier(axes, degrees, dim, points, point_stride, point_component_stride, &
                 weights, weight_stride, out) bind(c) result(r)
             import
@@ -1861,7 +1861,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_pull_weights
-        !> Sets weights; control points stay, and a polynomial spline becomes rational.
+        !> Sets weights; control points stay, and a polynomial spline becomes rational unless count is 0.
         function nurbs_set_weights(g, count, indices, weights, out) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -2150,7 +2150,7 @@ module nurbs_c
             integer(c_int64_t), intent(inout), optional :: length
             integer(c_int32_t) :: r
         end function nurbs_list_name
-        !> Number of notes: entities of the file that did not become a spline.
+        !> Number of notes: entities of the file that did not become a spline; 0 in lists not from files.
         function nurbs_list_note_count(list, count) bind(c) result(r)
             import
             type(c_ptr), value :: list

@@ -80,7 +80,8 @@ module nurbs_constants
     integer(c_int32_t), parameter :: NURBS_ERROR_INCOMPATIBLE = 40
     ! ends that are to be joined lie farther apart than the tolerance
     integer(c_int32_t), parameter :: NURBS_ERROR_GAP = 41
-    integer(c_int32_t), parameter :: NURBS_ERROR_TOLERANCE = 42  ! a tolerance is negative or NaN
+    ! a tolerance is negative or NaN, or otherwise out of range
+    integer(c_int32_t), parameter :: NURBS_ERROR_TOLERANCE = 42
     ! an axis that has to be periodic was not declared so
     integer(c_int32_t), parameter :: NURBS_ERROR_NOT_PERIODIC = 43
     ! no one factor makes the weights at the ends of an axis equal

@@ -125,7 +125,7 @@ pub const NURBS_ERROR_RATIONAL: nurbs_status = 33;
 pub const NURBS_ERROR_INCOMPATIBLE: nurbs_status = 40;
 /// ends that are to be joined lie farther apart than the tolerance
 pub const NURBS_ERROR_GAP: nurbs_status = 41;
-/// a tolerance is negative or NaN
+/// a tolerance is negative or NaN, or otherwise out of range
 pub const NURBS_ERROR_TOLERANCE: nurbs_status = 42;
 /// an axis that has to be periodic was not declared so
 pub const NURBS_ERROR_NOT_PERIODIC: nurbs_status = 43;
@@ -493,8 +493,8 @@ extern "C" {
         flags: u32,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
-    /// A Bezier curve, patch or volume over \[0, 1\] on every axis: degrees\[k\] + 1 points along axis k, no
-    /// knots.
+    /// A Bezier curve, patch or volume over \[0, 1\] on every axis: degrees\[k\] + 1 points along axis k, N
+    /// in all, no knots.
     ///
     /// May be null: `weights`.
     pub fn nurbs_create_bezier(
@@ -2220,7 +2220,7 @@ extern "C" {
         factor: *mut f64,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
-    /// Sets weights; control points stay, and a polynomial spline becomes rational.
+    /// Sets weights; control points stay, and a polynomial spline becomes rational unless count is 0.
     pub fn nurbs_set_weights(
         g: *const nurbs,
         count: i64,
@@ -2535,7 +2535,7 @@ extern "C" {
         cap: i64,
         length: *mut i64,
     ) -> nurbs_status;
-    /// Number of notes: entities of the file that did not become a spline.
+    /// Number of notes: entities of the file that did not become a spline; 0 in lists not from files.
     pub fn nurbs_list_note_count(list: *const nurbs_list, count: *mut i64) -> nurbs_status;
     /// A note: which entity, where, and why it did not become a spline.
     ///
