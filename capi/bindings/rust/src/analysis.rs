@@ -9,6 +9,7 @@ use std::ptr::null_mut;
 
 /// Where it is, one `NURBS_FEATURE_` constant, and the curvature, turning angle or width there.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct Feature {
     /// Where it is.
     pub param: f64,
@@ -20,6 +21,7 @@ pub struct Feature {
 
 /// Features in rising order of their parameters.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct Features {
     /// In rising order of their parameters.
     pub found: Vec<Feature>,
@@ -29,6 +31,7 @@ pub struct Features {
 
 /// Lower ends of pieces, with 1, -1 or 0 where the curve rises, falls or stays.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct MonotonePieces {
     /// Lower ends, and 1, -1 or 0 where the curve rises, falls or stays.
     pub pieces: Vec<(f64, i32)>,
@@ -38,6 +41,7 @@ pub struct MonotonePieces {
 
 /// A line, and a proven bound of the distance from it.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct Straightness {
     /// A point of the line, `[dim]`.
     pub origin: Vec<f64>,
@@ -49,6 +53,7 @@ pub struct Straightness {
 
 /// A plane, and a proven bound of the distance from it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct Planarity {
     /// A point of the plane.
     pub origin: [f64; 3],
@@ -61,6 +66,7 @@ pub struct Planarity {
 /// Of each axis whether it closes and a bound of the gap; of each boundary, counted by axis, then by end, whether it
 /// collapses and its size.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct BoundaryContacts {
     /// Of each axis, whether it closes.
     pub closed: Vec<bool>,
@@ -74,6 +80,7 @@ pub struct BoundaryContacts {
 
 /// Parameters `[n][axes]`, and the boxes `[n][axes][2]` in which the singular sets lie.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct SingularPoints {
     /// `[n][axes]`
     pub params: Vec<f64>,
@@ -85,6 +92,7 @@ pub struct SingularPoints {
 
 /// A `NURBS_FOLD_` constant, and parameters `[axes]` of either sign, NaN if none are known.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct Fold {
     /// One of the `NURBS_FOLD_` constants.
     pub result: i32,

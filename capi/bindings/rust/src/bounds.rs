@@ -8,6 +8,7 @@ use crate::sys;
 
 /// Lower and upper ends `[dim]`, and how far a face is from the spline at most.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct BoundingBox {
     /// `[dim]`
     pub lower: Vec<f64>,
@@ -19,6 +20,7 @@ pub struct BoundingBox {
 
 /// The box of `center + sum of x_k axes[k]`, where `|x_k| <= half[k]`.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct OrientedBox {
     /// `[dim]`
     pub center: Vec<f64>,
@@ -30,6 +32,7 @@ pub struct OrientedBox {
 
 /// A unit vector `[dim]`, and half the opening in radians; pi for all of space.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct DirectionCone {
     /// A unit vector.
     pub direction: Vec<f64>,
@@ -39,6 +42,7 @@ pub struct DirectionCone {
 
 /// Parameters `[axes]` of a point, its component along a direction, and a bound of that of all others.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct ExtremePoint {
     /// `[axes]`
     pub params: Vec<f64>,

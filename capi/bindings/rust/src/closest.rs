@@ -22,6 +22,7 @@ pub struct Search<'a> {
 
 /// Parameters `[n][axes]`, points `[n][dim]`, distances, and sums of `NURBS_CLOSEST_` bits.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct ClosestPoints {
     /// `[n][axes]`
     pub params: Vec<f64>,
@@ -68,6 +69,7 @@ impl ClosestPoints {
 
 /// n points as near as the nearest one: parameters `[n][axes]`, and the status of the search.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct ClosestAll {
     /// `[n][axes]`
     pub params: Vec<f64>,
@@ -79,6 +81,7 @@ pub struct ClosestAll {
 
 /// Critical points: parameters `[n][axes]`, `NURBS_CRITICAL_` constants, and the status of the search.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct CriticalPoints {
     /// `[n][axes]`
     pub params: Vec<f64>,
@@ -92,6 +95,7 @@ pub struct CriticalPoints {
 
 /// Distances, positive to the left of a curve, parameters, and sums of `NURBS_CLOSEST_` bits.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct SignedDistances {
     /// Positive to the left of the curve.
     pub distances: Vec<f64>,
@@ -103,6 +107,7 @@ pub struct SignedDistances {
 
 /// Bounds of a distance, and the parameters of a point of each spline.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct Distance {
     /// A proven lower bound.
     pub at_least: f64,
@@ -117,6 +122,7 @@ pub struct Distance {
 /// Bounds of the distances from the first to the second spline and back, and the parameters of points of each that are
 /// `at_least` so far away.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct HausdorffDistance {
     /// Lower bounds of the distances from one to the other and back.
     pub at_least: [f64; 2],

@@ -35,6 +35,7 @@ pub struct ConstrainOptions<'a> {
 /// The spline, how far each constraint is missed, the number of independent equations, the largest distance by which a
 /// control point moved, and the gradient of the Lagrangian.
 #[derive(Debug)]
+#[non_exhaustive]
 pub struct Constrained {
     /// The changed spline.
     pub spline: Spline,

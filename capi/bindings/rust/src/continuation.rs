@@ -7,6 +7,7 @@ use crate::sys;
 
 /// A periodic spline, a proved bound of how far the shape moved, and the order of its seam.
 #[derive(Debug)]
+#[non_exhaustive]
 pub struct PeriodicForm {
     /// The periodic spline.
     pub spline: Spline,

@@ -19,6 +19,7 @@ pub struct ContinuityTolerances {
 
 /// How two pieces meet.
 #[derive(Clone, Copy, Debug, Default)]
+#[non_exhaustive]
 pub struct Continuity {
     /// Of the derivatives.
     pub order: i32,
@@ -34,6 +35,7 @@ pub struct Continuity {
 
 /// How they meet at a knot, and the order that the knots guarantee.
 #[derive(Clone, Copy, Debug, Default)]
+#[non_exhaustive]
 pub struct KnotContinuity {
     /// A knot inside the domain.
     pub knot: f64,

@@ -23,6 +23,7 @@ pub struct HermiteBoundaries<'a> {
 
 /// What does not meet at the corners (u0, v0), (u0, v1), (u1, v0), (u1, v1); tangents by u, then by v.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct CoonsGaps {
     /// Of the corners.
     pub positions: [f64; 4],

@@ -10,6 +10,7 @@ use std::ptr::null;
 
 /// A conic of the plane: its kind, centre or vertex, the direction to its vertex or focus, and semi-axes or focal length.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct ConicAxes {
     /// One of the `NURBS_CONIC_` constants.
     pub kind: i32,

@@ -9,6 +9,7 @@ use crate::sys;
 
 /// A spline near the exact image: how far it is from that, a bound if proven, else of samples.
 #[derive(Debug)]
+#[non_exhaustive]
 pub struct Deformed {
     /// The spline.
     pub spline: Spline,
@@ -37,6 +38,7 @@ pub struct Bend<'a> {
 
 /// The spline, its energies before and after, and a bound of how far it moved.
 #[derive(Debug)]
+#[non_exhaustive]
 pub struct Faired {
     /// The spline.
     pub spline: Spline,

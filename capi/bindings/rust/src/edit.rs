@@ -9,6 +9,7 @@ use crate::sys;
 
 /// The points `[dim]` at a parameter for the weights 0, 1 and the present one.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct WeightPoints {
     /// For the weight 0.
     pub at_zero: Vec<f64>,
@@ -20,6 +21,7 @@ pub struct WeightPoints {
 
 /// A control point, and its R_i.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct Influence {
     /// Of the control point.
     pub index: i64,
@@ -29,6 +31,7 @@ pub struct Influence {
 
 /// The spline, the leg by the control point where it starts, the place on it, and the knot.
 #[derive(Debug)]
+#[non_exhaustive]
 pub struct LegEdit {
     /// With one knot more.
     pub spline: Spline,

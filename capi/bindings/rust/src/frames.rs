@@ -10,6 +10,7 @@ use crate::sys;
 
 /// Vectors `[n][3]`, and the status of each point.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct SurfaceFrames {
     /// Points `[n][3]`.
     pub points: Vec<f64>,
@@ -25,6 +26,7 @@ pub struct SurfaceFrames {
 
 /// `principal` is `[n][2]`, `directions` `[n][2][3]`, the others are `[n]`.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct Curvatures {
     /// The larger first, `[n][2]`.
     pub principal: Vec<f64>,
@@ -40,6 +42,7 @@ pub struct Curvatures {
 
 /// Vectors `[n][dim]`, the others `[n]`; in the plane binormals and torsions are empty.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct CurveFrames {
     /// Points `[n][dim]`.
     pub points: Vec<f64>,
@@ -59,6 +62,7 @@ pub struct CurveFrames {
 
 /// Vectors `[n][3]`, and the status of each point.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct MinimalFrames {
     /// Points `[n][3]`.
     pub points: Vec<f64>,

@@ -7,6 +7,7 @@ use crate::sys;
 
 /// Active basis functions at parameters: where they start, and their values.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Basis {
     /// The span of each parameter.
     pub spans: Vec<i64>,

@@ -4,6 +4,7 @@
 //! The manual is the header `nurbs.h`; this crate keeps its names, its indices from 0 and its flags. [`sys`] is the C
 //! interface as it stands, everything else is safe: a failure is an [`Error`] with the status and the message, arrays
 //! are slices whose lengths are checked, a [`Spline`] is freed when dropped and may be used by many threads at once.
+//! Structs that are returned may have more fields in later versions; patterns end with `..`.
 //!
 //! ```
 //! # fn main() -> nurbs::Result<()> {

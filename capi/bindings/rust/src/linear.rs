@@ -9,6 +9,7 @@ use std::ptr::{null, null_mut};
 
 /// Compressed sparse rows.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct SparseMatrix {
     /// Row by row.
     pub values: Vec<f64>,
@@ -20,6 +21,7 @@ pub struct SparseMatrix {
 
 /// Operators `[spans][degree + 1][degree + 1]`, the first control point and the domain of each span.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Extraction {
     /// `[spans][degree + 1][degree + 1]`
     pub operators: Vec<f64>,
@@ -42,6 +44,7 @@ pub struct GradientsMut<'a> {
 
 /// Gradients `[N][dim]`, `[N]` and `[n][axes]`.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Gradients {
     /// With respect to the control points, `[n][dim]`.
     pub points: Vec<f64>,

@@ -39,6 +39,7 @@ impl ReadOptions {
 
 /// An entity of a file that did not become a spline.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Note {
     /// Its number in the format of the file.
     pub entity_type: i32,

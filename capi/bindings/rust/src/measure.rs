@@ -8,6 +8,7 @@ use crate::sys;
 
 /// An integral, and an estimate of its error.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct Measured {
     /// The integral.
     pub value: f64,
@@ -17,6 +18,7 @@ pub struct Measured {
 
 /// Parameters `[parts + 1]`, and the length or chord of a part.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct Division {
     /// `[parts + 1]`
     pub params: Vec<f64>,
@@ -26,6 +28,7 @@ pub struct Division {
 
 /// Length, area or volume, centroid `[dim]`, inertia `[dim][dim]` about it, and an estimate of the error of `content`.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct Moments {
     /// Length, area or volume.
     pub content: f64,
@@ -39,6 +42,7 @@ pub struct Moments {
 
 /// What curves in the plane enclose.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct EnclosedArea {
     /// Positive inside counterclockwise curves.
     pub area: f64,
@@ -52,6 +56,7 @@ pub struct EnclosedArea {
 
 /// What surfaces enclose; `openness` is the length of the vector area, 0 of a closed shell.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct EnclosedVolume {
     /// Positive if the normals point outwards.
     pub volume: f64,

@@ -10,6 +10,7 @@ use std::ptr::null_mut;
 
 /// The joined spline, and the largest distance of two ends.
 #[derive(Debug)]
+#[non_exhaustive]
 pub struct Joined {
     /// The joined spline.
     pub spline: Spline,

@@ -8,6 +8,7 @@ use crate::sys;
 /// A `NURBS_SHAPE_` constant, its placement and sizes as `nurbs_recognize` describes them, and a proven bound of the
 /// distance from it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct Recognized {
     /// One of the `NURBS_SHAPE_` constants.
     pub shape: i32,

@@ -7,6 +7,7 @@ use crate::sys;
 
 /// A spline within `bound` of the one it was made from.
 #[derive(Debug)]
+#[non_exhaustive]
 pub struct Reduced {
     /// The spline.
     pub spline: Spline,
@@ -16,6 +17,7 @@ pub struct Reduced {
 
 /// What knot removal gave, and how often the knot went.
 #[derive(Debug)]
+#[non_exhaustive]
 pub struct KnotRemoval {
     /// The spline.
     pub spline: Spline,

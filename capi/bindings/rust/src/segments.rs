@@ -8,6 +8,7 @@ use std::ptr::null_mut;
 
 /// Points and tangents, packed, of a piecewise cubic at its breaks.
 #[derive(Debug)]
+#[non_exhaustive]
 pub struct Hermite {
     /// Breaks.
     pub params: Vec<f64>,

@@ -44,6 +44,7 @@ impl fmt::Debug for Spline {
 
 /// Knots without repetition.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct DistinctKnots {
     /// In rising order.
     pub knots: Vec<f64>,
