@@ -1,5 +1,6 @@
 #include "modify/constrain/minimum_norm.h"
 
+#include "base/norm.h"
 #include "base/representable.h"
 
 #include <Eigen/QR>
@@ -61,7 +62,8 @@ MinimumNorm::Multipliers MinimumNorm::multipliers(const std::vector<double> &x) 
     Eigen::VectorXd values = Eigen::VectorXd::Zero(factors_->qr.cols());
     values.head(rank) = factors_->triangle().triangularView<Eigen::Upper>().solve(turned.head(rank));
     values = factors_->qr.colsPermutation() * values;
-    return {{values.data(), values.data() + values.size()}, turned.tail(unknowns_ - rank).norm()};
+    return {{values.data(), values.data() + values.size()},
+            norm(turned.data() + rank, static_cast<int>(unknowns_ - rank))};
 }
 
 std::vector<double> MinimumNorm::kernel_part(const std::vector<double> &x) const {
