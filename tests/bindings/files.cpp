@@ -29,17 +29,18 @@ static void read(const std::string &path) {
     holds_the_edge(List::read(std::as_bytes(std::span(text)), metres), 0.001);
 }
 
-static void errors() {
+static void errors(const std::string &path) {
     const std::string text = "no file of a known format";
     EXPECT(status_of([&] { (void)List::read(std::as_bytes(std::span(text))); }) == Status::format);
     EXPECT(status_of([] { (void)List::read_file("/no/such/file"); }) == Status::file);
+    EXPECT(status_of([&] { (void)List::read_file(path + std::string("\0.old", 5)); }) == Status::file);
 }
 
 int main(int count, char **arguments) {
     EXPECT(count == 2 && version() / 10000 == version_major);
     if (count == 2) {
         read(arguments[1]);
+        errors(arguments[1]);
     }
-    errors();
     return failures == 0 ? 0 : 1;
 }

@@ -54,6 +54,9 @@ public:
     }
     [[nodiscard]] static Returned<List> read_file(const std::string &path, const ReadOptions &options = {}) {
         List result;
+        if (path.find('\0') != std::string::npos) {
+            detail::fail(Status::file, "path contains a zero byte");
+        }
         detail::call(nurbs_read_file, path.c_str(), &options, &result.handle_);
         return result;
     }
