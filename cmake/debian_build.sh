@@ -40,5 +40,6 @@ tar -C "$output" --sort=name --mtime="@$SOURCE_DATE_EPOCH" --owner=0 --group=0 -
 rm -rf "$tree"
 tar -C "$output" -xf "$output/libnurbs_$version.orig.tar.xz"
 cp -r "$source/cmake/debian" "$tree/debian"
+chmod -R u+rwX,go+rX,go-w "$tree/debian"
 cd "$tree"
 dpkg-buildpackage --sanitize-env --unsigned-source --unsigned-changes "$@"

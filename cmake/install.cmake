@@ -1,4 +1,5 @@
-# What is installed, and how other builds find it: CMake package and pkg-config file. Both are relocatable.
+# What is installed, and how other builds find it: CMake package and pkg-config file. Both are relocatable, but
+# for nurbs.pc below /usr.
 include(CMakePackageConfigHelpers)
 
 install(TARGETS nurbs nurbs_static EXPORT nurbs-targets

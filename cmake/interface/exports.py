@@ -40,18 +40,18 @@ def version_script(manual):
     return "\n".join(lines) + "\n"
 
 
-def newest_feature(function):
+def newest_feature(manual, function):
     """The version of the newest flag, status or field that a program can use in a function: "(since 1.1)" in its comment. A
     package needs a library of that version, though the function is older."""
     told = " ".join([function.text, function.returns, *(text for _, text in function.described.values())])
-    return max([function.since, *re.findall(r"\(since (\d+\.\d+)\)", told)], key=parts)
+    return max([node(manual, function), *re.findall(r"\(since\s+(\d+\.\d+)\)", told)], key=parts)
 
 
 def debian_symbols(manual):
     major = manual.version.split(".")[0]
     lines = [f"# {header.NOTICE}", f"libnurbs.so.{major} libnurbs{major} #MINVER#",
              "* Build-Depends-Package: libnurbs-dev"]
-    needed = {function.name: newest_feature(function) for function in manual.functions}
+    needed = {function.name: newest_feature(manual, function) for function in manual.functions}
     for version, names in by_version(manual):
         lines += [f" {name}@NURBS_{version} {needed.get(name, version)}.0" for name in (f"NURBS_{version}", *sorted(names))]
     return "\n".join(lines) + "\n"

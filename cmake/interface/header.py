@@ -287,6 +287,8 @@ class Reader:
 
     def read_struct(self, match):
         fields = re.findall(r"(\w+) (\w+);\s*/\*\*<(.*?)\*/", match["fields"], flags=re.S)
+        if len(fields) != re.sub(r"/\*.*?\*/", "", match["fields"], flags=re.S).count(";"):
+            raise HeaderError(f"{match['struct']}: a field is not of the form: TYPE NAME; /**< TEXT */")
         members = [(kind, name, one_line(text)) for kind, name, text in fields]
         self.header.structs.append(Struct(match["struct"], members, without_tags(self.comment)))
 

@@ -21,6 +21,9 @@
 ///   `Input(values, n, stride, component_stride)` describes any other layout. Their lengths are known here, so an array
 ///   that is too short is a failure as well, with NURBS_ERROR_SIZE;
 /// - every function that fills an array also exists in a form that returns a std::vector.
+///
+/// All of it is compiled into its user. Within a major version the classes keep their members, so that libraries that
+/// were compiled with different minor versions can pass Spline, List and Error to each other.
 #ifndef NURBS_NURBS_HPP
 #define NURBS_NURBS_HPP
 

@@ -4,8 +4,8 @@
 
 usage: check_released.py TOP [--write]     --write adds the file of a minor version that has none yet
 
-tests/abi/released holds the promises of each minor version, a line for each. A function that is said to be of a version
-with a file has to be in that file: what is new belongs to the version to come.
+tests/abi/released holds the promises of each minor version, a line for each, and their binary interfaces. What is new
+belongs to the version to come: while the header has a version with a file, it promises what is in that file, no more.
 """
 
 import sys
@@ -32,12 +32,23 @@ def interface(manual):
             yield f"{struct.name}[{place}] {kind} {name}"
 
 
-def problems(now, released):
-    for path in released:
+def missing_files(folder, version):
+    """Each minor version has its files from its release on, which the first patch follows."""
+    major, minor, patch = (int(part) for part in version.split("."))
+    for released in range(minor + (patch > 0)):
+        for path in (folder / f"{major}.{released}.txt", folder / f"{major}.{released}.abi"):
+            if not path.exists():
+                yield f"{path} is missing"
+
+
+def problems(manual, now, folder):
+    major, minor, _ = manual.version.split(".")
+    yield from missing_files(folder, manual.version)
+    for path in sorted(folder.glob(f"{major}.*.txt")):
         version, before = path.stem, path.read_text(encoding="utf-8").splitlines()
         yield from (f"{version} had: {line}" for line in before if line not in now)
-        yield from (f"new, but said to be of {version}, which is released: {line}"
-                    for line in now if line.startswith(f"{version} ") and line not in before)
+        yield from (f"new, but {version} is released: {line}" for line in now
+                    if line not in before and (version == f"{major}.{minor}" or line.startswith(f"{version} ")))
 
 
 def write(path, now):
@@ -56,7 +67,7 @@ def main(arguments):
     now = list(interface(manual))
     if arguments[1:] == ["--write"]:
         return write(folder / f"{major}.{minor}.txt", now)
-    found = list(problems(now, sorted(folder.glob(f"{major}.*.txt"))))
+    found = list(problems(manual, now, folder))
     print("\n".join(found) or f"{len(now)} promises are kept")
     return 1 if found else 0
 

@@ -9,6 +9,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "cmake/interface"))
 
+import exports  # noqa: E402 - from the project
 import header  # noqa: E402 - from the project
 
 # (file, pattern, parts of the version, whether the file has to be there)
@@ -19,10 +20,11 @@ PLACES = (
     ("capi/bindings/python/nurbs/__init__.py", r'^__version__ = "(.*)"', 3, False),
     ("capi/bindings/python/nurbs/_library.py", r"libnurbs\.so\.(\d+)", 1, True),
     ("cmake/debian/changelog", r"\A\S+ \(([\d.]+)[-~)]", 3, False),
-    ("cmake/debian/control", r"^Package: libnurbs(\d+)$", 1, True),
-    ("include/nurbs/cpp/result.hpp", r"POLICY (?:returning|throwing)_(\d+_\d+)$", 2, True),
     ("cmake/debian/libnurbs1.symbols", r"^libnurbs\.so\.(\d+) ", 1, True),
 )
+
+# Files where every name of the shared library or of its package has the major version.
+PACKAGES = ("cmake/debian/control", "cmake/debian/tests/c", "tests/install/packages")
 
 
 def numbers(version):
@@ -37,8 +39,8 @@ def place_problem(top, version, path, pattern, parts, needed):
     found = re.findall(pattern, file.read_text(encoding="utf-8"), flags=re.M)
     if not found:
         return f"{path} names no version" if needed else None
-    wanted, last = ".".join(version.split(".")[:parts]), found[-1].replace("_", ".")
-    return None if last == wanted else f"{path} has the version {last}, not {wanted}"
+    wanted = ".".join(version.split(".")[:parts])
+    return None if found[-1] == wanted else f"{path} has the version {found[-1]}, not {wanted}"
 
 
 def problems(top):
@@ -47,8 +49,13 @@ def problems(top):
     if manual.constants["NURBS_VERSION"].value != major * 10000 + minor * 100 + patch:
         yield "NURBS_VERSION does not follow from its parts"
     for function in manual.functions:
-        if numbers(function.since) > [major, minor]:
-            yield f"{function.name} is said to be newer than the header: {function.since}"
+        newest = exports.newest_feature(manual, function)
+        if numbers(newest) > [major, minor]:
+            yield f"{function.name} is said to be newer than the header, or a part of it: {newest}"
+    for path in PACKAGES:
+        names = set(re.findall(r"libnurbs\.?(?:so\.)?(\d+)", (top / path).read_text(encoding="utf-8")))
+        if names != {str(major)}:
+            yield f"{path} names libnurbs {' and '.join(sorted(names))}, not {major}"
     for place in PLACES:
         problem = place_problem(top, manual.version, *place)
         if problem:

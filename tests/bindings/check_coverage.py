@@ -56,6 +56,8 @@ def problems(manual):
     calls = sources(manual, "tests/capi/calls/*", "tests/capi/shapes.h")
     yield from lacking("tests/capi", tests, r"\b{}\(", functions)
     yield from lacking("tests/capi/calls", calls, r"\b{}\(", functions)
+    yield from lacking("tests/capi/calls/calls.h", sources(manual, "tests/capi/calls/calls.h"), r"[ {{]{}\(\)[,}}]",
+                       set(re.findall(r"(\w+_calls)\(\) {", calls)) - {"scalar_calls"})
     yield from lacking("C++", cpp, r"\b{}\b", [*functions, *manual.constants, *macros])
     yield from lacking("Fortran", fortran, r"\b{}\b", fortran_functions(manual))
     yield from lacking("Fortran", fortran, r"function {}\(", [name.lower() for name in macros])

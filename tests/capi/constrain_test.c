@@ -42,6 +42,11 @@ static void values(void) {
     CHECK_NEAR(points, VALUES(0, 1, 1, 5, 3, 5, 4, 1), 8, 1e-14); /* e = R / (5/16) (0, 5/2) */
     CHECK(rank == 2 && fabs(moved - 3) < 1e-14 && residuals[0] < 1e-14 && optimality < 1e-14);
     nurbs_destroy(h);
+    c.targets = VALUES(2, 1e250); /* whose square overflows */
+    CHECK_OK(run(c, &h));
+    CHECK(fabs(moved - 1.2e250) < 1e237 && optimality < 1e-14);
+    nurbs_destroy(h);
+    c.targets = VALUES(2, 4);
     c.costs = VALUES(INFINITY, 1, INFINITY, INFINITY); /* one point: e = (T - S) / R */
     CHECK_OK(run(c, &h));
     CHECK_OK(nurbs_points(h, 4, points, 0, 0));

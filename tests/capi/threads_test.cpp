@@ -5,8 +5,11 @@
 
 #include "iges_text.h"
 
+#include <algorithm>
 #include <array>
 #include <atomic>
+#include <bit>
+#include <cstdint>
 #include <cstdio>
 #include <cstring>
 #include <thread>
@@ -282,13 +285,17 @@ public:
                same(o_.singles, other.o_.singles) && same(o_.spans, other.o_.spans) &&
                same(o_.states, other.o_.states) && same(o_.text, other.o_.text) &&
                numbers_.size() == other.numbers_.size() &&
-               std::memcmp(numbers_.data(), other.numbers_.data(), numbers_.size() * sizeof(double)) == 0;
+               std::equal(numbers_.begin(), numbers_.end(), other.numbers_.begin(), same_bits);
     }
 
 private:
     template <class T, size_t n>
     static bool same(const T (&a)[n], const T (&b)[n]) {
         return std::memcmp(a, b, sizeof a) == 0;
+    }
+
+    static bool same_bits(double a, double b) {
+        return std::bit_cast<uint64_t>(a) == std::bit_cast<uint64_t>(b);
     }
 
     double *more(int64_t n) {

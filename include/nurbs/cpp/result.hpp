@@ -22,12 +22,11 @@
 #define NURBS_CPP_RESULTS
 #endif
 
-// The two kinds of functions have names of their own for the linker; so have those of each minor version, whose headers
-// may be in one program, in libraries that were compiled apart.
+// The two kinds of functions have names of their own for the linker.
 #ifdef NURBS_CPP_RESULTS
-#define NURBS_CPP_POLICY returning_1_0
+#define NURBS_CPP_POLICY returning
 #else
-#define NURBS_CPP_POLICY throwing_1_0
+#define NURBS_CPP_POLICY throwing
 #endif
 
 namespace libnurbs {

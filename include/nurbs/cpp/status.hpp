@@ -85,10 +85,11 @@ enum class Status : nurbs_status {
     internal = NURBS_ERROR_INTERNAL
 };
 
-inline constexpr std::int32_t header_version = NURBS_VERSION;
-inline constexpr std::int32_t version_major = NURBS_VERSION_MAJOR;
-inline constexpr std::int32_t version_minor = NURBS_VERSION_MINOR;
-inline constexpr std::int32_t version_patch = NURBS_VERSION_PATCH;
+/// Of this header: each file of a program has the one that it was compiled with.
+constexpr std::int32_t header_version = NURBS_VERSION;
+constexpr std::int32_t version_major = NURBS_VERSION_MAJOR;
+constexpr std::int32_t version_minor = NURBS_VERSION_MINOR;
+constexpr std::int32_t version_patch = NURBS_VERSION_PATCH;
 inline constexpr std::int32_t max_degree = NURBS_MAX_DEGREE;
 inline constexpr std::int32_t max_axes = NURBS_MAX_AXES;
 inline constexpr std::int32_t max_order = NURBS_MAX_ORDER;

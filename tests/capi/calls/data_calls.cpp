@@ -10,7 +10,7 @@ namespace {
 
 const IgesText file = small_file();
 
-nurbs_status make_new(const SplineArgs &a, Output &o) {
+nurbs_status make_new(SplineArgs a, Output &o) {
     return create(&a, &o.out);
 }
 
@@ -47,16 +47,8 @@ nurbs_status periodic_knots(const Inputs &, Output &o) {
 
 const Call group[] = {
     {"create curve", [](const Inputs &, Output &o) { return make_new(circle(), o); }},
-    {"create loop",
-     [](const Inputs &, Output &o) {
-         const SplineArgs a = loop();
-         return create(&a, &o.out);
-     }},
-    {"create volume",
-     [](const Inputs &, Output &o) {
-         const SplineArgs a = cube();
-         return create(&a, &o.out);
-     }},
+    {"create loop", [](const Inputs &, Output &o) { return make_new(loop(), o); }},
+    {"create volume", [](const Inputs &, Output &o) { return make_new(cube(), o); }},
     {"create_homogeneous", homogeneous},
     {"create_short", short_knots},
     {"create_multiplicities", grouped_knots},

@@ -18,17 +18,35 @@ nurbs_status compose_with(const nurbs *g, int32_t dim, const double *points, Out
     return status;
 }
 
+nurbs_status compose_curve(const Inputs &in, Output &o) {
+    static const double points[] = {0, 0.25, 1};
+    return compose_with(in.curve, 1, points, o);
+}
+
+nurbs_status compose_loop(const Inputs &in, Output &o) {
+    static const double points[] = {0, 2, 9};
+    return compose_with(in.loop, 1, points, o);
+}
+
+nurbs_status compose_surface(const Inputs &in, Output &o) {
+    static const double points[] = {0, 0, 1, 0, 1, 1};
+    return compose_with(in.surface, 2, points, o);
+}
+
 const Call group[] = {
     {"iso curve", [](const Inputs &in, Output &o) { return nurbs_iso(in.surface, 0, 0.3, 0, &o.out); }},
     {"iso surface", [](const Inputs &in, Output &o) { return nurbs_iso(in.volume, 1, 0.3, 0, &o.out); }},
-    {"insert_knot", [](const Inputs &in, Output &o) { return nurbs_insert_knot(in.curve, 0, 0.3, 2, &o.out); }},
+    {"insert_knot",
+     [](const Inputs &in, Output &o) { return nurbs_insert_knot(in.curve, 0, 0.3, 2, &o.out); }},
     {"insert_knot periodic",
      [](const Inputs &in, Output &o) { return nurbs_insert_knot(in.loop, 0, 2.5, 2, &o.out); }},
     {"insert_knot surface",
      [](const Inputs &in, Output &o) { return nurbs_insert_knot(in.surface, 1, 1.5, 1, &o.out); }},
     {"refine", [](const Inputs &in, Output &o) { return nurbs_refine(in.curve, 0, 2, new_knots, &o.out); }},
-    {"refine_uniform", [](const Inputs &in, Output &o) { return nurbs_refine_uniform(in.loop, 0, 3, &o.out); }},
-    {"extract", [](const Inputs &in, Output &o) { return nurbs_extract(in.curve, new_knots, new_knots + 1, &o.out); }},
+    {"refine_uniform",
+     [](const Inputs &in, Output &o) { return nurbs_refine_uniform(in.loop, 0, 3, &o.out); }},
+    {"extract",
+     [](const Inputs &in, Output &o) { return nurbs_extract(in.curve, new_knots, new_knots + 1, &o.out); }},
     {"clamp", [](const Inputs &in, Output &o) { return nurbs_clamp_ends(in.loop, 0, 3, &o.out); }},
     {"move_seam", [](const Inputs &in, Output &o) { return nurbs_move_seam(in.loop, 0, 2.5, &o.out); }},
     {"join",
@@ -38,10 +56,13 @@ const Call group[] = {
      }},
     {"snap_knots",
      [](const Inputs &in, Output &o) { return nurbs_snap_knots(in.loop, 0, 0.26, nullptr, &o.out); }},
-    {"extend", [](const Inputs &in, Output &o) { return nurbs_extend(in.surface, 0, NURBS_START, 1, 1, &o.out); }},
+    {"extend",
+     [](const Inputs &in, Output &o) { return nurbs_extend(in.surface, 0, NURBS_START, 1, 1, &o.out); }},
     {"unclamp", [](const Inputs &in, Output &o) { return nurbs_unclamp(in.volume, 2, 3, &o.out); }},
     {"make_periodic",
-     [](const Inputs &in, Output &o) { return nurbs_make_periodic(in.curve, 0, 1, nullptr, nullptr, &o.out); }},
+     [](const Inputs &in, Output &o) {
+         return nurbs_make_periodic(in.curve, 0, 1, nullptr, nullptr, &o.out);
+     }},
     {"make_compatible",
      [](const Inputs &in, Output &o) {
          const nurbs *splines[] = {in.curve, in.loop};
@@ -52,9 +73,13 @@ const Call group[] = {
          return nurbs_remove_knot(in.curve, 0, 0.5, 1, 9, nullptr, nullptr, &o.out);
      }},
     {"remove_knot periodic",
-     [](const Inputs &in, Output &o) { return nurbs_remove_knot(in.loop, 0, 3, 1, 9, nullptr, nullptr, &o.out); }},
-    {"reduce_knots", [](const Inputs &in, Output &o) { return nurbs_reduce_knots(in.curve, -1, 9, nullptr, &o.out); }},
-    {"reduce_degree", [](const Inputs &in, Output &o) { return nurbs_reduce_degree(in.loop, 0, 1, nullptr, &o.out); }},
+     [](const Inputs &in, Output &o) {
+         return nurbs_remove_knot(in.loop, 0, 3, 1, 9, nullptr, nullptr, &o.out);
+     }},
+    {"reduce_knots",
+     [](const Inputs &in, Output &o) { return nurbs_reduce_knots(in.curve, -1, 9, nullptr, &o.out); }},
+    {"reduce_degree",
+     [](const Inputs &in, Output &o) { return nurbs_reduce_degree(in.loop, 0, 1, nullptr, &o.out); }},
     {"simplify", [](const Inputs &in, Output &o) { return nurbs_simplify(in.curve, 9, nullptr, &o.out); }},
     {"split",
      [](const Inputs &in, Output &o) {
@@ -67,37 +92,32 @@ const Call group[] = {
      [](const Inputs &in, Output &o) { return nurbs_insert_knot(in.surface, 1, 1.5, 0, &o.out); }},
     {"elevate", [](const Inputs &in, Output &o) { return nurbs_elevate(in.curve, 0, 2, &o.out); }},
     {"elevate periodic", [](const Inputs &in, Output &o) { return nurbs_elevate(in.loop, 0, 2, &o.out); }},
-    {"elevate homogeneous", [](const Inputs &in, Output &o) { return nurbs_elevate(in.homogeneous, 0, 1, &o.out); }},
-    {"reverse", [](const Inputs &in, Output &o) { return nurbs_reverse(in.curve, 0, NURBS_KEEP_DOMAIN, &o.out); }},
+    {"elevate homogeneous",
+     [](const Inputs &in, Output &o) { return nurbs_elevate(in.homogeneous, 0, 1, &o.out); }},
+    {"reverse",
+     [](const Inputs &in, Output &o) { return nurbs_reverse(in.curve, 0, NURBS_KEEP_DOMAIN, &o.out); }},
     {"transpose",
      [](const Inputs &in, Output &o) {
          static const int32_t turn[] = {2, 0, 1};
          return nurbs_transpose(in.volume, turn, &o.out);
      }},
     {"derivative", [](const Inputs &in, Output &o) { return nurbs_derivative(in.loop, 0, 1, &o.out); }},
-    {"derivative rational", [](const Inputs &in, Output &o) { return nurbs_derivative(in.curve, 0, 2, &o.out); }},
+    {"derivative rational",
+     [](const Inputs &in, Output &o) { return nurbs_derivative(in.curve, 0, 2, &o.out); }},
     {"derivative beyond the degree",
      [](const Inputs &in, Output &o) { return nurbs_derivative(in.loop, 0, 9, &o.out); }},
-    {"antiderivative", [](const Inputs &in, Output &o) { return nurbs_antiderivative(in.volume, 1, &o.out); }},
+    {"antiderivative",
+     [](const Inputs &in, Output &o) { return nurbs_antiderivative(in.volume, 1, &o.out); }},
     {"product", [](const Inputs &in, Output &o) { return nurbs_product(in.curve, in.curve, 0, &o.out); }},
-    {"product periodic", [](const Inputs &in, Output &o) { return nurbs_product(in.loop, in.loop, 0, &o.out); }},
+    {"product periodic",
+     [](const Inputs &in, Output &o) { return nurbs_product(in.loop, in.loop, 0, &o.out); }},
     {"product volume",
-     [](const Inputs &in, Output &o) { return nurbs_product(in.volume, in.volume, NURBS_PRODUCT_DOT, &o.out); }},
-    {"compose",
      [](const Inputs &in, Output &o) {
-         static const double points[] = {0, 0.25, 1};
- return compose_with(in.curve, 1, points, o);
+         return nurbs_product(in.volume, in.volume, NURBS_PRODUCT_DOT, &o.out);
      }},
-    {"compose around a loop",
-     [](const Inputs &in, Output &o) {
-         static const double points[] = {0, 2, 9};
- return compose_with(in.loop, 1, points, o);
-     }},
-    {"compose on a surface",
-     [](const Inputs &in, Output &o) {
-         static const double points[] = {0, 0, 1, 0, 1, 1};
- return compose_with(in.surface, 2, points, o);
-     }},
+    {"compose", compose_curve},
+    {"compose around a loop", compose_loop},
+    {"compose on a surface", compose_surface},
     {"sum", [](const Inputs &in, Output &o) { return nurbs_sum(in.loop, 1, in.loop, 2, &o.out); }},
     {"sum rational",
      [](const Inputs &in, Output &o) {
@@ -109,7 +129,8 @@ const Call group[] = {
          nurbs_destroy(half);
          return status;
      }},
-    {"reparametrize", [](const Inputs &in, Output &o) { return nurbs_reparametrize(in.loop, 0, 0, 1, &o.out); }},
+    {"reparametrize",
+     [](const Inputs &in, Output &o) { return nurbs_reparametrize(in.loop, 0, 0, 1, &o.out); }},
 };
 
 } // namespace

@@ -63,6 +63,7 @@ void check_intact(const Inputs &in) {
     CHECK_POINTS(in.loop, loop().points);
     CHECK_POINTS(in.surface, trough().points);
     CHECK_POINTS(in.volume, cube().points);
+    CHECK_POINTS(in.twist, twist().points);
 }
 
 Output::Output() {

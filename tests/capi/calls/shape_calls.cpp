@@ -31,11 +31,37 @@ nurbs_status blend_boundaries(const nurbs *g, int order, Output &o) {
     return status;
 }
 
+nurbs_status arc(const Inputs &, Output &o) {
+    return nurbs_curve_arc(2, nullptr, nullptr, nullptr, 1, 0, 4, 0, &o.out);
+}
+
+nurbs_status arc_tangent(const Inputs &, Output &o) {
+    static const double a[] = {0, 0}, up[] = {0, 1}, b[] = {1, 1};
+    return nurbs_curve_arc_tangent(2, a, up, b, 0, &o.out);
+}
+
+nurbs_status ellipse(const Inputs &, Output &o) {
+    return nurbs_curve_ellipse(2, nullptr, nullptr, nullptr, 2, 1, 0, 4, NURBS_ARC_SMOOTH, &o.out);
+}
+
+nurbs_status parabola(const Inputs &, Output &o) {
+    return nurbs_curve_parabola(2, nullptr, nullptr, nullptr, 1, -1, 2, &o.out);
+}
+
+nurbs_status conic_triangle(const Inputs &, Output &o) {
+    return nurbs_curve_conic_triangle(2, params, params + 2, params + 4, 0.4, &o.out);
+}
+
+nurbs_status conic_point(const Inputs &, Output &o) {
+    static const double ends[] = {0, 0, 1, 0}, tangents[] = {1, 1, 1, -1}, point[] = {0.5, 0.25};
+    return nurbs_curve_conic_point(2, ends, tangents, ends + 2, tangents + 2, point, 0, &o.out);
+}
+
 const Call group[] = {
     {"polyline",
      [](const Inputs &, Output &o) { return nurbs_curve_polyline(3, 2, params, 0, 0, nullptr, 0, &o.out); }},
-    {"polygon",
-     [](const Inputs &, Output &o) { return nurbs_curve_polygon(2, nullptr, nullptr, nullptr, 1, 5, &o.out); }},
+    {"polygon", [](const Inputs &,
+                   Output &o) { return nurbs_curve_polygon(2, nullptr, nullptr, nullptr, 1, 5, &o.out); }},
     {"rounded_rectangle",
      [](const Inputs &, Output &o) {
          return nurbs_curve_rounded_rectangle(2, nullptr, nullptr, nullptr, 3, 2, 0.5, &o.out);
@@ -45,9 +71,13 @@ const Call group[] = {
          return nurbs_curve_circle(3, nullptr, nullptr, nullptr, 1, NURBS_ARC_SMOOTH, &o.out);
      }},
     {"hyperbola",
-     [](const Inputs &, Output &o) { return nurbs_curve_hyperbola(2, nullptr, nullptr, nullptr, 1, 1, 0, 9, &o.out); }},
+     [](const Inputs &, Output &o) {
+         return nurbs_curve_hyperbola(2, nullptr, nullptr, nullptr, 1, 1, 0, 9, &o.out);
+     }},
     {"arc_through",
-     [](const Inputs &, Output &o) { return nurbs_curve_arc_through(2, params, params + 2, params + 4, 0, &o.out); }},
+     [](const Inputs &, Output &o) {
+         return nurbs_curve_arc_through(2, params, params + 2, params + 4, 0, &o.out);
+     }},
     {"conic_shoulder",
      [](const Inputs &, Output &o) {
          static const double ends[] = {0, 0, 1, 0}, tangents[] = {1, 1, 1, -1};
@@ -80,15 +110,21 @@ const Call group[] = {
          static const double up[] = {0, 0, 1};
          return nurbs_extrude(in.twist, up, &o.out);
      }},
-    {"revolve", [](const Inputs &in, Output &o) { return nurbs_revolve(in.twist, nullptr, nullptr, 6, 0, &o.out); }},
+    {"revolve",
+     [](const Inputs &in, Output &o) { return nurbs_revolve(in.twist, nullptr, nullptr, 6, 0, &o.out); }},
     {"ruled", [](const Inputs &in, Output &o) { return nurbs_ruled(in.curve, in.loop, 0, &o.out); }},
     {"ruled Cartesian",
-     [](const Inputs &in, Output &o) { return nurbs_ruled(in.curve, in.loop, NURBS_RULED_CARTESIAN, &o.out); }},
-    {"tensor_sum", [](const Inputs &in, Output &o) { return nurbs_tensor_sum(in.curve, 1, in.loop, 2, &o.out); }},
+     [](const Inputs &in, Output &o) {
+         return nurbs_ruled(in.curve, in.loop, NURBS_RULED_CARTESIAN, &o.out);
+     }},
+    {"tensor_sum",
+     [](const Inputs &in, Output &o) { return nurbs_tensor_sum(in.curve, 1, in.loop, 2, &o.out); }},
     {"tensor_sum homogeneous",
      [](const Inputs &in, Output &o) { return nurbs_tensor_sum(in.homogeneous, 1, in.loop, 2, &o.out); }},
-    {"tensor_product", [](const Inputs &in, Output &o) { return nurbs_tensor_product(in.twist, in.surface, &o.out); }},
-    {"surface_swung", [](const Inputs &in, Output &o) { return nurbs_surface_swung(in.curve, in.loop, 1, &o.out); }},
+    {"tensor_product",
+     [](const Inputs &in, Output &o) { return nurbs_tensor_product(in.twist, in.surface, &o.out); }},
+    {"surface_swung",
+     [](const Inputs &in, Output &o) { return nurbs_surface_swung(in.curve, in.loop, 1, &o.out); }},
     {"surface_plane",
      [](const Inputs &, Output &o) { return nurbs_surface_plane(2, nullptr, new_knots, params, &o.out); }},
     {"surface_bilinear",
@@ -126,18 +162,20 @@ const Call group[] = {
          return nurbs_surface_paraboloid(nullptr, nullptr, nullptr, 3, 1, 1, 0, 3, 0, &o.out);
      }},
     {"surface_saddle",
-     [](const Inputs &, Output &o) { return nurbs_surface_saddle(nullptr, nullptr, nullptr, 3, 1, 1, &o.out); }},
+     [](const Inputs &, Output &o) {
+         return nurbs_surface_saddle(nullptr, nullptr, nullptr, 3, 1, 1, &o.out);
+     }},
     {"surface_hyperboloid",
      [](const Inputs &, Output &o) {
          return nurbs_surface_hyperboloid(nullptr, nullptr, nullptr, 3, 1, 1, -9, 9, 0, 3, 0, 0, &o.out);
      }},
     {"line", [](const Inputs &, Output &o) { return nurbs_curve_line(2, params, params + 2, &o.out); }},
-    {"arc", [](const Inputs &, Output &o) { return nurbs_curve_arc(2, nullptr, nullptr, nullptr, 1, 0, 4, 0, &o.out); }},
-    {"arc_tangent", [](const Inputs &, Output &o) { static const double a[] = {0, 0}, up[] = {0, 1}, b[] = {1, 1}; return nurbs_curve_arc_tangent(2, a, up, b, 0, &o.out); }},
-    {"ellipse", [](const Inputs &, Output &o) { return nurbs_curve_ellipse(2, nullptr, nullptr, nullptr, 2, 1, 0, 4, NURBS_ARC_SMOOTH, &o.out); }},
-    {"parabola", [](const Inputs &, Output &o) { return nurbs_curve_parabola(2, nullptr, nullptr, nullptr, 1, -1, 2, &o.out); }},
-    {"conic_triangle", [](const Inputs &, Output &o) { return nurbs_curve_conic_triangle(2, params, params + 2, params + 4, 0.4, &o.out); }},
-    {"conic_point", [](const Inputs &, Output &o) { static const double ends[] = {0, 0, 1, 0}, tangents[] = {1, 1, 1, -1}, point[] = {0.5, 0.25}; return nurbs_curve_conic_point(2, ends, tangents, ends + 2, tangents + 2, point, 0, &o.out); }},
+    {"arc", arc},
+    {"arc_tangent", arc_tangent},
+    {"ellipse", ellipse},
+    {"parabola", parabola},
+    {"conic_triangle", conic_triangle},
+    {"conic_point", conic_point},
 };
 
 } // namespace
