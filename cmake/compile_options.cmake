@@ -13,5 +13,6 @@ target_compile_options(nurbs_warnings INTERFACE
 target_compile_options(nurbs_warnings INTERFACE
     $<$<AND:$<CXX_COMPILER_ID:GNU>,$<NOT:$<CONFIG:Debug>>>:-Wno-array-bounds;-Wno-restrict>)
 # A third one where memory accesses are instrumented: what an empty std::optional does not hold seems to be read.
-target_compile_options(nurbs_warnings INTERFACE
-    $<$<AND:$<CXX_COMPILER_ID:GNU>,$<BOOL:${NURBS_SANITIZE}>>:-Wno-maybe-uninitialized>)
+if(NURBS_SANITIZE)
+    target_compile_options(nurbs_warnings INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
+endif()
