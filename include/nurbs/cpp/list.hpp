@@ -19,10 +19,7 @@ inline namespace NURBS_CPP_POLICY {
 /// Settings of List::read(), initialised to the defaults. Later versions of this header may know more of them: where
 /// libraries that were compiled with two versions meet in one program, each has to say its own size, and none the other's.
 struct ReadOptions : nurbs_read_options {
-#ifdef __GNUC__
-    [[gnu::always_inline]]
-#endif
-    ReadOptions() : nurbs_read_options{} {
+    [[gnu::always_inline]] ReadOptions() : nurbs_read_options{} {
         detail::call(nurbs_read_options_init, this, static_cast<std::int64_t>(sizeof(nurbs_read_options)));
     }
 };
