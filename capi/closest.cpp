@@ -85,40 +85,35 @@ public:
     }
     void status(int32_t *data) noexcept { out_.status = data; }
 
-    // No output touches another one, the points, or one more input.
-    const FeetOutputs &checked(const Memory &more, const ConstRecords *guesses = nullptr) const {
-        const Named all[] = {{"params", out_.params}, {"feet", out_.feet}, {"distances", out_.distances}};
-        const int64_t status_bytes =
-            out_.status == nullptr ? 0 : batch_.points.count * static_cast<int64_t>(sizeof(int32_t));
-        for (const Named &one : all) {
-            check_overlap(one.name, one.out, "points", batch_.points);
-            check_overlap(one.name, one.out.data, bytes(one.out), more.name, more.data, more.bytes);
-            check_overlap(one.name, one.out.data, bytes(one.out), "status", out_.status, status_bytes);
-            if (guesses != nullptr) {
-                check_overlap(one.name, one.out, "guesses", *guesses);
+    // No output touches another one, the points, the guesses if there are any, or one more input.
+    const FeetOutputs &checked(const Memory &more, const ConstRecords &guesses = {}) const {
+        const Named<Records> outputs[] = {
+            {"params", out_.params}, {"feet", out_.feet}, {"distances", out_.distances}};
+        const Named<ConstRecords> inputs[] = {{"points", batch_.points}, {"guesses", guesses}};
+        const Memory status = memory("status", out_.status, batch_.points.count);
+        for (const Named<Records> &out : outputs) {
+            for (const Named<ConstRecords> &in : inputs) {
+                check_overlap(out.name, out.records, in.name, in.records);
             }
-            for (const Named *other = all; other != &one; ++other) {
-                check_overlap(one.name, one.out, other->name, read_only(other->out));
+            for (const Named<Records> *other = outputs; other != &out; ++other) {
+                check_overlap(out.name, out.records, other->name, read_only(other->records));
             }
+            check_apart({out.memory()}, {more, status});
         }
-        check_overlap("status", out_.status, status_bytes, "points", batch_.points.data,
-                      bytes(batch_.points));
-        if (guesses != nullptr) {
-            check_overlap("status", out_.status, status_bytes, "guesses", guesses->data, bytes(*guesses));
-        }
-        check_overlap("status", out_.status, status_bytes, more.name, more.data, more.bytes);
+        check_apart({status}, {inputs[0].memory(), inputs[1].memory(), more});
         return out_;
     }
 
 private:
+    template <class View>
     struct Named {
         const char *name;
-        const Records &out;
+        const View &records;
+
+        [[nodiscard]] Memory memory() const noexcept {
+            return capi::memory(name, records.data, records.data == nullptr ? 0 : records.extent());
+        }
     };
-    template <class T>
-    static int64_t bytes(const RecordView<T> &view) noexcept {
-        return view.data == nullptr ? 0 : view.extent() * static_cast<int64_t>(sizeof(double));
-    }
     Records optional(const char *name, double *data, int64_t width, int64_t stride,
                      int64_t component_stride) {
         return data == nullptr ? Records{nullptr, 0, width, width, 1}
@@ -249,7 +244,7 @@ nurbs_status nurbs_closest_local(const nurbs *g, int64_t n, const double *points
         arrays.feet(feet, foot_stride, foot_component_stride);
         arrays.distances(distances, distance_stride);
         arrays.status(status);
-        const FeetOutputs &out = arrays.checked(memory("guesses", guesses, 0), &starts);
+        const FeetOutputs &out = arrays.checked(memory("guesses", guesses, 0), starts);
         check_guesses(batch.spline, starts);
         batch.admit();
         closest_local(batch.spline, batch.points, starts, out);

@@ -5,10 +5,8 @@
 
 #include "iges_text.h"
 
-#include <algorithm>
 #include <array>
 #include <atomic>
-#include <bit>
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
@@ -284,8 +282,7 @@ public:
         return status_ == other.status_ && same(o_.values, other.o_.values) &&
                same(o_.singles, other.o_.singles) && same(o_.spans, other.o_.spans) &&
                same(o_.states, other.o_.states) && same(o_.text, other.o_.text) &&
-               numbers_.size() == other.numbers_.size() &&
-               std::equal(numbers_.begin(), numbers_.end(), other.numbers_.begin(), same_bits);
+               calls::same_bits(numbers_, other.numbers_);
     }
 
 private:
@@ -294,25 +291,10 @@ private:
         return std::memcmp(a, b, sizeof a) == 0;
     }
 
-    static bool same_bits(double a, double b) {
-        return std::bit_cast<uint64_t>(a) == std::bit_cast<uint64_t>(b);
-    }
-
-    double *more(int64_t n) {
-        numbers_.resize(numbers_.size() + static_cast<size_t>(n));
-        return numbers_.data() + numbers_.size() - n;
-    }
-
     void add_numbers(const nurbs *g) {
-        int32_t axes = 0, dim = 0, degree = 0;
-        int64_t total = 0, count = 0;
-        EXPECT(nurbs_axes(g, &axes) == NURBS_OK && nurbs_dimension(g, &dim) == NURBS_OK);
-        EXPECT(nurbs_point_count(g, &total) == NURBS_OK);
-        EXPECT(nurbs_homogeneous_points(g, total, more(total * (dim + 1)), 0, 0) == NURBS_OK);
-        for (int32_t k = 0; k < axes; ++k) {
-            EXPECT(nurbs_degree(g, k, &degree) == NURBS_OK && nurbs_count(g, k, &count) == NURBS_OK);
-            EXPECT(nurbs_knots(g, k, count + degree + 1, more(count + degree + 1)) == NURBS_OK);
-        }
+        const std::vector<double> own = calls::numbers_of(g);
+        EXPECT(!own.empty());
+        numbers_.insert(numbers_.end(), own.begin(), own.end());
     }
 
     calls::Output o_;

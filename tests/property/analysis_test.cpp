@@ -134,7 +134,7 @@ TEST(MonotonePieces, HaveTheSignOfTheDerivative) {
             }
         }
     });
-    EXPECT_GT(complete, 150);
+    EXPECT_GT(complete, support::of_whole_run(150));
 }
 
 TEST(MonotonePieces, OfACircleAndOfStairs) {

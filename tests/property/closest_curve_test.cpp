@@ -243,7 +243,7 @@ TEST(ClosestOnCurve, feet_are_points_of_the_curve) {
                 << where(seed, data);
         }
     });
-    EXPECT_GT(from_below, 0);
+    EXPECT_GT(from_below, support::of_whole_run(0));
 }
 
 TEST(ClosestOnCurve, a_batch_gives_the_bits_of_single_queries) {

@@ -234,7 +234,7 @@ TEST(Compatible, near_knots_do_not_multiply_and_the_bound_holds) {
         }
     });
     std::sort(ratios.begin(), ratios.end());
-    ASSERT_GT(ratios.size(), 30U);
+    ASSERT_GT(std::ssize(ratios), support::of_whole_run(30));
     std::printf("bound / true: median %.3g, largest %.3g of %zu\n", ratios[ratios.size() / 2], ratios.back(),
                 ratios.size());
     EXPECT_LE(ratios[ratios.size() / 2], 4);
@@ -298,7 +298,7 @@ TEST(SnapKnots, the_bound_holds_for_every_form) {
         ASSERT_LE(exact_distance(data, result, params), deviation) << place;
     });
     std::printf("%d lost knots at their ends\n", merged);
-    ASSERT_GT(merged, 10);
+    ASSERT_GT(merged, support::of_whole_run(10));
 }
 
 } // namespace

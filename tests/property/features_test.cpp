@@ -247,7 +247,7 @@ TEST(CurveFeatures, SignsBetweenInflectionsAreExact) {
             crossed = passed;
         }
     });
-    EXPECT_GT(complete, 100);
+    EXPECT_GT(complete, support::of_whole_run(100));
 }
 
 // Between extrema |curvature| runs one way, at many places.
@@ -296,7 +296,7 @@ TEST(CurveFeatures, CurvatureIsMonotoneBetweenExtrema) {
             }
         }
     });
-    EXPECT_GT(complete, 90);
+    EXPECT_GT(complete, support::of_whole_run(90));
 }
 
 // High degrees: nothing is claimed that rounding hides.

@@ -414,7 +414,7 @@ TEST(RecognizeMade, what_was_moved_by_ten_tolerances_is_refused) {
         ASSERT_EQ(recognize(off.get(), tolerance).shape, NURBS_SHAPE_NONE) << name << " seed " << seed;
         ++cases;
     });
-    EXPECT_GT(cases, 150);
+    EXPECT_GT(cases, support::of_whole_run(150));
 }
 
 } // namespace

@@ -9,16 +9,19 @@ namespace support {
 
 namespace {
 
-int scaled_count(int count) {
+double scale() {
     const char *text = std::getenv("NURBS_PROPERTY_SCALE");
-    const double scale = text == nullptr ? 1 : std::strtod(text, nullptr);
-    return std::max(1, static_cast<int>(count * scale));
+    return text == nullptr ? 1 : std::strtod(text, nullptr);
 }
 
 } // namespace
 
+int64_t of_whole_run(int64_t n) {
+    return scale() < 1 ? -1 : n;
+}
+
 void for_each_case(uint64_t base, int count, const std::function<void(Random &, uint64_t)> &body) {
-    const int cases = scaled_count(count);
+    const int cases = std::max(1, static_cast<int>(count * scale()));
     std::printf("seeds %llu to %llu\n", static_cast<unsigned long long>(base),
                 static_cast<unsigned long long>(base) + static_cast<unsigned long long>(cases) - 1);
     for (uint64_t seed = base; seed < base + static_cast<uint64_t>(cases); ++seed) {

@@ -3,6 +3,7 @@
 
 #include "support/generators.h"
 
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <string>
@@ -13,6 +14,10 @@ namespace support {
 // 1) times, at least once. Prints the seeds; stops at the first case that fails, which is enough to repeat
 // it. An exception counts as a failure.
 void for_each_case(uint64_t base, int count, const std::function<void(Random &, uint64_t)> &body);
+
+// `n` if all cases are run, else -1: how many of a kind a law has to have met, so that it is not one about nothing. A shorter
+// run may miss what is rare.
+int64_t of_whole_run(int64_t n);
 
 // What a failure message ends with: the seed and the spline in hexadecimal.
 std::string where(uint64_t seed, const SplineData &data);

@@ -9,6 +9,7 @@
 #include "shapes.h"
 
 #include <span>
+#include <vector>
 
 namespace calls {
 
@@ -20,7 +21,11 @@ struct Inputs {
 
 Inputs make_inputs();
 void destroy(const Inputs &in);
-void check_intact(const Inputs &in);
+void check_intact(const Inputs &in); // they hold what fresh ones hold
+
+// What a spline holds: its homogeneous points and its knots. Empty if it cannot be asked.
+std::vector<double> numbers_of(const nurbs *g);
+bool same_bits(std::span<const double> a, std::span<const double> b);
 
 // Where a call writes: the arrays are long enough for all. A call makes a handle, or a list, or neither.
 struct Output {

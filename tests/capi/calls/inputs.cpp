@@ -4,6 +4,9 @@
 
 #include "iges_text.h"
 
+#include <algorithm>
+#include <bit>
+#include <cstdint>
 #include <cstdio>
 
 namespace calls {
@@ -27,6 +30,32 @@ nurbs *make_segment() {
     nurbs *g = nullptr;
     CHECK_OK(nurbs_create(1, &degree, &count, knots, 6, 2, points, 0, 0, weights, 0, 0, &g));
     return g;
+}
+
+// The splines of the inputs, those of the list behind the others, each to be destroyed.
+std::vector<nurbs *> splines_of(const Inputs &in) {
+    std::vector<nurbs *> all;
+    for (const nurbs *g : {in.curve, in.loop, in.surface, in.volume, in.homogeneous, in.twist, in.segment}) {
+        CHECK_OK(nurbs_clone(g, &all.emplace_back(nullptr)));
+    }
+    int64_t count = 0;
+    CHECK_OK(nurbs_list_count(in.list, &count));
+    for (int64_t i = 0; i < count; ++i) {
+        CHECK_OK(nurbs_list_get(in.list, i, &all.emplace_back(nullptr)));
+    }
+    return all;
+}
+
+// The numbers of all of them, one spline after the other.
+std::vector<double> all_numbers(const Inputs &in) {
+    std::vector<double> all;
+    for (nurbs *g : splines_of(in)) {
+        const std::vector<double> own = numbers_of(g);
+        CHECK(!own.empty());
+        all.insert(all.end(), own.begin(), own.end());
+        nurbs_destroy(g);
+    }
+    return all;
 }
 
 } // namespace
@@ -57,13 +86,31 @@ void destroy(const Inputs &in) {
 }
 
 void check_intact(const Inputs &in) {
-    CHECK_POINTS(in.curve, circle().points);
-    CHECK_WEIGHTS(in.curve, circle().weights);
-    CHECK_KNOTS(in.curve, 0, circle().knots);
-    CHECK_POINTS(in.loop, loop().points);
-    CHECK_POINTS(in.surface, trough().points);
-    CHECK_POINTS(in.volume, cube().points);
-    CHECK_POINTS(in.twist, twist().points);
+    const Inputs fresh = make_inputs();
+    CHECK(same_bits(all_numbers(in), all_numbers(fresh)));
+    destroy(fresh);
+}
+
+std::vector<double> numbers_of(const nurbs *g) {
+    std::vector<double> numbers;
+    const auto more = [&](int64_t n) {
+        numbers.resize(numbers.size() + static_cast<size_t>(n));
+        return numbers.data() + numbers.size() - n;
+    };
+    int32_t axes = 0, dim = 0, degree = 0;
+    int64_t total = 0, count = 0;
+    bool good = nurbs_axes(g, &axes) == NURBS_OK && nurbs_dimension(g, &dim) == NURBS_OK &&
+                nurbs_point_count(g, &total) == NURBS_OK &&
+                nurbs_homogeneous_points(g, total, more(total * (dim + 1)), 0, 0) == NURBS_OK;
+    for (int32_t k = 0; k < axes; ++k) {
+        good = good && nurbs_degree(g, k, &degree) == NURBS_OK && nurbs_count(g, k, &count) == NURBS_OK &&
+               nurbs_knots(g, k, count + degree + 1, more(count + degree + 1)) == NURBS_OK;
+    }
+    return good ? numbers : std::vector<double>{};
+}
+
+bool same_bits(std::span<const double> a, std::span<const double> b) {
+    return std::ranges::equal(a, b, {}, std::bit_cast<uint64_t, double>, std::bit_cast<uint64_t, double>);
 }
 
 Output::Output() {
