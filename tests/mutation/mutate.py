@@ -2,18 +2,20 @@
 # SPDX-License-Identifier: MIT
 """Plants faults in src, one at a time, and sees whether the tests notice.
 
-usage: mutate.py SOURCE BUILD REACH REPORT [--count N] [--seed S] [--share K/N] [--patience SECONDS]
+usage: mutate.py BUILD REACH REPORT [--count N] [--seed S] [--patience SECONDS] [--jobs N]
 
-SOURCE is a checkout of its own (its files are changed and put back), BUILD a build of it with its tests, REACH the
-reach.json of reach.py, made of the same sources. A fault flips an operator or changes a constant. For each one the
-library and the programs of those tests that run the line are built, and these tests are run, quick ones first, until one
-fails. Faults that do not compile, and those that leave the object code as it was, do not count, and others take their
-places. REPORT gets a line of JSON for each fault; a run that was broken off goes on where it was. --share K/N: this
-process takes each Nth fault, beginning with the Kth, so that N processes with a SOURCE and BUILD each can share the work.
-A fault that no test has noticed when the time for tests is over (--patience, 300) counts as not noticed.
+To be run in a copy of the sources, whose files it changes and puts back. BUILD is the build there that reach.py made
+REACH of, its reach.json. A fault flips an operator or changes a constant. For each one the library and the programs of
+those tests that run the line are built, and these tests are run, N at once and quick ones first, until one fails. Faults
+that do not compile, and those that leave the object code as it was, do not count, and others take their places. REPORT gets
+a line of JSON for each fault; a run that was broken off goes on where it was. A fault that no test has noticed when the time
+for tests is over (--patience, 300) counts as not noticed.
+
+The exit status is 1 if fewer than 85 % of the faults are noticed.
 """
 
 import argparse
+import concurrent.futures
 import hashlib
 import json
 import os
@@ -22,8 +24,12 @@ import random
 import re
 import subprocess
 import sys
+import threading
 import time
 from dataclasses import dataclass
+
+WANTED = 0.85
+MEMORY = 8 << 30  # of a test; a fault may ask for any
 
 # Operators have blanks on both sides in formatted code; template brackets, pointers and references have not.
 SWAPS = {" + ": " - ", " - ": " + ", " * ": " / ", " / ": " * ", " < ": " <= ", " <= ": " < ", " > ": " >= ",
@@ -85,8 +91,8 @@ class Reach:
 class Build:
     """A build whose sources are changed one at a time."""
 
-    def __init__(self, source, folder, built_folder):
-        self.source, self.folder, self.built_folder = source, folder, built_folder
+    def __init__(self, source, folder):
+        self.source, self.folder = source, folder
         self.objects = folder / "src/CMakeFiles/nurbs_objects.dir"
 
     def make(self, *targets):
@@ -96,15 +102,12 @@ class Build:
         """What the library's objects hold, to tell whether a change changed anything."""
         return {path: hashlib.sha256(path.read_bytes()).digest() for path in self.objects.rglob("*.o")}
 
-    def moved(self, path):
-        """A path in the build that the tests were listed in, in this one."""
-        return path.replace(self.built_folder, str(self.folder))
-
     def notices(self, test):
-        command = [self.moved(word) for word in test["command"]]
+        command = ["prlimit", f"--as={MEMORY}", *test["command"]]
         try:
-            done = subprocess.run(command, cwd=self.moved(test["folder"]), capture_output=True, check=False,
-                                  env={**os.environ, **test["environment"]}, timeout=20 * test["seconds"] + 20)
+            done = subprocess.run(command, cwd=test["folder"], capture_output=True, check=False,
+                                  env={**os.environ, **test["environment"], "LLVM_PROFILE_FILE": os.devnull},
+                                  timeout=20 * test["seconds"] + 20)
         except subprocess.TimeoutExpired:
             return True
         return done.returncode not in (0, 77)
@@ -118,23 +121,43 @@ def plant(build, fault):
     return lambda: path.write_text(text, encoding="utf-8")
 
 
-def first_noticing(build, tests, patience):
-    """(name of the first test that fails or None, number of tests run); programs are built when they are needed."""
-    built = set()
-    end = time.monotonic() + patience
-    for index, test in enumerate(tests):
+class Trial:
+    """The tests that run the line of one fault; programs are built when they are needed."""
+
+    def __init__(self, build, patience):
+        self.build, self.end = build, time.monotonic() + patience
+        self.built, self.building = {}, threading.Lock()
+        self.noticing, self.run = None, 0
+
+    def compiles(self, test):
         program = pathlib.Path(test["command"][0]).name
-        if program not in built and not build.make(program):
-            return "the program does not compile", index
-        built.add(program)
-        if build.notices(test):
-            return test["name"], index + 1
-        if time.monotonic() > end:
-            return None, index + 1
-    return None, len(tests)
+        with self.building:
+            if program not in self.built:
+                self.built[program] = self.build.make(program)
+            return self.built[program]
+
+    def over(self):
+        return self.noticing is not None or time.monotonic() > self.end
+
+    def take(self, test):
+        if self.over():
+            return
+        if not self.compiles(test):
+            self.noticing = "the program does not compile"
+        elif self.build.notices(test):
+            self.noticing = test["name"]
+        self.run += 1
 
 
-def tried(build, fault, reach, before, patience):
+def first_noticing(build, tests, patience, jobs):
+    """(name of a test that fails or None, number of tests run)."""
+    trial = Trial(build, patience)
+    with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
+        list(pool.map(trial.take, tests))
+    return trial.noticing, trial.run
+
+
+def tried(build, fault, reach, before, given):
     """(verdict, detail) of a fault."""
     put_back = plant(build, fault)
     try:
@@ -145,7 +168,7 @@ def tried(build, fault, reach, before, patience):
         tests = reach.tests_of(fault)
         if not tests:
             return "survived", "no test runs the line"
-        noticing, run = first_noticing(build, tests, patience)
+        noticing, run = first_noticing(build, tests, given.patience, given.jobs)
         return ("noticed", noticing) if noticing else ("survived", f"{run} of {len(tests)} tests that run the line")
     finally:
         put_back()
@@ -162,48 +185,47 @@ def counted(report):
 
 
 def summary(report):
+    """Whether enough faults were noticed."""
     counting = counted(report)
     survivors = [entry for entry in counting if entry["verdict"] == "survived"]
     noticed = len(counting) - len(survivors)
     print(f"{noticed} of {len(counting)} faults were noticed ({noticed / max(1, len(counting)):.1%}); survivors:")
     for entry in survivors:
         print(f"  {entry['fault']}   ({entry['detail']})")
+    return noticed >= WANTED * len(counting)
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    for name in ("source", "build", "reach", "report"):
+    for name in ("build", "reach", "report"):
         parser.add_argument(name, type=pathlib.Path)
     parser.add_argument("--count", type=int, default=200)
     parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--share", default="1/1")
     parser.add_argument("--patience", type=float, default=300)
+    parser.add_argument("--jobs", type=int, default=os.cpu_count())
     given = parser.parse_args()
-    source = given.source.resolve()
+    source = pathlib.Path(__file__).resolve().parents[2]
     reach = Reach(given.reach)
-    folder = pathlib.Path(reach.tests[0]["command"][0]).parts
-    build = Build(source, given.build.resolve(), str(pathlib.Path(*folder[:folder.index("tests")])))
+    build = Build(source, given.build.resolve())
     faults = all_faults(source)
     random.Random(given.seed).shuffle(faults)
-    first, step = (int(word) for word in given.share.split("/"))
     build.make()
     before = build.code()
     report = read_report(given.report)
     done = {entry["fault"] for entry in report}
-    for fault in faults[first - 1::step]:
-        if len(counted(report)) >= given.count // step:
+    for fault in faults:
+        if len(counted(report)) >= given.count:
             break
         if str(fault) not in done:
             start = time.monotonic()
-            verdict, detail = tried(build, fault, reach, before, given.patience)
+            verdict, detail = tried(build, fault, reach, before, given)
             report.append({"fault": str(fault), "verdict": verdict, "detail": detail,
                            "seconds": round(time.monotonic() - start, 1)})
             with given.report.open("a") as file:
                 file.write(json.dumps(report[-1]) + "\n")
             print(report[-1], flush=True)
     build.make()
-    summary(report)
-    return 0
+    return 0 if summary(report) else 1
 
 
 if __name__ == "__main__":
