@@ -52,7 +52,7 @@ Rational dot(const Vector &a, const Vector &b) {
 // The derivatives in the middle of a piece, with respect to its places and in its unit of length.
 class Middles {
 public:
-    Middles(const SplineData &data, const nrb::HomogeneousPiece &piece) : data_(data), piece_(piece) {
+    Middles(const SplineData &data, const nrb::HomogeneousPiece &piece) : piece_(piece) {
         std::vector<double> at;
         for (int k = 0; k < data.axes(); ++k) {
             at.push_back(piece.parameter(k, 0.5));
@@ -101,7 +101,6 @@ public:
     static inline long double worst = 0;
 
 private:
-    const SplineData &data_;
     const nrb::HomogeneousPiece &piece_;
     std::vector<std::vector<reference::Fraction>> derivatives_;
     bool exact_ = false;
