@@ -1,19 +1,13 @@
 // Constraints: they hold, and the change is the smallest one, that of the Kuhn-Tucker equations solved in
 // high precision.
 #include "property/influences.h"
-
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wshadow"
-#pragma GCC diagnostic ignored "-Wconversion"
-#pragma GCC diagnostic ignored "-Wsign-conversion"
-#include <boost/multiprecision/cpp_bin_float.hpp>
-#pragma GCC diagnostic pop
+#include "reference/float50.h"
 
 using namespace support;
 
 namespace {
 
-using Real = boost::multiprecision::cpp_bin_float_50;
+using Real = reference::Float50;
 using Row = std::vector<Real>;
 
 Real real(const Rational &x) {

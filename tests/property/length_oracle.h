@@ -2,23 +2,15 @@
 // agree.
 #pragma once
 
+#include "reference/float50.h"
 #include "reference/number.h"
 #include "support/spline_data.h"
-
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wshadow"
-#pragma GCC diagnostic ignored "-Wconversion"
-#pragma GCC diagnostic ignored "-Wsign-conversion"
-#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
-#include <boost/math/quadrature/gauss.hpp>
-#include <boost/multiprecision/cpp_bin_float.hpp>
-#pragma GCC diagnostic pop
 
 #include <vector>
 
 namespace support {
 
-using Long = boost::multiprecision::cpp_bin_float_50;
+using Long = reference::Float50;
 
 // |C'(t)| by de Boor's algorithm; span names the piece.
 inline Long exact_speed(const SplineData &data, size_t span, const Long &t) {

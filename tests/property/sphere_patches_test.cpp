@@ -1,4 +1,5 @@
 // The sphere without poles: its net against the algebra that it comes from, its points, edges and normals.
+#include "reference/float50.h"
 #include "reference/magnitudes.h"
 #include "support/generators.h"
 #include "surface_integrals.h"
@@ -11,16 +12,9 @@
 #include <map>
 #include <string>
 
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wshadow"
-#pragma GCC diagnostic ignored "-Wconversion"
-#pragma GCC diagnostic ignored "-Wsign-conversion"
-#include <boost/multiprecision/cpp_bin_float.hpp>
-#pragma GCC diagnostic pop
-
 using namespace support;
 using reference::eps;
-using Real = boost::multiprecision::cpp_bin_float_50;
+using Real = reference::Float50;
 
 namespace {
 
