@@ -25,7 +25,7 @@ class GridEvaluator {
 public:
     // `tables`: those that are known from another part of the grid.
     GridEvaluator(const Spline &spline, const AxisRules &rules, int order,
-                  const std::array<ConstRecords, max_axes> &params, AxisTables tables = {})
+                  const std::array<ConstRecords, max_axes> &params, GridAxes tables = {})
         : spline_(spline), shape_(spline, order), net_(spline.records().data()),
           sources_(axis_sources(spline, rules, order, {params[0].count, params[1].count, params[2].count})),
           scratch_(scratch_size()), tables_(std::move(tables)) {
@@ -71,11 +71,11 @@ public:
                     sink_stride});
     }
 
-    [[nodiscard]] const AxisTables &tables() const noexcept { return tables_; }
+    [[nodiscard]] const GridAxes &tables() const noexcept { return tables_; }
 
 private:
     [[nodiscard]] size_t axes() const noexcept { return static_cast<size_t>(shape_.axes); }
-    [[nodiscard]] const AxisTable &last_table() const noexcept { return *tables_[axes() - 1]; }
+    [[nodiscard]] const GridAxis &last_table() const noexcept { return *tables_[axes() - 1]; }
     [[nodiscard]] int64_t rows_size() const noexcept { return shape_.slots * shape_.width * grid_group; }
 
     [[nodiscard]] size_t scratch_size() const noexcept {
@@ -87,13 +87,13 @@ private:
         return size;
     }
 
-    [[nodiscard]] std::shared_ptr<const AxisTable> make_table(size_t k, ConstRecords params) const {
-        AxisTable table;
+    [[nodiscard]] std::shared_ptr<const GridAxis> make_table(size_t k, ConstRecords params) const {
+        GridAxis table;
         table.points.resize(static_cast<size_t>(params.count));
         table.values.resize(static_cast<size_t>(
             checked_product(params.count, sources_[k].values_size(shape_.order), "params")));
         tabulate(sources_[k], shape_.order, params, table);
-        return std::make_shared<const AxisTable>(std::move(table));
+        return std::make_shared<const GridAxis>(std::move(table));
     }
 
     // From the last axis forward: each needed layer of an axis holds the stretches of the axes behind it.
@@ -156,7 +156,7 @@ private:
     AxisSources sources_;
     Scratch scratch_;
     std::optional<QuotientRule> quotient_;
-    AxisTables tables_;
+    GridAxes tables_;
     std::array<std::vector<Stretch>, max_axes> stretches_;
     std::array<std::unique_ptr<double[]>, max_axes> storage_;
     std::vector<GridGroup> groups_;
@@ -216,7 +216,7 @@ void evaluate_grid(const Spline &spline, const AxisRules &rules, int order,
         std::array<ConstRecords, max_axes> part = params;
         part[last].data += first * params[last].stride;
         part[last].count = std::min(block_size, params[last].count - first);
-        AxisTables shared = strips.empty() ? AxisTables() : strips.front()->tables();
+        GridAxes shared = strips.empty() ? GridAxes() : strips.front()->tables();
         shared[last] = nullptr;
         strips.push_back(std::make_unique<GridEvaluator>(spline, rules, order, part, std::move(shared)));
     }

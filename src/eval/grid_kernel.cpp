@@ -27,7 +27,7 @@ public:
 private:
     // `row`: number of the combination of parameters of the axes before `level`.
     void descend(int level, int64_t row) {
-        const AxisTable &table = *job_.tables[static_cast<size_t>(level)];
+        const GridAxis &table = *job_.tables[static_cast<size_t>(level)];
         const int64_t begin = level == 0 ? job_.begin : 0;
         const int64_t end = level == 0 ? job_.end : table.size();
         for (int64_t i = begin; i < end; ++i) {
@@ -285,7 +285,7 @@ private:
     AxisPoint chosen_[max_axes];
 };
 
-void tabulate_axis(const AxisSource &source, int order, ConstRecords params, AxisTable &table) {
+void tabulate_axis(const AxisSource &source, int order, ConstRecords params, GridAxis &table) {
     double *values = table.values.data();
     for (int64_t i = 0; i < params.count; ++i, values += source.values_size(order)) {
         table.points[static_cast<size_t>(i)] = axis_values(source, order, params(i, 0), values);
@@ -306,7 +306,7 @@ namespace nrb {
 HWY_EXPORT(tabulate_axis);
 HWY_EXPORT(run_grid);
 
-void tabulate(const AxisSource &source, int order, ConstRecords params, AxisTable &table) noexcept {
+void tabulate(const AxisSource &source, int order, ConstRecords params, GridAxis &table) noexcept {
     HWY_DYNAMIC_DISPATCH(tabulate_axis)(source, order, params, table);
 }
 

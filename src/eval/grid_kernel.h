@@ -28,14 +28,14 @@ struct GridGroup {
 };
 
 // The basis functions of all parameters of one axis, record i: [order + 1][lanes].
-struct AxisTable {
+struct GridAxis {
     std::vector<AxisPoint> points;
     std::vector<double> values;
 
     [[nodiscard]] int64_t size() const noexcept { return std::ssize(points); }
 };
 
-using AxisTables = std::array<std::shared_ptr<const AxisTable>, max_axes>;
+using GridAxes = std::array<std::shared_ptr<const GridAxis>, max_axes>;
 
 struct GridJob {
     const Spline &spline;
@@ -43,7 +43,7 @@ struct GridJob {
     const QuotientRule *quotient; // null for a polynomial spline
     const double *net;            // the records of all control points
     const AxisSources &sources;
-    const AxisTables &tables;
+    const GridAxes &tables;
     const std::vector<GridGroup> &groups;
     bool rising; // whether each group's points are consecutive and follow those of the group before
     const double *group_values;             // [group][order + 1][degree + 1][grid_group], aligned
@@ -60,7 +60,7 @@ struct GridJob {
 };
 
 // Fills the tables of one axis.
-void tabulate(const AxisSource &source, int order, ConstRecords params, AxisTable &table) noexcept;
+void tabulate(const AxisSource &source, int order, ConstRecords params, GridAxis &table) noexcept;
 void run(const GridJob &job) noexcept;
 
 } // namespace nrb

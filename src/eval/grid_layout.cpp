@@ -4,7 +4,7 @@
 
 namespace nrb {
 
-std::vector<int64_t> needed_layers(const AxisTable &table, int degree) {
+std::vector<int64_t> needed_layers(const GridAxis &table, int degree) {
     std::vector<int64_t> firsts;
     firsts.reserve(table.points.size());
     for (const AxisPoint &point : table.points) {
@@ -27,7 +27,7 @@ std::vector<int64_t> needed_layers(const AxisTable &table, int degree) {
     return layers;
 }
 
-std::vector<GridGroup> group_by_layers(const AxisTable &table) {
+std::vector<GridGroup> group_by_layers(const GridAxis &table) {
     std::vector<int64_t> positions;
     positions.reserve(table.points.size());
     for (int64_t i = 0; i < table.size(); ++i) {
@@ -59,7 +59,7 @@ std::vector<GridGroup> group_by_layers(const AxisTable &table) {
     return groups;
 }
 
-void transpose_values(const AxisTable &table, const AxisSource &source, int order,
+void transpose_values(const GridAxis &table, const AxisSource &source, int order,
                       const std::vector<GridGroup> &groups, double *values) noexcept {
     for (const GridGroup &group : groups) {
         for (int a = 0; a <= order; ++a) {

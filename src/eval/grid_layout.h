@@ -6,14 +6,14 @@
 namespace nrb {
 
 // Every layer of an axis of that degree that is active at some parameter, in rising order.
-std::vector<int64_t> needed_layers(const AxisTable &table, int degree);
+std::vector<int64_t> needed_layers(const GridAxis &table, int degree);
 
 // The valid parameters, sorted by their layers, in groups. Parameters in rising order stay in their order.
-std::vector<GridGroup> group_by_layers(const AxisTable &table);
+std::vector<GridGroup> group_by_layers(const GridAxis &table);
 
 // [group][order + 1][degree + 1][grid_group] from the table's values; a group that is not full repeats its
 // last parameter.
-void transpose_values(const AxisTable &table, const AxisSource &source, int order,
+void transpose_values(const GridAxis &table, const AxisSource &source, int order,
                       const std::vector<GridGroup> &groups, double *values) noexcept;
 
 } // namespace nrb
