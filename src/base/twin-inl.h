@@ -7,6 +7,7 @@
 #define NURBS_BASE_TWIN_INL_H_
 #endif
 
+#include <cstdint>
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
@@ -40,17 +41,26 @@ HWY_INLINE Twin<V> ordered_sum(V a, V b) {
     return {sum, hn::Sub(b, hn::Sub(sum, a))};
 }
 
-// a * b exactly: by a fused multiplication, or else by Dekker's halves of 26 bits.
+// The upper half of a number of 53 bits: rounded to 26, so that what is left has 26, too, and a sign. By way of
+// its bits, because Dekker's multiplication by 2^27 + 1 overflows for numbers that do not; cut off where rounding
+// would do so.
+template <class V>
+HWY_INLINE V upper_half(V a) {
+    const hn::DFromV<V> d;
+    const hn::RebindToUnsigned<decltype(d)> bits;
+    const auto half = hn::Set(bits, uint64_t{1} << 26);
+    const auto kept = hn::Set(bits, ~uint64_t{0} << 27);
+    const V rounded = hn::BitCast(d, hn::And(hn::Add(hn::BitCast(bits, a), half), kept));
+    return hn::IfThenElse(hn::IsFinite(rounded), rounded, hn::And(a, hn::BitCast(d, kept)));
+}
+
+// a * b exactly: by a fused multiplication, or else by halves.
 template <class V>
 HWY_INLINE Twin<V> exact_product(V a, V b) {
     const V product = hn::Mul(a, b);
 #if !HWY_NATIVE_FMA
-    const hn::DFromV<V> d;
-    const V splitter = hn::Set(d, 134217729.0); // 2^27 + 1
-    const V spread_a = hn::Mul(a, splitter);
-    const V spread_b = hn::Mul(b, splitter);
-    const V upper_a = hn::Sub(spread_a, hn::Sub(spread_a, a));
-    const V upper_b = hn::Sub(spread_b, hn::Sub(spread_b, b));
+    const V upper_a = upper_half(a);
+    const V upper_b = upper_half(b);
     const V lower_a = hn::Sub(a, upper_a);
     const V lower_b = hn::Sub(b, upper_b);
     const V crossed = hn::Add(hn::Mul(upper_a, lower_b), hn::Mul(lower_a, upper_b));

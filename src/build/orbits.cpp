@@ -46,9 +46,12 @@ void orbit_values(const double *parts, int64_t stride, int64_t size, double at_x
     }
 }
 
+// The constructor is written out, because one that a compiler adds is not compiled for the instruction set.
 struct Point {
     Vector high[3];
     Vector low[3];
+
+    HWY_INLINE Point() {}
 
     HWY_INLINE void set(int c, const Number &value) {
         high[c] = value.high;

@@ -67,7 +67,9 @@ HWY_AFTER_NAMESPACE();
 #include "support/generators.h"
 #include "unit/targets.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace {
@@ -144,6 +146,34 @@ TEST_P(Twins, sums_and_products_of_doubles_are_exact) {
     const Numbers ordered = compute(Operation::ordered_sum, pairs);
     for (size_t i = 0; i < n; ++i) {
         expect_exact(ordered, i, exact(pairs.a.high[i]) + exact(pairs.b.high[i]));
+    }
+}
+
+// One factor near the end of the range, the other one small.
+TEST_P(Twins, products_of_enormous_numbers_are_exact) {
+    Pairs pairs = random_pairs();
+    for (size_t i = 0; i < n; ++i) {
+        pairs.a.high[i] = std::ldexp(pairs.a.high[i], 990);
+        pairs.b.high[i] = std::ldexp(pairs.b.high[i], -980);
+        if (i % 2 == 1) {
+            std::swap(pairs.a.high[i], pairs.b.high[i]);
+        }
+    }
+    const Numbers products = compute(Operation::exact_product, pairs);
+    for (size_t i = 0; i < n; ++i) {
+        expect_exact(products, i, exact(pairs.a.high[i]) * exact(pairs.b.high[i]));
+    }
+}
+
+// The largest double has no upper half that is rounded.
+TEST_P(Twins, products_with_the_largest_number_are_exact) {
+    const double largest = std::numeric_limits<double>::max();
+    Pairs pairs = random_pairs();
+    std::fill(pairs.a.high.begin(), pairs.a.high.end(), largest);
+    std::fill(pairs.b.high.begin(), pairs.b.high.end(), -0.25);
+    const Numbers products = compute(Operation::exact_product, pairs);
+    for (size_t i = 0; i < n; ++i) {
+        expect_exact(products, i, exact(largest) / -4);
     }
 }
 
