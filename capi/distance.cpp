@@ -16,6 +16,7 @@ using namespace nrb::capi;
 namespace {
 
 constexpr int64_t default_budget = 200000;
+constexpr int64_t default_far_budget = 2000000; // pieces of both splines
 
 const Spline &named(const nurbs *g, const char *name) {
     require(g, name);
@@ -59,7 +60,7 @@ nurbs_status nurbs_hausdorff_distance(const nurbs *a, const nurbs *b, double tol
     return guard([&] {
         const Spline &first = named(a, "a"), &second = named(b, "b");
         check_tolerance(tolerance);
-        const int64_t most = checked_budget(budget, default_budget);
+        const int64_t most = checked_budget(budget, default_far_budget);
         check_apart({memory("at_least", at_least, 2), memory("at_most", at_most, 2),
                      memory("params_a", params_a, first.axes()), memory("params_b", params_b, second.axes()),
                      memory("status", status, 1)},

@@ -84,6 +84,9 @@
  * once, a control point counts only those new ones among the `degree` knots that it belongs to, at most
  * `degree`: so too where splines are refined, split, extracted, decomposed and clamped.
  *
+ * Rounding to nearest and gradual underflow are taken for granted: in a thread that has switched to other
+ * modes, as programs do that g++ before version 13 links with -ffast-math, no bound and no proof holds.
+ *
  * All bounds hold barring underflow and overflow: a component too large for double precision comes out as an
  * infinity or NaN, without a status. One parameter gives the same bits alone, in a batch of any order and
  * size, on a grid and from any thread, with tables or before they are built, on one machine (its instruction
@@ -113,7 +116,9 @@
  * library knows which fields its caller has; those that a caller lacks have their defaults, and those that a
  * library does not know must be 0, which leaves them at their defaults (else NURBS_ERROR_OPTIONS). A caller
  * has to be ready for statuses that its header does not name, and must not pass bits or constants that it
- * does not name.
+ * does not name. Results that are sums of bits may have further bits, so that bits are to be tested and
+ * sums not compared; results that are one of several constants may be further ones. What a budget of 0
+ * stands for may change.
  *
  * # Bindings
  * The comments below can be read by a program, and a binding needs nothing else. cmake/interface in the
@@ -165,7 +170,7 @@
  * - **Threads.** A message belongs to the thread of the operating system whose call failed. Where a
  *   runtime moves tasks between threads (Go), a task has to stay in its thread until it has read the
  *   message. Calls may take long and cannot be interrupted; locks of an interpreter are best released
- *   meanwhile.
+ *   meanwhile. 128 KB of stack are enough for all of them.
  */
 #ifndef NURBS_NURBS_H
 #define NURBS_NURBS_H
@@ -938,7 +943,7 @@ NURBS_API nurbs_status nurbs_eval_grid_f32(const nurbs *g, const int64_t *counts
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _AXIS, _FLAGS, _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN;
  *   _NOT_REPRESENTABLE if a value overflows, _WEIGHTS_VANISH or _WEIGHT_NEGATIVE if extrapolation leaves the
- *   positive weights or weights underflow.
+ *   positive weights, or weights underflow or are all 0 there.
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_iso(const nurbs *g, int32_t axis, double param, uint32_t flags, nurbs **out);
 /** @} */
@@ -1852,7 +1857,7 @@ NURBS_API nurbs_status nurbs_basis_matrix(int32_t from, int32_t to, int32_t degr
  *   there is none.
  * \param[out] count or NULL: number of rows.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _TOLERANCE, _COUNT, _OVERLAP; _SIZE if cap is neither 0 nor
- *   enough; _NOT_REPRESENTABLE if a value overflows.
+ *   enough; _NOT_REPRESENTABLE if a value overflows, _WEIGHTS_VANISH if all weights along a knot are 0.
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_continuity(const nurbs *g, int32_t axis, double position_tolerance,
                                         double derivative_tolerance, double angle_tolerance, int64_t cap,
@@ -2752,7 +2757,8 @@ NURBS_API nurbs_status nurbs_surface_hyperboloid(const double *center, const dou
  * gives; named "0-", "0+", "1-", "1+", and so on.
  * \param[in] g a surface or volume.
  * \param[out] out the new list, of 4 or 6.
- * \return NURBS_OK, NURBS_ERROR_NULL, _NOT_REPRESENTABLE; _AXES if g is a curve.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _NOT_REPRESENTABLE; _AXES if g is a curve, _WEIGHTS_VANISH if all
+ *   weights of a boundary are 0.
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_boundaries(const nurbs *g, nurbs_list **out);
 
@@ -3045,7 +3051,7 @@ NURBS_API nurbs_status nurbs_closest_local(const nurbs *g, int64_t n, const doub
 /** \brief All points of a spline whose distance to a point exceeds the smallest one by at most a tolerance
  * and that are local minima of it. Where they are not isolated (an arc around its centre) every piece of g
  * that has some gives at least one, and the status has NURBS_CLOSEST_NOT_UNIQUE without
- * NURBS_CLOSEST_CERTIFIED.
+ * NURBS_CLOSEST_CERTIFIED. At a jump a point may be the limit from below.
  * \param[in] g a spline.
  * \param[in] point [dim].
  * \param[in] range [axes][2] or NULL for all of it: the part of the domain that is searched.
@@ -3068,7 +3074,7 @@ NURBS_API nurbs_status nurbs_closest_all(const nurbs *g, const double *point, co
  * g, and at ends and kinks of a curve, where the distance has a minimum or maximum. Of surfaces and volumes
  * those inside, on edges those that are critical along them, and corners with a minimum or maximum; minima
  * on creases at knots are found by nurbs_closest_all(). A pole is one point, with what the tolerance does
- * not tell from it; its kind is that of samples around it.
+ * not tell from it; its kind is that of samples around it. At a jump a point may be the limit from below.
  * \param[in] g a spline.
  * \param[in] point [dim].
  * \param[in] range [axes][2] or NULL for all of it: the part of the domain that is searched.
@@ -3138,9 +3144,11 @@ NURBS_API nurbs_status nurbs_distance(const nurbs *a, const nurbs *b, double tol
  * tolerance and rounding unless the budget ends; at_most may be infinite then. Upper bounds come from the
  * farthest control point from one point, and from matching a piece of one spline with a part of a piece of
  * the other by their nearest corners, so that splines that are near each other all over are told quickly.
+ * At a jump a point may be the limit from below.
  * \param[in] a,b two splines of the same dimension.
  * \param[in] tolerance >= 0.
- * \param[in] budget most pieces looked at in each direction, 0 for 200000.
+ * \param[in] budget most pieces looked at in each direction, those of nearest points among them, 0 for
+ *   2000000.
  * \param[out] at_least [2] or NULL: from a to b, from b to a.
  * \param[out] at_most [2] or NULL: the same, from above.
  * \param[out] params_a [axes of a] or NULL: the parameters of a point of a that is at_least[0] away from b.
@@ -3500,7 +3508,8 @@ NURBS_API nurbs_status nurbs_planarity(const nurbs *g, double *origin, double *n
  * \param[out] collapsed [2 * axes] or NULL: 1 where a boundary lies within the tolerance of one point (the
  *   pole), else 0; of a curve always 1.
  * \param[out] sizes [2 * axes] or NULL: the boundary lies within this distance of a point.
- * \return NURBS_OK, NURBS_ERROR_NULL, _OVERLAP, _TOLERANCE, _NOT_REPRESENTABLE.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _OVERLAP, _TOLERANCE, _NOT_REPRESENTABLE; _WEIGHTS_VANISH as for
+ *   nurbs_boundaries().
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_boundary_contacts(const nurbs *g, double tolerance, int32_t *closed,
                                                double *gaps, int32_t *collapsed, double *sizes);
@@ -4140,7 +4149,7 @@ NURBS_API nurbs_status nurbs_list_note_count(const nurbs_list *list, int64_t *co
 /** \brief A note: which entity, where, and why it did not become a spline.
  * \param[in] list a list.
  * \param[in] index 0-based.
- * \param[out] entity_type or NULL: type number of the entity in the file's format.
+ * \param[out] entity_type or NULL: type number of the entity in the file's format, 0 if that has none.
  * \param[out] line or NULL: sequence number of the entity in the directory section.
  * \param[out] reason or NULL: NURBS_ERROR_UNSUPPORTED for an entity that is not read, else what is wrong with
  *   it.

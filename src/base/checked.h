@@ -3,18 +3,20 @@
 
 #include "base/error.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 
 namespace nrb {
 
-// Largest number of doubles that an array can hold: its size in bytes must fit a signed 64-bit integer.
+// Largest number of doubles that an array can hold: its size in bytes must fit a difference of pointers.
 inline constexpr int64_t max_doubles =
-    std::numeric_limits<int64_t>::max() / static_cast<int64_t>(sizeof(double));
+    int64_t{std::numeric_limits<std::ptrdiff_t>::max()} / static_cast<int64_t>(sizeof(double));
 
 // a * b for a, b >= 0, refused beyond max_doubles. `what` names the array in the message.
 inline int64_t checked_product(int64_t a, int64_t b, const char *what) {
-    constexpr int64_t surely_small = int64_t{1} << 30; // spares every call the division
+    // spares every call the division
+    constexpr int64_t surely_small = sizeof(std::ptrdiff_t) == 8 ? int64_t{1} << 30 : int64_t{1} << 14;
     if ((a | b) >= surely_small && b != 0 && a > max_doubles / b) {
         fail(NURBS_ERROR_OVERFLOW, "%s: %lld * %lld values exceed the address space", what,
              static_cast<long long>(a), static_cast<long long>(b));

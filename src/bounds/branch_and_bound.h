@@ -80,14 +80,15 @@ private:
         return halved;
     }
 
-    // A part has no larger values than the whole. What cannot exceed the lower bound is not kept.
+    // A part has no larger values than the whole, and no other bound where its own is not a number. What cannot
+    // exceed the lower bound is not kept.
     void push(Piece &&piece, const Candidate &whole) {
         const Enclosure bounds = problem_.bounds(piece);
         if (bounds.lower > lower_) {
             lower_ = bounds.lower;
             problem_.found(whole.index, piece);
         }
-        const double upper = std::min(bounds.upper, whole.upper);
+        const double upper = bounds.upper < whole.upper ? bounds.upper : whole.upper;
         if (upper > lower_ || lower_ == least_) {
             heap_.push_back({upper, problem_.noise(piece), whole.index, std::move(piece)});
             std::push_heap(heap_.begin(), heap_.end());

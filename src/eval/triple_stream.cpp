@@ -52,7 +52,7 @@ void TripleStream::write(const double *rows, int64_t first, int64_t count) noexc
     if (!streamed_ || out_.data == nullptr) {
         return write_rows(rows, first, count, out_);
     }
-    if (base_ == nullptr || out_.record(first) != base_ + end_) {
+    if (target_ == nullptr || out_.record(first) != target_ + (end_ - begin_)) {
         start(out_.record(first));
     }
     HWY_DYNAMIC_DISPATCH(interleave)(rows, count, staged_ + end_);
@@ -62,11 +62,11 @@ void TripleStream::write(const double *rows, int64_t first, int64_t count) noexc
         return;
     }
     const int64_t part = begin_ == 0 ? 0 : line; // of a line that is not all ours
-    std::copy(staged_ + begin_, staged_ + part, base_ + begin_);
-    HWY_DYNAMIC_DISPATCH(stream)(staged_ + part, whole - part, base_ + part);
+    std::copy(staged_ + begin_, staged_ + part, target_);
+    HWY_DYNAMIC_DISPATCH(stream)(staged_ + part, whole - part, target_ + (part - begin_));
     std::copy(staged_ + whole, staged_ + end_, staged_);
+    target_ += whole - begin_;
     begin_ = 0;
-    base_ += whole;
     end_ -= whole;
 }
 
@@ -74,12 +74,12 @@ void TripleStream::start(double *target) noexcept {
     finish();
     begin_ = static_cast<int64_t>(reinterpret_cast<uintptr_t>(target) / sizeof(double) % line);
     end_ = begin_;
-    base_ = target - begin_;
+    target_ = target;
 }
 
 void TripleStream::finish() noexcept {
-    if (base_ != nullptr) {
-        std::copy(staged_ + begin_, staged_ + end_, base_ + begin_);
+    if (target_ != nullptr) {
+        std::copy(staged_ + begin_, staged_ + end_, target_);
         hwy::FlushStream();
     }
 }

@@ -35,8 +35,8 @@ private:
 
     const Records &out_;
     bool streamed_;
-    double *base_ = nullptr; // where staged_ will go, at the start of a line
-    int64_t begin_ = 0;      // of what is staged
+    double *target_ = nullptr; // where staged_[begin_] will go
+    int64_t begin_ = 0;        // of what is staged; staged_[0] is for the start of a line
     int64_t end_ = 0;
     alignas(64) double staged_[line + 3 * block_size];
 };

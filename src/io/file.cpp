@@ -4,9 +4,9 @@
 
 #include <cerrno>
 #include <cstdio>
-#include <cstring>
 #include <memory>
 #include <new>
+#include <system_error>
 
 namespace nrb {
 
@@ -21,7 +21,7 @@ using File = std::unique_ptr<std::FILE, Close>;
     if (errno == ENOMEM) {
         throw std::bad_alloc();
     }
-    fail(NURBS_ERROR_FILE, "path = \"%.200s\": %s", path, std::strerror(errno));
+    fail(NURBS_ERROR_FILE, "path = \"%.200s\": %s", path, std::generic_category().message(errno).c_str());
 }
 
 } // namespace

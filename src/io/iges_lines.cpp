@@ -61,6 +61,9 @@ void check_first_line(std::string_view text) {
         fail(NURBS_ERROR_FORMAT,
              "line 1: the compressed ASCII form of IGES is not read, only the fixed-length form");
     }
+    if (text.empty()) {
+        fail(NURBS_ERROR_FORMAT, "the file is empty");
+    }
     fail(NURBS_ERROR_FORMAT,
          "line 1: no section letter S in column 73, so this is not fixed-length ASCII IGES");
 }

@@ -84,7 +84,7 @@ def random_spline(random):
         net[..., -1] = weights = np.where(net[..., -1] > 1.2, 0, weights)
     try:
         if kind in ("homogeneous", "infinite"):
-            return nurbs.Spline.homogeneous(degrees, knots, net, flags)
+            return nurbs.Spline.create_homogeneous(degrees, knots, net, flags)
         return nurbs.Spline(degrees, knots, points, weights, flags)
     except nurbs.NurbsError as error:
         # Weights of 0 may be too many.

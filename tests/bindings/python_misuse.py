@@ -110,6 +110,14 @@ class Numbers(unittest.TestCase):
         self.assertEqual(c.set_weights(np.array([1], np.uint8), [2]), c.set_weights([1], [2]))
         same(nurbs.knots_bezier(2, np.int32(4)), nurbs.knots_bezier(2, 4))
 
+    def test_numbers_in_another_order(self):
+        knots, points = [[0, 0, 1, 1], [0, 0, 0, 1, 1, 1]], np.zeros((2, 3, 3))
+        plane, turned = nurbs.Spline([1, 2], knots, points), np.ones((3, 2))
+        for bad in (turned, turned.ravel(), np.ones((2, 3, 1))):
+            self.assertRaisesRegex(ValueError, "weights of shape .*, expected", nurbs.Spline, [1, 2], knots, points, bad)
+            self.assertRaisesRegex(ValueError, "weights of shape .*, expected", plane.with_points, points, bad)
+        self.assertRaisesRegex(ValueError, "params of shape", nurbs.collocation, [1, 2], knots, np.zeros((2, 3)))
+
     def test_what_is_no_number(self):
         c = circle()
         for use in (lambda: c - "a", lambda: c - None, lambda: c * None, lambda: c / "a", lambda: c * "3",

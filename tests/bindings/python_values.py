@@ -71,7 +71,7 @@ class Values(unittest.TestCase):
                 made = nurbs.Spline(spline.degrees, spline.knots, spline.points, spline.weights, flags)
                 self.assertEqual((bits(made.points), bits(made.weights)), (bits(spline.points), bits(spline.weights)))
             if spline.rational:
-                made = nurbs.Spline.homogeneous(spline.degrees, spline.knots, spline.homogeneous_points, flags)
+                made = nurbs.Spline.create_homogeneous(spline.degrees, spline.knots, spline.homogeneous_points, flags)
                 self.assertEqual(bits(made.homogeneous_points), bits(spline.homogeneous_points))
 
     def test_equality_is_bit_for_bit(self):
@@ -81,7 +81,7 @@ class Values(unittest.TestCase):
                   c.make_periodic(1e-9).spline, c.clamp(0).set_weights([0], [1 + 2**-52]), c.reparametrize(0, 2),
                   nurbs.Spline(1, [0, 0, 1, 1], [[0.0], [1]]), nurbs.Spline(1, [0, 0, 1, 1], [[-0.0], [1]]),
                   nurbs.Spline(1, [0, 0, 1, 1], [[0.0], [1]], [1, 1]),
-                  nurbs.Spline.homogeneous(1, [0, 0, 1, 1], [[0.0, 1], [1, 1]])]
+                  nurbs.Spline.create_homogeneous(1, [0, 0, 1, 1], [[0.0, 1], [1, 1]])]
         for one, other in itertools.combinations([c, *others], 2):
             self.assertFalse(one == other, (one, other))
             self.assertNotEqual(hash(one), hash(other))

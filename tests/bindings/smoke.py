@@ -239,9 +239,9 @@ class Inspection(unittest.TestCase):
     def test_constructors_agree(self):
         c, s = circle(), circle().knots[0]
         values, times = c.distinct_knots[0]
-        for other in (nurbs.Spline.short(2, s[1:-1], c.points, c.weights),
-                      nurbs.Spline.multiplicities(2, values, times, c.points, c.weights),
-                      nurbs.Spline.homogeneous(2, s, c.homogeneous_points)):
+        for other in (nurbs.Spline.create_short(2, s[1:-1], c.points, c.weights),
+                      nurbs.Spline.create_multiplicities(2, values, times, c.points, c.weights),
+                      nurbs.Spline.create_homogeneous(2, s, c.homogeneous_points)):
             np.testing.assert_array_equal(other.knots[0], s)
             np.testing.assert_allclose(other.eval(0.1), c.eval(0.1), rtol=4 * EPS)
 

@@ -2,6 +2,9 @@
 /* nurbs_distance(), nurbs_hausdorff_distance(). */
 #include "shapes.h"
 
+#include <math.h>
+#include <time.h>
+
 static nurbs *segment(int32_t dim, const double *ends) {
     static const int32_t degree = 1;
     nurbs *g = NULL;
@@ -41,6 +44,35 @@ static void sets(void) {
     CHECK_OK(nurbs_hausdorff_distance(part, whole, 1e-9, 0, NULL, NULL, NULL, NULL, NULL));
     nurbs_destroy(part);
     nurbs_destroy(whole);
+}
+
+/* A surface that goes to infinity where its weights change their sign: a piece of it costs a whole budget of nearest
+   points, which counts. Else a budget of 2000 takes 20 seconds in place of some milliseconds. */
+static void poles(void) {
+    static const int32_t degrees[] = {2, 2};
+    static const int64_t counts[] = {3, 3};
+    static const double knots[] = {0, 0, 0, 1, 1, 1, 0, 0, 0, 1, 1, 1};
+    double at_least[2], at_most[2], records[36], points[27];
+    int32_t status;
+    nurbs *g = NULL, *h = NULL;
+    for (int i = 0; i < 9; ++i) {
+        const double w = i == 1 ? -1 : 1, net[] = {i / 3, i % 3, (i * 7) % 5},
+                     other[] = {i / 3, i % 3, (i * 3) % 4};
+        for (int c = 0; c < 3; ++c) {
+            records[4 * i + c] = w * net[c];
+            points[3 * i + c] = other[c];
+        }
+        records[4 * i + 3] = w;
+    }
+    CHECK_OK(nurbs_create_homogeneous(2, degrees, counts, knots, 12, 3, records, 0, 0, 0, &g));
+    CHECK_OK(nurbs_create(2, degrees, counts, knots, 12, 3, points, 0, 0, NULL, 0, 0, &h));
+    const clock_t start = clock();
+    CHECK_OK(nurbs_hausdorff_distance(g, h, 1e-3, 2000, at_least, at_most, NULL, NULL, &status));
+    CHECK((double)(clock() - start) / CLOCKS_PER_SEC < 5);
+    CHECK_INT(status, NURBS_CLOSEST_BUDGET);
+    CHECK(at_least[0] > 0 && isinf(at_most[0]) && at_least[1] <= at_most[1]);
+    nurbs_destroy(g);
+    nurbs_destroy(h);
 }
 
 /* Degree 0, jumps, one dimension. */
@@ -90,6 +122,7 @@ static void bad_input(void) {
 int main(void) {
     pairs();
     sets();
+    poles();
     steps();
     bad_input();
     return check_summary("distance");

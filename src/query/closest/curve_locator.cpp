@@ -39,6 +39,7 @@ Foot CurveLocator::nearest(const Query &query) const {
     const CurveSearchResult found = search(tree_, query);
     Foot foot = foot_of(found.place, query.range);
     foot.noise = distance_noise(tree_, query.point);
+    foot.looked = found.looked;
     foot.status |= found.certified ? NURBS_CLOSEST_CERTIFIED : NURBS_CLOSEST_BUDGET;
     foot.status |= found.unique ? 0 : NURBS_CLOSEST_NOT_UNIQUE;
     return foot;

@@ -46,7 +46,7 @@ public:
                         std::numeric_limits<double>::infinity()});
         }
         const bool certified = certified_ && tree_.sound() && budget_used_ <= query_.budget && in_range();
-        return {best_.best(), certified, best_.unique()};
+        return {best_.best(), certified, best_.unique(), budget_used_};
     }
 
     CurvePlace local(int64_t leaf, double s) {

@@ -9,6 +9,7 @@ struct CurveSearchResult {
     CurvePlace place;
     bool certified = false;
     bool unique = true; // no place elsewhere was seen that is as near
+    int64_t looked = 0;
 };
 
 // What double precision leaves open in a distance from a point: half of it in the positions of the leaves,

@@ -14,8 +14,9 @@ struct Foot {
     std::array<double, max_axes> params{};
     double distance = 0;
     int32_t status = 0;
-    double noise = 0;  // what rounding leaves open in the distance
-    uint32_t left = 0; // bit k: at parameter k the limit from below is meant
+    double noise = 0;   // what rounding leaves open in the distance
+    uint32_t left = 0;  // bit k: at parameter k the limit from below is meant
+    int64_t looked = 0; // pieces that were looked at for it
 };
 
 // A place where the distance is critical. Kind: a NURBS_CRITICAL_ constant.

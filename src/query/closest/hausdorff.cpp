@@ -116,6 +116,7 @@ private:
         NearPoint near;
         near.foot = locator_.nearest(
             {query_.data(), nullptr, std::ldexp(tolerance_ / 4, frame_.exponent), budget_of_a_foot});
+        budget_ -= near.foot.looked;
         AxisRules rules{};
         for (size_t k = 0; k < max_axes; ++k) {
             rules[k].left = (near.foot.left >> k & 1) != 0;

@@ -363,6 +363,7 @@ Foot PatchSearch::nearest() {
                      : rounded <= noise_ / 8 ? NURBS_CLOSEST_CERTIFIED
                                              : NURBS_CLOSEST_COARSE;
     result.status |= several_ ? NURBS_CLOSEST_NOT_UNIQUE : 0;
+    result.looked = spent_;
     return result;
 }
 

@@ -70,6 +70,14 @@ def records(values: ArrayLike, width: int) -> Records:
     return found
 
 
+def one_each(values: ArrayLike, counts: Tuple[int, ...], name: str) -> Records:
+    """A number for each control point: of that shape, because another order would be taken for it."""
+    array = numpy.asarray(values, dtype=numpy.float64)
+    if array.shape != tuple(counts):
+        raise ValueError(f"{name} of shape {array.shape}, expected {tuple(counts)}")
+    return records(array, 1)
+
+
 def packed(values: ArrayLike, dtype: DTypeLike = numpy.float64) -> NDArray[Any]:
     """An array as C has it: without gaps, and aligned, which views of bytes need not be."""
     array = numpy.ascontiguousarray(values, dtype=dtype)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, Optional, Tuple
 
 import numpy
 
-from ._arrays import addresses, exactly, records, vector
+from ._arrays import addresses, exactly, one_each, records, vector
 from ._base import SplineBase
 from ._library import call, get, lib
 from ._placement import Vectors
@@ -75,11 +75,10 @@ class Edits(SplineBase):
         """The same degrees, knots and periodicity with other points (counts..., dimension), and other weights
         (counts...) if any are given; knots and their tables are shared."""
         shape = (*self.counts, self.dimension)
-        given, others = records(points, self.dimension), None if weights is None else records(weights, 1)
+        given = records(points, self.dimension)
+        others = None if weights is None else one_each(weights, self.counts, "weights")
         if given.shape != shape:
             raise ValueError(f"points of shape {given.shape}, expected {shape}")
-        if others is not None and others.n != given.n:
-            raise ValueError(f"{others.n} weights for {given.n} points")
         return self._made(lib.nurbs_with_points, self._handle, *given.layout,
                           *((None, 0) if others is None else others.layout[:2]))
 

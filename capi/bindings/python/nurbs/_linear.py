@@ -61,6 +61,8 @@ def collocation(degrees: Union[int, Sequence[int]], knots: Union[ArrayLike, Sequ
     vectors, lengths = concatenated(knots, axes)
     counts = vector(lengths, numpy.int64) - p - 1
     given_orders, given = if_given(orders, axes, "orders", numpy.int32), records(params, axes)
+    if axes > 1 and given.shape[-1:] != (axes,):
+        raise ValueError(f"params of shape {given.shape}, expected (..., {axes})")
     return _sparse(given.n, lambda *arrays: call(
         lib.nurbs_collocation, axes, p.ctypes.data, counts.ctypes.data, vectors.ctypes.data, vectors.size,
         address(given_orders), given.n, *given.layout, *arrays, flags))

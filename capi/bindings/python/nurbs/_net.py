@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, List, Optional, Tuple
 
 import numpy
 
-from ._arrays import records, vector
+from ._arrays import one_each, records, vector
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, DTypeLike, NDArray
@@ -36,9 +36,7 @@ class Net:
         self.counts = vector(given.shape[:-1], numpy.int64)
         self.width = given.shape[-1]
         self.points = records(given, self.width)
-        self.weights = None if weights is None else records(weights, 1)
-        if self.weights is not None and self.weights.n != self.points.n:
-            raise ValueError(f"{self.weights.n} weights for {self.points.n} points")
+        self.weights = None if weights is None else one_each(weights, given.shape[:-1], "weights")
 
     @property
     def sizes(self) -> Tuple[int, int, int]:

@@ -67,8 +67,8 @@ class Spline(Evaluation, Calculus, Refinement, Forms, Transformations, Continuat
         self.__dict__["_handle"] = made.__dict__.pop("_handle")
 
     @classmethod
-    def homogeneous(cls, degrees: Union[int, Sequence[int]], knots: Union[ArrayLike, Sequence[ArrayLike]],
-                    points: ArrayLike, flags: int = 0) -> Spline:
+    def create_homogeneous(cls, degrees: Union[int, Sequence[int]], knots: Union[ArrayLike, Sequence[ArrayLike]],
+                           points: ArrayLike, flags: int = 0) -> Spline:
         """A rational spline from points (counts..., dimension + 1) that are (w x, w y, ..., w): weights may be
         negative, or 0, which is a control point at infinity."""
         net = Net(degrees, points, None)
@@ -77,8 +77,8 @@ class Spline(Evaluation, Calculus, Refinement, Forms, Transformations, Continuat
                          *net.points.layout, flags)
 
     @classmethod
-    def short(cls, degrees: Union[int, Sequence[int]], knots: Union[ArrayLike, Sequence[ArrayLike]], points: ArrayLike,
-              weights: Optional[ArrayLike] = None, flags: int = 0) -> Spline:
+    def create_short(cls, degrees: Union[int, Sequence[int]], knots: Union[ArrayLike, Sequence[ArrayLike]],
+                     points: ArrayLike, weights: Optional[ArrayLike] = None, flags: int = 0) -> Spline:
         """From knot vectors (count + degree - 1,) without their first and last knot, as openNURBS, Rhino and Maya write
         them."""
         net = Net(degrees, points, weights)
@@ -87,9 +87,9 @@ class Spline(Evaluation, Calculus, Refinement, Forms, Transformations, Continuat
                          *net.points.layout, *net.weight_layout, flags)
 
     @classmethod
-    def multiplicities(cls, degrees: Union[int, Sequence[int]], knots: Union[ArrayLike, Sequence[ArrayLike]],
-                       multiplicities: Union[ArrayLike, Sequence[ArrayLike]], points: ArrayLike,
-                       weights: Optional[ArrayLike] = None, flags: int = 0) -> Spline:
+    def create_multiplicities(cls, degrees: Union[int, Sequence[int]], knots: Union[ArrayLike, Sequence[ArrayLike]],
+                              multiplicities: Union[ArrayLike, Sequence[ArrayLike]], points: ArrayLike,
+                              weights: Optional[ArrayLike] = None, flags: int = 0) -> Spline:
         """From distinct knots and how often each occurs, two vectors or two for each axis, as STEP and Open CASCADE
         write them."""
         net = Net(degrees, points, weights)
@@ -159,6 +159,6 @@ def _restored(homogeneous: bool, degrees: Tuple[int, ...], knots: Any, points: A
               kind: Optional[Type[Spline]] = None) -> Spline:
     """The spline of a State, of a derived class if there is one: its instances are made without its __init__(), as by
     all methods."""
-    made = (Spline.homogeneous(degrees, knots, points, flags) if homogeneous
+    made = (Spline.create_homogeneous(degrees, knots, points, flags) if homogeneous
             else Spline(degrees, knots, points, weights, flags))
     return made if kind is None else kind._owner(made.__dict__.pop("_handle"))

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 def state_of(spline: Spline) -> State:
-    """The arguments of the constructor that makes the same spline, and whether that is Spline.homogeneous()."""
+    """The arguments of the constructor that makes the same spline, and whether that is Spline.create_homogeneous()."""
     flags = sum(on_axis(axis, NURBS_PERIODIC) for axis, periodic in enumerate(spline.periodic) if periodic)
     if spline.is_homogeneous:
         return True, spline.degrees, spline.knots, spline.homogeneous_points, None, flags
