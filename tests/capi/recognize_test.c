@@ -143,6 +143,12 @@ static void other_weights(void) {
     CHECK_INT(f.shape, NURBS_SHAPE_NONE);
     CHECK_DOUBLE(f.deviation, 0);
     nurbs_destroy(g);
+    /* one record that is 0 altogether and adds nothing */
+    static const int32_t degree = 2;
+    static const int64_t count = 3;
+    static const double knots[] = {0, 0, 0, 1, 1, 1}, ends[] = {0, 0, 1, 0, 0, 0, 2, 0, 1};
+    CHECK_OK(nurbs_create_homogeneous(1, &degree, &count, knots, 6, 2, ends, 0, 0, 0, &g));
+    check_shape(g, 1e-12, NURBS_SHAPE_LINE, PLACED(0, 0, 0, 1, 0, 0, 0, 0, 0), 0, 0);
 }
 
 static void bad_input(void) {

@@ -173,6 +173,17 @@ TEST(CoonsVolume, AgreesWithItsDefinition) {
     });
 }
 
+// Where faces are of one form, their control points are those of the volume to the bit.
+TEST(CoonsVolume, KeepsTheControlPointsOfItsFaces) {
+    for_each_case(437000, 20, [&](Random &random, uint64_t seed) {
+        const SplineData whole = random_volume(random, 3, false, KnotForm::clamped);
+        const std::vector<SplineData> faces = faces_of(whole), found = faces_of(volume_of(faces));
+        for (size_t face = 0; face < faces.size(); ++face) {
+            ASSERT_EQ(found[face].points, faces[face].points) << "face " << face << where(seed, whole);
+        }
+    });
+}
+
 // Where the weights of faces differ by more than a factor denominators multiply, and edges agree to rounding.
 TEST(CoonsVolume, MultipliesDenominatorsThatDiffer) {
     for_each_case(435000, 10, [&](Random &random, uint64_t seed) {
