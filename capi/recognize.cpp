@@ -70,7 +70,7 @@ nurbs_status nurbs_recognize(const nurbs *g, double tolerance, int32_t *shape, d
         const Spline &spline = spline_of(g);
         check_positive_tolerance(tolerance);
         require(shape, "shape");
-        check_apart({memory("shape", shape, 1), memory("placement", placement, 9), memory("sizes", sizes, 2),
+        check_apart({memory("shape", shape, 1), memory("placement", placement, 9), memory("sizes", sizes, 3),
                      memory("deviation", deviation, 1)},
                     {});
         const Recognition found = recognize(spline, tolerance);
@@ -78,7 +78,8 @@ nurbs_status nurbs_recognize(const nurbs *g, double tolerance, int32_t *shape, d
         if (placement != nullptr) {
             copy_placement(found.shape, placement);
         }
-        put_all(sizes, std::span(found.shape.sizes));
+        const double all_sizes[] = {found.shape.sizes[0], found.shape.sizes[1], 0};
+        put_all(sizes, std::span(all_sizes));
         put(deviation, found.deviation);
     });
 }

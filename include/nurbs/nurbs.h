@@ -2875,7 +2875,8 @@ NURBS_API nurbs_status nurbs_volume_coons(const nurbs *const *faces, double tole
  * tolerance of a shape all the same, if by little: distances are made small in the mean, and the bound is
  * within a factor of about 5/4, in the worst cases seen 3/2.
  *
- * The numbers are a placement and two sizes; unused ones are 0:
+ * The numbers are a placement and up to three sizes, of which none of these shapes needs the third; unused
+ * ones are 0:
  *
  *     shape       origin        axis              x                  sizes
  *     POINT       the point
@@ -2910,7 +2911,7 @@ NURBS_API nurbs_status nurbs_volume_coons(const nurbs *const *faces, double tole
  * \param[in] tolerance largest distance from the shape, > 0.
  * \param[out] shape one of the NURBS_SHAPE_ constants.
  * \param[out] placement [9] or NULL: origin, axis and x, three each.
- * \param[out] sizes [2] or NULL: see above.
+ * \param[out] sizes [3] or NULL: see above.
  * \param[out] deviation or NULL: a proven bound of the distance of points of g from the shape with these
  *   numbers, at most the tolerance; 0 for NURBS_SHAPE_NONE.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DIMENSION, _TOLERANCE, _OVERLAP; _NOT_REPRESENTABLE if a

@@ -142,7 +142,7 @@ class Recognition(unittest.TestCase):
         self.assertEqual(found.shape, nurbs.NURBS_SHAPE_CIRCLE)
         near(found.origin, [1, 1, 0])
         near(found.axis, [0, 0, 1])
-        near(found.sizes, [2, 0])
+        near(found.sizes, [2, 0, 0])
         self.assertLess(found.deviation, 1e-9)
 
     def test_no_shape(self):

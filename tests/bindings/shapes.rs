@@ -191,7 +191,7 @@ fn coons_volumes() -> Result<()> {
 fn recognition() -> Result<()> {
     let found = Spline::circle(Placement::at(&[1., 1.]), 2., QUARTERS)?.recognize(1e-9)?;
     assert!(found.shape == sys::NURBS_SHAPE_CIRCLE && found.axis == [0., 0., 1.] && found.deviation <= 1e-9);
-    assert!(same(&found.origin, &[1., 1., 0.]) && same(&found.sizes, &[2., 0.]));
+    assert!(same(&found.origin, &[1., 1., 0.]) && same(&found.sizes, &[2., 0., 0.]));
     let curve = Spline::bezier(&[3], 2, &[0., 0., 1., 2., 2., -2., 3., 0.], None)?;
     assert_eq!(curve.recognize(1e-3)?.shape, sys::NURBS_SHAPE_NONE);
     Ok(())

@@ -74,7 +74,7 @@ static void insertion_keeps_the_circle(const nurbs *g) {
 /* The same circle in one call, and what it is. */
 static void shapes_are_one_call(const nurbs *g) {
     const double eighth = 0.125;
-    double points[2][2], sizes[2];
+    double points[2][2], sizes[3];
     int32_t shape = NURBS_SHAPE_NONE;
     nurbs *made = NULL;
     EXPECT(nurbs_curve_circle(2, NULL, NULL, NULL, 1, NURBS_ARC_QUARTERS, &made) == NURBS_OK);

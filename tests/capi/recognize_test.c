@@ -4,7 +4,7 @@
 
 typedef struct Found {
     int32_t shape;
-    double placement[9], sizes[2], deviation;
+    double placement[9], sizes[3], deviation;
 } Found;
 
 static nurbs_status try_recognize(const nurbs *g, double tolerance, Found *f) {
@@ -19,7 +19,7 @@ static void check_shape(nurbs *g, double tolerance, int32_t shape, const double 
     CHECK_OK(try_recognize(g, tolerance, &f));
     CHECK_INT(f.shape, shape);
     CHECK_NEAR(f.placement, placement, 9, 1e-13);
-    CHECK_NEAR(f.sizes, ((const double[]){first, second}), 2, 1e-13);
+    CHECK_NEAR(f.sizes, ((const double[]){first, second, 0}), 3, 1e-13);
     CHECK(f.deviation >= 0 && f.deviation <= tolerance);
     CHECK(f.deviation > 0 || shape == NURBS_SHAPE_NONE || shape == NURBS_SHAPE_POINT);
     nurbs_destroy(g);

@@ -118,14 +118,14 @@ void recognize(Input &in, const nurbs *g, const fuzz::Spline &s) {
     const double tolerance =
         in.rarely() ? in.anything() : s.size() * std::ldexp(1 + in.unit(), -in.below(48));
     int32_t shape = -1;
-    double placement[9], sizes[2], deviation = -1;
+    double placement[9], sizes[3], deviation = -1;
     if (!FUZZ_OK(nurbs_recognize(g, tolerance, &shape, placement, sizes, &deviation))) {
         return;
     }
     const bool curve = s.axes() == 1;
     FUZZ_REQUIRE(shape == NURBS_SHAPE_NONE || (shape < NURBS_SHAPE_PLANE) == curve);
     FUZZ_REQUIRE(shape >= NURBS_SHAPE_NONE && shape <= NURBS_SHAPE_TORUS);
-    FUZZ_REQUIRE(finite(placement, 9) && finite(sizes, 2) && deviation >= 0 && deviation <= tolerance);
+    FUZZ_REQUIRE(finite(placement, 9) && finite(sizes, 3) && deviation >= 0 && deviation <= tolerance);
     FUZZ_REQUIRE(sizes[0] >= 0 && sizes[1] >= 0 && (shape != NURBS_SHAPE_NONE || deviation == 0));
     const double ratio = s.weight_ratio();
     if (ratio > 0 && ratio < 16) {

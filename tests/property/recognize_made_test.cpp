@@ -25,7 +25,7 @@ Handle made(Call &&call) {
 struct Found {
     int32_t shape = -1;
     std::array<double, 9> placement{};
-    std::array<double, 2> sizes{};
+    std::array<double, 3> sizes{};
     double deviation = -1;
 };
 

@@ -16,7 +16,7 @@ namespace support {
 struct FoundShape {
     int32_t kind = 0;
     double placement[9] = {};
-    double sizes[2] = {};
+    double sizes[3] = {};
     double deviation = 0;
 };
 

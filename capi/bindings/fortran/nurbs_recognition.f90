@@ -14,7 +14,7 @@ module nurbs_recognition
     type, public :: recognized_shape
         integer(c_int32_t) :: shape = NURBS_SHAPE_NONE
         real(c_double) :: origin(3) = 0, axis(3) = 0, x(3) = 0
-        real(c_double) :: sizes(2) = 0
+        real(c_double) :: sizes(3) = 0
         real(c_double) :: deviation = 0
     end type recognized_shape
 

@@ -100,7 +100,7 @@ static void coons_of_faces(gallery *p) {
 /* A torus that has been refined and elevated is a torus still. */
 static void recognized(gallery *p) {
     nurbs *torus, *finer, *g;
-    double placement[9], sizes[2], deviation;
+    double placement[9], sizes[3], deviation;
     int32_t shape;
     check(nurbs_surface_torus(NULL, NULL, NULL, 2, 0.5, 0, PI, 0, 2 * PI, NURBS_ARC_THIRDS, &torus));
     check(nurbs_refine_uniform(torus, 0, 3, &finer));

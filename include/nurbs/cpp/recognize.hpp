@@ -34,7 +34,7 @@ struct Recognized {
     std::array<double, 3> origin;
     std::array<double, 3> axis;
     std::array<double, 3> x;
-    std::array<double, 2> sizes;
+    std::array<double, 3> sizes;
     double deviation;
 };
 

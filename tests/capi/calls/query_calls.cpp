@@ -111,12 +111,12 @@ const Call group[] = {
      }},
     {"recognize curve",
      [](const Inputs &in, Output &o) {
-         return nurbs_recognize(in.curve, 1e-9, o.states, o.values, o.values + 9, o.values + 11);
+         return nurbs_recognize(in.curve, 1e-9, o.states, o.values, o.values + 9, o.values + 12);
      },
      true},
     {"recognize surface",
      [](const Inputs &in, Output &o) {
-         return nurbs_recognize(in.surface, 0.2, o.states, o.values, o.values + 9, o.values + 11);
+         return nurbs_recognize(in.surface, 0.2, o.states, o.values, o.values + 9, o.values + 12);
      },
      true},
     {"distance",

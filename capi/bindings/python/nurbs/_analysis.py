@@ -84,7 +84,7 @@ class Fold(NamedTuple):
 
 
 class Recognized(NamedTuple):
-    """A NURBS_SHAPE_ constant, origin, axis and x (3,), sizes (2,), and a proven bound of the distance from the
+    """A NURBS_SHAPE_ constant, origin, axis and x (3,), sizes (3,), and a proven bound of the distance from the
     shape."""
 
     shape: int
@@ -179,7 +179,7 @@ class Analysis(SplineBase):
         """The first shape of the list of nurbs_recognize() (line, circle, plane, sphere, ...) from which no point is
         farther than the tolerance."""
         shape, deviation = ctypes.c_int32(), ctypes.c_double()
-        placement, sizes = numpy.empty((3, 3)), numpy.empty(2)
+        placement, sizes = numpy.empty((3, 3)), numpy.empty(3)
         call(lib.nurbs_recognize, self._handle, tolerance, ctypes.byref(shape), placement.ctypes.data,
              sizes.ctypes.data, ctypes.byref(deviation))
         origin, axis, x = placement

@@ -19,7 +19,7 @@ pub struct Recognized {
     /// The direction where angles start.
     pub x: [f64; 3],
     /// Radii, semi-axes, a focal length or half an opening angle.
-    pub sizes: [f64; 2],
+    pub sizes: [f64; 3],
     /// A proven bound of the distance from it.
     pub deviation: f64,
 }
