@@ -107,7 +107,7 @@ class Build:
         try:
             done = subprocess.run(command, cwd=test["folder"], capture_output=True, check=False,
                                   env={**os.environ, **test["environment"], "LLVM_PROFILE_FILE": os.devnull},
-                                  timeout=20 * test["seconds"] + 20)
+                                  timeout=5 * test["seconds"] + 20)
         except subprocess.TimeoutExpired:
             return True
         return done.returncode not in (0, 77)
