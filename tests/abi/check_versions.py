@@ -27,13 +27,19 @@ PLACES = (
 PACKAGES = ("cmake/debian/control", "cmake/debian/tests/c", "tests/install/packages")
 
 
+def in_tree(top, path):
+    """A file of the project; in the source of a Debian package cmake/debian is debian."""
+    file = top / path
+    return file if file.exists() else top / path.replace("cmake/debian/", "debian/")
+
+
 def numbers(version):
     return [int(part) for part in version.split(".")]
 
 
 def place_problem(top, version, path, pattern, parts, needed):
     """What is wrong in a file; the last match is the newest where there are several."""
-    file = top / path
+    file = in_tree(top, path)
     if not file.exists():
         return f"{path} is missing" if needed else None
     found = re.findall(pattern, file.read_text(encoding="utf-8"), flags=re.M)
@@ -53,7 +59,7 @@ def problems(top):
         if numbers(newest) > [major, minor]:
             yield f"{function.name} is said to be newer than the header, or a part of it: {newest}"
     for path in PACKAGES:
-        names = set(re.findall(r"libnurbs\.?(?:so\.)?(\d+)", (top / path).read_text(encoding="utf-8")))
+        names = set(re.findall(r"libnurbs\.?(?:so\.)?(\d+)", in_tree(top, path).read_text(encoding="utf-8")))
         if names != {str(major)}:
             yield f"{path} names libnurbs {' and '.join(sorted(names))}, not {major}"
     for place in PLACES:
