@@ -108,9 +108,9 @@ static void bezier_refuses(void) {
     KNOTS_FAIL(nurbs_knots_bezier(2, 2, edited(breaks, 3, 2, INFINITY), 8, out), NURBS_ERROR_KNOT_NOT_FINITE,
                "breaks[2|inf");
     KNOTS_FAIL(nurbs_knots_bezier(2, 2, edited(breaks, 3, 1, 0), 8, out), NURBS_ERROR_KNOTS_DECREASING,
-               "breaks[1|0");
+               "breaks[1] = 0, expected more than breaks[0] = 0");
     KNOTS_FAIL(nurbs_knots_bezier(2, 2, edited(breaks, 3, 2, 0.5), 8, out), NURBS_ERROR_KNOTS_DECREASING,
-               "breaks[2|0.5");
+               "breaks[2] = 0.5, expected more than breaks[1] = 1");
 }
 
 static void huge_pieces(void) {

@@ -26,6 +26,8 @@ static void knots_that_do_not_repeat(void) {
         a.knots = edited(loop().knots, 9, i, loop().knots[i] + 0.125);
         REFUSE_ARGS(a, NURBS_ERROR_PERIODIC_KNOTS, "knots[");
     }
+    a.knots = edited(loop().knots, 9, 8, 8.125);
+    REFUSE_ARGS(a, NURBS_ERROR_PERIODIC_KNOTS, "knots[8] = 8.125|expected knots[4] + period = 8 on");
     a = arch();
     a.flags = NURBS_PERIODIC;
     REFUSE_ARGS(a, NURBS_ERROR_PERIODIC_KNOTS, "knots[");
