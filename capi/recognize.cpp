@@ -78,8 +78,7 @@ nurbs_status nurbs_recognize(const nurbs *g, double tolerance, int32_t *shape, d
         if (placement != nullptr) {
             copy_placement(found.shape, placement);
         }
-        const double all_sizes[] = {found.shape.sizes[0], found.shape.sizes[1], 0};
-        put_all(sizes, std::span(all_sizes));
+        put_all(sizes, std::span(found.shape.sizes));
         put(deviation, found.deviation);
     });
 }

@@ -3145,7 +3145,6 @@ NURBS_API nurbs_status nurbs_distance(const nurbs *a, const nurbs *b, double tol
  * tolerance and rounding unless the budget ends; at_most may be infinite then. Upper bounds come from the
  * farthest control point from one point, and from matching a piece of one spline with a part of a piece of
  * the other by their nearest corners, so that splines that are near each other all over are told quickly.
- * At a jump a point may be the limit from below.
  * \param[in] a,b two splines of the same dimension.
  * \param[in] tolerance >= 0.
  * \param[in] budget most pieces looked at in each direction, those of nearest points among them, 0 for

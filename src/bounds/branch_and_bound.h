@@ -2,7 +2,9 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <utility>
@@ -28,12 +30,14 @@ class BranchAndBound {
 public:
     using Piece = typename Problem::Piece;
 
-    // Upper bounds of all pieces of the source; `least` is a lower bound that needs no piece.
+    // Upper bounds of all pieces of the source, infinite where they are no numbers; `least` is a lower bound that
+    // needs no piece.
     BranchAndBound(Problem &problem, std::span<const double> uppers, double least)
         : problem_(problem), lower_(least), least_(least) {
         heap_.reserve(uppers.size());
         for (size_t i = 0; i < uppers.size(); ++i) {
-            heap_.push_back({uppers[i], 0, static_cast<int64_t>(i), std::nullopt});
+            const double upper = std::isnan(uppers[i]) ? std::numeric_limits<double>::infinity() : uppers[i];
+            heap_.push_back({upper, 0, static_cast<int64_t>(i), std::nullopt});
         }
         std::make_heap(heap_.begin(), heap_.end());
     }

@@ -209,7 +209,8 @@ void evaluate_grid(const Spline &spline, const AxisRules &rules, int order,
     }
     const auto last = static_cast<size_t>(spline.axes() - 1);
     const int64_t width = slot_count(spline.axes(), order) * spline.dim();
-    const std::unique_ptr<double[]> rows(new double[static_cast<size_t>(width * block_size)]);
+    const std::unique_ptr<double[]> rows(
+        new double[static_cast<size_t>(checked_product(width, block_size, "points"))]);
     std::vector<std::unique_ptr<GridEvaluator>>
         strips; // all of them first: nothing is written if memory runs out
     for (int64_t first = 0; first < params[last].count; first += block_size) {

@@ -1,3 +1,4 @@
+#include "base/checked.h"
 #include "eval/blocks.h"
 #include "eval/curve_kernel.h"
 #include "eval/evaluate.h"
@@ -191,7 +192,8 @@ private:
 // Blocks of rows for a sink, one after the other through the same evaluator.
 template <class Evaluator, class Blocks>
 void evaluate_blocks(Evaluator &&evaluate, Blocks &&blocks, int64_t width, BlockSink &sink) {
-    const std::unique_ptr<double[]> rows(new double[static_cast<size_t>(width * block_size)]);
+    const std::unique_ptr<double[]> rows(
+        new double[static_cast<size_t>(checked_product(width, block_size, "points"))]);
     for (int64_t first = 0; first < blocks.count(); first += block_size) {
         const int64_t count = std::min(block_size, blocks.count() - first);
         evaluate(blocks(first, count), Records{rows.get(), count, width, 1, block_size});

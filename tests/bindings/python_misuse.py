@@ -116,6 +116,9 @@ class Numbers(unittest.TestCase):
         for bad in (turned, turned.ravel(), np.ones((2, 3, 1))):
             self.assertRaisesRegex(ValueError, "weights of shape .*, expected", nurbs.Spline, [1, 2], knots, points, bad)
             self.assertRaisesRegex(ValueError, "weights of shape .*, expected", plane.with_points, points, bad)
+        for name in ("costs", "weight_costs"):
+            self.assertRaisesRegex(ValueError, f"{name} of shape .*, expected", plane.constrain, [0.5, 0.5], [0, 0, 1],
+                                   **{name: turned})
         self.assertRaisesRegex(ValueError, "params of shape", nurbs.collocation, [1, 2], knots, np.zeros((2, 3)))
 
     def test_what_is_no_number(self):

@@ -167,7 +167,7 @@ static void bad_bytes(void) {
     NO_LIST(nurbs_read(file.bytes, -1, NULL, &list), NURBS_ERROR_COUNT, "size|-1");
     NO_LIST(nurbs_read(file.bytes, INT64_MIN, NULL, &list), NURBS_ERROR_COUNT, "size");
     NO_LIST(nurbs_read(file.bytes, INT64_MAX, NULL, &list), NURBS_ERROR_TOO_LARGE, "");
-    NO_LIST(nurbs_read(NULL, 0, NULL, &list), NURBS_ERROR_FORMAT, "");
+    NO_LIST(nurbs_read(NULL, 0, NULL, &list), NURBS_ERROR_FORMAT, "the file is empty");
     NO_LIST(nurbs_read(file.bytes, 0, NULL, &list), NURBS_ERROR_FORMAT, "");
     NO_LIST(nurbs_read(binary, 200, NULL, &list), NURBS_ERROR_FORMAT, "");
     NO_LIST(nurbs_read("hello, world\n", 13, NULL, &list), NURBS_ERROR_FORMAT, "");

@@ -15,8 +15,8 @@ namespace support {
 // it. An exception counts as a failure.
 void for_each_case(uint64_t base, int count, const std::function<void(Random &, uint64_t)> &body);
 
-// `n` if all cases are run, else -1: how many of a kind a law has to have met, so that it is not one about nothing. A shorter
-// run may miss what is rare.
+// `n` if all cases are run, else -1: how many of a kind a law has to have met, so that it is not one about
+// nothing. A shorter run may miss what is rare.
 int64_t of_whole_run(int64_t n);
 
 // What a failure message ends with: the seed and the spline in hexadecimal.

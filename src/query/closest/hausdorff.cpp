@@ -114,8 +114,8 @@ private:
             query_[c] = frame_.centre[c] + std::ldexp(x[c], frame_.exponent);
         }
         NearPoint near;
-        near.foot = locator_.nearest(
-            {query_.data(), nullptr, std::ldexp(tolerance_ / 4, frame_.exponent), budget_of_a_foot});
+        near.foot = locator_.nearest({query_.data(), nullptr, std::ldexp(tolerance_ / 4, frame_.exponent),
+                                      std::clamp<int64_t>(budget_, 1, budget_of_a_foot)});
         budget_ -= near.foot.looked;
         AxisRules rules{};
         for (size_t k = 0; k < max_axes; ++k) {

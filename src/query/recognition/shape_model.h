@@ -16,7 +16,7 @@ struct Shape {
     Vector3 x{1, 0, 0};
     Vector3 y{0, 1, 0};
     Vector3 z{0, 0, 1};
-    double sizes[2] = {0, 0};
+    double sizes[3] = {0, 0, 0};
 
     [[nodiscard]] Vector3 local(const Vector3 &point) const noexcept {
         const Vector3 p = point - origin;

@@ -73,9 +73,19 @@ def records(values: ArrayLike, width: int) -> Records:
 def one_each(values: ArrayLike, counts: Tuple[int, ...], name: str) -> Records:
     """A number for each control point: of that shape, because another order would be taken for it."""
     array = numpy.asarray(values, dtype=numpy.float64)
-    if array.shape != tuple(counts):
-        raise ValueError(f"{name} of shape {array.shape}, expected {tuple(counts)}")
+    if array.shape != counts:
+        raise ValueError(f"{name} of shape {array.shape}, expected {counts}")
     return records(array, 1)
+
+
+def parameters(params: ArrayLike, axes: int) -> Tuple[Records, Shape]:
+    """Parameters, and the shape of the batch, which lacks the last dimension if that holds (u, v...)."""
+    array = numpy.asarray(params, dtype=numpy.float64)
+    if axes == 1:
+        return records(array, 1), array.shape
+    if array.ndim == 0 or array.shape[-1] != axes:
+        raise ValueError(f"params of shape {array.shape}, expected (..., {axes})")
+    return records(array, axes), array.shape[:-1]
 
 
 def packed(values: ArrayLike, dtype: DTypeLike = numpy.float64) -> NDArray[Any]:

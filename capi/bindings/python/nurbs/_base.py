@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, Iterable, NamedTuple, Optional, Tuple, ca
 
 import numpy
 
-from ._arrays import Output, addresses, exactly, if_given, records
+from ._arrays import Output, addresses, exactly, if_given, parameters
 from ._library import call, get, lib
 from .constants import NURBS_FORM_PERIODIC
 
@@ -174,13 +174,7 @@ class SplineBase:
     # --- Arguments that many methods take ---
 
     def _params(self, params: ArrayLike) -> Tuple[Records, Shape]:
-        """The parameters, and the shape of the batch, which lacks the last dimension if that holds (u, v...)."""
-        array, axes = numpy.asarray(params, dtype=numpy.float64), self.axes
-        if axes == 1:
-            return records(array, 1), array.shape
-        if array.ndim == 0 or array.shape[-1] != axes:
-            raise ValueError(f"params of shape {array.shape}, expected (..., {axes})")
-        return records(array, axes), array.shape[:-1]
+        return parameters(params, self.axes)
 
     def _part(self, part: Optional[ArrayLike]) -> Optional[NDArray[Any]]:
         """A part (axes, 2) of the domain, or None."""

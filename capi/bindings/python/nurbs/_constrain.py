@@ -4,16 +4,16 @@
 from __future__ import annotations
 
 import ctypes
-from typing import TYPE_CHECKING, NamedTuple, Optional
+from typing import TYPE_CHECKING, Any, NamedTuple, Optional
 
 import numpy
 
-from ._arrays import address, exactly, if_given, packed, records
+from ._arrays import address, exactly, if_given, one_each, packed, records
 from ._base import SplineBase
 from ._library import lib
 
 if TYPE_CHECKING:
-    from numpy.typing import ArrayLike
+    from numpy.typing import ArrayLike, NDArray
 
     from ._arrays import Floats
     from ._spline import Spline
@@ -35,6 +35,10 @@ class Constrained(NamedTuple):
 class Constraints(SplineBase):
     """Constraints at parameters."""
 
+    def _of_points(self, values: Optional[ArrayLike], name: str) -> Optional[NDArray[Any]]:
+        """A number for each control point, if they are given."""
+        return None if values is None else packed(one_each(values, self.counts, name).array)
+
     def constrain(self, params: ArrayLike, targets: ArrayLike, kinds: Optional[ArrayLike] = None,
                   orders: Optional[ArrayLike] = None, *, keep: Optional[ArrayLike] = None,
                   costs: Optional[ArrayLike] = None, weight_costs: Optional[ArrayLike] = None,
@@ -48,12 +52,12 @@ class Constraints(SplineBase):
         and weight_costs one number for each control point (counts...). Raises ArgumentError if constraints contradict
         each other, NumericError if none is found.
         """
-        axes, points = self.axes, self.point_count
+        axes = self.axes
         at = records(packed(params), axes)
         goals = exactly(targets, at.n * self.dimension, "targets")
         given = [if_given(kinds, at.n, "kinds", numpy.int32), if_given(orders, at.n * axes, "orders", numpy.int32)]
-        options = [if_given(keep, 2 * axes, "keep", numpy.int32), if_given(costs, points, "costs"),
-                   if_given(weight_costs, points, "weight_costs")]
+        options = [if_given(keep, 2 * axes, "keep", numpy.int32), self._of_points(costs, "costs"),
+                   self._of_points(weight_costs, "weight_costs")]
         residuals, rank, moved, optimality = numpy.empty(at.n), ctypes.c_int64(), ctypes.c_double(), ctypes.c_double()
         made = self._made(lib.nurbs_constrain, self._handle, at.n, *map(address, given), at.layout[0],
                           goals.ctypes.data, *map(address, options), tolerance, residuals.ctypes.data,

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Callable, NamedTuple, Optional, Sequence,
 
 import numpy
 
-from ._arrays import Gradient, address, addresses, if_given, records, vector
+from ._arrays import Gradient, address, addresses, if_given, parameters, records, vector
 from ._base import SplineBase
 from ._library import call, get, lib
 from ._net import concatenated
@@ -60,9 +60,7 @@ def collocation(degrees: Union[int, Sequence[int]], knots: Union[ArrayLike, Sequ
     axes = p.size
     vectors, lengths = concatenated(knots, axes)
     counts = vector(lengths, numpy.int64) - p - 1
-    given_orders, given = if_given(orders, axes, "orders", numpy.int32), records(params, axes)
-    if axes > 1 and given.shape[-1:] != (axes,):
-        raise ValueError(f"params of shape {given.shape}, expected (..., {axes})")
+    given_orders, (given, _) = if_given(orders, axes, "orders", numpy.int32), parameters(params, axes)
     return _sparse(given.n, lambda *arrays: call(
         lib.nurbs_collocation, axes, p.ctypes.data, counts.ctypes.data, vectors.ctypes.data, vectors.size,
         address(given_orders), given.n, *given.layout, *arrays, flags))
