@@ -83,9 +83,13 @@ class Reach:
                       for name, found in stored["files"].items()}
 
     def tests_of(self, fault):
-        reaching = [self.tests[index] for index, lines in self.files.get(fault.file, {}).items()
-                    if lines >> fault.line & 1]
-        return sorted(reaching, key=lambda test: test["seconds"])
+        """Those that run the line, or else one soon after it: initializers of members are not counted as lines."""
+        found = self.files.get(fault.file, {})
+        for line in range(fault.line, fault.line + 4):
+            reaching = [self.tests[index] for index, lines in found.items() if lines >> line & 1]
+            if reaching:
+                return sorted(reaching, key=lambda test: test["seconds"])
+        return []
 
 
 class Build:

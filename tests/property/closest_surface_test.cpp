@@ -2,6 +2,7 @@
 // them, closed forms, exact arithmetic at the parameters returned, and laws.
 #include "property/exact_points.h"
 #include "property/made_shapes.h"
+#include "property/query_noise.h"
 
 using namespace support;
 
@@ -26,34 +27,12 @@ Answer ask(const nurbs *g, const SplineData &data, const std::vector<double> &x,
     return answer;
 }
 
-double length(const std::vector<double> &x) {
-    double sum = 0;
-    for (const double c : x) {
-        sum += c * c;
-    }
-    return std::sqrt(sum);
-}
-
 double apart(const std::vector<double> &x, const double *y) {
     double sum = 0;
     for (size_t c = 0; c < x.size(); ++c) {
         sum += (x[c] - y[c]) * (x[c] - y[c]);
     }
     return std::sqrt(sum);
-}
-
-// The rounding that a certificate allows.
-double noise(const SplineData &data, const std::vector<double> &x) {
-    double size = 0;
-    int steps = 0;
-    for (int64_t i = 0; i < data.point_count(); ++i) {
-        const auto *point = data.points.data() + i * data.dim;
-        size = std::max(size, length({point, point + data.dim}));
-    }
-    for (const int32_t p : data.degrees) {
-        steps += p + 1;
-    }
-    return 64 * steps * eps * (size + length(x));
 }
 
 // The best of a grid over the domain, or over a range, and of a descent from it.
@@ -276,7 +255,7 @@ TEST(ClosestSurface, of_spheres_are_at_the_difference_of_radii) {
             x = {0, 0, random.chance(50) ? d : -d};
         }
         const Answer near = ask(g.get(), data, x), far = ask(g.get(), data, x, true);
-        const double size = length(x);
+        const double size = norm(x);
         ASSERT_TRUE(near.has(NURBS_CLOSEST_CERTIFIED)) << seed << hex(x) << hex(r);
         ASSERT_TRUE(far.has(NURBS_CLOSEST_CERTIFIED)) << seed << hex(x) << hex(r);
         ASSERT_NEAR(near.distance, std::fabs(size - r), noise(data, x)) << seed << hex(x) << hex(r);
@@ -339,7 +318,7 @@ TEST(ClosestSurface, of_points_on_normals_are_their_feet) {
         const std::vector<double> jet = eval_derivs(g.get(), 1, at);
         std::vector<double> n{jet[4] * jet[8] - jet[5] * jet[7], jet[5] * jet[6] - jet[3] * jet[8],
                               jet[3] * jet[7] - jet[4] * jet[6]};
-        const double scale = random.magnitude(1e-12, 0.05) / length(n);
+        const double scale = random.magnitude(1e-12, 0.05) / norm(n);
         std::vector<double> x(3);
         for (size_t c = 0; c < 3; ++c) {
             x[c] = jet[c] + scale * n[c];
@@ -371,93 +350,6 @@ TEST(ClosestSurface, volumes_are_inverted) {
         ASSERT_TRUE(answer.has(NURBS_CLOSEST_CERTIFIED)) << where(seed, data);
         ASSERT_LE(answer.distance, noise(data, x)) << where(seed, data) << hex(at);
     });
-}
-
-struct Critical {
-    std::vector<double> params, distances;
-    std::vector<int32_t> kinds;
-    int32_t status = 0;
-};
-
-Critical critical(const nurbs *g, int axes, const std::vector<double> &x) {
-    int64_t count = 0;
-    require_ok(nurbs_critical_points(g, x.data(), nullptr, 0, 200000, 0, nullptr, nullptr, nullptr, &count,
-                                     nullptr));
-    const auto n = static_cast<size_t>(count);
-    Critical found{std::vector<double>(n * static_cast<size_t>(axes)), std::vector<double>(n),
-                   std::vector<int32_t>(n), 0};
-    require_ok(nurbs_critical_points(g, x.data(), nullptr, 0, 200000, count, found.params.data(),
-                                     found.distances.data(), found.kinds.data(), &count, &found.status));
-    return found;
-}
-
-// Where the distance has a maximum along an edge of the domain and so on, in the sense of Morse: the points
-// at which it grows into the domain, minima less saddles plus maxima, are the Euler characteristic 1 of a
-// disc.
-int morse_sum(const nurbs *g, const SplineData &data, const std::vector<double> &x, const Critical &found) {
-    int sum = 0;
-    for (size_t i = 0; i < found.kinds.size(); ++i) {
-        const std::vector<double> at{found.params[2 * i], found.params[2 * i + 1]};
-        const std::vector<double> jet = eval_derivs(g, 1, at);
-        int sides = 0;
-        bool grows = true;
-        for (int k = 0; k < 2; ++k) {
-            const auto axis = static_cast<size_t>(k);
-            double slope = 0;
-            for (size_t c = 0; c < 3; ++c) {
-                slope += (jet[c] - x[c]) * jet[3 * (axis + 1) + c];
-            }
-            const bool first = at[axis] == data.lower(k), last = at[axis] == data.upper(k);
-            sides += first || last ? 1 : 0;
-            grows = grows && (!(first || last) || (first ? slope > 0 : slope < 0));
-            EXPECT_TRUE(first || last || std::fabs(slope) < 1e-7 * (1 + found.distances[i]));
-        }
-        if (grows) {
-            const bool plus = found.kinds[i] == NURBS_CRITICAL_MINIMUM ||
-                              (sides == 0 && found.kinds[i] == NURBS_CRITICAL_MAXIMUM);
-            sum += plus ? 1 : -1;
-        }
-    }
-    return sum;
-}
-
-TEST(ClosestSurface, critical_points_add_up_to_the_characteristic_of_a_disc) {
-    int certified = 0, all = 0;
-    for_each_case(2180000, 60, [&](Random &random, uint64_t seed) {
-        const int spans = random.whole(1, 3), n = spans + 3;
-        SplineData data{{3, 3}, {n, n}, {}, 3, {}, {}, 0};
-        for (int k = 0; k < 2; ++k) {
-            std::vector<double> knots(4, 0.0);
-            for (int i = 1; i < spans; ++i) {
-                knots.push_back(i);
-            }
-            knots.insert(knots.end(), 4, spans);
-            data.knots.push_back(knots);
-        }
-        const bool weighted = random.chance(50);
-        for (int i = 0; i < n * n; ++i) {
-            data.points.insert(data.points.end(), {i / n + random.between(-0.3, 0.3),
-                                                   i % n + random.between(-0.3, 0.3), random.between(-1, 1)});
-            if (weighted) {
-                data.weights.push_back(random.between(0.5, 2));
-            }
-        }
-        const Handle g = create(data);
-        const std::vector<double> x{random.between(-1, n), random.between(-1, n), random.between(-3, 3)};
-        const Critical found = critical(g.get(), 2, x);
-        ++all;
-        if (found.status != NURBS_CLOSEST_CERTIFIED) {
-            return;
-        }
-        ++certified;
-        ASSERT_EQ(morse_sum(g.get(), data, x, found), 1) << where(seed, data) << hex(x);
-        const Answer near = ask(g.get(), data, x), far = ask(g.get(), data, x, true);
-        const auto [least, most] = std::minmax_element(found.distances.begin(), found.distances.end());
-        ASSERT_NEAR(*least, near.distance, noise(data, x)) << where(seed, data) << hex(x);
-        ASSERT_NEAR(*most, far.distance, noise(data, x)) << where(seed, data) << hex(x);
-    });
-    std::printf("%d of %d certified\n", certified, all);
-    EXPECT_GE(certified, all * 9 / 10);
 }
 
 // Two hills, and a point between them.
