@@ -1,49 +1,11 @@
 // Constraints: they hold, and the change is the smallest one, that of the Kuhn-Tucker equations solved in
 // high precision.
-#include "property/influences.h"
-#include "reference/float50.h"
+#include "property/constraints.h"
 
 using namespace support;
+using namespace support::constraints;
 
 namespace {
-
-using Real = reference::Float50;
-using Row = std::vector<Real>;
-
-Real real(const Rational &x) {
-    return Real(numerator(x)) / Real(denominator(x));
-}
-
-// x of a square system, by elimination with row pivots.
-std::vector<Row> solved(std::vector<Row> a, std::vector<Row> b) {
-    const size_t n = a.size();
-    for (size_t k = 0; k < n; ++k) {
-        size_t best = k;
-        for (size_t i = k + 1; i < n; ++i) {
-            best = abs(a[i][k]) > abs(a[best][k]) ? i : best;
-        }
-        std::swap(a[k], a[best]);
-        std::swap(b[k], b[best]);
-        for (size_t i = k + 1; i < n; ++i) {
-            const Real factor = a[i][k] / a[k][k];
-            for (size_t j = k; factor != 0 && j < n; ++j) {
-                a[i][j] -= factor * a[k][j];
-            }
-            for (size_t j = 0; factor != 0 && j < b[i].size(); ++j) {
-                b[i][j] -= factor * b[k][j];
-            }
-        }
-    }
-    for (size_t k = n; k-- > 0;) {
-        for (size_t c = 0; c < b[k].size(); ++c) {
-            for (size_t j = k + 1; j < n; ++j) {
-                b[k][c] -= a[k][j] * b[j][c];
-            }
-            b[k][c] /= a[k][k];
-        }
-    }
-    return b;
-}
 
 // The e that makes sum costs |e|^2 least with A e = r: by the multipliers, costs e = A^T lambda, A costs^-1
 // A^T lambda = r.
@@ -71,102 +33,8 @@ std::vector<Row> least_change(const std::vector<Row> &rows, const std::vector<Ro
     return change;
 }
 
-// Arguments of a call, by constraints.
-struct Set {
-    std::vector<int32_t> kinds;
-    std::vector<int32_t> orders;
-    std::vector<double> params;
-    std::vector<double> targets;
-    std::vector<int32_t> keep;
-    std::vector<double> costs;
-    std::vector<double> weight_costs;
-    double tolerance = 0;
-
-    [[nodiscard]] int64_t count() const { return std::ssize(kinds); }
-};
-
-struct Result {
-    nurbs_status status = NURBS_OK;
-    Handle g;
-    std::vector<double> residuals;
-    int64_t rank = -1;
-    double moved = -1;
-    double optimality = -1;
-};
-
-Result constrain(const nurbs *g, const Set &set) {
-    Result result;
-    result.residuals.resize(set.kinds.size());
-    nurbs *out = nullptr;
-    const auto given = [](const auto &values) { return values.empty() ? nullptr : values.data(); };
-    result.status = nurbs_constrain(g, set.count(), set.kinds.data(), given(set.orders), set.params.data(),
-                                    set.targets.data(), given(set.keep), given(set.costs),
-                                    given(set.weight_costs), set.tolerance, result.residuals.data(),
-                                    &result.rank, &result.moved, &result.optimality, &out);
-    result.g.reset(out);
-    return result;
-}
-
 double uniform_cost(Random &random) {
     return random.chance(20) ? HUGE_VAL : random.magnitude(0.1, 10);
-}
-
-// Enough control points for the constraints, of moderate weights.
-SplineData roomy(Random &random, int axes, int points, bool periodic) {
-    Recipe recipe;
-    recipe.dim = random.whole(1, 3);
-    recipe.weights = random.chance(50) ? Weights::none : Weights::moderate;
-    for (int k = 0; k < axes; ++k) {
-        AxisRecipe axis = random_axis(random, random.whole(1, axes == 1 ? 5 : 3));
-        axis.form = periodic && k == 0  ? KnotForm::periodic
-                    : random.chance(70) ? KnotForm::clamped
-                                        : KnotForm::unclamped;
-        axis.spacing = Spacing::integers;
-        axis.placement = Placement::origin;
-        axis.spans = axes == 1 ? 2 * points : 8;
-        recipe.axes.push_back(axis);
-    }
-    return random_spline(random, recipe);
-}
-
-// Points spread over the domain so that neighbours share few control points.
-Set value_set(Random &random, const SplineData &data, int count) {
-    Set set;
-    for (int i = 0; i < count; ++i) {
-        set.kinds.push_back(NURBS_CONSTRAIN_VALUE);
-        for (int k = 0; k < data.axes(); ++k) {
-            const double part = data.axes() == 1 ? (i + random.between(0.3, 0.7)) / count : random.unit();
-            set.params.push_back(data.lower(k) + part * (data.upper(k) - data.lower(k)));
-        }
-        for (int c = 0; c < data.dim; ++c) {
-            set.targets.push_back(random.between(-1, 1) * extent(data));
-        }
-    }
-    return set;
-}
-
-std::vector<double> param_of(const Set &set, const SplineData &data, int64_t i) {
-    const auto at = set.params.begin() + i * data.axes();
-    return {at, at + data.axes()};
-}
-
-Point target_of(const Set &set, const SplineData &data, int64_t i) {
-    Point target;
-    for (int c = 0; c < data.dim; ++c) {
-        target.push_back(exact(set.targets[static_cast<size_t>(i * data.dim + c)]));
-    }
-    return target;
-}
-
-// R_i at a parameter, over the first copies.
-Row exact_row(const SplineData &data, const std::vector<double> &param) {
-    const auto all = exact_influences(data, param);
-    const Rational total = total_weight(all);
-    Row row(static_cast<size_t>(data.point_count()));
-    for (const auto &[point, influence] : all) {
-        row[static_cast<size_t>(point)] = real(Rational(influence.weight / total));
-    }
-    return row;
 }
 
 void expect_least_change(const SplineData &data, const Set &set, const Result &result,
@@ -197,16 +65,6 @@ void expect_least_change(const SplineData &data, const Set &set, const Result &r
         }
     }
     ASSERT_LE(sqrt(error), 1e-11 * sqrt(size) + 1e-13 * extent(data)) << place;
-}
-
-void expect_met(const SplineData &data, const Set &set, const Result &result, double bound,
-                const std::string &place) {
-    const SplineData after = read_back(result.g.get());
-    for (int64_t i = 0; i < set.count(); ++i) {
-        const Point missed = minus(point_at(after, param_of(set, data, i)), target_of(set, data, i));
-        ASSERT_LE(length(missed), bound * std::max(extent(data), extent(after)))
-            << place << " constraint " << i;
-    }
 }
 
 // Whether there was a solution.
@@ -297,27 +155,6 @@ TEST(Constrain, one_value_has_its_closed_form) {
             }
         }
     });
-}
-
-Point derivative_at(const SplineData &data, const std::vector<double> &param, const std::vector<int> &index) {
-    int order = 0;
-    for (const int k : index) {
-        order += k;
-    }
-    const auto derivatives = reference::exact_derivatives(data, order, param.data());
-    Point point;
-    for (const reference::Fraction &x : derivatives[static_cast<size_t>(slot_of(index))]) {
-        point.emplace_back(x.numerator, x.denominator);
-    }
-    return point;
-}
-
-Rational dot(const Point &a, const Point &b) {
-    Rational sum = 0;
-    for (size_t c = 0; c < a.size(); ++c) {
-        sum += a[c] * b[c];
-    }
-    return sum;
 }
 
 // A point, its tangent, a normal and a derivative, all at once; conditions of all linear kinds.
@@ -411,146 +248,6 @@ TEST(Constrain, ends_stay) {
             }
         }
     });
-}
-
-// With costs of weights: c e = R lambda and v r = (w / w*) R (P* - S) . lambda at every control point.
-TEST(Constrain, weights_and_points_share_the_change) {
-    int solved_cases = 0;
-    for_each_case(1480000, 100, [&](Random &random, uint64_t seed) {
-        SplineData data = roomy(random, 1, 6, false);
-        Set set = value_set(random, data, 1);
-        for (int c = 0; c < data.dim; ++c) { // not far away
-            const double now =
-                static_cast<double>(as_long_double(point_at(data, set.params)[static_cast<size_t>(c)]));
-            set.targets[static_cast<size_t>(c)] = now + random.between(-0.1, 0.1) * extent(data);
-        }
-        for (int64_t i = 0; i < data.point_count(); ++i) {
-            set.costs.push_back(random.magnitude(0.5, 2));
-            set.weight_costs.push_back(random.magnitude(0.5, 2) * extent(data) * extent(data));
-        }
-        const Result result = constrain(create(data).get(), set);
-        ASSERT_EQ(result.status, NURBS_OK) << last_error() << where(seed, data);
-        ++solved_cases;
-        ASSERT_LE(result.optimality, 1e-8);
-        const SplineData after = read_back(result.g.get());
-        expect_met(data, set, result, 1e-12, where(seed, data));
-        const Row row = exact_row(after, set.params);
-        const Point s = point_at(after, set.params);
-        const auto most = static_cast<size_t>(std::max_element(row.begin(), row.end()) - row.begin());
-        std::vector<Real> multipliers;
-        Real size = 0;
-        for (size_t c = 0; c < s.size(); ++c) {
-            const Real move =
-                real(Rational(exact(after.coordinate(static_cast<int64_t>(most), static_cast<int>(c))) -
-                              exact(data.coordinate(static_cast<int64_t>(most), static_cast<int>(c)))));
-            multipliers.emplace_back(set.costs[most] * move / row[most]);
-            size += abs(multipliers.back());
-        }
-        for (size_t i = 0; i < row.size(); ++i) {
-            const auto at = static_cast<int64_t>(i);
-            Real slope = 0;
-            for (size_t c = 0; c < s.size(); ++c) {
-                const Rational p = exact(after.coordinate(at, static_cast<int>(c)));
-                const Real move = real(Rational(p - exact(data.coordinate(at, static_cast<int>(c)))));
-                ASSERT_LE(abs(set.costs[i] * move - row[i] * multipliers[c]), 1e-7 * size)
-                    << where(seed, data);
-                slope += real(Rational(p - s[c])) * multipliers[c];
-            }
-            const Real ratio = Real(data.weight(at)) / Real(after.weight(at)), change = 1 / ratio - 1;
-            ASSERT_LE(abs(set.weight_costs[i] * change - ratio * row[i] * slope), 1e-7 * size * extent(after))
-                << where(seed, data);
-        }
-    });
-    ASSERT_GT(solved_cases, support::of_whole_run(50));
-}
-
-// A curvature that is turned about and points along the tangent, too: the tangent has to follow, which no
-// linear equation of the start contradicts.
-TEST(Constrain, curvature_turns_the_tangent) {
-    int asked = 0, solved_cases = 0;
-    for_each_case(1495000, 200, [&](Random &random, uint64_t seed) {
-        SplineData data = roomy(random, 1, 8, false);
-        if (data.dim < 2 || data.degrees[0] < 3) {
-            return;
-        }
-        Set set = value_set(random, data, 1);
-        const Point a = derivative_at(data, set.params, {1}), b = derivative_at(data, set.params, {2});
-        const Rational s = dot(a, a), along = dot(a, b) / s;
-        const long double speed = std::sqrt(as_long_double(s));
-        long double size = 0;
-        for (size_t c = 0; c < a.size(); ++c) {
-            size = std::hypot(size, as_long_double(Rational((b[c] - along * a[c]) / s)));
-        }
-        set.kinds = {NURBS_CONSTRAIN_CURVATURE};
-        for (size_t c = 0; c < a.size(); ++c) {
-            const long double now = as_long_double(Rational((b[c] - along * a[c]) / s)),
-                              tangent = as_long_double(a[c]) / speed;
-            set.targets[c] = static_cast<double>(-0.8L * now + 0.6L * size * tangent);
-        }
-        set.tolerance = 1e-12 * extent(data);
-        const Result result = constrain(create(data).get(), set);
-        ++asked;
-        ASSERT_NE(result.status, NURBS_ERROR_CONTRADICTION) << last_error() << where(seed, data);
-        if (result.status == NURBS_OK) { // quadratic convergence ends in rounding
-            ++solved_cases;
-            ASSERT_LE(result.optimality, 1e-10) << where(seed, data);
-        }
-    });
-    ASSERT_GT(asked, support::of_whole_run(50));
-    ASSERT_GE(solved_cases, asked * 9 / 10);
-}
-
-TEST(Constrain, curvature_holds) {
-    int solved_cases = 0;
-    for_each_case(1490000, 100, [&](Random &random, uint64_t seed) {
-        SplineData data = roomy(random, 1, 8, false);
-        if (data.dim < 2 || data.degrees[0] < 3) {
-            return;
-        }
-        Set set = value_set(random, data, 1);
-        const Point a = derivative_at(data, set.params, {1}), b = derivative_at(data, set.params, {2});
-        const Rational s = dot(a, a), along = dot(a, b) / s;
-        set.kinds = {NURBS_CONSTRAIN_CURVATURE};
-        for (size_t c = 0; c < a.size(); ++c) { // a tenth more, and a little turned
-            const long double now = as_long_double(Rational((b[c] - along * a[c]) / s));
-            set.targets[c] = static_cast<double>(now) * 1.1;
-        }
-        set.tolerance = 1e-12 * extent(data);
-        const Result result = constrain(create(data).get(), set);
-        ASSERT_EQ(result.status, NURBS_OK) << last_error() << where(seed, data) << hex(set.params);
-        ++solved_cases;
-        const SplineData after = read_back(result.g.get());
-        const Point v = derivative_at(after, set.params, {1}), w = derivative_at(after, set.params, {2});
-        const Rational speed = dot(v, v), part = dot(v, w) / speed;
-        long double error = 0, size = 0;
-        for (size_t c = 0; c < v.size(); ++c) {
-            error =
-                std::hypot(error, as_long_double(Rational((w[c] - part * v[c]) / speed)) - set.targets[c]);
-            size = std::hypot(size, set.targets[c]);
-        }
-        const long double scale = 64 * extent(after) / as_long_double(speed) * 25;
-        ASSERT_LE(error, 1e-11L * (scale + size)) << where(seed, data) << hex(set.params);
-        ASSERT_LE(result.optimality, 1e-6);
-    });
-    ASSERT_GT(solved_cases, support::of_whole_run(20));
-}
-
-// Two tangents that are met best by a curve that stands still: no curvature is there to speak of.
-TEST(Constrain, curvature_is_not_excused_where_a_curve_stands_still) {
-    SplineData data{{2}, {3}, {{0, 0, 0, 1, 1, 1}}, 3, {}, {}, 0};
-    data.points = {-1.8376059568347545, -0.10085291889391751,  -0.451433451785003,
-                   0.9554205398634676,  -0.5926897721889577,   0.6363290124369492,
-                   0.10302281320692915, -0.015383823070245281, 0.3289223511034654};
-    data.weights = {0.6785729134191877, 0.896163172482727, 0.811530343576127};
-    Set set;
-    set.kinds = {NURBS_CONSTRAIN_DIRECTION, NURBS_CONSTRAIN_DIRECTION, NURBS_CONSTRAIN_CURVATURE};
-    set.orders = {1, 1, 0};
-    set.params = {0.19611651602279367, 0.33696457422914194, 0.8855591330656541};
-    set.targets = {1.258328890065498,    1.0494273555513152,     0.5219965109522967,
-                   -0.7290619402999594,  1.780501479726986,      0.09194590632669447,
-                   -0.01628886083708101, -0.0019632373722657695, 0.04178587475995931};
-    const Result result = constrain(create(data).get(), set);
-    EXPECT_TRUE(result.status != NURBS_OK || result.residuals[2] <= 1e-6 * 0.045);
 }
 
 } // namespace

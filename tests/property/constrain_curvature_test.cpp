@@ -1,0 +1,149 @@
+// Constraints that are not linear: costs of weights, curvature.
+#include "property/constraints.h"
+
+using namespace support;
+using namespace support::constraints;
+
+namespace {
+
+// With costs of weights: c e = R lambda and v r = (w / w*) R (P* - S) . lambda at every control point.
+TEST(Constrain, weights_and_points_share_the_change) {
+    int solved_cases = 0;
+    for_each_case(1480000, 100, [&](Random &random, uint64_t seed) {
+        SplineData data = roomy(random, 1, 6, false);
+        Set set = value_set(random, data, 1);
+        for (int c = 0; c < data.dim; ++c) { // not far away
+            const double now =
+                static_cast<double>(as_long_double(point_at(data, set.params)[static_cast<size_t>(c)]));
+            set.targets[static_cast<size_t>(c)] = now + random.between(-0.1, 0.1) * extent(data);
+        }
+        for (int64_t i = 0; i < data.point_count(); ++i) {
+            set.costs.push_back(random.magnitude(0.5, 2));
+            set.weight_costs.push_back(random.magnitude(0.5, 2) * extent(data) * extent(data));
+        }
+        const Result result = constrain(create(data).get(), set);
+        ASSERT_EQ(result.status, NURBS_OK) << last_error() << where(seed, data);
+        ++solved_cases;
+        ASSERT_LE(result.optimality, 1e-8);
+        const SplineData after = read_back(result.g.get());
+        expect_met(data, set, result, 1e-12, where(seed, data));
+        const Row row = exact_row(after, set.params);
+        const Point s = point_at(after, set.params);
+        const auto most = static_cast<size_t>(std::max_element(row.begin(), row.end()) - row.begin());
+        std::vector<Real> multipliers;
+        Real size = 0;
+        for (size_t c = 0; c < s.size(); ++c) {
+            const Real move =
+                real(Rational(exact(after.coordinate(static_cast<int64_t>(most), static_cast<int>(c))) -
+                              exact(data.coordinate(static_cast<int64_t>(most), static_cast<int>(c)))));
+            multipliers.emplace_back(set.costs[most] * move / row[most]);
+            size += abs(multipliers.back());
+        }
+        for (size_t i = 0; i < row.size(); ++i) {
+            const auto at = static_cast<int64_t>(i);
+            Real slope = 0;
+            for (size_t c = 0; c < s.size(); ++c) {
+                const Rational p = exact(after.coordinate(at, static_cast<int>(c)));
+                const Real move = real(Rational(p - exact(data.coordinate(at, static_cast<int>(c)))));
+                ASSERT_LE(abs(set.costs[i] * move - row[i] * multipliers[c]), 1e-7 * size)
+                    << where(seed, data);
+                slope += real(Rational(p - s[c])) * multipliers[c];
+            }
+            const Real ratio = Real(data.weight(at)) / Real(after.weight(at)), change = 1 / ratio - 1;
+            ASSERT_LE(abs(set.weight_costs[i] * change - ratio * row[i] * slope), 1e-7 * size * extent(after))
+                << where(seed, data);
+        }
+    });
+    ASSERT_GT(solved_cases, support::of_whole_run(50));
+}
+
+// A curvature that is turned about and points along the tangent, too: the tangent has to follow, which no
+// linear equation of the start contradicts.
+TEST(Constrain, curvature_turns_the_tangent) {
+    int asked = 0, solved_cases = 0;
+    for_each_case(1495000, 200, [&](Random &random, uint64_t seed) {
+        SplineData data = roomy(random, 1, 8, false);
+        if (data.dim < 2 || data.degrees[0] < 3) {
+            return;
+        }
+        Set set = value_set(random, data, 1);
+        const Point a = derivative_at(data, set.params, {1}), b = derivative_at(data, set.params, {2});
+        const Rational s = dot(a, a), along = dot(a, b) / s;
+        const long double speed = std::sqrt(as_long_double(s));
+        long double size = 0;
+        for (size_t c = 0; c < a.size(); ++c) {
+            size = std::hypot(size, as_long_double(Rational((b[c] - along * a[c]) / s)));
+        }
+        set.kinds = {NURBS_CONSTRAIN_CURVATURE};
+        for (size_t c = 0; c < a.size(); ++c) {
+            const long double now = as_long_double(Rational((b[c] - along * a[c]) / s)),
+                              tangent = as_long_double(a[c]) / speed;
+            set.targets[c] = static_cast<double>(-0.8L * now + 0.6L * size * tangent);
+        }
+        set.tolerance = 1e-12 * extent(data);
+        const Result result = constrain(create(data).get(), set);
+        ++asked;
+        ASSERT_NE(result.status, NURBS_ERROR_CONTRADICTION) << last_error() << where(seed, data);
+        if (result.status == NURBS_OK) { // quadratic convergence ends in rounding
+            ++solved_cases;
+            ASSERT_LE(result.optimality, 1e-10) << where(seed, data);
+        }
+    });
+    ASSERT_GT(asked, support::of_whole_run(50));
+    ASSERT_GE(solved_cases, asked * 9 / 10);
+}
+
+TEST(Constrain, curvature_holds) {
+    int solved_cases = 0;
+    for_each_case(1490000, 100, [&](Random &random, uint64_t seed) {
+        SplineData data = roomy(random, 1, 8, false);
+        if (data.dim < 2 || data.degrees[0] < 3) {
+            return;
+        }
+        Set set = value_set(random, data, 1);
+        const Point a = derivative_at(data, set.params, {1}), b = derivative_at(data, set.params, {2});
+        const Rational s = dot(a, a), along = dot(a, b) / s;
+        set.kinds = {NURBS_CONSTRAIN_CURVATURE};
+        for (size_t c = 0; c < a.size(); ++c) { // a tenth more, and a little turned
+            const long double now = as_long_double(Rational((b[c] - along * a[c]) / s));
+            set.targets[c] = static_cast<double>(now) * 1.1;
+        }
+        set.tolerance = 1e-12 * extent(data);
+        const Result result = constrain(create(data).get(), set);
+        ASSERT_EQ(result.status, NURBS_OK) << last_error() << where(seed, data) << hex(set.params);
+        ++solved_cases;
+        const SplineData after = read_back(result.g.get());
+        const Point v = derivative_at(after, set.params, {1}), w = derivative_at(after, set.params, {2});
+        const Rational speed = dot(v, v), part = dot(v, w) / speed;
+        long double error = 0, size = 0;
+        for (size_t c = 0; c < v.size(); ++c) {
+            error =
+                std::hypot(error, as_long_double(Rational((w[c] - part * v[c]) / speed)) - set.targets[c]);
+            size = std::hypot(size, set.targets[c]);
+        }
+        const long double scale = 64 * extent(after) / as_long_double(speed) * 25;
+        ASSERT_LE(error, 1e-11L * (scale + size)) << where(seed, data) << hex(set.params);
+        ASSERT_LE(result.optimality, 1e-6);
+    });
+    ASSERT_GT(solved_cases, support::of_whole_run(20));
+}
+
+// Two tangents that are met best by a curve that stands still: no curvature is there to speak of.
+TEST(Constrain, curvature_is_not_excused_where_a_curve_stands_still) {
+    SplineData data{{2}, {3}, {{0, 0, 0, 1, 1, 1}}, 3, {}, {}, 0};
+    data.points = {-1.8376059568347545, -0.10085291889391751,  -0.451433451785003,
+                   0.9554205398634676,  -0.5926897721889577,   0.6363290124369492,
+                   0.10302281320692915, -0.015383823070245281, 0.3289223511034654};
+    data.weights = {0.6785729134191877, 0.896163172482727, 0.811530343576127};
+    Set set;
+    set.kinds = {NURBS_CONSTRAIN_DIRECTION, NURBS_CONSTRAIN_DIRECTION, NURBS_CONSTRAIN_CURVATURE};
+    set.orders = {1, 1, 0};
+    set.params = {0.19611651602279367, 0.33696457422914194, 0.8855591330656541};
+    set.targets = {1.258328890065498,    1.0494273555513152,     0.5219965109522967,
+                   -0.7290619402999594,  1.780501479726986,      0.09194590632669447,
+                   -0.01628886083708101, -0.0019632373722657695, 0.04178587475995931};
+    const Result result = constrain(create(data).get(), set);
+    EXPECT_TRUE(result.status != NURBS_OK || result.residuals[2] <= 1e-6 * 0.045);
+}
+
+} // namespace
