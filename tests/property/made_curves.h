@@ -14,7 +14,7 @@
 namespace support::curves {
 
 inline constexpr double eps = 0x1p-52;
-constexpr double pi = std::numbers::pi;
+inline constexpr double pi = std::numbers::pi;
 using Vec = std::vector<double>;
 
 template <class Call>

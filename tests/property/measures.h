@@ -15,8 +15,8 @@
 namespace support::measures {
 
 inline constexpr double eps = 0x1p-52;
-constexpr double pi = std::numbers::pi;
-const double origin[] = {0, 0, 0}, up[] = {0, 0, 1}, right[] = {1, 0, 0};
+inline constexpr double pi = std::numbers::pi;
+inline constexpr double origin[] = {0, 0, 0}, up[] = {0, 0, 1}, right[] = {1, 0, 0};
 
 struct Measured {
     double value = 0;
