@@ -19,10 +19,10 @@ struct Answer {
 };
 
 Answer ask(const nurbs *g, const SplineData &data, const std::vector<double> &x, bool farthest = false,
-           const double *range = nullptr, double tolerance = 0) {
+           const double *range = nullptr, double tolerance = 0, int64_t budget = 0) {
     Answer answer{std::vector<double>(data.degrees.size()), std::vector<double>(x.size()), 0, 0};
     const auto function = farthest ? nurbs_farthest_points : nurbs_closest_points;
-    require_ok(function(g, 1, x.data(), 0, 0, range, tolerance, 0, answer.params.data(), 0, 0,
+    require_ok(function(g, 1, x.data(), 0, 0, range, tolerance, budget, answer.params.data(), 0, 0,
                         answer.feet.data(), 0, 0, &answer.distance, 0, &answer.status, 0));
     return answer;
 }
@@ -95,6 +95,12 @@ std::vector<double> query_near(Random &random, const SplineData &data) {
         const int i = random.whole(0, static_cast<int>(data.point_count()) - 1);
         x.push_back(near ? data.coordinate(i, c) * random.between(0.9, 1.1) : reach * random.between(-1, 1));
     }
+    return x;
+}
+
+std::vector<double> query_point(Random &random, int dim, double reach) {
+    std::vector<double> x(static_cast<size_t>(dim));
+    std::generate(x.begin(), x.end(), [&] { return random.between(-reach, reach); });
     return x;
 }
 
@@ -350,6 +356,47 @@ TEST(ClosestSurface, volumes_are_inverted) {
         ASSERT_TRUE(answer.has(NURBS_CLOSEST_CERTIFIED)) << where(seed, data);
         ASSERT_LE(answer.distance, noise(data, x)) << where(seed, data) << hex(at);
     });
+}
+
+// A bar of degrees 5, 1 and 1 that winds through a box.
+SplineData winding_bar(Random &random, int dim) {
+    const std::vector<double> along{0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1}, across{0, 0, 1, 1};
+    SplineData data{{5, 1, 1}, {6, 2, 2}, {along, across, across}, dim, {}, {}, 0};
+    const bool weighted = random.chance(50);
+    for (int i = 0; i < 6; ++i) {
+        const std::vector<double> middle = query_point(random, dim, 2);
+        for (int corner = 0; corner < 4; ++corner) {
+            for (int c = 0; c < dim; ++c) {
+                data.points.push_back(middle[static_cast<size_t>(c)] + random.between(-0.1, 0.1));
+            }
+            if (weighted) {
+                data.weights.push_back(random.between(0.5, 2));
+            }
+        }
+    }
+    return data;
+}
+
+// Of degrees 11, 11 and 10 it is settled by half spaces, for its coefficients are too many to square.
+TEST(ClosestSurface, volumes_of_high_degrees_have_the_points_of_low_ones) {
+    int certified = 0;
+    for_each_case(2190000, 30, [&](Random &random, uint64_t seed) {
+        const SplineData data = winding_bar(random, random.whole(3, 4));
+        const Handle low = create(data);
+        const Handle high = elevate(elevate(elevate(low.get(), 0, 6).get(), 1, 10).get(), 2, 9);
+        const SplineData raised = read_back(high.get());
+        for (const bool farthest : {false, true}) {
+            const std::vector<double> x = query_point(random, data.dim, 1);
+            const Answer want = ask(low.get(), data, x, farthest),
+                         got = ask(high.get(), data, x, farthest, nullptr, 0, 50000);
+            if (want.has(NURBS_CLOSEST_CERTIFIED) && got.has(NURBS_CLOSEST_CERTIFIED)) {
+                ++certified;
+                ASSERT_NEAR(got.distance, want.distance, noise(raised, x)) << where(seed, data) << hex(x);
+            }
+        }
+    });
+    std::printf("%d of 60 certified\n", certified);
+    EXPECT_GT(certified, support::of_whole_run(30));
 }
 
 // Two hills, and a point between them.

@@ -225,15 +225,6 @@ inline void set_monotone_points(Random &random, const SplineData &g, SplineData 
     }
 }
 
-// The same spline, built of homogeneous points.
-inline Handle homogeneous_form(const nurbs *g) {
-    nurbs *records = nullptr, *out = nullptr;
-    require_ok(nurbs_to_homogeneous(g, &records));
-    const Handle holder(records);
-    require_ok(nurbs_from_homogeneous(records, &out));
-    return Handle(out);
-}
-
 // An outer spline over whole numbers, and inner curves whose control points are multiples of 1/4: they touch knot
 // lines, run along them and pass through their corners.
 inline SplineData whole_knots(Random &random, int axes, int degree) {

@@ -250,4 +250,34 @@ TEST(Constrain, ends_stay) {
     });
 }
 
+// A homogeneous spline changes as the rational one does that it equals, to the rounding of its points P = (w P) / w.
+TEST(Constrain, homogeneous_splines_change_like_rational_ones) {
+    int met = 0;
+    for_each_case(1490000, 60, [&](Random &random, uint64_t seed) {
+        const SplineData data = roomy(random, random.whole(1, 2), 4, random.chance(20));
+        Set set = value_set(random, data, 2);
+        if (random.chance(50)) {
+            set.weight_costs.assign(static_cast<size_t>(data.point_count()), 1);
+        }
+        const Handle g = create(data), records = homogeneous_form(g.get());
+        const Result want = constrain(g.get(), set), got = constrain(records.get(), set);
+        const std::string place = where(seed, data) + hex(set.params);
+        ASSERT_EQ(got.status, want.status) << last_error() << place;
+        if (got.status != NURBS_OK) {
+            return;
+        }
+        ++met;
+        int32_t homogeneous = 0;
+        require_ok(nurbs_is_homogeneous(got.g.get(), &homogeneous));
+        ASSERT_EQ(homogeneous, 1) << place;
+        ASSERT_EQ(got.rank, want.rank) << place;
+        const std::vector<double> params = random_params(random, data, 20);
+        const std::vector<double> a = eval(want.g.get(), params), b = eval(got.g.get(), params);
+        for (size_t i = 0; i < a.size(); ++i) {
+            ASSERT_NEAR(a[i], b[i], 1e-9 * (extent(data) + want.moved)) << place;
+        }
+    });
+    ASSERT_GT(met, support::of_whole_run(40));
+}
+
 } // namespace

@@ -101,4 +101,13 @@ inline void expect_same_shape(const nurbs *before, const nurbs *after, long doub
     }
 }
 
+// The same spline, built of homogeneous points.
+inline Handle homogeneous_form(const nurbs *g) {
+    nurbs *records = nullptr, *out = nullptr;
+    require_ok(nurbs_to_homogeneous(g, &records));
+    const Handle holder(records);
+    require_ok(nurbs_from_homogeneous(records, &out));
+    return Handle(out);
+}
+
 } // namespace support
