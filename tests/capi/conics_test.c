@@ -99,9 +99,9 @@ static void shoulders(void) {
                     nurbs_curve_conic_shoulder(3, VALUES(0, 0, 0), VALUES(1, 2, 0), VALUES(2, 0, 1),
                                                VALUES(1, -2, 0), 0.5, &g),
                     NURBS_ERROR_CONIC, "distance");
-    /* The same gap of 2^-23 is a unit of rounding of coordinates of 2^30, and of those alone. */
+    /* The same gap of 2^-23 is a unit of rounding of coordinates of 2^29, and of those alone. */
     for (int far = 0; far < 2; ++far) {
-        const double z = far ? 0x1p30 : 0;
+        const double z = far ? 0x1p29 : 0;
         const nurbs_status status = nurbs_curve_conic_shoulder(
             3, VALUES(0, 0, z), VALUES(1, 2, 0), VALUES(2, 0, z + 0x1p-23), VALUES(1, -2, 0), 0.5, &g);
         CHECK_INT(status, far ? NURBS_OK : NURBS_ERROR_CONIC);
