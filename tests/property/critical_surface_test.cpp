@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <map>
 
 using namespace support;
 
@@ -131,6 +132,37 @@ TEST(CriticalSurface, a_centre_of_curvature_leaves_the_kind_open) {
     EXPECT_EQ(kind_at_apex(0.49), NURBS_CRITICAL_MINIMUM);
     EXPECT_EQ(kind_at_apex(0.51), NURBS_CRITICAL_SADDLE);
     EXPECT_EQ(kind_at_apex(1.01), NURBS_CRITICAL_MAXIMUM);
+}
+
+// A volume whose face at u = 0 is an edge, which all w share. Its ends are like corners where the distance changes alike
+// along all w, and else nothing is said of them.
+TEST(CriticalSurface, the_edge_of_a_wedge) {
+    const std::vector<double> knots{0, 0, 1, 1};
+    SplineData data{{1, 1, 1}, {2, 2, 2}, {knots, knots, knots}, 3, {}, {}, 0};
+    for (int i = 0; i < 8; ++i) {
+        const double u = i >> 2, v = i >> 1 & 1, w = i & 1;
+        data.points.insert(data.points.end(), {u, v, u * (w - 0.5)});
+    }
+    const Handle g = create(data);
+    const auto kinds = [&](const std::vector<double> &x) {
+        const Critical found = critical(g.get(), x);
+        std::map<double, int32_t> by_square;
+        for (size_t i = 0; i < found.kinds.size(); ++i) {
+            by_square[std::round(found.distances[i] * found.distances[i] * 1e6)] = found.kinds[i];
+        }
+        return by_square;
+    };
+    constexpr int32_t least = NURBS_CRITICAL_MINIMUM, saddle = NURBS_CRITICAL_SADDLE,
+                      most = NURBS_CRITICAL_MAXIMUM, open = NURBS_CRITICAL_UNDECIDED;
+    using Kinds = std::map<double, int32_t>; // by squares of distances in millionths
+    EXPECT_EQ(kinds({-1, -1, 0.125}), (Kinds{{2015625, least},
+                                             {5015625, saddle},
+                                             {5000000, saddle},
+                                             {8390625, most},
+                                             {8000000, saddle},
+                                             {8140625, most}}));
+    EXPECT_EQ(kinds({-0.1, -1, 5}),
+              (Kinds{{26010000, open}, {29010000, open}, {22460000, least}, {35460000, most}}));
 }
 
 } // namespace
