@@ -25,13 +25,6 @@ SplineData bezier(int dim, Vec points, Vec weights = {}) {
     return data;
 }
 
-template <class Call>
-Handle made(Call &&call) {
-    nurbs *out = nullptr;
-    require_ok(call(&out));
-    return Handle(out);
-}
-
 Handle ellipse(double a, double b, double start, double sweep) {
     return made([&](nurbs **out) {
         return nurbs_curve_ellipse(2, nullptr, nullptr, nullptr, a, b, start, sweep, NURBS_ARC_QUARTERS, out);

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <gtest/gtest.h>
 #include <numbers>
 
@@ -40,12 +39,6 @@ Two hausdorff(const nurbs *a, const nurbs *b, double tolerance = 1e-6, int64_t b
     require_ok(nurbs_hausdorff_distance(a, b, tolerance, budget, t.at_least, t.at_most, t.a.data(),
                                         t.b.data(), &t.status));
     return t;
-}
-
-Handle made(const std::function<nurbs_status(nurbs **)> &call) {
-    nurbs *g = nullptr;
-    require_ok(call(&g));
-    return Handle(g);
 }
 
 Handle circle(double x, double y, double r) {

@@ -14,13 +14,6 @@ using reference::eps;
 
 namespace {
 
-template <class Call>
-Handle made(Call &&call) {
-    nurbs *out = nullptr;
-    require_ok(call(&out));
-    return Handle(out);
-}
-
 Handle reverse(const nurbs *g, int axis, uint32_t flags = 0) {
     return made([&](nurbs **out) { return nurbs_reverse(g, axis, flags, out); });
 }

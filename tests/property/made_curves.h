@@ -7,7 +7,6 @@
 
 #include <array>
 #include <cmath>
-#include <functional>
 #include <gtest/gtest.h>
 #include <numbers>
 
@@ -16,13 +15,6 @@ namespace support::curves {
 inline constexpr double eps = 0x1p-52;
 inline constexpr double pi = std::numbers::pi;
 using Vec = std::vector<double>;
-
-template <class Call>
-Handle made(Call &&call) {
-    nurbs *out = nullptr;
-    require_ok(call(&out));
-    return Handle(out);
-}
 
 inline Vec random_vector(Random &random, int dim, double size) {
     Vec v;

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <gtest/gtest.h>
 #include <numbers>
 
@@ -78,12 +77,6 @@ inline std::vector<double> params_at(const nurbs *g, const std::vector<double> &
     require_ok(nurbs_curve_params_at_lengths(g, static_cast<int64_t>(lengths.size()), lengths.data(), 0,
                                              1e-12, out.data(), 0, flags));
     return out;
-}
-
-inline Handle made(const std::function<nurbs_status(nurbs **)> &call) {
-    nurbs *g = nullptr;
-    require_ok(call(&g));
-    return Handle(g);
 }
 
 inline Handle ellipse(double a, double b, int32_t form = 0) {

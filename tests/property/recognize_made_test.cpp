@@ -15,13 +15,6 @@ namespace {
 constexpr double pi = std::numbers::pi;
 using Vec = std::vector<double>;
 
-template <class Call>
-Handle made(Call &&call) {
-    nurbs *out = nullptr;
-    require_ok(call(&out));
-    return Handle(out);
-}
-
 struct Found {
     int32_t shape = -1;
     std::array<double, 9> placement{};

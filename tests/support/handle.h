@@ -19,6 +19,14 @@ using Handle = std::unique_ptr<nurbs, Destroy>;
 void require_ok(nurbs_status status);
 std::string last_error();
 
+// What a call makes that is given the place of its handle.
+template <class Call>
+Handle made(Call &&call) {
+    nurbs *out = nullptr;
+    require_ok(call(&out));
+    return Handle(out);
+}
+
 nurbs_status try_create(const SplineData &data, Handle &out);
 Handle create(const SplineData &data);
 SplineData read_back(const nurbs *g);
