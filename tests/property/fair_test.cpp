@@ -99,4 +99,28 @@ TEST(Fair, finds_the_minimum_where_the_tolerance_allows_it) {
     });
 }
 
+// Without `keep` the boundaries of axes that are not periodic stay, and nothing else is asked.
+TEST(Fair, keeps_the_boundaries_of_plain_axes_by_default) {
+    for_each_case(1590000, 40, [](Random &random, uint64_t seed) {
+        const int axes = random.whole(2, 3);
+        Recipe recipe = calm_recipe(random, axes, 2, 2);
+        std::vector<int32_t> keep;
+        for (AxisRecipe &axis : recipe.axes) {
+            axis = {2, random.chance(50) ? KnotForm::periodic : KnotForm::clamped, Spacing::integers,
+                    Placement::origin, 4};
+            keep.insert(keep.end(), 2, axis.form == KnotForm::periodic ? -1 : 0);
+        }
+        const SplineData data = random_spline(random, recipe);
+        const double tolerance = 0.1 * extent(data);
+        const Handle g = create(data);
+        const Handle by_default = made(
+            [&](nurbs **out) { return nurbs_fair(g.get(), 2, nullptr, tolerance, nullptr, nullptr, out); });
+        const Handle asked = made([&](nurbs **out) {
+            return nurbs_fair(g.get(), 2, keep.data(), tolerance, nullptr, nullptr, out);
+        });
+        ASSERT_EQ(read_back(by_default.get()).points, read_back(asked.get()).points) << where(seed, data);
+        ASSERT_NE(read_back(asked.get()).points, data.points) << where(seed, data);
+    });
+}
+
 } // namespace

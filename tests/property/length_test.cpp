@@ -146,6 +146,16 @@ TEST(Measure, EqualLengthsAndEqualChords) {
             continue; // a curve that crosses itself may have no such chord
         }
         require_ok(status);
+        SplineData small = data; // by a power of two, which changes no digit
+        for (double &x : small.points) {
+            x *= 0x1p-20;
+        }
+        std::vector<double> again(params.size());
+        double scaled = 0;
+        require_ok(nurbs_curve_divide(create(small).get(), nullptr, parts, 1e-9, NURBS_EQUAL_CHORDS,
+                                      again.data(), &scaled));
+        EXPECT_EQ(again, params) << describe(data);
+        EXPECT_EQ(scaled, 0x1p-20 * size) << describe(data);
         EXPECT_EQ(params.front(), data.lower(0));
         EXPECT_EQ(params.back(), data.upper(0));
         const std::vector<double> points = eval(g.get(), params);

@@ -119,6 +119,8 @@ TEST(IgesGlobal, BrokenGlobalSections) {
     EXPECT_EQ(status_with(14, "2HMM"), NURBS_ERROR_SYNTAX);
     EXPECT_EQ(status_with(15, "MM"), NURBS_ERROR_SYNTAX);
     EXPECT_EQ(status_with(13, "1.0"), NURBS_OK);
+    EXPECT_NE(failure_of(IgesBuilder().global(5, "99999H").text()).text.find("parameter 5"),
+              std::string::npos);
     const Failure zero = failure_of(IgesBuilder().global(13, "0.0").global(14, "3").global(15, "").text());
     EXPECT_NE(zero.text.find("scale 0 where a positive number"), std::string::npos); // whatever the unit
 }
