@@ -135,10 +135,30 @@ static void periodic(void) {
     nurbs_destroy(g);
 }
 
+/* Knots that leave the range of doubles, or that are one a period away. */
+static void far_and_near_knots(void) {
+    static const int32_t degree = 2;
+    static const int64_t count = 4;
+    static const double far_apart[] = {0, 0, 0, 1e308, 1.5e308, 1.5e308, 1.5e308};
+    static const double near[] = {0, 0, 0, 1e-17, 1, 1, 1}, points[] = {0, 0, 1, 3};
+    nurbs *g = NULL, *h = NULL;
+    CHECK_OK(nurbs_create(1, &degree, &count, far_apart, 7, 1, points, 0, 0, NULL, 0, 0, &g));
+    CHECK_NO_HANDLE(h, nurbs_extend(g, 0, NURBS_END, 1e308, 1, &h), NURBS_ERROR_NOT_REPRESENTABLE,
+                    "axis 0|amount = 1e+308");
+    CHECK_NO_HANDLE(h, nurbs_unclamp(g, 0, NURBS_FORM_CLAMPED_START, &h), NURBS_ERROR_NOT_REPRESENTABLE,
+                    "knots");
+    nurbs_destroy(g);
+    CHECK_OK(nurbs_create(1, &degree, &count, near, 7, 1, points, 0, 0, NULL, 0, 0, &g));
+    CHECK_NO_HANDLE(h, nurbs_unclamp(g, 0, NURBS_FORM_CLAMPED_END, &h), NURBS_ERROR_KNOTS_MERGE,
+                    "knots 0 and 1e-17 of axis 0|1");
+    nurbs_destroy(g);
+}
+
 int main(void) {
     extended();
     weights();
     unclamped();
     periodic();
+    far_and_near_knots();
     return check_summary("continuation");
 }

@@ -35,6 +35,8 @@ static void warp(void) {
     nurbs_destroy(h);
     CHECK_NO_HANDLE(h, nurbs_warp(g, VALUES(0.5, 0.5), VALUES(0, 1), 1, 1, &h), NURBS_ERROR_EMPTY_DOMAIN,
                     "range[0] = [0.5, 0.5]");
+    CHECK_NO_HANDLE(h, nurbs_warp(g, VALUES(0.5, nextafter(0.5, 1)), VALUES(0, 1), 1, 1, &h),
+                    NURBS_ERROR_KNOTS_MERGE, "range[0]|too few doubles for 4 knots");
     CHECK_NO_HANDLE(h, nurbs_warp(g, VALUES(0.5, 1.5), VALUES(0, 1), 1, 1, &h), NURBS_ERROR_OUTSIDE_DOMAIN,
                     "range = 1.5|axis 0");
     CHECK_NO_HANDLE(h, nurbs_warp(g, VALUES(NAN, 1), VALUES(0, 1), 1, 1, &h),

@@ -96,10 +96,29 @@ static void incompatible(void) {
     CHECK_NO_HANDLE(h, nurbs_join(2, parts, 0, 9, 0, NULL, &h), NURBS_ERROR_INCOMPATIBLE,
                     "parts[1]|count 3|axis 1|2");
     nurbs_destroy(a);
+    CHECK_OK(nurbs_refine(p, 1, 1, VALUES(0.25), &a));
+    parts[0] = a;
+    CHECK_NO_HANDLE(h, nurbs_join(2, parts, 0, 9, 0, NULL, &h), NURBS_ERROR_INCOMPATIBLE,
+                    "parts[1]: knots[2] = 0.5 on axis 1, expected 0.25");
+    nurbs_destroy(a);
     nurbs_destroy(b);
     nurbs_destroy(c);
     nurbs_destroy(p);
     nurbs_destroy(t);
+}
+
+/* Weights 1, 2 at the end of the first patch, 1, 1 at the start of the second one, at the same points. */
+static void weights_that_do_not_match(void) {
+    static const int32_t degrees[] = {1, 1};
+    nurbs *parts[2] = {NULL, NULL}, *h = NULL;
+    CHECK_OK(nurbs_create_bezier(2, degrees, 2, VALUES(0, 0, 0, 1, 1, 0, 1, 1), 0, 0, VALUES(1, 1, 1, 2), 0,
+                                 &parts[0]));
+    CHECK_OK(nurbs_create_bezier(2, degrees, 2, VALUES(1, 0, 1, 1, 2, 0, 2, 1), 0, 0, VALUES(1, 1, 1, 1), 0,
+                                 &parts[1]));
+    CHECK_NO_HANDLE(h, nurbs_join(2, (const nurbs *const *)parts, 0, 0, 0, NULL, &h),
+                    NURBS_ERROR_INCOMPATIBLE, "parts[1]: its first weights|not a multiple|parts[0]|0.5");
+    nurbs_destroy(parts[0]);
+    nurbs_destroy(parts[1]);
 }
 
 /* A part of 1e-9 moved to 1e9 has no room there. */
@@ -131,6 +150,7 @@ int main(void) {
     weights();
     other_forms();
     incompatible();
+    weights_that_do_not_match();
     no_room();
     bad_arguments();
     return check_summary("join");
