@@ -3194,7 +3194,8 @@ NURBS_API nurbs_status nurbs_curve_length(const nurbs *g, const double *range, d
 
 /** \brief Lengths from the start of the domain to given parameters. The first call of a handle makes a table,
  * which takes as long as some lengths and which nurbs_curve_params_at_lengths() and nurbs_curve_divide()
- * share.
+ * share: to the length at the end of the domain belongs the end, where the curve does not stand still there.
+ * nurbs_curve_length() adds in another order and may differ by rounding.
  * \param[in] g a curve.
  * \param[in] n number of parameters.
  * \param[in] params [n] in the domain.

@@ -92,7 +92,7 @@ TEST(Measure, LengthsAndParametersAreInverse) {
     for (int i = 0; i < 20; ++i) {
         const SplineData data = tangle(random, random.whole(1, 6), random.whole(7, 14), 3, random.chance(50));
         const Handle g = create(data);
-        // The sum of the same table: that of the length alone may round otherwise, as it does on arm64.
+        // The sum of the same table: that of the length alone may round otherwise.
         const double total = lengths_at(g.get(), {data.upper(0)})[0];
         std::vector<double> lengths = {0, total};
         for (int k = 0; k < 40; ++k) {
@@ -110,6 +110,27 @@ TEST(Measure, LengthsAndParametersAreInverse) {
             const double exact = static_cast<double>(exact_length(data, -1, params[k], 1e-18));
             EXPECT_NEAR(exact, lengths[k], 32 * eps * total);
         }
+    }
+}
+
+// Lengths are sums of those of pieces: they never fall, and that of the end belongs to the end.
+TEST(Measure, LengthsRiseToTheEnd) {
+    Random random(5527);
+    for (int i = 0; i < 300; ++i) {
+        const SplineData data = tangle(random, random.whole(1, 6), random.whole(7, 30), 3, random.chance(50));
+        const Handle g = create(data);
+        std::vector<double> params;
+        for (int k = 0; k < 50; ++k) {
+            params.push_back(random.between(data.lower(0), data.upper(0)));
+        }
+        for (const double knot : data.knots[0]) {
+            params.insert(params.end(),
+                          {knot, std::nextafter(knot, data.lower(0)), std::nextafter(knot, data.upper(0))});
+        }
+        std::sort(params.begin(), params.end());
+        const std::vector<double> lengths = lengths_at(g.get(), params);
+        EXPECT_TRUE(std::is_sorted(lengths.begin(), lengths.end())) << describe(data);
+        EXPECT_EQ(params_at(g.get(), {lengths.back()})[0], data.upper(0)) << describe(data);
     }
 }
 

@@ -113,7 +113,9 @@ double LengthTable::length_at(double t, double *work) const noexcept {
     const Interval part = pieces_.interval(at.piece);
     const double u = (t - part.lower) / (part.upper - part.lower);
     const double x = std::clamp((u - at.lower) / (at.upper - at.lower), 0.0, 1.0);
-    return starts_[leaf] + from_start(leaf, x, work);
+    // Where the leaf ends, and at most as much before: the sum of all leaves is rounded otherwise.
+    const double end = starts_[leaf + 1];
+    return x == 1 ? end : std::min(starts_[leaf] + from_start(leaf, x, work), end);
 }
 
 double LengthTable::param_at(double length, double *work) const noexcept {
