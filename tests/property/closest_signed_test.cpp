@@ -1,0 +1,124 @@
+// Nearest and farthest points of splines whose weights have both signs, which may go to infinity: against dense
+// samples. Rounding counts by the smallest weight there.
+#include "property/made_shapes.h"
+#include "support/cases.h"
+#include "support/handle.h"
+
+#include <cmath>
+#include <cstdio>
+#include <gtest/gtest.h>
+
+using namespace support;
+
+namespace {
+
+// A homogeneous spline over whole knots: records (w x, w) with weights between -0.3 and 1.5.
+struct Signed {
+    SplineData data; // the points x
+    Handle g;
+    double size = 0; // of the points
+    double largest_weight = 0;
+};
+
+Signed signed_spline(Random &random) {
+    const int axes = random.whole(1, 3);
+    Recipe recipe = random_recipe(random, axes, axes == 1 ? 5 : axes == 2 ? 3 : 2);
+    for (AxisRecipe &axis : recipe.axes) {
+        axis.degree = std::max(1, axis.degree);
+        axis.spans = random.whole(1, axes == 1 ? 5 : 2);
+        axis.spacing = Spacing::integers;
+        axis.placement = Placement::origin;
+        axis.form = random.chance(70) ? KnotForm::clamped : KnotForm::unclamped;
+    }
+    recipe.dim = random.whole(axes, 3);
+    recipe.weights = Weights::none;
+    Signed made{random_spline(random, recipe), {}, 0, 0};
+    SplineData records = made.data;
+    ++records.dim;
+    records.points.clear();
+    for (int64_t i = 0; i < made.data.point_count(); ++i) {
+        const double w = random.between(-0.3, 1.5);
+        made.largest_weight = std::max(made.largest_weight, std::fabs(w));
+        for (int c = 0; c < made.data.dim; ++c) {
+            const double x = made.data.coordinate(i, c);
+            made.size = std::max(made.size, std::fabs(x));
+            records.points.push_back(w * x);
+        }
+        records.points.push_back(w);
+    }
+    const Handle holder = create(records);
+    made.g = support::made([&](nurbs **out) { return nurbs_from_homogeneous(holder.get(), out); });
+    return made;
+}
+
+struct Sampled {
+    double least = INFINITY, most = 0;
+};
+
+// Over a grid; what is not finite lies at a pole.
+Sampled sampled(const Signed &shape, const std::vector<double> &x) {
+    std::vector<std::vector<double>> places;
+    const int per_axis = shape.data.axes() == 1 ? 4000 : shape.data.axes() == 2 ? 120 : 30;
+    for (int k = 0; k < shape.data.axes(); ++k) {
+        places.emplace_back();
+        for (int i = 0; i <= per_axis; ++i) {
+            places.back().push_back(
+                std::lerp(shape.data.lower(k), shape.data.upper(k), i / double(per_axis)));
+        }
+    }
+    Sampled found;
+    const std::vector<double> points = eval_grid(shape.g.get(), places);
+    for (size_t i = 0; i < points.size(); i += x.size()) {
+        double square = 0;
+        for (size_t c = 0; c < x.size(); ++c) {
+            square += (points[i + c] - x[c]) * (points[i + c] - x[c]);
+        }
+        if (std::isfinite(square)) {
+            found.least = std::min(found.least, std::sqrt(square));
+            found.most = std::max(found.most, std::sqrt(square));
+        }
+    }
+    return found;
+}
+
+TEST(ClosestSigned, what_is_certified_is_beaten_by_no_sample) {
+    int certified = 0, far_certified = 0;
+    for_each_case(2195000, 300, [&](Random &random, uint64_t seed) {
+        const Signed shape = signed_spline(random);
+        std::vector<double> x;
+        for (int c = 0; c < shape.data.dim; ++c) {
+            x.push_back(shape.size * random.between(-1.5, 1.5));
+        }
+        const Sampled samples = sampled(shape, x);
+        std::vector<double> param(static_cast<size_t>(shape.data.axes())), foot(x.size());
+        for (const bool farthest : {false, true}) {
+            double distance = -1;
+            int32_t status = 0;
+            const auto function = farthest ? nurbs_farthest_points : nurbs_closest_points;
+            require_ok(function(shape.g.get(), 1, x.data(), 0, 0, nullptr, 0, 0, param.data(), 0, 0,
+                                foot.data(), 0, 0, &distance, 0, &status, 0));
+            const bool proven = (status & NURBS_CLOSEST_CERTIFIED) != 0;
+            (farthest ? far_certified : certified) += proven ? 1 : 0;
+            // Near the weight 0 a sample of the distance d is off by d^2.
+            const double rounding = 1e-12 * (shape.size + samples.least);
+            if (proven && !farthest) {
+                ASSERT_LE(distance, samples.least + rounding) << where(seed, shape.data) << hex(x);
+            } else if (proven) {
+                ASSERT_GE(distance, samples.most * (1 - 1e-9)) << where(seed, shape.data) << hex(x);
+            }
+            if (std::isfinite(distance)) {
+                double square = 0;
+                for (size_t c = 0; c < x.size(); ++c) {
+                    square += (foot[c] - x[c]) * (foot[c] - x[c]);
+                }
+                ASSERT_NEAR(std::sqrt(square), distance,
+                            1e-12 * (shape.size + distance) * (1 + distance / shape.size))
+                    << where(seed, shape.data) << hex(x);
+            }
+        }
+    });
+    std::printf("%d nearest and %d farthest points certified of 300\n", certified, far_certified);
+    EXPECT_GT(certified, support::of_whole_run(100));
+}
+
+} // namespace
