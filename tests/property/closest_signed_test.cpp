@@ -20,8 +20,7 @@ struct Signed {
     double largest_weight = 0;
 };
 
-Signed signed_spline(Random &random) {
-    const int axes = random.whole(1, 3);
+Signed signed_spline(Random &random, int axes, int dim) {
     Recipe recipe = random_recipe(random, axes, axes == 1 ? 5 : axes == 2 ? 3 : 2);
     for (AxisRecipe &axis : recipe.axes) {
         axis.degree = std::max(1, axis.degree);
@@ -30,7 +29,7 @@ Signed signed_spline(Random &random) {
         axis.placement = Placement::origin;
         axis.form = random.chance(70) ? KnotForm::clamped : KnotForm::unclamped;
     }
-    recipe.dim = random.whole(axes, 3);
+    recipe.dim = dim;
     recipe.weights = Weights::none;
     Signed made{random_spline(random, recipe), {}, 0, 0};
     SplineData records = made.data;
@@ -84,7 +83,8 @@ Sampled sampled(const Signed &shape, const std::vector<double> &x) {
 TEST(ClosestSigned, what_is_certified_is_beaten_by_no_sample) {
     int certified = 0, far_certified = 0;
     for_each_case(2195000, 300, [&](Random &random, uint64_t seed) {
-        const Signed shape = signed_spline(random);
+        const int axes = random.whole(1, 3);
+        const Signed shape = signed_spline(random, axes, random.whole(axes, 3));
         std::vector<double> x;
         for (int c = 0; c < shape.data.dim; ++c) {
             x.push_back(shape.size * random.between(-1.5, 1.5));
@@ -119,6 +119,44 @@ TEST(ClosestSigned, what_is_certified_is_beaten_by_no_sample) {
     });
     std::printf("%d nearest and %d farthest points certified of 300\n", certified, far_certified);
     EXPECT_GT(certified, support::of_whole_run(100));
+}
+
+std::vector<double> random_points(Random &random, const Signed &shape, int count) {
+    std::vector<double> params;
+    for (int i = 0; i < count; ++i) {
+        for (int k = 0; k < shape.data.axes(); ++k) {
+            params.push_back(random.between(shape.data.lower(k), shape.data.upper(k)));
+        }
+    }
+    return eval(shape.g.get(), params);
+}
+
+TEST(DistanceSigned, no_sample_is_nearer) {
+    int certified = 0;
+    for_each_case(2196000, 100, [&](Random &random, uint64_t seed) {
+        const Signed a = signed_spline(random, random.whole(1, 2), 3),
+                     b = signed_spline(random, random.whole(1, 2), 3);
+        const double size = a.size + b.size, tolerance = 1e-6 * size;
+        double least = -1, most = -1;
+        int32_t status = 0;
+        require_ok(
+            nurbs_distance(a.g.get(), b.g.get(), tolerance, 20000, &least, &most, nullptr, nullptr, &status));
+        const std::string place = where(seed, a.data) + where(seed, b.data);
+        ASSERT_LE(least, most) << place;
+        if ((status & NURBS_CLOSEST_CERTIFIED) != 0) {
+            ++certified;
+            ASSERT_LE(most - least, tolerance + 1e-9 * size) << place;
+        }
+        const std::vector<double> x = random_points(random, a, 300), y = random_points(random, b, 300);
+        for (size_t i = 0; i < x.size(); i += 3) {
+            for (size_t j = 0; j < y.size(); j += 3) {
+                const double apart = std::hypot(x[i] - y[j], x[i + 1] - y[j + 1], x[i + 2] - y[j + 2]);
+                ASSERT_FALSE(apart < least - 1e-12 * (size + std::fabs(x[i]))) << place;
+            }
+        }
+    });
+    std::printf("%d of 100 certified\n", certified);
+    EXPECT_GT(certified, support::of_whole_run(30));
 }
 
 } // namespace
