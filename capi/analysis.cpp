@@ -179,7 +179,7 @@ nurbs_status nurbs_singular_points(const nurbs *g, double tolerance, int64_t cap
         check_length(cap, "cap");
         const auto axes = static_cast<size_t>(spline.axes());
         check_apart({memory("params", params, checked_product(cap, spline.axes(), "params")),
-                     memory("boxes", boxes, checked_product(cap, 2 * spline.axes(), "boxes")),
+                     memory("boxes", boxes, checked_product(cap, 2 * int64_t{spline.axes()}, "boxes")),
                      memory("count", count, 1), memory("complete", complete, 1)},
                     {});
         const SingularPlaces found = singular_places(spline, tolerance);

@@ -39,7 +39,7 @@ nurbs_status nurbs_box(const nurbs *g, const double *range, double tolerance, do
         require(upper, "upper");
         check_apart({memory("lower", lower, spline.dim()), memory("upper", upper, spline.dim()),
                      memory("gap", gap, 1)},
-                    {memory("range", range, 2 * spline.axes())});
+                    {memory("range", range, 2 * int64_t{spline.axes()})});
         const Box box = bounding_box(spline, part, tolerance);
         put_all(lower, box.lower);
         put_all(upper, box.upper);
@@ -75,7 +75,7 @@ nurbs_status nurbs_tangent_cone(const nurbs *g, int32_t axis, const double *rang
         require(direction, "direction");
         require(angle, "angle");
         check_apart({memory("direction", direction, spline.dim()), memory("angle", angle, 1)},
-                    {memory("range", range, 2 * spline.axes())});
+                    {memory("range", range, 2 * int64_t{spline.axes()})});
         put_cone(tangent_cone(spline, axis, part, tolerance), direction, angle);
     });
 }

@@ -114,8 +114,8 @@ private:
             return capi::memory(name, records.data, records.data == nullptr ? 0 : records.extent());
         }
     };
-    Records optional(const char *name, double *data, int64_t width, int64_t stride,
-                     int64_t component_stride) {
+    [[nodiscard]] Records optional(const char *name, double *data, int64_t width, int64_t stride,
+                                   int64_t component_stride) const {
         return data == nullptr ? Records{nullptr, 0, width, width, 1}
                                : output(name, data, batch_.points.count, width, stride, component_stride);
     }

@@ -70,7 +70,8 @@ Orders checked_orders(const GivenConstraints &given, int64_t i) {
 
 void check_target(const GivenConstraints &given, int64_t i, const double *target) {
     const int dim = given.spline.dim();
-    const auto bad = std::find_if_not(target, target + dim, [](double x) { return std::isfinite(x); });
+    const double *const bad =
+        std::find_if_not(target, target + dim, [](double x) { return std::isfinite(x); });
     if (bad != target + dim) {
         fail(NURBS_ERROR_POINT_NOT_FINITE, "targets[%lld][%lld] = %s is not finite",
              static_cast<long long>(i), static_cast<long long>(bad - target), Number(*bad).text);

@@ -52,7 +52,7 @@ std::string nurbs_list::name(int64_t index) const {
     }
     std::string name;
     for (int k = parts->axes(); k-- > 0; index /= parts->parts(k)) {
-        name = std::to_string(index % parts->parts(k)) + (name.empty() ? "" : ",") + name;
+        name.insert(0, std::to_string(index % parts->parts(k)) + (name.empty() ? "" : ","));
     }
     return name;
 }

@@ -38,14 +38,14 @@ HWY_INLINE void for_each(int first, int last, const Body &body) {
 template <int kDegree, class D>
 class CentredFunctions {
 public:
-    static constexpr int kMost = kDegree > 0 ? kDegree : max_piece_degree;
+    static constexpr int most = kDegree > 0 ? kDegree : max_piece_degree;
     using V = hn::Vec<D>;
     using Number = Twin<V>;
 
     // knots: [2 degree][lanes], those before the middle first; the local parameter is (t - middle) * scale.
     HWY_INLINE CentredFunctions(D d, int degree, const double *knots, V middle, V scale) : d_(d) {
-        Number behind[kMost];
-        Number ahead[kMost];
+        Number behind[most];
+        Number ahead[most];
         const auto lanes = static_cast<int>(hn::Lanes(d));
 #pragma GCC unroll 4
         for (int i = 0; i < degree; ++i) {
@@ -95,9 +95,9 @@ private:
     }
 
     D d_;
-    Number slope_[kMost][kMost];  // [e - 1][r]: 1 / length of the support of function r of degree e - 1
-    Number behind_[kMost][kMost]; // the part of the support before the middle
-    Number ahead_[kMost][kMost];
+    Number slope_[most][most];  // [e - 1][r]: 1 / length of the support of function r of degree e - 1
+    Number behind_[most][most]; // the part of the support before the middle
+    Number ahead_[most][most];
 };
 
 // Lane l of the coefficients to the pieces of span l.

@@ -76,17 +76,17 @@ std::vector<double> active_maxima(const std::vector<double> &sizes, const AxisVi
 
 } // namespace
 
-std::vector<double> centre_of(const Spline &f) {
-    const auto dim = static_cast<size_t>(f.dim());
+std::vector<double> centre_of(const Spline &spline) {
+    const auto dim = static_cast<size_t>(spline.dim());
     std::vector<double> centre(dim);
-    if (f.form() == Form::homogeneous) {
+    if (spline.form() == Form::homogeneous) {
         return centre;
     }
     for (size_t c = 0; c < dim; ++c) {
-        double low = f.points()[c], high = low;
-        for (size_t i = c; i < f.points().size(); i += dim) {
-            low = std::min(low, f.points()[i]);
-            high = std::max(high, f.points()[i]);
+        double low = spline.points()[c], high = low;
+        for (size_t i = c; i < spline.points().size(); i += dim) {
+            low = std::min(low, spline.points()[i]);
+            high = std::max(high, spline.points()[i]);
         }
         centre[c] = low / 2 + high / 2;
     }

@@ -51,7 +51,7 @@ RoundedPolynomial determinant(const RoundedPolynomial &a, const RoundedPolynomia
 
 // w P x Q + q A x P - p A x Q, P, p and Q, q being derivatives of A, w.
 RoundedPolynomial wedge(const Jet1 &a, const Jet1 &p, const Jet1 &q) {
-    const RoundedPolynomial first = cross(p.points, q.points);
+    RoundedPolynomial first = cross(p.points, q.points);
     if (!a.weight) {
         return first;
     }
@@ -61,7 +61,7 @@ RoundedPolynomial wedge(const Jet1 &a, const Jet1 &p, const Jet1 &q) {
 
 // w [P Q R] - p [A Q R] + q [A P R] - r [A P Q].
 RoundedPolynomial wedge(const Jet1 &a, const Jet1 &p, const Jet1 &q, const Jet1 &r) {
-    const RoundedPolynomial first = determinant(p.points, q.points, r.points);
+    RoundedPolynomial first = determinant(p.points, q.points, r.points);
     if (!a.weight) {
         return first;
     }

@@ -138,6 +138,7 @@ public:
     }
     [[nodiscard]] std::vector<double> operator()(const double *to, const double *from) const {
         std::vector<double> difference;
+        difference.reserve(static_cast<size_t>(dim_));
         for (int c = 0; c < dim_; ++c) {
             difference.push_back(std::ldexp(to[c], exponent_) - std::ldexp(from[c], exponent_));
         }

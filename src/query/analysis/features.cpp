@@ -21,7 +21,7 @@ RoundedPolynomial slope_numerator(const HomogeneousPiece &piece, const RoundedPo
     const RoundedPolynomial d = tangent_numerator(piece, 0), s = dot(d, d);
     const bool plane = m.shape.width == 1;
     const RoundedPolynomial q = plane ? m : dot(m, m);
-    const RoundedPolynomial rise =
+    RoundedPolynomial rise =
         scaled(derivative(q, along) * s, plane ? 2 : 1) - scaled(q * derivative(s, along), 3);
     if (piece.weight.shape.coefficients() == 1) {
         return rise;
@@ -200,7 +200,7 @@ private:
     }
 
     // The rise of |curvature| along the curve, its steps at knots included; and where M vanishes.
-    void append_piece(const HomogeneousPiece &piece, CurveSigns &rises, CurveSigns &bends) const {
+    static void append_piece(const HomogeneousPiece &piece, CurveSigns &rises, CurveSigns &bends) {
         const RoundedPolynomial m = bend_numerator(piece);
         if (exactly_zero(m)) {
             rises.runs.push_back({piece.parameter(0, 0), piece.parameter(0, 1), 0});

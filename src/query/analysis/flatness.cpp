@@ -35,9 +35,9 @@ std::vector<double> finite_points(const std::vector<double> &points, int dim) {
 std::vector<double> mean_of(const std::vector<double> &points, int dim) {
     const auto n = static_cast<size_t>(dim);
     std::vector<double> mean(n);
-    const double count = static_cast<double>(points.size() / n);
+    const size_t count = points.size() / n;
     for (size_t i = 0; i < points.size(); ++i) {
-        mean[i % n] += points[i] / count;
+        mean[i % n] += points[i] / static_cast<double>(count);
     }
     return mean;
 }

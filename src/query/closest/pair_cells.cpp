@@ -80,6 +80,7 @@ bool PairCell::split() {
 
 std::unique_ptr<PairCell> pair_cells(std::vector<PairPiece> pieces) {
     std::vector<std::unique_ptr<PairCell>> cells;
+    cells.reserve(pieces.size());
     for (PairPiece &piece : pieces) {
         cells.push_back(cell_of(std::move(piece)));
     }

@@ -213,8 +213,8 @@ bool PairDescent::step(const PairPiece &a, const PairPiece &b, PairPlace &at, do
         free[r] = metric_[r][r] > 0 && !(t <= 0 && gradient_[r] > 0) && !(t >= 1 && gradient_[r] < 0);
         any = any || free[r];
     }
-    double damping = 0;
-    for (int tried = 0; any && tried < most_dampings; ++tried, damping = damping == 0 ? 1e-4 : damping * 8) {
+    for (int tried = 0; any && tried < most_dampings; ++tried) {
+        const double damping = tried == 0 ? 0 : std::ldexp(1e-4, 3 * (tried - 1));
         Vector x;
         if (!solve(curvature_, metric_, damping, gradient_, free, n, x)) {
             continue;

@@ -76,8 +76,8 @@ private:
     double moved_ = 0;
 };
 
-// `breaks`: more ends of pieces along each axis, in the domain.
+// `more`: further ends of pieces along each axis, in the domain.
 std::vector<PairPiece> pair_pieces(const Spline &spline, const PairFrame &frame,
-                                   const BernsteinNet::Breaks &breaks = {});
+                                   const BernsteinNet::Breaks &more = {});
 
 } // namespace nrb

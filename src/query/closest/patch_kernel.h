@@ -30,9 +30,9 @@ int64_t product_work(const PatchShape &shape) noexcept;
 void square_patch(const PatchShape &shape, const SquareTables &tables, const double *patch, double *work,
                   double *squares, double *weights) noexcept;
 
-// gap = sign (squares - rho2 weights), and the least of gap - margin weights; weights null: 1.
+// out = sign (squares - rho2 weights), and the least of out - margin weights; weights null: 1.
 double gap_coefficients(int64_t count, const double *squares, const double *weights, double sign, double rho2,
-                        double margin, double *gap) noexcept;
+                        double margin, double *out) noexcept;
 
 // Discs: a family of `width` (a multiple of 8) of them is an array of columns [width]: the coordinates of the
 // centres, the radii, and, with normals, the three coordinates of the unit normals and the least and the

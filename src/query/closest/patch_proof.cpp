@@ -161,7 +161,8 @@ AxisValues PatchProof::lowest() const noexcept {
     int64_t rest = least - gap_.values;
     for (int k = 0; k < shape_.axes; ++k) {
         const auto i = static_cast<size_t>(k);
-        at[i] = static_cast<double>(rest / step_[i]) / (2 * shape_.degree(k));
+        const int64_t place = rest / step_[i];
+        at[i] = static_cast<double>(place) / (2 * shape_.degree(k));
         rest %= step_[i];
     }
     return at;

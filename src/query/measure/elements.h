@@ -55,7 +55,7 @@ private:
         std::vector<Interval> intervals;
     };
     [[nodiscard]] std::array<size_t, max_axes> places(int64_t element) const noexcept;
-    void add_span(AxisElements &elements, const KnotVector &axis, int64_t span, Interval range);
+    static void add_span(AxisElements &elements, const KnotVector &axis, int64_t span, Interval range);
     void gather(const std::array<int64_t, max_axes> &first, Element &out) const;
     void add_point(int64_t index, int64_t at, Element &out) const;
     [[nodiscard]] int64_t origin_point(const std::array<int64_t, max_axes> &first) const noexcept;

@@ -223,11 +223,13 @@ Moments moments(const Spline &spline, const Part &part, MomentOrder order, doubl
 Moments enclosed_moments(const std::vector<SplinePtr> &boundary, MomentOrder order,
                          double relative_tolerance) {
     std::vector<const Spline *> parts;
+    parts.reserve(boundary.size());
     for (const SplinePtr &part : boundary) {
         parts.push_back(part.get());
     }
     const ModelFrame frame = model_frame(parts.data(), std::ssize(parts));
     std::vector<Elements> elements;
+    elements.reserve(parts.size());
     for (const Spline *one : parts) {
         elements.emplace_back(*one, frame, whole_domain(*one));
     }
