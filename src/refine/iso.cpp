@@ -14,7 +14,7 @@ SplinePtr iso(const Spline &spline, int axis, double t, const AxisRule &rule) {
     }
     const KnotVector &fixed = spline.axis(axis);
     check_parameter(t, rule, fixed.domain(), "param");
-    double values[max_basis];
+    double values[max_basis] = {};
     AxisBasis basis{.values = values};
     AxisEvaluator(fixed, rule, 0)(t, basis);
     LayerTable table;

@@ -51,8 +51,8 @@ public:
     // its degree in all. Where the member jumps, that of the piece to which the window's control point belongs.
     // Every coefficient is accurate to 3 d eps of itself, d < size the arguments that are none of its knots.
     void polar_row(int member, const Window &window, const int *chosen, PolarRow &row) const noexcept;
-    // The stored layer from which at most degree + 1 layers that begin at layer i can be read.
-    [[nodiscard]] int64_t stored_layer(int member, int64_t i) const noexcept;
+    // The stored layer from which at most degree + 1 layers that begin at `layer` can be read.
+    [[nodiscard]] int64_t stored_layer(int member, int64_t layer) const noexcept;
 
     // The table that gives the layers of the axis from those of a member: its degree raised to r, and its knots
     // refined.

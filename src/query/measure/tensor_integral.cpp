@@ -160,7 +160,7 @@ private:
     }
 
     // Whether an element is neither exact nor as small as its error may be.
-    [[nodiscard]] bool matters(const TensorRule &rule, const Goal &goal) const noexcept {
+    [[nodiscard]] static bool matters(const TensorRule &rule, const Goal &goal) noexcept {
         return !rule.exact() && rule.magnitude(0) > goal.share * goal.tolerances[0];
     }
 

@@ -33,7 +33,7 @@ SmallSvd principal(const Points &points, const Vector3 &centre) {
         const Vector3 q = p - centre;
         rows.insert(rows.end(), {q.x, q.y, q.z});
     }
-    return {std::move(rows), 3};
+    return {rows, 3};
 }
 
 // The mean with the axis along which the points spread least, or most, and x along which they do most.
