@@ -11,8 +11,7 @@ namespace nrb::capi {
 inline Part checked_part(const Spline &spline, const double *range) {
     Part part = whole_domain(spline);
     for (int k = 0; range != nullptr && k < spline.axes(); ++k) {
-        const double *const ends = range + 2 * ptrdiff_t{k};
-        const Interval asked{ends[0], ends[1]};
+        const Interval asked{range[2 * k], range[2 * k + 1]};
         check_place(asked.lower, spline.axis(k).domain(), "range", k);
         check_place(asked.upper, spline.axis(k).domain(), "range", k);
         if (!(asked.lower < asked.upper)) {

@@ -36,7 +36,7 @@ static HWY_NOINLINE AxisPoint special_values(const AxisSource &source, int order
     const double *knots = source.axis->knots().data();
     if (!source.has_pieces || !source.axis->has_piece(span)) {
         recurrence_values(source, span, order, t, values);
-    } else if (source.pieces != nullptr && source.spans != nullptr) {
+    } else if (source.pieces != nullptr && source.spans != nullptr) { // pieces never come without spans
         const double *piece = (*source.pieces)[source.spans->number(t, source.rule.left)];
         horner(order, piece, source.degree, source.lanes, t, values);
     } else {

@@ -17,37 +17,33 @@ struct Signed {
     SplineData data; // the points x
     Handle g;
     double size = 0; // of the points
-    double largest_weight = 0;
 };
 
+// Of a spline of one dimension more: its last coordinate becomes the weight, so that the copies of periodic axes
+// stay copies.
 Signed signed_spline(Random &random, int axes, int dim, double shift = 0) {
     Recipe recipe = random_recipe(random, axes, axes == 1 ? 5 : axes == 2 ? 3 : 2);
     for (AxisRecipe &axis : recipe.axes) {
-        axis.degree = std::max(1, axis.degree);
         axis.spans = random.whole(1, axes == 1 ? 5 : 2);
         axis.spacing = Spacing::integers;
         axis.placement = Placement::origin;
-        axis.form = random.chance(70) ? KnotForm::clamped : KnotForm::unclamped;
     }
-    recipe.dim = dim;
+    recipe.dim = dim + 1;
     recipe.weights = Weights::none;
-    Signed made{random_spline(random, recipe), {}, 0, 0};
-    for (double &x : made.data.points) {
-        x += shift;
-    }
-    SplineData records = made.data;
-    ++records.dim;
-    records.points.clear();
-    for (int64_t i = 0; i < made.data.point_count(); ++i) {
-        const double w = random.between(-0.3, 1.5);
-        made.largest_weight = std::max(made.largest_weight, std::fabs(w));
-        for (int c = 0; c < made.data.dim; ++c) {
-            const double x = made.data.coordinate(i, c);
-            made.size = std::max(made.size, std::fabs(x));
-            records.points.push_back(w * x);
+    SplineData records = random_spline(random, recipe);
+    Signed made{records, {}, 0};
+    made.data.dim = dim;
+    made.data.points.clear();
+    const double most = extent(records);
+    for (size_t i = 0; i < records.points.size(); i += static_cast<size_t>(dim) + 1) {
+        double &w = records.points[i + static_cast<size_t>(dim)];
+        w = 0.6 + 0.9 * w / most;
+        for (size_t c = i; c < i + static_cast<size_t>(dim); ++c) {
+            made.data.points.push_back(records.points[c] + shift);
+            records.points[c] = w * made.data.points.back();
         }
-        records.points.push_back(w);
     }
+    made.size = extent(made.data);
     const Handle holder = create(records);
     made.g = support::made([&](nurbs **out) { return nurbs_from_homogeneous(holder.get(), out); });
     return made;
@@ -102,7 +98,6 @@ TEST(ClosestSigned, what_is_certified_is_beaten_by_no_sample) {
                                 foot.data(), 0, 0, &distance, 0, &status, 0));
             const bool proven = (status & NURBS_CLOSEST_CERTIFIED) != 0;
             (farthest ? far_certified : certified) += proven ? 1 : 0;
-            // Near the weight 0 a sample of the distance d is off by d^2.
             const double rounding = 1e-12 * (shape.size + samples.least);
             if (proven && !farthest) {
                 ASSERT_LE(distance, samples.least + rounding) << where(seed, shape.data) << hex(x);
@@ -114,6 +109,7 @@ TEST(ClosestSigned, what_is_certified_is_beaten_by_no_sample) {
                 for (size_t c = 0; c < x.size(); ++c) {
                     square += (foot[c] - x[c]) * (foot[c] - x[c]);
                 }
+                // near the weight 0 a foot far away is off by the square of its distance
                 ASSERT_NEAR(std::sqrt(square), distance,
                             1e-12 * (shape.size + distance) * (1 + distance / shape.size))
                     << where(seed, shape.data) << hex(x);
@@ -151,9 +147,9 @@ TEST(DistanceSigned, no_sample_is_nearer) {
             ASSERT_LE(most - least, tolerance + 1e-9 * size) << place;
         }
         const std::vector<double> x = random_points(random, a, 100);
-        std::vector<double> feet(x.size()), distances(x.size() / 3);
+        std::vector<double> distances(x.size() / 3);
         require_ok(nurbs_closest_points(b.g.get(), std::ssize(distances), x.data(), 0, 0, nullptr, 0, 2000,
-                                        nullptr, 0, 0, feet.data(), 0, 0, distances.data(), 0, nullptr, 0));
+                                        nullptr, 0, 0, nullptr, 0, 0, distances.data(), 0, nullptr, 0));
         for (size_t i = 0; i < distances.size(); ++i) {
             ASSERT_FALSE(distances[i] < least - 1e-12 * (size + std::fabs(x[3 * i]))) << place;
         }

@@ -296,14 +296,11 @@ TEST(SnapKnots, the_bound_holds_for_every_form) {
             params = pairs;
         }
         ASSERT_LE(exact_distance(data, result, params), deviation) << place;
-        SplineData small = data; // by a power of two, which changes no digit
-        for (double &x : small.points) {
-            x *= 0x1p-40;
-        }
-        double scaled = -1;
-        require_ok(nurbs_snap_knots(create(small).get(), 0, tolerance, &scaled, &out));
+        const SplineData small = scaled(data, 0x1p-40); // by a power of two, which changes no digit
+        double less = -1;
+        require_ok(nurbs_snap_knots(create(small).get(), 0, tolerance, &less, &out));
         const Handle holder(out);
-        ASSERT_EQ(scaled, 0x1p-40 * deviation) << place;
+        ASSERT_EQ(less, 0x1p-40 * deviation) << place;
     });
     std::printf("%d lost knots at their ends\n", merged);
     ASSERT_GT(merged, support::of_whole_run(10));

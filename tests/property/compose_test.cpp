@@ -164,17 +164,9 @@ TEST(Compose, is_scale_free) {
         SplineData f = parameter_curve(random, 2, 1);
         set_monotone_points(random, data, f);
         const auto got = read_back(compose(create(data).get(), create(f).get()).get());
-        SplineData scaled = data, inner = f;
-        const auto times = [](std::vector<double> &values, double factor) {
-            std::for_each(values.begin(), values.end(), [factor](double &x) { x *= factor; });
-        };
-        times(scaled.knots[0], 0x1p-30);
-        times(inner.points, 0x1p-30);
-        times(inner.knots[0], 0x1p20);
-        times(scaled.points, 0x1p-20);
-        auto back = read_back(compose(create(scaled).get(), create(inner).get()).get());
-        times(back.knots[0], 0x1p-20);
-        times(back.points, 0x1p20);
+        const Handle small = create(scaled(data, 0x1p-20, 0x1p-30)),
+                     inner = create(scaled(f, 0x1p-30, 0x1p20));
+        const auto back = scaled(read_back(compose(small.get(), inner.get()).get()), 0x1p20, 0x1p-20);
         ASSERT_TRUE(same_bits(got.points, back.points)) << where(seed, data) << where(seed, f);
         ASSERT_TRUE(same_bits(got.knots[0], back.knots[0])) << where(seed, data) << where(seed, f);
     });

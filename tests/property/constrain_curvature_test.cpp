@@ -57,6 +57,32 @@ TEST(Constrain, weights_and_points_share_the_change) {
     ASSERT_GT(solved_cases, support::of_whole_run(50));
 }
 
+// C' and the curvature (C'' - (C' . C'' / |C'|^2) C') / |C'|^2 of a curve.
+struct Bend {
+    Rational square; // |C'|^2
+    std::vector<long double> tangent, curvature;
+};
+
+Bend bend_at(const SplineData &data, const std::vector<double> &param) {
+    const Point a = derivative_at(data, param, {1}), b = derivative_at(data, param, {2});
+    Bend bend{dot(a, a), {}, {}};
+    const Rational along = dot(a, b) / bend.square;
+    const long double speed = std::sqrt(as_long_double(bend.square));
+    for (size_t c = 0; c < a.size(); ++c) {
+        bend.tangent.push_back(as_long_double(a[c]) / speed);
+        bend.curvature.push_back(as_long_double(Rational((b[c] - along * a[c]) / bend.square)));
+    }
+    return bend;
+}
+
+long double norm(const std::vector<long double> &x) {
+    long double size = 0;
+    for (const long double part : x) {
+        size = std::hypot(size, part);
+    }
+    return size;
+}
+
 // A curvature that is turned about and points along the tangent, too: the tangent has to follow, which no
 // linear equation of the start contradicts.
 TEST(Constrain, curvature_turns_the_tangent) {
@@ -67,18 +93,11 @@ TEST(Constrain, curvature_turns_the_tangent) {
             return;
         }
         Set set = value_set(random, data, 1);
-        const Point a = derivative_at(data, set.params, {1}), b = derivative_at(data, set.params, {2});
-        const Rational s = dot(a, a), along = dot(a, b) / s;
-        const long double speed = std::sqrt(as_long_double(s));
-        long double size = 0;
-        for (size_t c = 0; c < a.size(); ++c) {
-            size = std::hypot(size, as_long_double(Rational((b[c] - along * a[c]) / s)));
-        }
+        const Bend now = bend_at(data, set.params);
+        const long double size = norm(now.curvature);
         set.kinds = {NURBS_CONSTRAIN_CURVATURE};
-        for (size_t c = 0; c < a.size(); ++c) {
-            const long double now = as_long_double(Rational((b[c] - along * a[c]) / s)),
-                              tangent = as_long_double(a[c]) / speed;
-            set.targets[c] = static_cast<double>(-0.8L * now + 0.6L * size * tangent);
+        for (size_t c = 0; c < now.curvature.size(); ++c) {
+            set.targets[c] = static_cast<double>(-0.8L * now.curvature[c] + 0.6L * size * now.tangent[c]);
         }
         set.tolerance = 1e-12 * extent(data);
         const Result result = constrain(create(data).get(), set);
@@ -101,28 +120,23 @@ TEST(Constrain, curvature_holds) {
             return;
         }
         Set set = value_set(random, data, 1);
-        const Point a = derivative_at(data, set.params, {1}), b = derivative_at(data, set.params, {2});
-        const Rational s = dot(a, a), along = dot(a, b) / s;
+        const Bend now = bend_at(data, set.params);
         set.kinds = {NURBS_CONSTRAIN_CURVATURE};
-        for (size_t c = 0; c < a.size(); ++c) { // a tenth more, and a little turned
-            const long double now = as_long_double(Rational((b[c] - along * a[c]) / s));
-            set.targets[c] = static_cast<double>(now) * 1.1;
+        for (size_t c = 0; c < now.curvature.size(); ++c) { // a tenth more
+            set.targets[c] = static_cast<double>(now.curvature[c]) * 1.1;
         }
         set.tolerance = 1e-12 * extent(data);
         const Result result = constrain(create(data).get(), set);
         ASSERT_EQ(result.status, NURBS_OK) << last_error() << where(seed, data) << hex(set.params);
         ++solved_cases;
         const SplineData after = read_back(result.g.get());
-        const Point v = derivative_at(after, set.params, {1}), w = derivative_at(after, set.params, {2});
-        const Rational speed = dot(v, v), part = dot(v, w) / speed;
-        long double error = 0, size = 0;
-        for (size_t c = 0; c < v.size(); ++c) {
-            error =
-                std::hypot(error, as_long_double(Rational((w[c] - part * v[c]) / speed)) - set.targets[c]);
-            size = std::hypot(size, set.targets[c]);
+        Bend got = bend_at(after, set.params);
+        const long double size = norm(got.curvature);
+        for (size_t c = 0; c < got.curvature.size(); ++c) {
+            got.curvature[c] -= set.targets[c];
         }
-        const long double scale = 64 * extent(after) / as_long_double(speed) * 25;
-        ASSERT_LE(error, 1e-11L * (scale + size)) << where(seed, data) << hex(set.params);
+        const long double scale = 64 * extent(after) / as_long_double(got.square) * 25;
+        ASSERT_LE(norm(got.curvature), 1e-11L * (scale + size)) << where(seed, data) << hex(set.params);
         ASSERT_LE(result.optimality, 1e-6);
     });
     ASSERT_GT(solved_cases, support::of_whole_run(20));

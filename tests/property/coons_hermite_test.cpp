@@ -358,13 +358,6 @@ TEST(CoonsHermite, ReproducesBicubicPatches) {
 
 namespace {
 
-SplineData times(SplineData curve, double factor) {
-    for (double &x : curve.points) {
-        x *= factor;
-    }
-    return curve;
-}
-
 // Largest triple product of the cross tangents of two surfaces on both sides of an edge, axis 0 at the end of
 // the first one and at the start of the second one, with the tangent of the edge: 0 where the planes agree.
 long double torn(const SplineData &first, const SplineData &second) {
@@ -405,7 +398,7 @@ Patch neighbour(Random &random, const Patch &patch, const Twists &twists) {
     const auto corner = [&](size_t curve, bool upper) { return end_of(next.boundaries[curve], upper); };
     move_ends(next.boundaries[2], corner(0, false), corner(1, false));
     move_ends(next.boundaries[3], corner(0, true), corner(1, true));
-    next.cross.push_back(times(patch.cross[1], 2));
+    next.cross.push_back(scaled(patch.cross[1], 2));
     for (const size_t i : {2U, 3U}) { // they leave the common edge in the plane
         SplineData cubic = random_boundary(random, 3, KnotForm::clamped, Weights::none);
         const SplineData &across = next.cross[0];

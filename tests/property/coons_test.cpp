@@ -257,20 +257,12 @@ TEST(Coons, IsFreeOfScale) {
     for_each_case(416000, 20, [&](Random &random, uint64_t seed) {
         const Boundaries given = random_boundaries(random, 4, random.chance(50), true);
         const SplineData surface = coons_of(given.curves);
-        std::vector<SplineData> small = given.curves;
-        for (SplineData &curve : small) {
-            for (double &x : curve.points) {
-                x *= 0x1p-40;
-            }
-            for (double &t : curve.knots[0]) {
-                t *= 0x1p-60;
-            }
+        std::vector<SplineData> small;
+        for (const SplineData &curve : given.curves) {
+            small.push_back(scaled(curve, 0x1p-40, 0x1p-60));
         }
-        SplineData scaled_down = coons_of(small);
-        for (double &x : scaled_down.points) {
-            x *= 0x1p40;
-        }
-        ASSERT_TRUE(same_bits(surface.points, scaled_down.points)) << where(seed, surface);
-        ASSERT_TRUE(same_bits(surface.weights, scaled_down.weights));
+        const SplineData other = scaled(coons_of(small), 0x1p40);
+        ASSERT_TRUE(same_bits(surface.points, other.points)) << where(seed, surface);
+        ASSERT_TRUE(same_bits(surface.weights, other.weights));
     });
 }

@@ -178,16 +178,12 @@ TEST(Distance, NoSampleIsNearer) {
 TEST(Distance, ScalesWithTheModel) {
     Random random(6602);
     for (int i = 0; i < 5; ++i) {
-        SplineData a = random_net(random, 1, 3, 8, 0, true), b = random_net(random, 2, 2, 5, 2, false);
+        const SplineData a = random_net(random, 1, 3, 8, 0, true), b = random_net(random, 2, 2, 5, 2, false);
         const Pair before = nearest(create(a).get(), create(b).get(), 0x1p-30);
         for (const int power : {-200, 300}) {
-            SplineData c = a, d = b;
-            for (std::vector<double> *points : {&c.points, &d.points}) {
-                for (double &x : *points) {
-                    x = std::ldexp(x, power);
-                }
-            }
-            const Pair after = nearest(create(c).get(), create(d).get(), std::ldexp(0x1p-30, power));
+            const double size = std::ldexp(1, power);
+            const Pair after =
+                nearest(create(scaled(a, size)).get(), create(scaled(b, size)).get(), 0x1p-30 * size);
             EXPECT_EQ(after.at_least, std::ldexp(before.at_least, power));
             EXPECT_EQ(after.at_most, std::ldexp(before.at_most, power));
             EXPECT_EQ(after.a, before.a);

@@ -43,7 +43,7 @@ TEST(Measure, LengthsAgreeWithFiftyDigits) {
             const Measured m = length(create(data).get(), tolerance);
             const double off = static_cast<double>(abs(exact_length(data, -1, 1e9, 1e-18) - m.value));
             EXPECT_LE(off, m.error) << describe(data);
-            EXPECT_LE(m.error, 1.5 * tolerance * m.value + 100 * (degree + 1) * eps * extent_of(data) * 8)
+            EXPECT_LE(m.error, 1.5 * tolerance * m.value + 100 * (degree + 1) * eps * extent(data) * 8)
                 << describe(data);
         }
     }
@@ -72,17 +72,11 @@ TEST(Measure, ChebyshevPolynomialsVaryByTwiceTheirDegree) {
 TEST(Measure, LengthsScaleWithTheModelAndNotWithTheKnots) {
     Random random(5523);
     for (int i = 0; i < 20; ++i) {
-        SplineData data = tangle(random, random.whole(1, 6), 12, 3, random.chance(50));
+        const SplineData data = tangle(random, random.whole(1, 6), 12, 3, random.chance(50));
         const double before = length(create(data).get(), 1e-12).value;
         for (const int power : {-300, -20, 20, 300}) {
-            SplineData scaled = data;
-            for (double &x : scaled.points) {
-                x = std::ldexp(x, power);
-            }
-            for (double &t : scaled.knots[0]) {
-                t = std::ldexp(t, -power / 10);
-            }
-            EXPECT_EQ(length(create(scaled).get(), 1e-12).value, std::ldexp(before, power));
+            const SplineData other = scaled(data, std::ldexp(1, power), std::ldexp(1, -power / 10));
+            EXPECT_EQ(length(create(other).get(), 1e-12).value, std::ldexp(before, power));
         }
     }
 }
@@ -116,14 +110,22 @@ TEST(Measure, LengthsAndParametersAreInverse) {
 // Lengths are sums of those of pieces: they never fall, and that of the end belongs to the end.
 TEST(Measure, LengthsRiseToTheEnd) {
     Random random(5527);
-    for (int i = 0; i < 300; ++i) {
-        const SplineData data = tangle(random, random.whole(1, 6), random.whole(7, 30), 3, random.chance(50));
+    for (int i = 0; i < 600; ++i) {
+        Recipe recipe{{random_axis(random, random.whole(1, 6))}};
+        recipe.axes[0].spacing = Spacing::integers;
+        recipe.axes[0].placement = Placement::origin;
+        recipe.axes[0].spans = random.whole(1, 25);
+        recipe.weights = random.chance(50) ? Weights::none : Weights::moderate;
+        const SplineData data = i % 2 == 0
+                                    ? tangle(random, random.whole(1, 6), random.whole(7, 30), 3, i % 4 == 0)
+                                    : random_spline(random, recipe);
         const Handle g = create(data);
         std::vector<double> params;
         for (int k = 0; k < 50; ++k) {
             params.push_back(random.between(data.lower(0), data.upper(0)));
         }
-        for (const double knot : data.knots[0]) {
+        for (const double each : data.knots[0]) {
+            const double knot = std::clamp(each, data.lower(0), data.upper(0));
             params.insert(params.end(),
                           {knot, std::nextafter(knot, data.lower(0)), std::nextafter(knot, data.upper(0))});
         }
@@ -167,24 +169,21 @@ TEST(Measure, EqualLengthsAndEqualChords) {
             continue; // a curve that crosses itself may have no such chord
         }
         require_ok(status);
-        SplineData small = data; // by a power of two, which changes no digit
-        for (double &x : small.points) {
-            x *= 0x1p-20;
-        }
+        const Handle small = create(scaled(data, 0x1p-20)); // by a power of two, which changes no digit
         std::vector<double> again(params.size());
-        double scaled = 0;
-        require_ok(nurbs_curve_divide(create(small).get(), nullptr, parts, 1e-9, NURBS_EQUAL_CHORDS,
-                                      again.data(), &scaled));
+        double chord = 0;
+        require_ok(
+            nurbs_curve_divide(small.get(), nullptr, parts, 1e-9, NURBS_EQUAL_CHORDS, again.data(), &chord));
         EXPECT_EQ(again, params) << describe(data);
-        EXPECT_EQ(scaled, 0x1p-20 * size) << describe(data);
+        EXPECT_EQ(chord, 0x1p-20 * size) << describe(data);
         EXPECT_EQ(params.front(), data.lower(0));
         EXPECT_EQ(params.back(), data.upper(0));
         const std::vector<double> points = eval(g.get(), params);
         for (size_t k = 1; k < params.size(); ++k) {
             EXPECT_GT(params[k], params[k - 1]);
-            const double chord =
+            const double apart =
                 std::hypot(points[2 * k] - points[2 * k - 2], points[2 * k + 1] - points[2 * k - 1]);
-            EXPECT_NEAR(chord, size, 2e-9 * size + 64 * eps) << describe(data);
+            EXPECT_NEAR(apart, size, 2e-9 * size + 64 * eps) << describe(data);
         }
     }
     std::vector<double> params(7);

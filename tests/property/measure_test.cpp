@@ -80,7 +80,7 @@ TEST(Measure, PartsAddUpAndFormsAgree) {
         ++curves;
         // elevation moves points
         const double allowed =
-            4 * whole.error + 64 * eps * extent_of(data) * static_cast<double>(data.counts[0]);
+            4 * whole.error + 64 * eps * extent(data) * static_cast<double>(data.counts[0]);
         if (t > lower && t < upper) {
             const double sum =
                 length(g.get(), 1e-9, {lower, t}).value + length(g.get(), 1e-9, {t, upper}).value;
@@ -211,7 +211,7 @@ TEST(Measure, PartsOfSurfacesAddUp) {
                            .value;
             }
         }
-        EXPECT_NEAR(sum, whole.value, 3e-5 * whole.value + 1e-13 * extent_of(data) * extent_of(data))
+        EXPECT_NEAR(sum, whole.value, 3e-5 * whole.value + 1e-13 * extent(data) * extent(data))
             << describe(data);
     }
     EXPECT_GT(surfaces, 15);

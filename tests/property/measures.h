@@ -127,12 +127,4 @@ inline SplineData tangle(Random &random, int degree, int count, int dim, bool ra
     return data;
 }
 
-inline double extent_of(const SplineData &data) {
-    double most = 0;
-    for (const double x : data.points) {
-        most = std::max(most, std::fabs(x));
-    }
-    return most;
-}
-
 } // namespace support::measures

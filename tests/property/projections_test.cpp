@@ -101,10 +101,7 @@ TEST(Projections, a_perspective_image_lies_on_rays_and_in_the_plane) {
         recipe.weights = random.chance(50) ? Weights::none : Weights::moderate;
         recipe.axes[0].placement = Placement::origin;
         SplineData data = random_spline(random, recipe);
-        const double size = static_cast<double>(size_of(data.points)) + 1;
-        for (double &x : data.points) {
-            x /= size;
-        }
+        data = scaled(data, 1 / (extent(data) + 1));
         const Handle g = create(data);
         const std::vector<double> eye{random.unit(), random.unit(), -4}, point{0.5, 0.25, 2},
             n{0.125, -0.25, 3};

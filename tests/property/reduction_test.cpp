@@ -190,20 +190,13 @@ TEST(Reduction, the_choice_of_knots_is_free_of_scale) {
         const auto data = random_case(random, 10);
         const double tolerance = extent(data) * random.magnitude(1e-3, 10);
         const double scale = std::ldexp(1.0, random.whole(-40, 40));
-        auto scaled = data;
-        for (double &x : scaled.points) {
-            x *= scale;
-        }
         const Made one = reduce_knots(create(data).get(), -1, tolerance);
-        const Made other = reduce_knots(create(scaled).get(), -1, tolerance * scale);
+        const Made other = reduce_knots(create(scaled(data, scale)).get(), -1, tolerance * scale);
         const auto a = read_back(one.spline.get());
-        auto b = read_back(other.spline.get());
+        const auto b = read_back(other.spline.get());
         ASSERT_TRUE(same_bits(a.all_knots(), b.all_knots())) << where(seed, data) << hex(scale);
         ASSERT_EQ(one.bound * scale, other.bound) << where(seed, data) << hex(scale);
-        for (double &x : b.points) {
-            x /= scale;
-        }
-        ASSERT_EQ(a.points, b.points) << where(seed, data) << hex(scale);
+        ASSERT_EQ(scaled(a, scale).points, b.points) << where(seed, data) << hex(scale);
     });
 }
 

@@ -100,10 +100,7 @@ TEST(Ruled, surfaces) {
 TEST(Ruled, surfaces_hold_compatible_curves) {
     for_each_case(718000, 50, [](Random &random, uint64_t seed) {
         const auto a = even_curve(random, 3);
-        auto b = a;
-        for (double &x : b.points) {
-            x = -2 * x;
-        }
+        const auto b = scaled(a, -2);
         for (const uint32_t flags : {0U, NURBS_RULED_CARTESIAN}) {
             const auto got = ruled(a, b, flags);
             ASSERT_EQ(got.flags, a.flags);

@@ -25,15 +25,6 @@ inline Recipe open_recipe(Random &random, int axes, int max_degree) {
     return recipe;
 }
 
-// The largest magnitude of a stored coordinate.
-inline double extent(const SplineData &data) {
-    double size = 0;
-    for (const double x : data.points) {
-        size = std::max(size, std::fabs(x));
-    }
-    return size;
-}
-
 struct Layers {
     int64_t outer = 1;
     int64_t inner = 1;

@@ -121,18 +121,6 @@ SplineData full_circle(double r, double distance) {
                   {0, 0, 0, 0.25, 0.25, 0.5, 0.5, 0.75, 0.75, 1, 1, 1});
 }
 
-SplineData scaled(SplineData data, double size, double speed) {
-    for (double &x : data.points) {
-        x *= size;
-    }
-    for (auto &knots : data.knots) {
-        for (double &t : knots) {
-            t *= speed;
-        }
-    }
-    return data;
-}
-
 SplineData moved(SplineData data, const std::array<double, 3> &by) {
     for (size_t i = 0; i < data.points.size(); ++i) {
         data.points[i] += by[i % 3];

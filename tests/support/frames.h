@@ -49,8 +49,6 @@ SplineData revolved(const SplineData &profile);
 SplineData half_circle(double r, double distance);
 // Full circle of radius r around (distance, 0).
 SplineData full_circle(double r, double distance);
-// Every coordinate times `size`, then moved; all knots times `speed`.
-SplineData scaled(SplineData data, double size, double speed = 1);
 SplineData moved(SplineData data, const std::array<double, 3> &by);
 // The axes of a surface exchanged.
 SplineData transposed(const SplineData &data);

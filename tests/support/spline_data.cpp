@@ -1,5 +1,7 @@
 #include "support/spline_data.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <nurbs/nurbs.h>
 #include <sstream>
@@ -34,6 +36,26 @@ double SplineData::lower(int axis) const {
 double SplineData::upper(int axis) const {
     const auto k = static_cast<size_t>(axis);
     return knots[k][static_cast<size_t>(counts[k])];
+}
+
+double extent(const SplineData &data) {
+    double size = 0;
+    for (const double x : data.points) {
+        size = std::max(size, std::fabs(x));
+    }
+    return size;
+}
+
+SplineData scaled(SplineData data, double size, double speed) {
+    for (double &x : data.points) {
+        x *= size;
+    }
+    for (auto &knots : data.knots) {
+        for (double &t : knots) {
+            t *= speed;
+        }
+    }
+    return data;
 }
 
 namespace {

@@ -32,6 +32,11 @@ struct SplineData {
     }
 };
 
+// The largest magnitude of a stored coordinate.
+double extent(const SplineData &data);
+// Every coordinate times `size`, all knots times `speed`.
+SplineData scaled(SplineData data, double size, double speed = 1);
+
 // Multi-indices of all derivatives up to `order`, in the graded order of nurbs_eval_derivs(), by its
 // formulas.
 using MultiIndex = std::vector<int>;
