@@ -3,7 +3,6 @@
 #include "guard.h"
 #include "outputs.h"
 
-#include "base/checked.h"
 #include "base/tolerance.h"
 #include "build/placement.h"
 #include "query/analysis/contacts.h"
@@ -17,6 +16,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 using namespace nrb;
 using namespace nrb::capi;
@@ -72,13 +72,13 @@ nurbs_status nurbs_curve_features(const nurbs *g, uint32_t kinds, int64_t cap, d
         check_dimension(curve, 2, 3);
         const uint32_t wanted = checked_kinds(kinds, curve.dim());
         check_length(cap, "cap");
-        check_apart({memory("params", params, cap), memory("found", found, cap),
-                     memory("values", values, cap), memory("count", count, 1),
+        const Features features = curve_features(curve, wanted);
+        const int64_t filled = checked_cap(cap, std::ssize(features.list));
+        check_apart({memory("params", params, filled), memory("found", found, filled),
+                     memory("values", values, filled), memory("count", count, 1),
                      memory("complete", complete, 1)},
                     {});
-        const Features features = curve_features(curve, wanted);
-        check_cap(cap, std::ssize(features.list));
-        for (size_t i = 0; cap != 0 && i < features.list.size(); ++i) {
+        for (size_t i = 0; std::cmp_less(i, filled); ++i) {
             put(params, i, features.list[i].at);
             put(found, i, features.list[i].kind);
             put(values, i, features.list[i].value);
@@ -95,12 +95,12 @@ nurbs_status nurbs_curve_monotone_pieces(const nurbs *g, const double *direction
         require(direction, "direction");
         check_direction(direction, curve.dim(), "direction");
         check_length(cap, "cap");
-        check_apart({memory("starts", starts, cap), memory("signs", signs, cap), memory("count", count, 1),
-                     memory("complete", complete, 1)},
-                    {memory("direction", direction, curve.dim())});
         const MonotonePieces found = monotone_pieces(curve, direction);
-        check_cap(cap, std::ssize(found.pieces));
-        for (size_t i = 0; cap != 0 && i < found.pieces.size(); ++i) {
+        const int64_t filled = checked_cap(cap, std::ssize(found.pieces));
+        check_apart({memory("starts", starts, filled), memory("signs", signs, filled),
+                     memory("count", count, 1), memory("complete", complete, 1)},
+                    {memory("direction", direction, curve.dim())});
+        for (size_t i = 0; std::cmp_less(i, filled); ++i) {
             put(starts, i, found.pieces[i].start);
             put(signs, i, int32_t{found.pieces[i].sign});
         }
@@ -177,14 +177,14 @@ nurbs_status nurbs_singular_points(const nurbs *g, double tolerance, int64_t cap
         }
         check_positive_tolerance(tolerance);
         check_length(cap, "cap");
-        const auto axes = static_cast<size_t>(spline.axes());
-        check_apart({memory("params", params, checked_product(cap, spline.axes(), "params")),
-                     memory("boxes", boxes, checked_product(cap, 2 * int64_t{spline.axes()}, "boxes")),
-                     memory("count", count, 1), memory("complete", complete, 1)},
-                    {});
         const SingularPlaces found = singular_places(spline, tolerance);
-        check_cap(cap, std::ssize(found.places));
-        for (size_t i = 0; cap != 0 && i < found.places.size(); ++i) {
+        const int64_t filled = checked_cap(cap, std::ssize(found.places));
+        const auto axes = static_cast<size_t>(spline.axes());
+        check_apart({memory("params", params, filled * spline.axes()),
+                     memory("boxes", boxes, filled * 2 * spline.axes()), memory("count", count, 1),
+                     memory("complete", complete, 1)},
+                    {});
+        for (size_t i = 0; std::cmp_less(i, filled); ++i) {
             for (size_t k = 0; k < axes; ++k) {
                 put(params, i * axes + k, found.places[i].at[k]);
                 put(boxes, 2 * (i * axes + k), found.places[i].box[k].lower);

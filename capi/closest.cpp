@@ -4,7 +4,6 @@
 #include "outputs.h"
 #include "part.h"
 
-#include "base/checked.h"
 #include "base/tolerance.h"
 #include "query/closest/closest.h"
 #include "query/closest/signed_distance.h"
@@ -12,6 +11,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 using namespace nrb;
 using namespace nrb::capi;
@@ -164,18 +164,17 @@ struct CriticalOutputs {
 
     void check(const PointQuery &query) const {
         check_length(cap, "cap");
-        const int64_t axes = query.spline.axes();
-        const int64_t size = checked_product(cap, axes, "params");
-        check_apart(
-            {memory("params", params, size), memory("distances", distances, cap), memory("kinds", kinds, cap),
-             memory("count", count, 1), memory("status", status, 1)},
-            {memory("point", query.query.point, query.spline.dim()), memory("range", query.range, 2 * axes)});
         check_finite("point", {query.query.point, 1, query.spline.dim(), query.spline.dim(), 1});
     }
-    void write(const Spline &spline, const CriticalSet &found) const {
-        check_cap(cap, std::ssize(found.points));
-        const auto axes = static_cast<size_t>(spline.axes());
-        for (size_t i = 0; cap != 0 && i < found.points.size(); ++i) {
+    void write(const PointQuery &query, const CriticalSet &found) const {
+        const int64_t filled = checked_cap(cap, std::ssize(found.points)), dim = query.spline.dim();
+        const auto axes = static_cast<size_t>(query.spline.axes());
+        check_apart({memory("params", params, filled * query.spline.axes()),
+                     memory("distances", distances, filled), memory("kinds", kinds, filled),
+                     memory("count", count, 1), memory("status", status, 1)},
+                    {memory("point", query.query.point, dim),
+                     memory("range", query.range, 2 * int64_t{query.spline.axes()})});
+        for (size_t i = 0; std::cmp_less(i, filled); ++i) {
             const CriticalPoint &one = found.points[i];
             for (size_t k = 0; k < axes; ++k) {
                 put(params, i * axes + k, one.foot.params[k]);
@@ -258,7 +257,7 @@ nurbs_status nurbs_closest_all(const nurbs *g, const double *point, const double
         const PointQuery query(g, point, range, tolerance, budget);
         const CriticalOutputs out{cap, params, distances, nullptr, count, status};
         out.check(query);
-        out.write(query.spline, query.locator().minima(query.query));
+        out.write(query, query.locator().minima(query.query));
     });
 }
 
@@ -269,7 +268,7 @@ nurbs_status nurbs_critical_points(const nurbs *g, const double *point, const do
         const PointQuery query(g, point, range, tolerance, budget);
         const CriticalOutputs out{cap, params, distances, kinds, count, status};
         out.check(query);
-        out.write(query.spline, query.locator().critical(query.query));
+        out.write(query, query.locator().critical(query.query));
     });
 }
 

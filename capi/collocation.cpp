@@ -98,9 +98,8 @@ nurbs_status nurbs_bezier_extraction(const nurbs *g, int32_t axis, int64_t cap, 
         require(count, "count");
         const KnotVector &knots = spline.axis(axis);
         const int64_t spans = knots.spans().size();
-        check_cap(cap, spans);
+        const int64_t filled = checked_cap(cap, spans);
         const int64_t size = int64_t{knots.degree() + 1} * (knots.degree() + 1);
-        const int64_t filled = cap == 0 ? 0 : spans;
         check_apart({memory("operators", operators, checked_product(filled, size, "operators")),
                      memory("firsts", firsts, filled), memory("domains", domains, 2 * filled),
                      memory("count", count, 1)},

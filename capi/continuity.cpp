@@ -6,6 +6,8 @@
 #include "base/tolerance.h"
 #include "query/continuity.h"
 
+#include <utility>
+
 using namespace nrb;
 using namespace nrb::capi;
 
@@ -34,13 +36,13 @@ nurbs_status nurbs_continuity(const nurbs *g, int32_t axis, double position_tole
         const ContinuityRule rule = checked_rule(position_tolerance, derivative_tolerance, angle_tolerance);
         check_length(cap, "cap");
         const std::vector<KnotContinuity> rows = continuity(g->spline, axis, rule);
-        check_cap(cap, std::ssize(rows));
-        check_apart({memory("knots", knots, cap), memory("knot_orders", knot_orders, cap),
-                     memory("orders", orders, cap), memory("geometric_orders", geometric_orders, cap),
-                     memory("position_gaps", position_gaps, cap), memory("angles", angles, cap),
-                     memory("curvature_gaps", curvature_gaps, cap), memory("count", count, 1)},
+        const int64_t filled = checked_cap(cap, std::ssize(rows));
+        check_apart({memory("knots", knots, filled), memory("knot_orders", knot_orders, filled),
+                     memory("orders", orders, filled), memory("geometric_orders", geometric_orders, filled),
+                     memory("position_gaps", position_gaps, filled), memory("angles", angles, filled),
+                     memory("curvature_gaps", curvature_gaps, filled), memory("count", count, 1)},
                     {});
-        for (size_t i = 0; cap != 0 && i < rows.size(); ++i) {
+        for (size_t i = 0; std::cmp_less(i, filled); ++i) {
             put(knots, i, rows[i].knot);
             put(knot_orders, i, int32_t{rows[i].knot_order});
             put(orders, i, int32_t{rows[i].found.order});

@@ -6,6 +6,7 @@
 #include "eval/active.h"
 
 #include <algorithm>
+#include <utility>
 
 using namespace nrb;
 using namespace nrb::capi;
@@ -71,12 +72,12 @@ nurbs_status nurbs_distinct_knots(const nurbs *g, int32_t axis, int64_t cap, dou
         check_length(cap, "cap");
         const std::vector<KnotGroup> groups = distinct_knots(axis_of(g, axis).knots());
         const auto needed = static_cast<int64_t>(groups.size());
-        check_cap(cap, needed);
-        if (cap != 0 && knots != nullptr && multiplicities != nullptr) {
-            check_overlap("multiplicities", multiplicities, needed * static_cast<int64_t>(sizeof(int32_t)),
-                          "knots", knots, needed * static_cast<int64_t>(sizeof(double)));
+        const int64_t filled = checked_cap(cap, needed);
+        if (knots != nullptr && multiplicities != nullptr) {
+            check_overlap("multiplicities", multiplicities, filled * static_cast<int64_t>(sizeof(int32_t)),
+                          "knots", knots, filled * static_cast<int64_t>(sizeof(double)));
         }
-        for (size_t i = 0; cap != 0 && i < groups.size(); ++i) {
+        for (size_t i = 0; std::cmp_less(i, filled); ++i) {
             put(knots, i, groups[i].knot);
             put(multiplicities, i, int32_t{groups[i].multiplicity});
         }

@@ -27,13 +27,15 @@ void put_all(T *out, const Range &values) noexcept {
     }
 }
 
-// The length of arrays for as many values: 0, which asks for the number, or enough; else NURBS_ERROR_SIZE.
-inline void check_cap(int64_t cap, int64_t needed) {
+// How many values go into arrays of a stated length: none if it is 0, which asks for the number, else all that there
+// are. Throws NURBS_ERROR_SIZE if they do not fit.
+inline int64_t checked_cap(int64_t cap, int64_t needed) {
     check_length(cap, "cap");
     if (cap != 0 && cap < needed) {
         fail(NURBS_ERROR_SIZE, "cap = %lld, expected 0 or at least %lld", static_cast<long long>(cap),
              static_cast<long long>(needed));
     }
+    return cap == 0 ? 0 : needed;
 }
 
 } // namespace nrb::capi

@@ -114,8 +114,8 @@ nurbs_status nurbs_to_power(const nurbs *g, int64_t cap, double *coefficients, d
     return guard([&] {
         const Spline &spline = spline_of(g);
         const int64_t size = power_size(spline);
-        check_cap(cap, size);
-        check_apart({memory("coefficients", coefficients, cap == 0 ? 0 : size),
+        const int64_t filled = checked_cap(cap, size);
+        check_apart({memory("coefficients", coefficients, filled),
                      memory("breaks", breaks, cap == 0 ? 0 : breaks_total(spline)),
                      memory("piece_counts", piece_counts, spline.axes()), memory("count", count, 1)},
                     {});

@@ -128,8 +128,7 @@ nurbs_status nurbs_to_hermite(const nurbs *g, int64_t cap, double *params, doubl
     return guard([&] {
         const Spline &curve = curve_of(g);
         const int64_t n = curve.axis(0).spans().size() + 1;
-        check_cap(cap, n);
-        const int64_t filled = cap == 0 ? 0 : n, values = checked_product(filled, curve.dim(), "points");
+        const int64_t filled = checked_cap(cap, n), values = checked_product(filled, curve.dim(), "points");
         check_apart({memory("params", params, filled), memory("points", points, values),
                      memory("tangents", tangents, values), memory("count", count, 1)},
                     {});

@@ -23,7 +23,7 @@
  * - **Knots** are the full vector t_0 <= t_1 <= ... of count + degree + 1 values, for all axes one after the
  *   other. The domain of an axis is [t_p, t_count]; clamped, unclamped and periodic vectors are all first
  *   class. A knot occurs at most degree + 1 times. Knots are equal when they are equal: there is no built-in
- *   tolerance; one that is an argument may be infinite unless its text says otherwise.
+ *   tolerance. A tolerance that is an argument may be infinite unless its text says otherwise.
  * - **Points** are Cartesian, not multiplied by the weights; the last axis varies fastest: in a surface with
  *   counts (m, n), point (i, j) is record i * n + j. `weights` may be NULL, which makes the spline
  *   polynomial. The values given are the values stored: getters return them bit for bit.
@@ -36,8 +36,8 @@
  *   records lie apart (stride covers a record) or the components do (component_stride covers all records);
  *   anything else is an error. Strides of an array that is NULL are ignored. Outputs must overlap neither
  *   inputs nor each other: arrays that do are refused (NURBS_ERROR_OVERLAP), outputs of one value not always.
- *   Arrays of doubles may be parts of one table, with its row as their stride and component_stride 1. Inputs
- *   may be the same memory. Where n is 0 the pointers may be NULL.
+ *   Several arrays of doubles may be columns of one table: their stride is then the length of its rows, their
+ *   component_stride 1. Inputs may be the same memory. Where n is 0 the pointers may be NULL.
  * - **A parameter** in a span uses [t_i, t_i+1), the last span is closed. Flags choose the other side, and
  *   what happens outside the domain.
  *
@@ -84,8 +84,8 @@
  * once, a control point counts only those new ones among the `degree` knots that it belongs to, at most
  * `degree`: so too where splines are refined, split, extracted, decomposed and clamped.
  *
- * Rounding to nearest and gradual underflow are taken for granted: in a thread that has switched to other
- * modes, as programs do that g++ before version 13 links with -ffast-math, no bound and no proof holds.
+ * The bounds assume rounding to nearest and gradual underflow. Neither they nor proofs hold in a thread that
+ * uses other modes, as in programs that g++ before version 13 links with -ffast-math.
  *
  * All bounds hold barring underflow and overflow: a component too large for double precision comes out as an
  * infinity or NaN, without a status. One parameter gives the same bits alone, in a batch of any order and
@@ -102,11 +102,12 @@
  *
  * # Compatibility
  * A program built with this header runs with every later library of the same major version, and with every
- * earlier one that has the functions it calls.
+ * earlier one that has the functions, flags, constants and fields it uses.
  * - A **patch** version mends defects. Results may change within the bounds stated here, and by what the
  *   defect was; texts of messages may change.
  * - A **minor** version also adds functions, constants, flags, statuses and fields at the ends of structs,
- *   and may do what was an error: calls that failed succeed, and files give more splines and fewer notes.
+ *   and may accept what was an error: calls that failed may succeed, and files may give more splines and
+ *   fewer notes.
  *   The entry of a function names the version that brought it, and its symbol carries that version
  *   (NURBS_1.0).
  * - A **major** version may do anything, has another file name (libnurbs.so.1 is version 1), and can be
@@ -116,9 +117,8 @@
  * library knows which fields its caller has; those that a caller lacks have their defaults, and those that a
  * library does not know must be 0, which leaves them at their defaults (else NURBS_ERROR_OPTIONS). A caller
  * has to be ready for statuses that its header does not name, and must not pass bits or constants that it
- * does not name. Results that are sums of bits may have further bits, so that bits are to be tested and
- * sums not compared; results that are one of several constants may be further ones. What a budget of 0
- * stands for may change.
+ * does not name. A result that is a sum of bits may get further bits: test bits, do not compare sums. A
+ * result that is one of several constants may get further values. What a budget of 0 stands for may change.
  *
  * # Bindings
  * The comments below can be read by a program, and a binding needs nothing else. cmake/interface in the
@@ -169,8 +169,9 @@
  *   for the path and the system's words on it in messages of NURBS_ERROR_FILE.
  * - **Threads.** A message belongs to the thread of the operating system whose call failed. Where a
  *   runtime moves tasks between threads (Go), a task has to stay in its thread until it has read the
- *   message. Calls may take long and cannot be interrupted; locks of an interpreter are best released
- *   meanwhile. 128 KB of stack are enough for all of them.
+ *   message. Calls may take long and cannot be interrupted; a thread that is cancelled ends after the call,
+ *   not in it. Locks of an interpreter are best released meanwhile. 128 KB of stack are enough for all of
+ *   them.
  */
 #ifndef NURBS_NURBS_H
 #define NURBS_NURBS_H
@@ -193,7 +194,7 @@ extern "C" {
 
 /** \name Version and limits
  * @{ */
-/** \brief Changes when binaries built before stop working. */
+/** \brief Changes when programs built with an earlier version may stop working. */
 #define NURBS_VERSION_MAJOR 1
 /** \brief Changes when functions, constants or options are added. */
 #define NURBS_VERSION_MINOR 0
@@ -257,27 +258,27 @@ enum {
     NURBS_ERROR_NOT_A_KNOT = 31, /**< a value that has to be a knot of the axis is none */
     NURBS_ERROR_MATRIX = 32,     /**< an entry of a matrix or translation is NaN or infinite */
     NURBS_ERROR_RATIONAL = 33,   /**< the spline is rational, which the function is not for */
-    NURBS_ERROR_INCOMPATIBLE = 40,  /**< splines differ in what they have to share */
-    NURBS_ERROR_GAP = 41,           /**< ends that are to be joined lie farther apart than the tolerance */
-    NURBS_ERROR_TOLERANCE = 42,     /**< a tolerance is negative or NaN, or otherwise out of range */
-    NURBS_ERROR_NOT_PERIODIC = 43,  /**< an axis that has to be periodic was not declared so */
-    NURBS_ERROR_END_WEIGHTS = 44,   /**< no one factor makes the weights at the ends of an axis equal */
-    NURBS_ERROR_FACTOR = 45,        /**< a factor is not finite, or not positive where it has to be */
-    NURBS_ERROR_CONTINUITY = 46,    /**< a knot is less smooth than the function needs */
-    NURBS_ERROR_WEIGHT_SIGN = 47,   /**< a weight of the result would not be positive */
-    NURBS_ERROR_PERIODIC = 48,      /**< an axis is periodic, which the function is not for */
-    NURBS_ERROR_END = 49,           /**< an end is neither NURBS_START nor NURBS_END */
-    NURBS_ERROR_BASIS = 50,         /**< not one of the NURBS_BASIS_ constants */
-    NURBS_ERROR_NOT_MONOTONE = 51,  /**< a function neither increases nor decreases strictly */
-    NURBS_ERROR_ANGLE = 52,         /**< an angle is not finite, or a sweep is 0 or more than a full turn */
-    NURBS_ERROR_LENGTH = 53,        /**< a radius or another length is not finite or out of range */
-    NURBS_ERROR_COLLINEAR = 54,     /**< points that must not be on a line are on one */
-    NURBS_ERROR_CONIC = 55,         /**< no conic, or no arc of one in one piece, fulfils the conditions */
-    NURBS_ERROR_FORM = 56,          /**< not one of the NURBS_ARC_ constants that are allowed here */
-    NURBS_ERROR_TANGENT = 57,       /**< tangents that have to agree differ by more than the tolerance */
-    NURBS_ERROR_TWIST = 58,         /**< twists that have to agree differ by more than the tolerance */
-    NURBS_ERROR_TWIST_RULE = 59,    /**< not one of the NURBS_TWIST_ constants, or one that does not suit */
-    NURBS_ERROR_INFLUENCE = 60,     /**< a control point has no influence at the parameter */
+    NURBS_ERROR_INCOMPATIBLE = 40, /**< splines differ in what they have to share */
+    NURBS_ERROR_GAP = 41,          /**< ends that are to be joined lie farther apart than the tolerance */
+    NURBS_ERROR_TOLERANCE = 42,    /**< a tolerance is negative or NaN, or otherwise out of range */
+    NURBS_ERROR_NOT_PERIODIC = 43, /**< an axis that has to be periodic was not declared so */
+    NURBS_ERROR_END_WEIGHTS = 44,  /**< no one factor makes the weights at the ends of an axis equal */
+    NURBS_ERROR_FACTOR = 45,       /**< a factor is not finite, or not positive where it has to be */
+    NURBS_ERROR_CONTINUITY = 46,   /**< a knot is less smooth than the function needs */
+    NURBS_ERROR_WEIGHT_SIGN = 47,  /**< a weight of the result would not be positive */
+    NURBS_ERROR_PERIODIC = 48,     /**< an axis is periodic, which the function is not for */
+    NURBS_ERROR_END = 49,          /**< an end is neither NURBS_START nor NURBS_END */
+    NURBS_ERROR_BASIS = 50,        /**< not one of the NURBS_BASIS_ constants */
+    NURBS_ERROR_NOT_MONOTONE = 51, /**< a function neither increases nor decreases strictly */
+    NURBS_ERROR_ANGLE = 52,      /**< an angle is not finite or above 2^22, or a sweep is 0 or above a turn */
+    NURBS_ERROR_LENGTH = 53,     /**< a radius or another length is not finite or out of range */
+    NURBS_ERROR_COLLINEAR = 54,  /**< points that must not be on a line are on one */
+    NURBS_ERROR_CONIC = 55,      /**< no conic, or no arc of one in one piece, fulfils the conditions */
+    NURBS_ERROR_FORM = 56,       /**< not one of the NURBS_ARC_ constants that are allowed here */
+    NURBS_ERROR_TANGENT = 57,    /**< tangents that have to agree differ by more than the tolerance */
+    NURBS_ERROR_TWIST = 58,      /**< twists that have to agree differ by more than the tolerance */
+    NURBS_ERROR_TWIST_RULE = 59, /**< not one of the NURBS_TWIST_ constants, or one that does not suit */
+    NURBS_ERROR_INFLUENCE = 60,  /**< a control point has no influence at the parameter */
     NURBS_ERROR_CONTRADICTION = 61, /**< constraints contradict each other */
     NURBS_ERROR_CONSTRAINT = 62,    /**< not one of the NURBS_CONSTRAIN_ constants */
     NURBS_ERROR_OFF_POLYGON = 63,   /**< a point is not on the control polygon */
@@ -330,6 +331,7 @@ enum {
 /** @} */
 
 /** \name Global flags
+ * One bit may mean different things to different functions; each accepts only the flags that its entry names.
  * @{ */
 /** \brief nurbs_eval_adjoint(): add to what the outputs hold in place of overwriting it. */
 #define NURBS_ACCUMULATE 0x01000000u
@@ -536,7 +538,7 @@ NURBS_API void nurbs_destroy(nurbs *g);
  * \param[in] a,b the domain, a < b.
  * \param[in] knot_count count + degree + 1.
  * \param[out] knots [knot_count].
- * \return NURBS_OK, NURBS_ERROR_NULL, _DEGREE, _COUNT, _TOO_FEW_POINTS, _SIZE, _KNOT_NOT_FINITE,
+ * \return NURBS_OK, NURBS_ERROR_NULL, _DEGREE, _COUNT, _TOO_FEW_POINTS, _SIZE, _OVERFLOW, _KNOT_NOT_FINITE,
  *   _EMPTY_DOMAIN; _NOT_REPRESENTABLE if knots overflow or [a, b] has no room for them.
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_knots_uniform(int32_t degree, int64_t count, double a, double b,
@@ -560,7 +562,8 @@ NURBS_API nurbs_status nurbs_knots_open_uniform(int32_t degree, int64_t count, d
  * \param[in] breaks [pieces + 1] or NULL for 0, 1/pieces, ..., 1: strictly increasing.
  * \param[in] knot_count number of control points + degree + 1.
  * \param[out] knots [knot_count].
- * \return NURBS_OK, NURBS_ERROR_NULL, _DEGREE, _COUNT, _SIZE, _OVERLAP, _KNOT_NOT_FINITE, _KNOTS_DECREASING.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _DEGREE, _COUNT, _SIZE, _OVERFLOW, _OVERLAP, _KNOT_NOT_FINITE,
+ *   _KNOTS_DECREASING.
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_knots_bezier(int32_t degree, int64_t pieces, const double *breaks,
                                           int64_t knot_count, double *knots);
@@ -573,7 +576,7 @@ NURBS_API nurbs_status nurbs_knots_bezier(int32_t degree, int64_t pieces, const 
  * \param[in] params [count] non-decreasing, first < last.
  * \param[in] knot_count count + degree + 1.
  * \param[out] knots [knot_count].
- * \return NURBS_OK, NURBS_ERROR_NULL, _DEGREE, _COUNT, _TOO_FEW_POINTS, _SIZE, _OVERLAP,
+ * \return NURBS_OK, NURBS_ERROR_NULL, _DEGREE, _COUNT, _TOO_FEW_POINTS, _SIZE, _OVERFLOW, _OVERLAP,
  *   _PARAMETER_NOT_FINITE, _KNOTS_DECREASING, _EMPTY_DOMAIN, _NOT_REPRESENTABLE; _END_MULTIPLICITY or
  *   _MULTIPLICITY if parameters repeat so often that a knot would.
  * \since 1.0 */
@@ -590,9 +593,9 @@ NURBS_API nurbs_status nurbs_knots_averaged(int32_t degree, int64_t count, const
  *   first.
  * \param[in] knot_count m + 2 * degree + 1.
  * \param[out] knots [knot_count].
- * \return NURBS_OK, NURBS_ERROR_NULL, _DEGREE, _COUNT, _SIZE, _OVERLAP, _KNOT_NOT_FINITE, _KNOTS_DECREASING,
- *   _MULTIPLICITY; _PERIODIC_KNOTS if the first and last multiplicities differ; _NOT_REPRESENTABLE if knots
- *   overflow.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _DEGREE, _COUNT, _SIZE, _OVERFLOW, _OVERLAP, _KNOT_NOT_FINITE,
+ *   _KNOTS_DECREASING, _MULTIPLICITY; _PERIODIC_KNOTS if the first and last multiplicities differ;
+ *   _NOT_REPRESENTABLE if knots overflow.
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_knots_periodic(int32_t degree, int64_t n, const double *breaks,
                                             const int32_t *multiplicities, int64_t knot_count, double *knots);
@@ -1344,7 +1347,7 @@ NURBS_API nurbs_status nurbs_snap_knots(const nurbs *g, int32_t axis, double tol
  *
  * With a tolerance > 0 near-equal knots of the splines are first moved together as by nurbs_snap_knots(),
  * the knots of all splines taken as one list, so that they do not multiply; the value of a group is the one
- * that occurs most often in all. Whatever no knot is moved for stays exact. A domain whose ends are at most
+ * that occurs most often in all. Splines of which no knot moves stay exact. A domain whose ends are at most
  * tolerance times the length of that of splines[0] away from its ends is mapped to it even without
  * NURBS_MAP_DOMAINS, and the deviation bounds how far points at a parameter move by that, too.
  * \param[in] count number of splines, at least 1.
@@ -1523,8 +1526,8 @@ NURBS_API nurbs_status nurbs_from_homogeneous(const nurbs *g, nurbs **out);
  * weights are), a weight is within eps / 2 of itself.
  * \param[in] g a spline.
  * \param[out] out the new handle; the same spline where there is nothing to do.
- * \return NURBS_OK, NURBS_ERROR_NULL; _NOT_REPRESENTABLE or _POINT_NOT_FINITE if a coordinate overflows,
- *   _WEIGHTS_VANISH if weights underflow.
+ * \return NURBS_OK, NURBS_ERROR_NULL; _NOT_REPRESENTABLE if a coordinate overflows, _WEIGHTS_VANISH if
+ *   weights underflow.
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_normalize_weights(const nurbs *g, nurbs **out);
 
@@ -1544,10 +1547,10 @@ NURBS_API nurbs_status nurbs_normalize_weights(const nurbs *g, nurbs **out);
  * \param[in] axis 0-based axis, not periodic, of degree >= 1.
  * \param[in] ratio positive and finite; 1 gives the same spline.
  * \param[out] out the new handle.
- * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS; _FACTOR if ratio is not positive and finite, _PERIODIC on
- *   a periodic axis, whose knots would not repeat, _DEGREE at degree 0, _KNOTS_MERGE if knots would become
- *   one or lie at or behind the pole of the map (beyond the domain of an unclamped axis), _NOT_REPRESENTABLE
- *   or _WEIGHT_NOT_FINITE if a value overflows, _WEIGHTS_VANISH if weights underflow.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS; _FACTOR if ratio is not positive and finite, _PERIODIC on a
+ *   periodic axis, whose knots would not repeat, _DEGREE at degree 0, _KNOTS_MERGE if knots would become one
+ *   or lie at or behind the pole of the map (beyond the domain of an unclamped axis), _NOT_REPRESENTABLE if
+ *   a value overflows, _WEIGHTS_VANISH if weights underflow.
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_reparametrize_moebius(const nurbs *g, int32_t axis, double ratio, nurbs **out);
 
@@ -1784,8 +1787,8 @@ NURBS_API nurbs_status nurbs_to_power(const nurbs *g, int64_t cap, double *coeff
 /** \brief A spline from the power basis of its pieces, as nurbs_to_power() gives it. All breaks are knots of
  * multiplicity degree + 1, so that the pieces need not meet, and the Bezier points of every piece are its
  * control points: on one axis b_i = sum_k binomial(i, k) / binomial(p, k) c_k h^k, each within (3 p + 1) / 2
- * eps of the sum of the magnitudes of its terms, on several the sum of that over them. nurbs_simplify() or
- * nurbs_reduce_knots() take the knots away that pieces do not need which fit.
+ * eps of the sum of the magnitudes of its terms, on several the sum of that over them. nurbs_simplify()
+ * and nurbs_reduce_knots() remove the knots that are not needed where pieces meet smoothly.
  * \param[in] axes 1 to 3.
  * \param[in] degrees [axes] degrees.
  * \param[in] piece_counts [axes] number of pieces along each axis, at least 1.
@@ -1929,7 +1932,8 @@ NURBS_API nurbs_status nurbs_deviation(const nurbs *f, const nurbs *g, double *a
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN, _TIMES, _TOLERANCE,
  *   _OVERFLOW; _NOT_A_KNOT if there is no such knot, _END_KNOT if it is an end of the domain;
- *   _PERIODIC_KNOTS as for nurbs_elevate(); _NOT_REPRESENTABLE if a point overflows.
+ *   _PERIODIC_KNOTS as for nurbs_elevate(); _NOT_REPRESENTABLE if a value overflows, _WEIGHTS_VANISH if
+ *   weights underflow.
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_remove_knot(const nurbs *g, int32_t axis, double knot, int32_t times,
                                          double tolerance, int32_t *removed, double *bound, nurbs **out);
@@ -1947,7 +1951,7 @@ NURBS_API nurbs_status nurbs_remove_knot(const nurbs *g, int32_t axis, double kn
  *   removed.
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _TOLERANCE, _OVERFLOW; _PERIODIC_KNOTS as for nurbs_elevate();
- *   _NOT_REPRESENTABLE if a point overflows.
+ *   _NOT_REPRESENTABLE if a value overflows, _WEIGHTS_VANISH if weights underflow.
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_reduce_knots(const nurbs *g, int32_t axis, double tolerance, double *bound,
                                           nurbs **out);
@@ -1965,8 +1969,8 @@ NURBS_API nurbs_status nurbs_reduce_knots(const nurbs *g, int32_t axis, double t
  * \param[out] bound or NULL: proven bound of the distance from g.
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _TIMES, _OVERFLOW; _DEGREE if times exceeds the degree,
- *   _WEIGHT_SIGN if g has weights >= 0 and the result would not; _PERIODIC_KNOTS as for
- *   nurbs_elevate(); _NOT_REPRESENTABLE if a point overflows.
+ *   _WEIGHT_SIGN if g has weights >= 0 and the result would not; _PERIODIC_KNOTS as for nurbs_elevate();
+ *   _NOT_REPRESENTABLE if a value overflows, _WEIGHTS_VANISH if weights underflow.
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_reduce_degree(const nurbs *g, int32_t axis, int32_t times, double *bound,
                                            nurbs **out);
@@ -1980,7 +1984,7 @@ NURBS_API nurbs_status nurbs_reduce_degree(const nurbs *g, int32_t axis, int32_t
  *   changed.
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _TOLERANCE, _OVERFLOW; _PERIODIC_KNOTS as for nurbs_elevate();
- *   _NOT_REPRESENTABLE if a point overflows.
+ *   _NOT_REPRESENTABLE if a value overflows, _WEIGHTS_VANISH if weights underflow.
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_simplify(const nurbs *g, double tolerance, double *bound, nurbs **out);
 /** @} */
@@ -2191,8 +2195,8 @@ NURBS_API nurbs_status nurbs_curve_circle(int32_t dim, const double *center, con
  * \param[in] form one of the NURBS_ARC_ constants.
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _DIMENSION, _DIRECTION, _POINT_NOT_FINITE, _FORM; _LENGTH if the
- *   radius is not finite or not positive, _ANGLE if start is not finite, or sweep is not, is 0 or more than
- *   a full turn; _NOT_REPRESENTABLE if a coordinate overflows.
+ *   radius is not finite or not positive, _ANGLE if start or sweep is not finite or above 2^22, or sweep is
+ *   0 or more than a full turn; _NOT_REPRESENTABLE if a coordinate overflows.
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_curve_arc(int32_t dim, const double *center, const double *axis, const double *x,
                                        double radius, double start, double sweep, int32_t form, nurbs **out);
@@ -2987,7 +2991,7 @@ NURBS_API nurbs_status nurbs_recognize(const nurbs *g, double tolerance, int32_t
  *   in place of an error; or 0.
  * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERFLOW, _STRIDE, _OVERLAP, _FLAGS, _TOLERANCE,
  *   _POINT_NOT_FINITE; _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN or _EMPTY_DOMAIN if range is no interval of
- *   the domain.
+ *   the domain, _NOT_REPRESENTABLE if a point of a homogeneous spline overflows.
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_closest_points(const nurbs *g, int64_t n, const double *points,
                                             int64_t point_stride, int64_t point_component_stride,
@@ -3065,7 +3069,7 @@ NURBS_API nurbs_status nurbs_closest_local(const nurbs *g, int64_t n, const doub
  * \param[out] status or NULL: sum of NURBS_CLOSEST_ bits: certified if no other is as near.
  * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERFLOW, _OVERLAP, _TOLERANCE, _POINT_NOT_FINITE; _SIZE if
  *   cap is neither 0 nor enough; _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN or _EMPTY_DOMAIN if range is no
- *   interval of the domain.
+ *   interval of the domain, _NOT_REPRESENTABLE if a point of a homogeneous spline overflows.
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_closest_all(const nurbs *g, const double *point, const double *range,
                                          double tolerance, int64_t budget, int64_t cap, double *params,
@@ -3111,7 +3115,7 @@ NURBS_API nurbs_status nurbs_critical_points(const nurbs *g, const double *point
  * \param[out] status [n] or NULL: as for nurbs_closest_points().
  * \param[in] flags NURBS_NAN_POINTS, or 0.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DIMENSION, _COUNT, _OVERFLOW, _STRIDE, _OVERLAP, _FLAGS,
- *   _TOLERANCE, _POINT_NOT_FINITE.
+ *   _TOLERANCE, _POINT_NOT_FINITE; _NOT_REPRESENTABLE if a point of a homogeneous spline overflows.
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_curve_signed_distances(const nurbs *g, int64_t n, const double *points,
                                                     int64_t point_stride, int64_t point_component_stride,
@@ -3275,7 +3279,7 @@ NURBS_API nurbs_status nurbs_moments(const nurbs *g, double relative_tolerance, 
 /** \brief Area, centroid and inertia of the region of the plane that closed chains of curves enclose, by
  * Green's theorem: 1/2 integral of x dy - y dx. What a chain that runs counterclockwise encloses counts
  * positive, so that holes run clockwise. The curves may come in any order, but each runs in the direction of
- * its chain; a jump inside one is an end and a start.
+ * its chain; a jump inside one is an end and a start, and a periodic curve has no other ends.
  * \param[in] count number of curves, > 0.
  * \param[in] curves [count] curves of dimension 2.
  * \param[in] tolerance largest gap between an end and the start that is nearest to it, >= 0.
@@ -3332,7 +3336,8 @@ NURBS_API nurbs_status nurbs_enclosed_volume(int64_t count, const nurbs *const *
  * \param[out] gap or NULL: largest distance of a face from the spline, proven, at most the tolerance beside
  *   rounding unless 20000 halvings do not reach it.
  * \return NURBS_OK, NURBS_ERROR_NULL, _OVERLAP, _TOLERANCE; _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN or
- *   _EMPTY_DOMAIN if range is no interval of the domain.
+ *   _EMPTY_DOMAIN if range is no interval of the domain, _NOT_REPRESENTABLE if a point of a homogeneous
+ *   spline overflows.
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_box(const nurbs *g, const double *range, double tolerance, double *lower,
                                  double *upper, double *gap);
@@ -3706,11 +3711,11 @@ NURBS_API nurbs_status nurbs_most_influential(const nurbs *g, int64_t n, const d
  * \param[in] ratio from 0 to 1.
  * \param[out] knot or NULL: the knot.
  * \param[out] out the new handle.
- * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _INDEX, _OVERFLOW, _PERIODIC_KNOTS; _DEGREE if it is 0, _FACTOR
- *   if ratio is not in [0, 1], _MULTIPLICITY if the knot occurs degree + 1 times already, _WEIGHT_SIGN if the
- *   weights of the ends have not one sign, or just one is 0, so that no knot makes a point between them one,
- *   _POINT_NOT_FINITE if one of them is at infinity, _PERIODIC if a periodic axis has fewer different layers
- *   than its degree.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _INDEX, _OVERFLOW, _PERIODIC_KNOTS, _NOT_REPRESENTABLE; _DEGREE
+ *   if it is 0, _FACTOR if ratio is not in [0, 1], _MULTIPLICITY if the knot occurs degree + 1 times
+ *   already, _WEIGHT_SIGN if the weights of the ends have not one sign, or just one is 0, so that no knot
+ *   makes a point between them one, _POINT_NOT_FINITE if one of them is at infinity, _PERIODIC if a periodic
+ *   axis has fewer different layers than its degree.
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_insert_on_leg(const nurbs *g, int32_t axis, int64_t index, double ratio,
                                            double *knot, nurbs **out);
@@ -3780,7 +3785,8 @@ NURBS_API nurbs_status nurbs_insert_at_point(const nurbs *g, int32_t axis, const
  *   positive, _DIRECTION if a target that has to be a direction is zero, _DIMENSION or _AXES if a kind does
  *   not suit, _INFLUENCE if no control point that may move acts on a constraint, _CONTRADICTION naming the
  *   constraint with the largest residual and that, _WEIGHT_SIGN if a weight would not be positive,
- *   _NOT_CONVERGED, _NOT_REPRESENTABLE; _POINT_NOT_FINITE also if g has a control point at infinity.
+ *   _NOT_CONVERGED, _NOT_REPRESENTABLE, _WEIGHTS_VANISH; _POINT_NOT_FINITE also if g has a control point at
+ *   infinity.
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_constrain(const nurbs *g, int64_t count, const int32_t *kinds,
                                        const int32_t *orders, const double *params, const double *targets,
@@ -3807,7 +3813,7 @@ NURBS_API nurbs_status nurbs_constrain(const nurbs *g, int64_t count, const int3
  * \return NURBS_OK, NURBS_ERROR_NULL, _DIRECTION, _ORDER, _OVERFLOW, _PERIODIC_KNOTS; _PARAMETER_NOT_FINITE,
  *   _OUTSIDE_DOMAIN or _EMPTY_DOMAIN if range is no interval of the domain, _KNOTS_MERGE if it has too few
  *   doubles; _LENGTH if the distance is not finite, _DEGREE if a degree would exceed NURBS_MAX_DEGREE,
- *   _NOT_REPRESENTABLE if a point overflows.
+ *   _NOT_REPRESENTABLE if a value overflows, _WEIGHTS_VANISH if weights underflow.
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_warp(const nurbs *g, const double *range, const double *direction,
                                   double distance, int32_t order, nurbs **out);
@@ -3824,9 +3830,10 @@ NURBS_API nurbs_status nurbs_warp(const nurbs *g, const double *range, const dou
  * \param[out] moved or NULL: largest distance by which a control point moved, which bounds that of the shape
  *   if all weights are >= 0.
  * \param[out] out the new handle.
- * \return NURBS_OK, NURBS_ERROR_NULL, _OVERFLOW, _POINT_NOT_FINITE, _PERIODIC_KNOTS; _DIRECTION if the normal
- *   or the direction is zero or not finite, or they are perpendicular; _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN
- *   or _EMPTY_DOMAIN if range is no interval of the domain; _NOT_REPRESENTABLE if a point overflows.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _OVERFLOW, _POINT_NOT_FINITE, _PERIODIC_KNOTS; _DIRECTION if the
+ *   normal or the direction is zero or not finite, or they are perpendicular; _PARAMETER_NOT_FINITE,
+ *   _OUTSIDE_DOMAIN or _EMPTY_DOMAIN if range is no interval of the domain; _NOT_REPRESENTABLE if a value
+ *   overflows, _WEIGHTS_VANISH if weights underflow.
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_flatten(const nurbs *g, const double *range, const double *point,
                                      const double *normal, const double *direction, double *moved,
@@ -3894,8 +3901,8 @@ NURBS_API nurbs_status nurbs_free_form_deform(const nurbs *g, const nurbs *volum
  * \param[out] energies [2] or NULL: before and after.
  * \param[out] bound or NULL: proven bound of the distance from g, at most the tolerance.
  * \param[out] out the new handle.
- * \return NURBS_OK, NURBS_ERROR_NULL, _ORDER, _TOLERANCE, _OVERLAP, _OVERFLOW, _NOT_REPRESENTABLE; _DEGREE
- *   if no axis has a degree of at least order.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _ORDER, _TOLERANCE, _OVERLAP, _OVERFLOW, _NOT_REPRESENTABLE,
+ *   _WEIGHTS_VANISH; _DEGREE if no axis has a degree of at least order.
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_fair(const nurbs *g, int32_t order, const int32_t *keep, double tolerance,
                                   double *energies, double *bound, nurbs **out);
@@ -3913,10 +3920,10 @@ NURBS_API nurbs_status nurbs_fair(const nurbs *g, int32_t order, const int32_t *
  * \param[in] flags NURBS_REVERSED: the boundaries of surfaces run against each other; or 0.
  * \param[out] bound or NULL: proven bound of the distance from g.
  * \param[out] out the new handle.
- * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _END, _ORDER, _OVERFLOW, _KNOTS_MERGE, _NOT_REPRESENTABLE;
- *   _AXES if g is a volume or other has not as many axes, _FLAGS, also for NURBS_REVERSED with curves,
- *   _INCOMPATIBLE if the dimensions differ, _PERIODIC if an axis across a boundary is periodic, _DEGREE if
- *   one across has degree 0 and order is 1, _TANGENT if a tangent that is needed vanishes,
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _END, _ORDER, _OVERFLOW, _KNOTS_MERGE, _NOT_REPRESENTABLE,
+ *   _WEIGHTS_VANISH; _AXES if g is a volume or other has not as many axes, _FLAGS, also for NURBS_REVERSED
+ *   with curves, _INCOMPATIBLE if the dimensions differ, _PERIODIC if an axis across a boundary is periodic,
+ *   _DEGREE if one across has degree 0 and order is 1, _TANGENT if a tangent that is needed vanishes,
  *   _WEIGHT_SIGN if a weight of the second layer would not be positive.
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_snap_boundary(const nurbs *g, int32_t axis, int32_t end, const nurbs *other,
@@ -4089,13 +4096,13 @@ typedef struct nurbs_read_options {
 NURBS_API nurbs_status nurbs_read_options_init(nurbs_read_options *options, int64_t struct_size);
 
 /** \brief Reads the curves and surfaces of an IGES 5.x file (fixed-length ASCII form).
- * Entities 126 (rational B-spline curve) and 128 (rational B-spline surface) become splines, in the order of
- * the directory; transformation matrices (124), parameter ranges, delimiters, unit and model scale are
- * respected. Curves used in the parameter plane of a surface have dimension 2, everything else dimension 3;
- * parameter-plane curves are not scaled to `unit`. An entity whose weights are all equal becomes a polynomial
- * spline, whatever its flags say; an axis becomes periodic if the entity says so and its knots and points
- * wrap. Every other entity that did not go into a spline, and every 126 or 128 that is not a valid spline, is
- * listed in the notes.
+ * Entities 126 (rational B-spline curve) and 128 (rational B-spline surface) become splines, in the order
+ * of the directory; transformation matrices (124), parameter ranges (as far as they lie inside the knots),
+ * delimiters, unit and model scale are respected. Curves used in the parameter plane of a surface have
+ * dimension 2, everything else dimension 3; parameter-plane curves are not scaled to `unit`. An entity
+ * whose weights are all equal becomes a polynomial spline, whatever its flags say; an axis becomes
+ * periodic if the entity says so and its knots and points wrap. Every other entity that did not go into a
+ * spline, and every 126 or 128 that is not a valid spline, is listed in the notes.
  * \param[in] bytes [size] the contents of the file.
  * \param[in] size number of bytes.
  * \param[in] options or NULL for the defaults: settings.
@@ -4129,7 +4136,8 @@ NURBS_API nurbs_status nurbs_list_count(const nurbs_list *list, int64_t *count);
 NURBS_API nurbs_status nurbs_list_get(const nurbs_list *list, int64_t index, nurbs **out);
 
 /** \brief Name of spline `index`: that of the file (name property, else label and subscript), else
- * "type#line" such as "126#17". At most cap - 1 bytes and a terminating zero are written.
+ * "type#line" such as "126#17"; in other lists as the function says that made them. At most cap - 1 bytes
+ * and a terminating zero are written.
  * \param[in] list a list.
  * \param[in] index 0-based.
  * \param[out] buf [cap] or NULL when cap is 0: receives the text.

@@ -68,13 +68,13 @@ SplinePtr blended_spline(const std::vector<const BlendAxis *> &axes, int dim, Fo
         knots.push_back(axis->axis);
     }
     if (std::ranges::all_of(axes, [](const BlendAxis *axis) { return axis->weights.empty(); })) {
-        return make_spline(std::move(knots), dim, Form::polynomial, std::move(net));
+        return make_result(std::move(knots), dim, Form::polynomial, std::move(net));
     }
     std::vector<double> weights =
         tensor(axes, [](const BlendAxis &axis, size_t i) { return axis.weight(i); });
     require_representable(weights, "weights");
     if (form == Form::rational && std::ranges::find(weights, 0) == weights.end()) {
-        return make_spline(std::move(knots), dim, form, std::move(net), std::move(weights));
+        return make_result(std::move(knots), dim, form, std::move(net), std::move(weights));
     }
     const std::vector<double> divisors =
         tensor(axes, [](const BlendAxis &axis, size_t i) { return axis.divisor(i); });

@@ -53,7 +53,7 @@ std::vector<double> net_of_zeros(const std::vector<const BlendAxis *> &axes, int
 
 // The spline of a net whose control points are numerators over the product of the divisors of the axes. Of
 // the form given where it is rational, if points at infinity do not make it a homogeneous one. Throws
-// NURBS_ERROR_NOT_REPRESENTABLE and what make_spline() throws.
+// NURBS_ERROR_NOT_REPRESENTABLE and what make_result() throws.
 SplinePtr blended_spline(const std::vector<const BlendAxis *> &axes, int dim, Form form,
                          std::vector<double> net);
 

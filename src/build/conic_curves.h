@@ -13,7 +13,7 @@ namespace nrb {
 SplinePtr placed_arc(const Placement &place, double radius_x, double radius_y, const Arc &arc);
 
 // These three as nurbs.h has them. They throw NURBS_ERROR_LENGTH, _ANGLE, _FORM, _PARAMETER_NOT_FINITE,
-// _EMPTY_DOMAIN, and what make_spline() throws.
+// _EMPTY_DOMAIN, and what make_result() throws.
 SplinePtr ellipse(const Placement &place, double radius_x, double radius_y, const Turn &turn, int32_t form);
 SplinePtr parabola(const Placement &place, double focal_length, double start, double end);
 SplinePtr hyperbola(const Placement &place, double radius_x, double radius_y, double start, double end);

@@ -142,7 +142,7 @@ SplinePtr hermite_cubic(const CornerMatrix &m, int i, bool row, Interval domain)
         points[3 * dim + c] = entry(1)[c];
     }
     const auto [a, b] = domain;
-    return make_spline({make_knot_vector(3, {a, a, a, a, b, b, b, b})}, m.dim(), Form::polynomial,
+    return make_result({make_knot_vector(3, {a, a, a, a, b, b, b, b})}, m.dim(), Form::polynomial,
                        std::move(points));
 }
 

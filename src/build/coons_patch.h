@@ -15,7 +15,7 @@ namespace nrb {
 // times g_j is added to A_i, the difference times f_i to B_j. The layers of control points at an edge are
 // those of the boundary over the knots of the surface, corners the points of m; the layers next to them
 // follow from the cross tangent alone. `own` is what the functions have at the corners. Throws
-// NURBS_ERROR_OVERFLOW, _NOT_REPRESENTABLE, and what make_spline() throws. Cost: order + order products for
+// NURBS_ERROR_OVERFLOW, _NOT_REPRESENTABLE, and what make_result() throws. Cost: order + order products for
 // each coordinate of the net.
 SplinePtr coons_patch(BlendAxis u, BlendAxis v, const CornerPair &own, const CornerMatrix &m, Form form);
 

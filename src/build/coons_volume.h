@@ -17,7 +17,7 @@ namespace nrb {
 // control points are those of the faces over the knots of the volume. This needs weights of faces that are
 // products of one function for each axis; others are summed up term by term (blend_sum.h). Throws
 // NURBS_ERROR_AXES, _DIMENSION, _GAP, _WEIGHTS_VANISH for a corner at infinity, and what make_blend_axis(),
-// sum_of_blends() and make_spline() throw. Precondition: 6 faces. Cost: linear in the points of the result.
+// sum_of_blends() and make_result() throw. Precondition: 6 faces. Cost: linear in the points of the result.
 SplinePtr volume_coons(const std::vector<SplinePtr> &faces, double tolerance);
 
 } // namespace nrb

@@ -7,7 +7,7 @@
 
 namespace nrb {
 
-// Without the checks of make_spline(). Precondition: the sizes agree and all values are finite.
+// Without the checks of make_result(). Precondition: the sizes agree and all values are finite.
 SplinePtr polynomial_spline(Spline::Axes axes, int dim, std::vector<double> points);
 
 // Whether two functions have the same control points over common knots, bit for bit. Precondition: neither is null.

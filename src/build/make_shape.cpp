@@ -10,9 +10,9 @@ namespace nrb {
 SplinePtr make_shape(Spline::Axes axes, int dim, std::vector<double> points, std::vector<double> weights) {
     require_representable(points, "the control points of the shape");
     if (std::all_of(weights.begin(), weights.end(), [](double w) { return w == 1; })) {
-        return make_spline(std::move(axes), dim, Form::polynomial, std::move(points));
+        return make_result(std::move(axes), dim, Form::polynomial, std::move(points));
     }
-    return make_spline(std::move(axes), dim, Form::rational, std::move(points), std::move(weights));
+    return make_result(std::move(axes), dim, Form::rational, std::move(points), std::move(weights));
 }
 
 } // namespace nrb

@@ -102,7 +102,7 @@ SplinePtr turned(const Placement &place, const Arc &arc, const Profile &profile,
         }
     }
     require_representable(points, "control points");
-    return make_spline({arc.axis, profile.axis}, 3, Form::rational, std::move(points), std::move(weights));
+    return make_result({arc.axis, profile.axis}, 3, Form::rational, std::move(points), std::move(weights));
 }
 
 } // namespace nrb

@@ -126,7 +126,7 @@ SplinePtr saddle(const Placement &place, double radius_x, double radius_y, doubl
     }
     require_representable(points, "control points");
     const KnotVectorPtr axis = bezier_knots(2, std::array<double, 2>{0, 1});
-    return make_spline({axis, axis}, 3, Form::polynomial, std::move(points));
+    return make_result({axis, axis}, 3, Form::polynomial, std::move(points));
 }
 
 SplinePtr hyperboloid(const Placement &place, const HyperboloidSize &size, const Turn &turn, int32_t form) {

@@ -86,7 +86,7 @@ SplinePtr revolve(const Spline &spline, const double *point, const double *axis,
     const Arc arc = unit_arc(turn, form);
     Spline::Axes axes = spline.knot_vectors();
     axes.insert(axes.begin(), arc.axis);
-    return make_spline(std::move(axes), 3, std::max(spline.form(), Form::rational),
+    return make_result(std::move(axes), 3, std::max(spline.form(), Form::rational),
                        turned_points(spline, line, arc, turn.sweep.full_turn()), turned_weights(spline, arc));
 }
 

@@ -66,7 +66,7 @@ SplinePtr unit_face() {
             weights.push_back(point.weight);
         }
     }
-    return make_spline({quartic(), quartic()}, 3, Form::rational, std::move(points), std::move(weights));
+    return make_result({quartic(), quartic()}, 3, Form::rational, std::move(points), std::move(weights));
 }
 
 // Its part y >= 0; y is 0 on the edge by the symmetry of the face.
@@ -76,7 +76,7 @@ SplinePtr upper_half(const SplinePtr &face) {
     for (size_t i = 1; i < points.size(); i += 15) {
         points[i] = 0;
     }
-    return make_spline({quartic(), quartic()}, 3, Form::rational, std::move(points),
+    return make_result({quartic(), quartic()}, 3, Form::rational, std::move(points),
                        {half->weights().begin(), half->weights().end()});
 }
 
@@ -97,7 +97,7 @@ SplinePtr placed(const Spline &face, const Orientation &turn, const Placement &p
                     coordinate(point, turn[2], radius), points.data() + i);
     }
     require_representable(points, "control points");
-    return make_spline(face.knot_vectors(), 3, Form::rational, std::move(points),
+    return make_result(face.knot_vectors(), 3, Form::rational, std::move(points),
                        {face.weights().begin(), face.weights().end()});
 }
 

@@ -64,7 +64,7 @@ SplinePtr stacked(const SplinePtr &a, const SplinePtr &b) {
     const SplinePtr lower = in_form(a, form), upper = in_form(b, form);
     Spline::Axes axes = lower->knot_vectors();
     axes.push_back(bezier_knots(1, std::array<double, 2>{0, 1}));
-    return make_spline(std::move(axes), lower->dim(), form,
+    return make_result(std::move(axes), lower->dim(), form,
                        interleaved(lower->points(), upper->points(), lower->stored_width()),
                        interleaved(lower->weights(), upper->weights(), 1));
 }
@@ -72,7 +72,7 @@ SplinePtr stacked(const SplinePtr &a, const SplinePtr &b) {
 SplinePtr extrude(const SplinePtr &spline, const double *vector) {
     check_room_for_axis(*spline, "g");
     check_direction(vector, spline->dim(), "vector");
-    return stacked(spline, make_spline(spline->knot_vectors(), spline->dim(), spline->form(),
+    return stacked(spline, make_result(spline->knot_vectors(), spline->dim(), spline->form(),
                                        moved_points(*spline, vector),
                                        {spline->weights().begin(), spline->weights().end()}));
 }

@@ -83,7 +83,7 @@ SplinePtr outer_spline(const Spline &a, const Spline &b, int dim, const Coordina
     const Outer outer{a, b, dim, std::max(a.form(), b.form())};
     Spline::Axes axes = a.knot_vectors();
     axes.insert(axes.end(), b.knot_vectors().begin(), b.knot_vectors().end());
-    return make_spline(std::move(axes), dim, outer.form, outer_points(outer, form), outer_weights(outer));
+    return make_result(std::move(axes), dim, outer.form, outer_points(outer, form), outer_weights(outer));
 }
 
 void check_plane_curve(const Spline &curve, const char *name) {

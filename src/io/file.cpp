@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <memory>
 #include <new>
+#include <pthread.h>
 #include <system_error>
 
 namespace nrb {
@@ -24,9 +25,23 @@ using File = std::unique_ptr<std::FILE, Close>;
     fail(NURBS_ERROR_FILE, "path = \"%.200s\": %s", path, std::generic_category().message(errno).c_str());
 }
 
+// A cancelled thread unwinds by an exception that must not be caught, and the border catches all: the thread ends
+// after the call.
+class NoCancellation {
+public:
+    NoCancellation() noexcept { pthread_setcancelstate(PTHREAD_CANCEL_DISABLE, &before_); }
+    ~NoCancellation() { pthread_setcancelstate(before_, nullptr); }
+    NoCancellation(const NoCancellation &) = delete;
+    NoCancellation &operator=(const NoCancellation &) = delete;
+
+private:
+    int before_ = 0;
+};
+
 } // namespace
 
 std::vector<char> read_whole_file(const char *path, int64_t max_bytes) {
+    const NoCancellation shield;
     const File file(std::fopen(path, "rb"));
     if (!file) {
         fail_file(path);

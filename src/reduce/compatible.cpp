@@ -321,7 +321,7 @@ Compatible make_compatible(std::span<const SplinePtr> splines, double tolerance,
     double deviation = 0, rounding = 0;
     for (size_t i = 0; i < splines.size(); ++i) {
         if (moved[i] != 0) {
-            check_spline(*set.splines()[i]);
+            check_spline(*set.splines()[i], Values::computed);
             deviation = std::max(deviation, deviation_bound(exact[i], set.splines()[i]));
         }
     }

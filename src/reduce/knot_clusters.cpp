@@ -4,6 +4,7 @@
 #include "refine/period.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace nrb {
@@ -20,6 +21,8 @@ std::vector<KnotCount> counted(std::span<const double> sorted) {
 }
 
 KnotClusters::KnotClusters(std::span<const KnotCount> knots, Interval domain, double width) {
+    // A part of a subnormal length may round to all of it.
+    width = std::min(width, std::nextafter(domain.upper - domain.lower, 0.0));
     int64_t most = 0;
     bool open = false; // whether the last cluster takes more knots
     for (const auto &[knot, times] : knots) {

@@ -20,7 +20,8 @@ std::vector<KnotCount> counted(std::span<const double> sorted);
 // most often, the lowest one of several.
 class KnotClusters {
 public:
-    // `knots` are sorted and distinct; those outside the domain join none but an end.
+    // `knots` are sorted and distinct; those outside the domain join none but an end. A width that is not below
+    // the domain's length counts as the next number below it, so that the ends stay apart.
     KnotClusters(std::span<const KnotCount> knots, Interval domain, double width);
 
     // What becomes of a knot of the list.

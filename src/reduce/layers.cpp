@@ -84,7 +84,7 @@ SplinePtr spline_of_layers(const Spline &old, int axis, KnotVectorPtr knots,
             }
         }
     }
-    return make_spline(with_axis(old, axis, std::move(knots)), old.dim(), old.form(), std::move(net.points),
+    return make_result(with_axis(old, axis, std::move(knots)), old.dim(), old.form(), std::move(net.points),
                        std::move(net.weights));
 }
 

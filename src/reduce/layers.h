@@ -33,7 +33,7 @@ struct LayerSource {
     const double *records;
 };
 
-// The spline with another axis, layer by layer. Throws what make_spline() throws. Precondition: new records
+// The spline with another axis, layer by layer. Throws what make_result() throws. Precondition: new records
 // of Form::rational have weights other than 0, or are 0: control points that have no effect, put at the
 // origin.
 SplinePtr spline_of_layers(const Spline &old, int axis, KnotVectorPtr knots,

@@ -32,7 +32,7 @@ bool layers_repeat(const Spline &spline, int k, std::span<const double> values, 
 SplinePtr declared_periodic(const Spline &spline, int k) {
     const KnotVector &axis = spline.axis(k);
     auto knots = make_knot_vector(axis.degree(), {axis.knots().begin(), axis.knots().end()}, true, k);
-    return make_spline(with_axis(spline, k, std::move(knots)), spline.dim(), spline.form(),
+    return make_result(with_axis(spline, k, std::move(knots)), spline.dim(), spline.form(),
                        {spline.points().begin(), spline.points().end()},
                        {spline.weights().begin(), spline.weights().end()});
 }
@@ -92,7 +92,7 @@ std::optional<PeriodicForm> form_of_order(const SplinePtr &spline, const Spline 
     if (std::any_of(net.weights.begin(), net.weights.end(), [](double w) { return w < 0; })) {
         return {};
     }
-    SplinePtr periodic = make_spline(with_axis(whole, k, made.axis), whole.dim(), whole.form(),
+    SplinePtr periodic = make_result(with_axis(whole, k, made.axis), whole.dim(), whole.form(),
                                      std::move(net.points), std::move(net.weights));
     const double deviation = deviation_bound(spline, periodic);
     return PeriodicForm{std::move(periodic), deviation, order};

@@ -254,7 +254,7 @@ SplinePtr with_axis_if_valid(const Spline &spline, int k, const AxisTable &made)
     try {
         Net net = apply_along(spline, k, made.table);
         settle_negative(spline, k, made.table, net);
-        return make_spline(with_axis(spline, k, made.axis), spline.dim(), spline.form(),
+        return make_result(with_axis(spline, k, made.axis), spline.dim(), spline.form(),
                            std::move(net.points), std::move(net.weights));
     } catch (const Error &error) {
         if (error.status() == NURBS_ERROR_WEIGHT_NEGATIVE || error.status() == NURBS_ERROR_WEIGHTS_VANISH) {

@@ -18,7 +18,7 @@ SplinePtr without_weights(const Spline &spline) {
     }
     std::vector<double> points = cartesian_points(spline);
     return all_finite(points)
-               ? make_spline(spline.knot_vectors(), spline.dim(), Form::polynomial, std::move(points))
+               ? make_result(spline.knot_vectors(), spline.dim(), Form::polynomial, std::move(points))
                : nullptr;
 }
 

@@ -90,7 +90,7 @@ SplinePtr antiderivative(const Spline &spline, int axis) {
         }
     }
     require_representable(points, "control points of the integral");
-    return make_spline(with_axis(spline, axis, integral.axis()), spline.dim(), Form::polynomial,
+    return make_result(with_axis(spline, axis, integral.axis()), spline.dim(), Form::polynomial,
                        std::move(points));
 }
 

@@ -68,7 +68,7 @@ Spline::Axes with_axis(const Spline &spline, int k, KnotVectorPtr axis) {
 
 SplinePtr with_axis(const Spline &spline, int k, const AxisTable &made) {
     Net net = apply_along(spline, k, made.table);
-    return make_spline(with_axis(spline, k, made.axis), spline.dim(), spline.form(), std::move(net.points),
+    return make_result(with_axis(spline, k, made.axis), spline.dim(), spline.form(), std::move(net.points),
                        std::move(net.weights));
 }
 
@@ -81,7 +81,7 @@ SplinePtr with_axis(const Spline &spline, int k, KnotVectorPtr axis, int64_t uni
         maker.append(rows(first, std::min(first + part, count)));
     }
     Net net = maker.finish();
-    return make_spline(with_axis(spline, k, std::move(axis)), spline.dim(), spline.form(),
+    return make_result(with_axis(spline, k, std::move(axis)), spline.dim(), spline.form(),
                        std::move(net.points), std::move(net.weights));
 }
 

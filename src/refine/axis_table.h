@@ -29,7 +29,7 @@ AxisTable refine_axis(const KnotVector &axis, std::span<const double> knots);
 // The knots of a sorted list and those of another one.
 std::vector<double> merged(std::span<const double> knots, std::span<const double> more);
 
-// The spline with one axis replaced. Throws what apply_along() and make_spline() throw.
+// The spline with one axis replaced. Throws what apply_along() and make_result() throw.
 SplinePtr with_axis(const Spline &spline, int k, const AxisTable &made);
 // The same for a table and an axis that are known to give a valid spline.
 Spline::Axes with_axis(const Spline &spline, int k, KnotVectorPtr axis);

@@ -71,7 +71,7 @@ void check_plain(const KnotVector &knots, int axis) {
 SplinePtr continued(const Spline &spline, int k, const AxisTable &made) {
     Net net = apply_along(spline, k, made.table);
     check_positive_weights(net.weights);
-    return make_spline(with_axis(spline, k, made.axis), spline.dim(), spline.form(), std::move(net.points),
+    return make_result(with_axis(spline, k, made.axis), spline.dim(), spline.form(), std::move(net.points),
                        std::move(net.weights));
 }
 
@@ -184,9 +184,6 @@ std::vector<double> repeated_knots(const KnotVector &axis) {
     knots[p] = lower;
     std::copy(first, last, knots.begin() + axis.degree() + 1);
     continue_knots(knots, p, p + period, period);
-    if (!std::isfinite(knots.back() - knots.front())) {
-        fail(NURBS_ERROR_NOT_REPRESENTABLE, "knots: those beyond the domain overflow");
-    }
     return knots;
 }
 

@@ -148,7 +148,7 @@ SplinePtr PartedSpline::part(int64_t index) const {
     if (whole_->form() == Form::rational) {
         weights = block(whole_->weights(), ranges, 1);
     }
-    return make_spline(std::move(axes), whole_->dim(), whole_->form(),
+    return make_result(std::move(axes), whole_->dim(), whole_->form(),
                        block(whole_->points(), ranges, whole_->stored_width()), std::move(weights));
 }
 

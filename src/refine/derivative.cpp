@@ -107,7 +107,7 @@ SplinePtr derived(const SplinePtr &spline, int axis) {
         }
     }
     require_representable(points, "control points of the derivative");
-    return make_spline(with_axis(*spline, axis, std::move(made.axis)), spline->dim(), Form::polynomial,
+    return make_result(with_axis(*spline, axis, std::move(made.axis)), spline->dim(), Form::polynomial,
                        std::move(points));
 }
 
@@ -121,7 +121,7 @@ SplinePtr zeros(const Spline &spline, int axis) {
     for (const KnotVectorPtr &knots : axes) {
         size = checked_product(size, knots->count(), "points");
     }
-    return make_spline(std::move(axes), spline.dim(), Form::polynomial,
+    return make_result(std::move(axes), spline.dim(), Form::polynomial,
                        std::vector<double>(static_cast<size_t>(size)));
 }
 

@@ -81,7 +81,7 @@ SplinePtr from_homogeneous(const Spline &spline) {
     if (spline.dim() < 2) {
         fail(NURBS_ERROR_DIMENSION, "dimension %d of g, expected at least 2", spline.dim());
     }
-    return make_spline(spline.knot_vectors(), spline.dim() - 1, Form::homogeneous,
+    return make_result(spline.knot_vectors(), spline.dim() - 1, Form::homogeneous,
                        {spline.points().begin(), spline.points().end()});
 }
 

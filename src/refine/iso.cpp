@@ -22,7 +22,7 @@ SplinePtr iso(const Spline &spline, int axis, double t, const AxisRule &rule) {
     Net net = apply_along(spline, axis, table);
     Spline::Axes axes = spline.knot_vectors();
     axes.erase(axes.begin() + axis);
-    return make_spline(std::move(axes), spline.dim(), spline.form(), std::move(net.points),
+    return make_result(std::move(axes), spline.dim(), spline.form(), std::move(net.points),
                        std::move(net.weights));
 }
 

@@ -235,7 +235,7 @@ Joined join(std::span<const SplinePtr> parts, int axis, JoinRule rule) {
     }
     Spline::Axes axes = parts[0]->knot_vectors();
     axes[static_cast<size_t>(axis)] = make_knot_vector(degree, std::move(knots), false, axis);
-    return {make_spline(std::move(axes), dim, form, side_by_side(nets, skip, &Points::points),
+    return {make_result(std::move(axes), dim, form, side_by_side(nets, skip, &Points::points),
                         side_by_side(nets, skip, &Points::weights)),
             gap};
 }

@@ -22,10 +22,17 @@ void continue_both_ways(std::vector<double> &knots, size_t begin, size_t end, si
     }
 }
 
+void check_range(const std::vector<double> &knots) {
+    if (!std::isfinite(knots.back() - knots.front())) {
+        fail(NURBS_ERROR_NOT_REPRESENTABLE, "knots: those of the periods beside the domain overflow");
+    }
+}
+
 } // namespace
 
-void continue_knots(std::vector<double> &knots, size_t first, size_t last, size_t step) noexcept {
+void continue_knots(std::vector<double> &knots, size_t first, size_t last, size_t step) {
     continue_both_ways(knots, first, last + 1, step, knots[last] - knots[first]);
+    check_range(knots);
 }
 
 std::vector<double> extended_knots(const KnotVector &axis, int64_t lead) {
@@ -35,9 +42,7 @@ std::vector<double> extended_knots(const KnotVector &axis, int64_t lead) {
     std::copy(stored.begin(), stored.end(), knots.begin() + lead);
     continue_both_ways(knots, first, first + stored.size(), static_cast<size_t>(axis.distinct_layers()),
                        axis.domain().upper - axis.domain().lower);
-    if (!std::isfinite(knots.back() - knots.front())) {
-        fail(NURBS_ERROR_NOT_REPRESENTABLE, "knots: those of the periods beside the domain overflow");
-    }
+    check_range(knots);
     return knots;
 }
 

@@ -9,8 +9,8 @@ namespace nrb {
 
 // Overwrites the knots before knots[first] and behind knots[last], a period of `step` knots later, by copies
 // a period away from those that are known. Knots that are equal have equal copies, whatever the rounding.
-// Preconditions: first + step == last < knots.size().
-void continue_knots(std::vector<double> &knots, size_t first, size_t last, size_t step) noexcept;
+// Throws NURBS_ERROR_NOT_REPRESENTABLE when a knot overflows. Preconditions: first + step == last < knots.size().
+void continue_knots(std::vector<double> &knots, size_t first, size_t last, size_t step);
 
 // The stored knots with `lead` more on either side, made in the same way. Throws
 // NURBS_ERROR_NOT_REPRESENTABLE when a knot overflows. Precondition: the axis is periodic.

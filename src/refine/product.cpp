@@ -257,7 +257,7 @@ SplinePtr from_records(Spline::Axes axes, int dim, Form form, std::vector<double
         form = Form::homogeneous;
     }
     if (form != Form::rational) {
-        return make_spline(std::move(axes), dim, form, std::move(records));
+        return make_result(std::move(axes), dim, form, std::move(records));
     }
     const auto width = static_cast<size_t>(dim) + 1;
     std::vector<double> points, weights;
@@ -271,7 +271,7 @@ SplinePtr from_records(Spline::Axes axes, int dim, Form form, std::vector<double
         weights.push_back(w);
     }
     require_representable(points, "control points of the product");
-    return make_spline(std::move(axes), dim, form, std::move(points), std::move(weights));
+    return make_result(std::move(axes), dim, form, std::move(points), std::move(weights));
 }
 
 SplinePtr product(const Spline &a, const Spline &b, ProductKind kind) {

@@ -44,12 +44,12 @@ Spline::Axes axes_of(const std::vector<JointAxis> &joint);
 
 enum class ProductKind { components, dot, cross };
 
-// The spline a(t) b(t). Throws NURBS_ERROR_DIMENSION, and what the functions above and make_spline() throw.
+// The spline a(t) b(t). Throws NURBS_ERROR_DIMENSION, and what the functions above and make_result() throw.
 SplinePtr product(const Spline &a, const Spline &b, ProductKind kind);
 
 // A spline of homogeneous records. With Form::rational points of weight 0 stand at the origin; if there are some
 // at infinity, which weights of 0 in a denominator can bring about, the form is the homogeneous one. Throws what
-// make_spline() throws.
+// make_result() throws.
 SplinePtr from_records(Spline::Axes axes, int dim, Form form, std::vector<double> records);
 
 } // namespace nrb

@@ -23,7 +23,7 @@ void check_degrees(const Spline &spline, int order) {
 }
 
 SplinePtr polynomial(Spline::Axes axes, int dim, std::vector<double> points) {
-    return make_spline(std::move(axes), dim, Form::polynomial, std::move(points));
+    return make_result(std::move(axes), dim, Form::polynomial, std::move(points));
 }
 
 // Some components of the records of a polynomial spline.

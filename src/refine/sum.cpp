@@ -50,7 +50,7 @@ SplinePtr combined(const Spline &a, double alpha, const Spline &b, double beta) 
         }
     }
     require_representable(points, "control points of the sum");
-    return make_spline(a.knot_vectors(), a.dim(), a.form(), std::move(points),
+    return make_result(a.knot_vectors(), a.dim(), a.form(), std::move(points),
                        {a.weights().begin(), a.weights().end()});
 }
 

@@ -84,14 +84,14 @@ SplinePtr cartesian(const Spline &spline, const std::vector<double> &records, in
         }
         weights.push_back(sign * record[dim]);
     }
-    return make_spline(spline.knot_vectors(), static_cast<int>(dim), Form::rational, std::move(points),
+    return make_result(spline.knot_vectors(), static_cast<int>(dim), Form::rational, std::move(points),
                        std::move(weights));
 }
 
 } // namespace
 
 SplinePtr transform(const Spline &spline, const MatrixView &matrix, const double *translation) {
-    return make_spline(spline.knot_vectors(), static_cast<int>(matrix.rows), spline.form(),
+    return make_result(spline.knot_vectors(), static_cast<int>(matrix.rows), spline.form(),
                        affine_image(spline, matrix, translation),
                        {spline.weights().begin(), spline.weights().end()});
 }
@@ -102,7 +102,7 @@ SplinePtr transform_projective(const Spline &spline, const MatrixView &matrix) {
     if (sign != 0) {
         return cartesian(spline, records, matrix.rows, sign);
     }
-    return make_spline(spline.knot_vectors(), static_cast<int>(matrix.rows - 1), Form::homogeneous,
+    return make_result(spline.knot_vectors(), static_cast<int>(matrix.rows - 1), Form::homogeneous,
                        std::move(records));
 }
 

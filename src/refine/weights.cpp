@@ -39,7 +39,7 @@ SplinePtr with_weights(const Spline &spline, Spline::Axes axes, Map &&map) {
     for (size_t i = 0; i < weights.size(); ++i) {
         weights[i] = map(weights[i], static_cast<int64_t>(i));
     }
-    return make_spline(std::move(axes), spline.dim(), spline.form(), std::move(points), std::move(weights));
+    return make_result(std::move(axes), spline.dim(), spline.form(), std::move(points), std::move(weights));
 }
 
 // The rational linear map of [lower, upper] to itself with the derivative 1 / rho at the lower end.
@@ -173,7 +173,7 @@ SplinePtr normalize_weights(const SplinePtr &spline) {
         return spline;
     }
     if (equal_weights(*spline)) {
-        return make_spline(spline->knot_vectors(), spline->dim(), Form::polynomial,
+        return make_result(spline->knot_vectors(), spline->dim(), Form::polynomial,
                            cartesian_points(*spline));
     }
     const double dominant = dominant_weight(*spline);

@@ -11,7 +11,7 @@ bool equal_weights(const Spline &spline) noexcept;
 // Whether two splines of as many control points have the same form and weights.
 bool same_weights(const Spline &a, const Spline &b) noexcept;
 
-// All weights divided by the one of largest magnitude; equal ones dropped. Throws what make_spline() throws.
+// All weights divided by the one of largest magnitude; equal ones dropped. Throws what make_result() throws.
 SplinePtr normalize_weights(const SplinePtr &spline);
 
 // The axis in the parameter u with (u - a) / (b - u) = (t - a) / (rho (b - t)) on the domain [a, b], rho =

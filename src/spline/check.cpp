@@ -13,15 +13,33 @@ namespace nrb {
 
 namespace {
 
-void check_points(const Spline &spline) {
+void check_points(const Spline &spline, Values values) {
     const std::span<const double> points = spline.points();
     for (size_t i = all_finite(points) ? points.size() : 0; i < points.size(); ++i) {
-        if (!std::isfinite(points[i])) {
-            const auto width = static_cast<size_t>(spline.stored_width());
-            const bool weight = spline.form() == Form::homogeneous && i % width + 1 == width;
-            fail(weight ? NURBS_ERROR_WEIGHT_NOT_FINITE : NURBS_ERROR_POINT_NOT_FINITE,
-                 "points[%zu][%zu] = %s is not finite", i / width, i % width, Number(points[i]).text);
+        if (std::isfinite(points[i])) {
+            continue;
         }
+        const auto width = static_cast<size_t>(spline.stored_width());
+        const bool weight = spline.form() == Form::homogeneous && i % width + 1 == width;
+        if (values == Values::computed) {
+            fail(NURBS_ERROR_NOT_REPRESENTABLE, "points[%zu][%zu] of the result overflows", i / width,
+                 i % width);
+        }
+        fail(weight ? NURBS_ERROR_WEIGHT_NOT_FINITE : NURBS_ERROR_POINT_NOT_FINITE,
+             "points[%zu][%zu] = %s is not finite", i / width, i % width, Number(points[i]).text);
+    }
+}
+
+void check_weight(const Spline &spline, size_t i, Values values) {
+    const double weight = spline.weights()[i];
+    if (!std::isfinite(weight) && values == Values::computed) {
+        fail(NURBS_ERROR_NOT_REPRESENTABLE, "weights[%zu] of the result overflows", i);
+    }
+    if (!std::isfinite(weight)) {
+        fail(NURBS_ERROR_WEIGHT_NOT_FINITE, "weights[%zu] = %s is not finite", i, Number(weight).text);
+    }
+    if (weight < 0) {
+        fail(NURBS_ERROR_WEIGHT_NEGATIVE, "weights[%zu] = %s, expected >= 0", i, Number(weight).text);
     }
 }
 
@@ -32,20 +50,14 @@ bool harmless_weights(const Spline &spline) noexcept {
            std::isfinite(largest * largest_magnitude(spline.points()));
 }
 
-void check_weight_values(const Spline &spline) {
+void check_weight_values(const Spline &spline, Values values) {
     if (harmless_weights(spline)) {
         return;
     }
     const std::span<const double> weights = spline.weights();
     const auto dim = static_cast<size_t>(spline.dim());
     for (size_t i = 0; i < weights.size(); ++i) {
-        if (!std::isfinite(weights[i])) {
-            fail(NURBS_ERROR_WEIGHT_NOT_FINITE, "weights[%zu] = %s is not finite", i,
-                 Number(weights[i]).text);
-        }
-        if (weights[i] < 0) {
-            fail(NURBS_ERROR_WEIGHT_NEGATIVE, "weights[%zu] = %s, expected >= 0", i, Number(weights[i]).text);
-        }
+        check_weight(spline, i, values);
         for (size_t c = 0; c < dim; ++c) {
             const double point = spline.points()[i * dim + c];
             if (!std::isfinite(weights[i] * point)) {
@@ -180,9 +192,9 @@ void check_wrapping(const Spline &spline, int k, std::span<const double> values,
 
 } // namespace
 
-void check_spline(const Spline &spline) {
-    check_points(spline);
-    check_weight_values(spline);
+void check_spline(const Spline &spline, Values values) {
+    check_points(spline, values);
+    check_weight_values(spline, values);
     if (spline.rational()) {
         check_weight_supports(spline);
     }
@@ -196,8 +208,10 @@ void check_spline(const Spline &spline) {
     }
 }
 
-SplinePtr make_spline(Spline::Axes axes, int dim, Form form, std::vector<double> points,
-                      std::vector<double> weights) {
+namespace {
+
+SplinePtr make_checked(Spline::Axes axes, int dim, Form form, std::vector<double> points,
+                       std::vector<double> weights, Values values) {
     auto spline =
         std::make_shared<const Spline>(std::move(axes), dim, form, std::move(points), std::move(weights));
     const int64_t count = spline->point_count();
@@ -207,8 +221,20 @@ SplinePtr make_spline(Spline::Axes axes, int dim, Form form, std::vector<double>
              spline->points().size(), spline->weights().size(), static_cast<long long>(count),
              spline->stored_width());
     }
-    check_spline(*spline);
+    check_spline(*spline, values);
     return spline;
+}
+
+} // namespace
+
+SplinePtr make_spline(Spline::Axes axes, int dim, Form form, std::vector<double> points,
+                      std::vector<double> weights) {
+    return make_checked(std::move(axes), dim, form, std::move(points), std::move(weights), Values::given);
+}
+
+SplinePtr make_result(Spline::Axes axes, int dim, Form form, std::vector<double> points,
+                      std::vector<double> weights) {
+    return make_checked(std::move(axes), dim, form, std::move(points), std::move(weights), Values::computed);
 }
 
 } // namespace nrb

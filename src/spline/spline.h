@@ -122,12 +122,19 @@ private:
 
 using SplinePtr = std::shared_ptr<const Spline>;
 
+// Points and weights that are not finite are a mistake of who gave them, with statuses of their own, or overflow of
+// what was computed: NURBS_ERROR_NOT_REPRESENTABLE.
+enum class Values { given, computed };
+
 // Checks finiteness, weights (w(t) > 0 on the closed domain, or some w_i != 0 in every support when
 // homogeneous) and the wrapping of periodic axes; throws Error naming the array, the index and the value.
-void check_spline(const Spline &spline);
+void check_spline(const Spline &spline, Values values);
 
 // A checked spline from validated axes and packed data; throws NURBS_ERROR_SIZE when sizes disagree.
 SplinePtr make_spline(Spline::Axes axes, int dim, Form form, std::vector<double> points,
+                      std::vector<double> weights = {});
+// The same of computed data.
+SplinePtr make_result(Spline::Axes axes, int dim, Form form, std::vector<double> points,
                       std::vector<double> weights = {});
 
 } // namespace nrb

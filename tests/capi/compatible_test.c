@@ -86,6 +86,32 @@ static void slivers(void) {
     nurbs_destroy(g);
 }
 
+/* Parts of lengths that are a few units of the smallest number round to the whole. */
+static void smallest_domains(void) {
+    static const double u = 0x1p-1074, points[] = {0, 1, 2, 3, 4, 5};
+    const double knots[] = {0, 0, u, u, 2 * u, 2 * u, 3 * u, 3 * u, 3 * u, 3 * u};
+    for (int32_t degree = 0; degree <= 3; ++degree) {
+        const int64_t count = 9 - degree;
+        const int64_t fewer = degree == 3 ? count : 6 - degree;
+        nurbs *g = NULL, *finer = NULL, *h = NULL;
+        nurbs_list *list = NULL;
+        const double *own = degree == 3 ? knots : VALUES(0, u, 2 * u, 3 * u, 4 * u, 5 * u, 6 * u);
+        CHECK_OK(nurbs_create(1, &degree, &fewer, own, fewer + degree + 1, 1, points, 0, 0, NULL, 0, 0, &g));
+        CHECK_OK(nurbs_snap_knots(g, 0, 0.99, NULL, &h));
+        double before[2], after[2];
+        CHECK_OK(nurbs_domain(g, 0, before));
+        CHECK_OK(nurbs_domain(h, 0, after));
+        CHECK_DOUBLES(after, before, 2);
+        CHECK_OK(nurbs_elevate(g, 0, 1, &finer));
+        const nurbs *splines[] = {g, finer};
+        CHECK_OK(nurbs_make_compatible(2, splines, 0.99, 0, NULL, &list));
+        nurbs_list_destroy(list);
+        nurbs_destroy(h);
+        nurbs_destroy(finer);
+        nurbs_destroy(g);
+    }
+}
+
 /* Domains that agree but for rounding. */
 static void near_domains(void) {
     static const int32_t degree = 1;
@@ -231,6 +257,7 @@ int main(void) {
     snapped();
     ends();
     slivers();
+    smallest_domains();
     near_domains();
     compatible();
     mapped_domains();

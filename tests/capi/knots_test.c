@@ -212,6 +212,19 @@ static void periodic_refuses(void) {
     CHECK_UNTOUCHED(out);
 }
 
+/* Lengths that no array has. */
+static void endless(void) {
+    static const double breaks[] = {0, 1, 2};
+    for (int shift = 60; shift <= 63; ++shift) {
+        const int64_t n = shift == 63 ? INT64_MAX : (int64_t)1 << shift;
+        KNOTS_FAIL(nurbs_knots_uniform(2, 5, 0, 1, n, out), NURBS_ERROR_OVERFLOW, "knots");
+        KNOTS_FAIL(nurbs_knots_open_uniform(2, 5, 0, 1, n, out), NURBS_ERROR_OVERFLOW, "knots");
+        KNOTS_FAIL(nurbs_knots_bezier(2, n, breaks, n, out), NURBS_ERROR_OVERFLOW, "knots");
+        KNOTS_FAIL(nurbs_knots_averaged(2, n - 3, breaks, n, out), NURBS_ERROR_OVERFLOW, "knots");
+        KNOTS_FAIL(nurbs_knots_periodic(0, n, breaks, NULL, n, out), NURBS_ERROR_OVERFLOW, "knots");
+    }
+}
+
 /* Inputs and outputs in one array. */
 static void overlaps(void) {
     static const double start[] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11};
@@ -227,6 +240,7 @@ static void overlaps(void) {
 }
 
 int main(void) {
+    endless();
     uniform();
     open_uniform();
     ends_are_exact();

@@ -52,6 +52,30 @@ static void strides(void) {
     nurbs_destroy(g);
 }
 
+/* Periodic curves have no ends that rounding could keep apart; a jump at the seam is one. */
+static void closed_by_their_knots(void) {
+    static const int32_t degree = 3, one = 1;
+    static const int64_t count = 9, five = 5;
+    static const double points[] = {1,    0,   0.5,  0.9, -0.6, 0.8, -1,  0.1,  -0.4,
+                                    -0.9, 0.7, -1.1, 1,   0,    0.5, 0.9, -0.6, 0.8},
+                        jumps[] = {0, 0, 1, 0, 1, 1, 0, 0.25, 0, 0}, twice[] = {0, 0, 1, 2, 3, 3, 4};
+    double knots[13], area = 0, breaks[7];
+    for (int i = 0; i < 7; ++i) {
+        breaks[i] = i / 6.0;
+    }
+    nurbs *g = NULL;
+    CHECK_OK(nurbs_knots_periodic(3, 7, breaks, NULL, 13, knots));
+    CHECK_OK(nurbs_create(1, &degree, &count, knots, 13, 2, points, 0, 0, NULL, 0, NURBS_PERIODIC, &g));
+    CHECK_OK(nurbs_enclosed_area(1, (const nurbs *const *)&g, 0, 1e-12, &area, NULL, NULL, NULL));
+    CHECK(area > 1 && area < 3);
+    nurbs_destroy(g);
+    CHECK_OK(nurbs_create(1, &one, &five, twice, 7, 2, jumps, 0, 0, NULL, 0, NURBS_PERIODIC, &g));
+    CHECK_FAILS(nurbs_enclosed_area(1, (const nurbs *const *)&g, 0.2, 1e-12, &area, NULL, NULL, NULL),
+                NURBS_ERROR_GAP, "curves[0] ends 0.25");
+    CHECK_OK(nurbs_enclosed_area(1, (const nurbs *const *)&g, 0.25, 1e-12, &area, NULL, NULL, NULL));
+    nurbs_destroy(g);
+}
+
 static void divisions(void) {
     double params[5], size;
     nurbs *g = make(circle());
@@ -242,6 +266,7 @@ static void out_of_range(void) {
 int main(void) {
     lengths();
     strides();
+    closed_by_their_knots();
     divisions();
     areas();
     bodies();

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
+#include <pthread.h>
 #include <thread>
 #include <vector>
 
@@ -339,12 +340,35 @@ void every_function() {
     calls::destroy(in);
 }
 
+// What the header promises a caller with small threads. Sanitizers have frames of their own.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+void small_stack() {}
+#else
+void small_stack() {
+    const auto run_all = [](void *) -> void * {
+        for (const calls::Call &call : all_calls()) {
+            const calls::Inputs in = calls::make_inputs();
+            const Outcome outcome(call, in);
+            expect(outcome.good(), call.name);
+            calls::destroy(in);
+        }
+        return nullptr;
+    };
+    pthread_attr_t attributes;
+    pthread_t thread;
+    EXPECT(pthread_attr_init(&attributes) == 0 && pthread_attr_setstacksize(&attributes, 128 << 10) == 0);
+    EXPECT(pthread_create(&thread, &attributes, run_all, nullptr) == 0 && pthread_join(thread, nullptr) == 0);
+    EXPECT(pthread_attr_destroy(&attributes) == 0);
+}
+#endif
+
 } // namespace
 
 int main() {
     const char *const path = "threads_test.igs";
     CHECK(calls::write_file(path));
     every_function();
+    small_stack();
     std::remove(path);
     for (const SplineArgs &a : shapes) {
         first_use_by_all(a);

@@ -2141,7 +2141,7 @@ module nurbs_c
             integer(c_int32_t) :: r
         end function nurbs_list_get
         !> Name of spline `index`: that of the file (name property, else label and subscript), else
-        !> "type#line" such as "126#17".
+        !> "type#line" such as "126#17"; in other lists as the function says that made them.
         function nurbs_list_name(list, index, buf, cap, length) bind(c) result(r)
             import
             type(c_ptr), value :: list

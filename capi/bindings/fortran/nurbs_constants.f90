@@ -8,7 +8,7 @@ module nurbs_constants
     public
 
     ! --- Version and limits
-    ! Changes when binaries built before stop working.
+    ! Changes when programs built with an earlier version may stop working.
     integer(c_int32_t), parameter :: NURBS_VERSION_MAJOR = 1
     ! Changes when functions, constants or options are added.
     integer(c_int32_t), parameter :: NURBS_VERSION_MINOR = 0
@@ -98,7 +98,7 @@ module nurbs_constants
     integer(c_int32_t), parameter :: NURBS_ERROR_BASIS = 50  ! not one of the NURBS_BASIS_ constants
     ! a function neither increases nor decreases strictly
     integer(c_int32_t), parameter :: NURBS_ERROR_NOT_MONOTONE = 51
-    ! an angle is not finite, or a sweep is 0 or more than a full turn
+    ! an angle is not finite or above 2^22, or a sweep is 0 or above a turn
     integer(c_int32_t), parameter :: NURBS_ERROR_ANGLE = 52
     ! a radius or another length is not finite or out of range
     integer(c_int32_t), parameter :: NURBS_ERROR_LENGTH = 53

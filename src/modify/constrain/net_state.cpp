@@ -112,7 +112,7 @@ void NetState::set(const std::vector<double> &moves, const std::vector<double> &
 SplinePtr NetState::spline() const {
     require_representable(points_, "control points");
     if (spline_.form() != Form::homogeneous) {
-        return make_spline(spline_.knot_vectors(), spline_.dim(),
+        return make_result(spline_.knot_vectors(), spline_.dim(),
                            rational() ? Form::rational : Form::polynomial, points_, weights_);
     }
     std::vector<double> records(spline_.points().begin(), spline_.points().end());
@@ -126,7 +126,7 @@ SplinePtr NetState::spline() const {
         }
     }
     require_representable(records, "control points");
-    return make_spline(spline_.knot_vectors(), spline_.dim(), spline_.form(), std::move(records));
+    return make_result(spline_.knot_vectors(), spline_.dim(), spline_.form(), std::move(records));
 }
 
 LocalBasis::LocalBasis(const NetState &state, const Condition &condition)

@@ -43,7 +43,7 @@ public:
     [[nodiscard]] bool rational() const noexcept { return !weights_.empty(); }
     // The control points moved by e[column][dim], the weights multiplied by 1 + r[column].
     void set(const std::vector<double> &moves, const std::vector<double> &changes) noexcept;
-    // Throws what make_spline() throws.
+    // Throws what make_result() throws.
     [[nodiscard]] SplinePtr spline() const;
 
 private:

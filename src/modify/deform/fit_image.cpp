@@ -282,7 +282,7 @@ private:
             }
         }
         require_representable(points, "control points");
-        return make_spline(fine_->knot_vectors(), fine_->dim(), fine_->form(), std::move(points),
+        return make_result(fine_->knot_vectors(), fine_->dim(), fine_->form(), std::move(points),
                            std::move(weights));
     }
 

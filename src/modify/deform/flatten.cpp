@@ -92,7 +92,7 @@ Flattened flatten(const SplinePtr &spline, const Part &part, const double *point
         }
     }
     require_representable(points, "control points");
-    return {make_spline(fine->knot_vectors(), fine->dim(), fine->form(), std::move(points),
+    return {make_result(fine->knot_vectors(), fine->dim(), fine->form(), std::move(points),
                         {fine->weights().begin(), fine->weights().end()}),
             moved};
 }

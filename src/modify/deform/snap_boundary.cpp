@@ -176,7 +176,7 @@ SplinePtr assembled(const Spline &g, Boundary boundary, const Spline &other, Bou
     const Form form = std::max(g.form(), other.form());
     if (form == Form::homogeneous) {
         require_representable(records, "control points");
-        return make_spline(g.knot_vectors(), g.dim(), form, std::move(records));
+        return make_result(g.knot_vectors(), g.dim(), form, std::move(records));
     }
     const auto dim = static_cast<size_t>(g.dim());
     const AxisView view = axis_view(g, boundary.axis, 1), edge = axis_view(other, other_boundary.axis, 1);
@@ -195,7 +195,7 @@ SplinePtr assembled(const Spline &g, Boundary boundary, const Spline &other, Bou
         weights.push_back(record[dim]);
     }
     require_representable(points, "control points");
-    return make_spline(g.knot_vectors(), g.dim(), form, std::move(points),
+    return make_result(g.knot_vectors(), g.dim(), form, std::move(points),
                        form == Form::rational ? std::move(weights) : std::vector<double>());
 }
 

@@ -5,6 +5,7 @@
 #include "basis/bspline.h"
 #include "build/functions.h"
 #include "modify/edit/net_editor.h"
+#include "refine/period.h"
 #include "refine/sum.h"
 #include "spline/axis_view.h"
 
@@ -66,21 +67,17 @@ Bump open_bump(const KnotVector &axis, const std::vector<double> &own) {
 
 // One period of knots from the lower end on, continued on both sides.
 Bump periodic_bump(const KnotVector &axis, const std::vector<double> &own) {
-    const auto degree = static_cast<int>(own.size()) - 2;
+    const size_t degree = own.size() - 2;
     const double lower = axis.domain().lower, upper = axis.domain().upper;
-    std::vector<double> period{lower};
-    std::copy_if(own.begin(), own.end(), std::back_inserter(period),
+    std::vector<double> knots(degree + 1, lower);
+    std::copy_if(own.begin(), own.end(), std::back_inserter(knots),
                  [lower, upper](double t) { return lower < t && t < upper; });
-    const auto m = std::ssize(period);
-    std::vector<double> knots;
-    for (int64_t i = -degree; i <= m + degree; ++i) {
-        const int64_t turn = i >= 0 ? i / m : -((m - 1 - i) / m);
-        const double knot = period[static_cast<size_t>(i - turn * m)];
-        knots.push_back(i == m ? upper : knot + static_cast<double>(turn) * (upper - lower));
-    }
+    const size_t period = knots.size() - degree;
+    knots.resize(knots.size() + degree + 1, upper);
+    continue_knots(knots, degree, degree + period, period);
     const auto first = std::upper_bound(knots.begin(), knots.end(), own.front()) - 1;
-    const int64_t layer = (first - knots.begin()) % m;
-    return {make_knot_vector(degree, std::move(knots), true), layer, peak_of(own)};
+    const int64_t layer = (first - knots.begin()) % static_cast<int64_t>(period);
+    return {make_knot_vector(static_cast<int>(degree), std::move(knots), true), layer, peak_of(own)};
 }
 
 std::vector<double> step_of(const double *direction, int dim, double distance,

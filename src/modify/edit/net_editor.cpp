@@ -72,7 +72,7 @@ SplinePtr NetEditor::finish() {
     }
     require_representable(points_, "control points");
     const Form form = !weights_.empty() ? Form::rational : spline_.form();
-    return make_spline(spline_.knot_vectors(), spline_.dim(), form, std::move(points_), std::move(weights_));
+    return make_result(spline_.knot_vectors(), spline_.dim(), form, std::move(points_), std::move(weights_));
 }
 
 } // namespace nrb

@@ -20,7 +20,7 @@ public:
     void set_weight(int64_t point, double weight);
     // Moves an original control point by scale * offset, its weight stays.
     void move(int64_t point, const double *offset, double scale) noexcept;
-    // Throws what make_spline() throws, and NURBS_ERROR_NOT_REPRESENTABLE when a value overflows.
+    // Throws what make_result() throws, and NURBS_ERROR_NOT_REPRESENTABLE when a value overflows.
     [[nodiscard]] SplinePtr finish();
 
 private:

@@ -24,7 +24,7 @@ WeightEdit pull_weights(const Spline &spline, std::span<const int64_t> originals
 WeightEdit pull_weight(const Spline &spline, int64_t original, const double *param, double distance);
 
 // Throws NURBS_ERROR_POINT_NOT_FINITE if there is a control point at infinity, or one of them has no place,
-// and what make_spline() throws. Precondition: the weights are finite and >= 0.
+// and what make_result() throws. Precondition: the weights are finite and >= 0.
 SplinePtr set_weights(const Spline &spline, std::span<const int64_t> originals, const double *weights);
 
 // The points at the weights 0, 1 and the present one, each null or of the dimension of the spline. Throws

@@ -210,6 +210,26 @@ struct CurveEnd {
     std::vector<double> place;
 };
 
+// Of the parts between jumps; that of a periodic curve at its seam has no end there.
+void add_ends(const Spline &curve, int64_t number, std::vector<CurveEnd> &starts,
+              std::vector<CurveEnd> &ends) {
+    const KnotVector &axis = curve.axis(0);
+    const auto [lower, upper] = axis.domain();
+    for (const KnotGroup &group : distinct_knots(axis.knots())) {
+        const bool jump = group.multiplicity > axis.degree(),
+                   outer = group.knot == lower || group.knot == upper;
+        if (group.knot < lower || group.knot > upper || !(jump || (outer && !axis.periodic()))) {
+            continue;
+        }
+        if (group.knot > lower) {
+            ends.push_back({number, place_of(curve, group.knot, true)});
+        }
+        if (group.knot < upper) {
+            starts.push_back({number, place_of(curve, group.knot, false)});
+        }
+    }
+}
+
 } // namespace
 
 Moments moments(const Spline &spline, const Part &part, MomentOrder order, double relative_tolerance) {
@@ -241,18 +261,7 @@ Moments enclosed_moments(const std::vector<SplinePtr> &boundary, MomentOrder ord
 void check_closed(const std::vector<SplinePtr> &curves, double tolerance) {
     std::vector<CurveEnd> starts, ends;
     for (int64_t i = 0; i < std::ssize(curves); ++i) {
-        const Spline &curve = *curves[static_cast<size_t>(i)];
-        const KnotVector &axis = curve.axis(0);
-        const Interval domain = axis.domain();
-        starts.push_back({i, place_of(curve, domain.lower, false)});
-        for (const KnotGroup &group : distinct_knots(axis.knots())) {
-            if (group.knot > domain.lower && group.knot < domain.upper &&
-                group.multiplicity > axis.degree()) {
-                ends.push_back({i, place_of(curve, group.knot, true)});
-                starts.push_back({i, place_of(curve, group.knot, false)});
-            }
-        }
-        ends.push_back({i, place_of(curve, domain.upper, true)});
+        add_ends(*curves[static_cast<size_t>(i)], i, starts, ends);
     }
     for (const CurveEnd &end : ends) {
         double gap = std::numeric_limits<double>::infinity();

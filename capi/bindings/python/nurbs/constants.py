@@ -3,7 +3,7 @@
 """The constants of nurbs.h, with its names and values, and its macros for flags."""
 
 # --- Version and limits
-NURBS_VERSION_MAJOR = 1  # Changes when binaries built before stop working.
+NURBS_VERSION_MAJOR = 1  # Changes when programs built with an earlier version may stop working.
 NURBS_VERSION_MINOR = 0  # Changes when functions, constants or options are added.
 NURBS_VERSION_PATCH = 0  # Changes when defects are mended.
 # major * 10000 + minor * 100 + patch, as returned by nurbs_version().
@@ -59,7 +59,7 @@ NURBS_ERROR_PERIODIC = 48  # an axis is periodic, which the function is not for
 NURBS_ERROR_END = 49  # an end is neither NURBS_START nor NURBS_END
 NURBS_ERROR_BASIS = 50  # not one of the NURBS_BASIS_ constants
 NURBS_ERROR_NOT_MONOTONE = 51  # a function neither increases nor decreases strictly
-NURBS_ERROR_ANGLE = 52  # an angle is not finite, or a sweep is 0 or more than a full turn
+NURBS_ERROR_ANGLE = 52  # an angle is not finite or above 2^22, or a sweep is 0 or above a turn
 NURBS_ERROR_LENGTH = 53  # a radius or another length is not finite or out of range
 NURBS_ERROR_COLLINEAR = 54  # points that must not be on a line are on one
 NURBS_ERROR_CONIC = 55  # no conic, or no arc of one in one piece, fulfils the conditions

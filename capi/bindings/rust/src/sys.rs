@@ -37,7 +37,7 @@ pub struct nurbs_read_options {
 }
 
 // --- Version and limits
-/// Changes when binaries built before stop working.
+/// Changes when programs built with an earlier version may stop working.
 pub const NURBS_VERSION_MAJOR: i32 = 1;
 /// Changes when functions, constants or options are added.
 pub const NURBS_VERSION_MINOR: i32 = 0;
@@ -145,7 +145,7 @@ pub const NURBS_ERROR_END: nurbs_status = 49;
 pub const NURBS_ERROR_BASIS: nurbs_status = 50;
 /// a function neither increases nor decreases strictly
 pub const NURBS_ERROR_NOT_MONOTONE: nurbs_status = 51;
-/// an angle is not finite, or a sweep is 0 or more than a full turn
+/// an angle is not finite or above 2^22, or a sweep is 0 or above a turn
 pub const NURBS_ERROR_ANGLE: nurbs_status = 52;
 /// a radius or another length is not finite or out of range
 pub const NURBS_ERROR_LENGTH: nurbs_status = 53;
@@ -2525,7 +2525,7 @@ extern "C" {
     /// A new handle on spline `index`; it outlives the list.
     pub fn nurbs_list_get(list: *const nurbs_list, index: i64, out: *mut *mut nurbs) -> nurbs_status;
     /// Name of spline `index`: that of the file (name property, else label and subscript), else "type#line"
-    /// such as "126#17".
+    /// such as "126#17"; in other lists as the function says that made them.
     ///
     /// May be null: `buf`, `length`.
     pub fn nurbs_list_name(
