@@ -1,7 +1,5 @@
 #include "query/recognition/small_svd.h"
 
-#include "base/finite.h"
-
 #include <Eigen/QR>
 #include <Eigen/SVD>
 #include <limits>
@@ -24,22 +22,11 @@ using Rotations = Eigen::JacobiSVD<Eigen::MatrixXd, Eigen::NoQRPreconditioner>;
 struct SmallSvd::Decomposition {
     Rotations svd;
     Eigen::VectorXd right; // in the basis of the triangle
-
-    Decomposition(const Matrix &rows, const Eigen::VectorXd &given) {
-        const Eigen::HouseholderQR<Eigen::MatrixXd> triangle(rows);
-        const Eigen::Index n = rows.cols();
-        const Eigen::MatrixXd upper = triangle.matrixQR().topRows(n).triangularView<Eigen::Upper>();
-        svd.compute(upper, Eigen::ComputeFullU | Eigen::ComputeFullV);
-        const Eigen::VectorXd turned = triangle.householderQ().adjoint() * given;
-        right = turned.head(n);
-    }
 };
 
+// Only finite numbers are decomposed: for others Eigen leaves sizes unset that its solutions then read.
 SmallSvd::SmallSvd(const std::vector<double> &rows, int n, const std::vector<double> &right)
     : unknowns_(static_cast<size_t>(n)) {
-    if (!all_finite(rows) || !all_finite(right)) { // which Eigen does not promise to survive
-        return;
-    }
     const Eigen::Index given = static_cast<Eigen::Index>(rows.size()) / n,
                        m = std::max<Eigen::Index>(given, n);
     Matrix matrix = Matrix::Zero(m, n);
@@ -47,7 +34,13 @@ SmallSvd::SmallSvd(const std::vector<double> &rows, int n, const std::vector<dou
     Eigen::VectorXd values = Eigen::VectorXd::Zero(m);
     values.head(static_cast<Eigen::Index>(right.size())) =
         Eigen::Map<const Eigen::VectorXd>(right.data(), static_cast<Eigen::Index>(right.size()));
-    decomposition_ = std::make_unique<Decomposition>(matrix, values);
+    const Eigen::HouseholderQR<Eigen::MatrixXd> triangle(matrix);
+    const Eigen::MatrixXd upper = triangle.matrixQR().topRows(n).triangularView<Eigen::Upper>();
+    const Eigen::VectorXd turned = triangle.householderQ().adjoint() * values;
+    if (upper.allFinite() && turned.allFinite()) { // squares may have overflowed
+        const Rotations svd(upper, Eigen::ComputeFullU | Eigen::ComputeFullV);
+        decomposition_ = std::make_unique<Decomposition>(Decomposition{svd, turned.head(n)});
+    }
 }
 
 SmallSvd::~SmallSvd() = default;

@@ -9,7 +9,8 @@ namespace nrb {
 
 class SmallSvd {
 public:
-    // `rows` is [m][n], `right` [m] or empty. Where a value is not finite all results are NaN.
+    // `rows` is [m][n], `right` [m] or empty. Where a value is not finite, or its square overflows, all results are
+    // NaN.
     SmallSvd(const std::vector<double> &rows, int n, const std::vector<double> &right = {});
     SmallSvd(const SmallSvd &) = delete;
     SmallSvd &operator=(const SmallSvd &) = delete;
@@ -25,7 +26,7 @@ public:
 private:
     struct Decomposition; // keeps Eigen's templates out of this header
     size_t unknowns_;
-    std::unique_ptr<Decomposition> decomposition_; // null: no finite equations
+    std::unique_ptr<Decomposition> decomposition_; // null: equations that are not finite
 };
 
 } // namespace nrb

@@ -88,4 +88,9 @@ TEST(SmallSvd, what_is_not_finite_stays_so) {
     }
 }
 
+TEST(SmallSvd, squares_that_overflow_are_not_finite) {
+    EXPECT_TRUE(std::isnan(nrb::SmallSvd({1e300, 2e300, 3e300, 1e300}, 2, {1, 2}).solution(1e-12)[0]));
+    EXPECT_TRUE(std::isnan(nrb::SmallSvd({1e300, 2e300, 3e300, 1e300}, 2).direction(0)[0]));
+}
+
 } // namespace
