@@ -30,7 +30,9 @@ tree=$output/$name
 
 rm -rf "$tree"
 mkdir "$tree"
-tar -C "$source" --exclude=__pycache__ --exclude=target --exclude=cmake/debian -cf - \
+# What pip and Cargo leave beside the sources of their bindings is no part of them.
+tar -C "$source" --exclude=__pycache__ --exclude=target --exclude=Cargo.lock --exclude='*.egg-info' \
+    --exclude=capi/bindings/python/build --exclude=cmake/debian -cf - \
     CMakeLists.txt CMakePresets.json LICENSE README.md capi cmake include src tests .clang-format .clang-tidy |
     tar -C "$tree" -xf -
 # The same bytes whoever packs them, wherever and whenever.

@@ -11,8 +11,8 @@ install(DIRECTORY "${PROJECT_SOURCE_DIR}/include/nurbs" DESTINATION "${CMAKE_INS
 # The other languages' modules are installed as sources: compiled Fortran modules and Rust crates belong to one compiler
 # each, and Python's package goes where a packager's interpreter looks for it.
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/capi/bindings/" DESTINATION "${CMAKE_INSTALL_DATADIR}/nurbs"
-    FILES_MATCHING PATTERN "*.f90" PATTERN "*.py" PATTERN "*.rs" PATTERN "Cargo.toml"
-    PATTERN "__pycache__" EXCLUDE PATTERN "target" EXCLUDE)
+    FILES_MATCHING PATTERN "*.f90" PATTERN "*.py" PATTERN "py.typed" PATTERN "*.rs" PATTERN "Cargo.toml"
+    PATTERN "__pycache__" EXCLUDE PATTERN "build" EXCLUDE PATTERN "*.egg-info" EXCLUDE PATTERN "target" EXCLUDE)
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}")
 
 set(package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/nurbs")

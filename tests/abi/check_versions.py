@@ -14,6 +14,7 @@ import header  # noqa: E402 - from the project
 
 # (file, pattern, parts of the version, whether the file has to be there)
 PLACES = (
+    ("README.md", r"libnurbs contributors,\s+libnurbs ([\d.]+),", 3, True),
     ("capi/nurbs.map", r"^NURBS_([\d.]+) \{", 2, True),
     ("capi/bindings/rust/Cargo.toml", r'^version = "(.*)"', 3, True),
     ("capi/bindings/python/pyproject.toml", r'^version = "(.*)"', 3, False),
