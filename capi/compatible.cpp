@@ -2,22 +2,13 @@
 #include "checks.h"
 #include "guard.h"
 #include "lists.h"
+#include "outputs.h"
 
 #include "reduce/compatible.h"
 #include "reduce/snap.h"
 
 using namespace nrb;
 using namespace nrb::capi;
-
-namespace {
-
-void give(double value, double *out) noexcept {
-    if (out != nullptr) {
-        *out = value;
-    }
-}
-
-} // namespace
 
 nurbs_status nurbs_snap_knots(const nurbs *g, int32_t axis, double tolerance, double *deviation,
                               nurbs **out) {
@@ -26,7 +17,7 @@ nurbs_status nurbs_snap_knots(const nurbs *g, int32_t axis, double tolerance, do
         check_axis(spline_of(g), axis);
         Snapped snapped = snap_knots(g->spline, axis, tolerance);
         give(std::move(snapped.spline), out);
-        give(snapped.deviation, deviation);
+        put(deviation, snapped.deviation);
     });
 }
 
@@ -40,6 +31,6 @@ nurbs_status nurbs_make_compatible(int64_t count, const nurbs *const *splines, d
         }
         Compatible made = make_compatible(given, tolerance, flags != 0);
         give_list(std::move(made.splines), out);
-        give(made.deviation, deviation);
+        put(deviation, made.deviation);
     });
 }

@@ -2,6 +2,7 @@
 #include "lists.h"
 
 #include "guard.h"
+#include "outputs.h"
 
 #include <cstring>
 
@@ -89,13 +90,6 @@ void copy_text(const std::string &text, char *buf, int64_t cap, int64_t *length)
     }
 }
 
-template <class T>
-void store_if(T *target, T value) noexcept {
-    if (target != nullptr) {
-        *target = value;
-    }
-}
-
 } // namespace
 
 nurbs_status nurbs_list_count(const nurbs_list *list, int64_t *count) {
@@ -137,9 +131,9 @@ nurbs_status nurbs_list_note(const nurbs_list *list, int64_t index, int32_t *ent
         check_index(index, std::ssize(notes));
         const Note &note = notes[static_cast<size_t>(index)];
         check_buffer(buf, cap);
-        store_if(entity_type, int32_t{note.entity_type});
-        store_if(line, note.line);
-        store_if(reason, note.reason);
+        put(entity_type, int32_t{note.entity_type});
+        put(line, note.line);
+        put(reason, note.reason);
         copy_text(note.text, buf, cap, length);
     });
 }

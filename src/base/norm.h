@@ -1,9 +1,10 @@
-// Euclidean lengths that neither overflow nor underflow on the way.
+// Euclidean lengths that neither overflow nor underflow on the way, and dot products, which may.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <span>
 
 namespace nrb {
 
@@ -41,6 +42,19 @@ inline double norm(const double *x, int n) noexcept {
 
 inline double distance(const double *a, const double *b, int n) noexcept {
     return norm_of(n, [a, b](int c) { return a[c] - b[c]; });
+}
+
+inline double dot(const double *a, const double *b, int n) noexcept {
+    double sum = 0;
+    for (int c = 0; c < n; ++c) {
+        sum += a[c] * b[c];
+    }
+    return sum;
+}
+
+// Precondition: of one size.
+inline double dot(std::span<const double> a, std::span<const double> b) noexcept {
+    return dot(a.data(), b.data(), static_cast<int>(a.size()));
 }
 
 } // namespace nrb

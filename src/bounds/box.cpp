@@ -26,14 +26,6 @@ LargestValue face(const SplinePieces &pieces, int coordinate, double sign, doubl
     return largest_value(pieces.count(), source, tolerance, most_halvings);
 }
 
-double dot(const double *a, const double *b, int n) noexcept {
-    double sum = 0;
-    for (int c = 0; c < n; ++c) {
-        sum += a[c] * b[c];
-    }
-    return sum;
-}
-
 // How far an evaluated point may be from the exact one, by the accuracy contract: c eps times the largest
 // coordinate of a control point, and times a ratio of weights of 4 at most.
 double evaluation_error(const Spline &spline) {

@@ -1,6 +1,7 @@
 #include "build/plane_frame.h"
 
 #include "base/error.h"
+#include "base/finite.h"
 #include "base/norm.h"
 
 #include <algorithm>
@@ -13,22 +14,6 @@ namespace {
 
 using Vector = std::vector<double>;
 constexpr double eps = std::numeric_limits<double>::epsilon();
-
-double largest_magnitude(std::span<const double> v) noexcept {
-    double largest = 0;
-    for (const double x : v) {
-        largest = std::max(largest, std::fabs(x));
-    }
-    return largest;
-}
-
-double dot(std::span<const double> a, std::span<const double> b) noexcept {
-    double sum = 0;
-    for (size_t i = 0; i < a.size(); ++i) {
-        sum += a[i] * b[i];
-    }
-    return sum;
-}
 
 double length(std::span<const double> v) noexcept {
     return norm(v.data(), static_cast<int>(v.size()));

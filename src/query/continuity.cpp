@@ -17,14 +17,6 @@ namespace {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
-double dot(const double *a, const double *b, int n) noexcept {
-    double sum = 0;
-    for (int c = 0; c < n; ++c) {
-        sum += a[c] * b[c];
-    }
-    return sum;
-}
-
 std::vector<double> scaled(const double *x, int n, double factor) {
     std::vector<double> result(x, x + n);
     std::transform(result.begin(), result.end(), result.begin(), [factor](double c) { return c * factor; });

@@ -167,12 +167,6 @@ SplinePtr unclamp_upper(const SplinePtr &spline, int axis, std::span<const doubl
     return continued(*spline, axis, unclamped_upper(spline->axis(axis), beyond));
 }
 
-std::vector<double> negated(std::span<const double> knots) {
-    std::vector<double> result(knots.rbegin(), knots.rend());
-    std::transform(result.begin(), result.end(), result.begin(), [](double t) { return -t; });
-    return result;
-}
-
 // The knots of the domain, its ends once, and `degree` more on either side that repeat them.
 std::vector<double> repeated_knots(const KnotVector &axis) {
     const auto [lower, upper] = axis.domain();

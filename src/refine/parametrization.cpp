@@ -65,12 +65,6 @@ Spline::Axes with_knots(const Spline &spline, int k, std::vector<double> knots) 
     return axes;
 }
 
-std::vector<double> negated(std::span<const double> knots) {
-    std::vector<double> result(knots.rbegin(), knots.rend());
-    std::transform(result.begin(), result.end(), result.begin(), [](double t) { return -t; });
-    return result;
-}
-
 void check_domain(Interval domain) {
     if (!std::isfinite(domain.lower) || !std::isfinite(domain.upper)) {
         fail(NURBS_ERROR_PARAMETER_NOT_FINITE, "[lower, upper] = [%s, %s] is not finite",
@@ -83,6 +77,12 @@ void check_domain(Interval domain) {
 }
 
 } // namespace
+
+std::vector<double> negated(std::span<const double> knots) {
+    std::vector<double> result(knots.rbegin(), knots.rend());
+    std::transform(result.begin(), result.end(), result.begin(), [](double t) { return -t; });
+    return result;
+}
 
 SplinePtr reverse(const Spline &spline, int axis, bool keep_domain) {
     const KnotVector &old = spline.axis(axis);

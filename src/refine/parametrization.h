@@ -4,8 +4,12 @@
 #include "spline/spline.h"
 
 #include <span>
+#include <vector>
 
 namespace nrb {
+
+// Knots turned round: -t of each, from the last to the first.
+std::vector<double> negated(std::span<const double> knots);
 
 // The axis turned round: t becomes -t, or with keep_domain lower + upper - t. Throws NURBS_ERROR_KNOTS_MERGE
 // and _NOT_REPRESENTABLE, both only with keep_domain. Cost: linear in the number of points.

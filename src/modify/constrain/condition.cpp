@@ -8,18 +8,6 @@
 
 namespace nrb {
 
-namespace {
-
-double dot(const double *a, const double *b, int dim) noexcept {
-    double sum = 0;
-    for (int c = 0; c < dim; ++c) {
-        sum += a[c] * b[c];
-    }
-    return sum;
-}
-
-} // namespace
-
 Condition::Condition(int32_t kind, const Orders &orders, const double *param, const double *target, int axes,
                      int dim)
     : kind_(kind), dim_(dim), param_(param), target_(target) {

@@ -12,14 +12,6 @@ namespace nrb {
 
 namespace {
 
-double dot(const std::vector<double> &a, const std::vector<double> &b) noexcept {
-    double sum = 0;
-    for (size_t c = 0; c < a.size(); ++c) {
-        sum += a[c] * b[c];
-    }
-    return sum;
-}
-
 // Scaled by a power of two first, so that no length over- or underflows.
 void normalise(std::vector<double> &x) noexcept {
     const int exponent = -std::ilogb(largest_magnitude(x));

@@ -118,14 +118,6 @@ void weight_points(const Spline &spline, int64_t original, const double *param, 
 
 namespace {
 
-double dot(const std::vector<double> &a, const std::vector<double> &b) noexcept {
-    double sum = 0;
-    for (size_t c = 0; c < a.size(); ++c) {
-        sum += a[c] * b[c];
-    }
-    return sum;
-}
-
 // Differences of points that have been brought near 1 by a power of two, so that products do not overflow.
 class Differences {
 public:

@@ -13,14 +13,6 @@ namespace {
 constexpr double eps = std::numeric_limits<double>::epsilon();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-double dot(const double *x, const double *y, int n) noexcept {
-    double sum = 0;
-    for (int c = 0; c < n; ++c) {
-        sum += x[c] * y[c];
-    }
-    return sum;
-}
-
 // Coordinates are at most about 1.
 double rounding(int dim) noexcept {
     return 8 * (dim + 4) * eps;

@@ -92,14 +92,6 @@ bool solve(const Matrix &h, const Matrix &metric, double damping, const Vector &
     return true;
 }
 
-double dot(const double *x, const double *y, int n) noexcept {
-    double sum = 0;
-    for (int c = 0; c < n; ++c) {
-        sum += x[c] * y[c];
-    }
-    return sum;
-}
-
 } // namespace
 
 const double *PieceJet::second(int k, int l) const noexcept {

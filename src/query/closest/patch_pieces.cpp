@@ -42,14 +42,6 @@ int exponent_of(double x) noexcept {
     return x > 0 && std::isfinite(x) ? std::ilogb(x) : 0;
 }
 
-double largest_weight(const Spline &spline) noexcept {
-    double largest = 0;
-    for (int64_t i = 0; i < spline.point_count(); ++i) {
-        largest = std::max(largest, std::abs(spline.weight(i)));
-    }
-    return largest;
-}
-
 } // namespace
 
 PatchPieces::PatchPieces(const Spline &spline) : axes_(spline.axes()), centre_(middle_of(spline)) {
@@ -84,8 +76,8 @@ void PatchPieces::set_axes(const Spline &spline) {
 }
 
 void PatchPieces::copy(const Spline &spline) {
-    const int weight_exponent = shape_.weighted ? exponent_of(largest_weight(spline)) : 0;
-    const CentredRecords records = centred_records(spline, centre_, spline.rational(), weight_exponent);
+    const CentredRecords records =
+        centred_records(spline, centre_, shape_.weighted, shape_.weighted ? weight_exponent(spline) : 0);
     std::array<int, max_axes> degrees{};
     for (int k = 0; k < axes_; ++k) {
         degrees[static_cast<size_t>(k)] = spline.axis(k).degree();

@@ -50,14 +50,6 @@ int widest_axis(const ShapePiece &piece) noexcept {
     return widest;
 }
 
-int largest_weight_exponent(const Spline &spline) noexcept {
-    double largest = 0;
-    for (int64_t i = 0; i < spline.point_count(); ++i) {
-        largest = std::max(largest, std::abs(spline.weight(i)));
-    }
-    return std::ilogb(largest);
-}
-
 } // namespace
 
 bool ShapePiece::certify() noexcept {
@@ -135,7 +127,7 @@ std::vector<ShapePiece> shape_pieces(const Spline &spline, const Shape &shape) {
         degrees[static_cast<size_t>(k)] = spline.axis(k).degree();
     }
     const CentredRecords records =
-        centred_records(spline, centre, spline.rational(), largest_weight_exponent(spline));
+        centred_records(spline, centre, spline.rational(), weight_exponent(spline));
     const BernsteinNet net(spline, records, breaks, degrees);
     const auto count = static_cast<size_t>(net.shape().coefficients());
     std::vector<double> points(count * dim), weights(net.weighted() ? count : 0);
