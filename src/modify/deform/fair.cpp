@@ -54,7 +54,7 @@ Unknowns unknowns_of(const Spline &spline, const int32_t *keep) {
     return unknowns;
 }
 
-double dot(const std::vector<double> &a, const std::vector<double> &b) noexcept {
+double compensated_dot(const std::vector<double> &a, const std::vector<double> &b) noexcept {
     CompensatedSum sum;
     for (size_t i = 0; i < a.size(); ++i) {
         sum.add(a[i] * b[i]);
@@ -69,7 +69,7 @@ public:
           centre_(centre_of(*spline_)), entries_(energy_entries(*spline_, order)),
           unknowns_(unknowns_of(*spline_, keep)), best_(spline_) {
         const std::vector<double> x = centred(*spline_, centre_), force = times(entries_, x, spline_->dim());
-        energy_ = dot(x, force);
+        energy_ = compensated_dot(x, force);
         require_representable({&energy_, 1}, "energy");
         for (const int64_t point : unknowns_.points) {
             for (size_t c = 0; c < dim_; ++c) {
@@ -83,7 +83,7 @@ public:
             search();
         }
         const std::vector<double> x = centred(*best_, centre_);
-        const double after = dot(x, times(entries_, x, spline_->dim()));
+        const double after = compensated_dot(x, times(entries_, x, spline_->dim()));
         return after < energy_ ? Faired{best_, energy_, std::max(after, 0.0), bound_}
                                : Faired{spline_, energy_, energy_, 0};
     }
@@ -160,7 +160,7 @@ private:
     // Keeps what has the least energy.
     void take(const SplinePtr &candidate, double bound) {
         const std::vector<double> x = centred(*candidate, centre_);
-        const double energy = dot(x, times(entries_, x, spline_->dim()));
+        const double energy = compensated_dot(x, times(entries_, x, spline_->dim()));
         if (best_ == spline_ || energy < best_energy_) {
             best_ = candidate;
             best_energy_ = energy;
