@@ -73,10 +73,9 @@ nurbs_status nurbs_distinct_knots(const nurbs *g, int32_t axis, int64_t cap, dou
         const std::vector<KnotGroup> groups = distinct_knots(axis_of(g, axis).knots());
         const auto needed = static_cast<int64_t>(groups.size());
         const int64_t filled = checked_cap(cap, needed);
-        if (knots != nullptr && multiplicities != nullptr) {
-            check_overlap("multiplicities", multiplicities, filled * static_cast<int64_t>(sizeof(int32_t)),
-                          "knots", knots, filled * static_cast<int64_t>(sizeof(double)));
-        }
+        check_apart({memory("knots", knots, filled), memory("multiplicities", multiplicities, filled),
+                     memory("count", count, 1)},
+                    {});
         for (size_t i = 0; std::cmp_less(i, filled); ++i) {
             put(knots, i, groups[i].knot);
             put(multiplicities, i, int32_t{groups[i].multiplicity});

@@ -116,10 +116,10 @@ nurbs_status nurbs_to_power(const nurbs *g, int64_t cap, double *coefficients, d
         const int64_t size = power_size(spline);
         const int64_t filled = checked_cap(cap, size);
         check_apart({memory("coefficients", coefficients, filled),
-                     memory("breaks", breaks, cap == 0 ? 0 : breaks_total(spline)),
+                     memory("breaks", breaks, filled == 0 ? 0 : breaks_total(spline)),
                      memory("piece_counts", piece_counts, spline.axes()), memory("count", count, 1)},
                     {});
-        if (cap != 0) {
+        if (filled != 0) {
             write_form(to_power(g->spline), coefficients, breaks);
         }
         for (int k = 0; k < spline.axes() && piece_counts != nullptr; ++k) {

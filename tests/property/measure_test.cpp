@@ -217,4 +217,44 @@ TEST(Measure, PartsOfSurfacesAddUp) {
     EXPECT_GT(surfaces, 15);
 }
 
+// Without a jump there is no end that rounding could keep from its start.
+TEST(Measure, PeriodicCurvesEncloseWithoutATolerance) {
+    Random random(5531);
+    int continuous = 0;
+    for (int i = 0; i < 300; ++i) {
+        Recipe recipe{{random_axis(random, random.whole(1, 5))}};
+        recipe.axes[0].form = KnotForm::periodic;
+        recipe.axes[0].placement = Placement::origin;
+        recipe.axes[0].spacing = random.chance(50) ? Spacing::integers : Spacing::full;
+        recipe.dim = 2;
+        recipe.weights = random.chance(50) ? Weights::none : Weights::moderate;
+        const SplineData data = random_spline(random, recipe);
+        const std::vector<double> &knots = data.knots[0];
+        const auto copies = static_cast<size_t>(data.degrees[0]) + 1;
+        bool jumps = false;
+        for (size_t k = 0; k + copies <= knots.size(); ++k) {
+            jumps = jumps || knots[k] == knots[k + copies - 1];
+        }
+        if (jumps) {
+            continue;
+        }
+        ++continuous;
+        const Handle g = create(data);
+        const nurbs *curve = g.get();
+        double area = 0, error = 0;
+        ASSERT_EQ(nurbs_enclosed_area(1, &curve, 0, 1e-9, &area, nullptr, nullptr, &error), NURBS_OK)
+            << last_error() << describe(data);
+        const Handle open = made([&](nurbs **out) {
+            return nurbs_clamp_ends(g.get(), 0, NURBS_FORM_CLAMPED_START | NURBS_FORM_CLAMPED_END, out);
+        });
+        const nurbs *cut = open.get();
+        double again = 0;
+        require_ok(
+            nurbs_enclosed_area(1, &cut, 1e-9 * extent(data), 1e-9, &again, nullptr, nullptr, nullptr));
+        ASSERT_NEAR(area, again, 4 * error + 1e-9 * (std::fabs(area) + extent(data) * extent(data)))
+            << describe(data);
+    }
+    ASSERT_GT(continuous, 100);
+}
+
 } // namespace
