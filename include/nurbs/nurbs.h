@@ -197,7 +197,7 @@ extern "C" {
 /** \brief Changes when programs built with an earlier version may stop working. */
 #define NURBS_VERSION_MAJOR 1
 /** \brief Changes when functions, constants or options are added. */
-#define NURBS_VERSION_MINOR 0
+#define NURBS_VERSION_MINOR 1
 /** \brief Changes when defects are mended. */
 #define NURBS_VERSION_PATCH 0
 /** \brief major * 10000 + minor * 100 + patch, as returned by nurbs_version(). */

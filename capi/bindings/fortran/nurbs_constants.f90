@@ -11,7 +11,7 @@ module nurbs_constants
     ! Changes when programs built with an earlier version may stop working.
     integer(c_int32_t), parameter :: NURBS_VERSION_MAJOR = 1
     ! Changes when functions, constants or options are added.
-    integer(c_int32_t), parameter :: NURBS_VERSION_MINOR = 0
+    integer(c_int32_t), parameter :: NURBS_VERSION_MINOR = 1
     integer(c_int32_t), parameter :: NURBS_VERSION_PATCH = 0  ! Changes when defects are mended.
     ! major * 10000 + minor * 100 + patch, as returned by nurbs_version().
     integer(c_int32_t), parameter :: NURBS_HEADER_VERSION = &

@@ -54,7 +54,7 @@ from ._spline import Spline as Spline, _restored
 from ._together import *  # noqa: F403
 
 #: The version of this package; version() is that of the library that is loaded.
-__version__ = "1.0.0"
+__version__ = "1.1.0"
 
 # Results, exceptions and pickled splines are known by the names they have here.
 for _value in (*globals().values(), _restored):

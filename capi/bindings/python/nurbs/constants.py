@@ -4,7 +4,7 @@
 
 # --- Version and limits
 NURBS_VERSION_MAJOR = 1  # Changes when programs built with an earlier version may stop working.
-NURBS_VERSION_MINOR = 0  # Changes when functions, constants or options are added.
+NURBS_VERSION_MINOR = 1  # Changes when functions, constants or options are added.
 NURBS_VERSION_PATCH = 0  # Changes when defects are mended.
 # major * 10000 + minor * 100 + patch, as returned by nurbs_version().
 NURBS_VERSION = NURBS_VERSION_MAJOR * 10000 + NURBS_VERSION_MINOR * 100 + NURBS_VERSION_PATCH

@@ -40,7 +40,7 @@ pub struct nurbs_read_options {
 /// Changes when programs built with an earlier version may stop working.
 pub const NURBS_VERSION_MAJOR: i32 = 1;
 /// Changes when functions, constants or options are added.
-pub const NURBS_VERSION_MINOR: i32 = 0;
+pub const NURBS_VERSION_MINOR: i32 = 1;
 /// Changes when defects are mended.
 pub const NURBS_VERSION_PATCH: i32 = 0;
 /// major \* 10000 + minor \* 100 + patch, as returned by nurbs_version().
