@@ -62,11 +62,12 @@ void check_place(double t, Interval domain, const char *name, int axis) {
     }
 }
 
-AxisEnds decode_ends(uint32_t flags) {
+AxisEnds decode_ends(uint32_t flags, uint32_t others, const char *name) {
     constexpr uint32_t start = NURBS_FORM_CLAMPED_START, end = NURBS_FORM_CLAMPED_END;
-    if ((flags & ~(start | end)) != 0) {
+    if ((flags & ~(start | end | others)) != 0) {
         fail(NURBS_ERROR_FLAGS,
-             "flags = 0x%x, expected NURBS_FORM_CLAMPED_START, NURBS_FORM_CLAMPED_END, both or 0", flags);
+             "flags = 0x%x, expected NURBS_FORM_CLAMPED_START, NURBS_FORM_CLAMPED_END, both or 0%s%s", flags,
+             others == 0 ? "" : ", and ", name);
     }
     return {(flags & start) != 0, (flags & end) != 0};
 }

@@ -5,6 +5,7 @@
 
 #include "reduce/periodic_form.h"
 #include "refine/continuation.h"
+#include "refine/homogeneous.h"
 
 using namespace nrb;
 using namespace nrb::capi;
@@ -24,7 +25,9 @@ nurbs_status nurbs_unclamp(const nurbs *g, int32_t axis, uint32_t flags, nurbs *
     return guard([&] {
         require_out(out);
         check_axis(spline_of(g), axis);
-        give(unclamp(g->spline, axis, decode_ends(flags)), out);
+        const AxisEnds ends = decode_ends(flags, NURBS_HOMOGENEOUS, "NURBS_HOMOGENEOUS");
+        const bool homogeneous = (flags & NURBS_HOMOGENEOUS) != 0 && g->spline->rational();
+        give(unclamp(homogeneous ? in_form(g->spline, Form::homogeneous) : g->spline, axis, ends), out);
     });
 }
 

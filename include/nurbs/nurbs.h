@@ -343,7 +343,7 @@ enum {
 #define NURBS_PRODUCT_DOT 0x08000000u
 /** \brief nurbs_product(): the cross product in dimension 3. */
 #define NURBS_PRODUCT_CROSS 0x10000000u
-/** \brief nurbs_create_power(): homogeneous records (w x, w y, ..., w). */
+/** \brief nurbs_create_power(), nurbs_unclamp(): homogeneous records (w x, w y, ..., w). */
 #define NURBS_HOMOGENEOUS 0x20000000u
 /** \brief nurbs_make_compatible(): map the domains of all splines to that of the first one. */
 #define NURBS_MAP_DOMAINS 0x40000000u
@@ -1377,7 +1377,8 @@ NURBS_API nurbs_status nurbs_make_compatible(int64_t count, const nurbs *const *
  * one b, the new control points are the polar form of the piece at interior knots, b and e, and values of it
  * at b and e alone continued as a polynomial of degree k in their number.
  * Rounding: homogeneous points of the result are within 16 (degree + 1) eps G times the largest homogeneous
- * coordinate of g and of the result (tested), k at most the degree.
+ * coordinate of g and of the result (tested), k at most the degree. Weights that are all equal stay so bit for
+ * bit (since 1.1).
  * \param[in] g a spline.
  * \param[in] axis 0-based axis, not periodic.
  * \param[in] end NURBS_START or NURBS_END.
@@ -1386,7 +1387,8 @@ NURBS_API nurbs_status nurbs_make_compatible(int64_t count, const nurbs *const *
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _END, _ORDER, _PERIODIC, _PARAMETER_NOT_FINITE; _EMPTY_DOMAIN if
  *   the domain would not grow; _WEIGHT_NEGATIVE, _WEIGHTS_VANISH if the weights do not stay positive (not
- *   where g was built homogeneous); _NOT_REPRESENTABLE if a value overflows.
+ *   where g was built homogeneous: nurbs_from_homogeneous() of the extended nurbs_to_homogeneous() of g is the
+ *   homogeneous result of any g); _NOT_REPRESENTABLE if a value overflows.
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_extend(const nurbs *g, int32_t axis, int32_t end, double amount, int32_t order,
                                     nurbs **out);
@@ -1395,15 +1397,17 @@ NURBS_API nurbs_status nurbs_extend(const nurbs *g, int32_t axis, int32_t end, d
  * repeat those of the domain with its length as the period, so that even spans go on evenly. Domain and shape
  * stay. The new control points are the polar form of the end piece at these knots, continued beyond the
  * domain: each homogeneous coordinate is within 4 (degree + 1) eps of the sum of |coefficient * coordinate|,
- * to which clamping the end again brings the shape back. Ends that are not clamped, and periodic axes, stay
- * as they are.
+ * to which clamping the end again brings the shape back. Weights that are all equal stay so bit for bit
+ * (since 1.1). Ends that are not clamped, and periodic axes, stay as they are.
  * \param[in] g a spline.
  * \param[in] axis 0-based axis.
- * \param[in] flags NURBS_FORM_CLAMPED_START, NURBS_FORM_CLAMPED_END, both or 0: the ends to be unclamped.
+ * \param[in] flags NURBS_FORM_CLAMPED_START, NURBS_FORM_CLAMPED_END, both or 0: the ends to be unclamped. With
+ *   them NURBS_HOMOGENEOUS (since 1.1): the result of a rational g is as from nurbs_create_homogeneous(), of
+ *   the records of nurbs_homogeneous_points(), so that its weights may have any sign.
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _FLAGS; _WEIGHT_NEGATIVE, _WEIGHTS_VANISH if weights beyond the
- *   domain do not stay positive (not where g was built homogeneous); _KNOTS_MERGE if knots that differ would
- *   be rounded to one beyond the domain; _NOT_REPRESENTABLE if a value overflows.
+ *   domain do not stay positive (not where g was built homogeneous, nor with NURBS_HOMOGENEOUS); _KNOTS_MERGE
+ *   if knots that differ would be rounded to one beyond the domain; _NOT_REPRESENTABLE if a value overflows.
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_unclamp(const nurbs *g, int32_t axis, uint32_t flags, nurbs **out);
 

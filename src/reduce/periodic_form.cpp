@@ -3,6 +3,7 @@
 #include "base/tolerance.h"
 #include "reduce/deviation.h"
 #include "refine/continuation.h"
+#include "refine/continued_layers.h"
 #include "refine/cut.h"
 #include "refine/period.h"
 #include "spline/axis_view.h"
@@ -85,11 +86,12 @@ AxisTable periodic_table(const KnotVector &axis, int order, int k) {
     return {make_knot_vector(axis.degree(), std::move(knots), true, k), std::move(rows)};
 }
 
-// None where weights continued beyond an end fall below 0: an order too high.
+// None where weights continued beyond an end fall below 0, or to 0 at infinity: an order too high.
 std::optional<PeriodicForm> form_of_order(const SplinePtr &spline, const Spline &whole, int k, int order) {
     const AxisTable made = periodic_table(whole.axis(k), order, k);
-    Net net = apply_along(whole, k, made.table);
-    if (std::any_of(net.weights.begin(), net.weights.end(), [](double w) { return w < 0; })) {
+    auto [net, infinite] = continued_along(whole, k, made.table);
+    if (infinite >= 0 ||
+        std::any_of(net.weights.begin(), net.weights.end(), [](double w) { return w < 0; })) {
         return {};
     }
     SplinePtr periodic = make_result(with_axis(whole, k, made.axis), whole.dim(), whole.form(),

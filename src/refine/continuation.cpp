@@ -2,6 +2,7 @@
 
 #include "basis/binomial.h"
 #include "basis/bspline.h"
+#include "refine/continued_layers.h"
 #include "refine/cut.h"
 #include "refine/parametrization.h"
 #include "refine/period.h"
@@ -67,26 +68,40 @@ void check_plain(const KnotVector &knots, int axis) {
     }
 }
 
-// As with_axis() where polynomials are continued, which may take weights below 0.
-SplinePtr continued(const Spline &spline, int k, const AxisTable &made) {
-    Net net = apply_along(spline, k, made.table);
-    check_positive_weights(net.weights);
-    return make_result(with_axis(spline, k, made.axis), spline.dim(), spline.form(), std::move(net.points),
-                       std::move(net.weights));
-}
+// What can be done where points and weights cannot hold the result.
+constexpr const char *flag_advice = "NURBS_HOMOGENEOUS keeps it as homogeneous points";
+constexpr const char *detour_advice =
+    "nurbs_from_homogeneous() of the extended nurbs_to_homogeneous() has it as homogeneous points";
 
-} // namespace
-
-void check_positive_weights(const std::vector<double> &weights) {
-    for (size_t i = 0; i < weights.size(); ++i) {
-        if (weights[i] < 0) {
-            fail(NURBS_ERROR_WEIGHT_NEGATIVE, "weights[%zu] of the result would be %s, expected >= 0", i,
-                 Number(weights[i]).text);
-        }
+// Refuses weights that points with weights cannot have. Indices are those of the layers in the opposite order if
+// they will be `reversed`.
+void check_weights(const ContinuedNet &made, const AxisView &view, bool reversed, const char *advice) {
+    const std::vector<double> &weights = made.net.weights;
+    const auto negative = std::find_if(weights.begin(), weights.end(), [](double w) { return w < 0; });
+    const int64_t bad = negative != weights.end() ? negative - weights.begin() : made.infinite;
+    if (bad < 0) {
+        return;
     }
+    const int64_t layer = bad / view.inner % view.count;
+    const int64_t index = reversed ? bad + (view.count - 1 - 2 * layer) * view.inner : bad;
+    if (negative != weights.end()) {
+        fail(NURBS_ERROR_WEIGHT_NEGATIVE, "weights[%lld] of the result would be %s, expected >= 0; %s",
+             static_cast<long long>(index), Number(*negative).text, advice);
+    }
+    fail(NURBS_ERROR_WEIGHTS_VANISH,
+         "weights[%lld] of the result would be 0 with a control point at infinity, expected > 0; %s",
+         static_cast<long long>(index), advice);
 }
 
-namespace {
+// As with_axis() where polynomials are continued, which may take weights below 0.
+SplinePtr continued(const Spline &spline, int k, const AxisTable &made, bool reversed, const char *advice) {
+    ContinuedNet result = continued_along(spline, k, made.table);
+    AxisView view = axis_view(spline, k, 1);
+    view.count = made.table.rows();
+    check_weights(result, view, reversed, advice);
+    return make_result(with_axis(spline, k, made.axis), spline.dim(), spline.form(),
+                       std::move(result.net.points), std::move(result.net.weights));
+}
 
 // How many control points have knots on both sides of the old end among their arguments. They are up to (1 +
 // 2 amount / last span)^order times as large as the others, and so is the rounding of an evaluation that
@@ -128,17 +143,25 @@ AxisTable extended_axis(const KnotVector &axis, double end, int order) {
     return {std::make_shared<const KnotVector>(p, std::move(knots)), std::move(table)};
 }
 
-SplinePtr extend(const SplinePtr &spline, int axis, bool upper, double amount, int order) {
-    check_plain(spline->axis(axis), axis);
-    if (!upper) {
-        return reverse(*extend(reverse(*spline, axis, false), axis, true, amount, order), axis, false);
-    }
+namespace {
+
+SplinePtr extend_upper(const SplinePtr &spline, int axis, double amount, int order, bool reversed) {
     const Interval domain = spline->axis(axis).domain();
     const double end = domain.upper + amount;
     check_longer(amount, domain, end, axis);
     const SplinePtr whole = clamp_ends(spline, axis, {false, true});
     const KnotVector &knots = whole->axis(axis);
-    return continued(*whole, axis, extended_axis(knots, end, std::min(order, knots.degree())));
+    return continued(*whole, axis, extended_axis(knots, end, std::min(order, knots.degree())), reversed,
+                     detour_advice);
+}
+
+} // namespace
+
+SplinePtr extend(const SplinePtr &spline, int axis, bool upper, double amount, int order) {
+    check_plain(spline->axis(axis), axis);
+    return upper ? extend_upper(spline, axis, amount, order, false)
+                 : reverse(*extend_upper(reverse(*spline, axis, false), axis, amount, order, true), axis,
+                           false);
 }
 
 namespace {
@@ -163,8 +186,8 @@ AxisTable unclamped_upper(const KnotVector &axis, std::span<const double> beyond
     return made;
 }
 
-SplinePtr unclamp_upper(const SplinePtr &spline, int axis, std::span<const double> beyond) {
-    return continued(*spline, axis, unclamped_upper(spline->axis(axis), beyond));
+SplinePtr unclamp_upper(const SplinePtr &spline, int axis, std::span<const double> beyond, bool reversed) {
+    return continued(*spline, axis, unclamped_upper(spline->axis(axis), beyond), reversed, flag_advice);
 }
 
 // The knots of the domain, its ends once, and `degree` more on either side that repeat them.
@@ -208,12 +231,12 @@ SplinePtr unclamp(const SplinePtr &spline, int axis, AxisEnds ends) {
     SplinePtr result = spline;
     if (ends.upper) {
         check_copies(knots, upper, upper + p, period, true, axis);
-        result = unclamp_upper(result, axis, std::span<const double>(knots).last(p));
+        result = unclamp_upper(result, axis, std::span<const double>(knots).last(p), false);
     }
     if (ends.lower) {
         check_copies(knots, 0, p, period, false, axis);
         const std::vector<double> below = negated(std::span<const double>(knots).first(p));
-        result = reverse(*unclamp_upper(reverse(*result, axis, false), axis, below), axis, false);
+        result = reverse(*unclamp_upper(reverse(*result, axis, false), axis, below, true), axis, false);
     }
     return result;
 }

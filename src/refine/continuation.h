@@ -30,8 +30,4 @@ SplinePtr extend(const SplinePtr &spline, int axis, bool upper, double amount, i
 // as the period. Other ends stay. Throws as extend() does, and NURBS_ERROR_KNOTS_MERGE.
 SplinePtr unclamp(const SplinePtr &spline, int axis, AxisEnds ends);
 
-// Throws NURBS_ERROR_WEIGHT_NEGATIVE unless the weights of a spline built from Cartesian points are positive
-// where those of the layers it came from were.
-void check_positive_weights(const std::vector<double> &weights);
-
 } // namespace nrb

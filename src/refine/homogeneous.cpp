@@ -61,8 +61,7 @@ SplinePtr in_form(const SplinePtr &spline, Form form) {
     if (form != Form::homogeneous || spline->form() == form) {
         return form == Form::polynomial ? spline : make_rational(spline);
     }
-    return std::make_shared<const Spline>(spline->knot_vectors(), spline->dim(), form,
-                                          homogeneous_points(*spline), std::vector<double>());
+    return make_result(spline->knot_vectors(), spline->dim(), form, homogeneous_points(*spline));
 }
 
 SplinePtr to_homogeneous(const Spline &spline) {

@@ -18,7 +18,7 @@ SplinePtr make_rational(const SplinePtr &spline);
 
 // The form that can hold all of them: the last in the order of Form.
 Form common_form(std::span<const SplinePtr> splines) noexcept;
-// The same spline in a form that can hold it. Throws NURBS_ERROR_OVERFLOW.
+// The same spline in a form that can hold it. Throws NURBS_ERROR_OVERFLOW, _NOT_REPRESENTABLE.
 SplinePtr in_form(const SplinePtr &spline, Form form);
 
 // Throws NURBS_ERROR_DIMENSION, _OVERFLOW.

@@ -92,6 +92,12 @@ class Evaluation(unittest.TestCase):
     def test_beyond_the_ends(self):
         self.assertEqual(circle().extend(0.5, 1).domain[0], (0, 1.5))
         self.assertEqual(circle().unclamp().counts[0], 9)
+        steep = nurbs.Spline.bezier([[0.0], [1.0], [2.0]], [0.5, 2.0, 2.0])
+        with self.assertRaisesRegex(nurbs.ArgumentError, "NURBS_HOMOGENEOUS"):
+            steep.unclamp()
+        both = nurbs.NURBS_FORM_CLAMPED_START | nurbs.NURBS_FORM_CLAMPED_END
+        open_ended = steep.unclamp(both | nurbs.NURBS_HOMOGENEOUS)
+        np.testing.assert_array_equal(open_ended(0.25), steep(0.25))
         loop = circle().make_periodic(1e-9)
         self.assertTrue(loop.order == 0 and loop.deviation < 1e-9 and loop.spline.detect_periodic())
 

@@ -7,6 +7,19 @@
 
 #define VALUES(...) ((const double[]){__VA_ARGS__})
 
+/* Homogeneous records (w x, w), stored as such. */
+static void check_records(int line, const nurbs *g, const double *expected) {
+    double values[6] = {0};
+    int64_t count = 0;
+    int32_t homogeneous = 0;
+    CHECK_OK(nurbs_is_homogeneous(g, &homogeneous));
+    CHECK(homogeneous == 1);
+    CHECK_OK(nurbs_point_count(g, &count));
+    CHECK_OK(nurbs_homogeneous_points(g, count, values, 0, 0));
+    check_bits(__FILE__, line, values, expected, 2 * (size_t)count * sizeof *values);
+}
+#define CHECK_RECORDS(g, expected) check_records(__LINE__, g, expected)
+
 /* The parabola t^2 over [0, 1]. */
 static nurbs *parabola(void) {
     static const int32_t degree = 2;
@@ -61,8 +74,54 @@ static void weights(void) {
     CHECK_POINTS(h, VALUES(0, 3));
     nurbs_destroy(h);
     CHECK_NO_HANDLE(h, nurbs_extend(g, 0, NURBS_END, 2, 1, &h), NURBS_ERROR_WEIGHT_NEGATIVE,
-                    "weights[1]|-0.5");
-    CHECK_NO_HANDLE(h, nurbs_extend(g, 0, NURBS_END, 1, 1, &h), NURBS_ERROR_WEIGHTS_VANISH, "2");
+                    "weights[1]|-0.5|nurbs_to_homogeneous");
+    CHECK_NO_HANDLE(h, nurbs_extend(g, 0, NURBS_END, 1, 1, &h), NURBS_ERROR_WEIGHTS_VANISH,
+                    "weights[1]|infinity|nurbs_to_homogeneous");
+    nurbs *lifted = NULL, *longer = NULL;
+    CHECK_OK(nurbs_to_homogeneous(g, &lifted));
+    CHECK_OK(nurbs_extend(lifted, 0, NURBS_END, 2, 1, &longer));
+    CHECK_OK(nurbs_from_homogeneous(longer, &h));
+    CHECK_RECORDS(h, VALUES(0, 1, 1.5, -0.5));
+    nurbs_destroy(h);
+    nurbs_destroy(longer);
+    nurbs_destroy(lifted);
+    nurbs_destroy(g);
+}
+
+/* Weights of parabolas over [0, 1]: the polar form of 1/2, 2, 2 at (-1, 0) is 2 * 1/2 - 2. */
+static void unclamped_homogeneous(void) {
+    static const int32_t degree = 2;
+    static const double points[] = {0, 1, 2}, rising[] = {0.5, 2, 2}, falling[] = {2, 2, 0.5},
+                        even[] = {1, 2, 2};
+    const uint32_t start = NURBS_FORM_CLAMPED_START, end = NURBS_FORM_CLAMPED_END;
+    nurbs *g = NULL, *h = NULL;
+    CHECK_OK(nurbs_create_bezier(1, &degree, 1, points, 0, 0, rising, 0, &g));
+    CHECK_NO_HANDLE(h, nurbs_unclamp(g, 0, start, &h), NURBS_ERROR_WEIGHT_NEGATIVE,
+                    "weights[0]|-1|NURBS_HOMOGENEOUS");
+    CHECK_OK(nurbs_unclamp(g, 0, start | NURBS_HOMOGENEOUS, &h));
+    CHECK_RECORDS(h, VALUES(-2, -1, 2, 2, 4, 2));
+    nurbs_destroy(h);
+    CHECK_OK(nurbs_unclamp(g, 0, NURBS_HOMOGENEOUS, &h)); /* no end: the form alone */
+    CHECK_RECORDS(h, VALUES(0, 0.5, 2, 2, 4, 2));
+    nurbs_destroy(h);
+    nurbs_destroy(g);
+    CHECK_OK(nurbs_create_bezier(1, &degree, 1, points, 0, 0, falling, 0, &g));
+    CHECK_NO_HANDLE(h, nurbs_unclamp(g, 0, end, &h), NURBS_ERROR_WEIGHT_NEGATIVE,
+                    "weights[2]|-1|NURBS_HOMOGENEOUS");
+    CHECK_NO_HANDLE(h, nurbs_unclamp(g, 0, NURBS_HOMOGENEOUS | 4, &h), NURBS_ERROR_FLAGS,
+                    "0x20000004|NURBS_HOMOGENEOUS");
+    nurbs_destroy(g);
+    CHECK_OK(nurbs_create_bezier(1, &degree, 1, points, 0, 0, even, 0, &g));
+    CHECK_NO_HANDLE(h, nurbs_unclamp(g, 0, start, &h), NURBS_ERROR_WEIGHTS_VANISH,
+                    "weights[0]|infinity|NURBS_HOMOGENEOUS");
+    CHECK_OK(nurbs_unclamp(g, 0, start | NURBS_HOMOGENEOUS, &h));
+    CHECK_RECORDS(h, VALUES(-2, 0, 2, 2, 4, 2));
+    nurbs_destroy(h);
+    nurbs_destroy(g);
+    g = parabola();
+    CHECK_OK(nurbs_unclamp(g, 0, end | NURBS_HOMOGENEOUS, &h)); /* has no weights, and gets none */
+    CHECK_POINTS(h, VALUES(0, 0, 2));
+    nurbs_destroy(h);
     nurbs_destroy(g);
 }
 
@@ -158,6 +217,7 @@ int main(void) {
     extended();
     weights();
     unclamped();
+    unclamped_homogeneous();
     periodic();
     far_and_near_knots();
     return check_summary("continuation");

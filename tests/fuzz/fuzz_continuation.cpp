@@ -27,12 +27,16 @@ void extend(Input &in, const nurbs *g, const fuzz::Spline &s) {
 
 void unclamp(Input &in, const nurbs *g, const fuzz::Spline &s) {
     const int32_t axis = any_axis(in, s);
-    const auto flags = static_cast<uint32_t>(in.below(5));
+    const auto choice = static_cast<uint32_t>(in.below(10));
+    const uint32_t flags = choice % 5, homogeneous = choice < 5 ? 0 : NURBS_HOMOGENEOUS;
     nurbs *out = fuzz::poison();
-    const nurbs_status status = nurbs_unclamp(g, axis, flags, &out);
+    const nurbs_status status = nurbs_unclamp(g, axis, flags | homogeneous, &out);
     const fuzz::Handle h(FUZZ_MADE(status, out));
     if (h) {
-        int32_t form = 0, degree = 0;
+        int32_t form = 0, degree = 0, rational = 0, records = 0;
+        FUZZ_REQUIRE(nurbs_is_rational(h.get(), &rational) == NURBS_OK);
+        FUZZ_REQUIRE(nurbs_is_homogeneous(h.get(), &records) == NURBS_OK);
+        FUZZ_REQUIRE(homogeneous == 0 || records == rational);
         FUZZ_REQUIRE(nurbs_knot_form(h.get(), axis, &form) == NURBS_OK);
         FUZZ_REQUIRE(nurbs_degree(h.get(), axis, &degree) == NURBS_OK);
         FUZZ_REQUIRE(degree == 0 || (form & NURBS_FORM_PERIODIC) != 0 ||

@@ -26,7 +26,7 @@ contains
         call settle(code, status)
     end subroutine extend_spline
 
-    !> Without flags both ends are unclamped.
+    !> Without flags both ends are unclamped; NURBS_HOMOGENEOUS allows weights of any sign.
     subroutine unclamp_spline(spline, axis, out, flags, status)
         class(nurbs_spline), intent(in) :: spline
         integer(c_int32_t), intent(in) :: axis

@@ -17,7 +17,7 @@ inline Returned<Spline> extend(const Spline &g, std::int32_t axis, std::int32_t 
     return detail::spline_of(nurbs_extend, g.get(), axis, end, amount, order);
 }
 
-/// The same shape with unclamped ends.
+/// The same shape with unclamped ends; with homogeneous_records also where weights do not stay positive.
 inline Returned<Spline> unclamp(const Spline &g, std::int32_t axis,
                                 std::uint32_t flags = NURBS_FORM_CLAMPED_START | NURBS_FORM_CLAMPED_END) {
     return detail::spline_of(nurbs_unclamp, g.get(), axis, flags);

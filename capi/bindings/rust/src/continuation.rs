@@ -22,7 +22,7 @@ impl Spline {
     pub fn extend(&self, axis: i32, end: i32, amount: f64, order: i32) -> Result<Spline> {
         Spline::made(|out| unsafe { sys::nurbs_extend(self.raw(), axis, end, amount, order, out) })
     }
-    /// The same shape with unclamped ends.
+    /// The same shape with unclamped ends; `NURBS_HOMOGENEOUS` allows weights of any sign.
     pub fn unclamp(&self, axis: i32, flags: u32) -> Result<Spline> {
         Spline::made(|out| unsafe { sys::nurbs_unclamp(self.raw(), axis, flags, out) })
     }
