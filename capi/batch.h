@@ -85,6 +85,7 @@ inline KnotBatch knot_batch(int32_t degree, int64_t count, const double *knots, 
     check_count(degree, count, -1);
     check_knot_total(knot_count, degree, count);
     require(knots, "knots");
+    checked_array(knot_count, "knots");
     KnotVectorPtr axis = make_knot_vector(degree, std::vector<double>(knots, knots + knot_count));
     const AxisRule rule = decode_rules(flags, 1)[0];
     check_length(n, "n");

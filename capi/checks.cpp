@@ -144,7 +144,9 @@ RecordView<T> view(const char *name, T *data, int64_t count, int64_t width, int6
         fail_stride(name, "component stride", component_stride, ">= 0");
     }
     component_stride = component_stride == 0 ? 1 : component_stride;
-    stride = stride == 0 ? checked_product(width, component_stride, name) : stride;
+    if (stride == 0) { // one record has no next one
+        stride = count > 1 ? checked_product(width, component_stride, name) : width;
+    }
     check_separation(name, count, width, stride, component_stride);
     if (count > 0) {
         checked_sum(checked_product(count - 1, stride, name),

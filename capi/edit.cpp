@@ -52,7 +52,7 @@ std::vector<int64_t> checked_points(const Spline &spline, int64_t count, const i
     if (count > 0) {
         require(indices, "indices");
     }
-    static_cast<void>(checked_product(count, 1, "indices"));
+    checked_array(count, "indices");
     std::vector<int64_t> originals;
     for (int64_t i = 0; i < count; ++i) {
         originals.push_back(checked_point(spline, indices[i], i));

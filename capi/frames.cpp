@@ -29,7 +29,7 @@ struct Wanted {
 class Outputs {
 public:
     Outputs(int64_t count, int32_t *status) : count_(count), status_(status) {
-        checked_product(count, 1, "status");
+        checked_array(count, "status");
     }
 
     Records add(const Wanted &wanted) {

@@ -15,7 +15,7 @@ std::span<double> knot_span(double *knots, int64_t knot_count) {
         fail(NURBS_ERROR_SIZE, "knot_count = %lld, expected the number of knots of the rule",
              static_cast<long long>(knot_count));
     }
-    checked_product(knot_count, 1, "knots");
+    checked_array(knot_count, "knots");
     require(knots, "knots");
     return {knots, static_cast<size_t>(knot_count)};
 }
@@ -24,7 +24,7 @@ std::span<double> knot_span(double *knots, int64_t knot_count) {
 template <class T>
 std::span<const T> source_span(const T *values, int64_t n, const char *name, std::span<double> knots) {
     check_overlap("knots", knots.data(), static_cast<int64_t>(knots.size_bytes()), name, values,
-                  checked_product(n, 1, name) * static_cast<int64_t>(sizeof(T)));
+                  checked_array(n, name) * static_cast<int64_t>(sizeof(T)));
     return {values, static_cast<size_t>(n)};
 }
 

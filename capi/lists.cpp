@@ -4,6 +4,8 @@
 #include "guard.h"
 #include "outputs.h"
 
+#include "base/checked.h"
+
 #include <cstring>
 
 namespace nrb::capi {
@@ -19,6 +21,7 @@ void give_list(std::vector<SplinePtr> splines, nurbs_list **out) {
 
 std::vector<SplinePtr> splines_of(int64_t count, const nurbs *const *handles, const char *name) {
     check_at_least(count, 1, "count");
+    checked_array(count, name);
     require(handles, name);
     std::vector<SplinePtr> splines;
     for (int64_t i = 0; i < count; ++i) {

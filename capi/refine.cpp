@@ -19,7 +19,7 @@ std::vector<double> new_knots(const nurbs *g, int32_t axis, int64_t count, const
     if (count > 0) {
         require(knots, "knots");
     }
-    static_cast<void>(checked_product(count, 1, "knots"));
+    checked_array(count, "knots");
     return checked_new_knots(g->spline->axis(axis), axis, {knots, static_cast<size_t>(count)});
 }
 

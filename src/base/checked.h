@@ -3,20 +3,33 @@
 
 #include "base/error.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 
 namespace nrb {
 
-// Largest number of doubles that an array can hold: its size in bytes must fit a difference of pointers.
+// Largest number of doubles that an array can hold: its size in bytes must fit a difference of pointers, and no
+// processor has more than 2^56 bytes of addresses for a program. What is below both limits can be summed and turned
+// into bytes without a check.
 inline constexpr int64_t max_doubles =
-    int64_t{std::numeric_limits<std::ptrdiff_t>::max()} / static_cast<int64_t>(sizeof(double));
+    std::min((int64_t{1} << 53) - 1,
+             int64_t{std::numeric_limits<std::ptrdiff_t>::max()} / static_cast<int64_t>(sizeof(double)));
 
-// a * b for a, b >= 0, refused beyond max_doubles. `what` names the array in the message.
+// The length n of an array, refused beyond max_doubles. `what` names the array in the message.
+inline int64_t checked_array(int64_t n, const char *what) {
+    if (n > max_doubles) {
+        fail(NURBS_ERROR_OVERFLOW, "%s: %lld values exceed the address space", what,
+             static_cast<long long>(n));
+    }
+    return n;
+}
+
+// a * b for a, b >= 0, refused beyond max_doubles.
 inline int64_t checked_product(int64_t a, int64_t b, const char *what) {
     // spares every call the division
-    constexpr int64_t surely_small = sizeof(std::ptrdiff_t) == 8 ? int64_t{1} << 30 : int64_t{1} << 14;
+    constexpr int64_t surely_small = sizeof(std::ptrdiff_t) == 8 ? int64_t{1} << 26 : int64_t{1} << 14;
     if ((a | b) >= surely_small && b != 0 && a > max_doubles / b) {
         fail(NURBS_ERROR_OVERFLOW, "%s: %lld * %lld values exceed the address space", what,
              static_cast<long long>(a), static_cast<long long>(b));

@@ -32,6 +32,22 @@ def drawn(ax):
     return (picture[..., :3] < 250).any()
 
 
+def new_axes(shape):
+    return plt.figure().add_subplot(projection="3d" if shape.dimension == 3 else None)
+
+
+def within(ax, *shapes):
+    """The limits of the axes are those of the shapes, with a margin."""
+    boxes = [shape.box(1e-6) for shape in shapes]
+    lower, upper = (np.min([box.lower for box in boxes], axis=0), np.max([box.upper for box in boxes], axis=0))
+    limits = np.array([getattr(ax, f"get_{axis}lim")() for axis in "xyz"[:len(lower)]])
+    margin = 0.12 * (upper - lower) + 1e-5
+    np.testing.assert_array_less(limits[:, 0], lower + 1e-5)
+    np.testing.assert_array_less(lower - margin, limits[:, 0])
+    np.testing.assert_array_less(upper - 1e-5, limits[:, 1])
+    np.testing.assert_array_less(limits[:, 1], upper + margin)
+
+
 class Plots(unittest.TestCase):
     def tearDown(self):
         plt.close("all")
@@ -82,6 +98,22 @@ class Plots(unittest.TestCase):
             near([corners.min(axis=0), corners.max(axis=0)], [lower, upper], by=1e-3)
             self.assertTrue(drawn(ax))
         self.assertGreater(len(patch().plot(control=True).lines), 4)
+
+    def test_the_limits_are_those_of_what_is_drawn(self):
+        ball, tile = nurbs.sphere(0.01), nurbs.bilinear([[[3, 0], [3, 1]], [[4, 0], [4, 1]]])
+        small, far = nurbs.circle(1e-3, center=[5, 5]), nurbs.sphere(100, center=[1000, 0, 0])
+        helix = nurbs.helix(1e-3, 2e-3, 3, tolerance=1e-6).spline
+        body = nurbs.arc(1, 0, 3, center=[0, 0, 0]).extrude([0, 0, 1]).extrude([7, 7, 7])
+        for shape in (ball, far, tile, tile.transform(1e-3 * np.eye(2)), small, helix, body):
+            line = nurbs.line([-1.0] * shape.dimension, [7.0] * shape.dimension)
+            within(shape.plot(control=False), shape)
+            within(shape.plot(new_axes(shape), control=False), shape)
+            for drawn_before in (line, shape.transform(2 * np.eye(shape.dimension))):
+                within(shape.plot(drawn_before.plot(new_axes(shape), control=False), control=False), shape, drawn_before)
+            ax = new_axes(shape)
+            ax.plot(*line.points.T)
+            within(shape.plot(ax, control=False), shape, line)
+            plt.close("all")
 
     def test_surfaces_in_the_plane(self):
         ax = nurbs.bilinear([[[0, 0], [0, 1]], [[1, 0], [2, 3]]]).plot()

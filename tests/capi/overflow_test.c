@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Results that are too large are told from arguments that are not finite. */
+/* Results that are too large are told from arguments that are not finite, and arrays that are too long for any memory
+ * are refused before they are looked at. */
 #include "shapes.h"
 
 #define VALUES(...) ((const double[]){__VA_ARGS__})
@@ -72,7 +73,44 @@ static void weights(void) {
     nurbs_destroy(g);
 }
 
+/* Nothing can be read at the address of the arrays. */
+static void handle_arrays(void) {
+    static const int64_t counts[] = {INT64_C(1) << 53, (INT64_C(1) << 60) - 1, INT64_C(1) << 61, INT64_MAX};
+    const nurbs *const *none = (const nurbs *const *)(uintptr_t)8;
+    for (int i = 0; i < 4; ++i) {
+        const int64_t n = counts[i];
+        double a[16];
+        nurbs *h = NULL;
+        nurbs_list *list = NULL;
+        CHECK_NO_HANDLE(h, nurbs_join(n, none, 0, 0, 0, NULL, &h), NURBS_ERROR_OVERFLOW,
+                        "parts|address space");
+        CHECK_FAILS(nurbs_make_compatible(n, none, 0, 0, NULL, &list), NURBS_ERROR_OVERFLOW,
+                    "splines|address space");
+        CHECK(list == NULL);
+        CHECK_FAILS(nurbs_enclosed_area(n, none, 0, 0, a, NULL, NULL, NULL), NURBS_ERROR_OVERFLOW,
+                    "curves|address space");
+        CHECK_FAILS(nurbs_enclosed_volume(n, none, 0, a, NULL, NULL, NULL, NULL), NURBS_ERROR_OVERFLOW,
+                    "surfaces|address space");
+    }
+}
+
+/* A stride that takes the second of two records beyond all addresses; that of a single one means nothing. */
+static void strides(void) {
+    static const int64_t far = INT64_C(1) << 53;
+    nurbs *g = curve(1, 2, VALUES(0, 0, 1, 1), VALUES(2, 4), 0);
+    double points[2] = {0, 0};
+    CHECK_FAILS(nurbs_eval(g, 2, VALUES(0, 1), far, 0, points, 0, 0, 0), NURBS_ERROR_OVERFLOW, "params");
+    CHECK_FAILS(nurbs_eval(g, 2, VALUES(0, 1), 0, 0, points, far, 0, 0), NURBS_ERROR_OVERFLOW, "points");
+    CHECK(points[0] == 0 && points[1] == 0);
+    CHECK_OK(nurbs_eval(g, 1, VALUES(0.5), far, far, points, far, 4 * far, 0));
+    CHECK_OK(nurbs_eval(g, 1, VALUES(0.5), 0, far, points + 1, 0, 4 * far, 0));
+    CHECK(points[0] == 3 && points[1] == 3);
+    nurbs_destroy(g);
+}
+
 int main(void) {
+    handle_arrays();
+    strides();
     points();
     knots();
     quotients();

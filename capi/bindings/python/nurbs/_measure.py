@@ -4,14 +4,15 @@
 from __future__ import annotations
 
 import ctypes
-from typing import TYPE_CHECKING, Any, Iterable, NamedTuple, Optional
+from typing import TYPE_CHECKING, Any, Iterable, NamedTuple, Optional, Tuple
 
 import numpy
 
 from ._arrays import Output, address, records
 from ._base import SplineBase, handles
+from ._errors import NurbsError
 from ._library import call, lib
-from .constants import NURBS_CLAMP, NURBS_EQUAL_CHORDS
+from .constants import NURBS_CLAMP, NURBS_EQUAL_CHORDS, NURBS_ERROR_LENGTH, NURBS_ERROR_NOT_REPRESENTABLE
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -37,7 +38,8 @@ class Division(NamedTuple):
 
 class Moments(NamedTuple):
     """Length, area or volume, centroid (dimension,), inertia (dimension, dimension) about it, and an estimate of the
-    error of the content."""
+    error of the content. Where the content is 0 there is no centroid: it and the inertia are NaN, as is what overflows;
+    the same holds for what curves and surfaces enclose."""
 
     content: float
     centroid: Floats
@@ -63,6 +65,27 @@ class EnclosedVolume(NamedTuple):
     inertia: Floats
     openness: float
     error: float
+
+
+def _moments(dim: int, function: Any, before: Tuple[Any, ...], after: Tuple[Any, ...]) -> Tuple[Floats, Floats]:
+    """Centroid (dim,) and inertia (dim, dim), NaN where they do not exist, from a function to which their addresses are
+    passed between other arguments. It refuses what it cannot give if that is asked for: then it is asked for less."""
+    centroid, inertia = numpy.full(dim, numpy.nan), numpy.full((dim, dim), numpy.nan)
+    try:
+        call(function, *before, centroid.ctypes.data, inertia.ctypes.data, *after)
+        return centroid, inertia
+    except NurbsError as error:
+        if error.status not in (NURBS_ERROR_LENGTH, NURBS_ERROR_NOT_REPRESENTABLE):
+            raise
+        first = error.status
+    if first == NURBS_ERROR_NOT_REPRESENTABLE:
+        try:
+            call(function, *before, centroid.ctypes.data, None, *after)
+            return centroid, inertia
+        except NurbsError:
+            pass  # the last call says what is wrong
+    call(function, *before, None, None, *after)
+    return centroid, inertia
 
 
 class Measures(SplineBase):
@@ -109,10 +132,9 @@ class Measures(SplineBase):
 
     def moments(self, relative_tolerance: float = 0.0) -> Moments:
         """Content, centroid and inertia of the spline itself: a wire, a sheet or a body."""
-        dim, content, error = self.dimension, ctypes.c_double(), ctypes.c_double()
-        centroid, inertia = numpy.empty(dim), numpy.empty((dim, dim))
-        call(lib.nurbs_moments, self._handle, relative_tolerance, ctypes.byref(content), centroid.ctypes.data,
-             inertia.ctypes.data, ctypes.byref(error))
+        content, error = ctypes.c_double(), ctypes.c_double()
+        centroid, inertia = _moments(self.dimension, lib.nurbs_moments,
+                                     (self._handle, relative_tolerance, ctypes.byref(content)), (ctypes.byref(error),))
         return Moments(content.value, centroid, inertia, error.value)
 
 
@@ -121,16 +143,16 @@ def enclosed_area(curves: Iterable[SplineBase], tolerance: float = 0.0,
     """What closed chains of curves in the plane enclose, counterclockwise ones counting positive; ends meet to within
     the tolerance. Raises ArgumentError if a chain does not close."""
     given, area, error = handles(curves), ctypes.c_double(), ctypes.c_double()
-    centroid, inertia = numpy.empty(2), numpy.empty((2, 2))
-    call(lib.nurbs_enclosed_area, len(given), given, tolerance, relative_tolerance,
-         ctypes.byref(area), centroid.ctypes.data, inertia.ctypes.data, ctypes.byref(error))
+    centroid, inertia = _moments(2, lib.nurbs_enclosed_area,
+                                 (len(given), given, tolerance, relative_tolerance, ctypes.byref(area)),
+                                 (ctypes.byref(error),))
     return EnclosedArea(area.value, centroid, inertia, error.value)
 
 
 def enclosed_volume(surfaces: Iterable[SplineBase], relative_tolerance: float = 0.0) -> EnclosedVolume:
     """What surfaces enclose whose normals point outwards: 1/3 of the integral of S . (S_u x S_v)."""
     given, (volume, openness, error) = handles(surfaces), (ctypes.c_double(), ctypes.c_double(), ctypes.c_double())
-    centroid, inertia = numpy.empty(3), numpy.empty((3, 3))
-    call(lib.nurbs_enclosed_volume, len(given), given, relative_tolerance, ctypes.byref(volume),
-         centroid.ctypes.data, inertia.ctypes.data, ctypes.byref(openness), ctypes.byref(error))
+    centroid, inertia = _moments(3, lib.nurbs_enclosed_volume,
+                                 (len(given), given, relative_tolerance, ctypes.byref(volume)),
+                                 (ctypes.byref(openness), ctypes.byref(error)))
     return EnclosedVolume(volume.value, centroid, inertia, openness.value, error.value)

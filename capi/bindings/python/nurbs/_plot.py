@@ -137,8 +137,9 @@ def _draw_surfaces(ax: Any, surfaces: Iterable[Spline], color: Any, alpha: float
         ax.autoscale_view()
         return
     toolkit = import_module("mpl_toolkits.mplot3d.art3d")
+    had_data = ax.has_data()  # without the facets: else the limits of empty axes stay in view
     ax.add_collection3d(toolkit.Poly3DCollection(facets, facecolors=_shades(facets, color, alpha), **edges))
-    ax.auto_scale_xyz(*facets.reshape(-1, 3).T, had_data=ax.has_data())
+    ax.auto_scale_xyz(*facets.reshape(-1, 3).T, had_data=had_data)
 
 
 def _even_scales(ax: Any, dim: int) -> None:
