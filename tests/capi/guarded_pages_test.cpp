@@ -1,0 +1,84 @@
+/* SPDX-License-Identifier: MIT */
+// Every function with arrays that end where a page begins that is not mapped, and with arrays that begin where one ends
+// (guarded/pages.h): no call reads or writes beside them. This file and its copy of the calls are compiled with functions
+// that move all arrays there; all functions are called, and every array of each is there in some call.
+#include "guarded/batches.h"
+#include "guarded/complete_calls.h"
+
+#include <csignal>
+#include <cstdio>
+
+namespace {
+
+// The first message of a program that touched a guarding page, and its last.
+void report(int) {
+    const auto say = [](const char *text) { (void)!write(STDERR_FILENO, text, std::strlen(text)); };
+    say(guarded::running);
+    say(guarded::side == guarded::Side::end ? ": an array was left at its end\n"
+                                            : ": an array was left at its start\n");
+    _exit(1);
+}
+
+void run(const calls::Call &call, const calls::Inputs &in) {
+    calls::Output o;
+    const nurbs_status status = call.run(in, o);
+    if (status != NURBS_OK) {
+        std::fprintf(stderr, "%s: %s\n", call.name, nurbs_status_name(status));
+        ++check_failures;
+    }
+    calls::destroy(o);
+}
+
+void all_calls() {
+    const calls::Inputs in = calls::make_inputs();
+    calls::for_each_allocating([&](const calls::Call &call) { run(call, in); });
+    for (const calls::Call &call : calls::scalar_calls()) {
+        run(call, in);
+    }
+    for (const auto group : calls::complete_calls()) {
+        for (const calls::Call &call : group) {
+            run(call, in);
+        }
+    }
+    evaluate_nothing(in);
+    evaluate_batches();
+    calls::check_intact(in);
+    calls::destroy(in);
+}
+
+// Prints what was done; what was not is a failure.
+void check_complete() {
+    int64_t calls = 0, arrays = 0;
+    for (const guarded::Function &function : guarded::functions) {
+        calls += function.calls;
+        if (function.calls == 0) {
+            std::fprintf(stderr, "%s was not called\n", function.name);
+            ++check_failures;
+        }
+    }
+    for (const guarded::Argument &array : guarded::arrays) {
+        arrays += array.times;
+        if (array.times == 0) {
+            std::fprintf(stderr, "%s: %s was NULL or empty in all calls\n", array.function, array.name);
+            ++check_failures;
+        }
+    }
+    std::printf("%zu functions, %zu arrays: %lld calls with %lld arrays\n", std::size(guarded::functions),
+                std::size(guarded::arrays), static_cast<long long>(calls), static_cast<long long>(arrays));
+}
+
+} // namespace
+
+int main() {
+    std::signal(SIGSEGV, report);
+    std::signal(SIGBUS, report);
+    const char *const path = "guarded_pages_test.igs";
+    CHECK(calls::write_file(path));
+    for (const guarded::Side side : {guarded::Side::end, guarded::Side::start}) {
+        guarded::side = side;
+        all_calls();
+    }
+    check_complete();
+    std::remove(path);
+    return check_summary("guarded pages");
+}
