@@ -168,7 +168,7 @@ module nurbs_constants
     integer(c_int32_t), parameter :: NURBS_PRODUCT_DOT = int(z'08000000', c_int32_t)
     ! nurbs_product(): the cross product in dimension 3.
     integer(c_int32_t), parameter :: NURBS_PRODUCT_CROSS = int(z'10000000', c_int32_t)
-    ! nurbs_create_power(): homogeneous records (w x, w y, ..., w).
+    ! nurbs_create_power(), nurbs_unclamp(): homogeneous records (w x, w y, ..., w).
     integer(c_int32_t), parameter :: NURBS_HOMOGENEOUS = int(z'20000000', c_int32_t)
     ! nurbs_make_compatible(): map the domains of all splines to that of the first one.
     integer(c_int32_t), parameter :: NURBS_MAP_DOMAINS = int(z'40000000', c_int32_t)

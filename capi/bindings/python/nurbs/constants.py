@@ -105,7 +105,7 @@ NURBS_KEEP_DOMAIN = 0x02000000  # nurbs_reverse(): map the domain to itself in p
 NURBS_KEEP_GAPS = 0x04000000  # nurbs_join(): ends that do not meet become a jump, in place of an error.
 NURBS_PRODUCT_DOT = 0x08000000  # nurbs_product(): the dot product.
 NURBS_PRODUCT_CROSS = 0x10000000  # nurbs_product(): the cross product in dimension 3.
-NURBS_HOMOGENEOUS = 0x20000000  # nurbs_create_power(): homogeneous records (w x, w y, ..., w).
+NURBS_HOMOGENEOUS = 0x20000000  # nurbs_create_power(), nurbs_unclamp(): homogeneous records (w x, w y, ..., w).
 NURBS_MAP_DOMAINS = 0x40000000  # nurbs_make_compatible(): map the domains of all splines to that of the first one.
 # nurbs_curve_divide(): equal distances of consecutive points in place of equal lengths.
 NURBS_EQUAL_CHORDS = 0x02000000

@@ -224,7 +224,7 @@ pub const NURBS_KEEP_GAPS: u32 = 0x04000000;
 pub const NURBS_PRODUCT_DOT: u32 = 0x08000000;
 /// nurbs_product(): the cross product in dimension 3.
 pub const NURBS_PRODUCT_CROSS: u32 = 0x10000000;
-/// nurbs_create_power(): homogeneous records (w x, w y, ..., w).
+/// nurbs_create_power(), nurbs_unclamp(): homogeneous records (w x, w y, ..., w).
 pub const NURBS_HOMOGENEOUS: u32 = 0x20000000;
 /// nurbs_make_compatible(): map the domains of all splines to that of the first one.
 pub const NURBS_MAP_DOMAINS: u32 = 0x40000000;
