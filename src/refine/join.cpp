@@ -2,6 +2,7 @@
 
 #include "base/norm.h"
 #include "refine/cut.h"
+#include "refine/elevate.h"
 #include "refine/homogeneous.h"
 #include "spline/axis_view.h"
 
@@ -34,7 +35,7 @@ void check_same_knots(const KnotVector &found, const KnotVector &expected, size_
     }
 }
 
-void check_compatible(std::span<const SplinePtr> parts, int axis) {
+void check_spaces(std::span<const SplinePtr> parts) {
     const Spline &first = *parts[0];
     for (size_t i = 1; i < parts.size(); ++i) {
         const Spline &part = *parts[i];
@@ -43,13 +44,42 @@ void check_compatible(std::span<const SplinePtr> parts, int axis) {
                  "parts[%zu]: %d axes in dimension %d, expected %d in %d as in parts[0]", i, part.axes(),
                  part.dim(), first.axes(), first.dim());
         }
-        for (int k = 0; k < first.axes(); ++k) {
-            check_same(part.axis(k).degree(), first.axis(k).degree(), i, "degree", k);
+    }
+}
+
+// Axis k of all parts brought to the highest degree.
+void raise(std::vector<SplinePtr> &parts, int k) {
+    int degree = 0;
+    for (const SplinePtr &part : parts) {
+        degree = std::max(degree, part->axis(k).degree());
+    }
+    for (SplinePtr &part : parts) {
+        part = elevate(part, k, degree - part->axis(k).degree());
+    }
+}
+
+// The parts in one form, of one degree on each axis, with the same knots on all but `axis`, clamped at inner ends.
+std::vector<SplinePtr> prepared(std::span<const SplinePtr> given, int axis) {
+    check_spaces(given);
+    std::vector<SplinePtr> parts(given.begin(), given.end());
+    for (int k = 0; k < parts[0]->axes(); ++k) {
+        if (k != axis) {
+            raise(parts, k);
+        }
+    }
+    for (size_t i = 1; i < parts.size(); ++i) {
+        for (int k = 0; k < parts[0]->axes(); ++k) {
             if (k != axis) {
-                check_same_knots(part.axis(k), first.axis(k), i, k);
+                check_same_knots(parts[i]->axis(k), parts[0]->axis(k), i, k);
             }
         }
     }
+    const Form form = common_form(parts);
+    for (size_t i = 0; i < parts.size(); ++i) {
+        parts[i] = in_form(clamp_ends(parts[i], axis, {i > 0, i + 1 < parts.size()}), form);
+    }
+    raise(parts, axis);
+    return parts;
 }
 
 // The control points of a part.
@@ -206,19 +236,17 @@ bool meet(const Seam &seam, double factor, JoinRule rule, size_t index, double &
 
 } // namespace
 
-Joined join(std::span<const SplinePtr> parts, int axis, JoinRule rule) {
-    check_compatible(parts, axis);
-    const Form form = common_form(parts);
+Joined join(std::span<const SplinePtr> given, int axis, JoinRule rule) {
+    const std::vector<SplinePtr> parts = prepared(given, axis);
+    const Form form = parts[0]->form();
     const int degree = parts[0]->axis(axis).degree(), dim = parts[0]->dim();
     std::vector<Points> nets;
     std::vector<int64_t> skip(parts.size(), 0);
     std::vector<double> knots;
     double gap = 0;
     for (size_t i = 0; i < parts.size(); ++i) {
-        const AxisEnds inner{i > 0, i + 1 < parts.size()};
-        const SplinePtr part = in_form(clamp_ends(parts[i], axis, inner), form);
-        nets.push_back(points_of(*part, axis));
-        const KnotVector &own = part->axis(axis);
+        nets.push_back(points_of(*parts[i], axis));
+        const KnotVector &own = parts[i]->axis(axis);
         if (i == 0) {
             knots.assign(own.knots().begin(), own.knots().end());
             continue;

@@ -18,11 +18,11 @@ struct Joined {
 };
 
 // The parts one after the other, each moved in the parameter to begin where the one before ends. Inner ends
-// are clamped first. Where ends meet they become one layer, that of the earlier part, under a knot of
-// multiplicity degree; where they do not, and at degree 0, both stay, under one of degree + 1. Weights of a
-// part are multiplied by the factor that makes its end carry on those before. Throws
-// NURBS_ERROR_INCOMPATIBLE, _GAP, _NOT_REPRESENTABLE, and what cutting throws. Precondition: at least one
-// part, and all have the axis.
-Joined join(std::span<const SplinePtr> parts, int axis, JoinRule rule);
+// are clamped first, and degrees raised to the highest. Where ends meet they become one layer, that of the
+// earlier part, under a knot of multiplicity degree; where they do not, and at degree 0, both stay, under one
+// of degree + 1. Weights of a part are multiplied by the factor that makes its end carry on those before.
+// Throws NURBS_ERROR_INCOMPATIBLE, _GAP, _NOT_REPRESENTABLE, and what cutting and elevate() throw.
+// Precondition: at least one part, and all have the axis.
+Joined join(std::span<const SplinePtr> given, int axis, JoinRule rule);
 
 } // namespace nrb

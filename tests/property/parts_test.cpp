@@ -194,6 +194,57 @@ TEST(Parts, pieces_are_bezier_in_their_order) {
     });
 }
 
+// Whatever the degrees to which the parts have been raised, along the axis and across it.
+TEST(Parts, of_different_degrees_join_at_the_highest) {
+    for_each_case(205000, 300, [](Random &random, uint64_t seed) {
+        const int axes = random.whole(1, 3);
+        const auto data = random_spline(random, open_recipe(random, axes, axes == 1 ? 6 : 2));
+        const int axis = random.whole(0, axes - 1);
+        const double t = inner_param(random, data, axis);
+        if (std::isnan(t)) {
+            return;
+        }
+        const auto g = create(data);
+        nurbs *below = nullptr, *above = nullptr;
+        require_ok(nurbs_split(g.get(), axis, t, &below, &above));
+        std::vector<Handle> parts;
+        parts.emplace_back(below);
+        parts.emplace_back(above);
+        std::vector<int32_t> degrees = data.degrees;
+        const bool across = random.chance(50);
+        for (int k = 0; k < axes; ++k) {
+            int most = 0;
+            for (Handle &part : parts) {
+                const int times = k == axis || across ? random.whole(0, 2) : 0;
+                part = elevate(part.get(), k, times);
+                most = std::max(most, times);
+            }
+            degrees[static_cast<size_t>(k)] += most;
+        }
+        Handle joined;
+        double gap = -1;
+        const nurbs_status status = try_join(parts, axis, 0, NURBS_KEEP_GAPS, gap, joined);
+        const std::string place = where(seed, data) + hex(t) + std::to_string(axis);
+        if (status == NURBS_ERROR_INCOMPATIBLE || status == NURBS_ERROR_MULTIPLICITY) {
+            ASSERT_TRUE(across) << place
+                                << last_error(); // raised in other ways, knots beyond the ends differ
+            return;
+        }
+        ASSERT_EQ(status, NURBS_OK) << place << last_error();
+        const auto got = read_back(joined.get());
+        ASSERT_EQ(got.degrees, degrees) << place;
+        const auto k = static_cast<size_t>(axis);
+        const bool jump = std::count(data.knots[k].begin(), data.knots[k].end(), t) > data.degrees[k];
+        ASSERT_TRUE(across || jump || gap == 0) << place;
+        ASSERT_TRUE(got.lower(axis) == data.lower(axis) && got.upper(axis) == data.upper(axis)) << place;
+        long double moved = 1;
+        for (const int32_t p : got.degrees) {
+            moved += 2 * p + 8;
+        }
+        expect_same_shape(g.get(), joined.get(), moved, random, place);
+    });
+}
+
 TEST(Parts, pieces_of_a_curve_join_again) {
     for_each_case(204000, 400, [](Random &random, uint64_t seed) {
         const auto data = random_spline(random, random_recipe(random, 1, 9));
