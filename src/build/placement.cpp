@@ -154,7 +154,8 @@ void check_direction(const double *direction, int64_t dim, const char *name) {
         }
     }
     if (std::all_of(direction, direction + dim, [](double d) { return d == 0; })) {
-        fail(NURBS_ERROR_DIRECTION, "%s is zero, expected a direction", name);
+        fail(NURBS_ERROR_DIRECTION, "%s is zero in its %lld components, expected a direction", name,
+             static_cast<long long>(dim));
     }
 }
 

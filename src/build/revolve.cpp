@@ -28,6 +28,11 @@ AxisLine make_line(const double *point, const double *axis) {
 
 void check_turned(const Spline &spline) {
     check_room_for_axis(spline, "g");
+    if (spline.dim() < 3) {
+        fail(NURBS_ERROR_DIMENSION,
+             "dimension %d of g, expected 3; nurbs_transform() with a matrix of 3 x %d lifts g into space",
+             spline.dim(), spline.dim());
+    }
     if (spline.dim() != 3) {
         fail(NURBS_ERROR_DIMENSION, "dimension %d of g, expected 3", spline.dim());
     }

@@ -69,9 +69,25 @@ SplinePtr stacked(const SplinePtr &a, const SplinePtr &b) {
                        interleaved(lower->weights(), upper->weights(), 1));
 }
 
+namespace {
+
+// A way out of the plane, (0, 0, 1), is read as (0, 0) where g lies in the plane.
+void check_way(const double *vector, int dim) {
+    if (dim < 3 && std::all_of(vector, vector + dim, [](double x) { return x == 0; })) {
+        fail(NURBS_ERROR_DIRECTION,
+             "vector is zero in its dim = %d components, expected a direction; nurbs_transform() with a "
+             "matrix of 3 x "
+             "%d lifts g into space",
+             dim, dim);
+    }
+    check_direction(vector, dim, "vector");
+}
+
+} // namespace
+
 SplinePtr extrude(const SplinePtr &spline, const double *vector) {
     check_room_for_axis(*spline, "g");
-    check_direction(vector, spline->dim(), "vector");
+    check_way(vector, spline->dim());
     return stacked(spline, make_result(spline->knot_vectors(), spline->dim(), spline->form(),
                                        moved_points(*spline, vector),
                                        {spline->weights().begin(), spline->weights().end()}));

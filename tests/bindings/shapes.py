@@ -73,6 +73,9 @@ class Curves(unittest.TestCase):
 class Surfaces(unittest.TestCase):
     def test_from_curves(self):
         same(segment([0, 0], [1, 0]).extrude([0, 2]).eval([0.5, 0.5]), [0.5, 1])
+        with self.assertRaisesRegex(ValueError, r"3 numbers, expected 2.*transform\(numpy.eye\(3, 2\)\)"):
+            segment([0, 0], [1, 0]).extrude([0, 0, 2])
+        same(segment([0, 0], [1, 0]).transform(np.eye(3, 2)).extrude([0, 0, 2]).eval([0.5, 0.5]), [0.5, 0, 1])
         same(segment([1, 0, 0], [1, 0, 1]).revolve().eval([0.25, 0.5]), [0, 1, 0.5])
         around = segment([2, 0, 0], [2, 0, 1]).revolve(pi, point=[1, 0, 0], axis=[0, 0, 2])
         near(around.eval([1, 0.5]), [0, 0, 0.5])

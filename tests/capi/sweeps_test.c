@@ -65,6 +65,17 @@ static void extrude_refused(void) {
     CHECK_NO_HANDLE(out, nurbs_extrude(g, NULL, &out), NURBS_ERROR_NULL, "vector is NULL");
     CHECK_FAILS(nurbs_extrude(g, VALUES(1, 1, 1), NULL), NURBS_ERROR_NULL, "out is NULL");
     CHECK_NO_HANDLE(out, nurbs_extrude(g, VALUES(0, 0, 0), &out), NURBS_ERROR_DIRECTION, "vector is zero");
+    nurbs *flat = make(arch());
+    CHECK_NO_HANDLE(out, nurbs_extrude(flat, VALUES(0, 0, 1), &out), NURBS_ERROR_DIRECTION,
+                    "vector is zero|dim = 2|nurbs_transform|3 x 2");
+    CHECK_NO_HANDLE(out, nurbs_revolve(flat, NULL, NULL, 1, NURBS_ARC_QUARTERS, &out), NURBS_ERROR_DIMENSION,
+                    "dimension 2 of g|3|nurbs_transform|3 x 2");
+    CHECK_OK(nurbs_transform(flat, 3, VALUES(1, 0, 0, 1, 0, 0), NULL, &out)); /* what the message advises */
+    nurbs_destroy(flat);
+    flat = out;
+    CHECK_OK(nurbs_extrude(flat, VALUES(0, 0, 1), &out));
+    nurbs_destroy(out);
+    nurbs_destroy(flat);
     CHECK_NO_HANDLE(out, nurbs_extrude(g, VALUES(0, NAN, 0), &out), NURBS_ERROR_DIRECTION, "vector[1] = nan");
     CHECK_NO_HANDLE(out, nurbs_extrude(volume, VALUES(1, 1, 1, 1), &out), NURBS_ERROR_AXES, "g has 3 axes");
     CHECK_NO_HANDLE(out, nurbs_extrude(far, VALUES(1e308), &out), NURBS_ERROR_NOT_REPRESENTABLE, "overflow");

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, Iterable, NamedTuple, Optional, Tuple, ca
 
 import numpy
 
-from ._arrays import Output, addresses, exactly, if_given, parameters
+from ._arrays import Output, addresses, exactly, if_given, parameters, vector
 from ._library import call, get, lib
 from .constants import NURBS_FORM_PERIODIC
 
@@ -182,7 +182,11 @@ class SplineBase:
 
     def _coordinates(self, values: ArrayLike, what: str) -> NDArray[Any]:
         """A point or vector of the space of the spline."""
-        return exactly(values, self.dimension, what)
+        given, dim = vector(values), self.dimension
+        if given.size > dim:
+            raise ValueError(f"{what} of {given.size} numbers, expected {dim}, the dimension of the spline; "
+                             f"transform(numpy.eye({given.size}, {dim})) lifts it")
+        return exactly(given, dim, what)
 
 
 def handle_of(spline: SplineBase) -> Optional[int]:
