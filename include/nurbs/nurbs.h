@@ -1293,9 +1293,10 @@ NURBS_API nurbs_status nurbs_move_seam(const nurbs *g, int32_t axis, double para
  * multiplied by one factor that makes its first ones those that precede. The two end layers become one, that
  * of the earlier part, under a knot of multiplicity degree: of the later part nothing else moves, and it by
  * at most `gap`. With NURBS_KEEP_GAPS ends that do not meet so both stay, under a knot of multiplicity degree
- * + 1, and no weight changes there. At degree 0 this is always so, and nothing is measured. Degrees,
- * dimensions, and along the other axes knots and periodicity, have to be the same; the axis is not periodic
- * in the result. The parts of nurbs_split() and nurbs_decompose() join without a gap.
+ * + 1, and no weight changes there. At degree 0 this is always so, and nothing is measured. Lower degrees are
+ * raised to the highest on each axis as by nurbs_elevate(), along the axis after clamping (since 1.1).
+ * Dimensions, and along the other axes the knots after that and periodicity, have to be the same; the axis is
+ * not periodic in the result. The parts of nurbs_split() and nurbs_decompose() join without a gap.
  * \param[in] count number of splines, at least 1.
  * \param[in] parts [count] the splines in their order.
  * \param[in] axis 0-based axis.
@@ -1304,10 +1305,10 @@ NURBS_API nurbs_status nurbs_move_seam(const nurbs *g, int32_t axis, double para
  * \param[in] flags NURBS_KEEP_GAPS or 0.
  * \param[out] gap or NULL: largest distance of corresponding control points of two ends.
  * \param[out] out the new handle.
- * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _AXIS, _TOLERANCE, _FLAGS; _INCOMPATIBLE if degrees, axes,
- *   dimensions or the other axes differ or weights do not agree; _GAP if two ends do not meet;
- *   _KNOTS_MERGE if knots that are moved would round to one; _NOT_REPRESENTABLE if a value overflows,
- *   _WEIGHTS_VANISH if weights underflow.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _AXIS, _TOLERANCE, _FLAGS; _INCOMPATIBLE if numbers of
+ *   axes, dimensions or the other axes differ or weights do not agree; _GAP if two ends do not meet;
+ *   _KNOTS_MERGE if knots that are moved would round to one; _PERIODIC_KNOTS as for nurbs_elevate();
+ *   _NOT_REPRESENTABLE if a value overflows, _WEIGHTS_VANISH if weights underflow.
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_join(int64_t count, const nurbs *const *parts, int32_t axis, double tolerance,
                                   uint32_t flags, double *gap, nurbs **out);
@@ -1690,14 +1691,22 @@ NURBS_API nurbs_status nurbs_product(const nurbs *a, const nurbs *b, uint32_t fl
  * Boor's algorithm counts by its magnitude. Cost: for each polynomial piece of the result the product over
  * the axes of binomial(p_k + q, q) polar values of g, and a copy of the knots of each period that f runs
  * over.
+ *
+ * f may be rational with positive weights w_i (since 1.1), such as a circle in the domain of a surface. The
+ * result then has weights: a polar value of g counts with the product of the weights of its p_0 + p_1 + ...
+ * arguments, divided by the power of two in the largest w_i for each of them. In u the first term is 8 (q + 2)
+ * eps max |F|, and f' counts by q (w_i + w_(i+1)) / min w times max F - min F over t_(i+q+1) - t_(i+1), all of
+ * the span. A component of the homogeneous points may be off by (4 q + 6) eps more for each argument; all
+ * these bounds are in parts of the product of weights that the point is multiplied by, at a parameter w(t) to
+ * the power p_0 + p_1 + ....
  * \param[in] g a spline, rational or not.
- * \param[in] f a polynomial curve whose dimension is the number of axes of g.
+ * \param[in] f a curve whose dimension is the number of axes of g: polynomial, or with positive weights.
  * \param[out] out the new handle.
- * \return NURBS_OK, NURBS_ERROR_NULL; _AXES if f is no curve, _RATIONAL if f is rational, _DIMENSION if its
- *   dimension does not suit, _DEGREE if the new degree exceeds NURBS_MAX_DEGREE, _NOT_MONOTONE,
- *   _OUTSIDE_DOMAIN if f leaves the domain of g or runs over too many periods, _PERIODIC_KNOTS if copies of
- *   knots of g cannot be told apart, _NOT_REPRESENTABLE if a value or u overflows, _WEIGHTS_VANISH if weights
- *   underflow, _OVERFLOW.
+ * \return NURBS_OK, NURBS_ERROR_NULL; _AXES if f is no curve, _RATIONAL if a weight of f is not positive,
+ *   _DIMENSION if its dimension does not suit, _DEGREE if the new degree exceeds NURBS_MAX_DEGREE,
+ *   _NOT_MONOTONE, _OUTSIDE_DOMAIN if f leaves the domain of g or runs over too many periods, _PERIODIC_KNOTS
+ *   if copies of knots of g cannot be told apart, _NOT_REPRESENTABLE if a value or u overflows,
+ *   _WEIGHTS_VANISH if weights underflow, _OVERFLOW.
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_compose(const nurbs *g, const nurbs *f, nurbs **out);
 
@@ -2465,7 +2474,7 @@ NURBS_API nurbs_status nurbs_curve_helix(int32_t dim, const double *origin, cons
 /** @} */
 
 /** \brief Moves a curve or surface along a vector: (u, v) -> g(u) + v vector, the new axis last, of degree 1
- * over [0, 1].
+ * over [0, 1]. A plane curve moves in its plane: nurbs_transform() with a matrix of 3 x 2 lifts it into space.
  * \param[in] g a spline of 1 or 2 axes.
  * \param[in] vector [dim] the way, not 0.
  * \param[out] out the new handle, with one axis more.

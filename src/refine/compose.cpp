@@ -3,6 +3,7 @@
 #include "base/sum.h"
 #include "refine/blossom.h"
 #include "refine/cells.h"
+#include "refine/homogeneous.h"
 #include "refine/product.h"
 #include "refine/unrolled.h"
 #include "spline/contract.h"
@@ -12,6 +13,8 @@
 #include <cmath>
 #include <compare>
 #include <cstdlib>
+#include <functional>
+#include <numeric>
 
 namespace nrb {
 
@@ -19,8 +22,9 @@ namespace {
 
 void check_operands(const Spline &g, const Spline &f) {
     check_kind(f, 1, "f");
-    if (f.rational()) {
-        fail(NURBS_ERROR_RATIONAL, "f is rational; expected a polynomial curve");
+    if (f.rational() && !(f.all_weights().smallest > 0)) {
+        fail(NURBS_ERROR_RATIONAL, "f has the weight %s; expected only positive weights, or none",
+             Number(f.all_weights().smallest).text);
     }
     if (f.dim() != g.axes()) {
         fail(NURBS_ERROR_DIMENSION, "dimension %d of f, expected %d, the number of axes of g", f.dim(),
@@ -195,7 +199,7 @@ private:
         terms_ = 0;
         next_axis(0, window(layer), block_.data(), 1);
         for (size_t c = 0; c < sums_.size(); ++c) {
-            records.push_back(terms_ == 1 ? only_[c] : sums_[c].value() / total_.value());
+            records.push_back(terms_ == 1 ? only_weight_ * only_[c] : sums_[c].value() / total_.value());
             if (!std::isfinite(records.back())) {
                 fail(NURBS_ERROR_NOT_REPRESENTABLE, "a new control point overflows double precision");
             }
@@ -222,12 +226,27 @@ private:
             next_argument(k, 0, left, nullptr, 0, points, times);
             return;
         }
+        double share = times;
+        if (weighted_) {
+            only_weight_ = product_of_weights();
+            share *= only_weight_;
+        }
         for (size_t c = 0; c < sums_.size(); ++c) {
-            sums_[c].add(times * points[c]);
+            sums_[c].add(share * points[c]);
         }
         total_.add(times);
         only_ = points;
         ++terms_;
+    }
+
+    // Of all arguments.
+    [[nodiscard]] double product_of_weights() const noexcept {
+        double product = 1;
+        for (int k = 0; k < g_.axes(); ++k) {
+            const double *weights = weights_[static_cast<size_t>(k)].data();
+            product = std::accumulate(weights, weights + g_.axis(k).degree(), product, std::multiplies<>());
+        }
+        return product;
     }
 
     // The arguments of an axis in any order are the same, so only orders that do not fall are gone through; a
@@ -248,7 +267,7 @@ private:
             }
             const int again = order == 0 ? run + 1 : 1;
             double *argument = arguments_[at].data() + number;
-            *argument = order == 0 ? argument[-1] : argument_of(k, left.size, chosen);
+            *argument = order == 0 ? repeated(at, number) : argument_of(k, number, left.size, chosen);
             next_argument(k, number + 1, without(left, chosen), chosen, again, points, times * ways / again);
         });
     }
@@ -266,8 +285,16 @@ private:
         return window;
     }
 
-    // Coordinate k of the polar form of f; where that is a value of f, the knot it stands for.
-    [[nodiscard]] double argument_of(int k, int size, const int *chosen) const noexcept {
+    // The argument before this one, with its weight.
+    double repeated(size_t axis, int number) noexcept {
+        const auto place = static_cast<size_t>(number);
+        weights_[axis][place] = weights_[axis][place - 1];
+        return arguments_[axis][place - 1];
+    }
+
+    // Coordinate k of the polar form of f; where that is a value of f, the knot it stands for. Its weight goes to
+    // weights_[k][number].
+    [[nodiscard]] double argument_of(int k, int number, int size, const int *chosen) noexcept {
         std::array<double, max_basis> knots{};
         int count = 0, distinct = 0;
         for (int i = 0; i < size; ++i) {
@@ -275,8 +302,12 @@ private:
             count += chosen[i];
             distinct += chosen[i] > 0 ? 1 : 0;
         }
-        const double value =
-            pieces_[cell_->piece].polar_value(k, std::span(knots).first(static_cast<size_t>(count)));
+        const std::span<const double> arguments = std::span(knots).first(static_cast<size_t>(count));
+        const CurvePiece &piece = pieces_[cell_->piece];
+        if (weighted_) {
+            weights_[static_cast<size_t>(k)][static_cast<size_t>(number)] = piece.polar_weight(arguments);
+        }
+        const double value = piece.polar_value(k, arguments);
         return distinct > 1 ? value
                             : snapped(*axes_[static_cast<size_t>(k)], value, uncertainty_at(k, knots[0]));
     }
@@ -307,6 +338,7 @@ private:
     const Spline &g_;
     const Spline &f_;
     int degree_;
+    bool weighted_ = f_.rational();
     std::vector<CurvePiece> pieces_;
     Spline::Axes axes_; // of g, with the periods that f runs through
     std::vector<Cell> cells_;
@@ -318,12 +350,14 @@ private:
     std::array<double, max_basis> window_knots_{};
     std::vector<double> block_;
     std::array<std::array<double, max_basis>, max_axes> arguments_{};
+    std::array<std::array<double, max_basis>, max_axes> weights_{}; // of the arguments, where f has some
     std::array<int64_t, max_axes> lengths_{};
     std::array<std::vector<double>, max_axes> parts_;
     std::vector<CompensatedSum> sums_;
     CompensatedSum total_;
     int64_t terms_ = 0;
     const double *only_ = nullptr;
+    double only_weight_ = 1;
 };
 
 } // namespace
@@ -334,7 +368,8 @@ SplinePtr compose(const SplinePtr &g, const SplinePtr &f) {
     if (g->axes() == 1 && !strictly_monotone(f)) {
         fail(NURBS_ERROR_NOT_MONOTONE, "f neither increases nor decreases strictly on its whole domain");
     }
-    return Composer(*g, *f, degree).run();
+    const SplinePtr weighted = f->rational() ? make_rational(g) : g;
+    return Composer(*weighted, *f, degree).run();
 }
 
 } // namespace nrb

@@ -1,5 +1,6 @@
 #include "refine/crossings.h"
 
+#include "basis/binomial.h"
 #include "refine/blossom.h"
 #include "refine/derivative.h"
 
@@ -16,6 +17,10 @@ constexpr double eps = std::numeric_limits<double>::epsilon();
 } // namespace
 
 CurvePiece::CurvePiece(const Spline &curve, int64_t span) : curve_(&curve), span_(span) {
+    if (curve.rational()) {
+        const Coefficients values = weights_between(lower(), upper());
+        weights_.assign(values.begin(), values.begin() + degree() + 1);
+    }
     for (int k = 0; k < curve.dim(); ++k) {
         const Coefficients values = coefficients_between(k, lower(), upper());
         coefficients_.insert(coefficients_.end(), values.begin(), values.begin() + degree() + 1);
@@ -23,21 +28,69 @@ CurvePiece::CurvePiece(const Spline &curve, int64_t span) : curve_(&curve), span
     }
 }
 
-Coefficients CurvePiece::coefficients_between(int k, double from, double to) const noexcept {
+namespace {
+
+// Values of a polar form at `from` and `to`, the latter 0, ..., degree times.
+template <class Polar>
+Coefficients bernstein(int degree, double from, double to, Polar polar) noexcept {
     Coefficients arguments{}, values{};
     arguments.fill(from);
-    const auto q = static_cast<size_t>(degree());
+    const auto q = static_cast<size_t>(degree);
     for (size_t j = 0; j <= q; ++j) {
         if (j > 0) {
             arguments[q - j] = to;
         }
-        values[j] = polar_value(k, std::span(arguments).first(q));
+        values[j] = polar(std::span<const double>(arguments).first(q));
     }
     return values;
 }
 
+} // namespace
+
+Coefficients CurvePiece::coefficients_between(int k, double from, double to) const noexcept {
+    return bernstein(degree(), from, to,
+                     [&](std::span<const double> arguments) { return polar_value(k, arguments); });
+}
+
+Coefficients CurvePiece::weights_between(double from, double to) const noexcept {
+    return bernstein(degree(), from, to,
+                     [&](std::span<const double> arguments) { return polar_weight(arguments); });
+}
+
+double CurvePiece::weight(int64_t i) const noexcept {
+    return std::ldexp(curve_->weight(i), -std::ilogb(curve_->all_weights().largest));
+}
+
+double CurvePiece::polar_weight(std::span<const double> arguments) const noexcept {
+    if (!curve_->rational()) {
+        return 1;
+    }
+    const PolarRow row = blossom_row(curve_->axis(0), span_, arguments);
+    double sum = 0;
+    for (int i = 0; i < row.size; ++i) {
+        sum += row.coefficients[i] * weight(row.first + i);
+    }
+    return sum;
+}
+
+double CurvePiece::quotient(const PolarRow &row, int k) const noexcept {
+    if (row.size == 1) {
+        return curve_->coordinate(row.first, k);
+    }
+    double sum = 0, weights = 0;
+    for (int i = 0; i < row.size; ++i) {
+        const double share = row.coefficients[i] * weight(row.first + i);
+        sum += share * curve_->coordinate(row.first + i, k);
+        weights += share;
+    }
+    return sum / weights;
+}
+
 double CurvePiece::polar_value(int k, std::span<const double> arguments) const noexcept {
     const PolarRow row = blossom_row(curve_->axis(0), span_, arguments);
+    if (curve_->rational()) {
+        return quotient(row, k);
+    }
     const double *points = curve_->points().data() + row.first * curve_->dim() + k;
     double value = 0;
     for (int i = 0; i < row.size; ++i) {
@@ -54,25 +107,43 @@ double CurvePiece::value(int k, double t) const noexcept {
 
 // Multiplied by eps before anything can overflow; t / length is at most 1 / eps.
 CurvePiece::Known CurvePiece::known_of(int k) const {
-    const KnotVector &axis = curve_->axis(0);
-    const int q = axis.degree();
-    const double t = std::max(std::fabs(lower()), std::fabs(upper()));
-    const auto point = [&](int64_t i) {
-        return eps * curve_->points()[static_cast<size_t>(i * curve_->dim() + k)];
-    };
-    double largest = std::fabs(point(span_)), moved = 0;
-    for (int64_t i = span_ - q; i < span_; ++i) {
-        const double length = axis[i + q + 1] - axis[i + 1];
-        largest = std::max(largest, std::fabs(point(i)));
-        moved = std::max(moved, q * std::fabs(point(i + 1) - point(i)) * (t / length));
+    const int q = degree();
+    double largest = 0;
+    for (int64_t i = span_ - q; i <= span_; ++i) {
+        largest = std::max(largest, std::fabs(eps * curve_->coordinate(i, k)));
     }
-    const Known known{4 * (q + 1) * largest, 4 * (q + 1) * largest + moved};
+    const double rounding = (curve_->rational() ? 8 * (q + 2) : 4 * (q + 1)) * largest;
+    const Known known{rounding,
+                      rounding + eps_times_slope(k, std::max(std::fabs(lower()), std::fabs(upper())))};
     if (!std::isfinite(known.uncertainty)) {
         fail(NURBS_ERROR_NOT_REPRESENTABLE,
              "coordinate %d between t = %s and %s is too steep: the uncertainty of its values overflows", k,
              Number(lower()).text, Number(upper()).text);
     }
     return known;
+}
+
+// Bound of eps t |F'|, of which each control point counts by its steps to the next one. With weights F' is the sum of
+// q N_i (w_(i+1) (F_(i+1) - F) - w_i (F_i - F)) / (t_(i+q+1) - t_(i+1)), N_i those of degree q - 1, divided by the
+// weight, and F lies among the F_i.
+double CurvePiece::eps_times_slope(int k, double t) const noexcept {
+    const KnotVector &axis = curve_->axis(0);
+    const int q = axis.degree();
+    const auto point = [&](int64_t i) { return eps * curve_->coordinate(i, k); };
+    double lowest = point(span_), highest = lowest, least = curve_->weight(span_), slope = 0;
+    for (int64_t i = span_ - q; i < span_ && curve_->rational(); ++i) {
+        lowest = std::min(lowest, point(i));
+        highest = std::max(highest, point(i));
+        least = std::min(least, curve_->weight(i));
+    }
+    for (int64_t i = span_ - q; i < span_; ++i) {
+        const double length = axis[i + q + 1] - axis[i + 1];
+        const double way = curve_->rational() ? (curve_->weight(i) / least + curve_->weight(i + 1) / least) *
+                                                    (highest - lowest)
+                                              : std::fabs(point(i + 1) - point(i));
+        slope = std::max(slope, q * way * (t / length));
+    }
+    return slope;
 }
 
 double CurvePiece::uncertainty_at(int k, double t) const noexcept {
@@ -85,47 +156,57 @@ double CurvePiece::uncertainty_at(int k, double t) const noexcept {
 
 namespace {
 
-// Walks through the parts of a piece in the order of their parameters.
+// Bernstein coefficients whose signs count, and what their uncertainty is multiplied by.
+template <size_t kSize>
+struct SignNet {
+    std::array<double, kSize> values{};
+    std::array<double, kSize> weights{};
+};
+
+// Walks through the parts of a piece in the order of their parameters. `value` is the function itself.
+template <size_t kSize, class Value>
 class SignWalk {
 public:
-    SignWalk(const CurvePiece &piece, int k, double c, double uncertainty)
-        : piece_(piece), k_(k), c_(c), uncertainty_(uncertainty), degree_(piece.degree()) {}
+    SignWalk(int degree, bool weighted, double uncertainty, Value value)
+        : value_(value), uncertainty_(uncertainty), degree_(degree), weighted_(weighted) {}
 
-    // Of the coefficients over an interval.
-    SignProfile walk(std::span<const double> values, Interval part) && {
-        Coefficients differences{};
-        std::transform(values.begin(), values.end(), differences.begin(),
-                       [this](double x) { return x - c_; });
-        visit(differences, part.lower, part.upper);
+    SignProfile walk(SignNet<kSize> &net, Interval part) && {
+        visit(net, part.lower, part.upper);
         return std::move(profile_);
     }
 
 private:
-    [[nodiscard]] int sign(double x) const noexcept {
-        return std::fabs(x) <= uncertainty_ ? 0 : x > 0 ? 1 : -1;
+    using Net = SignNet<kSize>;
+
+    [[nodiscard]] int sign(const Net &net, size_t j) const noexcept {
+        const double x = net.values[j], known = weighted_ ? uncertainty_ * net.weights[j] : uncertainty_;
+        return std::fabs(x) <= known ? 0 : x > 0 ? 1 : -1;
     }
 
-    void visit(Coefficients &values, double lower, double upper) {
+    void visit(Net &net, double lower, double upper) {
         int first = 0, last = 0, changes = 0;
         for (int j = 0; j <= degree_; ++j) {
-            const int own = sign(values[static_cast<size_t>(j)]);
+            const int own = sign(net, static_cast<size_t>(j));
             changes += own * last < 0 ? 1 : 0;
             last = own != 0 ? own : last;
             first = first != 0 ? first : own;
         }
         const double middle = lower + (upper - lower) / 2;
         if (changes > 1 && lower < middle && middle < upper) {
-            Coefficients left = values;
-            halve(left, values);
+            Net left = net;
+            halve(left.values, net.values);
+            if (weighted_) {
+                halve(left.weights, net.weights);
+            }
             visit(left, lower, middle);
-            visit(values, middle, upper);
+            visit(net, middle, upper);
         } else if (first != 0) {
             add(first, last, lower, upper);
         }
     }
 
     // de Casteljau in the middle: `left` becomes the lower half, `values` the upper one.
-    void halve(Coefficients &left, Coefficients &values) const noexcept {
+    void halve(std::array<double, kSize> &left, std::array<double, kSize> &values) const noexcept {
         for (int r = 0; r <= degree_; ++r) {
             left[static_cast<size_t>(r)] = values[0];
             for (int j = 0; j < degree_ - r; ++j) {
@@ -152,7 +233,7 @@ private:
     [[nodiscard]] double root(double lower, double upper, int last) const noexcept {
         for (;;) {
             const double middle = lower + (upper - lower) / 2;
-            const double value = piece_.value(k_, middle) - c_;
+            const double value = value_(middle);
             if (value == 0 || middle == lower || middle == upper) {
                 return middle;
             }
@@ -160,14 +241,29 @@ private:
         }
     }
 
-    const CurvePiece &piece_;
-    int k_;
-    double c_;
+    Value value_;
     double uncertainty_;
     int degree_;
+    bool weighted_;
     int before_ = 0; // the last sign met
     SignProfile profile_;
 };
+
+// Of coordinate k minus c over a part of the piece, of which these are the coefficients and weights.
+SignProfile profile_of(const CurvePiece &piece, int k, double c, double uncertainty,
+                       std::span<const double> values, std::span<const double> weights, Interval part) {
+    SignNet<max_basis> net;
+    for (size_t j = 0; j < values.size(); ++j) {
+        net.values[j] = values[j] - c;
+        if (!weights.empty()) {
+            net.values[j] *= weights[j];
+            net.weights[j] = weights[j];
+        }
+    }
+    const auto value = [&piece, k, c](double t) { return piece.value(k, t) - c; };
+    return SignWalk<max_basis, decltype(value)>(piece.degree(), !weights.empty(), uncertainty, value)
+        .walk(net, part);
+}
 
 // Whether no jump leads back.
 bool continues(const CurvePiece &before, const CurvePiece &piece, bool rising) noexcept {
@@ -179,8 +275,8 @@ bool continues(const CurvePiece &before, const CurvePiece &piece, bool rising) n
 } // namespace
 
 SignProfile sign_profile(const CurvePiece &piece, int k, double c) {
-    return SignWalk(piece, k, c, piece.uncertainty(k))
-        .walk(piece.coefficients(k), {piece.lower(), piece.upper()});
+    return profile_of(piece, k, c, piece.uncertainty(k), piece.coefficients(k), piece.weights(),
+                      {piece.lower(), piece.upper()});
 }
 
 bool lies_above(const CurvePiece &piece, int k, double c, Interval part) {
@@ -189,10 +285,14 @@ bool lies_above(const CurvePiece &piece, int k, double c, Interval part) {
         return middle > c;
     }
     const Coefficients values = piece.coefficients_between(k, part.lower, part.upper);
+    const size_t size = piece.coefficients(k).size();
+    Coefficients weights{};
+    if (!piece.weights().empty()) {
+        weights = piece.weights_between(part.lower, part.upper);
+    }
     for (const double uncertainty : {piece.uncertainty(k), piece.rounding(k)}) {
-        const SignProfile profile =
-            SignWalk(piece, k, c, uncertainty)
-                .walk(std::span(values).first(static_cast<size_t>(piece.degree()) + 1), part);
+        const SignProfile profile = profile_of(piece, k, c, uncertainty, std::span(values).first(size),
+                                               std::span(weights).first(piece.weights().size()), part);
         if (profile.below || profile.above) {
             return profile.below && profile.above ? middle >= c : profile.above;
         }
@@ -200,16 +300,52 @@ bool lies_above(const CurvePiece &piece, int k, double c, Interval part) {
     return true;
 }
 
+namespace {
+
+// Signs of the derivative of a curve of dimension 1 with weights. From B_i' B_j - B_i B_j' = (i - j) B_i B_j / (t (1 -
+// t)) its numerator has the Bernstein coefficients sum over i + j = k + 1, i < j of (j - i) binomial(q, i) binomial(q,
+// j) / binomial(2 q - 2, k) w_i w_j (F_j - F_i), which no translation of the F_i changes.
+SignProfile quotient_slope(const CurvePiece &piece) {
+    constexpr size_t size = 2 * max_basis;
+    const std::span<const double> points = piece.coefficients(0), weights = piece.weights();
+    const int q = piece.degree(), degree = std::max(2 * q - 2, 0);
+    SignNet<size> net;
+    for (int i = 0; i <= q; ++i) {
+        for (int j = i + 1; j <= q; ++j) {
+            const auto a = static_cast<size_t>(i), b = static_cast<size_t>(j), k = a + b - 1;
+            const double size_of_term = (j - i) * (binomial(q, i) / binomial(degree, i + j - 1)) *
+                                        binomial(q, j) * weights[a] * weights[b];
+            net.values[k] += size_of_term * (points[b] - points[a]);
+            net.weights[k] += size_of_term;
+        }
+    }
+    const auto middle = [](double) { return 0.0; }; // zeros are not asked for
+    return SignWalk<size, decltype(middle)>(degree, true, 2 * piece.rounding(0), middle)
+        .walk(net, {piece.lower(), piece.upper()});
+}
+
+// check(signs of the derivative) on all pieces, until it says false.
+template <class Check>
+bool all_slopes(const SplinePtr &curve, Check check) {
+    const SplinePtr slope = curve->rational() ? curve : polynomial_derivative(curve, 0, 1);
+    const std::span<const int64_t> spans = slope->axis(0).spans().indices();
+    return std::all_of(spans.begin(), spans.end(), [&](int64_t span) {
+        const CurvePiece piece(*slope, span);
+        return check(curve->rational() ? quotient_slope(piece) : sign_profile(piece, 0, 0));
+    });
+}
+
+} // namespace
+
 bool strictly_monotone(const SplinePtr &curve) {
-    const SplinePtr slope = polynomial_derivative(curve, 0, 1);
     bool below = false, above = false;
-    for (const int64_t span : slope->axis(0).spans().indices()) {
-        const SignProfile profile = sign_profile(CurvePiece(*slope, span), 0, 0);
+    const bool moving = all_slopes(curve, [&](const SignProfile &profile) {
         below = below || profile.below;
         above = above || profile.above;
-        if (profile.below == profile.above) {
-            return false;
-        }
+        return profile.below != profile.above;
+    });
+    if (!moving) {
+        return false;
     }
     const std::span<const int64_t> spans = curve->axis(0).spans().indices();
     for (size_t i = 1; i < spans.size(); ++i) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "basis/bspline.h"
+#include "refine/joint_axis.h"
 #include "spline/spline.h"
 
 #include <array>
@@ -13,7 +14,8 @@ namespace nrb {
 
 using Coefficients = std::array<double, max_basis>;
 
-// A polynomial curve over one of its non-empty spans, coordinate by coordinate in Bernstein form.
+// A curve over one of its non-empty spans, coordinate by coordinate in Bernstein form. Weights are positive, and count
+// up to one power of two, which keeps products of them in range; without them they are 1.
 class CurvePiece {
 public:
     // The curve must outlive this. Throws NURBS_ERROR_NOT_REPRESENTABLE if an uncertainty overflows.
@@ -27,18 +29,23 @@ public:
         const auto size = static_cast<size_t>(degree()) + 1;
         return std::span(coefficients_).subspan(static_cast<size_t>(k) * size, size);
     }
+    // The weights of the coefficients; none of a polynomial curve.
+    [[nodiscard]] std::span<const double> weights() const noexcept { return weights_; }
     // Those over another interval, the first degree + 1.
     [[nodiscard]] Coefficients coefficients_between(int k, double from, double to) const noexcept;
+    [[nodiscard]] Coefficients weights_between(double from, double to) const noexcept;
     // What a control point of coordinate k is known to: with the active control points F_i, the 4 (q + 1) eps
-    // max |F_i| of a polar form. And what a value is known to: besides, what a rounding of the parameter moves it
-    // by, eps max |t| max |F'|.
+    // max |F_i| of a polar form, or 8 (q + 2) eps max |F_i| of the quotient of two with positive weights, each of
+    // which is within as much of its own terms. And what a value is known to: besides, what a rounding of the
+    // parameter moves it by, eps max |t| max |F'|.
     [[nodiscard]] double rounding(int k) const noexcept { return known_[static_cast<size_t>(k)].rounding; }
     [[nodiscard]] double uncertainty(int k) const noexcept {
         return known_[static_cast<size_t>(k)].uncertainty;
     }
     // What the value at t in the piece is known to: at an end it may be a control point.
     [[nodiscard]] double uncertainty_at(int k, double t) const noexcept;
-    // Coordinate k of the polar form at degree arguments, and at one t that often.
+    // Coordinate k of the polar form at degree arguments, divided by its weight, and at one t that often.
+    [[nodiscard]] double polar_weight(std::span<const double> arguments) const noexcept;
     [[nodiscard]] double polar_value(int k, std::span<const double> arguments) const noexcept;
     [[nodiscard]] double value(int k, double t) const noexcept;
 
@@ -48,15 +55,20 @@ private:
         double uncertainty;
     };
     [[nodiscard]] Known known_of(int k) const;
+    [[nodiscard]] double eps_times_slope(int k, double parameter) const noexcept;
+    [[nodiscard]] double weight(int64_t i) const noexcept;
+    // Coordinate k of the sum of control points times coefficients and weights, divided by that of the weights.
+    [[nodiscard]] double quotient(const PolarRow &row, int k) const noexcept;
 
     const Spline *curve_;
     int64_t span_;
+    std::vector<double> weights_;      // [degree + 1], none of a polynomial curve
     std::vector<double> coefficients_; // [coordinate][degree + 1]
     std::vector<Known> known_;
 };
 
 // What is known of the sign of a coordinate minus a value c inside a piece. A coefficient that is no farther from
-// 0 than the uncertainty has no sign.
+// 0 than the uncertainty, times its weight, has no sign.
 struct SignProfile {
     bool below = false;
     bool above = false;

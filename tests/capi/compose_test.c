@@ -29,6 +29,38 @@ static nurbs *composed(SplineArgs g, int32_t degree, int32_t dim, const double *
     return h;
 }
 
+/* A Bezier curve with weights over [0, 1]. */
+static nurbs *weighted(int32_t degree, int32_t dim, const double *points, const double *weights) {
+    nurbs *f = NULL;
+    CHECK_OK(nurbs_create_bezier(1, &degree, dim, points, 0, 0, weights, 0, &f));
+    return f;
+}
+
+/* The quarter circle (1 - t^2, 2 t) / (1 + t^2) on (u, v, u v), and a line over a rational linear map. */
+static void rational_curves(void) {
+    nurbs *g = make(patch()), *f = weighted(2, 2, VALUES(1, 0, 1, 1, 0, 1), VALUES(1, 1, 2)), *h = NULL;
+    int32_t degree = 0;
+    CHECK_OK(nurbs_compose(g, f, &h));
+    CHECK_OK(nurbs_degree(h, 0, &degree));
+    CHECK(degree == 4);
+    check_point(h, 0, VALUES(1, 0, 0), 3);
+    check_point(h, 1, VALUES(0, 1, 0), 3);
+    double point[3], t = 0.5;
+    CHECK_OK(nurbs_eval(h, 1, &t, 0, 0, point, 0, 0, 0));
+    CHECK_NEAR(point, VALUES(0.6, 0.8, 0.48), 3, 4 * 0x1p-52);
+    nurbs_destroy(h);
+    nurbs_destroy(f);
+    nurbs_destroy(g);
+    g = make(arch());
+    f = weighted(1, 1, VALUES(0, 1), VALUES(1, 2));
+    CHECK_OK(nurbs_compose(g, f, &h));
+    CHECK_POINTS(h, VALUES(0, 0, 1, 2, 3, 2, 4, 0));
+    CHECK_WEIGHTS(h, VALUES(0.125, 0.25, 0.5, 1)); /* 1, 2, 4, 8, divided by 2 for each degree of g */
+    nurbs_destroy(h);
+    nurbs_destroy(f);
+    nurbs_destroy(g);
+}
+
 static void curves(void) {
     nurbs *h = composed(twist(), 2, 1, VALUES(0, 0, 1)); /* 3 (t^2, t^4, t^6) */
     int32_t degree = 0;
@@ -101,7 +133,15 @@ static void refused(void) {
     nurbs_destroy(g);
     nurbs_destroy(f);
     check_refused(twist(), make(patch()), NURBS_ERROR_AXES, "f has 2 axes");
-    check_refused(patch(), make(circle()), NURBS_ERROR_RATIONAL, "f is rational");
+    check_refused(patch(), make(circle()), NURBS_ERROR_OUTSIDE_DOMAIN, "coordinate");
+    check_refused(patch(), weighted(2, 2, VALUES(0, 0, 0, 1, 1, 1), VALUES(1, 0, 1)), NURBS_ERROR_RATIONAL,
+                  "f has the weight 0|positive");
+    check_refused(twist(),
+                  weighted(11, 1, VALUES(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11),
+                           VALUES(1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 2)),
+                  NURBS_ERROR_DEGREE, "11 of f|3 of g|33|31");
+    check_refused(twist(), weighted(2, 1, VALUES(0, 1, 0), VALUES(1, 2, 1)), NURBS_ERROR_NOT_MONOTONE,
+                  "neither");
     check_refused(patch(), inner(1, 1, VALUES(0, 1)), NURBS_ERROR_DIMENSION, "dimension 1 of f|expected 2");
     check_refused(twist(), inner(11, 1, VALUES(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11)), NURBS_ERROR_DEGREE,
                   "11 of f|3 of g|33|31");
@@ -200,6 +240,7 @@ static void far_around_a_loop(void) {
 
 int main(void) {
     curves();
+    rational_curves();
     around_a_loop();
     far_around_a_loop();
     on_surfaces_and_in_volumes();

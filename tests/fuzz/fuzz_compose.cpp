@@ -14,7 +14,8 @@ fuzz::Handle any_inner(Input &in, const nurbs *g, const fuzz::Spline &s) {
     f.knots = axis.knots;
     f.dim = in.rarely() ? 1 : s.axes32();
     f.total = axis.count;
-    const bool rising = in.coin(), outside = in.rarely();
+    const int32_t choice = in.below(4);
+    const bool rising = (choice & 1) != 0, weighted = (choice & 2) != 0, outside = in.rarely();
     for (int64_t i = 0; i < f.total; ++i) {
         for (int32_t k = 0; k < f.dim; ++k) {
             double domain[2];
@@ -25,6 +26,9 @@ fuzz::Handle any_inner(Input &in, const nurbs *g, const fuzz::Spline &s) {
             const double reach = outside ? 1.5 : 1;
             f.points.push_back(domain[0] + (domain[1] - domain[0]) * part * reach);
         }
+    }
+    for (int64_t i = 0; i < f.total && weighted; ++i) {
+        f.weights.push_back(in.rarely() ? in.anything() : 0.1 + in.unit());
     }
     return fuzz::Handle(fuzz::create(f));
 }

@@ -84,8 +84,32 @@ inline double largest_point(const SplineData &data) {
     return largest;
 }
 
+// The same for a curve with weights, over all spans.
+inline double rational_uncertainty(const SplineData &f, int k) {
+    const int q = f.degrees[0];
+    const auto &t = f.knots[0];
+    double lowest = f.coordinate(0, k), highest = lowest, largest = 0, way = 0;
+    const double least = *std::min_element(f.weights.begin(), f.weights.end());
+    for (int64_t i = 0; i < f.point_count(); ++i) {
+        lowest = std::min(lowest, f.coordinate(i, k));
+        highest = std::max(highest, f.coordinate(i, k));
+        largest = std::max(largest, std::fabs(f.coordinate(i, k)));
+    }
+    for (int64_t i = 0; i + 1 < f.point_count(); ++i) {
+        const double length = t[static_cast<size_t>(i + q + 1)] - t[static_cast<size_t>(i + 1)];
+        way = length > 0
+                  ? std::max(way, q * (f.weight(i) + f.weight(i + 1)) / least * (highest - lowest) / length)
+                  : way;
+    }
+    const double end = std::max(std::fabs(f.lower(0)), std::fabs(f.upper(0)));
+    return static_cast<double>(eps) * (8 * (q + 2) * largest + end * way);
+}
+
 // The uncertainty of a coordinate of f of the header, over all spans.
 inline double uncertainty(const SplineData &f, int k) {
+    if (f.rational()) {
+        return rational_uncertainty(f, k);
+    }
     SplineData one = f;
     one.dim = 1;
     one.points.clear();
@@ -97,9 +121,19 @@ inline double uncertainty(const SplineData &f, int k) {
            (4 * (f.degrees[0] + 1) * largest_point(one) + t * largest_slope(one, 0));
 }
 
-// What control points of the composition may be off by, in homogeneous space, with the constant of the header.
+inline int degree_total(const SplineData &g) {
+    int total = 0;
+    for (const int32_t p : g.degrees) {
+        total += p;
+    }
+    return total;
+}
+
+// What control points of the composition may be off by, in homogeneous space, with the constants of the header; where f
+// has weights, in parts of the product of those that the control point is multiplied by.
 inline double allowed(const SplineData &g, const SplineData &f) {
-    double bound = (2 * g.axes() + 1) * static_cast<double>(eps) * largest_point(g);
+    const int weights = f.rational() ? degree_total(g) * (4 * f.degrees[0] + 6) : 0;
+    double bound = (2 * g.axes() + 1 + weights) * static_cast<double>(eps) * largest_point(g);
     for (int k = 0; k < g.axes(); ++k) {
         bound += uncertainty(f, k) * largest_slope(g, k);
     }
@@ -127,19 +161,43 @@ struct Made {
     SplineData h; // homogeneous
 };
 
+// The value of f, and by what the result there is multiplied: the weight of f, divided by the power of two in the
+// largest one, once for each degree of g.
+inline Point inner_value(const SplineData &f, double t) {
+    Point u;
+    for (const reference::Fraction &x : reference::exact_point(f, &t)) {
+        u.emplace_back(x.numerator, x.denominator);
+    }
+    return u;
+}
+inline Rational multiplier(const SplineData &g, const SplineData &f, double t) {
+    SplineData weights = f;
+    weights.dim = 1;
+    weights.points = f.weights;
+    weights.weights.clear();
+    Rational factor = 1;
+    for (int i = 0; i < degree_total(g) && f.rational(); ++i) {
+        const double largest = *std::max_element(f.weights.begin(), f.weights.end());
+        factor *=
+            value_at(weights, {reference::exact(t)})[0] / reference::exact(std::exp2(std::ilogb(largest)));
+    }
+    return factor;
+}
+
 // Compares at parameters of the result; `factor` multiplies the bound.
 inline void expect_composed(const Made &made, Random &random, double factor, WorstErrors &worst,
                             const std::string &place) {
     const double bound = allowed(made.g, made.f);
     for (int n = 0; n < 3; ++n) {
         const double t = random_params(random, made.h, 1)[0];
-        const Point u = value_at(made.f, {reference::exact(t)});
+        const Point u = inner_value(made.f, t);
         if (near_jump(made.g, made.f, u)) {
             continue;
         }
         const Point want = value_at(made.g, u), got = value_at(made.h, {reference::exact(t)});
+        const Rational factor_there = multiplier(made.g, made.f, t);
         for (size_t c = 0; c < want.size(); ++c) {
-            const double error = size_of(got[c] - want[c]);
+            const double error = size_of(got[c] / factor_there - want[c]);
             if (error != 0) {
                 worst.add(made.h.degrees[0], error / (factor * bound), error / (factor * bound));
             }
@@ -199,14 +257,6 @@ inline SplineData outer_spline(Random &random, int axes, int max_degree) {
     }
     recipe.dim = random.whole(1, 3);
     return random_spline(random, recipe);
-}
-
-inline int degree_total(const SplineData &g) {
-    int total = 0;
-    for (const int32_t p : g.degrees) {
-        total += p;
-    }
-    return total;
 }
 
 // Coordinates of f that rise or fall, each within the domain of its axis.

@@ -54,7 +54,8 @@ class Calculus(SplineBase):
         return self._made(lib.nurbs_product, self._handle, handle_of(other), flags)
 
     def compose(self, inner: SplineBase) -> Spline:
-        """The curve self(inner(t)) for a curve in the parameter space of this spline."""
+        """The curve self(inner(t)) for a curve in the parameter space of this spline, polynomial or with positive
+        weights, such as a circle on a surface."""
         return self._made(lib.nurbs_compose, self._handle, handle_of(inner))
 
     def sum(self, other: SplineBase, alpha: float = 1.0, beta: float = 1.0) -> Spline:
