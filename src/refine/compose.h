@@ -5,8 +5,9 @@
 
 namespace nrb {
 
-// The curve g(f(t)) for a curve f in the parameter space of g, polynomial or with positive weights, of degree q * (the sum of the degrees
-// of g), clamped, with knots where f has some and where f crosses knots of g, as often as the continuity asks.
+// The curve g(f(t)) for a curve f in the parameter space of g, polynomial or with positive weights, of degree q *
+// (the sum of the degrees of g), clamped, with knots where f has some and where f crosses knots of g, as often as
+// the continuity asks.
 //
 // With the polar forms G of g and F of f a control point is the mean, over all ways to deal the knots that
 // belong to it out to the arguments of G, q to each, of G(F(t_I1), F(t_I2), ...) (T. DeRose, R. Goldman, H.

@@ -61,8 +61,8 @@ class Continuation(SplineBase):
         return self._made(lib.nurbs_clamp_ends, self._handle, axis, flags)
 
     def unclamp(self, flags: int = _BOTH_ENDS, *, axis: int = 0) -> Spline:
-        """The same shape with ends unclamped; the knots beyond them repeat those of the domain. NURBS_HOMOGENEOUS in the
-        flags makes a rational result one of homogeneous points, so that weights of any sign can be held."""
+        """The same shape with ends unclamped; the knots beyond them repeat those of the domain. With NURBS_HOMOGENEOUS
+        in the flags a rational result has homogeneous points, whose weights may be of any sign."""
         return self._made(lib.nurbs_unclamp, self._handle, axis, flags)
 
     def extend(self, amount: float, order: int, *, end: int = NURBS_END, axis: int = 0) -> Spline:

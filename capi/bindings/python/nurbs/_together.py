@@ -38,8 +38,8 @@ def make_compatible(splines: Iterable[Spline], *, tolerance: float = 0.0, flags:
 
 
 def join(parts: Iterable[Spline], *, tolerance: float = 0.0, flags: int = 0, axis: int = 0) -> Joined:
-    """Splines joined end to end along an axis, of the highest of their degrees. Raises ArgumentError where ends lie farther apart than the tolerance,
-    unless NURBS_KEEP_GAPS makes a jump of them."""
+    """Splines joined end to end along an axis, at the highest of their degrees. Raises ArgumentError where ends lie
+    farther apart than the tolerance, unless NURBS_KEEP_GAPS makes a jump of them."""
     given, gap = handles(parts), ctypes.c_double()
     spline = Spline._made(lib.nurbs_join, len(given), given, axis, tolerance, flags,
                           ctypes.byref(gap))
