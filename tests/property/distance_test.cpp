@@ -256,6 +256,105 @@ TEST(Hausdorff, TheSameSetHasNone) {
     EXPECT_LE(std::max(found.at_most[0], found.at_most[1]), 1e-5 + 1e-11);
 }
 
+namespace {
+
+Handle turned(const nurbs *g, int axis) {
+    return made([&](nurbs **out) { return nurbs_reverse(g, axis, 0, out); });
+}
+Handle over(const nurbs *g, int axis, double lower, double upper) {
+    return made([&](nurbs **out) { return nurbs_reparametrize(g, axis, lower, upper, out); });
+}
+Handle refined(const nurbs *g, int axis, double share) {
+    double ends[2] = {0, 0};
+    require_ok(nurbs_domain(g, axis, ends));
+    return insert(elevate(g, axis, 1).get(), axis, ends[0] + share * (ends[1] - ends[0]), 1);
+}
+
+// The same set in other words: degrees, knots, directions, domains and the order of the axes.
+std::vector<Handle> retold(const nurbs *g, int axes) {
+    std::vector<Handle> all;
+    all.push_back(made([&](nurbs **out) { return nurbs_make_rational(g, out); }));
+    for (int k = 0; k < axes; ++k) {
+        all.push_back(elevate(g, k, 1));
+        all.push_back(turned(g, k));
+        all.push_back(over(g, k, -3, 17));
+        all.push_back(over(turned(refined(g, k, 0.37).get(), k).get(), k, 5, 5.5));
+    }
+    for (const std::vector<int32_t> &order :
+         std::vector<std::vector<int32_t>>{{1, 0}, {2, 0, 1}, {1, 0, 2}}) {
+        if (std::ssize(order) == axes) {
+            all.push_back(made([&](nurbs **out) { return nurbs_transpose(g, order.data(), out); }));
+            all.push_back(turned(refined(all.back().get(), 0, 0.61).get(), axes - 1));
+        }
+    }
+    return all;
+}
+
+SplineData in_dimension(SplineData data, int dim) {
+    for (int64_t i = 0; i < std::ssize(data.points) / 3; ++i) {
+        std::copy_n(data.points.begin() + 3 * i, dim, data.points.begin() + dim * i);
+    }
+    data.points.resize(data.points.size() / 3 * static_cast<size_t>(dim));
+    data.dim = dim;
+    return data;
+}
+
+} // namespace
+
+// Whatever the tolerance and however a shape folds over itself: with a budget that no search gets along with.
+TEST(Hausdorff, TheSameSetIsToldAtOnce) {
+    Random random(6606);
+    for (int i = 0; i < 12; ++i) {
+        const int axes = 1 + i % 3;
+        const SplineData data = in_dimension(random_net(random, axes, random.whole(1, axes == 3 ? 2 : 4),
+                                                        random.whole(5, 6), 0, random.chance(50)),
+                                             random.whole(1, 3));
+        const Handle g = create(data), copy = create(data);
+        for (const double tolerance : {0.0, 0.1}) {
+            for (const nurbs *h :
+                 {static_cast<const nurbs *>(g.get()), static_cast<const nurbs *>(copy.get())}) {
+                const Two same = hausdorff(g.get(), h, tolerance, 1);
+                EXPECT_EQ(same.status, NURBS_CLOSEST_CERTIFIED);
+                EXPECT_EQ(std::max(same.at_most[0], same.at_most[1]), 0);
+            }
+            for (const Handle &h : retold(g.get(), axes)) {
+                for (const auto &[a, b] : {std::pair(g.get(), h.get()), std::pair(h.get(), g.get())}) {
+                    const Two found = hausdorff(a, b, tolerance, 2000);
+                    EXPECT_EQ(found.status, NURBS_CLOSEST_CERTIFIED) << describe(data);
+                    EXPECT_EQ(std::max(found.at_least[0], found.at_least[1]), 0);
+                    EXPECT_LE(std::max(found.at_most[0], found.at_most[1]), tolerance + 1e-11)
+                        << describe(data);
+                }
+            }
+        }
+    }
+}
+
+// A part, in its own words, of a shape that has knots elsewhere: all of it is near at once, and what is left out is far.
+TEST(Hausdorff, APartIsToldAtOnce) {
+    Random random(6607);
+    for (int i = 0; i < 16; ++i) {
+        const int axes = 1 + i % 2;
+        const Handle g =
+            create(random_net(random, axes, random.whole(2, 3), random.whole(6, 9), 0, random.chance(50)));
+        std::vector<double> lower, upper;
+        for (int k = 0; k < axes; ++k) {
+            double ends[2] = {0, 0};
+            require_ok(nurbs_domain(g.get(), k, ends));
+            lower.push_back(ends[0] + 0.2 * (ends[1] - ends[0]));
+            upper.push_back(ends[0] + 0.7 * (ends[1] - ends[0]));
+        }
+        const Handle part =
+            made([&](nurbs **out) { return nurbs_extract(g.get(), lower.data(), upper.data(), out); });
+        const Handle other = over(turned(refined(part.get(), 0, 0.4).get(), axes - 1).get(), 0, 0, 1);
+        for (const nurbs *h : {part.get(), other.get()}) {
+            const Two found = hausdorff(h, g.get(), 1e-12, 200);
+            EXPECT_LE(found.at_most[0], 1e-11);
+            EXPECT_GT(found.at_most[1], 1e-3);
+        }
+    }
+}
+
 TEST(Hausdorff, NoSampleIsFarther) {
     Random random(6605);
     for (int i = 0; i < 20; ++i) {

@@ -5,7 +5,7 @@
 #include "eval/evaluate.h"
 #include "query/closest/locator.h"
 #include "query/closest/matched_bound.h"
-#include "refine/bezier_rows.h"
+#include "query/closest/parameter_map.h"
 #include "spline/kind.h"
 
 #include <algorithm>
@@ -19,27 +19,15 @@ namespace {
 constexpr double eps = std::numeric_limits<double>::epsilon();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr int64_t budget_of_a_foot = 20000;
+constexpr int64_t budget_of_a_match = 500; // of which nothing is taken from the caller's budget
+constexpr double rounding = 0x1p-40;       // of points that may be the same, before anything is proven
 
-// Breaks of `other`, moved to the domain of an axis, so that pieces of splines that are parametrized alike
-// match.
-std::vector<double> alike_breaks(const KnotVector &axis, const KnotVector &other) {
-    const Interval to = axis.domain(), from = other.domain();
-    std::vector<double> breaks;
-    for (const double t : breaks_of(other)) {
-        const double share = (t - from.lower) / (from.upper - from.lower);
-        const double moved =
-            to.lower == from.lower && to.upper == from.upper ? t : to.lower + share * (to.upper - to.lower);
-        if (moved > to.lower && moved < to.upper) {
-            breaks.push_back(moved);
-        }
-    }
-    return breaks;
-}
-
-BernsteinNet::Breaks alike_breaks(const Spline &spline, const Spline &other) {
+// Breaks of `other` where pieces of splines that are parametrized alike match, or as a map says that they are.
+BernsteinNet::Breaks alike_breaks(const Spline &spline, const Spline &other, const ParameterMap *map) {
     BernsteinNet::Breaks breaks;
-    for (int k = 0; k < spline.axes() && spline.axes() == other.axes(); ++k) {
-        breaks[static_cast<size_t>(k)] = alike_breaks(spline.axis(k), other.axis(k));
+    for (int k = 0; k < spline.axes() && (map != nullptr || spline.axes() == other.axes()); ++k) {
+        breaks[static_cast<size_t>(k)] =
+            map != nullptr ? map->breaks(k) : straight_map(spline, other).breaks(k);
     }
     return breaks;
 }
@@ -64,11 +52,13 @@ public:
     FarthestSearch(const Spline &from, const Spline &to, const PairFrame &frame, double tolerance,
                    int64_t budget)
         : to_(to), frame_(frame), locator_(locator_of(to)), pieces_(pair_pieces(to, frame)), dim_(from.dim()),
-          tolerance_(tolerance), budget_(budget), query_(static_cast<size_t>(dim_)) {
+          tolerance_(tolerance), budget_(budget), query_(static_cast<size_t>(dim_)),
+          map_(matching_map(from, to, std::ldexp(rounding, frame.exponent),
+                            std::ldexp(tolerance, frame.exponent), std::min(budget, budget_of_a_match))) {
         for (const PairPiece &piece : pieces_) {
             moved_ = std::max(moved_, piece.positive() ? piece.moved() : 0);
         }
-        for (PairPiece &piece : pair_pieces(from, frame, alike_breaks(from, to))) {
+        for (PairPiece &piece : pair_pieces(from, frame, alike_breaks(from, to, map_ ? &*map_ : nullptr))) {
             noise_ = std::max(noise_, piece.positive() ? piece.moved() : 0);
             push(infinity, std::move(piece), false);
         }
@@ -133,6 +123,13 @@ private:
 
     void look(FarPiece top) {
         const PairPiece &piece = top.piece;
+        if (map_) {
+            top.upper = std::min(top.upper, mapped(piece));
+            if (top.upper <= limit()) {
+                ceiling_ = std::max(ceiling_, top.upper);
+                return;
+            }
+        }
         const Place middle{0.5, 0.5, 0.5};
         jet_.evaluate(piece, middle, false);
         const NearPoint near = nearest(jet_.value());
@@ -149,6 +146,22 @@ private:
             upper = std::min(upper, matched(piece, near.foot));
         }
         push(upper, std::move(top.piece), true);
+    }
+
+    // By the map, with any piece of the other spline that the middle is mapped to.
+    double mapped(const PairPiece &piece) {
+        double best = infinity;
+        const Place middle = (*map_)(piece.parameter({0.5, 0.5, 0.5}));
+        for (const PairPiece &other : pieces_) {
+            if (other.contains(middle)) {
+                std::vector<Place> corners = MatchedBound::corners_of(piece);
+                for (Place &corner : corners) {
+                    corner = other.place((*map_)(piece.parameter(corner)));
+                }
+                best = std::min(best, MatchedBound::upper(piece, other, corners, limit()));
+            }
+        }
+        return best;
     }
 
     // The distance of a point of the hull from one point is at most that of a control point.
@@ -189,6 +202,7 @@ private:
     double tolerance_;
     int64_t budget_;
     std::vector<double> query_;
+    std::optional<ParameterMap> map_;
     double moved_ = 0, noise_ = 0;
     double lower_ = -infinity;
     double ceiling_ = 0; // no point of the pieces that were left out is farther
@@ -200,8 +214,25 @@ private:
 
 } // namespace
 
+namespace {
+
+// No point is away from the spline itself.
+FarthestPoint nowhere_else(const Spline &from) noexcept {
+    FarthestPoint result;
+    for (int k = 0; k < from.axes(); ++k) {
+        result.params[static_cast<size_t>(k)] = from.axis(k).domain().lower;
+    }
+    result.certified = true;
+    return result;
+}
+
+} // namespace
+
 FarthestPoint one_sided_distance(const Spline &from, const Spline &to, double tolerance, int64_t budget) {
     check_same_dimension(from, to);
+    if (same_numbers(from, to)) {
+        return nowhere_else(from);
+    }
     const PairFrame frame = pair_frame(from, to);
     const double asked = std::ldexp(tolerance, -frame.exponent);
     FarthestSearch search(from, to, frame, asked, budget);

@@ -37,17 +37,45 @@ struct Map {
     std::vector<RoundedPolynomial> low, high; // for each axis of y: 1 - u, u
 };
 
+// Values at the corners of a cube, with only one of two along axes along which nothing changes.
+void drop_constant_axes(BernsteinShape &shape, std::vector<double> &values) {
+    size_t inner = 1;
+    for (size_t k = max_axes; k-- > 0;) {
+        if (shape.degrees[k] == 0) {
+            continue;
+        }
+        bool same = true;
+        std::vector<double> lower;
+        for (size_t i = 0; i < values.size(); ++i) {
+            if (i / inner % 2 == 0) {
+                same = same && values[i] == values[i + inner];
+                lower.push_back(values[i]);
+            }
+        }
+        if (same) {
+            shape.degrees[k] = 0;
+            values = std::move(lower);
+        } else {
+            inner *= 2;
+        }
+    }
+}
+
 Map map_of(const PairPiece &x, const PairPiece &y, const std::vector<Place> &corners) {
-    BernsteinShape shape;
+    BernsteinShape cube;
     for (int k = 0; k < x.axes(); ++k) {
-        shape.degrees[static_cast<size_t>(max_axes - x.axes() + k)] = x.degree(k) > 0 ? 1 : 0;
+        cube.degrees[static_cast<size_t>(max_axes - x.axes() + k)] = x.degree(k) > 0 ? 1 : 0;
     }
     Map map;
     for (size_t k = 0; k < static_cast<size_t>(y.axes()); ++k) {
+        BernsteinShape shape = cube;
         std::vector<double> u, rest;
         for (const Place &corner : corners) {
             u.push_back(corner[k]);
-            rest.push_back(1 - corner[k]);
+        }
+        drop_constant_axes(shape, u);
+        for (const double place : u) {
+            rest.push_back(1 - place);
         }
         map.high.push_back(exact_polynomial(shape, std::move(u)));
         map.low.push_back(exact_polynomial(shape, std::move(rest)));
@@ -125,10 +153,7 @@ double largest_norm_of(const RoundedPolynomial &numerator, const RoundedPolynomi
     return std::sqrt(largest) * (1 + 1e-15);
 }
 
-double MatchedBound::upper(const PairPiece &x, const PairPiece &y, const Place &guess, double enough) {
-    if (!x.positive() || !y.positive()) {
-        return infinity;
-    }
+std::vector<Place> MatchedBound::corners_of(const PairPiece &x) {
     std::vector<Place> corners;
     std::array<int, max_axes> ends{0, 0, 0};
     for (int k = 0; k < x.axes(); ++k) {
@@ -137,13 +162,32 @@ double MatchedBound::upper(const PairPiece &x, const PairPiece &y, const Place &
     for (int i = 0; i <= ends[0]; ++i) {
         for (int j = 0; j <= ends[1]; ++j) {
             for (int k = 0; k <= ends[2]; ++k) {
-                jet_.evaluate(x, {double(i), double(j), double(k)}, false);
-                PairPlace at;
-                at.b = guess;
-                descent_.run(PairPiece(jet_.value(), x.dim()), y, at);
-                corners.push_back(at.b);
+                corners.push_back({double(i), double(j), double(k)});
             }
         }
+    }
+    return corners;
+}
+
+double MatchedBound::upper(const PairPiece &x, const PairPiece &y, const Place &guess, double enough) {
+    if (!x.positive() || !y.positive()) {
+        return infinity;
+    }
+    std::vector<Place> corners = corners_of(x);
+    for (Place &corner : corners) {
+        jet_.evaluate(x, corner, false);
+        PairPlace at;
+        at.b = guess;
+        descent_.run(PairPiece(jet_.value(), x.dim()), y, at);
+        corner = at.b;
+    }
+    return upper(x, y, corners, enough);
+}
+
+double MatchedBound::upper(const PairPiece &x, const PairPiece &y, const std::vector<Place> &corners,
+                           double enough) {
+    if (!x.positive() || !y.positive()) {
+        return infinity;
     }
     const int dim = x.dim();
     const RoundedPolynomial image = composition(y, map_of(x, y, corners));

@@ -15,6 +15,12 @@ public:
     // `enough`: no less is wanted.
     double upper(const PairPiece &x, const PairPiece &y, const Place &guess, double enough);
 
+    // The same for places on y of the corners of x that are known, in the order of corners_of(x).
+    static double upper(const PairPiece &x, const PairPiece &y, const std::vector<Place> &corners,
+                        double enough);
+    // The last axis is the fastest; axes without a degree have one end.
+    static std::vector<Place> corners_of(const PairPiece &x);
+
 private:
     PieceJet jet_;
     PairDescent descent_;
