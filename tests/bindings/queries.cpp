@@ -95,6 +95,10 @@ static void contents() {
     EXPECT(near({ball.inertia[2][2], ball.inertia[2][0]}, {8 * pi / 15, 0}, 1e-10));
     const std::vector<Spline> open = {base()};
     EXPECT(status_of([&] { (void)enclosed_area(open); }) == Status::gap);
+    const std::vector<Spline> eight = {polyline(2, {0, 0, 2, 2, 2, 0, 0, 2, 0, 0})};
+    const EnclosedArea nothing = enclosed_area(eight);
+    EXPECT(nothing.area == 0 && std::isnan(nothing.centroid[0]) && std::isnan(nothing.inertia[1][1]));
+    EXPECT(moments(line({1, 1}, {1, 1})).content == 0);
 }
 
 static void boxes() {

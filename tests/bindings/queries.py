@@ -132,6 +132,18 @@ class Measures(unittest.TestCase):
         near(ball.openness, 0, by=1e-11)
         self.assertEqual(status_of(nurbs.enclosed_area, [base()]), nurbs.NURBS_ERROR_GAP)
 
+    def test_moments_that_do_not_exist_are_nan(self):
+        eight = nurbs.polyline([[0, 0], [2, 2], [2, 0], [0, 2], [0, 0]])
+        flat = [nurbs.bilinear([[[0, 0, 0], [0, 1, 0]], [[1, 0, 0], [1, 1, 0]]])]
+        for content, centroid, inertia in (nurbs.enclosed_area([eight])[:3], nurbs.enclosed_volume(flat)[:3],
+                                           nurbs.line([1, 1], [1, 1]).moments()[:3]):
+            self.assertEqual(content, 0)
+            self.assertTrue(np.isnan(centroid).all() and np.isnan(inertia).all())
+        large = nurbs.circle(1e150, center=[1e150, 0])
+        disc = nurbs.enclosed_area([large])
+        near(disc.area / 1e300, pi)
+        self.assertEqual(status_of(nurbs.enclosed_area, [nurbs.circle(1e200)]), nurbs.NURBS_ERROR_NOT_REPRESENTABLE)
+
 
 class Bounds(unittest.TestCase):
     def test_boxes(self):

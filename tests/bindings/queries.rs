@@ -114,6 +114,10 @@ fn measures() -> Result<()> {
     assert!(close(&ball.centroid, &[1., 2., 3.], 1e-11));
     assert!(close(&ball.inertia[2], &[0., 0., 8. * PI / 15.], 1e-10));
     assert_eq!(status_of(enclosed_area(&[&base()?], 0., 0.)), sys::NURBS_ERROR_GAP);
+    let eight = Spline::polyline(2, &[0., 0., 2., 2., 2., 0., 0., 2., 0., 0.], None)?;
+    let nothing = enclosed_area(&[&eight], 0., 0.)?;
+    assert!(nothing.area == 0. && nothing.centroid[0].is_nan() && nothing.inertia[1][1].is_nan());
+    assert_eq!(Spline::line(&[1., 1.], &[1., 1.])?.moments(0.)?.content, 0.);
     Ok(())
 }
 

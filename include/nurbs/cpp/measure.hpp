@@ -6,8 +6,10 @@
 
 #include <nurbs/cpp/spline.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -80,8 +82,33 @@ inline Returned<Measured> area(const Spline &g, double relative_tolerance = 0, V
     return found;
 }
 
+namespace detail {
+
+// Calls f(centroid, inertia), which returns a status and refuses what it cannot give if that is asked for: then it is
+// asked for less, and the rest is NaN. A content of 0 has no centroid, and inertia overflows first.
+template <class F>
+void call_moments(F &&f, std::span<double> centroid, std::span<double> inertia) {
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    attempt([&] {
+        nurbs_status status = f(centroid.data(), inertia.data());
+        if (status == NURBS_ERROR_NOT_REPRESENTABLE) {
+            std::fill(inertia.begin(), inertia.end(), none);
+            status = f(centroid.data(), static_cast<double *>(nullptr));
+        }
+        if (status == NURBS_ERROR_LENGTH || status == NURBS_ERROR_NOT_REPRESENTABLE) {
+            std::fill(centroid.begin(), centroid.end(), none);
+            std::fill(inertia.begin(), inertia.end(), none);
+            status = f(static_cast<double *>(nullptr), static_cast<double *>(nullptr));
+        }
+        return status;
+    });
+}
+
+} // namespace detail
+
 /// Length, area or volume, centroid [dim], inertia [dim][dim] about it, and an estimate of the error of
-/// content.
+/// content. Where the content is 0 there is no centroid: it and the inertia are NaN, as is what overflows; the same
+/// holds for what curves and surfaces enclose.
 struct Moments {
     double content;
     std::vector<double> centroid;
@@ -93,8 +120,12 @@ struct Moments {
 inline Returned<Moments> moments(const Spline &g, double relative_tolerance = 0) {
     const auto dim = detail::to_size(detail::dimension(g.get()));
     Moments found{0, std::vector<double>(dim), std::vector<double>(dim * dim), 0};
-    detail::call(nurbs_moments, g.get(), relative_tolerance, &found.content, found.centroid.data(),
-                 found.inertia.data(), &found.error);
+    detail::call_moments(
+        [&](double *centroid, double *inertia) {
+            return nurbs_moments(g.get(), relative_tolerance, &found.content, centroid, inertia,
+                                 &found.error);
+        },
+        found.centroid, found.inertia);
     return found;
 }
 
@@ -112,8 +143,12 @@ inline Returned<EnclosedArea> enclosed_area(std::span<const Spline> curves, doub
     const std::vector<const nurbs *> handles = detail::handle_list(curves);
     EnclosedArea found{};
     std::array<double, 4> inertia{};
-    detail::call(nurbs_enclosed_area, detail::length(handles), handles.data(), tolerance, relative_tolerance,
-                 &found.area, found.centroid.data(), inertia.data(), &found.error);
+    detail::call_moments(
+        [&](double *centroid, double *second) {
+            return nurbs_enclosed_area(detail::length(handles), handles.data(), tolerance, relative_tolerance,
+                                       &found.area, centroid, second, &found.error);
+        },
+        found.centroid, inertia);
     found.inertia = {{{inertia[0], inertia[1]}, {inertia[2], inertia[3]}}};
     return found;
 }
@@ -133,8 +168,12 @@ inline Returned<EnclosedVolume> enclosed_volume(std::span<const Spline> surfaces
     const std::vector<const nurbs *> handles = detail::handle_list(surfaces);
     EnclosedVolume found{};
     std::array<double, 9> inertia{};
-    detail::call(nurbs_enclosed_volume, detail::length(handles), handles.data(), relative_tolerance,
-                 &found.volume, found.centroid.data(), inertia.data(), &found.openness, &found.error);
+    detail::call_moments(
+        [&](double *centroid, double *second) {
+            return nurbs_enclosed_volume(detail::length(handles), handles.data(), relative_tolerance,
+                                         &found.volume, centroid, second, &found.openness, &found.error);
+        },
+        found.centroid, inertia);
     for (std::size_t i = 0; i < inertia.size(); ++i) {
         found.inertia[i / 3][i % 3] = inertia[i];
     }

@@ -27,6 +27,8 @@ pub struct Division {
 }
 
 /// Length, area or volume, centroid `[dim]`, inertia `[dim][dim]` about it, and an estimate of the error of `content`.
+/// Where the content is 0 there is no centroid: it and the inertia are NaN, as is what overflows; the same holds for what
+/// curves and surfaces enclose.
 #[derive(Clone, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct Moments {
@@ -70,45 +72,72 @@ pub struct EnclosedVolume {
     pub error: f64,
 }
 
+/// Calls `f(centroid, inertia)`, which refuses what it cannot give if that is asked for: then it is asked for less, and
+/// the rest is NaN. A content of 0 has no centroid, and inertia overflows first.
+fn moments_of(
+    centroid: &mut [f64],
+    inertia: &mut [f64],
+    mut f: impl FnMut(*mut f64, *mut f64) -> i32,
+) -> Result<()> {
+    let none = std::ptr::null_mut();
+    let mut status = f(centroid.as_mut_ptr(), inertia.as_mut_ptr());
+    if status == sys::NURBS_ERROR_NOT_REPRESENTABLE {
+        inertia.fill(f64::NAN);
+        status = f(centroid.as_mut_ptr(), none);
+    }
+    if status == sys::NURBS_ERROR_LENGTH || status == sys::NURBS_ERROR_NOT_REPRESENTABLE {
+        centroid.fill(f64::NAN);
+        inertia.fill(f64::NAN);
+        status = f(none, none);
+    }
+    check(status)
+}
+
 fn handles(splines: &[&Spline]) -> Vec<*const sys::nurbs> {
     splines.iter().map(|spline| spline.raw()).collect()
 }
 
 /// The area of the region that closed chains of curves enclose; counterclockwise counts positive.
 pub fn enclosed_area(curves: &[&Spline], tolerance: f64, relative_tolerance: f64) -> Result<EnclosedArea> {
-    let (curves, mut found) = (handles(curves), EnclosedArea::default());
-    let (centroid, inertia) = (found.centroid.as_mut_ptr(), found.inertia.as_mut_ptr().cast());
-    check(unsafe {
+    let (curves, mut found, mut inertia) = (handles(curves), EnclosedArea::default(), [0.0; 4]);
+    let (area, error) = (&mut found.area, &mut found.error);
+    moments_of(&mut found.centroid, &mut inertia, |centroid, inertia| unsafe {
         sys::nurbs_enclosed_area(
             curves.len() as i64,
             curves.as_ptr(),
             tolerance,
             relative_tolerance,
-            &mut found.area,
+            area,
             centroid,
             inertia,
-            &mut found.error,
+            error,
         )
     })?;
+    for (i, value) in inertia.iter().enumerate() {
+        found.inertia[i / 2][i % 2] = *value;
+    }
     Ok(found)
 }
 
 /// The volume of the body that surfaces enclose whose normals point outwards.
 pub fn enclosed_volume(surfaces: &[&Spline], relative_tolerance: f64) -> Result<EnclosedVolume> {
-    let (surfaces, mut found) = (handles(surfaces), EnclosedVolume::default());
-    let (centroid, inertia) = (found.centroid.as_mut_ptr(), found.inertia.as_mut_ptr().cast());
-    check(unsafe {
+    let (surfaces, mut found, mut inertia) = (handles(surfaces), EnclosedVolume::default(), [0.0; 9]);
+    let (volume, openness, error) = (&mut found.volume, &mut found.openness, &mut found.error);
+    moments_of(&mut found.centroid, &mut inertia, |centroid, inertia| unsafe {
         sys::nurbs_enclosed_volume(
             surfaces.len() as i64,
             surfaces.as_ptr(),
             relative_tolerance,
-            &mut found.volume,
+            volume,
             centroid,
             inertia,
-            &mut found.openness,
-            &mut found.error,
+            openness,
+            error,
         )
     })?;
+    for (i, value) in inertia.iter().enumerate() {
+        found.inertia[i / 3][i % 3] = *value;
+    }
     Ok(found)
 }
 
@@ -168,9 +197,8 @@ impl Spline {
         let dim = self.dimension()? as usize;
         let mut found =
             Moments { centroid: vec![0.0; dim], inertia: vec![0.0; dim * dim], ..Moments::default() };
-        let (centroid, inertia) = (found.centroid.as_mut_ptr(), found.inertia.as_mut_ptr());
         let (content, error) = (&mut found.content, &mut found.error);
-        check(unsafe {
+        moments_of(&mut found.centroid, &mut found.inertia, |centroid, inertia| unsafe {
             sys::nurbs_moments(self.raw(), relative_tolerance, content, centroid, inertia, error)
         })?;
         Ok(found)
