@@ -48,6 +48,8 @@
  * array, the index, the value and what was expected, for the last failure in the calling thread. A failing
  * call writes to none of its outputs, but for handles, which become NULL. No value in an argument makes a
  * call crash; an array shorter than its stated length cannot be detected, nor a handle that was destroyed.
+ * Only an array, of values or of handles, that would have 2^53 elements or more with its strides is refused
+ * before it is touched (NURBS_ERROR_OVERFLOW): no memory holds it.
  * Floating-point exceptions are taken to be masked, as they are unless a program unmasks them; any call may
  * set their flags. Every function that allocates can return NURBS_ERROR_MEMORY, and every function
  * NURBS_ERROR_INTERNAL (a defect of the library); the lists of statuses below do not repeat these two.
@@ -1305,7 +1307,7 @@ NURBS_API nurbs_status nurbs_move_seam(const nurbs *g, int32_t axis, double para
  * \param[in] flags NURBS_KEEP_GAPS or 0.
  * \param[out] gap or NULL: largest distance of corresponding control points of two ends.
  * \param[out] out the new handle.
- * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _AXIS, _TOLERANCE, _FLAGS; _INCOMPATIBLE if numbers of
+ * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERFLOW, _AXIS, _TOLERANCE, _FLAGS; _INCOMPATIBLE if numbers of
  *   axes, dimensions or the other axes differ or weights do not agree; _GAP if two ends do not meet;
  *   _KNOTS_MERGE if knots that are moved would round to one; _PERIODIC_KNOTS as for nurbs_elevate();
  *   _NOT_REPRESENTABLE if a value overflows, _WEIGHTS_VANISH if weights underflow.
@@ -3162,6 +3164,9 @@ NURBS_API nurbs_status nurbs_distance(const nurbs *a, const nurbs *b, double tol
  * tolerance and rounding unless the budget ends; at_most may be infinite then. Upper bounds come from the
  * farthest control point from one point, and from matching a piece of one spline with a part of a piece of
  * the other by their nearest corners, so that splines that are near each other all over are told quickly.
+ * Splines of the same numbers have the distances 0. That one is the same set as the other, or a part of it,
+ * is told at once, with a bound of rounding, where its parameters are those of the other one after a linear
+ * map of each axis: whatever degrees and knots are, and the order, directions and domains of the axes.
  * \param[in] a,b two splines of the same dimension.
  * \param[in] tolerance >= 0.
  * \param[in] budget most pieces looked at in each direction, those of nearest points among them, 0 for
@@ -3301,9 +3306,9 @@ NURBS_API nurbs_status nurbs_moments(const nurbs *g, double relative_tolerance, 
  * \param[out] centroid [2] or NULL.
  * \param[out] inertia [2][2] or NULL.
  * \param[out] error or NULL: estimate of the error of area, gaps not included.
- * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _AXES, _DIMENSION, _OVERLAP, _TOLERANCE; _GAP naming the
- *   curve and the gap, _LENGTH if the area is 0 and centroid or inertia are wanted, _NOT_CONVERGED,
- *   _NOT_REPRESENTABLE.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERFLOW, _AXES, _DIMENSION, _OVERLAP, _TOLERANCE; _GAP
+ *   naming the curve and the gap, _LENGTH if the area is 0 and centroid or inertia are wanted,
+ *   _NOT_CONVERGED, _NOT_REPRESENTABLE.
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_enclosed_area(int64_t count, const nurbs *const *curves, double tolerance,
                                            double relative_tolerance, double *area, double *centroid,
@@ -3321,8 +3326,8 @@ NURBS_API nurbs_status nurbs_enclosed_area(int64_t count, const nurbs *const *cu
  * \param[out] inertia [3][3] or NULL.
  * \param[out] openness or NULL: length of the vector area.
  * \param[out] error or NULL: estimate of the error of volume, gaps not included.
- * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _AXES, _DIMENSION, _OVERLAP, _TOLERANCE; _LENGTH if the
- *   volume is 0 and centroid or inertia are wanted, _NOT_CONVERGED, _NOT_REPRESENTABLE.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERFLOW, _AXES, _DIMENSION, _OVERLAP, _TOLERANCE; _LENGTH
+ *   if the volume is 0 and centroid or inertia are wanted, _NOT_CONVERGED, _NOT_REPRESENTABLE.
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_enclosed_volume(int64_t count, const nurbs *const *surfaces,
                                              double relative_tolerance, double *volume, double *centroid,
