@@ -31,6 +31,141 @@ static void features(void) {
     nurbs_destroy(g);
 }
 
+static nurbs *curve_over(int32_t degree, int64_t count, const double *knots, int32_t dim,
+                         const double *points, uint32_t flags) {
+    nurbs *g = NULL;
+    CHECK_OK(
+        nurbs_create(1, &degree, &count, knots, count + degree + 1, dim, points, 0, 0, NULL, 0, flags, &g));
+    return g;
+}
+
+/* Straight to the origin and at a right angle on, standing still there: a cusp whose curvature is 0. */
+static void cusp_of_lines(void) {
+    const double knots[] = {0, 0, 0, 0.5, 0.5, 1, 1, 1}, points[] = {-1, 0, 0, 0, 0, 0, 0, 0, 0, 1};
+    nurbs *g = curve_over(2, 5, knots, 2, points, 0);
+    double at = 0, value = -1;
+    int32_t found = 0;
+    int64_t count = 0;
+    CHECK_OK(nurbs_curve_features(g, NURBS_FEATURE_CUSP, 1, &at, &found, &value, &count, NULL));
+    CHECK(count == 1 && at == 0.5 && value == 0);
+    nurbs_destroy(g);
+}
+
+/* y = t^2, from 1 on 2 t - 1 + 3 (t - 1)^2: the curvature falls, jumps up at 1, and falls. */
+static void curvature_that_jumps(void) {
+    const double knots[] = {0, 0, 0, 1, 2, 2, 2}, points[] = {0, 0, 0.5, 0, 1.5, 2, 2, 6};
+    nurbs *g = curve_over(2, 4, knots, 2, points, 0);
+    const uint32_t kinds = NURBS_FEATURE_CURVATURE_MAXIMUM | NURBS_FEATURE_CURVATURE_MINIMUM;
+    double at[2] = {0};
+    int32_t found[2] = {0};
+    int64_t count = 0;
+    CHECK_OK(nurbs_curve_features(g, kinds, 2, at, found, NULL, &count, NULL));
+    CHECK_INT(count, 2);
+    CHECK_DOUBLES(at, ((const double[]){1, 1}), 2);
+    CHECK_INT(found[0] | found[1], kinds);
+    nurbs_destroy(g);
+}
+
+/* A figure of eight that runs through its centre at t = 3, its seam, and at 6: C(3 + s) = -C(3 - s). */
+static void inflection_at_a_seam(void) {
+    const double knots[] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12};
+    const double points[] = {-2, -1, 0, 0, 0,  0,  2, 1, 0, 2, -1, 0, 0, 0,
+                             0,  -2, 1, 0, -2, -1, 0, 0, 0, 0, 2,  1, 0};
+    nurbs *space = curve_over(3, 9, knots, 3, points, NURBS_PERIODIC), *moved = NULL;
+    double at[4] = {0}, again[4] = {0};
+    int64_t count = 0, other = 0;
+    CHECK_OK(nurbs_curve_features(space, NURBS_FEATURE_INFLECTION, 4, at, NULL, NULL, &count, NULL));
+    CHECK_OK(nurbs_move_seam(space, 0, 4.5, &moved));
+    CHECK_OK(nurbs_curve_features(moved, NURBS_FEATURE_INFLECTION, 4, again, NULL, NULL, &other, NULL));
+    CHECK_INT(count, 2);
+    CHECK_INT(other, 2);
+    CHECK_NEAR(at, ((const double[]){3, 6}), 2, 1e-14);
+    CHECK_NEAR(again, ((const double[]){6, 9}), 2, 1e-14);
+    nurbs_destroy(moved);
+    nurbs_destroy(space);
+}
+
+/* Two arcs that turn to the left with one tangent where they jump. */
+static void convex_but_for_a_jump(void) {
+    const double knots[] = {0, 0, 0, 1, 1, 1, 2, 2, 2};
+    const double points[] = {0, 0, 1, 0, 2, 1, 2.5, 1, 3.5, 2, 3.5, 3};
+    nurbs *g = curve_over(2, 6, knots, 2, points, 0), *part = NULL, *rest = NULL;
+    int32_t convexity = -1;
+    CHECK_OK(nurbs_split(g, 0, 1, &part, &rest));
+    for (int i = 0; i < 2; ++i) {
+        CHECK_OK(nurbs_curve_convexity(i == 0 ? part : rest, &convexity));
+        CHECK_INT(convexity, NURBS_CONVEXITY_LEFT);
+    }
+    CHECK_OK(nurbs_curve_convexity(g, &convexity));
+    CHECK_INT(convexity, NURBS_CONVEXITY_NONE);
+    nurbs_destroy(rest);
+    nurbs_destroy(part);
+    nurbs_destroy(g);
+}
+
+static void straight_from_start_to_end(void) {
+    const double ends[][4] = {{0, 0, 2, 1}, {2, 1, 0, 0}, {-3, 5, 1, -1}, {1, -1, -3, 5}};
+    const int32_t degree = 1;
+    for (int i = 0; i < 4; ++i) {
+        nurbs *g = NULL;
+        double direction[2], bound;
+        CHECK_OK(nurbs_create_bezier(1, &degree, 2, ends[i], 0, 0, NULL, 0, &g));
+        CHECK_OK(nurbs_straightness(g, NULL, direction, &bound));
+        CHECK(direction[0] * (ends[i][2] - ends[i][0]) > 0 && direction[1] * (ends[i][3] - ends[i][1]) > 0);
+        nurbs_destroy(g);
+    }
+}
+
+/* S = (v (1 - v) u (1 - u), v), a point at both ends of axis 1: J = v (1 - v) (1 - 2 u). */
+static void fold_between_poles(void) {
+    const double points[] = {0, 0, 0, 0.5, 0, 1, 0, 0, 0.25, 0.5, 0, 1, 0, 0, 0, 0.5, 0, 1};
+    const int32_t degrees[] = {2, 2};
+    nurbs *g = NULL;
+    int32_t result = -1;
+    double positive[2], negative[2];
+    CHECK_OK(nurbs_create_bezier(2, degrees, 2, points, 0, 0, NULL, 0, &g));
+    CHECK_OK(nurbs_fold_test(g, NULL, &result, positive, negative));
+    CHECK_INT(result, NURBS_FOLD_FOUND);
+    CHECK(positive[0] < 0.5 && positive[1] > 0 && positive[1] < 1);
+    CHECK(negative[0] > 0.5 && negative[1] > 0 && negative[1] < 1);
+    nurbs_destroy(g);
+}
+
+/* S_u = 0 along the line between two pieces: one place, not one of each. */
+static void singular_between_pieces(void) {
+    const double knots[] = {0, 0, 0, 0.5, 0.5, 1, 1, 1, 0, 0, 1, 1};
+    const double points[] = {0, 0, 0, 1, 0.5, 0, 0.5, 1, 0.5, 0, 0.5, 1, 0.5, 0, 0.5, 1, 1, 0, 1, 1};
+    const int32_t degrees[] = {2, 1};
+    const int64_t counts[] = {5, 2};
+    nurbs *g = NULL;
+    double box[4] = {0};
+    int64_t count = 0;
+    CHECK_OK(nurbs_create(2, degrees, counts, knots, 12, 2, points, 0, 0, NULL, 0, 0, &g));
+    CHECK_OK(nurbs_singular_points(g, 1e-3, 0, NULL, NULL, &count, NULL));
+    CHECK_INT(count, 1);
+    CHECK_OK(nurbs_singular_points(g, 1e-3, 1, NULL, box, &count, NULL));
+    CHECK_DOUBLES(box, ((const double[]){0.5, 0.5, 0, 1}), 4);
+    nurbs_destroy(g);
+}
+
+/* A periodic axis closes, however its knots are rounded. */
+static void periodic_contact(void) {
+    const double breaks[] = {0, 0.1, 0.3, 0.7, 1.1};
+    const double points[] = {0,   0,   0, 1, 1.3, 0, 1.3, 1, 1.1, 0.7, 1.1, 1.7, 0.1, 0.9,
+                             0.1, 1.9, 0, 0, 0,   1, 1.3, 0, 1.3, 1,   1.1, 0.7, 1.1, 1.7};
+    const int32_t degrees[] = {3, 1};
+    const int64_t counts[] = {7, 2};
+    double knots[15] = {0}, gaps[2];
+    int32_t closed[2];
+    nurbs *g = NULL;
+    CHECK_OK(nurbs_knots_periodic(3, 5, breaks, NULL, 11, knots));
+    knots[13] = knots[14] = 1;
+    CHECK_OK(nurbs_create(2, degrees, counts, knots, 15, 2, points, 0, 0, NULL, 0, NURBS_PERIODIC, &g));
+    CHECK_OK(nurbs_boundary_contacts(g, 0, closed, gaps, NULL, NULL));
+    CHECK(closed[0] == 1 && gaps[0] == 0 && closed[1] == 0);
+    nurbs_destroy(g);
+}
+
 static void monotone_pieces(void) {
     nurbs *g = make(arch());
     const double up[] = {0, 1};
@@ -246,6 +381,14 @@ static void enormous(void) {
 
 int main(void) {
     features();
+    cusp_of_lines();
+    curvature_that_jumps();
+    inflection_at_a_seam();
+    convex_but_for_a_jump();
+    straight_from_start_to_end();
+    fold_between_poles();
+    singular_between_pieces();
+    periodic_contact();
     monotone_pieces();
     other_shapes();
     a_point();

@@ -290,7 +290,74 @@ static void most_influential(void) {
     g = make(loop());
     CHECK_OK(nurbs_most_influential(g, 1, VALUES(5.5), 0, 0, indices, influences));
     CHECK(indices[0] == 0 && influences[0] == 0.75); /* copy 4 of it */
+    CHECK_OK(nurbs_most_influential(g, 1, VALUES(5), 0, 0, indices, influences));
+    CHECK(indices[0] == 0 && influences[0] == 0.5); /* copy 4 of it, as much as 3 */
     nurbs_destroy(g);
+}
+
+/* Records (w x, w y, w) of a curve over [0, 1], with signs of the weights that Cartesian points do not have. */
+static nurbs *signed_weights(double first, double middle, double last) {
+    const int32_t degree = 2;
+    const int64_t count = 3;
+    const double knots[] = {0, 0, 0, 1, 1, 1};
+    const double records[] = {0, 0, first, middle, middle, middle, 2 * last, 0, last};
+    nurbs *g = NULL;
+    CHECK_OK(nurbs_create_homogeneous(1, &degree, &count, knots, 6, 2, records, 0, 0, 0, &g));
+    return g;
+}
+
+/* A weight below 0 stays below 0: the middle point is (1, w / (1 + w)), from (1, -1/7) to (1, -1/5). */
+static void negative_weights(void) {
+    nurbs *g = signed_weights(1, -0.125, 1), *h = NULL;
+    const int64_t all[] = {0, 1, 2};
+    double at[2], weight = 0;
+    CHECK_OK(nurbs_pull_weight(g, 1, VALUES(0.5), -2.0 / 35, &weight, &h));
+    CHECK(fabs(weight + 1.0 / 6) < 1e-15 && weight_of(h, 1) == weight);
+    CHECK_OK(nurbs_eval(h, 1, VALUES(0.5), 0, 0, at, 0, 0, 0));
+    CHECK_NEAR(at, VALUES(1, -0.2), 2, 1e-15);
+    nurbs_destroy(h);
+    CHECK_OK(nurbs_pull_weights(g, 1, all + 1, VALUES(0.5), 0, &weight, &h));
+    CHECK(weight == 1 && weight_of(h, 1) == -0.125);
+    nurbs_destroy(h);
+    nurbs_destroy(g);
+    g = signed_weights(1, 1, -0.125);
+    CHECK_NO_HANDLE(h, nurbs_insert_on_leg(g, 0, 1, 0.5, &weight, &h), NURBS_ERROR_WEIGHT_SIGN,
+                    "control point 1 to 2 are 1 and -0.125");
+    nurbs_destroy(g);
+}
+
+/* Homogeneous records move by their weights times what the points do. */
+static void homogeneous_points(void) {
+    nurbs *g = signed_weights(1, 4, 1), *h = NULL;
+    double moved = 0, at[2], before[2];
+    CHECK_OK(nurbs_eval(g, 1, VALUES(0.5), 0, 0, before, 0, 0, 0)); /* R = 4 / 5 */
+    CHECK_OK(nurbs_pull_point(g, 1, VALUES(0.5), VALUES(0, 1), 0.2, &moved, &h));
+    CHECK(fabs(moved - 0.25) < 1e-15);
+    CHECK_OK(nurbs_eval(h, 1, VALUES(0.5), 0, 0, at, 0, 0, 0));
+    CHECK_NEAR(at, VALUES(before[0], before[1] + 0.2), 2, 1e-15);
+    nurbs_destroy(h);
+    nurbs_destroy(g);
+}
+
+/* One factor of all weights, however large, is one of the weights that are found. */
+static void enormous_weights(void) {
+    const double sizes[] = {0x1p+1000, 0x1p-1000};
+    const int32_t degree = 2;
+    for (int i = 0; i < 2; ++i) {
+        const double weights[] = {sizes[i], 0.5 * sizes[i], sizes[i]};
+        double weight = 0, zero[2], one[2], here[2];
+        nurbs *g = NULL, *h = NULL;
+        CHECK_OK(nurbs_create_bezier(1, &degree, 2, VALUES(0, 0, 1, 1, 2, 0), 0, 0, weights, 0, &g));
+        /* the middle is (1, w / (1 + w)), w the quotient of the weights */
+        CHECK_OK(nurbs_weight_through(g, 1, VALUES(0.5), VALUES(1, 0.5), 1e-9, &weight, &h));
+        CHECK(fabs(weight / sizes[i] - 1) < 1e-14);
+        nurbs_destroy(h);
+        CHECK_OK(nurbs_weight_points(g, 1, VALUES(0.5), zero, one, here));
+        CHECK_NEAR(zero, VALUES(1, 0), 2, 1e-15);
+        CHECK_NEAR(here, VALUES(1, 1.0 / 3), 2, 1e-15);
+        CHECK_NEAR(one, VALUES(1, i == 0 ? 0 : 1), 2, 1e-15); /* 1 beside the others is nothing, or all */
+        nurbs_destroy(g);
+    }
 }
 
 static void insert_on_leg(void) {
@@ -386,6 +453,9 @@ int main(void) {
     weight_through();
     pull_point();
     most_influential();
+    negative_weights();
+    homogeneous_points();
+    enormous_weights();
     insert_on_leg();
     insert_at_point();
     return check_summary("edit");
