@@ -59,6 +59,34 @@ static void nearest_points(void) {
     nurbs_destroy(g);
 }
 
+/* A wall over the loop of shapes.h, periodic in u over [2, 6]: its seam is no boundary, the ends of a range are. */
+static void around(void) {
+    static const int32_t degrees[] = {2, 1};
+    static const int64_t counts[] = {6, 2};
+    static const double knots[] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 0, 0, 1, 1};
+    static const double corners_of_u[] = {1, 1, -1, 1, -1, -1, 1, -1, 1, 1, -1, 1};
+    const double far[] = {0, 5, 0.5},
+                 range[] = {3, 5, 0, 1}; /* C(2) = (0, 1), C(3) = (-1, 0), C(5) = (1, 0) */
+    double points[36], params[2];
+    int32_t status = 0;
+    nurbs *g = NULL;
+    for (int i = 0; i < 12; ++i) {
+        points[3 * i] = corners_of_u[i / 2 * 2];
+        points[3 * i + 1] = corners_of_u[i / 2 * 2 + 1];
+        points[3 * i + 2] = i % 2;
+    }
+    CHECK_OK(nurbs_create(2, degrees, counts, knots, 13, 3, points, 0, 0, NULL, 0, NURBS_PERIODIC, &g));
+    CHECK_OK(
+        nurbs_closest_points(g, 1, far, 0, 0, NULL, 0, 0, params, 0, 0, NULL, 0, 0, NULL, 0, &status, 0));
+    CHECK(params[0] == 2 || params[0] == 6);
+    CHECK_INT(status & NURBS_CLOSEST_BOUNDARY, 0);
+    CHECK_OK(
+        nurbs_closest_points(g, 1, far, 0, 0, range, 0, 0, params, 0, 0, NULL, 0, 0, NULL, 0, &status, 0));
+    CHECK(params[0] == 3 || params[0] == 5);
+    CHECK_INT(status & NURBS_CLOSEST_BOUNDARY, NURBS_CLOSEST_BOUNDARY);
+    nurbs_destroy(g);
+}
+
 static void volumes(void) {
     nurbs *g = unit_cube();
     const double points[] = {0.25, 0.5, 0.75, 2, 0.5, -1}, expected[] = {0.25, 0.5, 0.75, 1, 0.5, 0};
@@ -129,6 +157,7 @@ static void bad_input(void) {
 
 int main(void) {
     nearest_points();
+    around();
     volumes();
     critical_points();
     bad_input();

@@ -176,6 +176,22 @@ static void between(void) {
     nurbs_destroy(t);
 }
 
+/* One line in two parts: as smooth as its degree says. */
+static void as_far_as_the_degree(void) {
+    static const double first[] = {0, 0, 1, 2}, second[] = {1, 2, 2, 4};
+    static const int32_t degree = 1;
+    nurbs *a = NULL, *b = NULL;
+    int32_t order = -7, geometric = -7;
+    CHECK_OK(nurbs_create_bezier(1, &degree, 2, first, 0, 0, NULL, 0, &a));
+    CHECK_OK(nurbs_create_bezier(1, &degree, 2, second, 0, 0, NULL, 0, &b));
+    CHECK_OK(nurbs_continuity_between(a, NURBS_END, b, NURBS_START, 0, 0, 0, &order, &geometric, NULL, NULL,
+                                      NULL));
+    CHECK_INT(order, 1);
+    CHECK_INT(geometric, 2);
+    nurbs_destroy(b);
+    nurbs_destroy(a);
+}
+
 static void bad_arguments(void) {
     nurbs *g = make(circle());
     double knots[4];
@@ -204,6 +220,7 @@ int main(void) {
     degenerate();
     surfaces();
     between();
+    as_far_as_the_degree();
     bad_arguments();
     return check_summary("continuity");
 }

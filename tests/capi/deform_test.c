@@ -113,6 +113,45 @@ static void flatten(void) {
 }
 
 /* A segment of length pi bent to a half circle of radius 1. */
+/* A region up to an end of the domain holds the end, clamped or not. */
+static void flatten_to_an_end(void) {
+    for (int open = 0; open < 2; ++open) {
+        nurbs *g = make(open ? hill() : arch()), *h = NULL;
+        int32_t dim = 0;
+        double domain[2], at[2];
+        CHECK_OK(nurbs_dimension(g, &dim));
+        CHECK_OK(nurbs_domain(g, 0, domain));
+        const double middle = (domain[0] + domain[1]) / 2, *up = open ? VALUES(1) : VALUES(0, 1);
+        for (int end = 0; end < 2; ++end) {
+            const double range[] = {end == 0 ? domain[0] : middle, end == 0 ? middle : domain[1]};
+            CHECK_OK(nurbs_flatten(g, range, open ? VALUES(7) : VALUES(0, 7), up, NULL, NULL, &h));
+            point_at(h, domain[end], at);
+            CHECK(fabs(at[dim - 1] - 7) < 1e-14);
+            point_at(h, domain[1 - end], at);
+            CHECK(at[dim - 1] < 2);
+            nurbs_destroy(h);
+        }
+        nurbs_destroy(g);
+    }
+}
+
+/* Homogeneous records are flattened like points: their weights stay. */
+static void flatten_records(void) {
+    const double knots[] = {0, 0, 0, 1, 1, 1}, records[] = {0, 0, 1, 4, 8, 4, 1, 0, 0.5};
+    const int64_t count = 3;
+    nurbs *g = NULL, *h = NULL;
+    double points[6], weights[3], moved = 0;
+    CHECK_OK(nurbs_create_homogeneous(1, INTS(2), &count, knots, 6, 2, records, 0, 0, 0, &g));
+    CHECK_OK(nurbs_flatten(g, NULL, VALUES(0, 3), VALUES(0, 1), VALUES(1, 1), &moved, &h));
+    CHECK_OK(nurbs_points(h, 3, points, 0, 0));
+    CHECK_NEAR(points, VALUES(3, 3, 2, 3, 5, 3), 6, 1e-14);
+    CHECK_OK(nurbs_weights(h, 3, weights, 0));
+    CHECK_DOUBLES(weights, VALUES(1, 4, 0.5), 3);
+    CHECK(fabs(moved - 3 * sqrt(2)) < 1e-14);
+    nurbs_destroy(h);
+    nurbs_destroy(g);
+}
+
 static void bend(void) {
     static const int32_t degree = 3;
     const double pi = 3.14159265358979312;
@@ -243,6 +282,39 @@ static void fair(void) {
     nurbs_destroy(g);
 }
 
+/* Without a tolerance to speak of w (P - centre) becomes linear, whatever the weights are. */
+static void fair_with_weights(void) {
+    const double points[] = {0, 0, 1, 2, 2, -1, 3, 3, 4, 0, 5, 1}, weights[] = {1, 4, 0.5, 2, 3, 1};
+    const double knots[] = {0, 0, 0, 0, 1, 2, 3, 3, 3, 3};
+    double energies[2];
+    nurbs *g = NULL, *h = NULL;
+    const int64_t count = 6;
+    CHECK_OK(nurbs_create(1, INTS(3), &count, knots, 10, 2, points, 0, 0, weights, 0, 0, &g));
+    CHECK_OK(nurbs_fair(g, 2, NULL, 1e3, energies, NULL, &h));
+    CHECK(energies[1] < 1e-9 * energies[0]);
+    nurbs_destroy(h);
+    nurbs_destroy(g);
+}
+
+/* The square along one axis of a volume: the integral of 2^2, whichever axis it is. */
+static void energy_of_a_volume(void) {
+    for (int32_t axis = 0; axis < 3; ++axis) {
+        int32_t degrees[] = {1, 1, 1};
+        double points[12], energies[2];
+        nurbs *g = NULL, *h = NULL;
+        degrees[axis] = 2;
+        const int inner = axis == 0 ? 4 : axis == 1 ? 2 : 1;
+        for (int i = 0; i < 12; ++i) {
+            points[i] = i / inner % 3 == 2 ? 1 : 0;
+        }
+        CHECK_OK(nurbs_create_bezier(3, degrees, 1, points, 0, 0, NULL, 0, &g));
+        CHECK_OK(nurbs_fair(g, 2, NULL, 0, energies, NULL, &h));
+        CHECK_NEAR(energies, VALUES(4), 1, 1e-14);
+        nurbs_destroy(h);
+        nurbs_destroy(g);
+    }
+}
+
 static void snap_boundary(void) {
     nurbs *g = make(arch()), *f = NULL, *h = NULL;
     double bound = -1, derivs[4];
@@ -311,9 +383,13 @@ static void snap_boundary(void) {
 int main(void) {
     warp();
     flatten();
+    flatten_to_an_end();
+    flatten_records();
     bend();
     free_form();
     fair();
+    fair_with_weights();
+    energy_of_a_volume();
     snap_boundary();
     return check_summary("deform");
 }

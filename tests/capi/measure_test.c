@@ -90,6 +90,23 @@ static void divisions(void) {
     nurbs_destroy(g);
 }
 
+/* A part that ends where the curve jumps ends before the jump: a corner of two sides of length 1. */
+static void divided_before_a_jump(void) {
+    static const int32_t degree = 1;
+    static const int64_t count = 5;
+    static const double knots[] = {0, 0, 1, 2, 2, 3, 3}, points[] = {0, 0, 1, 0, 1, 1, 7, 7, 8, 8};
+    double params[5], size;
+    nurbs *g = NULL;
+    CHECK_OK(nurbs_create(1, &degree, &count, knots, 7, 2, points, 0, 0, NULL, 0, 0, &g));
+    for (int parts = 1; parts <= 4; ++parts) {
+        const double step = parts == 1 ? sqrt(2) : parts == 3 ? 2 - sqrt(2) : 2.0 / parts;
+        CHECK_OK(
+            nurbs_curve_divide(g, (const double[]){0, 2}, parts, 1e-12, NURBS_EQUAL_CHORDS, params, &size));
+        CHECK_NEAR(&size, &step, 1, 1e-11);
+    }
+    nurbs_destroy(g);
+}
+
 static void areas(void) {
     double area, error, centroid[4], inertia[16];
     nurbs *g = make(trough()); /* (u, v, u^2 + v): sqrt(2 + 4 u^2) over [0, 1] x [0, 3] */
@@ -268,6 +285,7 @@ int main(void) {
     strides();
     closed_by_their_knots();
     divisions();
+    divided_before_a_jump();
     areas();
     bodies();
     bad_curves();

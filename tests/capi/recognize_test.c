@@ -116,6 +116,23 @@ static void surfaces(void) {
     check_shape(make(patch()), 1e-5, NURBS_SHAPE_NONE, PLACED(0), 0, 0);
 }
 
+/* Lines run as the curve does, normals of planes are on the side of S_u x S_v. */
+static void both_ways(void) {
+    static const int32_t line[] = {1}, bilinear[] = {1, 1};
+    for (int back = 0; back < 2; ++back) {
+        const double sign = back ? -1 : 1, ends[] = {5, 6, 5, 6 + 4 * sign};
+        const double plate[] = {0, 0, 0, 0, sign, 0, 2, 0, 0, 2, sign, 0};
+        check_shape(bezier(1, line, 2, ends, NULL), 1e-13, NURBS_SHAPE_LINE,
+                    PLACED(5, 6, 0, 0, sign, 0, 0, 0, 0), 0, 0);
+        nurbs *g = bezier(2, bilinear, 3, plate, NULL);
+        Found f;
+        CHECK_OK(try_recognize(g, 1e-13, &f));
+        CHECK_INT(f.shape, NURBS_SHAPE_PLANE);
+        CHECK_NEAR(f.placement + 3, ((const double[]){0, 0, sign, 1, 0, 0}), 6, 1e-13);
+        nurbs_destroy(g);
+    }
+}
+
 /* The dimension does not matter, nor do outputs that are not asked for. */
 static void scales(void) {
     static const double sizes[] = {1e-300, 1e-6, 1e6, 1e300};
@@ -205,6 +222,7 @@ int main(void) {
     curves();
     short_branch();
     surfaces();
+    both_ways();
     scales();
     other_weights();
     bad_input();
