@@ -134,6 +134,10 @@ static void points(void) {
                     nurbs_curve_conic_point(3, VALUES(1, 0, 0), VALUES(0, 1, 1), VALUES(-1, 0, 0),
                                             VALUES(0, 1, 0), VALUES(0, 1, 0), 0, &g),
                     NURBS_ERROR_CONIC, "tangent_a|plane");
+    CHECK_NO_HANDLE(g,
+                    nurbs_curve_conic_point(3, VALUES(1, 0, 0), VALUES(0, 1, 0), VALUES(-1, 0, 0),
+                                            VALUES(0, -1, 1), VALUES(0, 1, 0), 0, &g),
+                    NURBS_ERROR_CONIC, "tangent_b|plane");
 }
 
 static void five_points(void) {

@@ -202,6 +202,95 @@ static void bicubic(void) {
     destroy(&cross);
 }
 
+/* The surface (u, v, u^3 + u v + v^2) over [0, 2] x [0, 3]. */
+static nurbs *over_a_rectangle(void) {
+    static const int32_t degrees[] = {3, 2};
+    static const int64_t counts[] = {4, 3};
+    static const double knots[] = {0, 0, 0, 0, 2, 2, 2, 2, 0, 0, 0, 3, 3, 3};
+    nurbs *g = NULL;
+    double points[36];
+    for (int i = 0; i < 12; ++i) {
+        const double u = 2 * (i / 3) / 3.0, v = 1.5 * (i % 3); /* Greville abscissae */
+        points[3 * i] = u;
+        points[3 * i + 1] = v;
+        points[3 * i + 2] = (i / 3 == 3 ? 8 : 0) + u * v + (i % 3 == 2 ? 9 : 0);
+    }
+    CHECK_OK(nurbs_create(2, degrees, counts, knots, 14, 3, points, 0, 0, NULL, 0, 0, &g));
+    return g;
+}
+
+/* Its boundaries, or the derivatives across them. */
+static Curves around(const nurbs *g, int32_t derivative) {
+    Curves c;
+    for (int32_t i = 0; i < 4; ++i) {
+        nurbs *across = NULL;
+        CHECK_OK(nurbs_derivative(g, i / 2, derivative, &across));
+        CHECK_OK(nurbs_iso(across, i / 2, i % 2 * (i < 2 ? 2 : 3), 0, &c.curves[i]));
+        nurbs_destroy(across);
+    }
+    return c;
+}
+
+/* A bicubic surface is what its boundaries, cross tangents and twists make, over a domain that is no square; without
+ * cross tangents too, as those here are cubics of their ends, and Adini's twists those of the surface. */
+static void rectangle(void) {
+    nurbs *surface = over_a_rectangle(), *g = NULL;
+    Curves c = around(surface, 0), cross = around(surface, 1);
+    for (int with = 0; with < 2; ++with) {
+        CHECK_OK(hermite(&c, with ? &cross : NULL, with ? NURBS_TWIST_COMPATIBLE : NURBS_TWIST_ADINI, NULL,
+                         1e-12, NULL, &g));
+        for (int i = 0; i < 25; ++i) {
+            const double u = i / 5 * 0.5, v = i % 5 * 0.75;
+            double at[3];
+            CHECK_OK(nurbs_eval(g, 1, ((const double[]){u, v}), 0, 0, at, 0, 0, 0));
+            CHECK_NEAR(at, ((const double[]){u, v, u * u * u + u * v + v * v}), 3, 1e-13);
+        }
+        nurbs_destroy(g);
+    }
+    destroy(&c);
+    destroy(&cross);
+    nurbs_destroy(surface);
+}
+
+/* The same curve of homogeneous records. */
+static nurbs *in_records(const nurbs *g) {
+    int32_t degree = 0;
+    int64_t count = 0;
+    double knots[32], records[64];
+    nurbs *h = NULL;
+    CHECK_OK(nurbs_degree(g, 0, &degree));
+    CHECK_OK(nurbs_count(g, 0, &count));
+    CHECK_OK(nurbs_knots(g, 0, count + degree + 1, knots));
+    CHECK_OK(nurbs_homogeneous_points(g, count, records, 0, 0));
+    CHECK_OK(
+        nurbs_create_homogeneous(1, &degree, &count, knots, count + degree + 1, 3, records, 0, 0, 0, &h));
+    return h;
+}
+
+/* Gaps are those of the curves, however they are stored. */
+static void gaps_of_records(void) {
+    static const double weights[] = {1, 3, 0.5};
+    Curves c, cross, stored, stored_cross;
+    double positions[8], tangents[16], twists[8];
+    for (int i = 0; i < 4; ++i) {
+        const double points[] = {i, 0, 1, 1, i, 2, 0, 2, i}, other[] = {1, i, 0, i, 0, 3, 2, 1, 1};
+        c.curves[i] = bezier(2, points, weights);
+        cross.curves[i] = bezier(2, other, weights);
+        stored.curves[i] = in_records(c.curves[i]);
+        stored_cross.curves[i] = in_records(cross.curves[i]);
+    }
+    CHECK_OK(nurbs_coons_gaps(handles(&c), handles(&cross), positions, tangents, twists));
+    CHECK_OK(
+        nurbs_coons_gaps(handles(&stored), handles(&stored_cross), positions + 4, tangents + 8, twists + 4));
+    CHECK_NEAR(positions + 4, positions, 4, 1e-14);
+    CHECK_NEAR(tangents + 8, tangents, 8, 1e-13);
+    CHECK_NEAR(twists + 4, twists, 4, 1e-13);
+    destroy(&c);
+    destroy(&cross);
+    destroy(&stored);
+    destroy(&stored_cross);
+}
+
 static void refused_tangents(void) {
     Curves c = square(), cross = straight(1.5);
     nurbs *g = NULL;
@@ -298,6 +387,8 @@ int main(void) {
     refused_curves();
     refused_weights();
     bicubic();
+    rectangle();
+    gaps_of_records();
     refused_tangents();
     refused_rules();
     volume();

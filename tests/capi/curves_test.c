@@ -215,6 +215,10 @@ static void helices(void) {
     check_point(g, 0, VALUES(1, 1), 2, 0);
     check_point(g, 1, VALUES(1, 2), 2, 0);
     nurbs_destroy(g);
+    /* 0.3 - 3 * 0.1 is less than 0 by rounding: the end is on the axis */
+    CHECK_OK(nurbs_curve_helix(3, NULL, NULL, NULL, 0.3, -0.1, 1, 0, 3, 1e-3, NULL, &g));
+    check_point(g, 3, VALUES(0, 0, 3), 3, 0);
+    nurbs_destroy(g);
     error = -1;
     CHECK_NO_HANDLE(g, nurbs_curve_helix(3, NULL, NULL, NULL, 0, 0, 1, 0, 1, 1, &error, &g),
                     NURBS_ERROR_LENGTH, "radius|0");

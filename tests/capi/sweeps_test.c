@@ -260,6 +260,32 @@ static void tensor_refused(void) {
     nurbs_destroy(huge);
 }
 
+/* Records (w x, w y, w) of a quarter of the circle of radius 1, with weights other than 1 at its ends. */
+static nurbs *quarter(void) {
+    static const int32_t degree = 2;
+    static const int64_t count = 3;
+    const double knots[] = {0, 0, 0, 1, 1, 1}, records[] = {2, 0, 2, 1, 1, 1, 0, 1, 1};
+    nurbs *g = NULL;
+    CHECK_OK(nurbs_create_homogeneous(1, &degree, &count, knots, 6, 2, records, 0, 0, 0, &g));
+    return g;
+}
+
+/* Weights of the trajectory are none of the heights: in the middle of the profile the radius is 2, the height 5. */
+static void swung_records(void) {
+    const int32_t degree = 1;
+    nurbs *trajectory = quarter(), *profile = NULL, *out = NULL;
+    CHECK_OK(nurbs_create_bezier(1, &degree, 2, VALUES(1, 3, 3, 7), 0, 0, NULL, 0, &profile));
+    CHECK_OK(nurbs_surface_swung(trajectory, profile, 1, &out));
+    for (int i = 0; i <= 4; ++i) {
+        double at[3];
+        CHECK_OK(nurbs_eval(out, 1, VALUES(i / 4.0, 0.5), 0, 0, at, 0, 0, 0));
+        CHECK(fabs(hypot(at[0], at[1]) - 2) < 1e-14 && fabs(at[2] - 5) < 1e-14);
+    }
+    nurbs_destroy(out);
+    nurbs_destroy(profile);
+    nurbs_destroy(trajectory);
+}
+
 static void swung(void) {
     nurbs *trajectory = make(circle()), *profile = bezier(1, 2, VALUES(1, 0, 3, 5)), *out = NULL;
     CHECK_OK(nurbs_surface_swung(trajectory, profile, 2, &out));
@@ -300,5 +326,6 @@ int main(void) {
     tensor();
     tensor_refused();
     swung();
+    swung_records();
     return check_summary("sweeps");
 }
