@@ -2886,13 +2886,14 @@ NURBS_API nurbs_status nurbs_volume_coons(const nurbs *const *faces, double tole
 
 /** \brief Whether a curve is a line, circle or conic, or a surface a plane, sphere, cylinder, cone or torus:
  * of a curve the first of point, line, circle, parabola, ellipse and hyperbola, of a surface the first of
- * plane, sphere, cylinder, cone and torus, from which no point of g is farther than the tolerance.
- * (Parabolas come before ellipses, which come as near to a parabola as one likes.) A shape is fitted to
- * points of g; then the distance of all of g from it is bounded through the Bernstein coefficients of the
- * equation of the shape along g, so that what is returned is proven, its rounding included. A closed or
- * partial shape, and how it is parametrized, make no difference. What does not fit may be within the
- * tolerance of a shape all the same, if by little: distances are made small in the mean, and the bound is
- * within a factor of about 5/4, in the worst cases seen 3/2.
+ * point, line (both since 1.1), plane, sphere, cylinder, cone and torus, from which no point of g is farther
+ * than the tolerance. So a surface that is shrunk to a point or a line is no plane, whose normal nothing
+ * would determine. (Parabolas come before ellipses, which come as near to a parabola as one likes.) A shape
+ * is fitted to points of g; then the distance of all of g from it is bounded through the Bernstein
+ * coefficients of the equation of the shape along g, so that what is returned is proven, its rounding
+ * included. A closed or partial shape, and how it is parametrized, make no difference. What does not fit may
+ * be within the tolerance of a shape all the same, if by little: distances are made small in the mean, and the
+ * bound is within a factor of about 5/4, in the worst cases seen 3/2.
  *
  * The numbers are a placement and up to three sizes, of which none of these shapes needs the third; unused
  * ones are 0:

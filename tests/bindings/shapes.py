@@ -148,6 +148,14 @@ class Recognition(unittest.TestCase):
         near(found.sizes, [2, 0, 0])
         self.assertLess(found.deviation, 1e-9)
 
+    def test_surfaces_that_are_shrunk(self):
+        point = nurbs.bilinear([[[1, 2, 3]] * 2] * 2).recognize(1e-9)
+        self.assertEqual(point.shape, nurbs.NURBS_SHAPE_POINT)
+        same([point.origin, point.axis, point.x], [[1, 2, 3], [0, 0, 0], [0, 0, 0]])
+        line = nurbs.bilinear([[[0, 0, 0], [0, 3, 4]]] * 2).recognize(1e-9)
+        self.assertEqual(line.shape, nurbs.NURBS_SHAPE_LINE)
+        near(line.axis, [0, 0.6, 0.8])
+
     def test_no_shape(self):
         curve = nurbs.Spline.bezier([[0, 0], [1, 2], [2, -2], [3, 0]])
         self.assertEqual(curve.recognize(1e-3).shape, nurbs.NURBS_SHAPE_NONE)

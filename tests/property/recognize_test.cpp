@@ -284,4 +284,51 @@ TEST(Recognition, of_conics_and_planes_survives_affine_maps) {
     });
 }
 
+// The control points of a plane moved into a line or a point, and off it by up to a part of the tolerance.
+TEST(Recognition, of_a_surface_that_is_shrunk_to_a_line_or_point) {
+    for_each_case(557000, 300, [&](Random &random, uint64_t seed) {
+        const double scale = std::ldexp(random.between(1, 2), random.whole(-900, 900));
+        const bool line = random.chance(50);
+        const double relative = random.magnitude(1e-11, 1e-3), off = random.chance(50) ? 0 : relative / 4;
+        MadeShape made = made_shape(random, NURBS_SHAPE_PLANE, 3);
+        const double place[] = {random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)},
+                     along[] = {random.between(-1, 1), random.between(0.5, 1), random.between(-1, 1)};
+        for (size_t i = 0; i < made.data.points.size(); i += 3) {
+            const double at = line ? made.data.points[i] + made.data.points[i + 1] : 0;
+            for (size_t c = 0; c < 3; ++c) {
+                made.data.points[i + c] = scale * (place[c] + at * along[c] + off * random.between(-1, 1));
+            }
+        }
+        const Handle g = disguised(random, create(made.data), 2);
+        const FoundShape found = recognize(g.get(), scale * relative);
+        ASSERT_EQ(found.kind, line ? NURBS_SHAPE_LINE : NURBS_SHAPE_POINT) << "seed " << seed;
+        ASSERT_LE(found.deviation, scale * relative) << "seed " << seed;
+        ASSERT_LE(sampled_deviation(read_back(g.get()), found, 5), found.deviation) << "seed " << seed;
+        for (size_t c = line ? 6 : 3; c < 9; ++c) {
+            ASSERT_EQ(found.placement[c], 0) << "seed " << seed;
+        }
+    });
+}
+
+// Where the tolerance is 0 to the size, as a point of exact coordinates has it, whatever they are.
+TEST(Recognition, of_points_of_every_size) {
+    for (const double x : {0.0, 0x1p-1074, 0x1.8p-1000, 0.75, 0x1.8p1023}) {
+        for (const int axes : {1, 2}) {
+            SplineData data;
+            data.dim = 3;
+            for (int k = 0; k < axes; ++k) {
+                data.degrees.push_back(2);
+                data.counts.push_back(3);
+                data.knots.push_back({0, 0, 0, 1, 1, 1});
+            }
+            for (int i = 0; i < (axes == 1 ? 3 : 9); ++i) {
+                data.points.insert(data.points.end(), {x, -x, x / 2});
+            }
+            const FoundShape found = recognize(create(data).get(), std::max(0x1p-1074, x * 0x1p-40));
+            EXPECT_EQ(found.kind, NURBS_SHAPE_POINT) << x;
+            EXPECT_NEAR(found.placement[0], x, x * 0x1p-40);
+        }
+    }
+}
+
 } // namespace

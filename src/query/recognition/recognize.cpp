@@ -6,6 +6,7 @@
 #include "query/recognition/shape_refine.h"
 #include "query/recognition/shape_samples.h"
 #include "spline/kind.h"
+#include "spline/scaled.h"
 
 #include <algorithm>
 #include <cmath>
@@ -42,18 +43,6 @@ int size_exponent(const Spline &spline) {
     return size > 0 ? std::ilogb(size) : 0;
 }
 
-// With all coordinates divided by a power of two.
-Spline scaled(const Spline &spline, int exponent) {
-    std::vector<double> points(spline.points().begin(), spline.points().end());
-    const auto width = static_cast<size_t>(spline.stored_width()), dim = static_cast<size_t>(spline.dim());
-    for (size_t i = 0; i < points.size(); ++i) {
-        points[i] = i % width < dim ? std::ldexp(points[i], -exponent) : points[i];
-    }
-    require_representable(points, "scaled points");
-    return {spline.knot_vectors(), spline.dim(), spline.form(), std::move(points),
-            std::vector<double>(spline.weights().begin(), spline.weights().end())};
-}
-
 void scale_back(Recognition &found, int exponent) {
     Shape &shape = found.shape;
     std::vector<double *> lengths{&shape.origin.x, &shape.origin.y, &shape.origin.z, &found.deviation};
@@ -68,12 +57,32 @@ void scale_back(Recognition &found, int exponent) {
 
 constexpr int32_t curves[] = {NURBS_SHAPE_POINT,    NURBS_SHAPE_LINE,    NURBS_SHAPE_CIRCLE,
                               NURBS_SHAPE_PARABOLA, NURBS_SHAPE_ELLIPSE, NURBS_SHAPE_HYPERBOLA};
-constexpr int32_t surfaces[] = {NURBS_SHAPE_PLANE, NURBS_SHAPE_SPHERE, NURBS_SHAPE_CYLINDER, NURBS_SHAPE_CONE,
-                                NURBS_SHAPE_TORUS};
+constexpr int32_t surfaces[] = {NURBS_SHAPE_POINT,    NURBS_SHAPE_LINE, NURBS_SHAPE_PLANE, NURBS_SHAPE_SPHERE,
+                                NURBS_SHAPE_CYLINDER, NURBS_SHAPE_CONE, NURBS_SHAPE_TORUS};
+
+// Whether the samples of a surface tell at once that it is larger than a point, or wider than a line: if all were
+// within the tolerance of one, the middle of their box would be within twice that of it, and so would the line
+// from there to the farthest sample be of all others.
+bool too_large(int32_t kind, const ShapeSamples &samples, double tolerance) {
+    if (kind == NURBS_SHAPE_POINT) {
+        return samples.size > 2 * tolerance;
+    }
+    const auto far =
+        std::max_element(samples.points.begin(), samples.points.end(),
+                         [](const Vector3 &a, const Vector3 &b) { return dot(a, a) < dot(b, b); });
+    const Vector3 along = unit(*far);
+    return length(*far) > 0 &&
+           std::any_of(samples.points.begin(), samples.points.end(),
+                       [&](const Vector3 &p) { return length(cross(along, p)) > 16 * tolerance; });
+}
 
 // Whether there is one of a kind within the tolerance.
 bool find(int32_t kind, const Spline &spline, const ShapeSamples &samples, double tolerance,
           Recognition &found) {
+    const bool shrunk = kind == NURBS_SHAPE_POINT || kind == NURBS_SHAPE_LINE;
+    if (spline.axes() == 2 && shrunk && too_large(kind, samples, tolerance)) {
+        return false;
+    }
     const Shape fitted = fitted_shape(kind, samples, spline.dim(), tolerance);
     if (fitted.kind == NURBS_SHAPE_NONE || !(largest_distance(fitted, samples.points) <= 1.01 * tolerance)) {
         return false;
@@ -88,8 +97,9 @@ bool find(int32_t kind, const Spline &spline, const ShapeSamples &samples, doubl
 Recognition recognize(const Spline &spline, double tolerance) {
     check_admitted(spline);
     const int exponent = size_exponent(spline);
-    const Spline unit = scaled(spline, exponent);
-    const ShapeSamples samples = shape_samples(unit);
+    const SplinePtr unit = scaled(spline, {.coordinates = -exponent});
+    require_representable(unit->points(), "scaled points");
+    const ShapeSamples samples = shape_samples(*unit);
     const double reach = std::ldexp(tolerance, -exponent);
     if (samples.points.empty()) {
         return {};
@@ -98,7 +108,7 @@ Recognition recognize(const Spline &spline, double tolerance) {
     const auto kinds =
         spline.axes() == 1 ? std::span<const int32_t>(curves) : std::span<const int32_t>(surfaces);
     for (const int32_t kind : kinds) {
-        if (find(kind, unit, samples, reach, found)) {
+        if (find(kind, *unit, samples, reach, found)) {
             scale_back(found, exponent);
             return found;
         }

@@ -12,7 +12,8 @@ struct Recognition {
 };
 
 // The first shape from which no point is farther than the tolerance: of a curve a point, line, circle,
-// parabola, ellipse, hyperbola, of a surface a plane, sphere, cylinder, cone, torus. Parabolas come before
+// parabola, ellipse, hyperbola, of a surface a point, line, plane, sphere, cylinder, cone, torus: a surface that
+// is no larger than the tolerance, or no wider, has no normal that could be told. Parabolas come before
 // ellipses, which come as near to a parabola as one likes. Throws NURBS_ERROR_AXES, _DIMENSION,
 // _NOT_REPRESENTABLE. Cost: some hundred evaluations and, for each shape that the samples have to the
 // tolerance, a few products of each Bezier piece.

@@ -176,8 +176,8 @@ class Analysis(SplineBase):
         return Fold(result.value, positive, negative)
 
     def recognize(self, tolerance: float) -> Recognized:
-        """The first shape of the list of nurbs_recognize() (line, circle, plane, sphere, ...) from which no point is
-        farther than the tolerance."""
+        """The first shape of the list of nurbs_recognize() (point, line, circle, plane, sphere, ...) from which no
+        point is farther than the tolerance."""
         shape, deviation = ctypes.c_int32(), ctypes.c_double()
         placement, sizes = numpy.empty((3, 3)), numpy.empty(3)
         call(lib.nurbs_recognize, self._handle, tolerance, ctypes.byref(shape), placement.ctypes.data,
