@@ -962,7 +962,9 @@ NURBS_API nurbs_status nurbs_iso(const nurbs *g, int32_t axis, double param, uin
  * A vector is taken for zero where its exact value may be zero: where its length is at most the bound of its
  * rounding error. For a derivative of order k that is 2 (c + 2 k) eps |E_a|, as in the preamble, E_a taken as
  * a vector; for a product of two it is each factor's length times the other's bound, summed. No other
- * tolerance enters: scaling the points or the knots by a power of two scales the results, up to rounding.
+ * tolerance enters: where points or knots are multiplied by powers of two no bit of a direction changes, and
+ * curvatures are multiplied by a power of two. That holds at every size (since 1.1), also where derivatives or
+ * their products leave double precision, unless the result does.
  * One parameter gives the same bits alone, in a batch and on a grid.
  *
  * Limits are taken from the side that the flags name (from above, or from below with NURBS_LEFT), at the ends

@@ -2,6 +2,7 @@
 
 #include "eval/blocks.h"
 #include "eval/jet.h"
+#include "eval/magnitude.h"
 #include "eval/outputs.h"
 #include "eval/shape_operator.h"
 
@@ -105,12 +106,40 @@ private:
     DerivativeErrors errors_;
 };
 
+void moderate_curvatures(const Spline &spline, const AxisRules &rules, ConstRecords params,
+                         const SurfaceCurvatures &out) {
+    CurvatureSink sink(spline, rules, params, out);
+    evaluate_points(spline, rules, 2, params, sink);
+}
+
+// Nothing is written before all is known: this may run out of memory.
+void curvatures_of_any_size(const Spline &spline, const AxisRules &rules, ConstRecords params,
+                            const SurfaceCurvatures &out) {
+    Pending principal(out.principal), directions(out.directions), mean(out.mean), gaussian(out.gaussian);
+    std::vector<int32_t> status(static_cast<size_t>(params.count));
+    for_each_magnitude(spline, rules, params, [&](const MagnitudeRun &run) {
+        const int64_t first = run.first, count = run.params.count;
+        moderate_curvatures(run.spline, run.rules, run.params,
+                            {principal.part(first, count), directions.part(first, count),
+                             mean.part(first, count), gaussian.part(first, count), status.data() + first});
+        principal.multiply(first, count, run.size);
+        mean.multiply(first, count, run.size);
+        gaussian.multiply(first, count, 2 * run.size);
+    });
+    for (const Pending *values : {&principal, &directions, &mean, &gaussian}) {
+        values->write();
+    }
+    if (out.status != nullptr) {
+        std::copy(status.begin(), status.end(), out.status);
+    }
+}
+
 } // namespace
 
 void surface_curvatures(const Spline &spline, const AxisRules &rules, ConstRecords params,
                         const SurfaceCurvatures &out) {
-    CurvatureSink sink(spline, rules, params, out);
-    evaluate_points(spline, rules, 2, params, sink);
+    moderate(spline) ? moderate_curvatures(spline, rules, params, out)
+                     : curvatures_of_any_size(spline, rules, params, out);
 }
 
 } // namespace nrb

@@ -3,6 +3,8 @@
 #include "eval/blocks.h"
 #include "eval/curve_limit.h"
 #include "eval/derivative_errors.h"
+#include "eval/evaluate.h"
+#include "eval/magnitude.h"
 #include "eval/outputs.h"
 
 namespace nrb {
@@ -101,12 +103,48 @@ private:
     DerivativeErrors errors_;
 };
 
-} // namespace
-
-void curve_frames(const Spline &spline, const AxisRules &rules, ConstRecords params, const CurveFrames &out) {
+void moderate_frames(const Spline &spline, const AxisRules &rules, ConstRecords params,
+                     const CurveFrames &out) {
     const int order = out.torsions.data == nullptr ? 2 : 3;
     CurveSink sink(spline, rules, params, order, out);
     evaluate_points(spline, rules, order, params, sink);
+}
+
+// Nothing is written before all is known: this may run out of memory.
+void frames_of_any_size(const Spline &spline, const AxisRules &rules, ConstRecords params,
+                        const CurveFrames &out) {
+    Pending tangents(out.tangents), normals(out.normals), binormals(out.binormals),
+        curvatures(out.curvatures), torsions(out.torsions);
+    std::vector<int32_t> status(static_cast<size_t>(params.count));
+    for_each_magnitude(spline, rules, params, [&](const MagnitudeRun &run) {
+        const int64_t first = run.first, count = run.params.count;
+        moderate_frames(run.spline, run.rules, run.params,
+                        {{},
+                         tangents.part(first, count),
+                         normals.part(first, count),
+                         binormals.part(first, count),
+                         curvatures.part(first, count),
+                         torsions.part(first, count),
+                         status.data() + first});
+        curvatures.multiply(first, count, run.size);
+        torsions.multiply(first, count, run.size);
+    });
+    if (out.points.data != nullptr) {
+        evaluate_points(spline, rules, 0, params, out.points);
+    }
+    for (const Pending *values : {&tangents, &normals, &binormals, &curvatures, &torsions}) {
+        values->write();
+    }
+    if (out.status != nullptr) {
+        std::copy(status.begin(), status.end(), out.status);
+    }
+}
+
+} // namespace
+
+void curve_frames(const Spline &spline, const AxisRules &rules, ConstRecords params, const CurveFrames &out) {
+    moderate(spline) ? moderate_frames(spline, rules, params, out)
+                     : frames_of_any_size(spline, rules, params, out);
 }
 
 } // namespace nrb

@@ -3,8 +3,11 @@
 #include "eval/blocks.h"
 #include "eval/curve_limit.h"
 #include "eval/derivative_errors.h"
+#include "eval/evaluate.h"
+#include "eval/magnitude.h"
 #include "eval/outputs.h"
 
+#include <hwy/base.h>
 #include <limits>
 #include <optional>
 
@@ -40,7 +43,8 @@ Vector3 turned_normal(const Place &from, const Vector3 &tangent) noexcept {
 }
 
 // Made perpendicular again each time, so that errors do not add up along the sequence.
-Vector3 next_normal(const Place &from, const Vector3 &point, const Vector3 &tangent, double noise) noexcept {
+HWY_INLINE Vector3 next_normal(const Place &from, const Vector3 &point, const Vector3 &tangent,
+                               double noise) noexcept {
     const Vector3 chord = point - from.point;
     if (!(length(chord) > noise)) {
         return unit_across(turned_normal(from, tangent), tangent);
@@ -58,7 +62,7 @@ public:
         error_ = derivative_errors(spline, rules, points).u;
     }
 
-    [[nodiscard]] CurveTangent operator()(const Vector3 &first, double t) const noexcept {
+    [[nodiscard]] HWY_INLINE CurveTangent operator()(const Vector3 &first, double t) const noexcept {
         const double squared = dot(first, first);
         if (!in_range(squared) || !(squared > error_ * error_)) {
             const CurveTangent limit = curve_tangent(spline_, rules_, t);
@@ -76,46 +80,35 @@ private:
 };
 
 // How far apart two computed points may be that are the same: twice the bound of the header.
-double point_noise(const Spline &spline) noexcept {
-    double hull = 0;
-    for (int64_t i = 0; i < spline.point_count(); ++i) {
-        for (int c = 0; c < dim && spline.weight(i) != 0; ++c) {
-            hull = std::max(hull, std::fabs(spline.coordinate(i, c)));
-        }
-    }
-    return 2 * std::sqrt(3.0) * accuracy_factor(spline.axis(0).degree()) * eps * hull;
+double point_noise(int degree, double size) noexcept {
+    return 2 * std::sqrt(3.0) * accuracy_factor(degree) * eps * size;
 }
 
-class MinimalSink final : public BlockSink {
+// The frames of one point after the other, in the order of the sequence. Inline with what it calls, so that a
+// point goes from the block to the caller's arrays in registers.
+class Transport {
 public:
-    MinimalSink(const Spline &spline, const AxisRules &rules, ConstRecords params,
-                const std::optional<Vector3> &first_normal, const MinimalFrames &out)
-        : tangents_(spline, rules, params.count), noise_(point_noise(spline)), params_(params),
-          first_normal_(first_normal), out_(out) {}
+    Transport(double noise, const std::optional<Vector3> &first_normal, const MinimalFrames &out)
+        : noise_(noise), first_normal_(first_normal), out_(out) {}
 
-    void operator()(int64_t first, ConstRecords values) noexcept override {
-        write_rows(values.data, first, values.count, out_.points);
-        for (int64_t i = 0; i < values.count; ++i) {
-            const Vector3 derivative = row_vector(values.data + dim * block_size, dim, i);
-            const CurveTangent tangent = tangents_(derivative, params_(first + i, 0));
-            if (tangent.kind > 0) {
-                advance(row_vector(values.data, dim, i), tangent.direction);
-                write(first + i, tangent.kind == 1 ? 0 : frame_limit);
-            } else {
-                write_none(first + i);
-            }
+    HWY_INLINE void operator()(int64_t i, const Vector3 &point, const CurveTangent &tangent) noexcept {
+        if (tangent.kind > 0) {
+            advance(point, tangent.direction);
+            write(i, tangent.kind == 1 ? 0 : frame_limit);
+        } else {
+            write_none(i);
         }
     }
 
 private:
-    void advance(const Vector3 &point, const Vector3 &tangent) noexcept {
+    HWY_INLINE void advance(const Vector3 &point, const Vector3 &tangent) noexcept {
         const Vector3 normal = last_           ? next_normal(*last_, point, tangent, noise_)
                                : first_normal_ ? unit_across(scaled_to_one(*first_normal_), tangent)
                                                : any_normal(tangent);
         last_ = Place{point, tangent, normal};
     }
 
-    void write(int64_t i, int32_t status) const noexcept {
+    HWY_INLINE void write(int64_t i, int32_t status) const noexcept {
         write_vector(last_->tangent, i, out_.tangents);
         write_vector(last_->normal, i, out_.normals);
         write_vector(cross(last_->tangent, last_->normal), i, out_.binormals);
@@ -130,12 +123,63 @@ private:
         write_status(frame_undefined, i, out_.status);
     }
 
-    Tangents tangents_;
     double noise_;
-    ConstRecords params_;
     std::optional<Vector3> first_normal_;
     MinimalFrames out_;
     std::optional<Place> last_;
+};
+
+Vector3 derivative_at(ConstRecords values, int64_t i) noexcept {
+    return row_vector(values.data + dim * block_size, dim, i);
+}
+
+class MinimalSink final : public BlockSink {
+public:
+    MinimalSink(const Spline &spline, const AxisRules &rules, ConstRecords params,
+                const std::optional<Vector3> &first_normal, const MinimalFrames &out)
+        : tangents_(spline, rules, params.count), params_(params), points_(out.points),
+          transport_(point_noise(spline.axis(0).degree(), active_size(spline)), first_normal, out) {}
+
+    void operator()(int64_t first, ConstRecords values) noexcept override {
+        write_rows(values.data, first, values.count, points_);
+        for (int64_t i = 0; i < values.count; ++i) {
+            const CurveTangent tangent = tangents_(derivative_at(values, i), params_(first + i, 0));
+            transport_(first + i, row_vector(values.data, dim, i), tangent);
+        }
+    }
+
+private:
+    Tangents tangents_;
+    ConstRecords params_;
+    Records points_;
+    Transport transport_;
+};
+
+struct PlaceAndTangent {
+    Vector3 point;
+    CurveTangent tangent;
+};
+
+// Of points of one magnitude; all places are multiplied by one power of two.
+class PlaceSink final : public BlockSink {
+public:
+    PlaceSink(const MagnitudeRun &run, int power, PlaceAndTangent *out)
+        : tangents_(run.spline, run.rules, run.params.count), params_(run.params), power_(power - run.size),
+          out_(out) {}
+
+    void operator()(int64_t first, ConstRecords values) noexcept override {
+        for (int64_t i = 0; i < values.count; ++i) {
+            const Vector3 p = row_vector(values.data, dim, i);
+            out_[first + i] = {{std::ldexp(p.x, power_), std::ldexp(p.y, power_), std::ldexp(p.z, power_)},
+                               tangents_(derivative_at(values, i), params_(first + i, 0))};
+        }
+    }
+
+private:
+    Tangents tangents_;
+    ConstRecords params_;
+    int power_;
+    PlaceAndTangent *out_;
 };
 
 // The first tangent of the sequence that exists.
@@ -166,16 +210,46 @@ std::optional<Vector3> checked_normal(const double *normal, const std::optional<
     return given;
 }
 
-} // namespace
-
-void minimal_frames(const Spline &spline, const AxisRules &rules, ConstRecords params,
-                    const double *first_normal, const MinimalFrames &out) {
+void moderate_frames(const Spline &spline, const AxisRules &rules, ConstRecords params,
+                     const double *first_normal, const MinimalFrames &out) {
     std::optional<Vector3> normal;
     if (first_normal != nullptr) {
         normal = checked_normal(first_normal, first_tangent(spline, rules, params));
     }
     MinimalSink sink(spline, rules, params, normal, out);
     evaluate_points(spline, rules, 1, params, sink);
+}
+
+// Tangents are found each at its own magnitude; the places between which frames are carried share one.
+void frames_of_any_size(const Spline &spline, const AxisRules &rules, ConstRecords params,
+                        const double *first_normal, const MinimalFrames &out) {
+    const double size = active_size(spline);
+    const int power = size > 0 ? -std::ilogb(size) : 0;
+    std::vector<PlaceAndTangent> places(static_cast<size_t>(params.count));
+    for_each_magnitude(spline, rules, params, [&](const MagnitudeRun &run) {
+        PlaceSink sink(run, power, places.data() + run.first);
+        evaluate_points(run.spline, run.rules, 1, run.params, sink);
+    });
+    const auto found = std::find_if(places.begin(), places.end(),
+                                    [](const PlaceAndTangent &place) { return place.tangent.kind > 0; });
+    const std::optional<Vector3> normal = checked_normal(
+        first_normal, found != places.end() ? std::optional(found->tangent.direction) : std::nullopt);
+    if (out.points.data != nullptr) {
+        evaluate_points(spline, rules, 0, params, out.points);
+    }
+    Transport transport(point_noise(spline.axis(0).degree(), std::ldexp(size, power)), normal, out);
+    for (int64_t i = 0; i < params.count; ++i) {
+        const auto &[point, tangent] = places[static_cast<size_t>(i)];
+        transport(i, point, tangent);
+    }
+}
+
+} // namespace
+
+void minimal_frames(const Spline &spline, const AxisRules &rules, ConstRecords params,
+                    const double *first_normal, const MinimalFrames &out) {
+    moderate(spline) ? moderate_frames(spline, rules, params, first_normal, out)
+                     : frames_of_any_size(spline, rules, params, first_normal, out);
 }
 
 } // namespace nrb

@@ -2,6 +2,7 @@
 
 #include "eval/blocks.h"
 #include "eval/derivative_errors.h"
+#include "eval/magnitude.h"
 #include "eval/normal_kernel.h"
 #include "eval/outputs.h"
 #include "eval/surface_limit.h"
@@ -130,18 +131,67 @@ private:
     std::array<double, dim * block_size> normals_{};
 };
 
-} // namespace
-
-void surface_frames(const Spline &spline, const AxisRules &rules, ConstRecords params,
-                    const SurfaceFrames &out) {
+void moderate_frames(const Spline &spline, const AxisRules &rules, ConstRecords params,
+                     const SurfaceFrames &out) {
     FrameSink sink(spline, rules, ListParameters(params), out);
     evaluate_points(spline, rules, 1, params, sink);
 }
 
-void surface_frames(const Spline &spline, const AxisRules &rules,
-                    const std::array<ConstRecords, max_axes> &params, const SurfaceFrames &out) {
+void moderate_frames(const Spline &spline, const AxisRules &rules,
+                     const std::array<ConstRecords, max_axes> &params, const SurfaceFrames &out) {
     FrameSink sink(spline, rules, GridParameters(params), out);
     evaluate_grid(spline, rules, 1, params, sink);
+}
+
+// Points and derivatives of any size as evaluation has them. Nothing is written before all is known: this may
+// run out of memory.
+template <class Params>
+void frames_of_any_size(const Spline &spline, const AxisRules &rules, ConstRecords list, const Params &params,
+                        const SurfaceFrames &out) {
+    Pending normals(out.normals);
+    std::vector<int32_t> status(static_cast<size_t>(list.count));
+    if (out.normals.data != nullptr || out.status != nullptr) {
+        for_each_magnitude(spline, rules, list, [&](const MagnitudeRun &run) {
+            moderate_frames(
+                run.spline, run.rules, run.params,
+                {{}, {}, {}, normals.part(run.first, run.params.count), status.data() + run.first});
+        });
+    }
+    if (out.points.data != nullptr || out.du.data != nullptr || out.dv.data != nullptr) {
+        moderate_frames(spline, rules, params, {out.points, out.du, out.dv, {}, nullptr});
+    }
+    normals.write();
+    if (out.status != nullptr) {
+        std::copy(status.begin(), status.end(), out.status);
+    }
+}
+
+// All combinations, axis 1 fastest.
+std::vector<double> list_of(const std::array<ConstRecords, max_axes> &params) {
+    const GridParameters grid(params);
+    std::vector<double> list;
+    for (int64_t i = 0; i < grid.count(); ++i) {
+        const std::array<double, 2> at = grid(i);
+        list.insert(list.end(), at.begin(), at.end());
+    }
+    return list;
+}
+
+} // namespace
+
+void surface_frames(const Spline &spline, const AxisRules &rules, ConstRecords params,
+                    const SurfaceFrames &out) {
+    moderate(spline) ? moderate_frames(spline, rules, params, out)
+                     : frames_of_any_size(spline, rules, params, params, out);
+}
+
+void surface_frames(const Spline &spline, const AxisRules &rules,
+                    const std::array<ConstRecords, max_axes> &params, const SurfaceFrames &out) {
+    if (moderate(spline)) {
+        return moderate_frames(spline, rules, params, out);
+    }
+    const std::vector<double> list = list_of(params);
+    frames_of_any_size(spline, rules, {list.data(), std::ssize(list) / 2, 2, 2, 1}, params, out);
 }
 
 } // namespace nrb

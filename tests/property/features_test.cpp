@@ -323,3 +323,18 @@ TEST(CurveFeatures, HighDegrees) {
         EXPECT_LT(f.params.size(), 100U) << seed;
     });
 }
+
+// Whatever the size: the same places, and curvatures that are multiplied.
+TEST(CurveFeatures, OfEverySize) {
+    const SplineData data = bezier(2, {0, 0, 1, 4, 2, -3, 3, 2, 4, 0});
+    const Features base = features(create(data).get(), extrema | NURBS_FEATURE_INFLECTION);
+    ASSERT_GE(base.params.size(), 4U);
+    for (const int k : {-1000, -600, -300, 300, 600, 1000}) {
+        const Features found =
+            features(create(scaled(data, std::ldexp(1, k))).get(), extrema | NURBS_FEATURE_INFLECTION);
+        ASSERT_EQ(found.params, base.params) << k;
+        for (size_t i = 0; i < base.values.size(); ++i) {
+            EXPECT_EQ(found.values[i], std::ldexp(base.values[i], -k)) << k;
+        }
+    }
+}

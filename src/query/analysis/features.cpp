@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "eval/curve_limit.h"
+#include "eval/magnitude.h"
 #include "query/analysis/curve_signs.h"
 #include "query/analysis/curve_turns.h"
 
@@ -61,9 +62,7 @@ std::vector<SignRun> product_runs(const std::vector<SignRun> &a, const std::vect
 
 class FeatureFinder {
 public:
-    FeatureFinder(const Spline &curve, uint32_t kinds) : curve_(curve), kinds_(kinds), pieces_(curve) {
-        Jet::prepare(curve);
-    }
+    FeatureFinder(const Spline &curve, uint32_t kinds) : curve_(curve), kinds_(kinds), pieces_(curve) {}
 
     Features run() {
         if (wants(NURBS_FEATURE_INFLECTION)) {
@@ -89,8 +88,14 @@ public:
 private:
     [[nodiscard]] bool wants(uint32_t kinds) const noexcept { return (kinds_ & kinds) != 0; }
     void add(double at, int32_t kind, double value) { found_.list.push_back({at, kind, value}); }
-    [[nodiscard]] double curvature(double t) const noexcept {
-        return limit_frame(curve_, AxisRules{}, t).curvature;
+    [[nodiscard]] double curvature(double t) const {
+        double result = 0;
+        const AxisRules rules{};
+        for_each_magnitude(curve_, rules, {&t, 1}, [&result](const MagnitudeRun &run) {
+            Jet::prepare(run.spline);
+            result = std::ldexp(limit_frame(run.spline, run.rules, run.params(0, 0)).curvature, run.size);
+        });
+        return result;
     }
     void add_changes(const CurveSigns &signs, int32_t kind) {
         found_.complete = found_.complete && signs.complete;

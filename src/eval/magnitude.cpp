@@ -1,0 +1,245 @@
+#include "eval/magnitude.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace nrb {
+
+namespace {
+
+// Within 2^-64 and 2^64 no square of a product of two derivatives of order 2 comes near the limits.
+constexpr int moderate_exponent = 64;
+
+// A multiple of it, so that few copies serve a spline of many sizes.
+int rounded(int exponent) noexcept {
+    return exponent / moderate_exponent * moderate_exponent;
+}
+
+// The exponent of a size; 0 of 0.
+int exponent_of(double size) noexcept {
+    return size > 0 && std::isfinite(size) ? rounded(std::ilogb(size)) : 0;
+}
+
+struct RecordSize {
+    double coordinates = 0;
+    double weight = 0;
+};
+
+// Cartesian points of weight 0 are of no influence; weights apart have a common factor taken out already
+// (Spline::records()).
+RecordSize size_of(const Spline &spline, int64_t i) noexcept {
+    RecordSize size;
+    if (spline.form() == Form::rational && spline.weight(i) == 0) {
+        return size;
+    }
+    const double *record = spline.points().data() + i * spline.stored_width();
+    for (int c = 0; c < spline.dim(); ++c) {
+        size.coordinates = std::max(size.coordinates, std::fabs(record[c]));
+    }
+    size.weight = spline.form() == Form::homogeneous ? std::fabs(record[spline.dim()]) : 0;
+    return size;
+}
+
+// Layers of control points of an axis.
+struct Layers {
+    int64_t first = 0;
+    int64_t end = 1;
+};
+
+// The layers whose functions do not vanish on the domain.
+Layers active_layers(const KnotVector &axis) noexcept {
+    const auto [lower, upper] = axis.domain();
+    Layers layers{0, axis.count()};
+    while (axis[layers.first + axis.degree() + 1] <= lower) {
+        ++layers.first;
+    }
+    while (axis[layers.end - 1] >= upper) {
+        --layers.end;
+    }
+    return layers;
+}
+
+// Calls visit(i) for the control points of some layers of each axis.
+template <class Visit>
+void for_each_point(const Spline &spline, const std::array<Layers, 2> &layers, Visit &&visit) {
+    const int64_t row = spline.axes() == 2 ? spline.count(1) : 1;
+    for (int64_t i = layers[0].first; i < layers[0].end; ++i) {
+        for (int64_t j = layers[1].first; j < layers[1].end; ++j) {
+            visit(i * row + j);
+        }
+    }
+}
+
+bool has_moderate_knots(const KnotVector &axis) noexcept {
+    for (int64_t i = axis.degree(); i < axis.count(); ++i) {
+        const double length = axis[i + 1] - axis[i];
+        if (exponent_of(length) != 0 || !std::isfinite(length)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+// What is found once for a spline.
+struct Extent {
+    bool moderate = true;
+    double size = 0;
+};
+
+Extent find_extent(const Spline &spline) {
+    Extent extent;
+    std::array<Layers, 2> layers{};
+    for (int k = 0; k < spline.axes(); ++k) {
+        layers[static_cast<size_t>(k)] = active_layers(spline.axis(k));
+        extent.moderate = extent.moderate && has_moderate_knots(spline.axis(k));
+    }
+    for_each_point(spline, layers, [&](int64_t i) {
+        const RecordSize size = size_of(spline, i);
+        extent.moderate =
+            extent.moderate && exponent_of(size.coordinates) == 0 && exponent_of(size.weight) == 0;
+        const double length =
+            spline.form() == Form::homogeneous ? size.coordinates / size.weight : size.coordinates;
+        extent.size = std::isfinite(length) ? std::max(extent.size, length) : extent.size;
+    });
+    return extent;
+}
+
+const Extent &extent_of(const Spline &spline) {
+    const Spline::AnyTable &found = spline.slot(Spline::Table::magnitude).get([&] {
+        return Spline::AnyTable(std::make_shared<const Extent>(find_extent(spline)));
+    });
+    return *static_cast<const Extent *>(found.get());
+}
+
+// Of the length of a span, but so that no knot overflows.
+int knot_power(const KnotVector &axis, int64_t span) noexcept {
+    constexpr int most = 1000;
+    const double half = axis[span + 1] / 2 - axis[span] / 2;
+    const double largest = std::max(std::fabs(axis.knots().front()), std::fabs(axis.knots().back()));
+    return -std::max(rounded(std::ilogb(half) + 1), rounded(std::ilogb(largest)) - most);
+}
+
+// For the control points that are active at a parameter, and its spans.
+Powers powers_at(const Spline &spline, const std::array<double, 2> &placed, const AxisRules &rules) {
+    Powers powers;
+    std::array<Layers, 2> layers{};
+    for (size_t k = 0; k < static_cast<size_t>(spline.axes()); ++k) {
+        const KnotVector &axis = spline.axis(static_cast<int>(k));
+        const int64_t span = axis.find_span(placed[k], rules[k].left);
+        layers[k] = {span - axis.degree(), span + 1};
+        powers.knots[k] = knot_power(axis, span);
+    }
+    RecordSize largest;
+    for_each_point(spline, layers, [&](int64_t i) {
+        const RecordSize size = size_of(spline, i);
+        largest = {std::max(largest.coordinates, size.coordinates), std::max(largest.weight, size.weight)};
+    });
+    powers.coordinates = -exponent_of(largest.coordinates);
+    powers.weights = -exponent_of(largest.weight);
+    return powers;
+}
+
+// A list of parameters as a copy has them: where they are evaluated, whatever the rules say of the domain.
+class Runs {
+public:
+    Runs(const Spline &spline, const AxisRules &rules, ConstRecords params)
+        : spline_(spline), rules_(rules), params_(params) {
+        for (size_t k = 0; k < rules.size(); ++k) {
+            placed_rules_[k] = {rules[k].left, rules[k].nan, Outside::extrapolate};
+        }
+    }
+
+    void operator()(const std::function<void(const MagnitudeRun &)> &body) {
+        for (int64_t first = 0, end = 0; first < params_.count; first = end) {
+            const Powers powers = at(first);
+            for (end = first + 1; end < params_.count && at(end) == powers;) {
+                ++end;
+            }
+            run(first, end - first, powers, body);
+        }
+    }
+
+private:
+    [[nodiscard]] double placed(int64_t i, size_t k) const noexcept {
+        return place(params_(i, static_cast<int64_t>(k)), rules_[k],
+                     spline_.axis(static_cast<int>(k)).domain());
+    }
+
+    [[nodiscard]] Powers at(int64_t i) const {
+        std::array<double, 2> t{};
+        for (size_t k = 0; k < static_cast<size_t>(spline_.axes()); ++k) {
+            t[k] = placed(i, k);
+            if (std::isnan(t[k])) {
+                return {};
+            }
+        }
+        return powers_at(spline_, t, rules_);
+    }
+
+    void run(int64_t first, int64_t count, const Powers &powers,
+             const std::function<void(const MagnitudeRun &)> &body) const {
+        if (powers == Powers{}) {
+            ConstRecords params = params_;
+            params.data = params_.record(first);
+            params.count = count;
+            return body({spline_, rules_, params, first, 0});
+        }
+        const int64_t axes = spline_.axes();
+        std::vector<double> params(static_cast<size_t>(count * axes));
+        for (int64_t i = 0; i < count; ++i) {
+            for (int64_t k = 0; k < axes; ++k) {
+                const auto at = static_cast<size_t>(k);
+                params[static_cast<size_t>(i * axes + k)] =
+                    std::ldexp(placed(first + i, at), powers.knots[at]);
+            }
+        }
+        const SplinePtr copy = scaled(spline_, powers);
+        body({*copy, placed_rules_, {params.data(), count, axes, axes, 1}, first, powers.size(spline_)});
+    }
+
+    const Spline &spline_;
+    const AxisRules &rules_;
+    ConstRecords params_;
+    AxisRules placed_rules_;
+};
+
+} // namespace
+
+bool moderate(const Spline &spline) {
+    return extent_of(spline).moderate;
+}
+
+double active_size(const Spline &spline) {
+    return extent_of(spline).size;
+}
+
+void for_each_magnitude(const Spline &spline, const AxisRules &rules, ConstRecords params,
+                        const std::function<void(const MagnitudeRun &)> &body) {
+    Runs(spline, rules, params)(body);
+}
+
+Pending::Pending(const Records &out)
+    : out_(out), values_(out.data == nullptr ? 0 : static_cast<size_t>(out.count * out.width)) {}
+
+Records Pending::part(int64_t first, int64_t count) noexcept {
+    double *data = out_.data == nullptr ? nullptr : values_.data() + first * out_.width;
+    return {data, count, out_.width, out_.width, 1};
+}
+
+void Pending::multiply(int64_t first, int64_t count, int exponent) noexcept {
+    const Records own = part(first, count);
+    for (int64_t i = 0; own.data != nullptr && i < count * own.width; ++i) {
+        own.data[i] = std::ldexp(own.data[i], exponent);
+    }
+}
+
+void Pending::write() const noexcept {
+    for (int64_t i = 0; out_.data != nullptr && i < out_.count; ++i) {
+        for (int64_t c = 0; c < out_.width; ++c) {
+            out_(i, c) = values_[static_cast<size_t>(i * out_.width + c)];
+        }
+    }
+}
+
+} // namespace nrb
