@@ -4,6 +4,7 @@
 #include "outputs.h"
 #include "part.h"
 
+#include "base/representable.h"
 #include "base/tolerance.h"
 #include "build/placement.h"
 #include "modify/deform/bend.h"
@@ -135,8 +136,12 @@ nurbs_status nurbs_fair(const nurbs *g, int32_t order, const int32_t *keep, doub
         check_apart({memory("energies", energies, 2), memory("bound", bound, 1)},
                     {memory("keep", keep, int64_t{2} * spline.axes())});
         Faired made = fair(g->spline, order, keep, tolerance);
+        const std::array found{made.energy_before, made.energy_after};
+        if (energies != nullptr) {
+            require_representable(found, "energies");
+        }
         give(std::move(made.spline), out);
-        put_all(energies, std::array{made.energy_before, made.energy_after});
+        put_all(energies, found);
         put(bound, made.bound);
     });
 }

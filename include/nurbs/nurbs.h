@@ -3919,7 +3919,7 @@ NURBS_API nurbs_status nurbs_free_form_deform(const nurbs *g, const nurbs *volum
  *   order of derivatives that stay at the start and end of every axis, -1 for none. All control points on
  *   which they depend stay.
  * \param[in] tolerance largest distance from g, >= 0.
- * \param[out] energies [2] or NULL: before and after.
+ * \param[out] energies [2] or NULL: before and after; NULL where they overflow.
  * \param[out] bound or NULL: proven bound of the distance from g, at most the tolerance.
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _ORDER, _TOLERANCE, _OVERLAP, _OVERFLOW, _NOT_REPRESENTABLE,

@@ -126,6 +126,12 @@ class Deformations(unittest.TestCase):
         kept = wave.fair(10, keep=(1, 1))
         near(kept.spline.points, wave.points, by=1e-9)
 
+    def test_fairing_of_a_large_shape(self):
+        wave = nurbs.Spline.bezier(np.array([[0, 0], [1, 1], [2, -1], [3, 0]]) * 2.0**600)
+        made = wave.fair(2.0**604)
+        near(made.spline.eval(0.5) / 2.0**600, [1.5, 0], by=1e-9)
+        self.assertTrue(np.isinf(made.energies).all() and 0 < made.bound <= 2.0**604)
+
     def test_snapping(self):
         a, b = nurbs.line([0, 0], [1, 0]), nurbs.line([2, 2], [3, 3])
         made = a.snap_boundary((0, nurbs.NURBS_END), b, (0, nurbs.NURBS_START))

@@ -123,4 +123,61 @@ TEST(Fair, keeps_the_boundaries_of_plain_axes_by_default) {
     });
 }
 
+struct FairedShape {
+    SplineData data;
+    double energies[2] = {};
+    double bound = -1;
+};
+
+FairedShape faired(const SplineData &data, int order, double tolerance, bool energies) {
+    FairedShape result;
+    const Handle h = made([&, g = create(data)](nurbs **out) {
+        return nurbs_fair(g.get(), order, nullptr, tolerance, energies ? result.energies : nullptr,
+                          &result.bound, out);
+    });
+    result.data = read_back(h.get());
+    return result;
+}
+
+// A model and knots multiplied by powers of two give what the model gives, and an energy that overflows stands
+// in the way only of those who ask for it.
+TEST(Fair, has_no_size) {
+    int moved = 0;
+    for_each_case(1595000, 40, [&](Random &random, uint64_t seed) {
+        Recipe recipe = calm_recipe(random, random.whole(1, 2), 4, random.whole(1, 3));
+        recipe.short_numbers = true;
+        recipe.weights = random.chance(50) ? Weights::none : Weights::moderate;
+        for (AxisRecipe &axis : recipe.axes) {
+            axis = {random.whole(2, 4), axis.form, Spacing::integers, Placement::origin, 5};
+        }
+        const SplineData data = random_spline(random, recipe);
+        const int order = random.whole(1, 2), points = random.whole(-900, 900),
+                  knots = random.chance(50) ? 0 : random.whole(-300, 300);
+        const double tolerance = 0.125 * extent(data);
+        const FairedShape base = faired(data, order, tolerance, true);
+        const SplineData large = scaled(data, std::ldexp(1, points), std::ldexp(1, knots));
+        const FairedShape found = faired(large, order, std::ldexp(tolerance, points), false);
+        ASSERT_TRUE(same_bits(found.data.points, scaled(base.data, std::ldexp(1, points)).points))
+            << "2^" << points << " 2^" << knots << where(seed, data);
+        ASSERT_EQ(found.data.knots, large.knots);
+        ASSERT_EQ(found.data.weights, data.weights);
+        ASSERT_EQ(found.bound, std::ldexp(base.bound, points)) << where(seed, data);
+        moved += base.data.points != data.points ? 1 : 0;
+        const int power = 2 * points + (data.axes() - 2 * order) * knots;
+        const double energy = std::ldexp(base.energies[1], power);
+        if (std::isfinite(std::ldexp(base.energies[0], power))) {
+            const FairedShape asked = faired(large, order, std::ldexp(tolerance, points), true);
+            ASSERT_EQ(asked.energies[0], std::ldexp(base.energies[0], power)) << where(seed, data);
+            ASSERT_EQ(asked.energies[1], energy) << where(seed, data);
+        } else {
+            nurbs *out = nullptr;
+            double energies[2];
+            ASSERT_EQ(nurbs_fair(create(large).get(), order, nullptr, std::ldexp(tolerance, points), energies,
+                                 nullptr, &out),
+                      NURBS_ERROR_NOT_REPRESENTABLE);
+        }
+    });
+    EXPECT_GE(moved, of_whole_run(30));
+}
+
 } // namespace

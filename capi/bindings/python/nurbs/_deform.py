@@ -11,7 +11,7 @@ import numpy
 
 from ._arrays import address, exactly, if_given
 from ._base import SplineBase, handle_of
-from ._library import lib
+from ._library import if_representable, lib
 from .constants import NURBS_REVERSED
 from ._edit import PointEdit
 from ._reduce import Reduced
@@ -81,12 +81,15 @@ class Deformations(SplineBase):
 
     def fair(self, tolerance: float, order: int = 2, *, keep: Optional[ArrayLike] = None) -> Faired:
         """The least energy within a tolerance: of order 1 (membrane), 2 (thin plate) or 3; keep holds the orders of
-        derivatives (axes, 2) that stay at the ends, None: positions."""
+        derivatives (axes, 2) that stay at the ends, None: positions. Energies that overflow are infinite."""
         given = if_given(keep, 2 * self.axes, "keep", numpy.int32)
         energies, bound = numpy.empty(2), ctypes.c_double()
-        made = self._made(lib.nurbs_fair, self._handle, order, address(given), tolerance, energies.ctypes.data,
-                          ctypes.byref(bound))
-        return Faired(made, energies, bound.value)
+
+        def made(asked: Optional[int]) -> Spline:
+            return self._made(lib.nurbs_fair, self._handle, order, address(given), tolerance, asked,
+                              ctypes.byref(bound))
+
+        return Faired(if_representable(made, energies, inf), energies, bound.value)
 
     def snap_boundary(self, boundary: Tuple[int, int], other: SplineBase, other_boundary: Tuple[int, int],
                       order: int = 0, *, reversed: bool = False) -> Reduced:

@@ -6,11 +6,16 @@ from __future__ import annotations
 import ctypes
 import operator
 import os
-from typing import Any
+from typing import TYPE_CHECKING, Any, Callable, Optional, TypeVar
 
-from ._errors import error_class
+from ._errors import NumericError, error_class
 from ._prototypes import PROTOTYPES
-from .constants import NURBS_OK
+from .constants import NURBS_ERROR_NOT_REPRESENTABLE, NURBS_OK
+
+if TYPE_CHECKING:
+    from ._arrays import Floats
+
+_Answer = TypeVar("_Answer")
 
 
 def _integer(ctype: Any, name: str, low: int, high: int) -> Any:
@@ -99,6 +104,18 @@ def call(function: Any, *arguments: Any) -> None:
     status = _result(function, *arguments)
     if status != NURBS_OK:
         raise error_class(status)(status, status_name(status), last_error())
+
+
+def if_representable(ask: Callable[[Optional[int]], _Answer], values: Floats, otherwise: float) -> _Answer:
+    """What ask(address of the values) returns; where that overflows, what ask(None) does, and the values become
+    `otherwise`."""
+    try:
+        return ask(values.ctypes.data)
+    except NumericError as error:
+        if error.status != NURBS_ERROR_NOT_REPRESENTABLE:
+            raise
+    values.fill(otherwise)
+    return ask(None)
 
 
 def get(ctype: Any, function: Any, *arguments: Any) -> Any:
