@@ -3288,11 +3288,12 @@ NURBS_API nurbs_status nurbs_surface_area(const nurbs *g, const double *range, d
  * \param[in] relative_tolerance >= 0.
  * \param[out] content length, area or volume.
  * \param[out] centroid [dim] or NULL.
- * \param[out] inertia [dim][dim] or NULL.
+ * \param[out] inertia [dim][dim] or NULL: about the centroid. It overflows long before the content does, and
+ *   NULL leaves it out.
  * \param[out] error or NULL: estimate of the error of content.
  * \return NURBS_OK, NURBS_ERROR_NULL, _OVERLAP, _TOLERANCE; _DIMENSION if g is a volume of another
  *   dimension, _LENGTH if the content is 0 and centroid or inertia are wanted, _NOT_CONVERGED,
- *   _NOT_REPRESENTABLE.
+ *   _NOT_REPRESENTABLE naming what of these overflows.
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_moments(const nurbs *g, double relative_tolerance, double *content,
                                      double *centroid, double *inertia, double *error);
@@ -3307,7 +3308,7 @@ NURBS_API nurbs_status nurbs_moments(const nurbs *g, double relative_tolerance, 
  * \param[in] relative_tolerance >= 0.
  * \param[out] area signed.
  * \param[out] centroid [2] or NULL.
- * \param[out] inertia [2][2] or NULL.
+ * \param[out] inertia [2][2] or NULL: as for nurbs_moments().
  * \param[out] error or NULL: estimate of the error of area, gaps not included.
  * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERFLOW, _AXES, _DIMENSION, _OVERLAP, _TOLERANCE; _GAP
  *   naming the curve and the gap, _LENGTH if the area is 0 and centroid or inertia are wanted,
@@ -3326,7 +3327,7 @@ NURBS_API nurbs_status nurbs_enclosed_area(int64_t count, const nurbs *const *cu
  * \param[in] relative_tolerance >= 0.
  * \param[out] volume signed.
  * \param[out] centroid [3] or NULL.
- * \param[out] inertia [3][3] or NULL.
+ * \param[out] inertia [3][3] or NULL: as for nurbs_moments().
  * \param[out] openness or NULL: length of the vector area.
  * \param[out] error or NULL: estimate of the error of volume, gaps not included.
  * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERFLOW, _AXES, _DIMENSION, _OVERLAP, _TOLERANCE; _LENGTH

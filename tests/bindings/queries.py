@@ -144,6 +144,20 @@ class Measures(unittest.TestCase):
         near(disc.area / 1e300, pi)
         self.assertEqual(status_of(nurbs.enclosed_area, [nurbs.circle(1e200)]), nurbs.NURBS_ERROR_NOT_REPRESENTABLE)
 
+    def test_moments_that_overflow(self):
+        size = 2.0**300
+        disc = nurbs.circle(2 * size, center=[size, size])
+        wire, area = disc.moments(), nurbs.enclosed_area([disc])
+        near(wire.content / size, 4 * pi)
+        near(area.area / size**2, 4 * pi)
+        near(area.centroid / size, [1, 1])
+        self.assertTrue(np.isfinite(wire.inertia).all() and np.isnan(area.inertia).all())
+        ball = nurbs.enclosed_volume([nurbs.sphere(size)])
+        near(ball.volume / size**3, 4 / 3 * pi, by=1e-11)
+        self.assertTrue(np.isnan(ball.inertia).all())
+        ball = nurbs.sphere(size * size)
+        self.assertEqual(status_of(nurbs.enclosed_volume, [ball]), nurbs.NURBS_ERROR_NOT_REPRESENTABLE)
+
 
 class Bounds(unittest.TestCase):
     def test_boxes(self):

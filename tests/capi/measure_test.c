@@ -255,6 +255,40 @@ static nurbs *line(double x) {
     return g;
 }
 
+/* Of a square with sides of 2 size: what is not asked for may overflow. */
+static void large_regions(void) {
+    static const int32_t degree = 1;
+    static const int64_t count = 5;
+    static const double knots[] = {0, 0, 1, 2, 3, 4, 4}, corners[] = {-1, -1, 1, -1, 1, 1, -1, 1, -1, -1};
+    double points[10], area = 5, centroid[2] = {5, 5}, inertia[4], error;
+    for (int power = -500; power <= 500; power += 250) {
+        const double size = ldexp(1, power);
+        nurbs *g = NULL;
+        for (int i = 0; i < 10; ++i) {
+            points[i] = size * corners[i];
+        }
+        CHECK_OK(nurbs_create(1, &degree, &count, knots, 7, 2, points, 0, 0, NULL, 0, 0, &g));
+        const nurbs *const *curves = (const nurbs *const *)&g;
+        CHECK_OK(nurbs_enclosed_area(1, curves, 0, 0, &area, centroid, NULL, &error));
+        CHECK_NEAR(&area, &(double){4 * size * size}, 1, 1e-14 * size * size);
+        CHECK_NEAR(centroid, ((const double[]){0, 0}), 2, 1e-15 * size);
+        CHECK_OK(nurbs_moments(g, 0, &area, centroid, NULL, &error));
+        CHECK_NEAR(&area, &(double){8 * size}, 1, 1e-14 * size);
+        FILL(inertia);
+        if (power == 500) {
+            CHECK_FAILS(nurbs_enclosed_area(1, curves, 0, 0, &area, NULL, inertia, NULL),
+                        NURBS_ERROR_NOT_REPRESENTABLE, "inertia");
+            CHECK_FAILS(nurbs_moments(g, 0, &area, NULL, inertia, NULL), NURBS_ERROR_NOT_REPRESENTABLE,
+                        "inertia");
+            CHECK_UNTOUCHED(inertia);
+        } else {
+            CHECK_OK(nurbs_enclosed_area(1, curves, 0, 0, &area, NULL, inertia, NULL));
+            CHECK_NEAR(&inertia[0], &(double){ldexp(4. / 3, 4 * power)}, 1, ldexp(1e-14, 4 * power));
+        }
+        nurbs_destroy(g);
+    }
+}
+
 /* Lengths that overflow, and curves with a pole. */
 static void out_of_range(void) {
     static const int32_t degree = 1;
@@ -290,6 +324,7 @@ int main(void) {
     bodies();
     bad_curves();
     bad_shapes();
+    large_regions();
     out_of_range();
     return check_summary("measure");
 }

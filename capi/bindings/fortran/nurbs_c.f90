@@ -1477,8 +1477,8 @@ module nurbs_c
         ! --- Recognition
         !> Whether a curve is a line, circle or conic, or a surface a plane, sphere, cylinder, cone or torus:
         !> of a curve the first of point, line, circle, parabola, ellipse and hyperbola, of a surface the
-        !> first of plane, sphere, cylinder, cone and torus, from which no point of g is farther than the
-        !> tolerance.
+        !> first of point, line (both since 1.1), plane, sphere, cylinder, cone and torus, from which no point
+        !> of g is farther than the tolerance.
         function nurbs_recognize(g, tolerance, shape, placement, sizes, deviation) bind(c) result(r)
             import
             type(c_ptr), value :: g

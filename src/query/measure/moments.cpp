@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/norm.h"
+#include "base/representable.h"
 #include "eval/evaluate.h"
 #include "query/measure/curve_length.h"
 
@@ -166,11 +167,10 @@ void add_moments(const Integrals &sums, const Factors &factors, const ModelFrame
 }
 
 void check_finite(const Moments &found) {
-    const auto finite = [](double x) { return std::isfinite(x); };
-    if (!finite(found.content) || !std::all_of(found.centroid.begin(), found.centroid.end(), finite) ||
-        !std::all_of(found.inertia.begin(), found.inertia.end(), finite) || !finite(found.openness)) {
-        fail(NURBS_ERROR_NOT_REPRESENTABLE, "a content or moment overflows double precision");
-    }
+    require_representable({&found.content, 1}, "content");
+    require_representable(found.centroid, "centroid");
+    require_representable(found.inertia, "inertia");
+    require_representable({&found.openness, 1}, "openness");
 }
 
 Moments moments_of(const std::vector<Elements> &splines, const Integrand &integrand, const Factors &factors,

@@ -1791,7 +1791,8 @@ extern "C" {
     // --- Recognition
     /// Whether a curve is a line, circle or conic, or a surface a plane, sphere, cylinder, cone or torus: of
     /// a curve the first of point, line, circle, parabola, ellipse and hyperbola, of a surface the first of
-    /// plane, sphere, cylinder, cone and torus, from which no point of g is farther than the tolerance.
+    /// point, line (both since 1.1), plane, sphere, cylinder, cone and torus, from which no point of g is
+    /// farther than the tolerance.
     ///
     /// May be null: `placement`, `sizes`, `deviation`.
     pub fn nurbs_recognize(
