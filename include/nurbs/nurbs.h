@@ -73,12 +73,20 @@
  * weights hull is (max|w_i P_i| + |C(t)| max|w_i|) / |w(t)|. At clamped ends (and wherever one basis function
  * is 1 on every axis) the stored control point is returned bit for bit.
  *
- * A derivative of multi-index a (order k = |a|) of a polynomial spline is within 2 (c + 2 k) * eps * H_a,
+ * A derivative of multi-index a (order k = |a| > 0) of a polynomial spline is within 2 (c + 2 k) * eps * H_a,
  * where H_a is the largest control point of the derivative that is active at the parameter, in magnitudes:
- * H_0 = |P|, and a step along an axis replaces neighbours by (p - k + 1) (H_i + H_i+1) / (t_i+p+1 - t_i+k).
- * For a rational one the quotient rule is followed in magnitudes: E_a = (H_a[wP] + sum over 0 < b <= a of
- * binomial(a, b) H_b[w] E_(a-b)) / w(t) replaces H_a. Where the weights differ by a factor of more than 4
- * the value at the parameter of the spline with these control points takes the place of the largest of them.
+ * H_0 = |P - O|, and a step along an axis replaces neighbours by (p - k + 1) (H_i + H_i+1) / (t_i+p+1 -
+ * t_i+k); in the first step of a curve H_i + H_i+1 is |P_i - P_i+1|. For a rational one the quotient rule is
+ * followed in magnitudes: E_a = (H_a[w (P - O)] + sum over 0 < b <= a of binomial(a, b) H_b[w] E_(a-b)) /
+ * w(t) replaces H_a. Where the weights differ by a factor of more than 4 the value at the parameter of the
+ * spline with these control points takes the place of the largest of them.
+ *
+ * So moving a spline does not add to the errors of its derivatives: O is a point with |P - O| at most |P| and
+ * at most 9 E, where E is the longest side of the box of the control points with influence (a weight other
+ * than 0, and a support in the domain). If some coordinate of all points of that box is farther than 8 E from
+ * 0, O is its corner nearest to 0, with 0 for the coordinates in which the box is longer than it is far from 0;
+ * else O = 0. The points P - O of such a spline are a second copy of its control points, made with the first
+ * derivatives that need them.
  *
  * Inserting a knot and raising the degree move each homogeneous control point by at most 2 eps * hull for
  * each time (tested), one eps more in all for Cartesian points with weights; where the knots of a periodic
@@ -1616,7 +1624,7 @@ NURBS_API nurbs_status nurbs_blossom(const nurbs *g, const double *params, int64
  * then holds homogeneous points. At degree 0 on the axis it is zeros without weights. Control points of N_1
  * and w^2 are within 8 eps (tested), for each order, of p (max |A| max |w|) times 4 over the shortest
  * non-empty t_(i+p) - t_i, and of max |w|^2; step j of a higher order multiplies by 4 j p max |w| over the
- * shortest t_(i+p+1-j) - t_i.
+ * shortest t_(i+p+1-j) - t_i. The points of A are those of w (P - O), O as in the preamble.
  * \param[in] g a spline.
  * \param[in] axis 0-based axis.
  * \param[in] order 0 to NURBS_MAX_ORDER; 0 gives the same spline.

@@ -56,6 +56,20 @@ void basis_derivs(const double *knots, int degree, int64_t span, double t, int o
     }
 }
 
+void basis_values_of_lower_degrees(const double *knots, int degree, int64_t span, double t, int order,
+                                   double *values) noexcept {
+    double functions[max_basis];
+    functions[0] = 1;
+    for (int d = 0; d <= degree; ++d) {
+        if (d > 0) {
+            raise_degree(knots, d, span, t, functions);
+        }
+        if (degree - d <= order) {
+            std::copy_n(functions, d + 1, values + static_cast<int64_t>(degree - d) * (degree + 1));
+        }
+    }
+}
+
 void bernstein_derivs(int degree, double t, int order, double *values) noexcept {
     double knots[2 * max_basis];
     std::fill_n(knots, degree + 1, 0.0);

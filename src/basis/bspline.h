@@ -66,6 +66,12 @@ void basis_values(const double *knots, int degree, int64_t span, double t, doubl
 void basis_derivs(const double *knots, int degree, int64_t span, double t, int order,
                   double *values) noexcept;
 
+// values[k * (p + 1) + j] = function j of degree p - k at t, j = 0, ..., p - k, for k = 0, ..., min(order, p);
+// row 0 has the bits of basis_values(). With them the derivatives of a spline are sums of its derivatives'
+// control points.
+void basis_values_of_lower_degrees(const double *knots, int degree, int64_t span, double t, int order,
+                                   double *values) noexcept;
+
 // Index 0 or p of the function that is alone (exactly 1) at t on span s, or -1.
 inline int sole_function(const double *knots, int degree, int64_t span, double t) noexcept {
     if (degree == 0 || (t == knots[span] && t == knots[span - degree + 1])) {

@@ -3,6 +3,7 @@
 #include "eval/blocks.h"
 #include "eval/leibniz.h"
 #include "eval/spread.h"
+#include "spline/at_origin.h"
 
 #include <cmath>
 
@@ -241,7 +242,8 @@ private:
 
 void evaluate_adjoint(const Spline &spline, const AxisRules &rules, int order, ConstRecords params,
                       ConstRecords cotangents, bool accumulate, const Gradients &gradients) {
-    Adjoint(spline, rules, order, params, cotangents, accumulate, gradients).run();
+    // A gradient does not depend on where the shape lies.
+    Adjoint(at_origin(spline), rules, order, params, cotangents, accumulate, gradients).run();
 }
 
 } // namespace nrb

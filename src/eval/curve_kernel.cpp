@@ -11,6 +11,8 @@
 #include "eval/horner-inl.h"
 #include "eval/rows-inl.h"
 
+#include <cmath>
+
 HWY_BEFORE_NAMESPACE();
 namespace nrb {
 namespace HWY_NAMESPACE {
@@ -237,28 +239,100 @@ private:
             return write_nan(job_.shape.values(), out_, i);
         }
         const int64_t span = axis_.find_span(t, job_.rule.left);
-        evaluate(span, t);
-        write_records_(i, 1, job_.records);
+        if (job_.spline.has_piece(span)) {
+            horner(job_.shape.order, piece_of(span, t), degree(), job_.shape.lanes, t, job_.records);
+            write_records_(i, 1, job_.records);
+        } else {
+            write_by_recurrence(span, t, i);
+        }
         const int sole = sole_function(axis_.knots().data(), degree(), span, t);
         if (sole >= 0) {
             write_control_point(job_.spline, span - degree() + sole, out_, i);
         }
     }
 
-    void evaluate(int64_t span, double t) {
-        if (job_.spline.has_piece(span)) {
-            return horner(job_.shape.order, piece_of(span, t), degree(), job_.shape.lanes, t, job_.records);
+    // The functions of degrees p, p - 1, ... with the control points and those of the derivatives. Derivatives
+    // of the functions, whose sum is 0, would leave the rounding of the points' common part behind. For the
+    // same reason the quotient rule is applied to the curve seen from its own point at t, which is written
+    // after it.
+    void write_by_recurrence(int64_t span, double t, int64_t i) {
+        const int order = job_.shape.order;
+        basis_values_of_lower_degrees(axis_.knots().data(), degree(), span, t, order, job_.values);
+        load_window(span);
+        contract_window(0);
+        if (order == 0 || job_.quotient == nullptr) {
+            contract_derivatives(span);
+            return write_records_(i, 1, job_.records);
         }
-        basis_derivs(axis_.knots().data(), degree(), span, t, job_.shape.order, job_.values);
+        double *point = job_.piece;
+        std::copy_n(job_.records, job_.shape.lanes, point);
+        divide_record<1, 0>(job_.shape, point);
+        move_window(span, point);
+        contract_window(0);
+        contract_derivatives(span);
+        write_records_(i, 1, job_.records);
+        for (int c = 0; c < job_.shape.dim; ++c) {
+            out_(i, c) = point[c];
+        }
+    }
+
+    // The active records, padded with zeros.
+    void load_window(int64_t span) {
         const int lanes = job_.shape.lanes;
         for (int j = 0; j <= degree(); ++j) {
             double *record = job_.window + static_cast<int64_t>(j) * lanes;
             job_.spline.record_part(span - degree() + j, 0, job_.shape.width, record);
             std::fill(record + job_.shape.width, record + lanes, 0.0);
         }
-        for (int64_t s = 0; s < job_.shape.slots; ++s) {
-            contract_rows(job_.values + s * (degree() + 1), degree() + 1, job_.window, lanes, lanes,
-                          job_.records + s * lanes);
+    }
+
+    // The same as seen from a point: from stored points, whose difference is rounded once; homogeneous records
+    // have a product and a difference rounded once.
+    void move_window(int64_t span, const double *point) {
+        const Spline &spline = job_.spline;
+        for (int j = 0; j <= degree(); ++j) {
+            const int64_t i = span - degree() + j;
+            const double *stored = spline.points().data() + i * spline.stored_width();
+            double *record = job_.window + static_cast<int64_t>(j) * job_.shape.lanes;
+            const double weight = record[job_.shape.dim];
+            for (int c = 0; c < job_.shape.dim; ++c) {
+                record[c] = spline.form() == Form::rational ? weight * (stored[c] - point[c])
+                                                            : std::fma(-point[c], weight, record[c]);
+            }
+        }
+    }
+
+    // The sum for derivative k of the first functions, those of degree p - k.
+    void contract_window(int k) {
+        contract_rows(job_.values + static_cast<int64_t>(k) * (degree() + 1), degree() + 1 - k, job_.window,
+                      job_.shape.lanes, job_.shape.lanes,
+                      job_.records + static_cast<int64_t>(k) * job_.shape.lanes);
+    }
+
+    void contract_derivatives(int64_t span) {
+        const int highest = std::min(job_.shape.order, degree());
+        for (int k = 1; k <= highest; ++k) {
+            differentiate_window(span, k);
+            contract_window(k);
+        }
+        std::fill(job_.records + static_cast<int64_t>(highest + 1) * job_.shape.lanes,
+                  job_.records + job_.shape.size(), 0.0);
+    }
+
+    // From the control points of derivative k - 1 to those of derivative k, one fewer (Piegl & Tiller 3.4).
+    void differentiate_window(int64_t span, int k) {
+        const Quad d;
+        const int lanes = job_.shape.lanes;
+        const double *left = axis_.knots().data() + span - degree() + k;
+        const double *right = axis_.knots().data() + span + 1;
+        const auto factor = hn::Set(d, degree() - k + 1);
+        for (int j = 0; j <= degree() - k; ++j) {
+            const auto length = hn::Set(d, right[j] - left[j]);
+            double *record = job_.window + static_cast<int64_t>(j) * lanes;
+            for (int l = 0; l < lanes; l += quad_lanes) {
+                const auto step = hn::Sub(hn::LoadU(d, record + lanes + l), hn::LoadU(d, record + l));
+                hn::StoreU(hn::Mul(factor, hn::Div(step, length)), d, record + l);
+            }
         }
     }
 

@@ -1,6 +1,7 @@
 #include "eval/derivative_errors.h"
 
 #include "eval/jet.h"
+#include "spline/at_origin.h"
 
 #include <cmath>
 #include <limits>
@@ -75,7 +76,7 @@ DerivativeErrors derivative_errors(const Spline &spline, const AxisRules &rules,
     if (spline.point_count() / 64 > points || extrapolates(rules)) {
         return none;
     }
-    const NetSizes net = net_sizes(spline);
+    const NetSizes net = net_sizes(at_origin(spline));
     if (!(net.lightest > 0)) {
         return none;
     }

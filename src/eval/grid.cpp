@@ -1,5 +1,6 @@
 #include "base/checked.h"
 #include "eval/blocks.h"
+#include "eval/derivative_source.h"
 #include "eval/evaluate.h"
 #include "eval/grid_layout.h"
 #include "spline/axis_view.h"
@@ -183,6 +184,68 @@ bool is_narrow(const Spline &spline, const std::array<ConstRecords, max_axes> &p
     return columns < fewest_columns || (rows < fewest_rows && columns > many_columns);
 }
 
+// A grid cut along the last axis, so that a row of a strip is a block for a sink.
+class GridStrips {
+public:
+    GridStrips(const Spline &spline, const AxisRules &rules, int order,
+               const std::array<ConstRecords, max_axes> &params)
+        : last_(params[static_cast<size_t>(spline.axes() - 1)]),
+          width_(slot_count(spline.axes(), order) * spline.dim()) {
+        const auto last = static_cast<size_t>(spline.axes() - 1);
+        for (int64_t i = 0; i < count(); ++i) {
+            std::array<ConstRecords, max_axes> part = params;
+            part[last].data = last_.record(i * block_size);
+            part[last].count = length(i);
+            GridAxes shared = strips_.empty() ? GridAxes() : strips_.front()->tables();
+            shared[last] = nullptr;
+            strips_.push_back(std::make_unique<GridEvaluator>(spline, rules, order, part, std::move(shared)));
+        }
+    }
+
+    [[nodiscard]] int64_t count() const noexcept { return (last_.count + block_size - 1) / block_size; }
+
+    // Rows of strip `i` for one parameter of axis 0, through memory for a block.
+    void write(int64_t i, int64_t row, double *rows, BlockSink &sink) noexcept {
+        strips_[static_cast<size_t>(i)]->write({rows, length(i), width_, 1, block_size}, row, row + 1, &sink,
+                                               i * block_size, last_.count);
+    }
+
+private:
+    [[nodiscard]] int64_t length(int64_t i) const noexcept {
+        return std::min(block_size, last_.count - i * block_size);
+    }
+
+    ConstRecords last_;
+    int64_t width_;
+    std::vector<std::unique_ptr<GridEvaluator>> strips_;
+};
+
+// Between the derivatives of a moved surface and their sink: writes the points of the stored one over those
+// that came with them.
+class PointSink final : public BlockSink {
+public:
+    PointSink(const Spline &surface, const AxisRules &rules, const std::array<ConstRecords, max_axes> &params,
+              double *rows, BlockSink &sink)
+        : points_(surface, rules, 0, params), columns_(params[1].count), rows_(rows), sink_(sink) {}
+    virtual ~PointSink() = default;
+
+    void operator()(int64_t first, ConstRecords values) noexcept override {
+        class Nothing final : public BlockSink {
+        public:
+            virtual ~Nothing() = default;
+            void operator()(int64_t, ConstRecords) noexcept override {}
+        } nothing;
+        points_.write(first % columns_ / block_size, first / columns_, rows_, nothing);
+        sink_(first, values);
+    }
+
+private:
+    GridStrips points_;
+    int64_t columns_;
+    double *rows_;
+    BlockSink &sink_;
+};
+
 } // namespace
 
 void evaluate_grid(const Spline &spline, const AxisRules &rules, int order,
@@ -196,7 +259,16 @@ void evaluate_grid(const Spline &spline, const AxisRules &rules, int order,
     if (is_narrow(spline, params)) {
         return evaluate_combinations(spline, rules, order, params, out);
     }
-    GridEvaluator(spline, rules, order, params).write(out);
+    const Spline &source = derivative_source(spline, order);
+    GridEvaluator derivs(source, rules, order, params);
+    std::optional<GridEvaluator> points;
+    if (&source != &spline) {
+        points.emplace(spline, rules, 0, params);
+    }
+    derivs.write(out);
+    if (points) {
+        points->write({out.data, out.count, spline.dim(), out.stride, out.component_stride});
+    }
 }
 
 void evaluate_grid(const Spline &spline, const AxisRules &rules, int order,
@@ -204,30 +276,24 @@ void evaluate_grid(const Spline &spline, const AxisRules &rules, int order,
     if (spline.axes() == 1) {
         return evaluate_points(spline, rules, order, params[0], sink);
     }
-    if (is_narrow(spline, params)) {
+    const Spline &source = derivative_source(spline, order);
+    // Rows of a volume are not told apart by those of axis 0.
+    if (is_narrow(spline, params) || (&source != &spline && spline.axes() > 2)) {
         return evaluate_combinations(spline, rules, order, params, sink);
     }
-    const auto last = static_cast<size_t>(spline.axes() - 1);
     const int64_t width = slot_count(spline.axes(), order) * spline.dim();
     const std::unique_ptr<double[]> rows(
         new double[static_cast<size_t>(checked_product(width, block_size, "points"))]);
-    std::vector<std::unique_ptr<GridEvaluator>>
-        strips; // all of them first: nothing is written if memory runs out
-    for (int64_t first = 0; first < params[last].count; first += block_size) {
-        std::array<ConstRecords, max_axes> part = params;
-        part[last].data += first * params[last].stride;
-        part[last].count = std::min(block_size, params[last].count - first);
-        GridAxes shared = strips.empty() ? GridAxes() : strips.front()->tables();
-        shared[last] = nullptr;
-        strips.push_back(std::make_unique<GridEvaluator>(spline, rules, order, part, std::move(shared)));
+    // All tables first: nothing is written if memory runs out.
+    GridStrips strips(source, rules, order, params);
+    std::optional<PointSink> points;
+    if (&source != &spline) {
+        points.emplace(spline, rules, params, rows.get(), sink);
     }
     // In the order of the caller's memory.
     for (int64_t row = 0; row < params[0].count; ++row) {
-        for (size_t i = 0; i < strips.size(); ++i) {
-            const int64_t first = static_cast<int64_t>(i) * block_size;
-            const int64_t count = std::min(block_size, params[last].count - first);
-            strips[i]->write({rows.get(), count, width, 1, block_size}, row, row + 1, &sink, first,
-                             params[last].count);
+        for (int64_t i = 0; i < strips.count(); ++i) {
+            strips.write(i, row, rows.get(), points ? *points : sink);
         }
     }
 }

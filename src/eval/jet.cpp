@@ -1,6 +1,7 @@
 #include "eval/jet.h"
 
 #include "basis/bspline.h"
+#include "spline/at_origin.h"
 
 #include <algorithm>
 #include <cmath>
@@ -182,13 +183,14 @@ double accuracy_factor(int degree) noexcept {
 }
 
 void Jet::prepare(const Spline &spline) {
-    static_cast<void>(spline.records());
+    static_cast<void>(at_origin(spline).records());
     for (int k = 0; k < spline.axes(); ++k) {
         static_cast<void>(spline.axis(k).spans());
     }
 }
 
-bool Jet::evaluate(const Spline &spline, const AxisRules &rules, const double *param, int order) noexcept {
+bool Jet::evaluate(const Spline &given, const AxisRules &rules, const double *param, int order) noexcept {
+    const Spline &spline = at_origin(given);
     Series series[2];
     double c = 0;
     const bool surface = spline.axes() == 2;

@@ -1,6 +1,7 @@
 #include "base/checked.h"
 #include "eval/blocks.h"
 #include "eval/curve_kernel.h"
+#include "eval/derivative_source.h"
 #include "eval/evaluate.h"
 #include "eval/tensor_kernel.h"
 
@@ -146,6 +147,39 @@ private:
     AxisPoint points_[max_axes][axis_block_size];
 };
 
+// Points and derivatives. Where these come from a moved spline, points of the stored one are written over
+// its points, so that a point is the same with derivatives and without.
+template <class Evaluator>
+class DerivativeEvaluator {
+public:
+    template <class Rule>
+    DerivativeEvaluator(const Spline &spline, const Rule &rule, int order, int64_t uses)
+        : derivs_(derivative_source(spline, order), rule, order, uses), dim_(spline.dim()) {
+        if (&derivative_source(spline, order) != &spline) {
+            points_.emplace(spline, rule, 0, uses);
+        }
+    }
+
+    void operator()(const ConstRecords &params, const Records &out) noexcept {
+        if (!points_) {
+            return derivs_(params, out);
+        }
+        constexpr int64_t part = 512; // stays in the caches between the two
+        for (int64_t first = 0; first < params.count; first += part) {
+            const int64_t count = std::min(part, params.count - first);
+            const ConstRecords from{params.record(first), count, params.width, params.stride,
+                                    params.component_stride};
+            derivs_(from, {out.record(first), count, out.width, out.stride, out.component_stride});
+            (*points_)(from, {out.record(first), count, dim_, out.stride, out.component_stride});
+        }
+    }
+
+private:
+    Evaluator derivs_;
+    std::optional<Evaluator> points_;
+    int dim_;
+};
+
 // Parts of a list of parameters.
 class ListBlocks {
 public:
@@ -209,9 +243,9 @@ void evaluate_points(const Spline &spline, const AxisRules &rules, int order, co
         return;
     }
     if (spline.axes() == 1) {
-        CurveEvaluator(spline, rules[0], order, params.count)(params, out);
+        DerivativeEvaluator<CurveEvaluator>(spline, rules[0], order, params.count)(params, out);
     } else {
-        TensorEvaluator(spline, rules, order, params.count)(params, out);
+        DerivativeEvaluator<TensorEvaluator>(spline, rules, order, params.count)(params, out);
     }
 }
 
@@ -219,18 +253,19 @@ void evaluate_points(const Spline &spline, const AxisRules &rules, int order, co
                      BlockSink &sink) {
     const int64_t width = slot_count(spline.axes(), order) * spline.dim();
     if (spline.axes() == 1) {
-        evaluate_blocks(CurveEvaluator(spline, rules[0], order, params.count), ListBlocks(params), width,
-                        sink);
-    } else {
-        evaluate_blocks(TensorEvaluator(spline, rules, order, std::max<int64_t>(params.count, 1)),
+        evaluate_blocks(DerivativeEvaluator<CurveEvaluator>(spline, rules[0], order, params.count),
                         ListBlocks(params), width, sink);
+    } else {
+        const int64_t uses = std::max<int64_t>(params.count, 1);
+        evaluate_blocks(DerivativeEvaluator<TensorEvaluator>(spline, rules, order, uses), ListBlocks(params),
+                        width, sink);
     }
 }
 
 void evaluate_combinations(const Spline &spline, const AxisRules &rules, int order,
                            const std::array<ConstRecords, max_axes> &params, const Records &out) {
     GridBlocks blocks(params, spline.axes());
-    TensorEvaluator evaluate(spline, rules, order, out.count);
+    DerivativeEvaluator<TensorEvaluator> evaluate(spline, rules, order, out.count);
     for (int64_t first = 0; first < out.count; first += block_size) {
         const int64_t count = std::min(block_size, out.count - first);
         const Records part{out.record(first), count, out.width, out.stride, out.component_stride};
@@ -242,8 +277,8 @@ void evaluate_combinations(const Spline &spline, const AxisRules &rules, int ord
                            const std::array<ConstRecords, max_axes> &params, BlockSink &sink) {
     GridBlocks blocks(params, spline.axes());
     const int64_t width = slot_count(spline.axes(), order) * spline.dim();
-    evaluate_blocks(TensorEvaluator(spline, rules, order, std::max<int64_t>(blocks.count(), 1)), blocks,
-                    width, sink);
+    const int64_t uses = std::max<int64_t>(blocks.count(), 1);
+    evaluate_blocks(DerivativeEvaluator<TensorEvaluator>(spline, rules, order, uses), blocks, width, sink);
 }
 
 } // namespace nrb

@@ -3,6 +3,7 @@
 #include "refine/derivative.h"
 #include "refine/elevate.h"
 #include "refine/product.h"
+#include "spline/at_origin.h"
 
 #include <algorithm>
 #include <cmath>
@@ -95,7 +96,9 @@ std::vector<double> side_by_side(const Spline &numerator, const Spline &denomina
 
 } // namespace
 
-SplinePtr rational_derivative(const Spline &spline, int axis, int order) {
+// Of the shape at the origin, whose w P has no part that cancels with that of w.
+SplinePtr rational_derivative(const Spline &given, int axis, int order) {
+    const Spline &spline = at_origin(given);
     check_degrees(spline, order);
     const SplinePtr records =
         polynomial(spline.knot_vectors(), spline.width(), {spline.records().begin(), spline.records().end()});

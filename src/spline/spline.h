@@ -88,7 +88,7 @@ public:
     void curve_piece(int64_t span, double *points, double *piece) const noexcept;
 
     // Tables of the rooms that use splines, of types that only they know, each built at first use.
-    enum class Table { locator, lengths, magnitude, count };
+    enum class Table { at_origin, locator, lengths, magnitude, count };
     using AnyTable = std::shared_ptr<const void>;
     [[nodiscard]] const Lazy<AnyTable> &slot(Table table) const noexcept {
         return slots_[static_cast<size_t>(table)];

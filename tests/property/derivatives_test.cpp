@@ -4,6 +4,7 @@
 #include "support/handle.h"
 
 #include <algorithm>
+#include <cmath>
 #include <gtest/gtest.h>
 #include <numeric>
 
@@ -12,9 +13,8 @@ using reference::eps;
 
 namespace {
 
-void check_derivatives(Random &random, uint64_t seed, const Recipe &recipe, int order, int n,
+void check_derivatives(Random &random, uint64_t seed, const SplineData &data, int order, int n,
                        WorstErrors &worst) {
-    const auto data = random_spline(random, recipe);
     const auto g = create(data);
     const auto params = away_from_underflow(random_params(random, data, n));
     const auto derivs = eval_derivs(g.get(), order, params);
@@ -43,6 +43,11 @@ void check_derivatives(Random &random, uint64_t seed, const Recipe &recipe, int 
             }
         }
     }
+}
+
+void check_derivatives(Random &random, uint64_t seed, const Recipe &recipe, int order, int n,
+                       WorstErrors &worst) {
+    check_derivatives(random, seed, random_spline(random, recipe), order, n, worst);
 }
 
 void check_curves(const char *title, uint64_t base, bool rational, int cases) {
@@ -84,6 +89,81 @@ TEST(Derivatives, volumes) {
         }
         check_derivatives(random, seed, recipe, random.whole(1, 3), 2, worst);
     });
+}
+
+// To up to 1e15 times the size of the shape, where few bits of it are left: the exact derivatives are those of
+// what is stored, whose errors are measured by its own differences. Periodic copies stay equal.
+SplineData moved(Random &random, SplineData data) {
+    const double distance = random.magnitude(1, 1e15) * extent(data);
+    std::vector<double> shift;
+    for (int c = 0; c < data.dim; ++c) {
+        shift.push_back(random.chance(20) ? 0 : random.between(-1, 1) * distance);
+    }
+    for (size_t i = 0; i < data.points.size(); ++i) {
+        data.points[i] += shift[i % shift.size()];
+    }
+    return data;
+}
+
+void check_moved(Random &random, uint64_t seed, Recipe recipe, int order, int n, WorstErrors &worst) {
+    for (AxisRecipe &axis : recipe.axes) {
+        axis.spans = std::min(axis.spans, 3);
+    }
+    check_derivatives(random, seed, moved(random, random_spline(random, recipe)), order, n, worst);
+}
+
+TEST(Derivatives, of_moved_curves) {
+    WorstErrors worst("moved curves by order, unit eps * E");
+    for (int degree = 0; degree <= 31; ++degree) {
+        for_each_case(16000000 + 10000 * static_cast<uint64_t>(degree), degree > 15 ? 12 : 60,
+                      [&](Random &random, uint64_t seed) {
+                          Recipe recipe = random_recipe(random, 1, degree);
+                          recipe.axes[0].degree = degree;
+                          check_moved(random, seed, recipe, 3, 3, worst);
+                      });
+    }
+}
+
+TEST(Derivatives, of_moved_surfaces) {
+    WorstErrors worst("moved surfaces by order, unit eps * E");
+    for_each_case(17000000, 600, [&](Random &random, uint64_t seed) {
+        check_moved(random, seed, random_recipe(random, 2, random.chance(10) ? 11 : 5), 2, 2, worst);
+    });
+}
+
+TEST(Derivatives, of_moved_volumes) {
+    WorstErrors worst("moved volumes by order, unit eps * E");
+    for_each_case(18000000, 200, [&](Random &random, uint64_t seed) {
+        check_moved(random, seed, random_recipe(random, 3, 3), random.whole(1, 2), 2, worst);
+    });
+}
+
+// The greatest distance between two control points that follow each other bounds the derivative of a Bezier
+// curve, and its rounding error, wherever the curve lies.
+TEST(Derivatives, of_moved_bezier_curves_are_within_rounding_of_their_hodographs) {
+    Random random(19000000);
+    for (int degree = 1; degree <= 31; ++degree) {
+        SplineData data;
+        data.degrees = {degree};
+        data.counts = {degree + 1};
+        data.knots = {std::vector<double>(static_cast<size_t>(degree) + 1, 0.0)};
+        data.knots[0].resize(2 * data.knots[0].size(), 1.0);
+        data.dim = 1;
+        double step = 0;
+        for (int i = 0; i <= degree; ++i) {
+            data.points.push_back(1e8 + random.unit());
+            step = i == 0 ? 0 : std::max(step, std::fabs(data.points.back() - *(data.points.end() - 2)));
+        }
+        const auto g = create(data);
+        const auto hodograph = made([&](nurbs **out) { return nurbs_derivative(g.get(), 0, 1, out); });
+        for (int i = 1; i < 64; ++i) {
+            const std::vector<double> t = {i / 64.0};
+            const double bound = 4 * (static_cast<double>(reference::c_of(degree)) + 2) * degree * step *
+                                 static_cast<double>(eps);
+            EXPECT_NEAR(eval_derivs(g.get(), 1, t)[1], eval(hodograph.get(), t)[0], bound)
+                << "degree " << degree;
+        }
+    }
 }
 
 // Orders above the degree: exactly 0 when polynomial, ordinary values when rational.

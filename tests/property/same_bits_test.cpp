@@ -76,6 +76,11 @@ struct Batch {
 Batch make_batch(Random &random, int n) {
     Batch batch;
     batch.data = random_spline(random, random_recipe(random, random.whole(1, 3), 6));
+    if (random.chance(30)) { // derivatives come from a copy at the origin
+        for (double &x : batch.data.points) {
+            x += 1e6;
+        }
+    }
     batch.g = create(batch.data);
     batch.order = random.whole(0, 3);
     batch.n = static_cast<size_t>(n);

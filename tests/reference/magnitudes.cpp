@@ -62,18 +62,41 @@ Record basis_values(const Axis &axis, int degree) {
 // How the points of the last step become one: by the largest, or by the value at t.
 enum class Last { largest, value };
 
-// H_a along one axis: k steps on magnitudes, then the last.
-Record contract(const Axis &axis, int order, Last last, std::vector<Record> points) {
+Record magnitude(Record record) {
+    for (long double &x : record) {
+        x = std::fabs(x);
+    }
+    return record;
+}
+
+// Neighbours by their difference, the other steps by the sum of their magnitudes.
+std::vector<Record> differences(const std::vector<Record> &points) {
+    std::vector<Record> steps;
+    for (size_t i = 0; i + 1 < points.size(); ++i) {
+        Record step = points[i + 1];
+        for (size_t c = 0; c < step.size(); ++c) {
+            step[c] -= points[i][c];
+        }
+        steps.push_back(magnitude(std::move(step)));
+    }
+    return steps;
+}
+
+// H_a along one axis: k steps on magnitudes, then the last. `first`: the first step by differences.
+Record contract(const Axis &axis, int order, Last last, bool first, std::vector<Record> points) {
     const size_t width = points[0].size();
     if (order > axis.degree) {
         return Record(width, 0);
     }
+    const std::vector<Record> steps = first ? differences(points) : std::vector<Record>();
+    std::transform(points.begin(), points.end(), points.begin(), magnitude);
     for (int k = 1; k <= order; ++k) {
         for (size_t i = 0; i + 1 < points.size(); ++i) {
             const auto number = static_cast<int>(i);
             const long double length = axis.knot(number + axis.degree + 1) - axis.knot(number + k);
             for (size_t c = 0; c < width; ++c) {
-                points[i][c] = (axis.degree - k + 1) * (points[i][c] + points[i + 1][c]) / length;
+                const long double step = first && k == 1 ? steps[i][c] : points[i][c] + points[i + 1][c];
+                points[i][c] = (axis.degree - k + 1) * step / length;
             }
         }
         points.pop_back();
@@ -92,14 +115,15 @@ Record contract(const Axis &axis, int order, Last last, std::vector<Record> poin
 }
 
 // Contracts the last axis of `points` first; the order does not matter for a sum of positive terms.
-Record contract_all(const std::vector<Axis> &axes, const MultiIndex &a, Last last,
+Record contract_all(const std::vector<Axis> &axes, const MultiIndex &a, Last last, bool first,
                     std::vector<Record> points) {
     for (size_t k = axes.size(); k-- > 0;) {
         const auto width = static_cast<size_t>(axes[k].degree) + 1;
         std::vector<Record> fewer;
         for (size_t i = 0; i < points.size(); i += width) {
             const auto from = points.begin() + static_cast<std::ptrdiff_t>(i);
-            fewer.push_back(contract(axes[k], a[k], last, {from, from + static_cast<std::ptrdiff_t>(width)}));
+            fewer.push_back(
+                contract(axes[k], a[k], last, first, {from, from + static_cast<std::ptrdiff_t>(width)}));
         }
         points = std::move(fewer);
     }
@@ -135,6 +159,20 @@ bool uneven(const std::vector<Record> &points) {
     return !(smallest->back() > 0 && largest->back() <= 4 * smallest->back());
 }
 
+// Whether the function of a control point is not 0 on the whole domain.
+bool has_support(const SplineData &data, int64_t point) {
+    bool inside = true;
+    for (size_t k = data.degrees.size(); k-- > 0;) {
+        const auto i = static_cast<size_t>(point % data.counts[k]);
+        point /= data.counts[k];
+        const auto &knots = data.knots[k];
+        const auto axis = static_cast<int>(k);
+        const auto end = i + static_cast<size_t>(data.degrees[k]) + 1;
+        inside = inside && std::max(knots[i], data.lower(axis)) < std::min(knots[end], data.upper(axis));
+    }
+    return inside;
+}
+
 } // namespace
 
 long double weight_factor(const SplineData &data, const double *param, Sides left) {
@@ -162,26 +200,68 @@ std::vector<std::vector<long double>> magnitudes(const SplineData &data, int ord
     for (size_t k = 0; k < first.size(); ++k) {
         axes.push_back({data.knots[k].data() + first[k], data.degrees[k], param[k]});
     }
-    std::vector<Record> points;
-    for (const int64_t i : active_points(data, first)) {
-        Record record;
-        for (int c = 0; c < data.dim; ++c) {
-            record.push_back(std::fabs(static_cast<long double>(data.weight(i)) * data.coordinate(i, c)));
+    const auto seen_from = [&](const std::vector<double> &origin) {
+        std::vector<Record> points;
+        for (const int64_t i : active_points(data, first)) {
+            Record record;
+            for (int c = 0; c < data.dim; ++c) {
+                record.push_back(
+                    static_cast<long double>(data.weight(i)) *
+                    (static_cast<long double>(data.coordinate(i, c)) - origin[static_cast<size_t>(c)]));
+            }
+            if (data.rational()) {
+                record.push_back(data.weight(i));
+            }
+            points.push_back(std::move(record));
         }
-        if (data.rational()) {
-            record.push_back(data.weight(i));
-        }
-        points.push_back(std::move(record));
-    }
+        return points;
+    };
+    const std::vector<Record> points = seen_from(origin_of(data));
     const Last last = data.rational() && uneven(points) ? Last::value : Last::largest;
+    const bool differences = !data.rational() && data.axes() == 1;
     const auto indices = support::graded_indices(data.axes(), order);
     std::vector<Record> h;
     for (const MultiIndex &a : indices) {
-        h.push_back(contract_all(axes, a, last, points));
+        h.push_back(contract_all(axes, a, last, differences, points));
     }
-    return data.rational()
-               ? divide_by_weight(indices, h, contract_all(axes, indices[0], Last::value, points).back())
-               : h;
+    if (data.rational()) {
+        h = divide_by_weight(indices, h, contract_all(axes, indices[0], Last::value, false, points).back());
+    }
+    const std::vector<Record> stored = seen_from(std::vector<double>(static_cast<size_t>(data.dim)));
+    h[0] = contract_all(axes, indices[0], last, false, stored);
+    if (data.rational()) {
+        const long double weight = contract_all(axes, indices[0], Last::value, false, stored).back();
+        h[0].pop_back();
+        for (long double &x : h[0]) {
+            x /= weight;
+        }
+    }
+    return h;
+}
+
+std::vector<double> origin_of(const SplineData &data) {
+    const auto dim = static_cast<size_t>(data.dim);
+    std::vector<double> lower(dim, INFINITY);
+    std::vector<double> upper(dim, -INFINITY);
+    for (int64_t i = 0; i < data.point_count(); ++i) {
+        for (size_t c = 0; c < dim && data.weight(i) != 0 && has_support(data, i); ++c) {
+            lower[c] = std::min(lower[c], data.coordinate(i, static_cast<int>(c)));
+            upper[c] = std::max(upper[c], data.coordinate(i, static_cast<int>(c)));
+        }
+    }
+    std::vector<double> corner(dim);
+    double size = 0;
+    double distance = 0;
+    for (size_t c = 0; c < dim; ++c) {
+        corner[c] = lower[c] > 0 ? lower[c] : std::min(upper[c], 0.0);
+        size = std::max(size, upper[c] - lower[c]);
+        distance = std::max(distance, std::fabs(corner[c]));
+    }
+    for (size_t c = 0; c < dim; ++c) {
+        const bool near = distance <= 8 * size || std::fabs(corner[c]) < upper[c] - lower[c];
+        corner[c] = near ? 0 : corner[c];
+    }
+    return corner;
 }
 
 } // namespace reference

@@ -17,8 +17,12 @@ long double weight_factor(const support::SplineData &data, const double *param, 
 
 // What multiplies 2 (c + 2 |a|) eps in the bound of derivative a of coordinate c: H_a of the preamble for a
 // polynomial spline, E_a for a rational one. All terms are positive, so that long double gives them to a few
-// of its own units. magnitudes[slot][c], slots as in nurbs_eval_derivs().
+// of its own units. magnitudes[slot][c], slots as in nurbs_eval_derivs(); slot 0 has the magnitudes of the
+// point, which is not seen from O.
 std::vector<std::vector<long double>> magnitudes(const support::SplineData &data, int order,
                                                  const double *param, Sides left = {});
+
+// O of the preamble.
+std::vector<double> origin_of(const support::SplineData &data);
 
 } // namespace reference

@@ -40,6 +40,19 @@ TEST(BasisDerivs, RowZeroHasTheBitsOfTheValues) {
     }
 }
 
+TEST(BasisValuesOfLowerDegrees, AreThoseOfEachDegree) {
+    const std::vector<double> knots{-1, 0, 0.1, 0.37, 0.5, 2, 2.5, 9};
+    double all[4 * 4];
+    nrb::basis_values_of_lower_degrees(knots.data(), 3, 3, 0.4, 7, all);
+    for (int k = 0; k <= 3; ++k) {
+        double values[4];
+        nrb::basis_values(knots.data(), 3 - k, 3, 0.4, values);
+        for (int j = 0; j <= 3 - k; ++j) {
+            EXPECT_EQ(all[k * 4 + j], values[j]);
+        }
+    }
+}
+
 TEST(BasisValues, StandDenormalSpans) {
     const double tiny = std::numeric_limits<double>::denorm_min();
     const std::vector<double> knots{0, 0, 0, 8 * tiny, 8 * tiny, 8 * tiny};
