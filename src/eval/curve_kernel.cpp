@@ -251,6 +251,12 @@ private:
         }
     }
 
+    // The active records, one after the other with a stride.
+    struct ActiveRows {
+        const double *data;
+        int64_t stride;
+    };
+
     // The functions of degrees p, p - 1, ... with the control points and those of the derivatives. Derivatives
     // of the functions, whose sum is 0, would leave the rounding of the points' common part behind. For the
     // same reason the quotient rule is applied to the curve seen from its own point at t, which is written
@@ -258,69 +264,83 @@ private:
     void write_by_recurrence(int64_t span, double t, int64_t i) {
         const int order = job_.shape.order;
         basis_values_of_lower_degrees(axis_.knots().data(), degree(), span, t, order, job_.values);
-        load_window(span);
-        contract_window(0);
+        const ActiveRows rows = active_rows(span);
+        contract(0, rows);
         if (order == 0 || job_.quotient == nullptr) {
-            contract_derivatives(span);
+            contract_derivatives(span, rows);
             return write_records_(i, 1, job_.records);
         }
         double *point = job_.piece;
         std::copy_n(job_.records, job_.shape.lanes, point);
         divide_record<1, 0>(job_.shape, point);
-        move_window(span, point);
-        contract_window(0);
-        contract_derivatives(span);
+        const ActiveRows moved = rows_from(point, span, rows);
+        contract(0, moved);
+        contract_derivatives(span, moved);
         write_records_(i, 1, job_.records);
         for (int c = 0; c < job_.shape.dim; ++c) {
             out_(i, c) = point[c];
         }
     }
 
-    // The active records, padded with zeros.
-    void load_window(int64_t span) {
+    // From the table, or made by the same code.
+    ActiveRows active_rows(int64_t span) {
+        const int width = job_.shape.width;
+        const int64_t first = span - degree();
+        if (job_.net != nullptr) {
+            return {job_.net + first * width, width};
+        }
         const int lanes = job_.shape.lanes;
         for (int j = 0; j <= degree(); ++j) {
             double *record = job_.window + static_cast<int64_t>(j) * lanes;
-            job_.spline.record_part(span - degree() + j, 0, job_.shape.width, record);
-            std::fill(record + job_.shape.width, record + lanes, 0.0);
+            job_.spline.record_part(first + j, 0, width, record);
+            std::fill(record + width, record + lanes, 0.0);
         }
+        return {job_.window, lanes};
     }
 
-    // The same as seen from a point: from stored points, whose difference is rounded once; homogeneous records
-    // have a product and a difference rounded once.
-    void move_window(int64_t span, const double *point) {
+    // The rows as seen from a point: from stored points, whose difference is rounded once; homogeneous records
+    // have a product and a difference that are rounded once.
+    ActiveRows rows_from(const double *point, int64_t span, const ActiveRows &rows) {
+        const Quad d;
         const Spline &spline = job_.spline;
-        for (int j = 0; j <= degree(); ++j) {
-            const int64_t i = span - degree() + j;
-            const double *stored = spline.points().data() + i * spline.stored_width();
-            double *record = job_.window + static_cast<int64_t>(j) * job_.shape.lanes;
-            const double weight = record[job_.shape.dim];
-            for (int c = 0; c < job_.shape.dim; ++c) {
-                record[c] = spline.form() == Form::rational ? weight * (stored[c] - point[c])
-                                                            : std::fma(-point[c], weight, record[c]);
+        const int lanes = job_.shape.lanes;
+        const int dim = job_.shape.dim;
+        const double *stored = spline.points().data() + (span - degree()) * spline.stored_width();
+        double *record = job_.window;
+        for (int j = 0; j <= degree(); ++j, record += lanes, stored += spline.stored_width()) {
+            const double weight = rows.data[j * rows.stride + dim];
+            for (int c = 0; spline.form() == Form::homogeneous && c < dim; ++c) {
+                record[c] = std::fma(-point[c], weight, stored[c]);
             }
+            for (int l = 0; spline.form() == Form::rational && l < lanes; l += quad_lanes) {
+                const auto step = hn::Sub(hn::LoadU(d, stored + l), hn::LoadU(d, point + l));
+                hn::StoreU(hn::Mul(hn::Set(d, weight), step), d, record + l);
+            }
+            record[dim] = weight;
         }
+        return {job_.window, lanes};
     }
 
-    // The sum for derivative k of the first functions, those of degree p - k.
-    void contract_window(int k) {
-        contract_rows(job_.values + static_cast<int64_t>(k) * (degree() + 1), degree() + 1 - k, job_.window,
-                      job_.shape.lanes, job_.shape.lanes,
+    // The sum for derivative k of the first rows, with the functions of degree p - k. Lanes behind a record
+    // hold anything.
+    void contract(int k, const ActiveRows &rows) {
+        contract_rows(job_.values + static_cast<int64_t>(k) * (degree() + 1), degree() + 1 - k, rows.data,
+                      rows.stride, job_.shape.lanes,
                       job_.records + static_cast<int64_t>(k) * job_.shape.lanes);
     }
 
-    void contract_derivatives(int64_t span) {
+    void contract_derivatives(int64_t span, ActiveRows rows) {
         const int highest = std::min(job_.shape.order, degree());
         for (int k = 1; k <= highest; ++k) {
-            differentiate_window(span, k);
-            contract_window(k);
+            rows = differences(span, k, rows);
+            contract(k, rows);
         }
         std::fill(job_.records + static_cast<int64_t>(highest + 1) * job_.shape.lanes,
                   job_.records + job_.shape.size(), 0.0);
     }
 
     // From the control points of derivative k - 1 to those of derivative k, one fewer (Piegl & Tiller 3.4).
-    void differentiate_window(int64_t span, int k) {
+    ActiveRows differences(int64_t span, int k, const ActiveRows &rows) {
         const Quad d;
         const int lanes = job_.shape.lanes;
         const double *left = axis_.knots().data() + span - degree() + k;
@@ -328,12 +348,14 @@ private:
         const auto factor = hn::Set(d, degree() - k + 1);
         for (int j = 0; j <= degree() - k; ++j) {
             const auto length = hn::Set(d, right[j] - left[j]);
+            const double *row = rows.data + j * rows.stride;
             double *record = job_.window + static_cast<int64_t>(j) * lanes;
             for (int l = 0; l < lanes; l += quad_lanes) {
-                const auto step = hn::Sub(hn::LoadU(d, record + lanes + l), hn::LoadU(d, record + l));
+                const auto step = hn::Sub(hn::LoadU(d, row + rows.stride + l), hn::LoadU(d, row + l));
                 hn::StoreU(hn::Mul(factor, hn::Div(step, length)), d, record + l);
             }
         }
+        return {job_.window, lanes};
     }
 
     // From the table, or made by the same code.

@@ -32,6 +32,7 @@ public:
                                                   quotient_,
                                                   pieces_ != nullptr ? &curve.axis(0).spans() : nullptr,
                                                   pieces_,
+                                                  net_after(curve, pieces_ != nullptr, uses),
                                                   scratch_.take_aligned(
                                                       static_cast<size_t>(curve_group * shape_.size())),
                                                   scratch_.take(static_cast<size_t>(shape_.slots)),
@@ -42,6 +43,13 @@ public:
     void operator()(const ConstRecords &params, const Records &out) noexcept { run(job_, params, out); }
 
 private:
+    // Spans of low degree need records only where their weights are too far apart for pieces.
+    static const double *net_after(const Spline &curve, bool have_pieces, int64_t uses) {
+        const auto [smallest, largest] = curve.all_weights();
+        const bool even = largest <= 4 * smallest;
+        return even && (have_pieces || piece_degree(curve.axis(0).degree())) ? nullptr
+                                                                             : curve.records_after(uses);
+    }
     static size_t piece_size(const Spline &curve, const RecordShape &shape) noexcept {
         return static_cast<size_t>(Piece::size(curve.axis(0).degree(), shape.width));
     }
@@ -147,38 +155,51 @@ private:
     AxisPoint points_[max_axes][axis_block_size];
 };
 
-// Points and derivatives. Where these come from a moved spline, points of the stored one are written over
-// its points, so that a point is the same with derivatives and without.
+// Points and derivatives of which these come from a moved spline: points of the stored one are written over
+// those that come with them, so that a point is the same with derivatives and without.
 template <class Evaluator>
-class DerivativeEvaluator {
+class MovedEvaluator {
 public:
     template <class Rule>
-    DerivativeEvaluator(const Spline &spline, const Rule &rule, int order, int64_t uses)
-        : derivs_(derivative_source(spline, order), rule, order, uses), dim_(spline.dim()) {
-        if (&derivative_source(spline, order) != &spline) {
-            points_.emplace(spline, rule, 0, uses);
-        }
-    }
+    MovedEvaluator(const Spline &spline, const Spline &moved, const Rule &rule, int order, int64_t uses)
+        : derivs_(moved, rule, order, uses), points_(spline, rule, 0, uses), dim_(spline.dim()) {}
 
     void operator()(const ConstRecords &params, const Records &out) noexcept {
-        if (!points_) {
-            return derivs_(params, out);
-        }
         constexpr int64_t part = 512; // stays in the caches between the two
         for (int64_t first = 0; first < params.count; first += part) {
             const int64_t count = std::min(part, params.count - first);
             const ConstRecords from{params.record(first), count, params.width, params.stride,
                                     params.component_stride};
             derivs_(from, {out.record(first), count, out.width, out.stride, out.component_stride});
-            (*points_)(from, {out.record(first), count, dim_, out.stride, out.component_stride});
+            points_(from, {out.record(first), count, dim_, out.stride, out.component_stride});
         }
     }
 
 private:
     Evaluator derivs_;
-    std::optional<Evaluator> points_;
+    Evaluator points_;
     int dim_;
 };
+
+// Calls run(evaluator) with what evaluates a spline.
+template <class Evaluator, class Rule, class Run>
+void with_evaluator(const Spline &spline, const Rule &rule, int order, int64_t uses, Run &&run) {
+    const Spline &source = derivative_source(spline, order);
+    if (&source == &spline) {
+        run(Evaluator(spline, rule, order, uses));
+    } else {
+        run(MovedEvaluator<Evaluator>(spline, source, rule, order, uses));
+    }
+}
+
+void evaluate_moved(const Spline &spline, const Spline &moved, const AxisRules &rules, int order,
+                    const ConstRecords &params, const Records &out) {
+    if (spline.axes() == 1) {
+        MovedEvaluator<CurveEvaluator>(spline, moved, rules[0], order, params.count)(params, out);
+    } else {
+        MovedEvaluator<TensorEvaluator>(spline, moved, rules, order, params.count)(params, out);
+    }
+}
 
 // Parts of a list of parameters.
 class ListBlocks {
@@ -242,43 +263,46 @@ void evaluate_points(const Spline &spline, const AxisRules &rules, int order, co
     if (params.count == 0) {
         return;
     }
-    if (spline.axes() == 1) {
-        DerivativeEvaluator<CurveEvaluator>(spline, rules[0], order, params.count)(params, out);
+    const Spline &source = derivative_source(spline, order);
+    if (&source != &spline) {
+        evaluate_moved(spline, source, rules, order, params, out);
+    } else if (spline.axes() == 1) {
+        CurveEvaluator(spline, rules[0], order, params.count)(params, out);
     } else {
-        DerivativeEvaluator<TensorEvaluator>(spline, rules, order, params.count)(params, out);
+        TensorEvaluator(spline, rules, order, params.count)(params, out);
     }
 }
 
 void evaluate_points(const Spline &spline, const AxisRules &rules, int order, const ConstRecords &params,
                      BlockSink &sink) {
     const int64_t width = slot_count(spline.axes(), order) * spline.dim();
+    const int64_t uses = std::max<int64_t>(params.count, 1);
+    const auto all = [&](auto &&evaluate) { evaluate_blocks(evaluate, ListBlocks(params), width, sink); };
     if (spline.axes() == 1) {
-        evaluate_blocks(DerivativeEvaluator<CurveEvaluator>(spline, rules[0], order, params.count),
-                        ListBlocks(params), width, sink);
+        with_evaluator<CurveEvaluator>(spline, rules[0], order, uses, all);
     } else {
-        const int64_t uses = std::max<int64_t>(params.count, 1);
-        evaluate_blocks(DerivativeEvaluator<TensorEvaluator>(spline, rules, order, uses), ListBlocks(params),
-                        width, sink);
+        with_evaluator<TensorEvaluator>(spline, rules, order, uses, all);
     }
 }
 
 void evaluate_combinations(const Spline &spline, const AxisRules &rules, int order,
                            const std::array<ConstRecords, max_axes> &params, const Records &out) {
     GridBlocks blocks(params, spline.axes());
-    DerivativeEvaluator<TensorEvaluator> evaluate(spline, rules, order, out.count);
-    for (int64_t first = 0; first < out.count; first += block_size) {
-        const int64_t count = std::min(block_size, out.count - first);
-        const Records part{out.record(first), count, out.width, out.stride, out.component_stride};
-        evaluate(blocks(first, count), part);
-    }
+    with_evaluator<TensorEvaluator>(spline, rules, order, out.count, [&](auto &&evaluate) {
+        for (int64_t first = 0; first < out.count; first += block_size) {
+            const int64_t count = std::min(block_size, out.count - first);
+            const Records part{out.record(first), count, out.width, out.stride, out.component_stride};
+            evaluate(blocks(first, count), part);
+        }
+    });
 }
 
 void evaluate_combinations(const Spline &spline, const AxisRules &rules, int order,
                            const std::array<ConstRecords, max_axes> &params, BlockSink &sink) {
     GridBlocks blocks(params, spline.axes());
     const int64_t width = slot_count(spline.axes(), order) * spline.dim();
-    const int64_t uses = std::max<int64_t>(blocks.count(), 1);
-    evaluate_blocks(DerivativeEvaluator<TensorEvaluator>(spline, rules, order, uses), blocks, width, sink);
+    with_evaluator<TensorEvaluator>(spline, rules, order, std::max<int64_t>(blocks.count(), 1),
+                                    [&](auto &&evaluate) { evaluate_blocks(evaluate, blocks, width, sink); });
 }
 
 } // namespace nrb

@@ -117,12 +117,11 @@ SplinePtr moved(const Spline &spline, const std::vector<double> &corner) {
 
 } // namespace
 
-const Spline &at_origin(const Spline &spline) {
-    const Spline::AnyTable &table = spline.slot(Spline::Table::at_origin).get([&spline] {
+const Spline::AnyTable &make_at_origin(const Spline &spline) {
+    return spline.slot(Spline::Table::at_origin).get([&spline] {
         const std::vector<double> corner = far_corner(spline);
         return corner.empty() ? Spline::AnyTable() : Spline::AnyTable(moved(spline, corner));
     });
-    return table == nullptr ? spline : *static_cast<const Spline *>(table.get());
 }
 
 } // namespace nrb

@@ -6,12 +6,18 @@
 
 namespace nrb {
 
+const Spline::AnyTable &make_at_origin(const Spline &spline);
+
 // With the box of the control points that have influence (a weight other than 0, and a support in the domain)
 // and the longest side E of that box: the spline itself, if every coordinate of some point of the box is at
 // most 8 E. Else the spline less the corner O of the box that is nearest to the origin, where O has 0 for the
 // coordinates in which the box is longer than it is far. So no |P - O| in it is more than |P| or 9 E, and
 // Cartesian points in it are moved without error, homogeneous records with one rounding. The moved spline is
 // a table of the stored one, made at first use, which may throw std::bad_alloc.
-const Spline &at_origin(const Spline &spline);
+inline const Spline &at_origin(const Spline &spline) {
+    const Spline::AnyTable *ready = spline.slot(Spline::Table::at_origin).peek();
+    const Spline::AnyTable &table = ready != nullptr ? *ready : make_at_origin(spline);
+    return table == nullptr ? spline : *static_cast<const Spline *>(table.get());
+}
 
 } // namespace nrb
