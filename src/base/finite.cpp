@@ -8,6 +8,7 @@
 #include "base/finite.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 
@@ -47,11 +48,11 @@ HWY_INLINE void visit(std::span<const double> values, const More &more, const Re
     }
 }
 
-// Numbers that are not finite have all bits of the exponent set. Arithmetic with them would raise floating-point
-// exceptions.
-bool find_finite(std::span<const double> values) {
+// Whether none has all of the leading bits of the exponent set, as many as in the mask: all eleven in those that are
+// not finite, the first five from 2^961 on. Arithmetic with them would raise floating-point exceptions.
+bool find_below(std::span<const double> values, uint64_t mask) {
     const hn::RebindToUnsigned<Doubles> bits;
-    const auto exponent = hn::Set(bits, uint64_t{0x7ff0000000000000});
+    const auto exponent = hn::Set(bits, mask);
     const auto none = hn::Zero(bits);
     hn::Vec<decltype(bits)> found[strands] = {none, none, none, none};
     bool all = true;
@@ -61,7 +62,7 @@ bool find_finite(std::span<const double> values) {
             const auto high = hn::Eq(hn::And(hn::BitCast(bits, v), exponent), exponent);
             found[k] = hn::Or(found[k], hn::VecFromMask(bits, high));
         },
-        [&](double x) { all = all && std::isfinite(x); });
+        [&](double x) { all = all && (std::bit_cast<uint64_t>(x) & mask) != mask; });
     const auto any = hn::Or(hn::Or(found[0], found[1]), hn::Or(found[2], found[3]));
     return all && hn::AllTrue(bits, hn::Eq(any, none));
 }
@@ -105,12 +106,16 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace nrb {
 
-HWY_EXPORT(find_finite);
+HWY_EXPORT(find_below);
 HWY_EXPORT(find_largest);
 HWY_EXPORT(find_extremes);
 
 bool all_finite(std::span<const double> values) noexcept {
-    return HWY_DYNAMIC_DISPATCH(find_finite)(values);
+    return HWY_DYNAMIC_DISPATCH(find_below)(values, 0x7ff0000000000000);
+}
+
+bool all_moderate(std::span<const double> values) noexcept {
+    return HWY_DYNAMIC_DISPATCH(find_below)(values, 0x7c00000000000000);
 }
 
 double largest_magnitude(std::span<const double> values) noexcept {

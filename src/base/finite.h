@@ -7,6 +7,10 @@ namespace nrb {
 
 bool all_finite(std::span<const double> values) noexcept;
 
+// Whether all |value| are below 2^961, so that sums of binomial multiples do not overflow.
+inline constexpr double moderate_limit = 0x1p961;
+bool all_moderate(std::span<const double> values) noexcept;
+
 // The largest |value| that is a number; 0 without any.
 double largest_magnitude(std::span<const double> values) noexcept;
 

@@ -61,6 +61,19 @@ void check_multiplicities(int degree, std::span<const double> knots, int axis, i
 KnotVector::KnotVector(int degree, std::vector<double> knots, bool periodic) noexcept
     : degree_(degree), periodic_(periodic), knots_(std::move(knots)) {}
 
+// The function of layer i lives between its knots i and i + degree + 1.
+KnotVector::Layers KnotVector::active_layers() const noexcept {
+    const auto [lower, upper] = domain();
+    Layers layers{0, count()};
+    while ((*this)[layers.first + degree_ + 1] <= lower) {
+        ++layers.first;
+    }
+    while ((*this)[layers.end - 1] >= upper) {
+        --layers.end;
+    }
+    return layers;
+}
+
 const SpanTable &KnotVector::spans() const {
     return spans_.get([this] { return SpanTable(degree_, knots_); });
 }

@@ -29,6 +29,13 @@ public:
     [[nodiscard]] double operator[](int64_t i) const noexcept { return knots_[static_cast<size_t>(i)]; }
     [[nodiscard]] int64_t count() const noexcept { return static_cast<int64_t>(knots_.size()) - degree_ - 1; }
     [[nodiscard]] Interval domain() const noexcept { return {(*this)[degree_], (*this)[count()]}; }
+    // Layers [first, end) of control points whose functions do not vanish on the domain: all of them, but where knots
+    // before its start or behind its end repeat that end.
+    struct Layers {
+        int64_t first;
+        int64_t end;
+    };
+    [[nodiscard]] Layers active_layers() const noexcept;
     // Layers of control points that differ: count() - degree() on a periodic axis, count() on any other.
     [[nodiscard]] int64_t distinct_layers() const noexcept { return periodic_ ? count() - degree_ : count(); }
     [[nodiscard]] bool clamped_start() const noexcept { return knots_.front() == (*this)[degree_]; }

@@ -76,7 +76,8 @@ std::vector<double> active_maxima(const std::vector<double> &sizes, const AxisVi
 
 } // namespace
 
-std::vector<double> centre_of(const Spline &spline) {
+std::vector<double> centre_of(const Spline &given) {
+    const Spline &spline = given.effective();
     const auto dim = static_cast<size_t>(spline.dim());
     std::vector<double> centre(dim);
     if (spline.form() == Form::homogeneous) {
@@ -93,7 +94,8 @@ std::vector<double> centre_of(const Spline &spline) {
     return centre;
 }
 
-int weight_exponent(const Spline &spline) {
+int weight_exponent(const Spline &given) {
+    const Spline &spline = given.effective();
     double largest = 0;
     for (int64_t i = 0; i < spline.point_count(); ++i) {
         largest = std::max(largest, std::abs(spline.weight(i)));
@@ -101,8 +103,9 @@ int weight_exponent(const Spline &spline) {
     return std::ilogb(largest);
 }
 
-CentredRecords centred_records(const Spline &spline, const std::vector<double> &centre, bool weighted,
+CentredRecords centred_records(const Spline &given, const std::vector<double> &centre, bool weighted,
                                int exponent) {
+    const Spline &spline = given.effective();
     const int dim = spline.dim(), stored = spline.stored_width();
     const double reach = length(centre.data(), dim);
     CentredRecords records{dim + (weighted ? 1 : 0), weighted, true, {}, {}};

@@ -16,9 +16,10 @@ struct CentredRecords {
     std::vector<double> sizes;  // what a record is accurate to 2 eps of, by its weight: |x - c| if positive
 };
 
-// The middle of the control points' box; the origin for points that have no Cartesian place.
+// All of what follows is of control points that have influence.
+// The middle of their box; the origin for points that have no Cartesian place.
 std::vector<double> centre_of(const Spline &spline);
-// The power of two of the largest weight.
+// The power of two of their largest weight.
 int weight_exponent(const Spline &spline);
 
 // (w (x - c), w) with the weights divided by 2^exponent.

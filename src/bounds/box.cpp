@@ -36,7 +36,7 @@ double evaluation_error(const Spline &spline) {
     for (int k = 0; k < spline.axes(); ++k) {
         factor += 4 * accuracy_factor(spline.axis(k).degree());
     }
-    return factor * eps * largest_magnitude(spline.points());
+    return factor * eps * largest_magnitude(spline.effective().points());
 }
 
 // Where a place is the end of a piece the spline is the limit from inside of it.

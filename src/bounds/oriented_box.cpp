@@ -106,7 +106,7 @@ OrientedBox oriented_box(const Spline &spline, double tolerance) {
     for (size_t r = 0; r < static_cast<size_t>(dim); ++r) {
         plain[r * static_cast<size_t>(dim) + r] = 1;
     }
-    std::vector<double> turned = principal_axes(cartesian_points(spline), dim);
+    std::vector<double> turned = principal_axes(cartesian_points(spline.effective()), dim);
     const Extents straight = extents(pieces, plain, tolerance), oblique = extents(pieces, turned, tolerance);
     const bool better = content(oblique) < content(straight);
     OrientedBox box =

@@ -106,7 +106,7 @@ private:
     DerivativeErrors errors_;
 };
 
-void moderate_curvatures(const Spline &spline, const AxisRules &rules, ConstRecords params,
+void usual_curvatures(const Spline &spline, const AxisRules &rules, ConstRecords params,
                          const SurfaceCurvatures &out) {
     CurvatureSink sink(spline, rules, params, out);
     evaluate_points(spline, rules, 2, params, sink);
@@ -119,7 +119,7 @@ void curvatures_of_any_size(const Spline &spline, const AxisRules &rules, ConstR
     std::vector<int32_t> status(static_cast<size_t>(params.count));
     for_each_magnitude(spline, rules, params, [&](const MagnitudeRun &run) {
         const int64_t first = run.first, count = run.params.count;
-        moderate_curvatures(run.spline, run.rules, run.params,
+        usual_curvatures(run.spline, run.rules, run.params,
                             {principal.part(first, count), directions.part(first, count),
                              mean.part(first, count), gaussian.part(first, count), status.data() + first});
         principal.multiply(first, count, run.size);
@@ -138,7 +138,7 @@ void curvatures_of_any_size(const Spline &spline, const AxisRules &rules, ConstR
 
 void surface_curvatures(const Spline &spline, const AxisRules &rules, ConstRecords params,
                         const SurfaceCurvatures &out) {
-    moderate(spline) ? moderate_curvatures(spline, rules, params, out)
+    usual_magnitude(spline) ? usual_curvatures(spline, rules, params, out)
                      : curvatures_of_any_size(spline, rules, params, out);
 }
 

@@ -103,7 +103,7 @@ private:
     DerivativeErrors errors_;
 };
 
-void moderate_frames(const Spline &spline, const AxisRules &rules, ConstRecords params,
+void usual_frames(const Spline &spline, const AxisRules &rules, ConstRecords params,
                      const CurveFrames &out) {
     const int order = out.torsions.data == nullptr ? 2 : 3;
     CurveSink sink(spline, rules, params, order, out);
@@ -118,7 +118,7 @@ void frames_of_any_size(const Spline &spline, const AxisRules &rules, ConstRecor
     std::vector<int32_t> status(static_cast<size_t>(params.count));
     for_each_magnitude(spline, rules, params, [&](const MagnitudeRun &run) {
         const int64_t first = run.first, count = run.params.count;
-        moderate_frames(run.spline, run.rules, run.params,
+        usual_frames(run.spline, run.rules, run.params,
                         {{},
                          tangents.part(first, count),
                          normals.part(first, count),
@@ -143,7 +143,7 @@ void frames_of_any_size(const Spline &spline, const AxisRules &rules, ConstRecor
 } // namespace
 
 void curve_frames(const Spline &spline, const AxisRules &rules, ConstRecords params, const CurveFrames &out) {
-    moderate(spline) ? moderate_frames(spline, rules, params, out)
+    usual_magnitude(spline) ? usual_frames(spline, rules, params, out)
                      : frames_of_any_size(spline, rules, params, out);
 }
 

@@ -13,8 +13,8 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // Sums of the magnitudes of the terms of derivatives 1 and 2 of all basis functions of an axis: each step
-// from degree d - 1 multiplies by at most 2 d / min(t_(i+d) - t_i), the functions of the lowest degree add up
-// to 1.
+// from degree d - 1 multiplies by at most 2 d / min(t_(i+d) - t_i) over the functions of that degree that do not
+// vanish on the domain, the functions of the lowest degree add up to 1.
 struct AxisSizes {
     double first = 0;
     double second = 0;
@@ -22,10 +22,11 @@ struct AxisSizes {
 
 double step_size(const KnotVector &axis, int d) noexcept {
     const std::span<const double> knots = axis.knots();
+    const auto [lower, upper] = axis.domain();
     double least = infinity;
     for (size_t i = 0; i + static_cast<size_t>(d) < knots.size(); ++i) {
-        const double difference = knots[i + static_cast<size_t>(d)] - knots[i];
-        least = difference > 0 ? std::min(least, difference) : least;
+        const double from = knots[i], to = knots[i + static_cast<size_t>(d)];
+        least = from < upper && to > lower && from < to ? std::min(least, to - from) : least;
     }
     return 2 * d / least;
 }
@@ -47,7 +48,7 @@ struct NetSizes {
 
 NetSizes net_sizes(const Spline &spline) {
     NetSizes sizes;
-    const std::span<const double> records = spline.records();
+    const std::span<const double> records = spline.effective().records();
     const auto dim = static_cast<size_t>(spline.dim());
     const auto width = static_cast<size_t>(spline.width());
     sizes.lightest = spline.rational() ? infinity : 1;

@@ -9,11 +9,11 @@ namespace nrb {
 namespace {
 
 // Within 2^-64 and 2^64 no square of a product of two derivatives of order 2 comes near the limits.
-constexpr int moderate_exponent = 64;
+constexpr int usual_exponent = 64;
 
 // A multiple of it, so that few copies serve a spline of many sizes.
 int rounded(int exponent) noexcept {
-    return exponent / moderate_exponent * moderate_exponent;
+    return exponent / usual_exponent * usual_exponent;
 }
 
 // The exponent of a size; 0 of 0.
@@ -41,24 +41,7 @@ RecordSize size_of(const Spline &spline, int64_t i) noexcept {
     return size;
 }
 
-// Layers of control points of an axis.
-struct Layers {
-    int64_t first = 0;
-    int64_t end = 1;
-};
-
-// The layers whose functions do not vanish on the domain.
-Layers active_layers(const KnotVector &axis) noexcept {
-    const auto [lower, upper] = axis.domain();
-    Layers layers{0, axis.count()};
-    while (axis[layers.first + axis.degree() + 1] <= lower) {
-        ++layers.first;
-    }
-    while (axis[layers.end - 1] >= upper) {
-        --layers.end;
-    }
-    return layers;
-}
+using Layers = KnotVector::Layers;
 
 // Calls visit(i) for the control points of some layers of each axis.
 template <class Visit>
@@ -71,7 +54,7 @@ void for_each_point(const Spline &spline, const std::array<Layers, 2> &layers, V
     }
 }
 
-bool has_moderate_knots(const KnotVector &axis) noexcept {
+bool has_usual_knots(const KnotVector &axis) noexcept {
     for (int64_t i = axis.degree(); i < axis.count(); ++i) {
         const double length = axis[i + 1] - axis[i];
         if (exponent_of(length) != 0 || !std::isfinite(length)) {
@@ -83,25 +66,24 @@ bool has_moderate_knots(const KnotVector &axis) noexcept {
 
 // What is found once for a spline.
 struct Extent {
-    bool moderate = true;
+    bool usual = true;
     double size = 0;
 };
 
-Extent find_extent(const Spline &spline) {
+Extent find_extent(const Spline &given) {
+    const Spline &spline = given.effective();
     Extent extent;
-    std::array<Layers, 2> layers{};
     for (int k = 0; k < spline.axes(); ++k) {
-        layers[static_cast<size_t>(k)] = active_layers(spline.axis(k));
-        extent.moderate = extent.moderate && has_moderate_knots(spline.axis(k));
+        extent.usual = extent.usual && has_usual_knots(spline.axis(k));
     }
-    for_each_point(spline, layers, [&](int64_t i) {
+    for (int64_t i = 0; i < spline.point_count(); ++i) {
         const RecordSize size = size_of(spline, i);
-        extent.moderate =
-            extent.moderate && exponent_of(size.coordinates) == 0 && exponent_of(size.weight) == 0;
+        extent.usual =
+            extent.usual && exponent_of(size.coordinates) == 0 && exponent_of(size.weight) == 0;
         const double length =
             spline.form() == Form::homogeneous ? size.coordinates / size.weight : size.coordinates;
         extent.size = std::isfinite(length) ? std::max(extent.size, length) : extent.size;
-    });
+    }
     return extent;
 }
 
@@ -123,7 +105,7 @@ int knot_power(const KnotVector &axis, int64_t span) noexcept {
 // For the control points that are active at a parameter, and its spans.
 Powers powers_at(const Spline &spline, const std::array<double, 2> &placed, const AxisRules &rules) {
     Powers powers;
-    std::array<Layers, 2> layers{};
+    std::array<Layers, 2> layers{{{0, 1}, {0, 1}}};
     for (size_t k = 0; k < static_cast<size_t>(spline.axes()); ++k) {
         const KnotVector &axis = spline.axis(static_cast<int>(k));
         const int64_t span = axis.find_span(placed[k], rules[k].left);
@@ -206,8 +188,8 @@ private:
 
 } // namespace
 
-bool moderate(const Spline &spline) {
-    return extent_of(spline).moderate;
+bool usual_magnitude(const Spline &spline) {
+    return extent_of(spline).usual;
 }
 
 double active_size(const Spline &spline) {

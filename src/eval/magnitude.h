@@ -10,12 +10,12 @@
 
 namespace nrb {
 
-// Whether all numbers of a spline are moderate: 0 or within 2^-64 and 2^64; found once for a spline, by reading
+// Whether all numbers of a spline are 0 or within 2^-64 and 2^64; found once for a spline, by reading
 // all of it. Preconditions of all: 1 or 2 axes.
-bool moderate(const Spline &spline);
+bool usual_magnitude(const Spline &spline);
 
 // Parameters that follow each other and where the same powers of two make the numbers that are active
-// moderate, with what to evaluate in place of them: the spline itself at these parameters, or a copy.
+// usual, with what to evaluate in place of them: the spline itself at these parameters, or a copy.
 struct MagnitudeRun {
     const Spline &spline;
     const AxisRules &rules;

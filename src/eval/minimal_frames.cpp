@@ -210,7 +210,7 @@ std::optional<Vector3> checked_normal(const double *normal, const std::optional<
     return given;
 }
 
-void moderate_frames(const Spline &spline, const AxisRules &rules, ConstRecords params,
+void usual_frames(const Spline &spline, const AxisRules &rules, ConstRecords params,
                      const double *first_normal, const MinimalFrames &out) {
     std::optional<Vector3> normal;
     if (first_normal != nullptr) {
@@ -248,7 +248,7 @@ void frames_of_any_size(const Spline &spline, const AxisRules &rules, ConstRecor
 
 void minimal_frames(const Spline &spline, const AxisRules &rules, ConstRecords params,
                     const double *first_normal, const MinimalFrames &out) {
-    moderate(spline) ? moderate_frames(spline, rules, params, first_normal, out)
+    usual_magnitude(spline) ? usual_frames(spline, rules, params, first_normal, out)
                      : frames_of_any_size(spline, rules, params, first_normal, out);
 }
 

@@ -131,13 +131,13 @@ private:
     std::array<double, dim * block_size> normals_{};
 };
 
-void moderate_frames(const Spline &spline, const AxisRules &rules, ConstRecords params,
+void usual_frames(const Spline &spline, const AxisRules &rules, ConstRecords params,
                      const SurfaceFrames &out) {
     FrameSink sink(spline, rules, ListParameters(params), out);
     evaluate_points(spline, rules, 1, params, sink);
 }
 
-void moderate_frames(const Spline &spline, const AxisRules &rules,
+void usual_frames(const Spline &spline, const AxisRules &rules,
                      const std::array<ConstRecords, max_axes> &params, const SurfaceFrames &out) {
     FrameSink sink(spline, rules, GridParameters(params), out);
     evaluate_grid(spline, rules, 1, params, sink);
@@ -152,13 +152,13 @@ void frames_of_any_size(const Spline &spline, const AxisRules &rules, ConstRecor
     std::vector<int32_t> status(static_cast<size_t>(list.count));
     if (out.normals.data != nullptr || out.status != nullptr) {
         for_each_magnitude(spline, rules, list, [&](const MagnitudeRun &run) {
-            moderate_frames(
+            usual_frames(
                 run.spline, run.rules, run.params,
                 {{}, {}, {}, normals.part(run.first, run.params.count), status.data() + run.first});
         });
     }
     if (out.points.data != nullptr || out.du.data != nullptr || out.dv.data != nullptr) {
-        moderate_frames(spline, rules, params, {out.points, out.du, out.dv, {}, nullptr});
+        usual_frames(spline, rules, params, {out.points, out.du, out.dv, {}, nullptr});
     }
     normals.write();
     if (out.status != nullptr) {
@@ -181,14 +181,14 @@ std::vector<double> list_of(const std::array<ConstRecords, max_axes> &params) {
 
 void surface_frames(const Spline &spline, const AxisRules &rules, ConstRecords params,
                     const SurfaceFrames &out) {
-    moderate(spline) ? moderate_frames(spline, rules, params, out)
+    usual_magnitude(spline) ? usual_frames(spline, rules, params, out)
                      : frames_of_any_size(spline, rules, params, params, out);
 }
 
 void surface_frames(const Spline &spline, const AxisRules &rules,
                     const std::array<ConstRecords, max_axes> &params, const SurfaceFrames &out) {
-    if (moderate(spline)) {
-        return moderate_frames(spline, rules, params, out);
+    if (usual_magnitude(spline)) {
+        return usual_frames(spline, rules, params, out);
     }
     const std::vector<double> list = list_of(params);
     frames_of_any_size(spline, rules, {list.data(), std::ssize(list) / 2, 2, 2, 1}, params, out);

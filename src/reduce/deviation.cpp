@@ -120,7 +120,8 @@ double radius_about(const Spline &spline, const double *centre) noexcept {
 
 } // namespace
 
-double speed_bound(const Spline &spline, int axis) {
+double speed_bound(const Spline &given, int axis) {
+    const Spline &spline = given.effective();
     constexpr double infinite = std::numeric_limits<double>::infinity();
     if (!(spline.all_weights().smallest > 0)) {
         return infinite;

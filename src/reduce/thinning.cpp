@@ -92,6 +92,7 @@ Thinning::Thinning(const Spline &spline, int axis, bool forgive_rounding)
       layers_left_(axis_.distinct_layers()), points_(layer_records(spline, axis)) {
     link_knots();
     link_layers();
+    note_inert_places();
     gap_.resize(static_cast<size_t>(length_));
     trial_.resize(static_cast<size_t>(length_) * (max_basis + 2));
     queue_all();
@@ -119,6 +120,27 @@ void Thinning::link_layers() {
     layers_.reserve(static_cast<size_t>(count));
     for (int64_t i = 0; i < count; ++i) {
         layers_.push_back({(i + 1) % count, (i + count - 1) % count, false, true});
+    }
+}
+
+// The layers of every other axis in turn, the last one fastest.
+void Thinning::note_inert_places() {
+    std::vector<char> inert{0};
+    for (int k = 0; k < spline_.axes(); ++k) {
+        if (k == axis_index_) {
+            continue;
+        }
+        const auto [first, end] = spline_.axis(k).active_layers();
+        std::vector<char> finer;
+        for (const char before : inert) {
+            for (int64_t i = 0; i < spline_.count(k); ++i) {
+                finer.push_back(before != 0 || i < first || i >= end ? 1 : 0);
+            }
+        }
+        inert = std::move(finer);
+    }
+    if (std::find(inert.begin(), inert.end(), 1) != inert.end()) {
+        inert_ = std::move(inert);
     }
 }
 
@@ -220,6 +242,9 @@ double Thinning::cost(const Window &window) noexcept {
     find_gap(window);
     double largest = 0;
     for (int64_t at = 0; at < length_; at += width_) {
+        if (!inert_.empty() && inert_[static_cast<size_t>(at / width_)] != 0) {
+            continue;
+        }
         const double one = spline_.rational() ? column_cost(window, at) : norm(gap_.data() + at, width_);
         if (!(one <= largest)) {
             largest = one;

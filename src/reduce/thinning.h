@@ -72,6 +72,7 @@ private:
 
     void link_knots();
     void link_layers();
+    void note_inert_places();
     [[nodiscard]] bool last_copy(int64_t knot) const noexcept;
     [[nodiscard]] bool removable(int64_t knot) const noexcept;
     // False where the window meets itself.
@@ -104,6 +105,8 @@ private:
     std::vector<Knot> knots_;
     std::vector<Layer> layers_;
     std::vector<double> points_; // layer by layer
+    // The places of a layer whose functions of the other axes vanish on the domain; empty if there are none.
+    std::vector<char> inert_;
     std::vector<double> gap_;
     std::vector<double> trial_; // layers of a window, solved before they are known to be wanted
     std::vector<Candidate> heap_;

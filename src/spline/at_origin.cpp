@@ -11,39 +11,6 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double far_in_sizes = 8;
 
-// Layers of an axis whose functions do not vanish on the whole domain.
-struct Layers {
-    int64_t first = 0;
-    int64_t last = 0;
-};
-
-Layers active_layers(const KnotVector &axis) noexcept {
-    const Interval domain = axis.domain();
-    return {axis.find_span(domain.lower, false) - axis.degree(), axis.find_span(domain.upper, true)};
-}
-
-// Calls visit(i) for the control points with influence while it returns true.
-template <class Visit>
-void visit_influential(const Spline &spline, Visit &&visit) {
-    std::array<Layers, max_axes> layers{};
-    std::array<int64_t, max_axes> counts{1, 1, 1};
-    for (int k = 0; k < spline.axes(); ++k) {
-        layers[static_cast<size_t>(k)] = active_layers(spline.axis(k));
-        counts[static_cast<size_t>(k)] = spline.count(k);
-    }
-    const auto [u, v, w] = layers;
-    for (int64_t i = u.first; i <= u.last; ++i) {
-        for (int64_t j = v.first; j <= v.last; ++j) {
-            const int64_t row = (i * counts[1] + j) * counts[2];
-            for (int64_t k = w.first; k <= w.last; ++k) {
-                if (spline.weight(row + k) != 0 && !visit(row + k)) {
-                    return;
-                }
-            }
-        }
-    }
-}
-
 class Box {
 public:
     explicit Box(int dim) : lower_(static_cast<size_t>(dim), infinity), upper_(lower_.size(), -infinity) {}
@@ -91,14 +58,19 @@ private:
 std::vector<double> far_corner(const Spline &spline) {
     Box box(spline.dim());
     bool far = false;
-    visit_influential(spline, [&](int64_t point) {
-        box.add(spline, point);
-        return far = box.far();
-    });
+    for (int64_t i = 0; i < spline.point_count(); ++i) {
+        if (spline.weight(i) == 0) { // at infinity
+            continue;
+        }
+        box.add(spline, i);
+        far = box.far();
+        if (!far) {
+            break;
+        }
+    }
     return far ? box.corner() : std::vector<double>();
 }
 
-// A point without influence may be so far away that it has to stay.
 SplinePtr moved(const Spline &spline, const std::vector<double> &corner) {
     std::vector<double> points(spline.points().begin(), spline.points().end());
     const auto width = static_cast<size_t>(spline.stored_width());
@@ -106,8 +78,7 @@ SplinePtr moved(const Spline &spline, const std::vector<double> &corner) {
         double *record = points.data() + static_cast<size_t>(i) * width;
         const double weight = spline.form() == Form::homogeneous ? spline.weight(i) : 1;
         for (size_t c = 0; c < corner.size(); ++c) {
-            const double x = std::fma(-corner[c], weight, record[c]);
-            record[c] = std::isfinite(x) ? x : record[c];
+            record[c] = std::fma(-corner[c], weight, record[c]);
         }
     }
     return std::make_shared<const Spline>(
@@ -119,8 +90,9 @@ SplinePtr moved(const Spline &spline, const std::vector<double> &corner) {
 
 const Spline::AnyTable &make_at_origin(const Spline &spline) {
     return spline.slot(Spline::Table::at_origin).get([&spline] {
-        const std::vector<double> corner = far_corner(spline);
-        return corner.empty() ? Spline::AnyTable() : Spline::AnyTable(moved(spline, corner));
+        const Spline &effective = spline.effective();
+        const std::vector<double> corner = far_corner(effective);
+        return corner.empty() ? Spline::AnyTable() : Spline::AnyTable(moved(effective, corner));
     });
 }
 

@@ -3,6 +3,7 @@
 #include "spline/spline.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace nrb {
@@ -32,12 +33,25 @@ Spline::WeightRange Spline::weight_range(int64_t first, int64_t count) const noe
 }
 
 bool Spline::has_pieces(int k) const noexcept {
-    return piece_degree(axis(k).degree()) && even(all_weights_);
+    return piece_degree(axis(k).degree()) && even_weights_;
 }
 
 bool Spline::has_piece(int64_t span) const noexcept {
     const int degree = axis(0).degree();
-    return axis(0).has_piece(span) && (even(all_weights_) || even(weight_range(span - degree, degree + 1)));
+    return axis(0).has_piece(span) && (even_weights_ || even(weight_range(span - degree, degree + 1))) &&
+           (moderate_.load(std::memory_order_relaxed) || moderate_window(span));
+}
+
+bool Spline::moderate_window(int64_t span) const noexcept {
+    bool moderate = true;
+    for (int64_t i = span - axis(0).degree(); i <= span; ++i) {
+        const double factor = form_ == Form::rational ? scaled_weight(i) : 1;
+        for (int c = 0; c < stored_width(); ++c) {
+            const double value = factor * points_[static_cast<size_t>(i * stored_width() + c)];
+            moderate = moderate && std::abs(value) < moderate_limit;
+        }
+    }
+    return moderate;
 }
 
 // From the basis of a span, whose points are copied to `points`: [degree + 1][lanes].
@@ -71,6 +85,7 @@ void Spline::curve_piece(int64_t span, double *points, double *piece) const noex
 }
 
 PieceArray Spline::curve_pieces() const {
+    static_cast<void>(moderate()); // which spares a look at every window
     const SpanTable &spans = axis(0).spans();
     const int degree = axis(0).degree();
     PieceArray pieces(spans.size(), Piece::size(degree, width()));

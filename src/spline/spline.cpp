@@ -1,5 +1,7 @@
 #include "spline/spline.h"
 
+#include "base/finite.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -10,11 +12,27 @@ namespace nrb {
 namespace {
 
 // A common factor of the weights cancels. Weights that are all so small or so large that their products would
-// leave double precision are brought near 1 by a power of two, which is exact.
-int common_exponent(double largest_weight) noexcept {
+// leave double precision are brought near 1 by a power of two, which is exact. `all` includes the weights of control
+// points without influence, which are no reason to scale, but must not overflow.
+int common_exponent(double active, double all) noexcept {
     constexpr int harmless = 256;
-    const int exponent = std::ilogb(largest_weight);
-    return std::abs(exponent) <= harmless ? 0 : exponent;
+    const int exponent = active > 0 ? std::ilogb(active) : 0;
+    if (std::abs(exponent) <= harmless) {
+        return 0;
+    }
+    return exponent > 0 ? exponent : std::min(std::ilogb(all), 0);
+}
+
+// Whether products of weights with moderate points are moderate, given the largest of both.
+bool moderate_product(double weight, std::span<const double> points) noexcept {
+    constexpr double usual = 0x1p40; // leaves room enough below overflow
+    return weight <= usual || weight * largest_magnitude(points) < moderate_limit;
+}
+
+// Whether no function of an axis vanishes on the domain.
+bool all_active(const KnotVector &axis) noexcept {
+    const auto [lower, upper] = axis.domain();
+    return axis[axis.degree() + 1] > lower && axis[axis.count() - 1] < upper;
 }
 
 } // namespace
@@ -24,10 +42,34 @@ Spline::Spline(Axes axes, int dim, Form form, std::vector<double> points, std::v
       points_(std::move(points)), weights_(std::move(weights)) {
     points_.reserve(points_.size() + padding); // no more than that
     points_.resize(points_.size() + padding);
+    inert_ =
+        !std::all_of(axes_.begin(), axes_.end(), [](const KnotVectorPtr &axis) { return all_active(*axis); });
     if (rational()) {
-        all_weights_ = weight_range(0, point_count());
-        weight_exponent_ = form_ == Form::rational ? common_exponent(all_weights_.largest) : 0;
+        set_weights();
     }
+}
+
+void Spline::set_weights() noexcept {
+    all_weights_ = weight_range(0, point_count());
+    const WeightRange active = inert_ ? active_weight_range() : all_weights_;
+    even_weights_ = even(active);
+    if (form_ != Form::rational) {
+        return;
+    }
+    inert_ = inert_ || all_weights_.smallest == 0;
+    weight_exponent_ = common_exponent(active.largest, all_weights_.largest);
+}
+
+bool Spline::moderate() const noexcept {
+    if (!moderate_.load(std::memory_order_relaxed)) {
+        const double largest = all_weights_.largest;
+        const double scaled = weight_exponent_ == 0 ? largest : std::ldexp(largest, -weight_exponent_);
+        const bool found =
+            all_moderate(points()) && (form_ != Form::rational || moderate_product(scaled, points()));
+        moderate_.store(found, std::memory_order_relaxed);
+        return found;
+    }
+    return true;
 }
 
 int64_t Spline::point_count() const noexcept {

@@ -7,6 +7,7 @@
 #include "basis/pieces.h"
 
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -22,6 +23,9 @@ enum class Form {
     rational,    // points of dim coordinates, and weights apart
     homogeneous, // records of dim + 1: (w x, w y, ..., w)
 };
+
+class Spline;
+using SplinePtr = std::shared_ptr<const Spline>;
 
 class Spline {
 public:
@@ -70,13 +74,22 @@ public:
         double largest = 1;
     };
     [[nodiscard]] WeightRange all_weights() const noexcept { return all_weights_; }
+    // Whether all stored values are finite and so far from overflow that differences of records are, too.
+    [[nodiscard]] bool moderate() const noexcept;
     // Coordinate c of Cartesian control point i; homogeneous points are divided by their weight.
     [[nodiscard]] double coordinate(int64_t i, int c) const noexcept;
 
+    // The same shape without control points that have no influence: those whose function vanishes on the domain, and
+    // those of weight 0 that are not at infinity, are moved onto others that have some. Whatever takes a scale, a
+    // hull or a bound of rounding from control points takes it from this one. It is kept with the spline, and mostly
+    // is the spline itself.
+    [[nodiscard]] const Spline &effective() const;
+
     // Whether span `span` of a curve, or every span of an axis of any spline, is evaluated from polynomial
-    // pieces: the degree is at most max_piece_degree, and the weights are positive with a ratio of at most 4,
-    // so that rounding relative to the largest weight is harmless. Other spans go by the recurrences, whose
-    // basis functions are accurate relative to themselves.
+    // pieces: the degree is at most max_piece_degree, and the weights (of an axis: those that have influence) are positive with a
+    // ratio of at most 4, so that rounding relative to the largest weight is harmless; and of a curve, no
+    // difference of its records overflows. Other spans go by the recurrences, whose basis functions are accurate
+    // relative to themselves.
     [[nodiscard]] bool has_piece(int64_t span) const noexcept;
     [[nodiscard]] bool has_pieces(int k) const noexcept;
 
@@ -96,7 +109,11 @@ public:
 
 private:
     static bool even(WeightRange range) noexcept;
+    void set_weights() noexcept;
     [[nodiscard]] WeightRange weight_range(int64_t first, int64_t count) const noexcept;
+    [[nodiscard]] WeightRange active_weight_range() const noexcept;
+    [[nodiscard]] bool moderate_window(int64_t span) const noexcept;
+    [[nodiscard]] SplinePtr without_inert_points() const;
     [[nodiscard]] PieceArray curve_pieces() const;
     void combine(int64_t span, const double *basis, const double *rests, double *points,
                  double *piece) const noexcept;
@@ -114,13 +131,15 @@ private:
     std::vector<double> weights_;
     int weight_exponent_ = 0;
     WeightRange all_weights_;
+    bool even_weights_ = true; // of the control points that have influence
+    bool inert_ = false;       // some control points have no influence
     Lazy<std::vector<double>> records_;
     Lazy<PieceArray> pieces_;
+    Lazy<SplinePtr> effective_;
     std::array<Lazy<AnyTable>, static_cast<size_t>(Table::count)> slots_;
     Uses uses_;
+    mutable std::atomic<bool> moderate_{false}; // known to be
 };
-
-using SplinePtr = std::shared_ptr<const Spline>;
 
 // Points and weights that are not finite are a mistake of who gave them, with statuses of their own, or overflow of
 // what was computed: NURBS_ERROR_NOT_REPRESENTABLE.

@@ -88,7 +88,7 @@ DeformedShape free_form_deform(const SplinePtr &spline, const SplinePtr &volume,
     Judge judge;
     if (degree > 0) {
         const SplinePtr exact = compose(volume, in_parameters(*spline, box));
-        const double rounding = 64 * eps * degree * largest_magnitude(volume->points());
+        const double rounding = 64 * eps * degree * largest_magnitude(volume->effective().points());
         judge = [exact, rounding](const SplinePtr &, const SplinePtr &candidate, Cuts &) {
             return deviation(*exact, *candidate).upper + rounding;
         };

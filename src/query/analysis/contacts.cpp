@@ -61,13 +61,13 @@ double gap_of_ends(const Spline &curve) {
     }
     const KnotVector &axis = curve.axis(0);
     const bool exact = axis.clamped_start() && axis.clamped_end() && curve.form() != Form::homogeneous;
-    const double hull = exact ? 0 : largest_magnitude(cartesian_points(curve)) * std::sqrt(curve.dim());
+    const double hull = exact ? 0 : largest_magnitude(cartesian_points(curve.effective())) * std::sqrt(curve.dim());
     return distance(ends[0].data(), ends[1].data(), curve.dim()) * (1 + (curve.dim() + 4) * eps) +
            64 * eps * hull;
 }
 
 double size_of(const Spline &boundary) {
-    const std::vector<double> points = cartesian_points(boundary);
+    const std::vector<double> points = cartesian_points(boundary.effective());
     const auto n = static_cast<size_t>(boundary.dim());
     bool point = true;
     for (size_t i = n; i < points.size() && point; ++i) {

@@ -231,7 +231,7 @@ Flatness straightness(const Spline &spline) {
 }
 
 Flatness planarity(const Spline &spline) {
-    const std::vector<double> axes = principal_axes(cartesian_points(spline), 3);
+    const std::vector<double> axes = principal_axes(cartesian_points(spline.effective()), 3);
     const SplinePieces pieces(spline, whole_domain(spline));
     std::vector<double> normal(axes.begin() + 6, axes.end());
     const auto largest = std::max_element(normal.begin(), normal.end(),

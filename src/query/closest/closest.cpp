@@ -76,15 +76,18 @@ private:
         }
     }
     // What is proven holds for the place that was found; the distance of its parameter, which is rounded, may
-    // differ.
+    // differ, or overflow.
     void settle(Foot &foot, double distance) const {
-        const bool proven = (foot.status & NURBS_CLOSEST_CERTIFIED) != 0;
-        if (proven && (asked_->farthest ? foot.distance - distance : distance - foot.distance) >
-                          asked_->tolerance + foot.noise) {
+        if ((foot.status & NURBS_CLOSEST_CERTIFIED) != 0 && !keeps(foot, distance)) {
             foot.status ^= NURBS_CLOSEST_CERTIFIED | NURBS_CLOSEST_COARSE;
         }
         foot.distance = distance;
         foot.status |= static_cast<int32_t>(foot.left) * NURBS_CLOSEST_LEFT;
+    }
+    [[nodiscard]] bool keeps(const Foot &foot, double distance) const noexcept {
+        const double worse = asked_->farthest ? foot.distance - distance : distance - foot.distance;
+        return std::isfinite(distance) && std::isfinite(foot.noise) &&
+               worse <= asked_->tolerance + foot.noise;
     }
     [[nodiscard]] double *point(int64_t k) noexcept { return feet_.data() + k * spline_.dim(); }
     [[nodiscard]] double distance(int64_t i, const double *foot) const noexcept {

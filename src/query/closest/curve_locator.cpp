@@ -75,7 +75,9 @@ CriticalSet CurveLocator::critical(const Query &query, double apart, double with
 }
 
 CriticalSet CurveLocator::critical(const Query &query) const {
-    return critical(query, query.tolerance, std::numeric_limits<double>::infinity());
+    CriticalSet set = critical(query, query.tolerance, std::numeric_limits<double>::infinity());
+    set.settle();
+    return set;
 }
 
 CriticalSet CurveLocator::minima(const Query &query) const {
@@ -96,6 +98,7 @@ CriticalSet CurveLocator::minima(const Query &query) const {
     set.status &= ~NURBS_CLOSEST_CERTIFIED;
     set.status |= (certified ? NURBS_CLOSEST_CERTIFIED : 0) | (best.status & NURBS_CLOSEST_BUDGET);
     set.status |= set.points.size() > 1 ? NURBS_CLOSEST_NOT_UNIQUE : 0;
+    set.settle();
     return set;
 }
 

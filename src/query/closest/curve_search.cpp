@@ -29,7 +29,11 @@ public:
           margin_(std::ldexp(query.tolerance + distance_noise(tree, query.point), -tree.exponent())),
           best_(tree, sign_, margin_) {
         for (int c = 0; c < tree.dim(); ++c) {
-            x_[c] = std::ldexp(query.point[c] - tree.centre()[static_cast<size_t>(c)], -tree.exponent());
+            const double centre = tree.centre()[static_cast<size_t>(c)];
+            x_[c] = std::ldexp(query.point[c] - centre, -tree.exponent());
+            if (!std::isfinite(x_[c])) { // of opposite signs, and both near overflow
+                x_[c] = std::ldexp(query.point[c], -tree.exponent()) - std::ldexp(centre, -tree.exponent());
+            }
         }
     }
 
@@ -287,7 +291,7 @@ HWY_EXPORT(run_descent);
 
 double distance_noise(const CurveTree &tree, const double *point) noexcept {
     const double reach = tree.size() + norm(point, tree.dim());
-    return tree.rounding() * std::numeric_limits<double>::epsilon() * reach;
+    return tree.rounding() * std::numeric_limits<double>::epsilon() * reach + underflow_noise;
 }
 
 CurveSearchResult search(const CurveTree &tree, const Query &query) {

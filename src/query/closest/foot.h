@@ -6,8 +6,12 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 
 namespace nrb {
+
+// What gradual underflow may add to a distance, since coordinates that small are rounded to a multiple of it.
+inline constexpr double underflow_noise = 64 * std::numeric_limits<double>::denorm_min();
 
 // The answer to one query. Status: NURBS_CLOSEST_ bits.
 struct Foot {

@@ -3,6 +3,7 @@
 
 #include "query/closest/foot.h"
 
+#include <cmath>
 #include <vector>
 
 namespace nrb {
@@ -10,6 +11,13 @@ namespace nrb {
 struct CriticalSet {
     std::vector<CriticalPoint> points; // in the order of their parameters
     int32_t status = 0;                // NURBS_CLOSEST_ bits
+
+    // Nothing is certified of a distance that overflows.
+    void settle() noexcept {
+        for (const CriticalPoint &point : points) {
+            status &= std::isfinite(point.foot.distance) ? status : ~NURBS_CLOSEST_CERTIFIED;
+        }
+    }
 };
 
 // Immutable: any number of threads may ask at once.

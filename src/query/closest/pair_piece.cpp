@@ -18,7 +18,7 @@ constexpr double eps = std::numeric_limits<double>::epsilon();
 PairFrame pair_frame(const Spline &a, const Spline &b) {
     const auto dim = static_cast<size_t>(a.dim());
     std::vector<double> lower(dim, std::numeric_limits<double>::infinity()), upper(dim, -lower[0]);
-    for (const Spline *spline : {&a, &b}) {
+    for (const Spline *spline : {&a.effective(), &b.effective()}) {
         for (int64_t i = 0; i < spline->point_count(); ++i) {
             for (size_t c = 0; c < dim && spline->weight(i) != 0; ++c) {
                 const double x = spline->coordinate(i, static_cast<int>(c));
@@ -28,13 +28,13 @@ PairFrame pair_frame(const Spline &a, const Spline &b) {
         }
     }
     PairFrame frame;
-    double extent = 0; // a quarter of it
+    double extent = 0; // half of it, which does not overflow
     for (size_t c = 0; c < dim; ++c) {
         const bool any = std::isfinite(lower[c]) && std::isfinite(upper[c]);
         frame.centre.push_back(any ? lower[c] / 2 + upper[c] / 2 : 0);
-        extent = std::max(extent, any ? upper[c] / 4 - lower[c] / 4 : 0);
+        extent = std::max(extent, any ? upper[c] / 2 - lower[c] / 2 : 0);
     }
-    frame.exponent = extent > 0 ? std::max(std::ilogb(extent) + 2, -1000) : 0;
+    frame.exponent = extent > 0 ? std::ilogb(extent) + 1 : 0;
     return frame;
 }
 
@@ -96,7 +96,10 @@ void PairPiece::update() {
     for (int c = 0; c < dim(); ++c) {
         size_ = std::max(size_, upper()[c] - lower()[c]);
     }
-    moved_ = apart_ + 4 * eps * reach + 1.05 * (record_error_ + reach * weight_error_) / least;
+    moved_ = apart_ + 4 * eps * reach;
+    if (weight_error_ > 0) { // else a control point of weight 0 is 0, and has no place to be moved from
+        moved_ += 1.05 * (record_error_ + reach * weight_error_) / least;
+    }
     positive_ = positive_ && std::isfinite(moved_);
 }
 
@@ -179,7 +182,8 @@ std::vector<PairPiece> pair_pieces(const Spline &spline, const PairFrame &frame,
     const BernsteinNet net(spline, records, breaks, degrees);
     const auto count = static_cast<size_t>(net.shape().coefficients());
     const auto dim = static_cast<size_t>(spline.dim());
-    const double scale = std::ldexp(1.0, -frame.exponent);
+    // not a factor, which would overflow for the smallest models
+    const auto scaled = [&frame](double x) { return std::ldexp(x, -frame.exponent); };
     std::vector<double> points(count * dim), weights(count, 1.0);
     std::vector<PairPiece> pieces(static_cast<size_t>(net.pieces()));
     for (size_t e = 0; e < pieces.size(); ++e) {
@@ -191,7 +195,7 @@ std::vector<PairPiece> pair_pieces(const Spline &spline, const PairFrame &frame,
         net.copy(piece.index_, points.data(), net.weighted() ? weights.data() : nullptr);
         for (size_t i = 0; i < count; ++i) {
             for (size_t c = 0; c < dim; ++c) {
-                piece.values_.push_back(points[i * dim + c] * scale);
+                piece.values_.push_back(scaled(points[i * dim + c]));
             }
             piece.values_.push_back(weights[i]);
         }
@@ -204,9 +208,9 @@ std::vector<PairPiece> pair_pieces(const Spline &spline, const PairFrame &frame,
             rest /= n;
         }
         if (net.positive()) {
-            piece.apart_ = 1.01 * 2 * net.error() * net.size(piece.index_) * scale;
+            piece.apart_ = 1.01 * 2 * net.error() * scaled(net.size(piece.index_));
         } else {
-            piece.record_error_ = net.error() * net.largest_record() * scale;
+            piece.record_error_ = net.error() * scaled(net.largest_record());
             piece.weight_error_ = net.error() * net.largest_weight();
         }
         piece.update();

@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "base/norm.h"
 #include "eval/evaluate.h"
+#include "query/closest/foot.h"
 #include "query/closest/pair_bound.h"
 #include "query/closest/pair_cells.h"
 #include "spline/kind.h"
@@ -186,9 +187,10 @@ PairDistance pair_distance(const Spline &a, const Spline &b, double tolerance, i
     if (!std::isfinite(result.at_most)) {
         fail(NURBS_ERROR_NOT_REPRESENTABLE, "the distance overflows double precision");
     }
-    result.at_least = std::min(std::ldexp(search.at_least(), frame.exponent), result.at_most);
-    result.certified =
-        result.at_most - result.at_least <= tolerance + std::ldexp(2 * search.noise(), frame.exponent);
+    const double least = std::ldexp(search.at_least(), frame.exponent) - underflow_noise;
+    result.at_least = std::max(0.0, std::min(least, result.at_most));
+    const double rounding = std::ldexp(2 * search.noise(), frame.exponent) + 2 * underflow_noise;
+    result.certified = std::isfinite(rounding) && result.at_most - result.at_least <= tolerance + rounding;
     return result;
 }
 

@@ -20,6 +20,7 @@ CriticalSet PatchLocator::minima(const Query &query) const {
         set.points.push_back({foot, NURBS_CRITICAL_MINIMUM});
         set.status |= foot.status;
     }
+    set.settle();
     return set;
 }
 
@@ -41,6 +42,7 @@ CriticalSet PatchLocator::critical(const Query &query) const {
     if (!(least <= near.distance + slack && most >= far.distance - slack)) {
         set.status &= ~NURBS_CLOSEST_CERTIFIED;
     }
+    set.settle();
     return set;
 }
 

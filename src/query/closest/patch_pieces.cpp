@@ -21,8 +21,9 @@ int64_t multiplicity(const KnotVector &axis, double t) noexcept {
     return last - first;
 }
 
-// The middle of the box of the control points; without those of weight 0 and those at infinity.
-std::vector<double> middle_of(const Spline &spline) {
+// The middle of the box of the control points that have influence, but for those at infinity.
+std::vector<double> middle_of(const Spline &given) {
+    const Spline &spline = given.effective();
     std::vector<double> centre;
     for (int c = 0; c < spline.dim(); ++c) {
         double low = infinite, high = -infinite;
@@ -108,7 +109,7 @@ void PatchPieces::copy(const Spline &spline) {
         }
     }
     positive_ = net.positive();
-    set_sizes(spline, records.sizes);
+    set_sizes(spline.effective(), records.sizes);
     if (positive_) { // |A - A*| <= error H w and |w - w*| <= error w
         moved_ = (net.weighted() ? 2.02 : 1.01) * net.error() * radius_;
     } else {

@@ -14,7 +14,8 @@ public:
         return pieces.unscaled(scaled_noise(pieces, point));
     }
     static double scaled_noise(const PatchPieces &pieces, const double *point) noexcept {
-        return pieces.allowance() * pieces.weight_ratio() * (pieces.size() + pieces.magnitude(point));
+        return pieces.allowance() * pieces.weight_ratio() * (pieces.size() + pieces.magnitude(point)) +
+               pieces.scaled(underflow_noise);
     }
     // The minimum that a descent from these parameters comes to.
     Foot local(const double *guess);

@@ -9,22 +9,13 @@
 
 namespace nrb {
 
-namespace {
-
-// Whether a control point is somewhere: a weight of 0 that is not at infinity counts for nothing.
-bool placed(const Spline &spline, int64_t i) noexcept {
-    return spline.weight(i) != 0;
-}
-
-} // namespace
-
 ModelFrame model_frame(const Spline *const *splines, int64_t count) {
     const auto dim = static_cast<size_t>(splines[0]->dim());
     std::vector<double> lower(dim, std::numeric_limits<double>::infinity()), upper(dim, -lower[0]);
     for (int64_t s = 0; s < count; ++s) {
-        const Spline &spline = *splines[s];
+        const Spline &spline = splines[s]->effective();
         for (int64_t i = 0; i < spline.point_count(); ++i) {
-            for (size_t c = 0; c < dim && placed(spline, i); ++c) {
+            for (size_t c = 0; c < dim && spline.weight(i) != 0; ++c) {
                 const double x = spline.coordinate(i, static_cast<int>(c));
                 lower[c] = std::min(lower[c], x);
                 upper[c] = std::max(upper[c], x);
@@ -118,7 +109,7 @@ void cut_row(int degree, double lower, double upper, double *values) noexcept {
 }
 
 Elements::Elements(const Spline &spline, const ModelFrame &frame, const Part &part)
-    : spline_(spline), frame_(frame), scale_(std::ldexp(1.0, -frame.exponent)) {
+    : spline_(spline.effective()), frame_(frame), scale_(std::ldexp(1.0, -frame.exponent)) {
     for (int k = 0; k < spline.axes(); ++k) {
         const KnotVector &axis = spline.axis(k);
         const auto at = static_cast<size_t>(k);

@@ -94,8 +94,9 @@ bool find(int32_t kind, const Spline &spline, const ShapeSamples &samples, doubl
 
 } // namespace
 
-Recognition recognize(const Spline &spline, double tolerance) {
-    check_admitted(spline);
+Recognition recognize(const Spline &given, double tolerance) {
+    check_admitted(given);
+    const Spline &spline = given.effective();
     const int exponent = size_exponent(spline);
     const SplinePtr unit = scaled(spline, {.coordinates = -exponent});
     require_representable(unit->points(), "scaled points");
