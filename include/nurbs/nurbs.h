@@ -65,10 +65,11 @@
  *
  * This table is tested, not proved: comparison with exact arithmetic, and searches for the worst case, find
  * at most 0.95 of it. The method changes in one place: spans of degree 1 to 9 whose active weights (for
- * surfaces and volumes: all weights) are positive and differ by a factor of at most 4 are evaluated as
- * polynomials in a local parameter centred on the span, all others (and spans of a few units of rounding,
- * spans shorter than 2^-100, and those whose knots reach over more than 2^500 or 2^500 times their length) by
- * the Cox-de Boor recurrence, for which 7 p + 2 is proved. With the polynomials c is multiplied by that
+ * surfaces and volumes: all weights that are active somewhere) are positive and differ by a factor of at most
+ * 4 are evaluated as polynomials in a local parameter centred on the span, all others (and spans of a few
+ * units of rounding, spans shorter than 2^-100, those whose knots reach over more than 2^500 or 2^500 times
+ * their length, and those of curves with a control point of 2^961 or more) by the Cox-de Boor recurrence, for
+ * which 7 p + 2 is proved. With the polynomials c is multiplied by that
  * factor, the largest of these weights over the smallest; no other ratio of weights enters. With signed
  * weights hull is (max|w_i P_i| + |C(t)| max|w_i|) / |w(t)|. At clamped ends (and wherever one basis function
  * is 1 on every axis) the stored control point is returned bit for bit.
@@ -96,6 +97,10 @@
  *
  * The bounds assume rounding to nearest and gradual underflow. Neither they nor proofs hold in a thread that
  * uses other modes, as in programs that g++ before version 13 links with -ffast-math.
+ *
+ * A control point without influence, which is one whose basis function vanishes on the domain (at an end that
+ * is not clamped, and whose knot repeats) or one of weight 0 that is not at infinity, enters no scale, bound
+ * or proof: no answer depends on where it is.
  *
  * All bounds hold barring underflow and overflow: a component too large for double precision comes out as an
  * infinity or NaN, without a status. One parameter gives the same bits alone, in a batch of any order and
@@ -2965,8 +2970,8 @@ NURBS_API nurbs_status nurbs_recognize(const nurbs *g, double tolerance, int32_t
  * NURBS_CLOSEST_BUDGET in place of NURBS_CLOSEST_CERTIFIED; pieces of more than 256 control points count
  * more than once. Of those with more than 1024, of volumes of high degrees, hulls alone are looked at,
  * which seldom is proof enough. Where parameters are so large, or spans so short, that the point of the
- * rounded parameter is worse than what was proven, NURBS_CLOSEST_COARSE takes the place of
- * NURBS_CLOSEST_CERTIFIED. Weights have to be > 0;
+ * rounded parameter is worse than what was proven, or where its distance overflows, NURBS_CLOSEST_COARSE takes
+ * the place of NURBS_CLOSEST_CERTIFIED. Weights have to be > 0;
  * splines with others are searched in the same way, and certified where the Bezier pieces have positive
  * weights all the same.
  *
