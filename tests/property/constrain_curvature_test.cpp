@@ -142,6 +142,44 @@ TEST(Constrain, curvature_holds) {
     ASSERT_GT(solved_cases, support::of_whole_run(20));
 }
 
+// A model and knots multiplied by powers of two give what the model gives.
+TEST(Constrain, curvature_has_no_size) {
+    int solved_cases = 0;
+    for_each_case(1498000, 60, [&](Random &random, uint64_t seed) {
+        const SplineData data = roomy(random, 1, 8, false);
+        if (data.dim < 2 || data.degrees[0] < 3) {
+            return;
+        }
+        Set set = value_set(random, data, 1);
+        const Bend now = bend_at(data, set.params);
+        set.kinds = {NURBS_CONSTRAIN_CURVATURE};
+        for (size_t c = 0; c < now.curvature.size(); ++c) {
+            set.targets[c] = static_cast<double>(now.curvature[c]) * 1.1;
+        }
+        set.tolerance = 1e-12 * extent(data);
+        const Result base = constrain(create(data).get(), set);
+        const int points = random.whole(-800, 800), knots = random.chance(50) ? 0 : random.whole(-200, 200);
+        const double size = std::ldexp(1, points);
+        Set other = set;
+        other.tolerance *= size;
+        other.params[0] = std::ldexp(set.params[0], knots);
+        for (double &target : other.targets) {
+            target /= size;
+        }
+        const Result found = constrain(create(scaled(data, size, std::ldexp(1, knots))).get(), other);
+        ASSERT_EQ(found.status, base.status) << last_error() << where(seed, data);
+        if (base.status != NURBS_OK) {
+            return;
+        }
+        ++solved_cases;
+        ASSERT_TRUE(same_bits(read_back(found.g.get()).points, scaled(read_back(base.g.get()), size).points))
+            << where(seed, data) << points << " " << knots;
+        ASSERT_EQ(found.moved, base.moved * size);
+        ASSERT_EQ(found.residuals[0], std::ldexp(base.residuals[0], -points)) << where(seed, data);
+    });
+    ASSERT_GT(solved_cases, support::of_whole_run(20));
+}
+
 // Two tangents that are met best by a curve that stands still: no curvature is there to speak of.
 TEST(Constrain, curvature_is_not_excused_where_a_curve_stands_still) {
     SplineData data{{2}, {3}, {{0, 0, 0, 1, 1, 1}}, 3, {}, {}, 0};

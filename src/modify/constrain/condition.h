@@ -15,7 +15,9 @@ public:
     Condition(int32_t kind, const Orders &orders, const double *param, const double *target, int axes,
               int dim);
 
+    [[nodiscard]] int32_t kind() const noexcept { return kind_; }
     [[nodiscard]] const double *param() const noexcept { return param_; }
+    [[nodiscard]] const double *target() const noexcept { return target_; }
     [[nodiscard]] std::span<const Orders> derivatives() const noexcept { return derivatives_; }
     [[nodiscard]] int equations() const noexcept { return equations_; }
     // Whether every equation is linear in one derivative: its coefficients do not change.

@@ -3,14 +3,52 @@
 #include "modify/constrain/equations.h"
 #include "modify/constrain/linear_constraints.h"
 #include "modify/constrain/programming.h"
+#include "modify/near_one.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace nrb {
 
-Constrained constrain(const Spline &spline, const std::vector<Condition> &conditions, const ChangeRule &rule,
-                      double tolerance) {
-    const Columns columns = make_columns(spline, conditions, rule);
+namespace {
+
+// The conditions of a curve as they are for one that is multiplied by powers of two.
+class ScaledConditions {
+public:
+    ScaledConditions(const Spline &curve, const std::vector<Condition> &conditions, const Powers &powers)
+        : size_(powers.size(curve)), knots_(powers.knots[0]), dim_(curve.dim()),
+          numbers_(conditions.size() * static_cast<size_t>(1 + dim_)) {
+        double *at = numbers_.data();
+        for (const Condition &condition : conditions) {
+            const double *const param = at;
+            *at++ = std::ldexp(*condition.param(), knots_);
+            const bool direction =
+                condition.kind() == NURBS_CONSTRAIN_DIRECTION || condition.kind() == NURBS_CONSTRAIN_NORMAL;
+            for (int c = 0; c < dim_; ++c) {
+                at[c] = std::ldexp(condition.target()[c], direction ? 0 : power(condition));
+            }
+            scaled_.emplace_back(condition.kind(), condition.derivatives()[0], param, at, 1, dim_);
+            at += dim_;
+        }
+    }
+
+    [[nodiscard]] const std::vector<Condition> &conditions() const noexcept { return scaled_; }
+    // Of the left sides.
+    [[nodiscard]] int power(const Condition &condition) const noexcept {
+        return condition.kind() == NURBS_CONSTRAIN_CURVATURE ? -size_
+                                                             : size_ - knots_ * condition.derivatives()[0][0];
+    }
+
+private:
+    int size_;
+    int knots_;
+    int dim_;
+    std::vector<double> numbers_;
+    std::vector<Condition> scaled_;
+};
+
+Constrained constrained(const Spline &spline, const std::vector<Condition> &conditions,
+                        const Columns &columns, double tolerance) {
     NetState state(spline, columns);
     if (columns.point_costs.empty() && columns.weight_costs.empty()) {
         check_influence(state, all_equations(state, conditions, tolerance)); // which none has
@@ -19,6 +57,32 @@ Constrained constrain(const Spline &spline, const std::vector<Condition> &condit
                                     [](const Condition &condition) { return condition.linear(); });
     return linear && columns.weight_costs.empty() ? solve_linear(state, conditions, tolerance)
                                                   : solve_by_programming(state, conditions, tolerance);
+}
+
+} // namespace
+
+Constrained constrain(const Spline &spline, const std::vector<Condition> &conditions, const ChangeRule &rule,
+                      double tolerance) {
+    const Columns columns = make_columns(spline, conditions, rule);
+    // Curvatures, which are asked of curves only, have squares of lengths; moves have no common size with
+    // changes of weights.
+    const bool squares = std::any_of(conditions.begin(), conditions.end(),
+                                     [](const Condition &condition) { return !condition.linear(); });
+    const Powers powers = squares && columns.weight_costs.empty() ? powers_near_one(spline, 1) : Powers{};
+    if (powers == Powers{}) {
+        return constrained(spline, conditions, columns, tolerance);
+    }
+    const int size = powers.size(spline);
+    const ScaledConditions scaled_conditions(spline, conditions, powers);
+    const SplinePtr near_one = scaled(spline, powers);
+    Constrained made =
+        constrained(*near_one, scaled_conditions.conditions(), columns, std::ldexp(tolerance, size));
+    made.spline = scaled_back(*made.spline, spline, powers);
+    made.moved = std::ldexp(made.moved, -size);
+    for (size_t i = 0; i < conditions.size(); ++i) {
+        made.residuals[i] = std::ldexp(made.residuals[i], -scaled_conditions.power(conditions[i]));
+    }
+    return made;
 }
 
 } // namespace nrb

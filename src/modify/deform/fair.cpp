@@ -9,8 +9,8 @@
 #include "modify/deform/sparse_system.h"
 #include "modify/edit/kept_layers.h"
 #include "modify/edit/net_editor.h"
+#include "modify/near_one.h"
 #include "refine/homogeneous.h"
-#include "spline/scaled.h"
 
 #include <algorithm>
 #include <cmath>
@@ -194,43 +194,6 @@ private:
     double best_energy_ = 0;
     double bound_ = 0;
 };
-
-// What brings the coordinates, the weights and the shortest of the axes that have an energy near 1, so that
-// neither squares nor powers of knots overflow or vanish; nothing where they are not far from it.
-Powers powers_near_one(const Spline &spline, int order) {
-    constexpr int near_one = 64;
-    const auto power = [](double size) {
-        const int exponent = size > 0 && std::isfinite(size) ? std::ilogb(size) : 0;
-        return std::abs(exponent) <= near_one ? 0 : -exponent;
-    };
-    double coordinates = 0, weights = 0, shortest = HUGE_VAL;
-    for (int64_t i = 0; i < spline.point_count(); ++i) {
-        const double *stored = spline.points().data() + i * spline.stored_width();
-        for (int c = 0; c < spline.dim(); ++c) {
-            coordinates = std::max(coordinates, std::abs(stored[c]));
-        }
-        weights = std::max(weights, std::abs(spline.weight(i)));
-    }
-    for (int k = 0; k < spline.axes(); ++k) {
-        const Interval domain = spline.axis(k).domain();
-        if (spline.axis(k).degree() >= order) {
-            shortest = std::min(shortest, domain.upper / 2 - domain.lower / 2);
-        }
-    }
-    Powers powers{.coordinates = power(coordinates), .weights = spline.rational() ? power(weights) : 0};
-    // One for all axes, whose energies are added.
-    std::fill_n(powers.knots.begin(), spline.axes(), power(shortest));
-    return powers;
-}
-
-// The coordinates of a result on the knots and with the weights of the spline that was given.
-SplinePtr scaled_back(const Spline &result, const Spline &given, const Powers &powers) {
-    const SplinePtr points = scaled(result, {.coordinates = -powers.coordinates, .weights = -powers.weights});
-    require_representable(points->points(), "control points");
-    return make_result(given.knot_vectors(), given.dim(), given.form(),
-                       std::vector<double>(points->points().begin(), points->points().end()),
-                       std::vector<double>(given.weights().begin(), given.weights().end()));
-}
 
 // At least x 2^exponent.
 double rounded_up(double x, int exponent) noexcept {

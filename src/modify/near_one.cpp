@@ -1,0 +1,43 @@
+#include "modify/near_one.h"
+
+#include "base/representable.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nrb {
+
+Powers powers_near_one(const Spline &spline, int degree) {
+    constexpr int near_one = 64;
+    const auto power = [](double size) {
+        const int exponent = size > 0 && std::isfinite(size) ? std::ilogb(size) : 0;
+        return std::abs(exponent) <= near_one ? 0 : -exponent;
+    };
+    double coordinates = 0, weights = 0, shortest = HUGE_VAL;
+    for (int64_t i = 0; i < spline.point_count(); ++i) {
+        const double *stored = spline.points().data() + i * spline.stored_width();
+        for (int c = 0; c < spline.dim(); ++c) {
+            coordinates = std::max(coordinates, std::abs(stored[c]));
+        }
+        weights = std::max(weights, std::abs(spline.weight(i)));
+    }
+    for (int k = 0; k < spline.axes(); ++k) {
+        const Interval domain = spline.axis(k).domain();
+        if (spline.axis(k).degree() >= degree) {
+            shortest = std::min(shortest, domain.upper / 2 - domain.lower / 2);
+        }
+    }
+    Powers powers{.coordinates = power(coordinates), .weights = spline.rational() ? power(weights) : 0};
+    std::fill_n(powers.knots.begin(), spline.axes(), power(shortest));
+    return powers;
+}
+
+SplinePtr scaled_back(const Spline &result, const Spline &given, const Powers &powers) {
+    const SplinePtr points = scaled(result, {.coordinates = -powers.coordinates, .weights = -powers.weights});
+    require_representable(points->points(), "control points");
+    return make_result(given.knot_vectors(), given.dim(), given.form(),
+                       std::vector<double>(points->points().begin(), points->points().end()),
+                       std::vector<double>(given.weights().begin(), given.weights().end()));
+}
+
+} // namespace nrb

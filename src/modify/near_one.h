@@ -1,0 +1,16 @@
+// Splines brought near 1 in size, for methods whose squares would overflow or vanish, and back.
+#pragma once
+
+#include "spline/scaled.h"
+
+namespace nrb {
+
+// What brings the coordinates, the weights and the shortest of the axes of at least a degree near 1, all axes by
+// one power of two; nothing where they are not far from it.
+Powers powers_near_one(const Spline &spline, int degree);
+
+// The coordinates of a result, divided by these powers, on the knots and with the weights of the spline that was
+// multiplied by them. Throws NURBS_ERROR_NOT_REPRESENTABLE.
+SplinePtr scaled_back(const Spline &result, const Spline &given, const Powers &powers);
+
+} // namespace nrb
