@@ -69,25 +69,25 @@
  * 4 are evaluated as polynomials in a local parameter centred on the span, all others (and spans of a few
  * units of rounding, spans shorter than 2^-100, those whose knots reach over more than 2^500 or 2^500 times
  * their length, and those of curves with a control point of 2^961 or more) by the Cox-de Boor recurrence, for
- * which 7 p + 2 is proved. With the polynomials c is multiplied by that
- * factor, the largest of these weights over the smallest; no other ratio of weights enters. With signed
- * weights hull is (max|w_i P_i| + |C(t)| max|w_i|) / |w(t)|. At clamped ends (and wherever one basis function
- * is 1 on every axis) the stored control point is returned bit for bit.
+ * which 7 p + 2 is proved. With the polynomials c is multiplied by that factor, the largest of these weights
+ * over the smallest; no other ratio of weights enters. With signed weights hull is (max|w_i P_i| + |C(t)|
+ * max|w_i|) / |w(t)|. At clamped ends (and wherever one basis function is 1 on every axis) the stored control
+ * point is returned bit for bit.
  *
  * A derivative of multi-index a (order k = |a| > 0) of a polynomial spline is within 2 (c + 2 k) * eps * H_a,
  * where H_a is the largest control point of the derivative that is active at the parameter, in magnitudes:
  * H_0 = |P - O|, and a step along an axis replaces neighbours by (p - k + 1) (H_i + H_i+1) / (t_i+p+1 -
- * t_i+k); in the first step of a curve H_i + H_i+1 is |P_i - P_i+1|. For a rational one the quotient rule is
- * followed in magnitudes: E_a = (H_a[w (P - O)] + sum over 0 < b <= a of binomial(a, b) H_b[w] E_(a-b)) /
- * w(t) replaces H_a. Where the weights differ by a factor of more than 4 the value at the parameter of the
- * spline with these control points takes the place of the largest of them.
+ * t_i+k); in the first step of a curve H_i + H_i+1 is |P_i - P_i+1| + 2^-48 (|P_i| + |P_i+1|). For a rational
+ * spline the quotient rule is followed in magnitudes: E_a = (H_a[w (P - O)] + sum over 0 < b <= a of
+ * binomial(a, b) H_b[w] E_(a-b)) / w(t) replaces H_a. Where the weights differ by a factor of more than 4 the
+ * value at the parameter of the spline with these control points takes the place of the largest of them.
  *
  * So moving a spline does not add to the errors of its derivatives: O is a point with |P - O| at most |P| and
  * at most 9 E, where E is the longest side of the box of the control points with influence (a weight other
- * than 0, and a support in the domain). If some coordinate of all points of that box is farther than 8 E from
- * 0, O is its corner nearest to 0, with 0 for the coordinates in which the box is longer than it is far from 0;
- * else O = 0. The points P - O of such a spline are a second copy of its control points, made with the first
- * derivatives that need them.
+ * than 0, and a support in the domain). Where that box lies farther than 8 E from 0 in some coordinate, O is
+ * its corner nearest to 0, with 0 for the coordinates in which the box is longer than it is far from 0; else O
+ * is 0. The points P - O of such a spline are a second copy of its control points, which the handle makes for
+ * the first derivatives that need them and keeps.
  *
  * Inserting a knot and raising the degree move each homogeneous control point by at most 2 eps * hull for
  * each time (tested), one eps more in all for Cartesian points with weights; where the knots of a periodic
@@ -973,11 +973,12 @@ NURBS_API nurbs_status nurbs_iso(const nurbs *g, int32_t axis, double param, uin
  * `status` receives for each point a sum of the NURBS_FRAME_ bits, 0 where nothing is special.
  *
  * A vector is taken for zero where its exact value may be zero: where its length is at most the bound of its
- * rounding error. For a derivative of order k that is 2 (c + 2 k) eps |E_a|, as in the preamble, E_a taken as
- * a vector; for a product of two it is each factor's length times the other's bound, summed. No other
- * tolerance enters: where points or knots are multiplied by powers of two no bit of a direction changes, and
- * curvatures are multiplied by a power of two. That holds at every size (since 1.1), also where derivatives or
- * their products leave double precision, unless the result does.
+ * rounding error. For a derivative of order k that is 2 (c + 2 k) eps |E_a|, as in the preamble, but with sums
+ * of |P - O| in the first step of a curve too, E_a taken as a vector; for a product of two it is each factor's
+ * length times the other's bound, summed. No other tolerance enters: where points or knots are multiplied by
+ * powers of two no bit of a direction changes, and curvatures are multiplied by a power of two. That holds at
+ * every size (since 1.1), also where derivatives or their products leave double precision, unless the result
+ * does.
  * One parameter gives the same bits alone, in a batch and on a grid.
  *
  * Limits are taken from the side that the flags name (from above, or from below with NURBS_LEFT), at the ends

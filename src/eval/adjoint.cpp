@@ -1,6 +1,7 @@
 #include "eval/adjoint.h"
 
 #include "eval/blocks.h"
+#include "eval/evaluate.h"
 #include "eval/leibniz.h"
 #include "eval/spread.h"
 #include "spline/at_origin.h"
@@ -27,14 +28,14 @@ Orders highest_orders(const Spline &spline, int order) noexcept {
 // X_i> - Y_i.
 class Adjoint final : public BlockSink {
 public:
-    Adjoint(const Spline &spline, const AxisRules &rules, int order, ConstRecords params,
+    Adjoint(const Spline &stored, const AxisRules &rules, int order, ConstRecords params,
             ConstRecords cotangents, bool accumulate, const Gradients &gradients)
-        : spline_(spline), rules_(rules), order_(order), params_(params), cotangents_(cotangents),
-          accumulate_(accumulate), gradients_(gradients), weighted_(gradients.weights.data != nullptr),
-          width_(spline.dim() + (weighted_ ? 1 : 0)),
-          active_(spline.knot_vectors(), rules, highest_orders(spline, order)),
-          reciprocal_(spline.axes(), order), spread_(active_, spline.axes(), order, width_),
-          products_(static_cast<size_t>(slot_count(spline.axes(), order))),
+        : stored_(stored), spline_(at_origin(stored)), rules_(rules), order_(order), params_(params),
+          cotangents_(cotangents), accumulate_(accumulate), gradients_(gradients),
+          weighted_(gradients.weights.data != nullptr), width_(stored.dim() + (weighted_ ? 1 : 0)),
+          active_(stored.knot_vectors(), rules, highest_orders(stored, order)),
+          reciprocal_(stored.axes(), order), spread_(active_, stored.axes(), order, width_),
+          products_(static_cast<size_t>(slot_count(stored.axes(), order))),
           homogeneous_(products_.size() * static_cast<size_t>(width_)) {}
     virtual ~Adjoint() = default;
 
@@ -44,7 +45,8 @@ public:
         }
         if (weighted_ || gradients_.params.data != nullptr) {
             const int order = order_ + (gradients_.params.data != nullptr ? 1 : 0);
-            return evaluate_points(spline_, rules_, order, params_, *this);
+            find_local_points();
+            return evaluate_points(stored_, rules_, order, params_, *this);
         }
         start();
         for (int64_t i = 0; i < params_.count; ++i) {
@@ -71,9 +73,23 @@ private:
                                  int64_t other) const noexcept {
         double sum = 0;
         for (int c = 0; c < spline_.dim(); ++c) {
-            sum += cotangent(i, slot, c) * derivs(row, other * spline_.dim() + c);
+            const double derivative = other == 0 && !local_points_.empty()
+                                          ? local_points_[static_cast<size_t>(i * spline_.dim() + c)]
+                                          : derivs(row, other * spline_.dim() + c);
+            sum += cotangent(i, slot, c) * derivative;
         }
         return sum;
+    }
+
+    // Derivatives are those of nurbs_eval_derivs(); the products of weights need points as seen from the
+    // origin of the moved spline.
+    void find_local_points() {
+        if (weighted_ && &spline_ != &stored_) {
+            const int dim = spline_.dim();
+            local_points_.resize(static_cast<size_t>(params_.count * dim));
+            evaluate_points(spline_, rules_, 0, params_,
+                            Records{local_points_.data(), params_.count, dim, dim, 1});
+        }
     }
 
     void start() const noexcept {
@@ -222,7 +238,8 @@ private:
         return sum;
     }
 
-    const Spline &spline_;
+    const Spline &stored_;
+    const Spline &spline_; // at the origin: a gradient does not depend on where the shape lies
     const AxisRules &rules_;
     int order_;
     ConstRecords params_;
@@ -234,16 +251,16 @@ private:
     ActivePoints active_;
     Reciprocal reciprocal_;
     Spread spread_;
-    std::vector<double> products_;    // h_b, [slots]
-    std::vector<double> homogeneous_; // [slots][width]: dL/dA^(b), and -dL/dw^(b) if weights are wanted
+    std::vector<double> local_points_; // of the moved spline, empty if it is the stored one
+    std::vector<double> products_;     // h_b, [slots]
+    std::vector<double> homogeneous_;  // [slots][width]: dL/dA^(b), and -dL/dw^(b) if weights are wanted
 };
 
 } // namespace
 
 void evaluate_adjoint(const Spline &spline, const AxisRules &rules, int order, ConstRecords params,
                       ConstRecords cotangents, bool accumulate, const Gradients &gradients) {
-    // A gradient does not depend on where the shape lies.
-    Adjoint(at_origin(spline), rules, order, params, cotangents, accumulate, gradients).run();
+    Adjoint(spline, rules, order, params, cotangents, accumulate, gradients).run();
 }
 
 } // namespace nrb

@@ -131,7 +131,7 @@ void append_normal(Case &data, const std::vector<Vector> &values, const std::vec
 
 // The bounds that nurbs.h states for each partial derivative.
 std::vector<Vector> bounds_of(const SplineData &spline, int order, const double *param) {
-    std::vector<Vector> bounds = reference::magnitudes(spline, order, param);
+    std::vector<Vector> bounds = reference::magnitudes(spline, order, param, reference::Terms::stored);
     const auto indices = support::graded_indices(spline.axes(), order);
     const long double c = reference::c_of(spline);
     for (size_t slot = 0; slot < bounds.size(); ++slot) {

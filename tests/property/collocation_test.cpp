@@ -201,7 +201,8 @@ TEST(Collocation, matrix_times_points_is_evaluation) {
         const auto dim = static_cast<size_t>(data.dim);
         const auto n = static_cast<size_t>(rows_of(data, params));
         for (size_t i = 0; i < n; ++i) {
-            const auto size = reference::magnitudes(data, total, params.data() + i * orders.size())[slot];
+            const auto size = reference::magnitudes(data, total, params.data() + i * orders.size(),
+                                                    reference::Terms::stored)[slot];
             for (size_t c = 0; c < dim; ++c) {
                 long double sum = 0;
                 for (auto e = static_cast<size_t>(m.row_pointers[i]);

@@ -28,7 +28,7 @@ struct Exact {
 
 Exact exact_at(const SplineData &data, double t) {
     const auto derivs = reference::exact_derivatives(data, 3, &t);
-    const auto sizes = reference::magnitudes(data, 3, &t);
+    const auto sizes = reference::magnitudes(data, 3, &t, reference::Terms::seen_from_o);
     Exact exact;
     for (size_t k = 1; k <= 3; ++k) {
         Vector size{};

@@ -117,7 +117,7 @@ TEST(Reference, rounding_and_distances) {
 TEST(Reference, magnitudes_of_terms_of_one_sign) {
     const SplineData data = {{2}, {4}, {{0, 0, 0, 1, 2, 2, 2}}, 1, {1, -1, 1, -1}, {}, 0};
     const double t = 0.25;
-    const auto sizes = reference::magnitudes(data, 2, &t);
+    const auto sizes = reference::magnitudes(data, 2, &t, reference::Terms::stored);
     const auto derivs = reference::exact_derivatives(data, 2, &t);
     EXPECT_EQ(sizes[0][0], 1);
     EXPECT_EQ(sizes[2][0], reference::quotient(derivs[2][0].numerator, derivs[2][0].denominator));

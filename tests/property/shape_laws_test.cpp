@@ -204,7 +204,7 @@ TEST(ShapeLaws, linear_precision_of_derivatives) {
         const auto g = create(data);
         for (const double t : random_params(random, data, 10)) {
             const auto derivs = eval_derivs(g.get(), 2, {t});
-            const auto sizes = reference::magnitudes(data, 2, &t);
+            const auto sizes = reference::magnitudes(data, 2, &t, reference::Terms::stored);
             // The abscissae are rounded (p + 1) / 2 times, which the magnitudes of the differences count as
             // well.
             const long double c = reference::c_of(data) + data.degrees[0] + 1;

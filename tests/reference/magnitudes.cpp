@@ -69,15 +69,16 @@ Record magnitude(Record record) {
     return record;
 }
 
-// Neighbours by their difference, the other steps by the sum of their magnitudes.
+// What stands for the sum of the magnitudes of neighbours in the first step of a polynomial curve.
 std::vector<Record> differences(const std::vector<Record> &points) {
     std::vector<Record> steps;
     for (size_t i = 0; i + 1 < points.size(); ++i) {
         Record step = points[i + 1];
         for (size_t c = 0; c < step.size(); ++c) {
-            step[c] -= points[i][c];
+            const long double sum = std::fabs(points[i][c]) + std::fabs(step[c]);
+            step[c] = std::fabs(step[c] - points[i][c]) + 0x1p-48L * sum;
         }
-        steps.push_back(magnitude(std::move(step)));
+        steps.push_back(std::move(step));
     }
     return steps;
 }
@@ -193,21 +194,25 @@ long double weight_factor(const SplineData &data, const double *param, Sides lef
     return even ? static_cast<long double>(*largest) / *smallest : 1;
 }
 
-std::vector<std::vector<long double>> magnitudes(const SplineData &data, int order, const double *param,
-                                                 Sides left) {
+namespace {
+
+// `first_step`: by differences.
+std::vector<std::vector<long double>> magnitudes_from(const std::vector<double> &origin, bool first_step,
+                                                      const SplineData &data, int order, const double *param,
+                                                      Sides left) {
     const auto first = first_active(data, param, left);
     std::vector<Axis> axes;
     for (size_t k = 0; k < first.size(); ++k) {
         axes.push_back({data.knots[k].data() + first[k], data.degrees[k], param[k]});
     }
-    const auto seen_from = [&](const std::vector<double> &origin) {
+    const auto seen_from = [&](const std::vector<double> &from) {
         std::vector<Record> points;
         for (const int64_t i : active_points(data, first)) {
             Record record;
             for (int c = 0; c < data.dim; ++c) {
                 record.push_back(
                     static_cast<long double>(data.weight(i)) *
-                    (static_cast<long double>(data.coordinate(i, c)) - origin[static_cast<size_t>(c)]));
+                    (static_cast<long double>(data.coordinate(i, c)) - from[static_cast<size_t>(c)]));
             }
             if (data.rational()) {
                 record.push_back(data.weight(i));
@@ -216,18 +221,17 @@ std::vector<std::vector<long double>> magnitudes(const SplineData &data, int ord
         }
         return points;
     };
-    const std::vector<Record> points = seen_from(origin_of(data));
+    const std::vector<Record> stored = seen_from(std::vector<double>(static_cast<size_t>(data.dim)));
+    const std::vector<Record> points = seen_from(origin);
     const Last last = data.rational() && uneven(points) ? Last::value : Last::largest;
-    const bool differences = !data.rational() && data.axes() == 1;
     const auto indices = support::graded_indices(data.axes(), order);
     std::vector<Record> h;
     for (const MultiIndex &a : indices) {
-        h.push_back(contract_all(axes, a, last, differences, points));
+        h.push_back(contract_all(axes, a, last, first_step, points));
     }
     if (data.rational()) {
         h = divide_by_weight(indices, h, contract_all(axes, indices[0], Last::value, false, points).back());
     }
-    const std::vector<Record> stored = seen_from(std::vector<double>(static_cast<size_t>(data.dim)));
     h[0] = contract_all(axes, indices[0], last, false, stored);
     if (data.rational()) {
         const long double weight = contract_all(axes, indices[0], Last::value, false, stored).back();
@@ -237,6 +241,22 @@ std::vector<std::vector<long double>> magnitudes(const SplineData &data, int ord
         }
     }
     return h;
+}
+
+} // namespace
+
+std::vector<std::vector<long double>> magnitudes(const SplineData &data, int order, const double *param,
+                                                 Sides left) {
+    const bool differences = !data.rational() && data.axes() == 1;
+    return differences ? magnitudes_from(std::vector<double>(static_cast<size_t>(data.dim)), true, data,
+                                         order, param, left)
+                       : magnitudes(data, order, param, Terms::seen_from_o, left);
+}
+
+std::vector<std::vector<long double>> magnitudes(const SplineData &data, int order, const double *param,
+                                                 Terms terms, Sides left) {
+    const std::vector<double> zero(static_cast<size_t>(data.dim));
+    return magnitudes_from(terms == Terms::stored ? zero : origin_of(data), false, data, order, param, left);
 }
 
 std::vector<double> origin_of(const SplineData &data) {
