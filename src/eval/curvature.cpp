@@ -107,7 +107,7 @@ private:
 };
 
 void usual_curvatures(const Spline &spline, const AxisRules &rules, ConstRecords params,
-                         const SurfaceCurvatures &out) {
+                      const SurfaceCurvatures &out) {
     CurvatureSink sink(spline, rules, params, out);
     evaluate_points(spline, rules, 2, params, sink);
 }
@@ -120,8 +120,8 @@ void curvatures_of_any_size(const Spline &spline, const AxisRules &rules, ConstR
     for_each_magnitude(spline, rules, params, [&](const MagnitudeRun &run) {
         const int64_t first = run.first, count = run.params.count;
         usual_curvatures(run.spline, run.rules, run.params,
-                            {principal.part(first, count), directions.part(first, count),
-                             mean.part(first, count), gaussian.part(first, count), status.data() + first});
+                         {principal.part(first, count), directions.part(first, count),
+                          mean.part(first, count), gaussian.part(first, count), status.data() + first});
         principal.multiply(first, count, run.size);
         mean.multiply(first, count, run.size);
         gaussian.multiply(first, count, 2 * run.size);
@@ -139,7 +139,7 @@ void curvatures_of_any_size(const Spline &spline, const AxisRules &rules, ConstR
 void surface_curvatures(const Spline &spline, const AxisRules &rules, ConstRecords params,
                         const SurfaceCurvatures &out) {
     usual_magnitude(spline) ? usual_curvatures(spline, rules, params, out)
-                     : curvatures_of_any_size(spline, rules, params, out);
+                            : curvatures_of_any_size(spline, rules, params, out);
 }
 
 } // namespace nrb

@@ -103,8 +103,7 @@ private:
     DerivativeErrors errors_;
 };
 
-void usual_frames(const Spline &spline, const AxisRules &rules, ConstRecords params,
-                     const CurveFrames &out) {
+void usual_frames(const Spline &spline, const AxisRules &rules, ConstRecords params, const CurveFrames &out) {
     const int order = out.torsions.data == nullptr ? 2 : 3;
     CurveSink sink(spline, rules, params, order, out);
     evaluate_points(spline, rules, order, params, sink);
@@ -119,13 +118,13 @@ void frames_of_any_size(const Spline &spline, const AxisRules &rules, ConstRecor
     for_each_magnitude(spline, rules, params, [&](const MagnitudeRun &run) {
         const int64_t first = run.first, count = run.params.count;
         usual_frames(run.spline, run.rules, run.params,
-                        {{},
-                         tangents.part(first, count),
-                         normals.part(first, count),
-                         binormals.part(first, count),
-                         curvatures.part(first, count),
-                         torsions.part(first, count),
-                         status.data() + first});
+                     {{},
+                      tangents.part(first, count),
+                      normals.part(first, count),
+                      binormals.part(first, count),
+                      curvatures.part(first, count),
+                      torsions.part(first, count),
+                      status.data() + first});
         curvatures.multiply(first, count, run.size);
         torsions.multiply(first, count, run.size);
     });
@@ -144,7 +143,7 @@ void frames_of_any_size(const Spline &spline, const AxisRules &rules, ConstRecor
 
 void curve_frames(const Spline &spline, const AxisRules &rules, ConstRecords params, const CurveFrames &out) {
     usual_magnitude(spline) ? usual_frames(spline, rules, params, out)
-                     : frames_of_any_size(spline, rules, params, out);
+                            : frames_of_any_size(spline, rules, params, out);
 }
 
 } // namespace nrb

@@ -78,8 +78,7 @@ Extent find_extent(const Spline &given) {
     }
     for (int64_t i = 0; i < spline.point_count(); ++i) {
         const RecordSize size = size_of(spline, i);
-        extent.usual =
-            extent.usual && exponent_of(size.coordinates) == 0 && exponent_of(size.weight) == 0;
+        extent.usual = extent.usual && exponent_of(size.coordinates) == 0 && exponent_of(size.weight) == 0;
         const double length =
             spline.form() == Form::homogeneous ? size.coordinates / size.weight : size.coordinates;
         extent.size = std::isfinite(length) ? std::max(extent.size, length) : extent.size;

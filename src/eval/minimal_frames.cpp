@@ -211,7 +211,7 @@ std::optional<Vector3> checked_normal(const double *normal, const std::optional<
 }
 
 void usual_frames(const Spline &spline, const AxisRules &rules, ConstRecords params,
-                     const double *first_normal, const MinimalFrames &out) {
+                  const double *first_normal, const MinimalFrames &out) {
     std::optional<Vector3> normal;
     if (first_normal != nullptr) {
         normal = checked_normal(first_normal, first_tangent(spline, rules, params));
@@ -249,7 +249,7 @@ void frames_of_any_size(const Spline &spline, const AxisRules &rules, ConstRecor
 void minimal_frames(const Spline &spline, const AxisRules &rules, ConstRecords params,
                     const double *first_normal, const MinimalFrames &out) {
     usual_magnitude(spline) ? usual_frames(spline, rules, params, first_normal, out)
-                     : frames_of_any_size(spline, rules, params, first_normal, out);
+                            : frames_of_any_size(spline, rules, params, first_normal, out);
 }
 
 } // namespace nrb

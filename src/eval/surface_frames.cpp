@@ -132,13 +132,13 @@ private:
 };
 
 void usual_frames(const Spline &spline, const AxisRules &rules, ConstRecords params,
-                     const SurfaceFrames &out) {
+                  const SurfaceFrames &out) {
     FrameSink sink(spline, rules, ListParameters(params), out);
     evaluate_points(spline, rules, 1, params, sink);
 }
 
 void usual_frames(const Spline &spline, const AxisRules &rules,
-                     const std::array<ConstRecords, max_axes> &params, const SurfaceFrames &out) {
+                  const std::array<ConstRecords, max_axes> &params, const SurfaceFrames &out) {
     FrameSink sink(spline, rules, GridParameters(params), out);
     evaluate_grid(spline, rules, 1, params, sink);
 }
@@ -152,9 +152,8 @@ void frames_of_any_size(const Spline &spline, const AxisRules &rules, ConstRecor
     std::vector<int32_t> status(static_cast<size_t>(list.count));
     if (out.normals.data != nullptr || out.status != nullptr) {
         for_each_magnitude(spline, rules, list, [&](const MagnitudeRun &run) {
-            usual_frames(
-                run.spline, run.rules, run.params,
-                {{}, {}, {}, normals.part(run.first, run.params.count), status.data() + run.first});
+            usual_frames(run.spline, run.rules, run.params,
+                         {{}, {}, {}, normals.part(run.first, run.params.count), status.data() + run.first});
         });
     }
     if (out.points.data != nullptr || out.du.data != nullptr || out.dv.data != nullptr) {
@@ -182,7 +181,7 @@ std::vector<double> list_of(const std::array<ConstRecords, max_axes> &params) {
 void surface_frames(const Spline &spline, const AxisRules &rules, ConstRecords params,
                     const SurfaceFrames &out) {
     usual_magnitude(spline) ? usual_frames(spline, rules, params, out)
-                     : frames_of_any_size(spline, rules, params, params, out);
+                            : frames_of_any_size(spline, rules, params, params, out);
 }
 
 void surface_frames(const Spline &spline, const AxisRules &rules,

@@ -61,7 +61,8 @@ double gap_of_ends(const Spline &curve) {
     }
     const KnotVector &axis = curve.axis(0);
     const bool exact = axis.clamped_start() && axis.clamped_end() && curve.form() != Form::homogeneous;
-    const double hull = exact ? 0 : largest_magnitude(cartesian_points(curve.effective())) * std::sqrt(curve.dim());
+    const double hull =
+        exact ? 0 : largest_magnitude(cartesian_points(curve.effective())) * std::sqrt(curve.dim());
     return distance(ends[0].data(), ends[1].data(), curve.dim()) * (1 + (curve.dim() + 4) * eps) +
            64 * eps * hull;
 }

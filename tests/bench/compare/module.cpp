@@ -20,7 +20,8 @@ Function *symbol(void *module, const char *name) {
 
 Module::Module(const std::filesystem::path &path, bool apart) {
     // Never closed: it lives as long as the program.
-    void *const module = apart ? dlmopen(LM_ID_NEWLM, path.c_str(), RTLD_NOW) : dlopen(path.c_str(), RTLD_NOW);
+    void *const module =
+        apart ? dlmopen(LM_ID_NEWLM, path.c_str(), RTLD_NOW) : dlopen(path.c_str(), RTLD_NOW);
     if (module == nullptr) {
         throw std::runtime_error(dlerror());
     }

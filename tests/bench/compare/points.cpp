@@ -26,8 +26,7 @@ Run fresh_run(const Case &data, int64_t points) {
     return [data, points, out = std::vector<double>(1000)]() mutable {
         for (int i = 0; i < 100; ++i) {
             const support::Handle g = support::create(data.spline);
-            support::require_ok(
-                nurbs_eval(g.get(), points, data.params.data(), 0, 0, out.data(), 0, 0, 0));
+            support::require_ok(nurbs_eval(g.get(), points, data.params.data(), 0, 0, out.data(), 0, 0, 0));
         }
     };
 }

@@ -6,9 +6,7 @@ namespace bench {
 std::vector<Row> make_rows(const std::string & /*folder*/) {
     std::vector<Row> rows;
     for (const Question &question : questions()) {
-        rows.push_back({question.name, [&question] {
-                            return Run([ask = nurbs_ask(question)] { ask(); });
-                        }});
+        rows.push_back({question.name, [&question] { return Run([ask = nurbs_ask(question)] { ask(); }); }});
     }
     return rows;
 }
