@@ -12,7 +12,7 @@ public:
     // `apart` loads it with everything that it needs once more, so that two builds live in one process.
     Module(const std::filesystem::path &path, bool apart);
 
-    [[nodiscard]] int64_t open(const std::string &folder) const { return open_(folder.c_str()); }
+    int64_t open(const std::string &folder) const { return open_(folder.c_str()); }
     [[nodiscard]] std::string name(int64_t row) const { return name_(row); }
     void prepare(int64_t row) const { prepare_(row); }
     void run(int64_t times) const { run_(times); }
