@@ -105,6 +105,7 @@ void check_size(int64_t n, int64_t expected, const char *name) {
         fail(NURBS_ERROR_SIZE, "%s = %lld, expected %lld", name, static_cast<long long>(n),
              static_cast<long long>(expected));
     }
+    checked_array(n, name);
 }
 
 namespace {

@@ -69,11 +69,17 @@ int64_t AxesData::point_count() const {
     return count;
 }
 
+// Whether an array can have that length is for check_size() to say, where the caller agrees with it.
 int64_t AxesData::knot_total(int extra) const {
+    constexpr int64_t most = std::numeric_limits<int64_t>::max() / 8; // the sum of three does not overflow
     int64_t total = 0;
     for (int k = 0; k < size_; ++k) {
-        total =
-            checked_sum(total, checked_sum((*this)[k].count, (*this)[k].degree + extra, "knots"), "knots");
+        const AxisData &axis = (*this)[k];
+        if (axis.count > most) {
+            fail(NURBS_ERROR_OVERFLOW, "knots: %lld + %d values exceed the address space",
+                 static_cast<long long>(axis.count), axis.degree + extra);
+        }
+        total += axis.count + axis.degree + extra;
     }
     return total;
 }

@@ -61,10 +61,14 @@ void check_multiplicities(int degree, std::span<const double> knots, int axis, i
 KnotVector::KnotVector(int degree, std::vector<double> knots, bool periodic) noexcept
     : degree_(degree), periodic_(periodic), knots_(std::move(knots)) {}
 
-// The function of layer i lives between its knots i and i + degree + 1.
+// The function of layer i lives between its knots i and i + degree + 1. Copies of knots by powers of two may have lost
+// their domain.
 KnotVector::Layers KnotVector::active_layers() const noexcept {
     const auto [lower, upper] = domain();
     Layers layers{0, count()};
+    if (periodic_ || !(lower < upper)) {
+        return layers;
+    }
     while ((*this)[layers.first + degree_ + 1] <= lower) {
         ++layers.first;
     }

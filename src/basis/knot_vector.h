@@ -30,7 +30,8 @@ public:
     [[nodiscard]] int64_t count() const noexcept { return static_cast<int64_t>(knots_.size()) - degree_ - 1; }
     [[nodiscard]] Interval domain() const noexcept { return {(*this)[degree_], (*this)[count()]}; }
     // Layers [first, end) of control points whose functions do not vanish on the domain: all of them, but where knots
-    // before its start or behind its end repeat that end.
+    // before its start or behind its end repeat that end. On a periodic axis those that vanish are copies of others, and
+    // all count.
     struct Layers {
         int64_t first;
         int64_t end;

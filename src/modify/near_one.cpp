@@ -4,8 +4,29 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace nrb {
+
+namespace {
+
+// An exponent by which no knot overflows and no two become one: nearest to the one that is wanted.
+int kept_apart(const Spline &spline, int exponent) {
+    constexpr int most = 1000;
+    double largest = 0, least = HUGE_VAL;
+    for (int k = 0; k < spline.axes(); ++k) {
+        const std::span<const double> knots = spline.axis(k).knots();
+        largest = std::max({largest, std::abs(knots.front()), std::abs(knots.back())});
+        for (size_t i = 1; i < knots.size(); ++i) {
+            const double apart = knots[i] - knots[i - 1];
+            least = apart > 0 ? std::min(least, apart) : least;
+        }
+    }
+    const int raised = std::max(exponent, std::min(-most - std::ilogb(least), 0));
+    return std::min(raised, std::max(most - std::ilogb(largest), 0));
+}
+
+} // namespace
 
 Powers powers_near_one(const Spline &spline, int degree) {
     constexpr int near_one = 64;
@@ -28,7 +49,7 @@ Powers powers_near_one(const Spline &spline, int degree) {
         }
     }
     Powers powers{.coordinates = power(coordinates), .weights = spline.rational() ? power(weights) : 0};
-    std::fill_n(powers.knots.begin(), spline.axes(), power(shortest));
+    std::fill_n(powers.knots.begin(), spline.axes(), kept_apart(spline, power(shortest)));
     return powers;
 }
 

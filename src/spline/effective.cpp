@@ -67,7 +67,7 @@ const Spline &Spline::effective() const {
 }
 
 // Outside the active block a control point becomes its nearest one inside. One of weight 0 keeps the weight, and gets
-// the place of the last one before it that has a weight, or of the first one.
+// the place of the first one that has another: so copies of layers of a periodic axis stay copies.
 SplinePtr Spline::without_inert_points() const {
     const ActiveBlock block(*this);
     const auto weightless = [&](int64_t i) { return form_ == Form::rational && weight(i) == 0; };
@@ -80,8 +80,8 @@ SplinePtr Spline::without_inert_points() const {
     points.reserve(points_.size());
     for (int64_t i = 0; i < point_count(); ++i) {
         const int64_t nearest = block.nearest(i);
-        placed = weightless(nearest) ? placed : nearest;
-        const auto from = points_.begin() + static_cast<std::ptrdiff_t>(placed) * stored_width();
+        const int64_t place = weightless(nearest) ? placed : nearest;
+        const auto from = points_.begin() + static_cast<std::ptrdiff_t>(place) * stored_width();
         points.insert(points.end(), from, from + stored_width());
         if (form_ == Form::rational) {
             weights.push_back(weight(nearest));

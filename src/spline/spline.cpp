@@ -29,10 +29,10 @@ bool moderate_product(double weight, std::span<const double> points) noexcept {
     return weight <= usual || weight * largest_magnitude(points) < moderate_limit;
 }
 
-// Whether no function of an axis vanishes on the domain.
+// Whether all layers of an axis are active.
 bool all_active(const KnotVector &axis) noexcept {
     const auto [lower, upper] = axis.domain();
-    return axis[axis.degree() + 1] > lower && axis[axis.count() - 1] < upper;
+    return (axis[axis.degree() + 1] > lower && axis[axis.count() - 1] < upper) || axis.periodic();
 }
 
 } // namespace

@@ -123,7 +123,8 @@ void recognize(Input &in, const nurbs *g, const fuzz::Spline &s) {
         return;
     }
     const bool curve = s.axes() == 1;
-    FUZZ_REQUIRE(shape == NURBS_SHAPE_NONE || (shape < NURBS_SHAPE_PLANE) == curve);
+    const bool either = shape <= NURBS_SHAPE_LINE; // none, a point, a line
+    FUZZ_REQUIRE(either || (shape < NURBS_SHAPE_PLANE) == curve);
     FUZZ_REQUIRE(shape >= NURBS_SHAPE_NONE && shape <= NURBS_SHAPE_TORUS);
     FUZZ_REQUIRE(finite(placement, 9) && finite(sizes, 3) && deviation >= 0 && deviation <= tolerance);
     FUZZ_REQUIRE(sizes[0] >= 0 && sizes[1] >= 0 && (shape != NURBS_SHAPE_NONE || deviation == 0));

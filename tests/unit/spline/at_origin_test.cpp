@@ -54,7 +54,7 @@ TEST(AtOrigin, DependsOnPointsWithInfluenceOnly) {
     EXPECT_EQ(points_of(at_origin(*weightless)).back(), 1);
     const auto outer = make_knot_vector(1, {-1, 0, 0, 1, 1, 2});
     const SplinePtr unseen = make_spline({outer}, 1, Form::polynomial, {-1.7e308, 1e308, 1e308, 1.7e308});
-    EXPECT_EQ(points_of(at_origin(*unseen)), (std::vector<double>{-1.7e308, 0, 0, 1.7e308 - 1e308}));
+    EXPECT_EQ(points_of(at_origin(*unseen)), (std::vector<double>{0, 0, 0, 0}));
 }
 
 } // namespace
