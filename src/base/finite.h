@@ -9,6 +9,7 @@ bool all_finite(std::span<const double> values) noexcept;
 
 // Whether all |value| are below 2^961, so that sums of binomial multiples do not overflow.
 inline constexpr double moderate_limit = 0x1p961;
+inline constexpr double moderate_product = 0x1p1001; // of one with a weight: leaves room for these sums, too
 bool all_moderate(std::span<const double> values) noexcept;
 
 // The largest |value| that is a number; 0 without any.

@@ -192,8 +192,9 @@ void with_evaluator(const Spline &spline, const Rule &rule, int order, int64_t u
     }
 }
 
-void evaluate_moved(const Spline &spline, const Spline &moved, const AxisRules &rules, int order,
-                    const ConstRecords &params, const Records &out) {
+// Apart from evaluate_points(), which single points pass through.
+[[gnu::noinline]] void evaluate_moved(const Spline &spline, const Spline &moved, const AxisRules &rules,
+                                      int order, const ConstRecords &params, const Records &out) {
     if (spline.axes() == 1) {
         MovedEvaluator<CurveEvaluator>(spline, moved, rules[0], order, params.count)(params, out);
     } else {
@@ -263,10 +264,13 @@ void evaluate_points(const Spline &spline, const AxisRules &rules, int order, co
     if (params.count == 0) {
         return;
     }
-    const Spline &source = derivative_source(spline, order);
-    if (&source != &spline) {
-        evaluate_moved(spline, source, rules, order, params, out);
-    } else if (spline.axes() == 1) {
+    if (order > 0) {
+        const Spline &source = derivative_source(spline, order);
+        if (&source != &spline) {
+            return evaluate_moved(spline, source, rules, order, params, out);
+        }
+    }
+    if (spline.axes() == 1) {
         CurveEvaluator(spline, rules[0], order, params.count)(params, out);
     } else {
         TensorEvaluator(spline, rules, order, params.count)(params, out);

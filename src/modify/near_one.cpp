@@ -4,7 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <span>
+#include <numeric>
+#include <vector>
 
 namespace nrb {
 
@@ -28,14 +29,14 @@ int kept_apart(const Spline &spline, int exponent) {
 
 } // namespace
 
-Powers powers_near_one(const Spline &spline, int degree) {
+Powers powers_near_one(const Spline &spline, int degree, std::span<const int64_t> places) {
     constexpr int near_one = 64;
     const auto power = [](double size) {
         const int exponent = size > 0 && std::isfinite(size) ? std::ilogb(size) : 0;
         return std::abs(exponent) <= near_one ? 0 : -exponent;
     };
     double coordinates = 0, weights = 0, shortest = HUGE_VAL;
-    for (int64_t i = 0; i < spline.point_count(); ++i) {
+    for (const int64_t i : places) {
         const double *stored = spline.points().data() + i * spline.stored_width();
         for (int c = 0; c < spline.dim(); ++c) {
             coordinates = std::max(coordinates, std::abs(stored[c]));
@@ -51,6 +52,12 @@ Powers powers_near_one(const Spline &spline, int degree) {
     Powers powers{.coordinates = power(coordinates), .weights = spline.rational() ? power(weights) : 0};
     std::fill_n(powers.knots.begin(), spline.axes(), kept_apart(spline, power(shortest)));
     return powers;
+}
+
+Powers powers_near_one(const Spline &spline, int degree) {
+    std::vector<int64_t> places(static_cast<size_t>(spline.point_count()));
+    std::iota(places.begin(), places.end(), int64_t{0});
+    return powers_near_one(spline.effective(), degree, places);
 }
 
 SplinePtr scaled_back(const Spline &result, const Spline &given, const Powers &powers) {

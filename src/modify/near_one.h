@@ -3,11 +3,15 @@
 
 #include "spline/scaled.h"
 
+#include <span>
+
 namespace nrb {
 
 // What brings the coordinates, the weights and the shortest of the axes of at least a degree near 1, all axes by
 // one power of two; nothing where they are not far from it.
-Powers powers_near_one(const Spline &spline, int degree);
+// Only the control points at `places` count.
+Powers powers_near_one(const Spline &spline, int degree, std::span<const int64_t> places);
+Powers powers_near_one(const Spline &spline, int degree); // all that have influence
 
 // The coordinates of a result, divided by these powers, on the knots and with the weights of the spline that was
 // multiplied by them. Throws NURBS_ERROR_NOT_REPRESENTABLE.

@@ -42,13 +42,14 @@ bool Spline::has_piece(int64_t span) const noexcept {
            (moderate_.load(std::memory_order_relaxed) || moderate_window(span));
 }
 
+// True of every window where moderate() is true of the whole: a span is evaluated alike, known or not.
 bool Spline::moderate_window(int64_t span) const noexcept {
     bool moderate = true;
     for (int64_t i = span - axis(0).degree(); i <= span; ++i) {
         const double factor = form_ == Form::rational ? scaled_weight(i) : 1;
         for (int c = 0; c < stored_width(); ++c) {
-            const double value = factor * points_[static_cast<size_t>(i * stored_width() + c)];
-            moderate = moderate && std::abs(value) < moderate_limit;
+            const double value = std::abs(points_[static_cast<size_t>(i * stored_width() + c)]);
+            moderate = moderate && value < moderate_limit && factor * value < moderate_product;
         }
     }
     return moderate;

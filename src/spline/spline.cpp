@@ -24,9 +24,9 @@ int common_exponent(double active, double all) noexcept {
 }
 
 // Whether products of weights with moderate points are moderate, given the largest of both.
-bool moderate_product(double weight, std::span<const double> points) noexcept {
-    constexpr double usual = 0x1p40; // leaves room enough below overflow
-    return weight <= usual || weight * largest_magnitude(points) < moderate_limit;
+bool moderate_products(double weight, std::span<const double> points) noexcept {
+    constexpr double usual = moderate_product / moderate_limit;
+    return weight <= usual || weight * largest_magnitude(points) < moderate_product;
 }
 
 // Whether all layers of an axis are active.
@@ -65,7 +65,7 @@ bool Spline::moderate() const noexcept {
         const double largest = all_weights_.largest;
         const double scaled = weight_exponent_ == 0 ? largest : std::ldexp(largest, -weight_exponent_);
         const bool found =
-            all_moderate(points()) && (form_ != Form::rational || moderate_product(scaled, points()));
+            all_moderate(points()) && (form_ != Form::rational || moderate_products(scaled, points()));
         moderate_.store(found, std::memory_order_relaxed);
         return found;
     }

@@ -142,6 +142,37 @@ TEST(Constrain, curvature_holds) {
     ASSERT_GT(solved_cases, support::of_whole_run(20));
 }
 
+// Points that the condition does not see may be of any size.
+TEST(Constrain, curvature_beside_huge_points) {
+    int solved_cases = 0;
+    for_each_case(1499000, 60, [&](Random &random, uint64_t seed) {
+        SplineData data = roomy(random, 1, 8, false);
+        if (data.dim < 2 || data.degrees[0] < 3 || data.rational()) {
+            return;
+        }
+        Set set = value_set(random, data, 1);
+        const Bend now = bend_at(data, set.params);
+        set.kinds = {NURBS_CONSTRAIN_CURVATURE};
+        for (size_t c = 0; c < now.curvature.size(); ++c) {
+            set.targets[c] = static_cast<double>(now.curvature[c]) * 1.1;
+        }
+        set.tolerance = 1e-9 * extent(data);
+        const Result base = constrain(create(data).get(), set);
+        const auto &knots = data.knots[0];
+        const int64_t span = std::upper_bound(knots.begin(), knots.end(), set.params[0]) - knots.begin() - 1;
+        for (int64_t i = 0; i < data.counts[0]; ++i) {
+            const bool seen = i >= span - data.degrees[0] - 1 && i <= span + 1;
+            for (int c = 0; c < data.dim && !seen; ++c) {
+                data.points[static_cast<size_t>(i * data.dim + c)] *= 1e150;
+            }
+        }
+        const Result found = constrain(create(data).get(), set);
+        ASSERT_EQ(found.status, base.status) << last_error() << where(seed, data);
+        solved_cases += base.status == NURBS_OK;
+    });
+    ASSERT_GT(solved_cases, support::of_whole_run(10));
+}
+
 // A model and knots multiplied by powers of two give what the model gives.
 TEST(Constrain, curvature_has_no_size) {
     int solved_cases = 0;

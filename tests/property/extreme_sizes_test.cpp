@@ -164,6 +164,18 @@ TEST(ExtremeSizes, distances_of_curves_scale) {
     }
 }
 
+// A square whose corners are numbers, though their distances from its middle are none: all points are on it.
+TEST(ExtremeSizes, patches_whose_lengths_overflow) {
+    constexpr double m = 1.7e308;
+    SplineData data = bezier({1, 1}, 2);
+    data.points = {-m, -m, -m, m, m, -m, m, m};
+    const Handle g = create(data);
+    for (const double x : {-m, -m / 3, 0.0, m / 2, m}) {
+        const Nearest found = nearest(nurbs_closest_points, g.get(), 2, {x, 0.3 * m});
+        EXPECT_TRUE(!certified(found.status) || found.distance <= 1e-12 * m) << x << " " << found.distance;
+    }
+}
+
 // Both ends of the range of double precision are in the box of the shape and the point: distances overflow, or nearly.
 TEST(ExtremeSizes, nothing_is_certified_that_is_no_number) {
     for_each_case(92300, 40, [&](Random &random, uint64_t seed) {

@@ -115,6 +115,36 @@ TEST(SameBits, alone_and_in_batches) {
     });
 }
 
+// Sizes between those of which differences of records surely do not overflow, and those of which they may.
+TEST(SameBits, of_weights_that_bring_points_near_overflow) {
+    for_each_case(81500, 20, [](Random &random, uint64_t seed) {
+        SplineData data;
+        data.degrees = {3};
+        data.counts = {40};
+        data.dim = 2;
+        data.knots = {{0, 0, 0, 0}};
+        for (int i = 1; i < 37; ++i) {
+            data.knots[0].push_back(i);
+        }
+        data.knots[0].insert(data.knots[0].end(), 4, 37.0);
+        const int size = random.whole(900, 960), weight = random.whole(-40, 60);
+        for (int i = 0; i < 40; ++i) {
+            data.points.insert(data.points.end(),
+                               {std::ldexp(random.between(1, 2), size), std::ldexp(1.0, size)});
+            data.weights.push_back(std::ldexp(random.between(1, 2), weight));
+        }
+        const Handle g = create(data);
+        std::vector<double> params;
+        for (int i = 0; i < 400; ++i) {
+            params.push_back(random.between(0, 37));
+        }
+        const std::vector<double> first = eval_derivs(g.get(), 2, {params[0]});
+        const std::vector<double> all = eval_derivs(g.get(), 2, params);
+        ASSERT_TRUE(same_bits(first, part(all, 0, first.size()))) << where(seed, data);
+        ASSERT_TRUE(same_bits(first, eval_derivs(g.get(), 2, {params[0]}))) << where(seed, data);
+    });
+}
+
 // Order 0 of the derivatives is the point, whatever the order asked for.
 TEST(SameBits, slot_zero_is_the_point_and_low_orders_do_not_change) {
     for_each_case(82000, 600, [](Random &random, uint64_t seed) {

@@ -59,6 +59,21 @@ Constrained constrained(const Spline &spline, const std::vector<Condition> &cond
                                                   : solve_by_programming(state, conditions, tolerance);
 }
 
+// The control points that the conditions on a curve see: others may be of any size.
+std::vector<int64_t> seen_places(const Spline &curve, const std::vector<Condition> &conditions) {
+    std::vector<int64_t> places;
+    const KnotVector &axis = curve.axis(0);
+    for (const Condition &condition : conditions) {
+        const int64_t span = axis.find_span(*condition.param(), false);
+        for (int64_t i = span - axis.degree(); i <= span; ++i) {
+            if (curve.weight(i) != 0) {
+                places.push_back(i);
+            }
+        }
+    }
+    return places;
+}
+
 } // namespace
 
 Constrained constrain(const Spline &spline, const std::vector<Condition> &conditions, const ChangeRule &rule,
@@ -68,7 +83,9 @@ Constrained constrain(const Spline &spline, const std::vector<Condition> &condit
     // changes of weights.
     const bool squares = std::any_of(conditions.begin(), conditions.end(),
                                      [](const Condition &condition) { return !condition.linear(); });
-    const Powers powers = squares && columns.weight_costs.empty() ? powers_near_one(spline, 1) : Powers{};
+    const Powers powers = squares && columns.weight_costs.empty()
+                              ? powers_near_one(spline, 1, seen_places(spline, conditions))
+                              : Powers{};
     if (powers == Powers{}) {
         return constrained(spline, conditions, columns, tolerance);
     }

@@ -88,7 +88,9 @@ void PatchPieces::copy(const Spline &spline) {
     for (const double size : records.sizes) {
         largest = std::max(largest, size);
     }
-    exponent_ = exponent_of(largest);
+    const bool overflows =
+        !std::isfinite(largest) && spline.form() != Form::homogeneous; // norms, no coordinates
+    exponent_ = overflows ? std::numeric_limits<double>::max_exponent : exponent_of(largest);
     const auto count = static_cast<size_t>(shape_.coefficients()), dim = static_cast<size_t>(shape_.dim);
     const auto lanes = static_cast<size_t>(shape_.lanes);
     std::vector<double> points(count * dim), weights(net.weighted() ? count : 0);

@@ -60,6 +60,16 @@ constexpr int32_t curves[] = {NURBS_SHAPE_POINT,    NURBS_SHAPE_LINE,    NURBS_S
 constexpr int32_t surfaces[] = {NURBS_SHAPE_POINT,    NURBS_SHAPE_LINE, NURBS_SHAPE_PLANE, NURBS_SHAPE_SPHERE,
                                 NURBS_SHAPE_CYLINDER, NURBS_SHAPE_CONE, NURBS_SHAPE_TORUS};
 
+// Whether some sample is farther from the line from the middle of their box to the farthest of them.
+bool wider_than(const ShapeSamples &samples, double width) {
+    const auto far =
+        std::max_element(samples.points.begin(), samples.points.end(),
+                         [](const Vector3 &a, const Vector3 &b) { return dot(a, a) < dot(b, b); });
+    const Vector3 along = unit(*far);
+    return length(*far) > 0 && std::any_of(samples.points.begin(), samples.points.end(),
+                                           [&](const Vector3 &p) { return length(cross(along, p)) > width; });
+}
+
 // Whether the samples of a surface tell at once that it is larger than a point, or wider than a line: if all were
 // within the tolerance of one, the middle of their box would be within twice that of it, and so would the line
 // from there to the farthest sample be of all others.
@@ -67,13 +77,16 @@ bool too_large(int32_t kind, const ShapeSamples &samples, double tolerance) {
     if (kind == NURBS_SHAPE_POINT) {
         return samples.size > 2 * tolerance;
     }
-    const auto far =
-        std::max_element(samples.points.begin(), samples.points.end(),
-                         [](const Vector3 &a, const Vector3 &b) { return dot(a, a) < dot(b, b); });
-    const Vector3 along = unit(*far);
-    return length(*far) > 0 &&
-           std::any_of(samples.points.begin(), samples.points.end(),
-                       [&](const Vector3 &p) { return length(cross(along, p)) > 16 * tolerance; });
+    return wider_than(samples, 16 * tolerance);
+}
+
+// Whether rounding alone tells the samples from those of a point (for a line), or from those of a line or point (for a
+// plane): then they have no direction, or no plane, of their own.
+bool undetermined(int32_t kind, const ShapeSamples &samples) {
+    const double rounding =
+        64 * std::numeric_limits<double>::epsilon() * (length(samples.centre) + samples.size);
+    return (kind == NURBS_SHAPE_LINE && samples.size <= rounding) ||
+           (kind == NURBS_SHAPE_PLANE && !wider_than(samples, rounding));
 }
 
 // Whether there is one of a kind within the tolerance.
@@ -109,6 +122,9 @@ Recognition recognize(const Spline &given, double tolerance) {
     const auto kinds =
         spline.axes() == 1 ? std::span<const int32_t>(curves) : std::span<const int32_t>(surfaces);
     for (const int32_t kind : kinds) {
+        if (undetermined(kind, samples)) {
+            return {};
+        }
         if (find(kind, *unit, samples, reach, found)) {
             scale_back(found, exponent);
             return found;

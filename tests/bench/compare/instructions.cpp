@@ -11,9 +11,10 @@ namespace {
 void count(const bench::Module &module, int64_t row) {
     module.prepare(row);
     module.run(1);
+    const std::string name = module.name(row);
     CALLGRIND_ZERO_STATS;
     module.run(1);
-    CALLGRIND_DUMP_STATS_AT(module.name(row).c_str());
+    CALLGRIND_DUMP_STATS_AT(name.c_str());
 }
 
 } // namespace
