@@ -1714,7 +1714,8 @@ NURBS_API nurbs_status nurbs_product(const nurbs *a, const nurbs *b, uint32_t fl
  * result then has weights: a polar value of g counts with the product of the weights of its p_0 + p_1 + ...
  * arguments, divided by the power of two in the largest w_i for each of them. In u the first term is 8 (q + 2)
  * eps max |F|, and f' counts by q (w_i + w_(i+1)) / min w times max F - min F over t_(i+q+1) - t_(i+1), all of
- * the span. A component of the homogeneous points may be off by (4 q + 6) eps more for each argument; all
+ * the span; weights by which the second term exceeds (max F - min F) / 4, as ratios beyond some 10^14 / q are,
+ * are refused. A component of the homogeneous points may be off by (4 q + 6) eps more for each argument; all
  * these bounds are in parts of the product of weights that the point is multiplied by, at a parameter w(t) to
  * the power p_0 + p_1 + ....
  * \param[in] g a spline, rational or not.
@@ -1723,7 +1724,7 @@ NURBS_API nurbs_status nurbs_product(const nurbs *a, const nurbs *b, uint32_t fl
  * \return NURBS_OK, NURBS_ERROR_NULL; _AXES if f is no curve, _RATIONAL if a weight of f is not positive,
  *   _DIMENSION if its dimension does not suit, _DEGREE if the new degree exceeds NURBS_MAX_DEGREE,
  *   _NOT_MONOTONE, _OUTSIDE_DOMAIN if f leaves the domain of g or runs over too many periods, _PERIODIC_KNOTS
- *   if copies of knots of g cannot be told apart, _NOT_REPRESENTABLE if a value or u overflows,
+ *   if copies of knots of g cannot be told apart, _NOT_REPRESENTABLE if a value or u overflows or u is too large,
  *   _WEIGHTS_VANISH if weights underflow, _OVERFLOW.
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_compose(const nurbs *g, const nurbs *f, nurbs **out);

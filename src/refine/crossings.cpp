@@ -108,13 +108,23 @@ double CurvePiece::value(int k, double t) const noexcept {
 // Multiplied by eps before anything can overflow; t / length is at most 1 / eps.
 CurvePiece::Known CurvePiece::known_of(int k) const {
     const int q = degree();
-    double largest = 0;
+    double lowest = HUGE_VAL, highest = -HUGE_VAL;
     for (int64_t i = span_ - q; i <= span_; ++i) {
-        largest = std::max(largest, std::fabs(eps * curve_->coordinate(i, k)));
+        const double x = eps * curve_->coordinate(i, k);
+        lowest = std::min(lowest, x);
+        highest = std::max(highest, x);
     }
+    const double largest = std::max(-lowest, highest);
     const double rounding = (curve_->rational() ? 8 * (q + 2) : 4 * (q + 1)) * largest;
-    const Known known{rounding,
-                      rounding + eps_times_slope(k, std::max(std::fabs(lower()), std::fabs(upper())))};
+    const double slope = eps_times_slope(k, std::max(std::fabs(lower()), std::fabs(upper())));
+    const Known known{rounding, rounding + slope};
+    if (curve_->rational() && eps * slope > (highest - lowest) / 4) {
+        fail(NURBS_ERROR_NOT_REPRESENTABLE,
+             "coordinate %d between t = %s and %s is too steep, by weights that differ so much: no parameter "
+             "tells "
+             "where in its range it is",
+             k, Number(lower()).text, Number(upper()).text);
+    }
     if (!std::isfinite(known.uncertainty)) {
         fail(NURBS_ERROR_NOT_REPRESENTABLE,
              "coordinate %d between t = %s and %s is too steep: the uncertainty of its values overflows", k,
