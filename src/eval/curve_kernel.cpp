@@ -312,7 +312,7 @@ private:
             for (int c = 0; spline.form() == Form::homogeneous && c < dim; ++c) {
                 record[c] = std::fma(-point[c], weight, stored[c]);
             }
-            for (int l = 0; spline.form() == Form::rational && l < lanes; l += quad_lanes) {
+            for (int l = 0; spline.form() == Form::rational && l < dim; l += quad_lanes) {
                 const auto step = hn::Sub(hn::LoadU(d, stored + l), hn::LoadU(d, point + l));
                 hn::StoreU(hn::Mul(hn::Set(d, weight), step), d, record + l);
             }
