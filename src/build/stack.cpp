@@ -76,8 +76,7 @@ void check_way(const double *vector, int dim) {
     if (dim < 3 && std::all_of(vector, vector + dim, [](double x) { return x == 0; })) {
         fail(NURBS_ERROR_DIRECTION,
              "vector is zero in its dim = %d components, expected a direction; nurbs_transform() with a "
-             "matrix of 3 x "
-             "%d lifts g into space",
+             "matrix of 3 x %d lifts g into space",
              dim, dim);
     }
     check_direction(vector, dim, "vector");

@@ -32,7 +32,7 @@ public:
                                                   quotient_,
                                                   pieces_ != nullptr ? &curve.axis(0).spans() : nullptr,
                                                   pieces_,
-                                                  net_after(curve, pieces_ != nullptr, uses),
+                                                  net_after(curve, uses),
                                                   scratch_.take_aligned(
                                                       static_cast<size_t>(curve_group * shape_.size())),
                                                   scratch_.take(static_cast<size_t>(shape_.slots)),
@@ -44,11 +44,8 @@ public:
 
 private:
     // Spans of low degree need records only where their weights are too far apart for pieces.
-    static const double *net_after(const Spline &curve, bool have_pieces, int64_t uses) {
-        const auto [smallest, largest] = curve.all_weights();
-        const bool even = largest <= 4 * smallest;
-        return even && (have_pieces || piece_degree(curve.axis(0).degree())) ? nullptr
-                                                                             : curve.records_after(uses);
+    static const double *net_after(const Spline &curve, int64_t uses) {
+        return curve.has_pieces(0) ? nullptr : curve.records_after(uses);
     }
     static size_t piece_size(const Spline &curve, const RecordShape &shape) noexcept {
         return static_cast<size_t>(Piece::size(curve.axis(0).degree(), shape.width));

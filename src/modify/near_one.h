@@ -8,8 +8,7 @@
 namespace nrb {
 
 // What brings the coordinates, the weights and the shortest of the axes of at least a degree near 1, all axes by
-// one power of two; nothing where they are not far from it.
-// Only the control points at `places` count.
+// one power of two; nothing where they are not far from it. Only the control points at `places` count.
 Powers powers_near_one(const Spline &spline, int degree, std::span<const int64_t> places);
 Powers powers_near_one(const Spline &spline, int degree); // all that have influence
 

@@ -15,7 +15,9 @@ struct CriticalSet {
     // Nothing is certified of a distance that overflows.
     void settle() noexcept {
         for (const CriticalPoint &point : points) {
-            status &= std::isfinite(point.foot.distance) ? status : ~NURBS_CLOSEST_CERTIFIED;
+            if (!std::isfinite(point.foot.distance)) {
+                status &= ~NURBS_CLOSEST_CERTIFIED;
+            }
         }
     }
 };

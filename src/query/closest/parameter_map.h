@@ -30,10 +30,10 @@ private:
 ParameterMap straight_map(const Spline &from, const Spline &to);
 
 // The map under which the points of a small sample are nearest to each other, if it brings them to within `tolerance`
-// and `rounding`, which is what distances of coincident points may amount to: the parameters themselves, from
-// domain to domain with the axes in any order and direction, or onto the part of `to` that the nearest points of a few points of `from` span. `budget`: most
-// pieces looked at for such a point. Cost: some evaluations; unless the samples coincide, one nearest point, and as many
-// more as `from` has axes if it is near.
+// and `rounding`, which is what distances of coincident points may amount to: the parameters themselves, from domain to
+// domain with the axes in any order and direction, or onto the part of `to` that the nearest points of a few points of
+// `from` span. `budget`: most pieces looked at for such a point. Cost: some evaluations; unless the samples coincide,
+// one nearest point, and as many more as `from` has axes if it is near.
 std::optional<ParameterMap> matching_map(const Spline &from, const Spline &to, double rounding,
                                          double tolerance, int64_t budget);
 
