@@ -1,8 +1,10 @@
 #include "eval/magnitude.h"
 
+#include "spline/axis_view.h"
+
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <utility>
 
 namespace nrb {
 
@@ -24,6 +26,11 @@ int exponent_of(double size) noexcept {
 struct RecordSize {
     double coordinates = 0;
     double weight = 0;
+
+    void add(const RecordSize &other) noexcept {
+        coordinates = std::max(coordinates, other.coordinates);
+        weight = std::max(weight, other.weight);
+    }
 };
 
 // Cartesian points of weight 0 are of no influence; weights apart have a common factor taken out already
@@ -54,34 +61,103 @@ void for_each_point(const Spline &spline, const std::array<Layers, 2> &layers, V
     }
 }
 
-bool has_usual_knots(const KnotVector &axis) noexcept {
-    for (int64_t i = axis.degree(); i < axis.count(); ++i) {
-        const double length = axis[i + 1] - axis[i];
-        if (exponent_of(length) != 0 || !std::isfinite(length)) {
-            return false;
+// Sizes of all windows of control points that are active together, and of all spans.
+class Windows {
+public:
+    explicit Windows(const Spline &given) : spline_(given.effective()) {
+        for (int64_t i = 0; i < spline_.point_count(); ++i) {
+            sizes_.push_back(size_of(spline_, i));
+        }
+        for (int k = 0; k < spline_.axes() && !usual({}); ++k) { // mostly each of them is, alone
+            widen(axis_view(spline_, k, 1), spline_.axis(k).degree());
         }
     }
-    return true;
-}
+
+    // What brings the largest of them near 1.
+    [[nodiscard]] Powers powers_of_largest() const noexcept {
+        RecordSize largest;
+        for (const RecordSize &size : sizes_) {
+            largest.add(size);
+        }
+        Powers powers{.coordinates = -exact_exponent(largest.coordinates),
+                      .weights = -exact_exponent(largest.weight)};
+        for (int k = 0; k < spline_.axes(); ++k) {
+            const Interval domain = spline_.axis(k).domain();
+            powers.knots[static_cast<size_t>(k)] = -exact_exponent(domain.upper / 2 - domain.lower / 2);
+        }
+        return powers;
+    }
+
+    // Whether all are usual when they are multiplied by these.
+    [[nodiscard]] bool usual(const Powers &powers) const noexcept {
+        for (int k = 0; k < spline_.axes(); ++k) {
+            const KnotVector &axis = spline_.axis(k);
+            for (int64_t i = axis.degree(); i < axis.count(); ++i) {
+                if (!is_usual(axis[i + 1] - axis[i], powers.knots[static_cast<size_t>(k)])) {
+                    return false;
+                }
+            }
+        }
+        return std::all_of(sizes_.begin(), sizes_.end(), [&](const RecordSize &size) {
+            return is_usual(size.coordinates, powers.coordinates) && is_usual(size.weight, powers.weights);
+        });
+    }
+
+private:
+    static int exact_exponent(double size) noexcept {
+        return size > 0 && std::isfinite(size) ? std::ilogb(size) : 0;
+    }
+    static bool is_usual(double size, int power) noexcept {
+        return size == 0 || (std::isfinite(size) && rounded(std::ilogb(size) + power) == 0);
+    }
+    // Every one becomes the largest of itself and the next `degree` along an axis.
+    void widen(const AxisView &view, int degree) {
+        for (int64_t o = 0; o < view.outer; ++o) {
+            for (int64_t i = 0; i < view.count; ++i) {
+                const int64_t end = std::min(i + degree + 1, view.count);
+                for (int64_t j = 0; j < view.inner; ++j) {
+                    const auto at = [&](int64_t layer) {
+                        return static_cast<size_t>((o * view.count + layer) * view.inner + j);
+                    };
+                    for (int64_t layer = i + 1; layer < end; ++layer) {
+                        sizes_[at(i)].add(sizes_[at(layer)]);
+                    }
+                }
+            }
+        }
+    }
+
+    const Spline &spline_;
+    std::vector<RecordSize> sizes_;
+};
 
 // What is found once for a spline.
 struct Extent {
     bool usual = true;
     double size = 0;
+    Powers powers;  // of the copy
+    SplinePtr copy; // usual everywhere; none if the spline is, or if there is no such copy
 };
 
-Extent find_extent(const Spline &given) {
-    const Spline &spline = given.effective();
-    Extent extent;
-    for (int k = 0; k < spline.axes(); ++k) {
-        extent.usual = extent.usual && has_usual_knots(spline.axis(k));
-    }
+double largest_length(const Spline &spline) noexcept {
+    double largest = 0;
     for (int64_t i = 0; i < spline.point_count(); ++i) {
         const RecordSize size = size_of(spline, i);
-        extent.usual = extent.usual && exponent_of(size.coordinates) == 0 && exponent_of(size.weight) == 0;
         const double length =
             spline.form() == Form::homogeneous ? size.coordinates / size.weight : size.coordinates;
-        extent.size = std::isfinite(length) ? std::max(extent.size, length) : extent.size;
+        largest = std::isfinite(length) ? std::max(largest, length) : largest;
+    }
+    return largest;
+}
+
+Extent find_extent(const Spline &spline) {
+    const Windows windows(spline);
+    Extent extent{
+        .usual = windows.usual({}), .size = largest_length(spline.effective()), .powers = {}, .copy = {}};
+    const Powers powers = windows.powers_of_largest();
+    if (!extent.usual && windows.usual(powers)) {
+        extent.powers = powers;
+        extent.copy = scaled(spline, powers);
     }
     return extent;
 }
@@ -112,10 +188,7 @@ Powers powers_at(const Spline &spline, const std::array<double, 2> &placed, cons
         powers.knots[k] = knot_power(axis, span);
     }
     RecordSize largest;
-    for_each_point(spline, layers, [&](int64_t i) {
-        const RecordSize size = size_of(spline, i);
-        largest = {std::max(largest.coordinates, size.coordinates), std::max(largest.weight, size.weight)};
-    });
+    for_each_point(spline, layers, [&](int64_t i) { largest.add(size_of(spline, i)); });
     powers.coordinates = -exponent_of(largest.coordinates);
     powers.weights = -exponent_of(largest.weight);
     return powers;
@@ -132,12 +205,16 @@ public:
     }
 
     void operator()(const std::function<void(const MagnitudeRun &)> &body) {
+        const Extent &extent = extent_of(spline_);
+        if (extent.copy != nullptr) {
+            return run(0, params_.count, extent.powers, *extent.copy, body);
+        }
         for (int64_t first = 0, end = 0; first < params_.count; first = end) {
             const Powers powers = at(first);
             for (end = first + 1; end < params_.count && at(end) == powers;) {
                 ++end;
             }
-            run(first, end - first, powers, body);
+            run(first, end - first, powers, powers == Powers{} ? spline_ : copy(powers), body);
         }
     }
 
@@ -158,9 +235,20 @@ private:
         return powers_at(spline_, t, rules_);
     }
 
-    void run(int64_t first, int64_t count, const Powers &powers,
+    // Sizes that alternate share copies.
+    const Spline &copy(const Powers &powers) {
+        for (const auto &[known, made] : copies_) {
+            if (known == powers) {
+                return *made;
+            }
+        }
+        copies_.emplace_back(powers, scaled(spline_, powers));
+        return *copies_.back().second;
+    }
+
+    void run(int64_t first, int64_t count, const Powers &powers, const Spline &shown,
              const std::function<void(const MagnitudeRun &)> &body) const {
-        if (powers == Powers{}) {
+        if (&shown == &spline_) {
             ConstRecords params = params_;
             params.data = params_.record(first);
             params.count = count;
@@ -175,14 +263,14 @@ private:
                     std::ldexp(placed(first + i, at), powers.knots[at]);
             }
         }
-        const SplinePtr copy = scaled(spline_, powers);
-        body({*copy, placed_rules_, {params.data(), count, axes, axes, 1}, first, powers.size(spline_)});
+        body({shown, placed_rules_, {params.data(), count, axes, axes, 1}, first, powers.size(spline_)});
     }
 
     const Spline &spline_;
     const AxisRules &rules_;
     ConstRecords params_;
     AxisRules placed_rules_;
+    std::vector<std::pair<Powers, SplinePtr>> copies_;
 };
 
 } // namespace

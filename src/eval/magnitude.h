@@ -10,12 +10,13 @@
 
 namespace nrb {
 
-// Whether all numbers of a spline are 0 or within 2^-64 and 2^64; found once for a spline, by reading
-// all of it. Preconditions of all: 1 or 2 axes.
+// Whether the largest number of control points that are active together is 0 or within 2^-64 and 2^64 everywhere, and
+// every span too; found once for a spline, by reading all of it. Preconditions of all: 1 or 2 axes.
 bool usual_magnitude(const Spline &spline);
 
-// Parameters that follow each other and where the same powers of two make the numbers that are active
-// usual, with what to evaluate in place of them: the spline itself at these parameters, or a copy.
+// Parameters that follow each other and where the same powers of two make the numbers that are active usual, with what
+// to evaluate in place of them: the spline itself at these parameters, or a copy. Where one copy serves the whole spline
+// it is kept with it.
 struct MagnitudeRun {
     const Spline &spline;
     const AxisRules &rules;
