@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace nrb {
@@ -61,6 +62,22 @@ void for_each_point(const Spline &spline, const std::array<Layers, 2> &layers, V
     }
 }
 
+bool is_usual(double size, int power) noexcept {
+    return size == 0 || (std::isfinite(size) && rounded(std::ilogb(size) + power) == 0);
+}
+
+bool usual_spans(const Spline &spline, const Powers &powers) noexcept {
+    for (int k = 0; k < spline.axes(); ++k) {
+        const KnotVector &axis = spline.axis(k);
+        for (int64_t i = axis.degree(); i < axis.count(); ++i) {
+            if (!is_usual(axis[i + 1] - axis[i], powers.knots[static_cast<size_t>(k)])) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
 // Sizes of all windows of control points that are active together, and of all spans.
 class Windows {
 public:
@@ -68,7 +85,7 @@ public:
         for (int64_t i = 0; i < spline_.point_count(); ++i) {
             sizes_.push_back(size_of(spline_, i));
         }
-        for (int k = 0; k < spline_.axes() && !usual({}); ++k) { // mostly each of them is, alone
+        for (int k = 0; k < spline_.axes(); ++k) {
             widen(axis_view(spline_, k, 1), spline_.axis(k).degree());
         }
     }
@@ -90,25 +107,16 @@ public:
 
     // Whether all are usual when they are multiplied by these.
     [[nodiscard]] bool usual(const Powers &powers) const noexcept {
-        for (int k = 0; k < spline_.axes(); ++k) {
-            const KnotVector &axis = spline_.axis(k);
-            for (int64_t i = axis.degree(); i < axis.count(); ++i) {
-                if (!is_usual(axis[i + 1] - axis[i], powers.knots[static_cast<size_t>(k)])) {
-                    return false;
-                }
-            }
-        }
-        return std::all_of(sizes_.begin(), sizes_.end(), [&](const RecordSize &size) {
-            return is_usual(size.coordinates, powers.coordinates) && is_usual(size.weight, powers.weights);
-        });
+        return usual_spans(spline_, powers) &&
+               std::all_of(sizes_.begin(), sizes_.end(), [&](const RecordSize &size) {
+                   return is_usual(size.coordinates, powers.coordinates) &&
+                          is_usual(size.weight, powers.weights);
+               });
     }
 
 private:
     static int exact_exponent(double size) noexcept {
         return size > 0 && std::isfinite(size) ? std::ilogb(size) : 0;
-    }
-    static bool is_usual(double size, int power) noexcept {
-        return size == 0 || (std::isfinite(size) && rounded(std::ilogb(size) + power) == 0);
     }
     // Every one becomes the largest of itself and the next `degree` along an axis.
     void widen(const AxisView &view, int degree) {
@@ -139,21 +147,54 @@ struct Extent {
     SplinePtr copy; // usual everywhere; none if the spline is, or if there is no such copy
 };
 
-double largest_length(const Spline &spline) noexcept {
-    double largest = 0;
-    for (int64_t i = 0; i < spline.point_count(); ++i) {
-        const RecordSize size = size_of(spline, i);
-        const double length =
-            spline.form() == Form::homogeneous ? size.coordinates / size.weight : size.coordinates;
-        largest = std::isfinite(length) ? std::max(largest, length) : largest;
+// Of all points, without a look at which of them are active together.
+class PlainSizes {
+public:
+    explicit PlainSizes(const Spline &given) : spline_(given.effective()) {
+        const bool homogeneous = spline_.form() == Form::homogeneous;
+        for (int64_t i = 0; i < spline_.point_count(); ++i) {
+            const RecordSize size = size_of(spline_, i);
+            coordinates_.add(size.coordinates);
+            weights_.add(size.weight);
+            const double length = homogeneous ? size.coordinates / size.weight : size.coordinates;
+            longest_ = std::isfinite(length) ? std::max(longest_, length) : longest_;
+        }
     }
-    return largest;
-}
+
+    [[nodiscard]] double longest() const noexcept { return longest_; }
+    // Whether each point is usual by itself, so that all windows are.
+    [[nodiscard]] bool usual() const noexcept {
+        return usual_spans(spline_, {}) && coordinates_.usual() && weights_.usual();
+    }
+
+private:
+    struct Range { // of the sizes that are not 0
+        double least = std::numeric_limits<double>::infinity();
+        double most = 0;
+
+        void add(double size) noexcept {
+            least = size > 0 ? std::min(least, size) : least;
+            most = std::max(most, size);
+        }
+        [[nodiscard]] bool usual() const noexcept {
+            return most == 0 || (is_usual(least, 0) && is_usual(most, 0));
+        }
+    };
+
+    const Spline &spline_;
+    Range coordinates_;
+    Range weights_;
+    double longest_ = 0;
+};
 
 Extent find_extent(const Spline &spline) {
+    const PlainSizes plain(spline);
+    Extent extent{.usual = plain.usual(), .size = plain.longest(), .powers = {}, .copy = {}};
+    if (extent.usual) {
+        return extent;
+    }
     const Windows windows(spline);
-    Extent extent{
-        .usual = windows.usual({}), .size = largest_length(spline.effective()), .powers = {}, .copy = {}};
+    extent.usual = windows.usual({});
     const Powers powers = windows.powers_of_largest();
     if (!extent.usual && windows.usual(powers)) {
         extent.powers = powers;

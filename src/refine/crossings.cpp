@@ -121,8 +121,7 @@ CurvePiece::Known CurvePiece::known_of(int k) const {
     if (curve_->rational() && eps * slope > (highest - lowest) / 4) {
         fail(NURBS_ERROR_NOT_REPRESENTABLE,
              "coordinate %d between t = %s and %s is too steep, by weights that differ so much: no parameter "
-             "tells "
-             "where in its range it is",
+             "tells where in its range it is",
              k, Number(lower()).text, Number(upper()).text);
     }
     if (!std::isfinite(known.uncertainty)) {

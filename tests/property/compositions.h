@@ -275,6 +275,29 @@ inline void set_monotone_points(Random &random, const SplineData &g, SplineData 
     }
 }
 
+// A spline and a monotone curve over its domain, of degrees whose product stays within exact arithmetic's patience.
+struct MonotoneCase {
+    SplineData g, f;
+};
+
+inline MonotoneCase monotone_case(Random &random) {
+    const int axes = random.chance(60) ? 1 : random.whole(2, 3);
+    MonotoneCase made;
+    made.g = outer_spline(random, axes, axes == 1 ? 6 : axes == 2 ? 3 : 2);
+    const int total = degree_total(made.g);
+    const int most = total == 0 ? 3 : std::min(axes == 1 ? 5 : 3, (axes == 1 ? 16 : 12) / total);
+    made.f = parameter_curve(random, random.whole(1, std::max(1, most)), axes);
+    set_monotone_points(random, made.g, made.f);
+    return made;
+}
+
+// Whether it has the degree and domain of the composition.
+inline void expect_frame(const MonotoneCase &made, const SplineData &h) {
+    ASSERT_EQ(h.degrees[0], degree_total(made.g) * made.f.degrees[0]);
+    ASSERT_EQ(h.lower(0), made.f.lower(0));
+    ASSERT_EQ(h.upper(0), made.f.upper(0));
+}
+
 // An outer spline over whole numbers, and inner curves whose control points are multiples of 1/4: they touch knot
 // lines, run along them and pass through their corners.
 inline SplineData whole_knots(Random &random, int axes, int degree) {

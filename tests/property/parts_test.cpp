@@ -34,6 +34,15 @@ std::vector<Handle> split_at_knots(const nurbs *g, int axis, int order) {
     return handles_of(list);
 }
 
+std::vector<Handle> split(const nurbs *g, int axis, double t) {
+    nurbs *below = nullptr, *above = nullptr;
+    require_ok(nurbs_split(g, axis, t, &below, &above));
+    std::vector<Handle> parts;
+    parts.emplace_back(below);
+    parts.emplace_back(above);
+    return parts;
+}
+
 nurbs_status try_join(const std::vector<Handle> &parts, int axis, double tolerance, uint32_t flags,
                       double &gap, Handle &out) {
     std::vector<const nurbs *> handles;
@@ -89,9 +98,8 @@ TEST(Parts, a_split_keeps_both_sides) {
             return;
         }
         const auto g = create(data);
-        nurbs *below = nullptr, *above = nullptr;
-        require_ok(nurbs_split(g.get(), axis, t, &below, &above));
-        const Handle lower(below), upper(above);
+        const std::vector<Handle> parts = split(g.get(), axis, t);
+        const nurbs *const below = parts[0].get(), *const above = parts[1].get();
         const auto l = read_back(below), u = read_back(above);
         const std::string place = where(seed, data) + " split at " + hex(t);
         ASSERT_TRUE(l.upper(axis) == t && u.lower(axis) == t) << place;
@@ -113,11 +121,7 @@ TEST(Parts, split_parts_join_again) {
             return;
         }
         const auto g = create(data);
-        nurbs *below = nullptr, *above = nullptr;
-        require_ok(nurbs_split(g.get(), axis, t, &below, &above));
-        std::vector<Handle> parts;
-        parts.emplace_back(below);
-        parts.emplace_back(above);
+        std::vector<Handle> parts = split(g.get(), axis, t);
         Handle joined;
         double gap = -1;
         const bool jump = std::count(data.knots[k].begin(), data.knots[k].end(), t) > data.degrees[k];
@@ -205,11 +209,7 @@ TEST(Parts, of_different_degrees_join_at_the_highest) {
             return;
         }
         const auto g = create(data);
-        nurbs *below = nullptr, *above = nullptr;
-        require_ok(nurbs_split(g.get(), axis, t, &below, &above));
-        std::vector<Handle> parts;
-        parts.emplace_back(below);
-        parts.emplace_back(above);
+        std::vector<Handle> parts = split(g.get(), axis, t);
         std::vector<int32_t> degrees = data.degrees;
         const bool across = random.chance(50);
         for (int k = 0; k < axes; ++k) {

@@ -284,22 +284,31 @@ TEST(Recognition, of_conics_and_planes_survives_affine_maps) {
     });
 }
 
-// The control points of a plane moved into a line or a point, and off it by up to a part of the tolerance.
+// The control points of a plane moved into a line or a point, about `away` from the origin.
+SplineData shrunk_plane(Random &random, bool line, double away) {
+    SplineData data = made_shape(random, NURBS_SHAPE_PLANE, 3).data;
+    const double place[] = {random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)},
+                 along[] = {random.between(-1, 1), random.between(0.5, 1), random.between(-1, 1)};
+    for (size_t i = 0; i < data.points.size(); i += 3) {
+        const double at = line ? data.points[i] + data.points[i + 1] : 0;
+        for (size_t c = 0; c < 3; ++c) {
+            data.points[i + c] = away * place[c] + at * along[c];
+        }
+    }
+    return data;
+}
+
+// Off the line or point by up to a part of the tolerance.
 TEST(Recognition, of_a_surface_that_is_shrunk_to_a_line_or_point) {
     for_each_case(557000, 300, [&](Random &random, uint64_t seed) {
         const double scale = std::ldexp(random.between(1, 2), random.whole(-900, 900));
         const bool line = random.chance(50);
         const double relative = random.magnitude(1e-11, 1e-3), off = random.chance(50) ? 0 : relative / 4;
-        MadeShape made = made_shape(random, NURBS_SHAPE_PLANE, 3);
-        const double place[] = {random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)},
-                     along[] = {random.between(-1, 1), random.between(0.5, 1), random.between(-1, 1)};
-        for (size_t i = 0; i < made.data.points.size(); i += 3) {
-            const double at = line ? made.data.points[i] + made.data.points[i + 1] : 0;
-            for (size_t c = 0; c < 3; ++c) {
-                made.data.points[i + c] = scale * (place[c] + at * along[c] + off * random.between(-1, 1));
-            }
+        SplineData data = shrunk_plane(random, line, 1);
+        for (double &x : data.points) {
+            x = scale * (x + off * random.between(-1, 1));
         }
-        const Handle g = disguised(random, create(made.data), 2);
+        const Handle g = disguised(random, create(data), 2);
         const FoundShape found = recognize(g.get(), scale * relative);
         ASSERT_EQ(found.kind, line ? NURBS_SHAPE_LINE : NURBS_SHAPE_POINT) << "seed " << seed;
         ASSERT_LE(found.deviation, scale * relative) << "seed " << seed;
@@ -314,16 +323,8 @@ TEST(Recognition, of_a_surface_that_is_shrunk_to_a_line_or_point) {
 TEST(Recognition, of_what_is_shrunk_is_no_plane_at_any_tolerance) {
     for_each_case(558000, 300, [&](Random &random, uint64_t seed) {
         const bool line = random.chance(50);
-        MadeShape made = made_shape(random, NURBS_SHAPE_PLANE, 3);
-        const double place[] = {random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)},
-                     along[] = {random.between(-1, 1), random.between(0.5, 1), random.between(-1, 1)};
-        for (size_t i = 0; i < made.data.points.size(); i += 3) {
-            const double at = line ? made.data.points[i] + made.data.points[i + 1] : 0;
-            for (size_t c = 0; c < 3; ++c) {
-                made.data.points[i + c] = 1e3 * place[c] + at * along[c];
-            }
-        }
-        const FoundShape found = recognize(create(made.data).get(), random.magnitude(1e-18, 1e-8));
+        const SplineData data = shrunk_plane(random, line, 1e3);
+        const FoundShape found = recognize(create(data).get(), random.magnitude(1e-18, 1e-8));
         ASSERT_TRUE(found.kind == NURBS_SHAPE_NONE ||
                     found.kind == (line ? NURBS_SHAPE_LINE : NURBS_SHAPE_POINT))
             << "seed " << seed << " " << found.kind;

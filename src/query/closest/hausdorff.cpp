@@ -251,7 +251,8 @@ FarthestPoint one_sided_distance(const Spline &from, const Spline &to, double to
             t = std::clamp(t, domain.lower, domain.upper);
         }
     }
-    result.certified = search.at_most() - search.at_least() <= asked + 2 * search.noise();
+    const double gap = search.at_most() - search.at_least(), noise = search.noise();
+    result.certified = std::isfinite(gap + noise) && gap <= asked + 2 * noise;
     return result;
 }
 
