@@ -1396,8 +1396,8 @@ NURBS_API nurbs_status nurbs_make_compatible(int64_t count, const nurbs *const *
  * one b, the new control points are the polar form of the piece at interior knots, b and e, and values of it
  * at b and e alone continued as a polynomial of degree k in their number.
  * Rounding: homogeneous points of the result are within 16 (degree + 1) eps G times the largest homogeneous
- * coordinate of g and of the result (tested), k at most the degree. Weights that are all equal stay so bit for
- * bit (since 1.1).
+ * coordinate of g and of the result (tested), k at most the degree. At an end that is clamped, weights that are
+ * all equal stay so bit for bit (since 1.1).
  * \param[in] g a spline.
  * \param[in] axis 0-based axis, not periodic.
  * \param[in] end NURBS_START or NURBS_END.
@@ -1714,8 +1714,8 @@ NURBS_API nurbs_status nurbs_product(const nurbs *a, const nurbs *b, uint32_t fl
  * result then has weights: a polar value of g counts with the product of the weights of its p_0 + p_1 + ...
  * arguments, divided by the power of two in the largest w_i for each of them. In u the first term is 8 (q + 2)
  * eps max |F|, and f' counts by q (w_i + w_(i+1)) / min w times max F - min F over t_(i+q+1) - t_(i+1), all of
- * the span; weights by which the second term exceeds (max F - min F) / 4, as ratios beyond some 10^14 / q are,
- * are refused. A component of the homogeneous points may be off by (4 q + 6) eps more for each argument; all
+ * the span; weights by which the second term exceeds that of equal weights by (max F - min F) / 4, as ratios
+ * beyond some 10^14 / q are, are refused. A component of the homogeneous points may be off by (4 q + 6) eps more for each argument; all
  * these bounds are in parts of the product of weights that the point is multiplied by, at a parameter w(t) to
  * the power p_0 + p_1 + ..., and for a point that belongs to several spans of f in parts of the largest on
  * the span of them that it is computed on, the longest.
@@ -3185,7 +3185,9 @@ NURBS_API nurbs_status nurbs_distance(const nurbs *a, const nurbs *b, double tol
  * the other by their nearest corners, so that splines that are near each other all over are told quickly.
  * Splines of the same numbers have the distances 0. That one is the same set as the other, or a part of it,
  * is told at once, with a bound of rounding, where its parameters are those of the other one after a linear
- * map of each axis: whatever degrees and knots are, and the order, directions and domains of the axes.
+ * map of each axis: whatever degrees and knots are, and the order, directions and domains of the axes; the
+ * weights have to be positive for that. Whether it may be so is found out by a few nearest points, with at most
+ * 500 pieces each, which the budget does not count.
  * \param[in] a,b two splines of the same dimension.
  * \param[in] tolerance >= 0.
  * \param[in] budget most pieces looked at in each direction, those of nearest points among them, 0 for
@@ -3936,7 +3938,8 @@ NURBS_API nurbs_status nurbs_free_form_deform(const nurbs *g, const nurbs *volum
  *   order of derivatives that stay at the start and end of every axis, -1 for none. All control points on
  *   which they depend stay.
  * \param[in] tolerance largest distance from g, >= 0.
- * \param[out] energies [2] or NULL: before and after; NULL where they overflow.
+ * \param[out] energies [2] or NULL: before and after; give NULL where they would overflow, which is
+ *   _NOT_REPRESENTABLE otherwise.
  * \param[out] bound or NULL: proven bound of the distance from g, at most the tolerance.
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _ORDER, _TOLERANCE, _OVERLAP, _OVERFLOW, _NOT_REPRESENTABLE,

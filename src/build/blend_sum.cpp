@@ -116,13 +116,18 @@ public:
         for (const Group &group : groups_) {
             numerators = plus(numerators, times(group.sum, product_without(&group)));
         }
-        const std::vector<SplinePtr> both = made_compatible(numerators, product_without(nullptr));
+        const SplinePtr denominator =
+            product_without(nullptr); // none where all weights of each part are equal
+        std::vector<SplinePtr> both{numerators};
+        if (denominator != nullptr) {
+            both = made_compatible(numerators, denominator);
+        }
         std::vector<double> records;
         const auto dim = static_cast<size_t>(dim_);
-        for (size_t i = 0; i < both[1]->points().size(); ++i) {
+        for (size_t i = 0; i < both[0]->points().size() / dim; ++i) {
             const double *point = both[0]->points().data() + i * dim;
             records.insert(records.end(), point, point + dim);
-            records.push_back(both[1]->points()[i]);
+            records.push_back(denominator != nullptr ? both[1]->points()[i] : 1);
         }
         return from_records(both[0]->knot_vectors(), dim_, form, std::move(records));
     }

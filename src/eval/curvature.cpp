@@ -2,9 +2,8 @@
 
 #include "eval/blocks.h"
 #include "eval/jet.h"
-#include "eval/magnitude.h"
-#include "eval/outputs.h"
 #include "eval/shape_operator.h"
+#include "eval/waiting_outputs.h"
 
 #include <limits>
 
@@ -112,26 +111,16 @@ void usual_curvatures(const Spline &spline, const AxisRules &rules, ConstRecords
     evaluate_points(spline, rules, 2, params, sink);
 }
 
-// Nothing is written before all is known: this may run out of memory.
 void curvatures_of_any_size(const Spline &spline, const AxisRules &rules, ConstRecords params,
                             const SurfaceCurvatures &out) {
-    Pending principal(out.principal), directions(out.directions), mean(out.mean), gaussian(out.gaussian);
-    std::vector<int32_t> status(static_cast<size_t>(params.count));
-    for_each_magnitude(spline, rules, params, [&](const MagnitudeRun &run) {
-        const int64_t first = run.first, count = run.params.count;
+    WaitingOutputs waiting({{out.principal, 1}, {out.directions}, {out.mean, 1}, {out.gaussian, 2}},
+                           out.status, params.count);
+    waiting.write(for_each_magnitude(spline, rules, params, [&](const MagnitudeRun &run) {
         usual_curvatures(run.spline, run.rules, run.params,
-                         {principal.part(first, count), directions.part(first, count),
-                          mean.part(first, count), gaussian.part(first, count), status.data() + first});
-        principal.multiply(first, count, run.size);
-        mean.multiply(first, count, run.size);
-        gaussian.multiply(first, count, 2 * run.size);
-    });
-    for (const Pending *values : {&principal, &directions, &mean, &gaussian}) {
-        values->write();
-    }
-    if (out.status != nullptr) {
-        std::copy(status.begin(), status.end(), out.status);
-    }
+                         {waiting.part(0, run), waiting.part(1, run), waiting.part(2, run),
+                          waiting.part(3, run), waiting.status(run)});
+        waiting.finish(run);
+    }));
 }
 
 } // namespace

@@ -4,8 +4,7 @@
 #include "eval/curve_limit.h"
 #include "eval/derivative_errors.h"
 #include "eval/evaluate.h"
-#include "eval/magnitude.h"
-#include "eval/outputs.h"
+#include "eval/waiting_outputs.h"
 
 namespace nrb {
 
@@ -18,16 +17,22 @@ struct Derivatives {
     Vector3 third;
 };
 
-// Whether the point may be irregular, given bounds of the errors of the derivatives, or so large or small
-// that squares leave the range of double. An infinite bound makes everything doubtful.
-bool doubtful(const Derivatives &d, int dim, double error_1, double error_2) noexcept {
+// Bounds of the errors of the first two.
+struct Errors {
+    double first = 0;
+    double second = 0;
+};
+
+// Whether the point may be irregular, or is so large or small that squares leave the range of double. An infinite
+// bound makes everything doubtful.
+bool doubtful(const Derivatives &d, int dim, const Errors &errors) noexcept {
     const double speed = dot(d.first, d.first);
-    if (!(in_range(speed) && speed > error_1 * error_1)) {
+    if (!(in_range(speed) && speed > errors.first * errors.first)) {
         return true;
     }
     const Vector3 product = cross(d.first, d.second);
     const double squared = dot(product, product);
-    const double noise = std::sqrt(speed) * error_2 + std::sqrt(dot(d.second, d.second)) * error_1;
+    const double noise = std::sqrt(speed) * errors.second + std::sqrt(dot(d.second, d.second)) * errors.first;
     return dim == 3 && !(in_range(squared) && squared > noise * noise);
 }
 
@@ -54,6 +59,34 @@ CurveFrame space_frame(const Derivatives &d) noexcept {
     return frame;
 }
 
+CurveFrame regular_frame(const Derivatives &d, int dim) noexcept {
+    return dim == 2 ? plane_frame(d) : space_frame(d);
+}
+
+// Each derivative near 1, by a power of two of its own.
+class NearOne {
+public:
+    explicit NearOne(const Derivatives &d) noexcept
+        : first_(size_exponent(d.first)), second_(size_exponent(d.second)),
+          third_(size_exponent(d.third)), scaled_{times_power(d.first, -first_),
+                                                  times_power(d.second, -second_),
+                                                  times_power(d.third, -third_)} {}
+
+    [[nodiscard]] const Derivatives &derivatives() const noexcept { return scaled_; }
+    [[nodiscard]] Errors scaled(const Errors &errors) const noexcept {
+        return {std::ldexp(errors.first, -first_), std::ldexp(errors.second, -second_)};
+    }
+    [[nodiscard]] CurveFrame unscaled(CurveFrame frame) const noexcept {
+        frame.curvature = std::ldexp(frame.curvature, second_ - 2 * first_);
+        frame.torsion = std::ldexp(frame.torsion, third_ - first_ - second_);
+        return frame;
+    }
+
+private:
+    int first_, second_, third_;
+    Derivatives scaled_;
+};
+
 class CurveSink final : public BlockSink {
 public:
     CurveSink(const Spline &spline, const AxisRules &rules, ConstRecords params, int order,
@@ -77,13 +110,22 @@ private:
         const int64_t slot_rows = dim * block_size;
         const Derivatives d{row_vector(rows + slot_rows, dim, i), row_vector(rows + 2 * slot_rows, dim, i),
                             order_ > 2 ? row_vector(rows + 3 * slot_rows, dim, i) : Vector3{}};
-        if (doubtful(d, dim, errors_.u, errors_.uu)) {
-            CurveFrame limit = limit_frame(spline_, rules_, params_(index, 0));
-            if (limit.status != 0 || doubtful(d, dim, 0, 0)) {
+        const Errors errors{errors_.u, errors_.uu};
+        return doubtful(d, dim, errors) ? frame_in_doubt(d, errors, index) : regular_frame(d, dim);
+    }
+
+    [[nodiscard]] CurveFrame frame_in_doubt(const Derivatives &given, const Errors &errors,
+                                            int64_t index) const noexcept {
+        const int dim = spline_.dim();
+        const NearOne near(given);
+        const Derivatives &d = near.derivatives();
+        if (doubtful(d, dim, near.scaled(errors))) {
+            const CurveFrame limit = limit_frame(spline_, rules_, params_(index, 0));
+            if (limit.status != 0 || doubtful(d, dim, {})) {
                 return limit;
             }
         }
-        return dim == 2 ? plane_frame(d) : space_frame(d);
+        return near.unscaled(regular_frame(d, dim));
     }
 
     void write(const CurveFrame &frame, int64_t i) const noexcept {
@@ -109,34 +151,27 @@ void usual_frames(const Spline &spline, const AxisRules &rules, ConstRecords par
     evaluate_points(spline, rules, order, params, sink);
 }
 
-// Nothing is written before all is known: this may run out of memory.
 void frames_of_any_size(const Spline &spline, const AxisRules &rules, ConstRecords params,
                         const CurveFrames &out) {
-    Pending tangents(out.tangents), normals(out.normals), binormals(out.binormals),
-        curvatures(out.curvatures), torsions(out.torsions);
-    std::vector<int32_t> status(static_cast<size_t>(params.count));
-    for_each_magnitude(spline, rules, params, [&](const MagnitudeRun &run) {
-        const int64_t first = run.first, count = run.params.count;
-        usual_frames(run.spline, run.rules, run.params,
-                     {{},
-                      tangents.part(first, count),
-                      normals.part(first, count),
-                      binormals.part(first, count),
-                      curvatures.part(first, count),
-                      torsions.part(first, count),
-                      status.data() + first});
-        curvatures.multiply(first, count, run.size);
-        torsions.multiply(first, count, run.size);
-    });
+    WaitingOutputs waiting(
+        {{out.tangents}, {out.normals}, {out.binormals}, {out.curvatures, 1}, {out.torsions, 1}}, out.status,
+        params.count);
+    const std::vector<int64_t> order =
+        for_each_magnitude(spline, rules, params, [&](const MagnitudeRun &run) {
+            usual_frames(run.spline, run.rules, run.params,
+                         {{},
+                          waiting.part(0, run),
+                          waiting.part(1, run),
+                          waiting.part(2, run),
+                          waiting.part(3, run),
+                          waiting.part(4, run),
+                          waiting.status(run)});
+            waiting.finish(run);
+        });
     if (out.points.data != nullptr) {
         evaluate_points(spline, rules, 0, params, out.points);
     }
-    for (const Pending *values : {&tangents, &normals, &binormals, &curvatures, &torsions}) {
-        values->write();
-    }
-    if (out.status != nullptr) {
-        std::copy(status.begin(), status.end(), out.status);
-    }
+    waiting.write(order);
 }
 
 } // namespace

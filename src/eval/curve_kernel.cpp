@@ -314,7 +314,8 @@ private:
             }
             for (int l = 0; spline.form() == Form::rational && l < dim; l += quad_lanes) {
                 const auto step = hn::Sub(hn::LoadU(d, stored + l), hn::LoadU(d, point + l));
-                hn::StoreU(hn::Mul(hn::Set(d, weight), step), d, record + l);
+                const auto product = hn::Mul(hn::Set(d, weight), step);
+                hn::StoreU(weight == 0 ? hn::Zero(d) : product, d, record + l); // however far the point is
             }
             record[dim] = weight;
         }

@@ -67,6 +67,12 @@ void fill_order(const double *knots, int degree, int64_t span, double t, int k, 
     }
 }
 
+// Where first derivatives are near 1 all the same, its powers stay so near 1 that coefficients keep their bits.
+double unit_of(double length) noexcept {
+    constexpr int farthest = 64;
+    return std::ldexp(1.0, std::clamp(std::ilogb(length), -farthest, farthest));
+}
+
 bool fill(const KnotVector &axis, const AxisRule &rule, double t, int order, Series &series) noexcept {
     const double placed = place(t, rule, axis.domain());
     if (std::isnan(placed)) {
@@ -79,7 +85,7 @@ bool fill(const KnotVector &axis, const AxisRule &rule, double t, int order, Ser
     series.first = span - degree;
     series.functions = degree + 1;
     series.side = above ? 1 : -1;
-    series.unit = std::ldexp(1.0, std::ilogb(knots[span + 1] - knots[span]));
+    series.unit = unit_of(knots[span + 1] - knots[span]);
     for (int k = 0; k <= order; ++k) {
         if (k <= degree) {
             fill_order(knots, degree, span, placed, k, series);

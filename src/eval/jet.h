@@ -13,8 +13,9 @@ namespace nrb {
 inline constexpr int max_jet_order = 8;
 
 // The coefficients of s^i t^j, where s and t run from the parameter into the domain (side = 1 or -1 along
-// each axis) in units of about a knot span, so that nothing depends on the scale of the knots. The point, i =
-// j = 0, is that of the shape at_origin(). A curve has j = 0 only; dimension 2 has z = 0.
+// each axis) in units of about a knot span, so that nothing depends on the scale of the knots, but within 2^-64 and
+// 2^64: spans beyond are those of parts of a usual magnitude (magnitude.h). The point, i = j = 0, is that of the shape
+// at_origin(). A curve has j = 0 only; dimension 2 has z = 0.
 class Jet {
 public:
     // Builds the tables of a spline that evaluate() reads; may throw std::bad_alloc.

@@ -1,11 +1,12 @@
 #include "eval/magnitude.h"
 
+#include "spline/active_part.h"
 #include "spline/axis_view.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
+#include <numeric>
 
 namespace nrb {
 
@@ -14,15 +15,26 @@ namespace {
 // Within 2^-64 and 2^64 no square of a product of two derivatives of order 2 comes near the limits.
 constexpr int usual_exponent = 64;
 
-// A multiple of it, so that few copies serve a spline of many sizes.
-int rounded(int exponent) noexcept {
-    return exponent / usual_exponent * usual_exponent;
-}
+// The sizes that are not 0.
+class Range {
+public:
+    void add(double size) noexcept {
+        least_ = size > 0 ? std::min(least_, size) : least_;
+        most_ = std::max(most_, size);
+    }
+    [[nodiscard]] bool usual(int power) const noexcept {
+        return most_ == 0 || (std::isfinite(most_) && std::ilogb(least_) + power > -usual_exponent &&
+                              std::ilogb(most_) + power < usual_exponent);
+    }
+    // Of two, what brings the middle of the exponents to 0.
+    [[nodiscard]] int power() const noexcept {
+        return most_ > 0 && std::isfinite(most_) ? -((std::ilogb(least_) + std::ilogb(most_)) >> 1) : 0;
+    }
 
-// The exponent of a size; 0 of 0.
-int exponent_of(double size) noexcept {
-    return size > 0 && std::isfinite(size) ? rounded(std::ilogb(size)) : 0;
-}
+private:
+    double least_ = std::numeric_limits<double>::infinity();
+    double most_ = 0;
+};
 
 struct RecordSize {
     double coordinates = 0;
@@ -49,95 +61,82 @@ RecordSize size_of(const Spline &spline, int64_t i) noexcept {
     return size;
 }
 
-using Layers = KnotVector::Layers;
-
-// Calls visit(i) for the control points of some layers of each axis.
-template <class Visit>
-void for_each_point(const Spline &spline, const std::array<Layers, 2> &layers, Visit &&visit) {
-    const int64_t row = spline.axes() == 2 ? spline.count(1) : 1;
-    for (int64_t i = layers[0].first; i < layers[0].end; ++i) {
-        for (int64_t j = layers[1].first; j < layers[1].end; ++j) {
-            visit(i * row + j);
-        }
-    }
-}
-
-bool is_usual(double size, int power) noexcept {
-    return size == 0 || (std::isfinite(size) && rounded(std::ilogb(size) + power) == 0);
-}
-
-bool usual_spans(const Spline &spline, const Powers &powers) noexcept {
-    for (int k = 0; k < spline.axes(); ++k) {
-        const KnotVector &axis = spline.axis(k);
-        for (int64_t i = axis.degree(); i < axis.count(); ++i) {
-            if (!is_usual(axis[i + 1] - axis[i], powers.knots[static_cast<size_t>(k)])) {
-                return false;
+// Of all spans, and of control points.
+class Sizes {
+public:
+    explicit Sizes(const Spline &spline) : axes_(spline.knot_vectors()) {
+        for (size_t k = 0; k < axes_.size(); ++k) {
+            const KnotVector &axis = *axes_[k];
+            for (int64_t i = axis.degree(); i < axis.count(); ++i) {
+                spans_[k].add(axis[i + 1] - axis[i]);
             }
         }
     }
-    return true;
-}
-
-// Sizes of all windows of control points that are active together, and of all spans.
-class Windows {
-public:
-    explicit Windows(const Spline &given) : spline_(given.effective()) {
-        for (int64_t i = 0; i < spline_.point_count(); ++i) {
-            sizes_.push_back(size_of(spline_, i));
-        }
-        for (int k = 0; k < spline_.axes(); ++k) {
-            widen(axis_view(spline_, k, 1), spline_.axis(k).degree());
-        }
-    }
-
-    // What brings the largest of them near 1.
-    [[nodiscard]] Powers powers_of_largest() const noexcept {
-        RecordSize largest;
-        for (const RecordSize &size : sizes_) {
-            largest.add(size);
-        }
-        Powers powers{.coordinates = -exact_exponent(largest.coordinates),
-                      .weights = -exact_exponent(largest.weight)};
-        for (int k = 0; k < spline_.axes(); ++k) {
-            const Interval domain = spline_.axis(k).domain();
-            powers.knots[static_cast<size_t>(k)] = -exact_exponent(domain.upper / 2 - domain.lower / 2);
-        }
-        return powers;
+    void add(const RecordSize &size) noexcept {
+        coordinates_.add(size.coordinates);
+        weights_.add(size.weight);
     }
 
     // Whether all are usual when they are multiplied by these.
     [[nodiscard]] bool usual(const Powers &powers) const noexcept {
-        return usual_spans(spline_, powers) &&
-               std::all_of(sizes_.begin(), sizes_.end(), [&](const RecordSize &size) {
-                   return is_usual(size.coordinates, powers.coordinates) &&
-                          is_usual(size.weight, powers.weights);
-               });
+        bool usual = coordinates_.usual(powers.coordinates) && weights_.usual(powers.weights);
+        for (size_t k = 0; k < axes_.size(); ++k) {
+            usual = usual && spans_[k].usual(powers.knots[k]);
+        }
+        return usual;
+    }
+    // Those that make all usual if any do.
+    [[nodiscard]] Powers powers() const noexcept {
+        Powers powers{.coordinates = coordinates_.power(), .weights = weights_.power(), .knots = {}};
+        for (size_t k = 0; k < axes_.size(); ++k) {
+            powers.knots[k] = kept_apart({axes_[k]}, spans_[k].power());
+        }
+        return powers;
     }
 
 private:
-    static int exact_exponent(double size) noexcept {
-        return size > 0 && std::isfinite(size) ? std::ilogb(size) : 0;
-    }
-    // Every one becomes the largest of itself and the next `degree` along an axis.
-    void widen(const AxisView &view, int degree) {
-        for (int64_t o = 0; o < view.outer; ++o) {
-            for (int64_t i = 0; i < view.count; ++i) {
-                const int64_t end = std::min(i + degree + 1, view.count);
-                for (int64_t j = 0; j < view.inner; ++j) {
-                    const auto at = [&](int64_t layer) {
-                        return static_cast<size_t>((o * view.count + layer) * view.inner + j);
-                    };
-                    for (int64_t layer = i + 1; layer < end; ++layer) {
-                        sizes_[at(i)].add(sizes_[at(layer)]);
-                    }
+    const Spline::Axes &axes_;
+    Range coordinates_;
+    Range weights_;
+    std::array<Range, 2> spans_;
+};
+
+// Every record size becomes the largest of itself and of the next `degree` along an axis.
+void widen(const AxisView &view, int degree, std::vector<RecordSize> &sizes) {
+    for (int64_t o = 0; o < view.outer; ++o) {
+        for (int64_t i = 0; i < view.count; ++i) {
+            const int64_t end = std::min(i + degree + 1, view.count);
+            for (int64_t j = 0; j < view.inner; ++j) {
+                const auto at = [&](int64_t layer) {
+                    return static_cast<size_t>((o * view.count + layer) * view.inner + j);
+                };
+                for (int64_t layer = i + 1; layer < end; ++layer) {
+                    sizes[at(i)].add(sizes[at(layer)]);
                 }
             }
         }
     }
+}
 
-    const Spline &spline_;
-    std::vector<RecordSize> sizes_;
-};
+// The sizes of the control points that are active together, for all spans.
+Sizes sizes_of_windows(const Spline &spline) {
+    std::vector<RecordSize> sizes;
+    for (int64_t i = 0; i < spline.point_count(); ++i) {
+        sizes.push_back(size_of(spline, i));
+    }
+    for (int k = 0; k < spline.axes(); ++k) {
+        widen(axis_view(spline, k, 1), spline.axis(k).degree(), sizes);
+    }
+    Sizes result(spline);
+    const bool surface = spline.axes() == 2;
+    const int64_t row = surface ? spline.count(1) : 1, windows = surface ? row - spline.axis(1).degree() : 1;
+    for (int64_t i = 0; i < spline.count(0) - spline.axis(0).degree(); ++i) {
+        for (int64_t j = 0; j < windows; ++j) {
+            result.add(sizes[static_cast<size_t>(i * row + j)]);
+        }
+    }
+    return result;
+}
 
 // What is found once for a spline.
 struct Extent {
@@ -147,58 +146,25 @@ struct Extent {
     SplinePtr copy; // usual everywhere; none if the spline is, or if there is no such copy
 };
 
-// Of all points, without a look at which of them are active together.
-class PlainSizes {
-public:
-    explicit PlainSizes(const Spline &given) : spline_(given.effective()) {
-        const bool homogeneous = spline_.form() == Form::homogeneous;
-        for (int64_t i = 0; i < spline_.point_count(); ++i) {
-            const RecordSize size = size_of(spline_, i);
-            coordinates_.add(size.coordinates);
-            weights_.add(size.weight);
-            const double length = homogeneous ? size.coordinates / size.weight : size.coordinates;
-            longest_ = std::isfinite(length) ? std::max(longest_, length) : longest_;
-        }
+Extent find_extent(const Spline &given) {
+    const Spline &spline = given.effective();
+    const bool homogeneous = spline.form() == Form::homogeneous;
+    Extent extent;
+    Sizes alone(spline); // mostly each point is usual by itself
+    for (int64_t i = 0; i < spline.point_count(); ++i) {
+        const RecordSize size = size_of(spline, i);
+        alone.add(size);
+        const double length = homogeneous ? size.coordinates / size.weight : size.coordinates;
+        extent.size = std::isfinite(length) ? std::max(extent.size, length) : extent.size;
     }
-
-    [[nodiscard]] double longest() const noexcept { return longest_; }
-    // Whether each point is usual by itself, so that all windows are.
-    [[nodiscard]] bool usual() const noexcept {
-        return usual_spans(spline_, {}) && coordinates_.usual() && weights_.usual();
-    }
-
-private:
-    struct Range { // of the sizes that are not 0
-        double least = std::numeric_limits<double>::infinity();
-        double most = 0;
-
-        void add(double size) noexcept {
-            least = size > 0 ? std::min(least, size) : least;
-            most = std::max(most, size);
-        }
-        [[nodiscard]] bool usual() const noexcept {
-            return most == 0 || (is_usual(least, 0) && is_usual(most, 0));
-        }
-    };
-
-    const Spline &spline_;
-    Range coordinates_;
-    Range weights_;
-    double longest_ = 0;
-};
-
-Extent find_extent(const Spline &spline) {
-    const PlainSizes plain(spline);
-    Extent extent{.usual = plain.usual(), .size = plain.longest(), .powers = {}, .copy = {}};
-    if (extent.usual) {
+    if (alone.usual({})) {
         return extent;
     }
-    const Windows windows(spline);
+    const Sizes windows = sizes_of_windows(spline);
     extent.usual = windows.usual({});
-    const Powers powers = windows.powers_of_largest();
-    if (!extent.usual && windows.usual(powers)) {
-        extent.powers = powers;
-        extent.copy = scaled(spline, powers);
+    extent.powers = windows.powers();
+    if (!extent.usual && windows.usual(extent.powers)) {
+        extent.copy = scaled(spline, extent.powers);
     }
     return extent;
 }
@@ -210,108 +176,137 @@ const Extent &extent_of(const Spline &spline) {
     return *static_cast<const Extent *>(found.get());
 }
 
-// Of the length of a span, but so that no knot overflows.
-int knot_power(const KnotVector &axis, int64_t span) noexcept {
-    constexpr int most = 1000;
-    const double half = axis[span + 1] / 2 - axis[span] / 2;
-    const double largest = std::max(std::fabs(axis.knots().front()), std::fabs(axis.knots().back()));
-    return -std::max(rounded(std::ilogb(half) + 1), rounded(std::ilogb(largest)) - most);
+int exponent_of(double size) noexcept {
+    return size > 0 && std::isfinite(size) ? std::ilogb(size) : 0;
 }
 
-// For the control points that are active at a parameter, and its spans.
-Powers powers_at(const Spline &spline, const std::array<double, 2> &placed, const AxisRules &rules) {
-    Powers powers;
-    std::array<Layers, 2> layers{{{0, 1}, {0, 1}}};
-    for (size_t k = 0; k < static_cast<size_t>(spline.axes()); ++k) {
-        const KnotVector &axis = spline.axis(static_cast<int>(k));
-        const int64_t span = axis.find_span(placed[k], rules[k].left);
-        layers[k] = {span - axis.degree(), span + 1};
-        powers.knots[k] = knot_power(axis, span);
+// The exponent of the largest control point of the derivative along axis k, weights left aside, or of 1 / span if it
+// vanishes. Halves do not overflow.
+int slope_exponent(const Spline &part, int k) noexcept {
+    const KnotVector &axis = part.axis(k);
+    const int p = axis.degree();
+    const AxisView view = axis_view(part, k, 1);
+    int largest = std::numeric_limits<int>::min();
+    for (int64_t o = 0; o < view.outer; ++o) {
+        for (int64_t i = 1; i < view.count; ++i) {
+            const int length = std::ilogb(axis[i + p] / 2 - axis[i] / 2);
+            for (int64_t j = 0; j < view.inner; ++j) {
+                const int64_t before = (o * view.count + i - 1) * view.inner + j, here = before + view.inner;
+                for (int c = 0; c < part.dim(); ++c) {
+                    const double step = part.coordinate(here, c) / 2 - part.coordinate(before, c) / 2;
+                    largest = step != 0 && std::isfinite(step) ? std::max(largest, std::ilogb(step) - length)
+                                                               : largest;
+                }
+            }
+        }
     }
+    return largest > std::numeric_limits<int>::min() ? largest : -std::ilogb(axis[p + 1] / 2 - axis[p] / 2);
+}
+
+// What brings control points and first derivatives of a part near 1.
+Powers powers_of_part(const Spline &part) noexcept {
     RecordSize largest;
-    for_each_point(spline, layers, [&](int64_t i) { largest.add(size_of(spline, i)); });
-    powers.coordinates = -exponent_of(largest.coordinates);
-    powers.weights = -exponent_of(largest.weight);
+    for (int64_t i = 0; i < part.point_count(); ++i) {
+        largest.add(size_of(part, i));
+    }
+    Powers powers{.coordinates = -exponent_of(largest.coordinates),
+                  .weights = -exponent_of(largest.weight),
+                  .knots = {}};
+    for (int k = 0; k < part.axes(); ++k) {
+        powers.knots[static_cast<size_t>(k)] = kept_apart({part.knot_vectors()[static_cast<size_t>(k)]},
+                                                          slope_exponent(part, k) + powers.size(part));
+    }
     return powers;
 }
 
-// A list of parameters as a copy has them: where they are evaluated, whatever the rules say of the domain.
+// The parameters of a list as a copy has them: where they are evaluated, whatever the rules say of the domain.
 class Runs {
 public:
-    Runs(const Spline &spline, const AxisRules &rules, ConstRecords params)
-        : spline_(spline), rules_(rules), params_(params) {
+    using Body = std::function<void(const MagnitudeRun &)>;
+
+    Runs(const Spline &spline, const AxisRules &rules, ConstRecords params, const Body &body)
+        : spline_(spline), rules_(rules), params_(params), body_(body),
+          order_(static_cast<size_t>(params.count)) {
         for (size_t k = 0; k < rules.size(); ++k) {
             placed_rules_[k] = {rules[k].left, rules[k].nan, Outside::extrapolate};
         }
+        std::iota(order_.begin(), order_.end(), int64_t{0});
     }
 
-    void operator()(const std::function<void(const MagnitudeRun &)> &body) {
+    std::vector<int64_t> run() && {
         const Extent &extent = extent_of(spline_);
-        if (extent.copy != nullptr) {
-            return run(0, params_.count, extent.powers, *extent.copy, body);
+        if (extent.usual) {
+            body_({spline_, rules_, params_, 0, 0});
+        } else if (extent.copy != nullptr) {
+            run_copy(*extent.copy, extent.powers, 0, params_.count);
+        } else {
+            run_parts();
         }
-        for (int64_t first = 0, end = 0; first < params_.count; first = end) {
-            const Powers powers = at(first);
-            for (end = first + 1; end < params_.count && at(end) == powers;) {
-                ++end;
-            }
-            run(first, end - first, powers, powers == Powers{} ? spline_ : copy(powers), body);
-        }
+        return std::move(order_);
     }
 
 private:
+    using Spans = std::array<int64_t, max_axes>; // -1 of parameters that are nowhere
+
     [[nodiscard]] double placed(int64_t i, size_t k) const noexcept {
         return place(params_(i, static_cast<int64_t>(k)), rules_[k],
                      spline_.axis(static_cast<int>(k)).domain());
     }
 
-    [[nodiscard]] Powers at(int64_t i) const {
-        std::array<double, 2> t{};
-        for (size_t k = 0; k < static_cast<size_t>(spline_.axes()); ++k) {
-            t[k] = placed(i, k);
-            if (std::isnan(t[k])) {
-                return {};
+    [[nodiscard]] Spans spans_at(int64_t i) const noexcept {
+        Spans spans{};
+        for (int k = 0; k < spline_.axes(); ++k) {
+            const auto at = static_cast<size_t>(k);
+            const double t = placed(i, at);
+            if (std::isnan(t)) {
+                return {-1, -1, -1};
             }
+            spans[at] = spline_.axis(k).find_span(t, rules_[at].left);
         }
-        return powers_at(spline_, t, rules_);
+        return spans;
     }
 
-    // Sizes that alternate share copies.
-    const Spline &copy(const Powers &powers) {
-        for (const auto &[known, made] : copies_) {
-            if (known == powers) {
-                return *made;
-            }
+    void run_parts() {
+        std::vector<Spans> spans;
+        for (int64_t i = 0; i < params_.count; ++i) {
+            spans.push_back(spans_at(i));
         }
-        copies_.emplace_back(powers, scaled(spline_, powers));
-        return *copies_.back().second;
+        const auto spans_of = [&spans](int64_t i) -> const Spans & { return spans[static_cast<size_t>(i)]; };
+        std::ranges::stable_sort(order_, {}, spans_of);
+        for (size_t first = 0, end = 0; first < order_.size(); first = end) {
+            for (end = first + 1; end < order_.size() && spans_of(order_[end]) == spans_of(order_[first]);) {
+                ++end;
+            }
+            run_part(spans_of(order_[first]), static_cast<int64_t>(first), static_cast<int64_t>(end - first));
+        }
     }
 
-    void run(int64_t first, int64_t count, const Powers &powers, const Spline &shown,
-             const std::function<void(const MagnitudeRun &)> &body) const {
-        if (&shown == &spline_) {
-            ConstRecords params = params_;
-            params.data = params_.record(first);
-            params.count = count;
-            return body({spline_, rules_, params, first, 0});
+    void run_part(const Spans &spans, int64_t first, int64_t count) const {
+        if (spans[0] < 0) {
+            return run_copy(spline_, {}, first, count);
         }
+        const SplinePtr part = active_part(spline_, spans);
+        const Powers powers = powers_of_part(*part);
+        run_copy(*scaled(*part, powers), powers, first, count);
+    }
+
+    void run_copy(const Spline &copy, const Powers &powers, int64_t first, int64_t count) const {
         const int64_t axes = spline_.axes();
-        std::vector<double> params(static_cast<size_t>(count * axes));
-        for (int64_t i = 0; i < count; ++i) {
-            for (int64_t k = 0; k < axes; ++k) {
-                const auto at = static_cast<size_t>(k);
-                params[static_cast<size_t>(i * axes + k)] =
-                    std::ldexp(placed(first + i, at), powers.knots[at]);
+        std::vector<double> params;
+        for (int64_t n = first; n < first + count; ++n) {
+            for (size_t k = 0; k < static_cast<size_t>(axes); ++k) {
+                params.push_back(std::ldexp(placed(order_[static_cast<size_t>(n)], k), powers.knots[k]));
             }
         }
-        body({shown, placed_rules_, {params.data(), count, axes, axes, 1}, first, powers.size(spline_)});
+        body_({copy, placed_rules_, {params.data(), count, axes, axes, 1}, first, powers.size(spline_)});
     }
 
     const Spline &spline_;
     const AxisRules &rules_;
     ConstRecords params_;
+    const Body &body_;
     AxisRules placed_rules_;
-    std::vector<std::pair<Powers, SplinePtr>> copies_;
+    std::vector<int64_t> order_;
 };
 
 } // namespace
@@ -324,32 +319,9 @@ double active_size(const Spline &spline) {
     return extent_of(spline).size;
 }
 
-void for_each_magnitude(const Spline &spline, const AxisRules &rules, ConstRecords params,
-                        const std::function<void(const MagnitudeRun &)> &body) {
-    Runs(spline, rules, params)(body);
-}
-
-Pending::Pending(const Records &out)
-    : out_(out), values_(out.data == nullptr ? 0 : static_cast<size_t>(out.count * out.width)) {}
-
-Records Pending::part(int64_t first, int64_t count) noexcept {
-    double *data = out_.data == nullptr ? nullptr : values_.data() + first * out_.width;
-    return {data, count, out_.width, out_.width, 1};
-}
-
-void Pending::multiply(int64_t first, int64_t count, int exponent) noexcept {
-    const Records own = part(first, count);
-    for (int64_t i = 0; own.data != nullptr && i < count * own.width; ++i) {
-        own.data[i] = std::ldexp(own.data[i], exponent);
-    }
-}
-
-void Pending::write() const noexcept {
-    for (int64_t i = 0; out_.data != nullptr && i < out_.count; ++i) {
-        for (int64_t c = 0; c < out_.width; ++c) {
-            out_(i, c) = values_[static_cast<size_t>(i * out_.width + c)];
-        }
-    }
+std::vector<int64_t> for_each_magnitude(const Spline &spline, const AxisRules &rules, ConstRecords params,
+                                        const std::function<void(const MagnitudeRun &)> &body) {
+    return Runs(spline, rules, params, body).run();
 }
 
 } // namespace nrb

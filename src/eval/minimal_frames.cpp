@@ -66,9 +66,7 @@ public:
         const double squared = dot(first, first);
         if (!in_range(squared) || !(squared > error_ * error_)) {
             const CurveTangent limit = curve_tangent(spline_, rules_, t);
-            if (!in_range(squared) || limit.kind != 1) {
-                return limit;
-            }
+            return limit.kind == 1 ? CurveTangent{1, unit(first)} : limit;
         }
         return {1, (1 / std::sqrt(squared)) * first};
     }
@@ -225,11 +223,16 @@ void frames_of_any_size(const Spline &spline, const AxisRules &rules, ConstRecor
                         const double *first_normal, const MinimalFrames &out) {
     const double size = active_size(spline);
     const int power = size > 0 ? -std::ilogb(size) : 0;
-    std::vector<PlaceAndTangent> places(static_cast<size_t>(params.count));
-    for_each_magnitude(spline, rules, params, [&](const MagnitudeRun &run) {
-        PlaceSink sink(run, power, places.data() + run.first);
-        evaluate_points(run.spline, run.rules, 1, run.params, sink);
-    });
+    std::vector<PlaceAndTangent> found_places(static_cast<size_t>(params.count));
+    const std::vector<int64_t> order =
+        for_each_magnitude(spline, rules, params, [&](const MagnitudeRun &run) {
+            PlaceSink sink(run, power, found_places.data() + run.first);
+            evaluate_points(run.spline, run.rules, 1, run.params, sink);
+        });
+    std::vector<PlaceAndTangent> places(found_places.size());
+    for (size_t n = 0; n < order.size(); ++n) {
+        places[static_cast<size_t>(order[n])] = found_places[n];
+    }
     const auto found = std::find_if(places.begin(), places.end(),
                                     [](const PlaceAndTangent &place) { return place.tangent.kind > 0; });
     const std::optional<Vector3> normal = checked_normal(

@@ -24,6 +24,12 @@ ShapeOperator::ShapeOperator(const SurfaceDerivatives &d) noexcept {
     spread_ = length({0.5 * (w11_ - w22_), w12_, 0});
 }
 
+// The product of the principal curvatures where squares of a large one would overflow.
+double ShapeOperator::gaussian() const noexcept {
+    const double determinant = w11_ * w22_ - w12_ * w12_;
+    return std::isfinite(determinant) ? determinant : (mean() + spread_) * (mean() - spread_);
+}
+
 // The angle phi from e1 has tan 2 phi = 2 w12 / (w11 - w22); the half angle is taken from the larger of its
 // cosine and sine, so that nothing cancels.
 Vector3 ShapeOperator::direction() const noexcept {

@@ -24,7 +24,7 @@ public:
     [[nodiscard]] const Vector3 &e1() const noexcept { return e1_; }
     [[nodiscard]] const Vector3 &normal() const noexcept { return normal_; }
     [[nodiscard]] double mean() const noexcept { return 0.5 * (w11_ + w22_); }
-    [[nodiscard]] double gaussian() const noexcept { return w11_ * w22_ - w12_ * w12_; }
+    [[nodiscard]] double gaussian() const noexcept;
     // Half the difference of the principal curvatures.
     [[nodiscard]] double spread() const noexcept { return spread_; }
     // Bound of its error when the derivatives, which are those of the constructor, have these errors; to

@@ -2,11 +2,10 @@
 
 #include "eval/blocks.h"
 #include "eval/derivative_errors.h"
-#include "eval/magnitude.h"
 #include "eval/normal_kernel.h"
-#include "eval/outputs.h"
 #include "eval/surface_limit.h"
 #include "eval/triple_stream.h"
+#include "eval/waiting_outputs.h"
 
 #include <bit>
 #include <limits>
@@ -143,26 +142,22 @@ void usual_frames(const Spline &spline, const AxisRules &rules,
     evaluate_grid(spline, rules, 1, params, sink);
 }
 
-// Points and derivatives of any size as evaluation has them. Nothing is written before all is known: this may
-// run out of memory.
+// Points and derivatives of any size as evaluation has them.
 template <class Params>
 void frames_of_any_size(const Spline &spline, const AxisRules &rules, ConstRecords list, const Params &params,
                         const SurfaceFrames &out) {
-    Pending normals(out.normals);
-    std::vector<int32_t> status(static_cast<size_t>(list.count));
+    WaitingOutputs waiting({{out.normals}}, out.status, list.count);
+    std::vector<int64_t> order;
     if (out.normals.data != nullptr || out.status != nullptr) {
-        for_each_magnitude(spline, rules, list, [&](const MagnitudeRun &run) {
+        order = for_each_magnitude(spline, rules, list, [&](const MagnitudeRun &run) {
             usual_frames(run.spline, run.rules, run.params,
-                         {{}, {}, {}, normals.part(run.first, run.params.count), status.data() + run.first});
+                         {{}, {}, {}, waiting.part(0, run), waiting.status(run)});
         });
     }
     if (out.points.data != nullptr || out.du.data != nullptr || out.dv.data != nullptr) {
         usual_frames(spline, rules, params, {out.points, out.du, out.dv, {}, nullptr});
     }
-    normals.write();
-    if (out.status != nullptr) {
-        std::copy(status.begin(), status.end(), out.status);
-    }
+    waiting.write(order);
 }
 
 // All combinations, axis 1 fastest.

@@ -31,15 +31,21 @@ inline double largest(const Vector3 &a) noexcept {
     return std::max({std::fabs(a.x), std::fabs(a.y), std::fabs(a.z)});
 }
 
+// Of the largest coordinate; 0 of 0, infinities and NaN.
+inline int size_exponent(const Vector3 &a) noexcept {
+    const double size = largest(a);
+    return size > 0 && std::isfinite(size) ? std::ilogb(size) : 0;
+}
+
+inline Vector3 times_power(const Vector3 &a, int exponent) noexcept {
+    return {std::ldexp(a.x, exponent), std::ldexp(a.y, exponent), std::ldexp(a.z, exponent)};
+}
+
 // The vector times a power of two that brings its largest coordinate into [1, 2), so that squares and
 // products neither overflow nor underflow. 0, infinities and NaN stay.
 inline Vector3 scaled_to_one(const Vector3 &a) noexcept {
-    const double size = largest(a);
-    if (!(size > 0) || !std::isfinite(size)) {
-        return a;
-    }
-    const int exponent = -std::ilogb(size);
-    return {std::ldexp(a.x, exponent), std::ldexp(a.y, exponent), std::ldexp(a.z, exponent)};
+    const int exponent = size_exponent(a);
+    return exponent == 0 ? a : times_power(a, -exponent);
 }
 
 // Squared lengths between these can be used without loss; other vectors are scaled first, which changes no

@@ -4,6 +4,7 @@
 #include "eval/jet.h"
 #include "refine/iso.h"
 #include "spline/kind.h"
+#include "spline/near_one.h"
 
 #include <algorithm>
 #include <array>
@@ -269,19 +270,27 @@ private:
 
 } // namespace
 
-std::vector<KnotContinuity> continuity(const SplinePtr &spline, int axis, const ContinuityRule &rule) {
+namespace {
+
+// Of a spline whose derivatives and their squares stay in the range of double precision; its knots have the names of
+// others.
+std::vector<KnotContinuity> usual_continuity(const SplinePtr &spline, int axis, const ContinuityRule &rule,
+                                             const KnotVector &named) {
     const KnotVector &knots = spline->axis(axis);
+    const std::vector<KnotGroup> groups = distinct_knots(knots.knots()),
+                                 names = distinct_knots(named.knots());
     const auto [lower, upper] = knots.domain();
     std::vector<KnotContinuity> rows;
     std::vector<Place> places;
-    for (const KnotGroup &group : distinct_knots(knots.knots())) {
-        if (group.knot > lower && group.knot < upper) {
-            rows.push_back({group.knot, knots.degree() - group.multiplicity, {}});
-            places.push_back({group.knot, group.knot});
+    for (size_t i = 0; i < groups.size(); ++i) {
+        const double knot = groups[i].knot;
+        if (knot > lower && knot < upper) {
+            rows.push_back({names[i].knot, knots.degree() - groups[i].multiplicity, {}});
+            places.push_back({knot, knot});
         }
     }
     const int at_seam = knots.periodic() ? knots.degree() - multiplicity(knots.knots(), lower) : -1;
-    rows.push_back({upper, at_seam, {}});
+    rows.push_back({named.domain().upper, at_seam, {}});
     places.push_back({upper, lower});
     const std::vector<Continuity> found = Inspection(spline, axis, rule, std::move(places)).run();
     for (size_t i = 0; i < rows.size(); ++i) {
@@ -293,11 +302,50 @@ std::vector<KnotContinuity> continuity(const SplinePtr &spline, int axis, const 
     return rows;
 }
 
-Continuity continuity_between(const Spline &a, bool upper_a, const Spline &b, bool upper_b,
-                              const ContinuityRule &rule) {
-    check_kind(a, 1, "a");
-    check_kind(b, 1, "b");
-    check_same_dimension(a, b);
+// As if lengths were multiplied by 2^size, and back.
+ContinuityRule scaled(ContinuityRule rule, int size) noexcept {
+    rule.position = std::ldexp(rule.position, size);
+    return rule;
+}
+Continuity scaled_back(Continuity found, int size) noexcept {
+    found.position_gap = std::ldexp(found.position_gap, -size);
+    found.curvature_gap = std::ldexp(found.curvature_gap, size);
+    return found;
+}
+
+// What is best for one is so for two: the larger size, the shorter axis.
+struct CommonPowers {
+    int size, knots;
+};
+CommonPowers common_powers(const Spline &a, const Spline &b) {
+    const Powers of_a = powers_near_one(a, 1), of_b = powers_near_one(b, 1);
+    return {std::min(of_a.size(a), of_b.size(b)), std::max(of_a.knots[0], of_b.knots[0])};
+}
+SplinePtr resized(const Spline &spline, const CommonPowers &powers) {
+    const int knots = kept_apart(spline.knot_vectors(), powers.knots);
+    return near_one(spline, {.coordinates = powers.size, .weights = 0, .knots = {knots}});
+}
+
+} // namespace
+
+std::vector<KnotContinuity> continuity(const SplinePtr &spline, int axis, const ContinuityRule &rule) {
+    const Powers powers = powers_near_one(*spline, 1);
+    if (powers == Powers{}) {
+        return usual_continuity(spline, axis, rule, spline->axis(axis));
+    }
+    const int size = powers.size(*spline);
+    std::vector<KnotContinuity> rows =
+        usual_continuity(near_one(*spline, powers), axis, scaled(rule, size), spline->axis(axis));
+    for (KnotContinuity &row : rows) {
+        row.found = scaled_back(row.found, size);
+    }
+    return rows;
+}
+
+namespace {
+
+Continuity usual_continuity_between(const Spline &a, bool upper_a, const Spline &b, bool upper_b,
+                                    const ContinuityRule &rule) {
     const int degree = std::max(a.axis(0).degree(), b.axis(0).degree()), order = std::max(degree, 2);
     const Interval of_a = a.axis(0).domain(), of_b = b.axis(0).domain();
     CurveSide before(a, upper_a ? of_a.upper : of_a.lower, upper_a, order, accuracy_of(a));
@@ -309,6 +357,22 @@ Continuity continuity_between(const Spline &a, bool upper_a, const Spline &b, bo
         after.reverse();
     }
     return limited(continuity(before, after, rule), degree);
+}
+
+} // namespace
+
+Continuity continuity_between(const Spline &a, bool upper_a, const Spline &b, bool upper_b,
+                              const ContinuityRule &rule) {
+    check_kind(a, 1, "a");
+    check_kind(b, 1, "b");
+    check_same_dimension(a, b);
+    const CommonPowers powers = common_powers(a, b);
+    if (powers.size == 0 && powers.knots == 0) {
+        return usual_continuity_between(a, upper_a, b, upper_b, rule);
+    }
+    return scaled_back(usual_continuity_between(*resized(a, powers), upper_a, *resized(b, powers), upper_b,
+                                                scaled(rule, powers.size)),
+                       powers.size);
 }
 
 } // namespace nrb

@@ -11,11 +11,13 @@ namespace nrb {
 
 namespace {
 
-// The polynomial spline of the Cartesian points; null where there are none, or for a polynomial one.
-SplinePtr without_weights(const Spline &spline) {
-    if (!spline.rational()) {
+// The polynomial spline of the Cartesian points; null where there are none, or for a polynomial one. Points without
+// influence get some in it, wherever they are stored.
+SplinePtr without_weights(const Spline &given) {
+    if (!given.rational()) {
         return nullptr;
     }
+    const Spline &spline = given.effective();
     std::vector<double> points = cartesian_points(spline);
     return all_finite(points)
                ? make_result(spline.knot_vectors(), spline.dim(), Form::polynomial, std::move(points))

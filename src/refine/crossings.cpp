@@ -108,17 +108,11 @@ double CurvePiece::value(int k, double t) const noexcept {
 // Multiplied by eps before anything can overflow; t / length is at most 1 / eps.
 CurvePiece::Known CurvePiece::known_of(int k) const {
     const int q = degree();
-    double lowest = HUGE_VAL, highest = -HUGE_VAL;
-    for (int64_t i = span_ - q; i <= span_; ++i) {
-        const double x = eps * curve_->coordinate(i, k);
-        lowest = std::min(lowest, x);
-        highest = std::max(highest, x);
-    }
-    const double largest = std::max(-lowest, highest);
-    const double rounding = (curve_->rational() ? 8 * (q + 2) : 4 * (q + 1)) * largest;
-    const double slope = eps_times_slope(k, std::max(std::fabs(lower()), std::fabs(upper())));
-    const Known known{rounding, rounding + slope};
-    if (curve_->rational() && eps * slope > (highest - lowest) / 4) {
+    const Interval eps_range = eps_times_range(k);
+    const double eps_largest = std::max(-eps_range.lower, eps_range.upper);
+    const double rounding = (curve_->rational() ? 8 * (q + 2) : 4 * (q + 1)) * eps_largest;
+    const Known known{rounding, rounding + eps_times_slope(k, 0)};
+    if (curve_->rational() && eps * eps_times_slope(k, 2) > (eps_range.upper - eps_range.lower) / 4) {
         fail(NURBS_ERROR_NOT_REPRESENTABLE,
              "coordinate %d between t = %s and %s is too steep, by weights that differ so much: no parameter "
              "tells where in its range it is",
@@ -132,24 +126,34 @@ CurvePiece::Known CurvePiece::known_of(int k) const {
     return known;
 }
 
+// Of the active control points.
+Interval CurvePiece::eps_times_range(int k) const noexcept {
+    Interval range{HUGE_VAL, -HUGE_VAL};
+    for (int64_t i = span_ - degree(); i <= span_; ++i) {
+        const double x = eps * curve_->coordinate(i, k);
+        range = {std::min(range.lower, x), std::max(range.upper, x)};
+    }
+    return range;
+}
+
 // Bound of eps t |F'|, of which each control point counts by its steps to the next one. With weights F' is the sum of
 // q N_i (w_(i+1) (F_(i+1) - F) - w_i (F_i - F)) / (t_(i+q+1) - t_(i+1)), N_i those of degree q - 1, divided by the
-// weight, and F lies among the F_i.
-double CurvePiece::eps_times_slope(int k, double t) const noexcept {
+// weight, and F lies among the F_i; equal weights have the ratios 1 + 1, of which `even` are left out.
+double CurvePiece::eps_times_slope(int k, double even) const noexcept {
     const KnotVector &axis = curve_->axis(0);
     const int q = axis.degree();
-    const auto point = [&](int64_t i) { return eps * curve_->coordinate(i, k); };
-    double lowest = point(span_), highest = lowest, least = curve_->weight(span_), slope = 0;
-    for (int64_t i = span_ - q; i < span_ && curve_->rational(); ++i) {
-        lowest = std::min(lowest, point(i));
-        highest = std::max(highest, point(i));
+    const double t = std::max(std::fabs(lower()), std::fabs(upper()));
+    const Interval eps_range = eps_times_range(k);
+    double least = curve_->weight(span_), slope = 0;
+    for (int64_t i = span_ - q; i < span_; ++i) {
         least = std::min(least, curve_->weight(i));
     }
     for (int64_t i = span_ - q; i < span_; ++i) {
         const double length = axis[i + q + 1] - axis[i + 1];
-        const double way = curve_->rational() ? (curve_->weight(i) / least + curve_->weight(i + 1) / least) *
-                                                    (highest - lowest)
-                                              : std::fabs(point(i + 1) - point(i));
+        const double ratios = curve_->weight(i) / least + curve_->weight(i + 1) / least - even;
+        const double eps_step = eps * curve_->coordinate(i + 1, k) - eps * curve_->coordinate(i, k);
+        const double way =
+            curve_->rational() ? ratios * (eps_range.upper - eps_range.lower) : std::fabs(eps_step);
         slope = std::max(slope, q * way * (t / length));
     }
     return slope;

@@ -55,7 +55,8 @@ private:
         double uncertainty;
     };
     [[nodiscard]] Known known_of(int k) const;
-    [[nodiscard]] double eps_times_slope(int k, double t) const noexcept;
+    [[nodiscard]] Interval eps_times_range(int k) const noexcept;
+    [[nodiscard]] double eps_times_slope(int k, double even) const noexcept;
     [[nodiscard]] double weight(int64_t i) const noexcept;
     // Coordinate k of the sum of control points times coefficients and weights, divided by that of the weights.
     [[nodiscard]] double quotient(const PolarRow &row, int k) const noexcept;

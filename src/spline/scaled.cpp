@@ -1,5 +1,6 @@
 #include "spline/scaled.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace nrb {
@@ -18,6 +19,21 @@ KnotVectorPtr multiplied(const KnotVectorPtr &axis, int exponent) {
 }
 
 } // namespace
+
+int kept_apart(const Spline::Axes &axes, int exponent) noexcept {
+    constexpr int most = 1000;
+    double largest = 0, least = HUGE_VAL;
+    for (const KnotVectorPtr &axis : axes) {
+        const std::span<const double> knots = axis->knots();
+        largest = std::max({largest, std::fabs(knots.front()), std::fabs(knots.back())});
+        for (size_t i = 1; i < knots.size(); ++i) {
+            const double apart = knots[i] - knots[i - 1];
+            least = apart > 0 ? std::min(least, apart) : least;
+        }
+    }
+    const int raised = std::max(exponent, std::min(-most - std::ilogb(least), 0));
+    return std::min(raised, std::max(most - std::ilogb(largest), 0));
+}
 
 SplinePtr scaled(const Spline &spline, const Powers &powers) {
     Spline::Axes axes;

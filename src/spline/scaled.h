@@ -19,6 +19,9 @@ struct Powers {
     }
 };
 
+// The exponent nearest to the one that is wanted by which no knot overflows and no two become one.
+int kept_apart(const Spline::Axes &axes, int exponent) noexcept;
+
 // Exact but for numbers that leave double precision, which become infinite, or lose bits: whether they matter
 // is for the caller to know.
 SplinePtr scaled(const Spline &spline, const Powers &powers);

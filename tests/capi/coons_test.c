@@ -346,6 +346,32 @@ static void refused_rules(void) {
     destroy(&cross);
 }
 
+/* A face of the cube again, with weights that are equal where they have influence. */
+static void volume_with_unseen_weights(void) {
+    static const int32_t degrees[] = {1, 1};
+    static const int64_t counts[] = {3, 2};
+    static const double knots[] = {-1, 0, 0, 1, 1, 0, 0, 1, 1};
+    static const double points[] = {9, 9, 9, 9, 9, 9, 9, 9, 0, 0, 0, 0, 0, 0, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0};
+    static const double weights[] = {2, 3, 1, 1, 1, 1};
+    const SplineArgs seen = {2, degrees, counts, knots, 9, 4, points, 0, 0, weights, 0, 0};
+    nurbs *g = make(cube()), *h = NULL, *faces[6];
+    nurbs_list *list = NULL;
+    CHECK_OK(nurbs_boundaries(g, &list));
+    for (int i = 0; i < 6; ++i) {
+        CHECK_OK(nurbs_list_get(list, i, &faces[i]));
+    }
+    nurbs_list_destroy(list);
+    nurbs_destroy(faces[0]);
+    faces[0] = make(seen);
+    CHECK_OK(nurbs_volume_coons((const nurbs *const *)faces, 0, &h));
+    CHECK_POINTS(h, cube().points);
+    nurbs_destroy(h);
+    for (int i = 0; i < 6; ++i) {
+        nurbs_destroy(faces[i]);
+    }
+    nurbs_destroy(g);
+}
+
 static void volume(void) {
     nurbs *g = make(cube()), *h = NULL, *faces[6];
     nurbs_list *list = NULL;
@@ -392,5 +418,6 @@ int main(void) {
     refused_tangents();
     refused_rules();
     volume();
+    volume_with_unseen_weights();
     return check_summary("coons");
 }

@@ -58,10 +58,12 @@ nurbs_status placed(Input &in, nurbs **out) {
         return nurbs_curve_parabola(p.dim, p.o(), p.a(), p.d(), r, from, to, out);
     case 6:
         return nurbs_curve_hyperbola(p.dim, p.o(), p.a(), p.d(), r, s, from, to, out);
-    default:
+    default: { // its points grow with the size in tolerances
+        const double growth = any_number(in),
+                     size = std::max({1.0, std::fabs(r), std::fabs(to), std::fabs(growth)});
         return nurbs_curve_helix(p.dim, p.o(), p.a(), p.d(), r, in.coin() ? 0 : from, p.dim == 2 ? 0 : to,
-                                 any_number(in), 0.1 + in.unit() * 8, std::ldexp(1.0, -in.below(40)), &error,
-                                 out);
+                                 growth, 0.1 + in.unit() * 8, std::ldexp(size, -in.below(40)), &error, out);
+    }
     }
 }
 

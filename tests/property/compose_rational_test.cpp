@@ -144,4 +144,15 @@ TEST(ComposeRational, monotone_or_refused) {
     ASSERT_EQ(status_of(g, arc(steep, std::vector<double>(32, 0.7))), NURBS_OK); // of degree 31
 }
 
+// Equal weights far from 0 in the parameter blur f no more than none.
+TEST(ComposeRational, with_equal_weights_wherever_it_lies) {
+    const SplineData g{{1}, {3}, {{0, 0, 0.5, 1, 1}}, 1, {0, 1, 0}, {}, 0};
+    SplineData f{{2}, {3}, {{1e15, 1e15, 1e15, 1e15 + 1, 1e15 + 1, 1e15 + 1}}, 1, {0, 0.4, 1}, {}, 0};
+    ASSERT_EQ(status_of(g, f), NURBS_OK);
+    f.weights = {3, 3, 3};
+    ASSERT_EQ(status_of(g, f), NURBS_OK);
+    f.weights = {1, 3, 1e9};
+    ASSERT_EQ(status_of(g, f), NURBS_ERROR_NOT_REPRESENTABLE);
+}
+
 } // namespace

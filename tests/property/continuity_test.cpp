@@ -156,4 +156,33 @@ TEST(Continuity, of_the_halves_of_a_curve) {
     });
 }
 
+// A model and knots multiplied by powers of two: the same orders, and gaps times the power.
+TEST(Continuity, has_no_size) {
+    for_each_case(780000, 200, [](Random &random, uint64_t seed) {
+        Recipe recipe = random_recipe(random, random.whole(1, 2), 4);
+        recipe.short_numbers = true;
+        const SplineData data = random_spline(random, recipe);
+        const int points = random.whole(-900, 900), knots = random.chance(30) ? 0 : random.whole(-300, 300);
+        const SplineData other = scaled(data, std::ldexp(1, points), std::ldexp(1, knots));
+        const Handle g = create(data), h = create(other);
+        const auto rows = continuity(g.get(), 0), found = continuity(h.get(), 0);
+        ASSERT_EQ(found.size(), rows.size()) << where(seed, data);
+        for (size_t i = 0; i < rows.size(); ++i) {
+            const std::string place = where(seed, data) + " points 2^" + std::to_string(points) +
+                                      " knots 2^" + std::to_string(knots) + " row " + std::to_string(i);
+            ASSERT_EQ(found[i].knot, std::ldexp(rows[i].knot, knots)) << place;
+            ASSERT_EQ(found[i].order, rows[i].order) << place;
+            ASSERT_EQ(found[i].geometric, rows[i].geometric) << place;
+            ASSERT_EQ(found[i].position_gap, std::ldexp(rows[i].position_gap, points)) << place;
+        }
+        if (data.axes() == 1) {
+            const Between here = between(g.get(), NURBS_END, g.get(), NURBS_START),
+                          there = between(h.get(), NURBS_END, h.get(), NURBS_START);
+            ASSERT_EQ(there.order, here.order) << where(seed, data);
+            ASSERT_EQ(there.geometric, here.geometric) << where(seed, data);
+            ASSERT_EQ(there.gap, std::ldexp(here.gap, points)) << where(seed, data);
+        }
+    });
+}
+
 } // namespace

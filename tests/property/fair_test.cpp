@@ -180,4 +180,18 @@ TEST(Fair, has_no_size) {
     EXPECT_GE(moved, of_whole_run(30));
 }
 
+// Ends that are kept keep their bits, however small they are beside the rest.
+TEST(Fair, keeps_what_it_does_not_move) {
+    SplineData data{
+        {3}, {6}, {{0, 0, 0, 0, 1, 2, 3, 3, 3, 3}}, 2, {1e-200, 3e-200, 1, 1, 2, -1, 3, 1, 4, -1, 5, 0},
+        {},  0};
+    for (size_t i = 2; i < data.points.size(); ++i) {
+        data.points[i] = std::ldexp(data.points[i], 600);
+    }
+    const FairedShape found = faired(data, 2, std::ldexp(0.3, 600), false);
+    ASSERT_NE(found.data.points, data.points);
+    ASSERT_EQ(found.data.points[0], data.points[0]);
+    ASSERT_EQ(found.data.points[1], data.points[1]);
+}
+
 } // namespace

@@ -1,12 +1,10 @@
 // Frames and curvature of models and knots of every size: powers of two change no bit of a direction and
 // scale curvatures exactly.
-#include "support/cases.h"
-#include "support/frames.h"
-
-#include <cmath>
-#include <gtest/gtest.h>
+#include "property/surface_normals.h"
 
 using namespace support;
+using reference::eps;
+using surface_normals::Exact;
 
 namespace {
 
@@ -187,6 +185,73 @@ TEST(FrameSizes, of_a_parabola) {
         ASSERT_EQ(found.tangents, (Values{1, 0})) << k;
         ASSERT_EQ(found.curvatures[0], -std::ldexp(1, -k)) << k;
     }
+}
+
+// A clamped axis with a span much shorter than those beside it.
+std::vector<double> uneven_knots(int degree, double gap) {
+    std::vector<double> knots(static_cast<size_t>(degree) + 1, -1);
+    knots.insert(knots.end(), {0, gap});
+    knots.insert(knots.end(), static_cast<size_t>(degree) + 1, 1);
+    return knots;
+}
+
+SplineData uneven_spline(Random &random, int axes, int dim, double gap) {
+    SplineData data;
+    data.dim = dim;
+    for (int k = 0; k < axes; ++k) {
+        const int degree = random.whole(2, axes == 1 ? 6 : 4);
+        data.degrees.push_back(degree);
+        data.counts.push_back(degree + 3);
+        data.knots.push_back(uneven_knots(degree, gap));
+    }
+    for (int64_t i = 0; i < data.point_count() * dim; ++i) {
+        data.points.push_back(random.between(-1, 1));
+    }
+    return data;
+}
+
+// There derivatives of one order are far larger than those of another, and their products leave double precision;
+// long double has room for them.
+TEST(FrameSizes, of_a_short_span_between_long_ones) {
+    for_each_case(2760000, 400, [&](Random &random, uint64_t seed) {
+        const int dim = random.whole(2, 3);
+        const double gap = std::ldexp(1, -random.whole(20, 600)), t = random.whole(1, 7) / 8.0 * gap;
+        const SplineData data = uneven_spline(random, 1, dim, gap);
+        const auto exact = reference::exact_derivatives(data, 2, &t);
+        const auto sizes = reference::magnitudes(data, 2, &t);
+        const auto vector = [&](const std::vector<reference::Fraction> &x) {
+            const auto at = [&](size_t c) {
+                return c < x.size() ? surface_normals::approximate(surface_normals::rational(x[c])) : 0.0L;
+            };
+            return Vector{at(0), at(1), at(2)};
+        };
+        const Vector first = vector(exact[1]), second = vector(exact[2]);
+        long double size_1 = 0, size_2 = 0;
+        for (size_t c = 0; c < static_cast<size_t>(dim); ++c) {
+            size_1 = std::hypot(size_1, sizes[1][c]);
+            size_2 = std::hypot(size_2, sizes[2][c]);
+        }
+        const long double speed = norm(first), curvature = norm(cross(first, second)) / speed / speed / speed;
+        const long double bound = 64 * eps * (size_2 + norm(second) * size_1 / speed) / speed / speed;
+        const CurveFrames found = curve_frames(create(data).get(), {t});
+        ASSERT_EQ(found.status[0], 0) << where(seed, data);
+        ASSERT_LE(std::fabs(std::fabs(found.curvatures[0]) - curvature), bound) << where(seed, data);
+    });
+}
+
+TEST(FrameSizes, of_surfaces_with_short_spans) {
+    for_each_case(2770000, 200, [&](Random &random, uint64_t seed) {
+        const double gap = std::ldexp(1, -random.whole(20, 600));
+        const SplineData data = uneven_spline(random, 2, 3, gap);
+        const Values param{random.whole(1, 7) / 8.0 * gap, random.whole(1, 7) / 8.0 * gap};
+        const Exact exact = surface_normals::exact_at(data, param.data());
+        const SurfaceFrames found = surface_frames(create(data).get(), param);
+        const Vector want = surface_normals::direction(exact.product);
+        ASSERT_EQ(found.status[0], 0) << where(seed, data);
+        ASSERT_LE(norm(minus(vector_at(found.normals, 0), want)),
+                  4 * exact.noise() / norm(surface_normals::approximate(exact.product)) + 8 * eps)
+            << where(seed, data);
+    });
 }
 
 } // namespace

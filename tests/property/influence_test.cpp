@@ -128,8 +128,9 @@ void check_law(uint64_t base, const std::vector<std::pair<int, bool>> &axes, int
             if (kind == 2 && axes.size() == 1 && axes[0].first == 1) {
                 continue; // the weight would vanish there
             }
-            const SplineData data = random_net(random, axes, dim, kind > 0, kind == 2);
-            const SplineData near = with_inert(data, random, 1);
+            const double model = random.chance(50) ? 1 : 1e-30;
+            const SplineData data = scaled(random_net(random, axes, dim, kind > 0, kind == 2), model);
+            const SplineData near = with_inert(data, random, model);
             for (const double size : {1e10, 1e300}) {
                 expect_same(near, with_inert(data, random, size), kind == 3, seed);
             }
@@ -214,6 +215,21 @@ TEST(Influence, is_not_needed_to_be_kept) {
         EXPECT_TRUE(same_bits(back.points, data.points));
         EXPECT_TRUE(same_bits(back.weights, data.weights));
     }
+}
+
+// The derivatives of higher degrees are sums of differences from a point of the curve.
+TEST(Influence, points_of_weight_0_far_from_large_ones) {
+    std::vector<double> knots(22, 0.0), points(11, -1.4e308), weights(11, 1.0);
+    std::fill(knots.begin() + 11, knots.end(), 1.0);
+    std::fill(points.begin(), points.begin() + 5, -1.5e308);
+    weights[5] = 0;
+    std::vector<double> slopes;
+    for (const double x : {0.0, 1.7e308}) {
+        points[5] = x;
+        slopes.push_back(eval_derivs(create(curve(10, knots, 1, points, weights)).get(), 1, {0.3}).back());
+    }
+    ASSERT_TRUE(std::isfinite(slopes[0]));
+    ASSERT_EQ(slopes[0], slopes[1]);
 }
 
 // A weight that nobody sees scales no other one out of double precision.

@@ -3,7 +3,7 @@
 #include "modify/constrain/equations.h"
 #include "modify/constrain/linear_constraints.h"
 #include "modify/constrain/programming.h"
-#include "modify/near_one.h"
+#include "spline/near_one.h"
 
 #include <algorithm>
 #include <cmath>
@@ -91,10 +91,10 @@ Constrained constrain(const Spline &spline, const std::vector<Condition> &condit
     }
     const int size = powers.size(spline);
     const ScaledConditions scaled_conditions(spline, conditions, powers);
-    const SplinePtr near_one = scaled(spline, powers);
+    const SplinePtr near = near_one(spline, powers);
     Constrained made =
-        constrained(*near_one, scaled_conditions.conditions(), columns, std::ldexp(tolerance, size));
-    made.spline = scaled_back(*made.spline, spline, powers);
+        constrained(*near, scaled_conditions.conditions(), columns, std::ldexp(tolerance, size));
+    made.spline = scaled_back(*made.spline, *near, spline, powers);
     made.moved = std::ldexp(made.moved, -size);
     for (size_t i = 0; i < conditions.size(); ++i) {
         made.residuals[i] = std::ldexp(made.residuals[i], -scaled_conditions.power(conditions[i]));

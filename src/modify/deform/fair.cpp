@@ -9,7 +9,7 @@
 #include "modify/deform/sparse_system.h"
 #include "modify/edit/kept_layers.h"
 #include "modify/edit/net_editor.h"
-#include "modify/near_one.h"
+#include "spline/near_one.h"
 #include "refine/homogeneous.h"
 
 #include <algorithm>
@@ -225,9 +225,9 @@ Faired fair(const SplinePtr &spline, int order, const int32_t *keep, double tole
         return Fairing(spline, order, keep, tolerance).run();
     }
     const int size = powers.size(*spline);
-    const SplinePtr near_one = scaled(*spline, powers);
-    Faired made = Fairing(near_one, order, keep, std::ldexp(tolerance, size)).run();
-    made.spline = made.spline == near_one ? spline : scaled_back(*made.spline, *spline, powers);
+    const SplinePtr near = near_one(*spline, powers);
+    Faired made = Fairing(near, order, keep, std::ldexp(tolerance, size)).run();
+    made.spline = made.spline == near ? spline : scaled_back(*made.spline, *near, *spline, powers);
     const int energy = -2 * (size + powers.weights) - (spline->axes() - 2 * order) * powers.knots[0];
     made.energy_before = std::ldexp(made.energy_before, energy);
     made.energy_after = std::ldexp(made.energy_after, energy);

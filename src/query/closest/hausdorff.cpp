@@ -6,6 +6,7 @@
 #include "query/closest/locator.h"
 #include "query/closest/matched_bound.h"
 #include "query/closest/parameter_map.h"
+#include "refine/bezier_rows.h"
 #include "spline/kind.h"
 
 #include <algorithm>
@@ -32,6 +33,41 @@ BernsteinNet::Breaks alike_breaks(const Spline &spline, const Spline &other, con
     return breaks;
 }
 
+// Finds pair_pieces() of a spline by their parameters.
+class PieceIndex {
+public:
+    explicit PieceIndex(const Spline &spline) {
+        for (int k = 0; k < spline.axes(); ++k) {
+            ends_.push_back(breaks_of(spline.axis(k)));
+        }
+    }
+
+    // Those that contain a place: two along an axis at a knot, none outside.
+    [[nodiscard]] std::vector<size_t> containing(const Place &place) const {
+        std::vector<size_t> found{0};
+        for (size_t k = 0; k < ends_.size(); ++k) {
+            const std::vector<double> &ends = ends_[k];
+            const size_t count = ends.size() - 1;
+            const auto above = std::lower_bound(ends.begin(), ends.end(), place[k]);
+            const auto at = static_cast<size_t>(above - ends.begin());
+            std::vector<size_t> next;
+            for (const size_t base : found) {
+                if (at > 0 && at <= count) {
+                    next.push_back(base * count + at - 1);
+                }
+                if (at < count && *above == place[k]) {
+                    next.push_back(base * count + at);
+                }
+            }
+            found = std::move(next);
+        }
+        return found;
+    }
+
+private:
+    std::vector<std::vector<double>> ends_;
+};
+
 struct FarPiece {
     double upper;
     PairPiece piece;
@@ -51,8 +87,8 @@ class FarthestSearch {
 public:
     FarthestSearch(const Spline &from, const Spline &to, const PairFrame &frame, double tolerance,
                    int64_t budget)
-        : to_(to), frame_(frame), locator_(locator_of(to)), pieces_(pair_pieces(to, frame)), dim_(from.dim()),
-          tolerance_(tolerance), budget_(budget), query_(static_cast<size_t>(dim_)),
+        : to_(to), frame_(frame), locator_(locator_of(to)), index_(to), pieces_(pair_pieces(to, frame)),
+          dim_(from.dim()), tolerance_(tolerance), budget_(budget), query_(static_cast<size_t>(dim_)),
           map_(matching_map(from, to, std::ldexp(rounding, frame.exponent),
                             std::ldexp(tolerance, frame.exponent), std::min(budget, budget_of_a_match))) {
         for (const PairPiece &piece : pieces_) {
@@ -152,14 +188,13 @@ private:
     double mapped(const PairPiece &piece) {
         double best = infinity;
         const Place middle = (*map_)(piece.parameter({0.5, 0.5, 0.5}));
-        for (const PairPiece &other : pieces_) {
-            if (other.contains(middle)) {
-                std::vector<Place> corners = MatchedBound::corners_of(piece);
-                for (Place &corner : corners) {
-                    corner = other.place((*map_)(piece.parameter(corner)));
-                }
-                best = std::min(best, MatchedBound::upper(piece, other, corners, limit()));
+        for (const size_t i : index_.containing(middle)) {
+            const PairPiece &other = pieces_[i];
+            std::vector<Place> corners = MatchedBound::corners_of(piece);
+            for (Place &corner : corners) {
+                corner = other.place((*map_)(piece.parameter(corner)));
             }
+            best = std::min(best, MatchedBound::upper(piece, other, corners, limit()));
         }
         return best;
     }
@@ -176,10 +211,8 @@ private:
     // Both pieces beside a knot may match.
     double matched(const PairPiece &piece, const Foot &foot) {
         double best = infinity;
-        for (const PairPiece &other : pieces_) {
-            if (other.contains(foot.params)) {
-                best = std::min(best, bound_.upper(piece, other, other.place(foot.params), limit()));
-            }
+        for (const size_t i : index_.containing(foot.params)) {
+            best = std::min(best, bound_.upper(piece, pieces_[i], pieces_[i].place(foot.params), limit()));
         }
         return best;
     }
@@ -197,6 +230,7 @@ private:
     const Spline &to_;
     const PairFrame &frame_;
     const Locator &locator_;
+    PieceIndex index_;
     std::vector<PairPiece> pieces_; // of the other spline
     int dim_;
     double tolerance_;
@@ -211,10 +245,6 @@ private:
     PieceJet jet_;
     MatchedBound bound_;
 };
-
-} // namespace
-
-namespace {
 
 // No point is away from the spline itself.
 FarthestPoint nowhere_else(const Spline &from) noexcept {

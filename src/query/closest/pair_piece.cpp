@@ -55,14 +55,6 @@ Place PairPiece::place(const Place &parameter) const noexcept {
     return result;
 }
 
-bool PairPiece::contains(const Place &parameter) const noexcept {
-    bool inside = true;
-    for (size_t k = 0; k < static_cast<size_t>(axes_); ++k) {
-        inside = inside && parameter[k] >= from_[k] && parameter[k] <= to_[k];
-    }
-    return inside;
-}
-
 PairPiece::PairPiece(const double *point, int dim) : values_(point, point + dim) {
     shape_.width = dim + 1;
     values_.push_back(1);

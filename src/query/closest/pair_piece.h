@@ -49,7 +49,6 @@ public:
     [[nodiscard]] Place parameter(const Place &place) const noexcept;
     // The place of a parameter, moved to the nearer end if it is outside.
     [[nodiscard]] Place place(const Place &parameter) const noexcept;
-    [[nodiscard]] bool contains(const Place &parameter) const noexcept;
 
     // Halves along the axis with the longest legs; the piece becomes the upper half. None if it has no degree
     // or its parameters cannot be halved.

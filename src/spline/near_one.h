@@ -12,8 +12,11 @@ namespace nrb {
 Powers powers_near_one(const Spline &spline, int degree, std::span<const int64_t> places);
 Powers powers_near_one(const Spline &spline, int degree); // all that have influence
 
-// The coordinates of a result, divided by these powers, on the knots and with the weights of the spline that was
-// multiplied by them. Throws NURBS_ERROR_NOT_REPRESENTABLE.
-SplinePtr scaled_back(const Spline &result, const Spline &given, const Powers &powers);
+// The spline multiplied by these; what overflows, which is without influence on what is asked, becomes 0.
+SplinePtr near_one(const Spline &spline, const Powers &powers);
+
+// A result on what near_one() gave, brought back: coordinates that it has not changed are those of the given spline, the
+// others are divided by the powers. Throws NURBS_ERROR_NOT_REPRESENTABLE.
+SplinePtr scaled_back(const Spline &result, const Spline &near, const Spline &given, const Powers &powers);
 
 } // namespace nrb

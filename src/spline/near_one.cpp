@@ -1,4 +1,4 @@
-#include "modify/near_one.h"
+#include "spline/near_one.h"
 
 #include "base/representable.h"
 
@@ -8,26 +8,6 @@
 #include <vector>
 
 namespace nrb {
-
-namespace {
-
-// An exponent by which no knot overflows and no two become one: nearest to the one that is wanted.
-int kept_apart(const Spline &spline, int exponent) {
-    constexpr int most = 1000;
-    double largest = 0, least = HUGE_VAL;
-    for (int k = 0; k < spline.axes(); ++k) {
-        const std::span<const double> knots = spline.axis(k).knots();
-        largest = std::max({largest, std::abs(knots.front()), std::abs(knots.back())});
-        for (size_t i = 1; i < knots.size(); ++i) {
-            const double apart = knots[i] - knots[i - 1];
-            least = apart > 0 ? std::min(least, apart) : least;
-        }
-    }
-    const int raised = std::max(exponent, std::min(-most - std::ilogb(least), 0));
-    return std::min(raised, std::max(most - std::ilogb(largest), 0));
-}
-
-} // namespace
 
 Powers powers_near_one(const Spline &spline, int degree, std::span<const int64_t> places) {
     constexpr int near_one = 64;
@@ -50,7 +30,7 @@ Powers powers_near_one(const Spline &spline, int degree, std::span<const int64_t
         }
     }
     Powers powers{.coordinates = power(coordinates), .weights = spline.rational() ? power(weights) : 0};
-    std::fill_n(powers.knots.begin(), spline.axes(), kept_apart(spline, power(shortest)));
+    std::fill_n(powers.knots.begin(), spline.axes(), kept_apart(spline.knot_vectors(), power(shortest)));
     return powers;
 }
 
@@ -60,11 +40,28 @@ Powers powers_near_one(const Spline &spline, int degree) {
     return powers_near_one(spline.effective(), degree, places);
 }
 
-SplinePtr scaled_back(const Spline &result, const Spline &given, const Powers &powers) {
-    const SplinePtr points = scaled(result, {.coordinates = -powers.coordinates, .weights = -powers.weights});
-    require_representable(points->points(), "control points");
-    return make_result(given.knot_vectors(), given.dim(), given.form(),
-                       std::vector<double>(points->points().begin(), points->points().end()),
+SplinePtr near_one(const Spline &spline, const Powers &powers) {
+    const SplinePtr near = scaled(spline, powers);
+    std::vector<double> points(near->points().begin(), near->points().end());
+    for (double &x : points) {
+        x = std::isfinite(x) ? x : 0;
+    }
+    return std::make_shared<const Spline>(
+        near->knot_vectors(), near->dim(), near->form(), std::move(points),
+        std::vector<double>(near->weights().begin(), near->weights().end()));
+}
+
+SplinePtr scaled_back(const Spline &result, const Spline &near, const Spline &given, const Powers &powers) {
+    std::vector<double> points(given.points().begin(), given.points().end());
+    const auto width = static_cast<size_t>(given.stored_width()), dim = static_cast<size_t>(given.dim());
+    for (size_t i = 0; i < points.size(); ++i) {
+        if (result.points()[i] != near.points()[i]) {
+            points[i] =
+                std::ldexp(result.points()[i], i % width < dim ? -powers.coordinates : -powers.weights);
+        }
+    }
+    require_representable(points, "control points");
+    return make_result(given.knot_vectors(), given.dim(), given.form(), std::move(points),
                        std::vector<double>(given.weights().begin(), given.weights().end()));
 }
 

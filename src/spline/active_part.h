@@ -1,0 +1,12 @@
+// What a spline is over one span of each axis.
+#pragma once
+
+#include "spline/spline.h"
+
+namespace nrb {
+
+// The spline of the control points that are active on these spans and of the knots that their functions have there: its
+// domain is the spans. Points without influence are replaced as by effective().
+SplinePtr active_part(const Spline &spline, const std::array<int64_t, max_axes> &spans);
+
+} // namespace nrb
