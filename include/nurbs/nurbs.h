@@ -1715,10 +1715,10 @@ NURBS_API nurbs_status nurbs_product(const nurbs *a, const nurbs *b, uint32_t fl
  * arguments, divided by the power of two in the largest w_i for each of them. In u the first term is 8 (q + 2)
  * eps max |F|, and f' counts by q (w_i + w_(i+1)) / min w times max F - min F over t_(i+q+1) - t_(i+1), all of
  * the span; weights by which the second term exceeds that of equal weights by (max F - min F) / 4, as ratios
- * beyond some 10^14 / q are, are refused. A component of the homogeneous points may be off by (4 q + 6) eps more for each argument; all
- * these bounds are in parts of the product of weights that the point is multiplied by, at a parameter w(t) to
- * the power p_0 + p_1 + ..., and for a point that belongs to several spans of f in parts of the largest on
- * the span of them that it is computed on, the longest.
+ * beyond some 10^14 / q are, are refused. A component of the homogeneous points may be off by (4 q + 6) eps
+ * more for each argument; all these bounds are in parts of the product of weights that the point is
+ * multiplied by, at a parameter w(t) to the power p_0 + p_1 + ..., and for a point that belongs to several
+ * spans of f in parts of the largest on the span of them that it is computed on, the longest.
  * \param[in] g a spline, rational or not.
  * \param[in] f a curve whose dimension is the number of axes of g: polynomial, or with positive weights.
  * \param[out] out the new handle.

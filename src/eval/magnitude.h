@@ -17,8 +17,8 @@ bool usual_magnitude(const Spline &spline);
 // The largest |coordinate| of a control point that has influence on the domain; found with it.
 double active_size(const Spline &spline);
 
-// Parameters of a list with what to evaluate at them instead of the spline: a copy of it that is usual, kept with it, or
-// where no power of two makes all of it usual the part of it that is active there.
+// Parameters of a list with what to evaluate at them instead of the spline: a copy of it that is usual, kept with
+// it, or where no power of two makes all of it usual the part of it that is active there.
 struct MagnitudeRun {
     const Spline &spline;
     const AxisRules &rules;

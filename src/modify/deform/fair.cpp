@@ -9,8 +9,8 @@
 #include "modify/deform/sparse_system.h"
 #include "modify/edit/kept_layers.h"
 #include "modify/edit/net_editor.h"
-#include "spline/near_one.h"
 #include "refine/homogeneous.h"
+#include "spline/near_one.h"
 
 #include <algorithm>
 #include <cmath>
