@@ -346,6 +346,23 @@ static void refused_rules(void) {
     destroy(&cross);
 }
 
+static void make_faces_of_cube(nurbs **faces) {
+    nurbs *g = make(cube());
+    nurbs_list *list = NULL;
+    CHECK_OK(nurbs_boundaries(g, &list));
+    for (int i = 0; i < 6; ++i) {
+        CHECK_OK(nurbs_list_get(list, i, &faces[i]));
+    }
+    nurbs_list_destroy(list);
+    nurbs_destroy(g);
+}
+
+static void destroy_faces(nurbs **faces) {
+    for (int i = 0; i < 6; ++i) {
+        nurbs_destroy(faces[i]);
+    }
+}
+
 /* A face of the cube again, with weights that are equal where they have influence. */
 static void volume_with_unseen_weights(void) {
     static const int32_t degrees[] = {1, 1};
@@ -354,32 +371,19 @@ static void volume_with_unseen_weights(void) {
     static const double points[] = {9, 9, 9, 9, 9, 9, 9, 9, 0, 0, 0, 0, 0, 0, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0};
     static const double weights[] = {2, 3, 1, 1, 1, 1};
     const SplineArgs seen = {2, degrees, counts, knots, 9, 4, points, 0, 0, weights, 0, 0};
-    nurbs *g = make(cube()), *h = NULL, *faces[6];
-    nurbs_list *list = NULL;
-    CHECK_OK(nurbs_boundaries(g, &list));
-    for (int i = 0; i < 6; ++i) {
-        CHECK_OK(nurbs_list_get(list, i, &faces[i]));
-    }
-    nurbs_list_destroy(list);
+    nurbs *h = NULL, *faces[6];
+    make_faces_of_cube(faces);
     nurbs_destroy(faces[0]);
     faces[0] = make(seen);
     CHECK_OK(nurbs_volume_coons((const nurbs *const *)faces, 0, &h));
     CHECK_POINTS(h, cube().points);
     nurbs_destroy(h);
-    for (int i = 0; i < 6; ++i) {
-        nurbs_destroy(faces[i]);
-    }
-    nurbs_destroy(g);
+    destroy_faces(faces);
 }
 
 static void volume(void) {
-    nurbs *g = make(cube()), *h = NULL, *faces[6];
-    nurbs_list *list = NULL;
-    CHECK_OK(nurbs_boundaries(g, &list));
-    for (int i = 0; i < 6; ++i) {
-        CHECK_OK(nurbs_list_get(list, i, &faces[i]));
-    }
-    nurbs_list_destroy(list);
+    nurbs *h = NULL, *faces[6];
+    make_faces_of_cube(faces);
     const nurbs *const *given = (const nurbs *const *)faces;
     CHECK_OK(nurbs_volume_coons(given, 0, &h));
     CHECK_POINTS(h, cube().points);
@@ -400,10 +404,7 @@ static void volume(void) {
     CHECK_FAILS(nurbs_volume_coons(given, 0.5, &h), NURBS_ERROR_DIMENSION, "faces[");
     nurbs_destroy(faces[4]);
     faces[4] = kept;
-    for (int i = 0; i < 6; ++i) {
-        nurbs_destroy(faces[i]);
-    }
-    nurbs_destroy(g);
+    destroy_faces(faces);
 }
 
 int main(void) {
