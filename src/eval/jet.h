@@ -22,7 +22,7 @@ public:
     static void prepare(const Spline &spline);
     // False when the parameter gives NaN. Preconditions: prepare() has been called; 1 or 2 axes, dimension 2
     // or 3, order <= max_jet_order.
-    bool evaluate(const Spline &spline, const AxisRules &rules, const double *param, int order) noexcept;
+    bool evaluate(const Spline &given, const AxisRules &rules, const double *param, int order) noexcept;
 
     [[nodiscard]] double side(int axis) const noexcept { return side_[static_cast<size_t>(axis)]; }
     // How long the unit along an axis is in the parameter.
