@@ -59,10 +59,10 @@ nurbs_status placed(Input &in, nurbs **out) {
     case 6:
         return nurbs_curve_hyperbola(p.dim, p.o(), p.a(), p.d(), r, s, from, to, out);
     default: { // its points grow with the size in tolerances
-        const double growth = any_number(in),
-                     size = std::max({1.0, std::fabs(r), std::fabs(to), std::fabs(growth)});
+        const double size = std::max({1.0, std::fabs(r), std::fabs(from), std::fabs(to)});
         return nurbs_curve_helix(p.dim, p.o(), p.a(), p.d(), r, in.coin() ? 0 : from, p.dim == 2 ? 0 : to,
-                                 growth, 0.1 + in.unit() * 8, std::ldexp(size, -in.below(40)), &error, out);
+                                 any_number(in), 0.1 + in.unit() * 8, std::ldexp(size, -in.below(40)), &error,
+                                 out);
     }
     }
 }
