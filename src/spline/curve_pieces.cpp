@@ -32,10 +32,6 @@ Spline::WeightRange Spline::weight_range(int64_t first, int64_t count) const noe
     return range;
 }
 
-bool Spline::has_pieces(int k) const noexcept {
-    return piece_degree(axis(k).degree()) && even_weights_;
-}
-
 bool Spline::has_piece(int64_t span) const noexcept {
     const int degree = axis(0).degree();
     return axis(0).has_piece(span) && (even_weights_ || even(weight_range(span - degree, degree + 1))) &&

@@ -86,12 +86,14 @@ public:
     [[nodiscard]] const Spline &effective() const;
 
     // Whether span `span` of a curve, or every span of an axis of any spline, is evaluated from polynomial
-    // pieces: the degree is at most max_piece_degree, and the weights (of an axis: those that have influence) are positive with a
-    // ratio of at most 4, so that rounding relative to the largest weight is harmless; and of a curve, no
-    // difference of its records overflows. Other spans go by the recurrences, whose basis functions are accurate
-    // relative to themselves.
+    // pieces: the degree is at most max_piece_degree, and the weights (of an axis: those that have influence) are
+    // positive with a ratio of at most 4, so that rounding relative to the largest weight is harmless; and of a
+    // curve, no difference of its records overflows. Other spans go by the recurrences, whose basis functions are
+    // accurate relative to themselves.
     [[nodiscard]] bool has_piece(int64_t span) const noexcept;
-    [[nodiscard]] bool has_pieces(int k) const noexcept;
+    [[nodiscard]] bool has_pieces(int k) const noexcept {
+        return even_weights_ && piece_degree(axis(k).degree());
+    }
 
     // The pieces of a curve, if they exist or if `uses` evaluations more make them worth having, else null.
     // Component c < width() of a piece is that of the records. A span without a piece has NaN bounds.

@@ -17,14 +17,19 @@ def counts(folder, name):
     return found
 
 
+def times(path):
+    """Ratios by row."""
+    return {row: float(ratio) for row, ratio in (line.split() for line in path.read_text().splitlines())}
+
+
 def main():
     folder = Path(sys.argv[1])
     before, after = counts(folder, "before"), counts(folder, "after")
     print("| row | time | instructions |\n| --- | ---: | ---: |")
     worst = [0.0, 0.0]
-    for line in (folder / "times.txt").read_text().splitlines():
-        row, time = line.split()
-        ratios = [float(time), after[row] / before[row] if before.get(row) else float("nan")]
+    forward, swapped = times(folder / "times.txt"), times(folder / "times_swapped.txt")
+    for row, ratio in forward.items():
+        ratios = [(ratio / swapped[row]) ** 0.5, after[row] / before[row] if before.get(row) else float("nan")]
         worst = [max(pair) for pair in zip(worst, ratios)]
         print(f"| {row} | {ratios[0]:.3f} | {ratios[1]:.4f} |")
     print(f"| largest | {worst[0]:.3f} | {worst[1]:.4f} |")
