@@ -180,8 +180,14 @@ int exponent_of(double size) noexcept {
     return size > 0 && std::isfinite(size) ? std::ilogb(size) : 0;
 }
 
+// Of b - a, which may overflow, and is not 0 where they differ.
+int exponent_of_difference(double a, double b) noexcept {
+    const double difference = b - a;
+    return std::isfinite(difference) ? std::ilogb(difference) : std::numeric_limits<double>::max_exponent;
+}
+
 // The exponent of the largest control point of the derivative along axis k, weights left aside, or of 1 / span if it
-// vanishes. Halves do not overflow.
+// vanishes.
 int slope_exponent(const Spline &part, int k) noexcept {
     const KnotVector &axis = part.axis(k);
     const int p = axis.degree();
@@ -189,18 +195,20 @@ int slope_exponent(const Spline &part, int k) noexcept {
     int largest = std::numeric_limits<int>::min();
     for (int64_t o = 0; o < view.outer; ++o) {
         for (int64_t i = 1; i < view.count; ++i) {
-            const int length = std::ilogb(axis[i + p] / 2 - axis[i] / 2);
+            const int length = exponent_of_difference(axis[i], axis[i + p]);
             for (int64_t j = 0; j < view.inner; ++j) {
                 const int64_t before = (o * view.count + i - 1) * view.inner + j, here = before + view.inner;
                 for (int c = 0; c < part.dim(); ++c) {
-                    const double step = part.coordinate(here, c) / 2 - part.coordinate(before, c) / 2;
-                    largest = step != 0 && std::isfinite(step) ? std::max(largest, std::ilogb(step) - length)
-                                                               : largest;
+                    const double from = part.coordinate(before, c), to = part.coordinate(here, c);
+                    if (std::isfinite(from) && std::isfinite(to) && from != to) {
+                        largest = std::max(largest, exponent_of_difference(from, to) - length);
+                    }
                 }
             }
         }
     }
-    return largest > std::numeric_limits<int>::min() ? largest : -std::ilogb(axis[p + 1] / 2 - axis[p] / 2);
+    return largest > std::numeric_limits<int>::min() ? largest
+                                                     : -exponent_of_difference(axis[p], axis[p + 1]);
 }
 
 // What brings control points and first derivatives of a part near 1.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace nrb {
 
@@ -22,7 +23,7 @@ KnotVectorPtr multiplied(const KnotVectorPtr &axis, int exponent) {
 
 int kept_apart(const Spline::Axes &axes, int exponent) noexcept {
     constexpr int most = 1000;
-    double largest = 0, least = HUGE_VAL;
+    double largest = 0, least = std::numeric_limits<double>::max();
     for (const KnotVectorPtr &axis : axes) {
         const std::span<const double> knots = axis->knots();
         largest = std::max({largest, std::fabs(knots.front()), std::fabs(knots.back())});
