@@ -3,8 +3,8 @@
 #include "guard.h"
 
 #include "base/checked.h"
-#include "eval/adjoint.h"
-#include "eval/slots.h"
+#include "eval/functions/adjoint.h"
+#include "eval/kernels/slots.h"
 
 using namespace nrb;
 using namespace nrb::capi;
@@ -20,7 +20,7 @@ Records optional_output(const char *name, double *data, int64_t count, int64_t w
 void check_highest(int32_t order, const double *grad_params) {
     check_order(order);
     if (order == NURBS_MAX_ORDER && grad_params != nullptr) {
-        fail(NURBS_ERROR_ORDER, "order = %d, expected at most %d with grad_params", order,
+        fail(Status::order, "order = %d, expected at most %d with grad_params", order,
              NURBS_MAX_ORDER - 1);
     }
 }

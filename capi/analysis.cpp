@@ -5,13 +5,13 @@
 
 #include "base/tolerance.h"
 #include "build/placement.h"
-#include "query/analysis/contacts.h"
-#include "query/analysis/convexity.h"
-#include "query/analysis/features.h"
-#include "query/analysis/flatness.h"
-#include "query/analysis/folds.h"
-#include "query/analysis/monotone.h"
-#include "query/analysis/singular.h"
+#include "analysis/contacts.h"
+#include "analysis/convexity.h"
+#include "analysis/features.h"
+#include "analysis/flatness.h"
+#include "analysis/folds.h"
+#include "analysis/monotone.h"
+#include "analysis/singular.h"
 #include "spline/kind.h"
 
 #include <algorithm>
@@ -29,10 +29,10 @@ constexpr uint32_t all_features = NURBS_FEATURE_INFLECTION | NURBS_FEATURE_CURVA
 
 uint32_t checked_kinds(uint32_t kinds, int dim) {
     if ((kinds & ~all_features) != 0) {
-        fail(NURBS_ERROR_FLAGS, "kinds = 0x%x, expected a sum of NURBS_FEATURE_ constants", kinds);
+        fail(Status::flags, "kinds = 0x%x, expected a sum of NURBS_FEATURE_ constants", kinds);
     }
     if (dim != 3 && (kinds & NURBS_FEATURE_TORSION) != 0) {
-        fail(NURBS_ERROR_DIMENSION, "kinds = 0x%x: NURBS_FEATURE_TORSION needs dimension 3, not %d", kinds,
+        fail(Status::dimension, "kinds = 0x%x: NURBS_FEATURE_TORSION needs dimension 3, not %d", kinds,
              dim);
     }
     return kinds;
@@ -44,7 +44,7 @@ const double *checked_reference(const Spline &spline, const double *reference) {
         return nullptr;
     }
     if (spline.axes() != 2 || spline.dim() != 3) {
-        fail(NURBS_ERROR_DIRECTION, "reference is for surfaces in space, expected NULL");
+        fail(Status::direction, "reference is for surfaces in space, expected NULL");
     }
     check_direction(reference, 3, "reference");
     return reference;
@@ -52,7 +52,7 @@ const double *checked_reference(const Spline &spline, const double *reference) {
 
 void check_folding(const Spline &spline) {
     if (spline.axes() == 1) {
-        fail(NURBS_ERROR_AXES, "g has 1 axis, expected a surface or volume");
+        fail(Status::axes, "g has 1 axis, expected a surface or volume");
     }
     check_dimension(spline, spline.axes(), 3);
 }
@@ -173,7 +173,7 @@ nurbs_status nurbs_singular_points(const nurbs *g, double tolerance, int64_t cap
     return guard([&] {
         const Spline &spline = spline_of(g);
         if (spline.axes() > 2) {
-            fail(NURBS_ERROR_AXES, "g has %d axes, expected a curve or surface", spline.axes());
+            fail(Status::axes, "g has %d axes, expected a curve or surface", spline.axes());
         }
         check_positive_tolerance(tolerance);
         check_length(cap, "cap");

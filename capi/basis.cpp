@@ -3,7 +3,7 @@
 #include "guard.h"
 
 #include "eval/active.h"
-#include "eval/basis_batch.h"
+#include "eval/functions/basis_batch.h"
 
 using namespace nrb;
 using namespace nrb::capi;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "checks.h"
+#include "evaluation_flags.h"
 
 #include "base/checked.h"
 #include "eval/parameters.h"
@@ -43,7 +44,7 @@ inline Grid grid_of(const Spline &spline, const int64_t *counts, const double *p
     grid.axes = spline.axes();
     for (int k = 0; k < spline.axes(); ++k) {
         if (counts[k] < 0) {
-            fail(NURBS_ERROR_COUNT, "counts[%d] = %lld, expected >= 0", k, static_cast<long long>(counts[k]));
+            fail(Status::count, "counts[%d] = %lld, expected >= 0", k, static_cast<long long>(counts[k]));
         }
         const int64_t first = grid.param_count;
         grid.param_count = checked_sum(first, counts[k], "params");

@@ -1,15 +1,16 @@
 // Calculus: polar forms, derivatives, integrals, products and sums.
 #include "checks.h"
+#include "evaluation_flags.h"
 #include "guard.h"
 
 #include "eval/parameters.h"
-#include "refine/antiderivative.h"
-#include "refine/blossom.h"
-#include "refine/compose.h"
-#include "refine/derivative.h"
-#include "refine/product.h"
-#include "refine/quotient_rule.h"
-#include "refine/sum.h"
+#include "refine/algebra/antiderivative.h"
+#include "refine/knots/blossom.h"
+#include "refine/algebra/compose.h"
+#include "refine/algebra/derivative.h"
+#include "refine/algebra/product.h"
+#include "refine/algebra/quotient_rule.h"
+#include "refine/algebra/sum.h"
 
 #include <array>
 #include <cmath>
@@ -30,7 +31,7 @@ int64_t degree_total(const Spline &spline) noexcept {
 void check_finite(const double *values, int64_t n, const char *name) {
     for (int64_t i = 0; i < n; ++i) {
         if (!std::isfinite(values[i])) {
-            fail(NURBS_ERROR_PARAMETER_NOT_FINITE, "%s[%lld] = %s is not finite", name,
+            fail(Status::parameter_not_finite, "%s[%lld] = %s is not finite", name,
                  static_cast<long long>(i), Number(values[i]).text);
         }
     }
@@ -42,7 +43,7 @@ std::array<int64_t, max_axes> spans_at(const Spline &spline, const double *param
     std::array<int64_t, max_axes> spans{};
     for (size_t k = 0; k < static_cast<size_t>(spline.axes()); ++k) {
         if (rules[k].nan) {
-            fail(NURBS_ERROR_FLAGS, "flags = 0x%x: NURBS_NAN has no meaning for the choice of a piece",
+            fail(Status::flags, "flags = 0x%x: NURBS_NAN has no meaning for the choice of a piece",
                  flags);
         }
         const KnotVector &axis = spline.axis(static_cast<int>(k));
@@ -55,7 +56,7 @@ std::array<int64_t, max_axes> spans_at(const Spline &spline, const double *param
 ProductKind kind_of(uint32_t flags) {
     if ((flags & ~(NURBS_PRODUCT_DOT | NURBS_PRODUCT_CROSS)) != 0 ||
         flags == (NURBS_PRODUCT_DOT | NURBS_PRODUCT_CROSS)) {
-        fail(NURBS_ERROR_FLAGS, "flags = 0x%x, expected NURBS_PRODUCT_DOT, NURBS_PRODUCT_CROSS or 0", flags);
+        fail(Status::flags, "flags = 0x%x, expected NURBS_PRODUCT_DOT, NURBS_PRODUCT_CROSS or 0", flags);
     }
     return flags == NURBS_PRODUCT_DOT     ? ProductKind::dot
            : flags == NURBS_PRODUCT_CROSS ? ProductKind::cross

@@ -8,11 +8,11 @@
 namespace nrb::capi {
 
 void fail_null(const char *name) {
-    fail(NURBS_ERROR_NULL, "%s is NULL", name);
+    fail(Status::null, "%s is NULL", name);
 }
 
 void fail_length(int64_t n, const char *name) {
-    fail(NURBS_ERROR_COUNT, "%s = %lld, expected >= 0", name, static_cast<long long>(n));
+    fail(Status::count, "%s = %lld, expected >= 0", name, static_cast<long long>(n));
 }
 
 const Spline &curve_of(const ::nurbs *g) {
@@ -29,35 +29,35 @@ const Spline &surface_of(const ::nurbs *g) {
 
 void check_axes(int32_t axes) {
     if (axes < 1 || axes > max_axes) {
-        fail(NURBS_ERROR_AXES, "axes = %d, expected 1 to %d", axes, max_axes);
+        fail(Status::axes, "axes = %d, expected 1 to %d", axes, max_axes);
     }
 }
 
 void check_axis(const Spline &spline, int32_t axis) {
     if (axis < 0 || axis >= spline.axes()) {
-        fail(NURBS_ERROR_AXIS, "axis = %d, expected 0 to %d", axis, spline.axes() - 1);
+        fail(Status::axis, "axis = %d, expected 0 to %d", axis, spline.axes() - 1);
     }
 }
 
 void check_order(int32_t order) {
     if (order < 0 || order > NURBS_MAX_ORDER) {
-        fail(NURBS_ERROR_ORDER, "order = %d, expected 0 to %d", order, NURBS_MAX_ORDER);
+        fail(Status::order, "order = %d, expected 0 to %d", order, NURBS_MAX_ORDER);
     }
 }
 
 void check_factor(double factor, const char *name) {
     if (!std::isfinite(factor)) {
-        fail(NURBS_ERROR_FACTOR, "%s = %s is not finite", name, Number(factor).text);
+        fail(Status::factor, "%s = %s is not finite", name, Number(factor).text);
     }
 }
 
 void check_place(double t, Interval domain, const char *name, int axis) {
     if (!std::isfinite(t)) {
-        fail(NURBS_ERROR_PARAMETER_NOT_FINITE, "%s = %s on axis %d is not finite", name, Number(t).text,
+        fail(Status::parameter_not_finite, "%s = %s on axis %d is not finite", name, Number(t).text,
              axis);
     }
     if (t < domain.lower || t > domain.upper) {
-        fail(NURBS_ERROR_OUTSIDE_DOMAIN, "%s = %s outside [%s, %s], the domain of axis %d", name,
+        fail(Status::outside_domain, "%s = %s outside [%s, %s], the domain of axis %d", name,
              Number(t).text, Number(domain.lower).text, Number(domain.upper).text, axis);
     }
 }
@@ -65,7 +65,7 @@ void check_place(double t, Interval domain, const char *name, int axis) {
 AxisEnds decode_ends(uint32_t flags, uint32_t others, const char *name) {
     constexpr uint32_t start = NURBS_FORM_CLAMPED_START, end = NURBS_FORM_CLAMPED_END;
     if ((flags & ~(start | end | others)) != 0) {
-        fail(NURBS_ERROR_FLAGS,
+        fail(Status::flags,
              "flags = 0x%x, expected NURBS_FORM_CLAMPED_START, NURBS_FORM_CLAMPED_END, both or 0%s%s", flags,
              others == 0 ? "" : ", and ", name);
     }
@@ -74,14 +74,14 @@ AxisEnds decode_ends(uint32_t flags, uint32_t others, const char *name) {
 
 bool upper_end(int32_t end, const char *name) {
     if (end != NURBS_START && end != NURBS_END) {
-        fail(NURBS_ERROR_END, "%s = %d, expected NURBS_START or NURBS_END", name, end);
+        fail(Status::end, "%s = %d, expected NURBS_START or NURBS_END", name, end);
     }
     return end == NURBS_END;
 }
 
 void check_at_least(int64_t n, int64_t least, const char *name) {
     if (n < least) {
-        fail(NURBS_ERROR_COUNT, "%s = %lld, expected at least %lld", name, static_cast<long long>(n),
+        fail(Status::count, "%s = %lld, expected at least %lld", name, static_cast<long long>(n),
              static_cast<long long>(least));
     }
 }
@@ -94,7 +94,7 @@ int64_t checked_budget(int64_t budget, int64_t usual) {
 void check_keep(const Spline &spline, const int32_t *keep) {
     for (int i = 0; keep != nullptr && i < 2 * spline.axes(); ++i) {
         if (keep[i] < -1 || keep[i] > NURBS_MAX_ORDER) {
-            fail(NURBS_ERROR_ORDER, "keep[%d][%d] = %d, expected -1 to %d", i / 2, i % 2, keep[i],
+            fail(Status::order, "keep[%d][%d] = %d, expected -1 to %d", i / 2, i % 2, keep[i],
                  NURBS_MAX_ORDER);
         }
     }
@@ -102,7 +102,7 @@ void check_keep(const Spline &spline, const int32_t *keep) {
 
 void check_size(int64_t n, int64_t expected, const char *name) {
     if (n != expected) {
-        fail(NURBS_ERROR_SIZE, "%s = %lld, expected %lld", name, static_cast<long long>(n),
+        fail(Status::size, "%s = %lld, expected %lld", name, static_cast<long long>(n),
              static_cast<long long>(expected));
     }
     checked_array(n, name);
@@ -111,7 +111,7 @@ void check_size(int64_t n, int64_t expected, const char *name) {
 namespace {
 
 [[noreturn]] void fail_stride(const char *name, const char *which, int64_t stride, const char *expected) {
-    fail(NURBS_ERROR_STRIDE, "%s: %s = %lld, expected %s", name, which, static_cast<long long>(stride),
+    fail(Status::stride, "%s: %s = %lld, expected %s", name, which, static_cast<long long>(stride),
          expected);
 }
 
@@ -126,7 +126,7 @@ void check_separation(const char *name, int64_t count, int64_t width, int64_t st
     const bool components_apart =
         stride > 0 && (width == 1 || (count - 1) <= (component_stride - 1) / stride);
     if (!records_apart && !components_apart) {
-        fail(NURBS_ERROR_STRIDE, "%s: strides (%lld, %lld) let %lld records of %lld values overlap", name,
+        fail(Status::stride, "%s: strides (%lld, %lld) let %lld records of %lld values overlap", name,
              static_cast<long long>(stride), static_cast<long long>(component_stride),
              static_cast<long long>(count), static_cast<long long>(width));
     }
@@ -197,7 +197,7 @@ void check_overlap(const char *out_name, const void *out, int64_t out_bytes, con
     const auto b = reinterpret_cast<uintptr_t>(in);
     if (out_bytes > 0 && in_bytes > 0 && a < b + static_cast<uintptr_t>(in_bytes) &&
         b < a + static_cast<uintptr_t>(out_bytes)) {
-        fail(NURBS_ERROR_OVERLAP, "output %s overlaps %s", out_name, in_name);
+        fail(Status::overlap, "output %s overlaps %s", out_name, in_name);
     }
 }
 

@@ -5,8 +5,8 @@
 #include "part.h"
 
 #include "base/tolerance.h"
-#include "query/closest/closest.h"
-#include "query/closest/signed_distance.h"
+#include "closest/closest.h"
+#include "closest/signed_distance.h"
 #include "spline/kind.h"
 
 #include <cmath>
@@ -22,7 +22,7 @@ constexpr int64_t default_budget = 20000;
 
 bool check_flag(uint32_t flags) {
     if ((flags & ~NURBS_NAN_POINTS) != 0) {
-        fail(NURBS_ERROR_FLAGS, "flags = 0x%08x, expected NURBS_NAN_POINTS or 0", flags);
+        fail(Status::flags, "flags = 0x%08x, expected NURBS_NAN_POINTS or 0", flags);
     }
     return flags != 0;
 }
@@ -31,7 +31,7 @@ void check_finite(const char *name, const ConstRecords &points) {
     for (int64_t i = 0; i < points.count; ++i) {
         for (int64_t c = 0; c < points.width; ++c) {
             if (!std::isfinite(points(i, c))) {
-                fail(NURBS_ERROR_POINT_NOT_FINITE, "%s[%lld][%lld] = %s, expected a number", name,
+                fail(Status::point_not_finite, "%s[%lld][%lld] = %s, expected a number", name,
                      static_cast<long long>(i), static_cast<long long>(c), Number(points(i, c)).text);
             }
         }

@@ -5,8 +5,8 @@
 #include "spline_data.h"
 
 #include "base/checked.h"
-#include "eval/collocation.h"
-#include "refine/extraction.h"
+#include "eval/functions/collocation.h"
+#include "refine/knots/extraction.h"
 
 using namespace nrb;
 using namespace nrb::capi;
@@ -18,13 +18,13 @@ Orders checked_orders(const int32_t *orders, int axes) {
     int64_t total = 0;
     for (int k = 0; k < axes && orders != nullptr; ++k) {
         if (orders[k] < 0 || orders[k] > NURBS_MAX_ORDER) {
-            fail(NURBS_ERROR_ORDER, "orders[%d] = %d, expected 0 to %d", k, orders[k], NURBS_MAX_ORDER);
+            fail(Status::order, "orders[%d] = %d, expected 0 to %d", k, orders[k], NURBS_MAX_ORDER);
         }
         result[static_cast<size_t>(k)] = orders[k];
         total += orders[k];
     }
     if (total > NURBS_MAX_ORDER) {
-        fail(NURBS_ERROR_ORDER, "orders add up to %lld, expected at most %d", static_cast<long long>(total),
+        fail(Status::order, "orders add up to %lld, expected at most %d", static_cast<long long>(total),
              NURBS_MAX_ORDER);
     }
     return result;

@@ -27,7 +27,7 @@ nurbs_status nurbs_make_compatible(int64_t count, const nurbs *const *splines, d
         require_out(out);
         const std::vector<SplinePtr> given = splines_of(count, splines, "splines");
         if ((flags & ~NURBS_MAP_DOMAINS) != 0) {
-            fail(NURBS_ERROR_FLAGS, "flags = 0x%x, expected NURBS_MAP_DOMAINS or 0", flags);
+            fail(Status::flags, "flags = 0x%x, expected NURBS_MAP_DOMAINS or 0", flags);
         }
         Compatible made = make_compatible(given, tolerance, flags != 0);
         give_list(std::move(made.splines), out);

@@ -1,8 +1,8 @@
 // Arcs of circles and conics by points, tangents and equations.
-#include "build/conic_conditions.h"
-#include "build/conic_curves.h"
-#include "build/conic_focus.h"
-#include "build/implicit_conic.h"
+#include "build/conics/conic_conditions.h"
+#include "build/conics/conic_curves.h"
+#include "build/conics/conic_focus.h"
+#include "build/conics/implicit_conic.h"
 #include "checks.h"
 #include "guard.h"
 #include "spline_data.h"
@@ -17,7 +17,7 @@ namespace {
 void check_plane_dimension(int32_t dim) {
     check_dimension(dim);
     if (dim < 2) {
-        fail(NURBS_ERROR_DIMENSION, "dim = %d, expected at least 2", dim);
+        fail(Status::dimension, "dim = %d, expected at least 2", dim);
     }
 }
 

@@ -34,16 +34,16 @@ void check_kind(const GivenConstraints &given, int64_t i) {
     const int axes = given.spline.axes(), dim = given.spline.dim();
     const auto place = static_cast<long long>(i);
     if (kind < NURBS_CONSTRAIN_VALUE || kind > NURBS_CONSTRAIN_CURVATURE) {
-        fail(NURBS_ERROR_CONSTRAINT, "kinds[%lld] = %d, expected one of the NURBS_CONSTRAIN_ constants",
+        fail(Status::constraint, "kinds[%lld] = %d, expected one of the NURBS_CONSTRAIN_ constants",
              place, kind);
     }
     if (kind == NURBS_CONSTRAIN_CURVATURE && axes != 1) {
-        fail(NURBS_ERROR_AXES, "kinds[%lld] = NURBS_CONSTRAIN_CURVATURE is for curves, g has %d axes", place,
+        fail(Status::axes, "kinds[%lld] = NURBS_CONSTRAIN_CURVATURE is for curves, g has %d axes", place,
              axes);
     }
     const int least = kind == NURBS_CONSTRAIN_VALUE ? 1 : kind == NURBS_CONSTRAIN_NORMAL ? axes + 1 : 2;
     if (dim < least) {
-        fail(NURBS_ERROR_DIMENSION, "kinds[%lld] = %d asks for dimension %d at least, that of g is %d", place,
+        fail(Status::dimension, "kinds[%lld] = %d asks for dimension %d at least, that of g is %d", place,
              kind, least, dim);
     }
 }
@@ -60,7 +60,7 @@ Orders checked_orders(const GivenConstraints &given, int64_t i) {
     for (int k = 0; k < axes; ++k) {
         const int32_t order = given.orders[i * axes + k];
         if (order < 0 || order > (free ? NURBS_MAX_ORDER : 0)) {
-            fail(NURBS_ERROR_ORDER, "orders[%lld][%d] = %d, expected 0%s", static_cast<long long>(i), k,
+            fail(Status::order, "orders[%lld][%d] = %d, expected 0%s", static_cast<long long>(i), k,
                  order, free ? " to NURBS_MAX_ORDER" : " for this kind");
         }
         orders[static_cast<size_t>(k)] = order;
@@ -73,13 +73,13 @@ void check_target(const GivenConstraints &given, int64_t i, const double *target
     const double *const bad =
         std::find_if_not(target, target + dim, [](double x) { return std::isfinite(x); });
     if (bad != target + dim) {
-        fail(NURBS_ERROR_POINT_NOT_FINITE, "targets[%lld][%lld] = %s is not finite",
+        fail(Status::point_not_finite, "targets[%lld][%lld] = %s is not finite",
              static_cast<long long>(i), static_cast<long long>(bad - target), Number(*bad).text);
     }
     const int32_t kind = given.kind(i);
     const bool direction = kind == NURBS_CONSTRAIN_DIRECTION || kind == NURBS_CONSTRAIN_NORMAL;
     if (direction && std::all_of(target, target + dim, [](double x) { return x == 0; })) {
-        fail(NURBS_ERROR_DIRECTION, "targets[%lld] is zero, expected a direction", static_cast<long long>(i));
+        fail(Status::direction, "targets[%lld] is zero, expected a direction", static_cast<long long>(i));
     }
 }
 
@@ -100,7 +100,7 @@ std::vector<Condition> checked_conditions(const GivenConstraints &given) {
 void check_costs(const Spline &spline, const double *costs, const char *name) {
     for (int64_t i = 0; costs != nullptr && i < spline.point_count(); ++i) {
         if (!(costs[i] > 0)) {
-            fail(NURBS_ERROR_FACTOR, "%s[%lld] = %s, expected > 0", name, static_cast<long long>(i),
+            fail(Status::factor, "%s[%lld] = %s, expected > 0", name, static_cast<long long>(i),
                  Number(costs[i]).text);
         }
     }

@@ -4,8 +4,8 @@
 #include "outputs.h"
 
 #include "reduce/periodic_form.h"
-#include "refine/continuation.h"
-#include "refine/homogeneous.h"
+#include "refine/parts/continuation.h"
+#include "refine/forms/homogeneous.h"
 
 using namespace nrb;
 using namespace nrb::capi;

@@ -4,7 +4,7 @@
 #include "outputs.h"
 
 #include "base/tolerance.h"
-#include "query/continuity.h"
+#include "analysis/continuity.h"
 
 #include <utility>
 

@@ -4,9 +4,9 @@
 #include "lists.h"
 
 #include "base/tolerance.h"
-#include "build/boundary.h"
-#include "build/coons.h"
-#include "build/coons_volume.h"
+#include "build/coons/boundary.h"
+#include "build/coons/coons.h"
+#include "build/coons/coons_volume.h"
 
 #include <cmath>
 
@@ -28,7 +28,7 @@ void check_twists_given(const double *twists, int32_t dim) {
     require(twists, "twists");
     for (int64_t i = 0; i < corner_count * int64_t{dim}; ++i) {
         if (!std::isfinite(twists[i])) {
-            fail(NURBS_ERROR_POINT_NOT_FINITE, "twists[%lld][%lld] = %s is not finite",
+            fail(Status::point_not_finite, "twists[%lld][%lld] = %s is not finite",
                  static_cast<long long>(i / dim), static_cast<long long>(i % dim), Number(twists[i]).text);
         }
     }
@@ -36,16 +36,16 @@ void check_twists_given(const double *twists, int32_t dim) {
 
 void check_rule(int32_t twist, const double *twists, bool has_cross, int32_t dim) {
     if (twist < NURBS_TWIST_COMPATIBLE || twist > NURBS_TWIST_ADINI) {
-        fail(NURBS_ERROR_TWIST_RULE, "twist = %d, expected one of the NURBS_TWIST_ constants", twist);
+        fail(Status::twist_rule, "twist = %d, expected one of the NURBS_TWIST_ constants", twist);
     }
     if (!has_cross && (twist == NURBS_TWIST_COMPATIBLE || twist == NURBS_TWIST_AVERAGE)) {
-        fail(NURBS_ERROR_TWIST_RULE, "twist = %d takes the twists of cross tangents, but cross is NULL",
+        fail(Status::twist_rule, "twist = %d takes the twists of cross tangents, but cross is NULL",
              twist);
     }
     if (twist == NURBS_TWIST_GIVEN) {
         check_twists_given(twists, dim);
     } else if (twists != nullptr) {
-        fail(NURBS_ERROR_TWIST_RULE, "twists are given, expected NULL unless twist is NURBS_TWIST_GIVEN");
+        fail(Status::twist_rule, "twists are given, expected NULL unless twist is NURBS_TWIST_GIVEN");
     }
 }
 

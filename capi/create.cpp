@@ -16,7 +16,7 @@ using namespace nrb::capi;
 void check_short_degrees(const AxesData &axes) {
     for (int k = 0; k < axes.size(); ++k) {
         if (axes[k].degree < 1) {
-            fail(NURBS_ERROR_DEGREE, "degrees[%d] = %d, expected 1 to %d with short knot vectors", k,
+            fail(Status::degree, "degrees[%d] = %d, expected 1 to %d with short knot vectors", k,
                  axes[k].degree, NURBS_MAX_DEGREE);
         }
     }
@@ -27,10 +27,10 @@ void check_short_degrees(const AxesData &axes) {
 void check_short_end(const double *given, int64_t end, int64_t inner, int degree, int64_t offset) {
     const long long at = offset + end;
     if (!std::isfinite(given[end])) {
-        fail(NURBS_ERROR_KNOT_NOT_FINITE, "knots[%lld] = %s is not finite", at, Number(given[end]).text);
+        fail(Status::knot_not_finite, "knots[%lld] = %s is not finite", at, Number(given[end]).text);
     }
     if (given[end] == given[inner]) {
-        fail(NURBS_ERROR_END_MULTIPLICITY,
+        fail(Status::end_multiplicity,
              "knots[%lld] = %s is the same knot as knots[%lld]; degree %d allows %d equal knots at the end "
              "of a short "
              "vector",
@@ -66,20 +66,20 @@ int64_t check_distinct_knots(const AxisData &axis, const double *distinct, const
     for (int64_t i = 0; i < n; ++i) {
         const long long at = offset + i;
         if (multiplicities[i] < 1) {
-            fail(NURBS_ERROR_COUNT, "multiplicities[%lld] = %d, expected at least 1", at, multiplicities[i]);
+            fail(Status::count, "multiplicities[%lld] = %d, expected at least 1", at, multiplicities[i]);
         }
         if (multiplicities[i] > axis.degree + 1) {
             const bool end = i == 0 || i + 1 == n;
-            fail(end ? NURBS_ERROR_END_MULTIPLICITY : NURBS_ERROR_MULTIPLICITY,
+            fail(end ? Status::end_multiplicity : Status::multiplicity,
                  "multiplicities[%lld] = %d, degree %d allows at most %d", at, multiplicities[i], axis.degree,
                  axis.degree + 1);
         }
         if (!std::isfinite(distinct[i])) {
-            fail(NURBS_ERROR_KNOT_NOT_FINITE, "distinct_knots[%lld] = %s is not finite", at,
+            fail(Status::knot_not_finite, "distinct_knots[%lld] = %s is not finite", at,
                  Number(distinct[i]).text);
         }
         if (i > 0 && distinct[i] <= distinct[i - 1]) {
-            fail(NURBS_ERROR_KNOTS_DECREASING, "distinct_knots[%lld] = %s, expected more than %s before it",
+            fail(Status::knots_decreasing, "distinct_knots[%lld] = %s, expected more than %s before it",
                  at, Number(distinct[i]).text, Number(distinct[i - 1]).text);
         }
         total += multiplicities[i];
@@ -91,7 +91,7 @@ std::vector<double> expand_knots(const AxisData &axis, const double *distinct, c
                                  int64_t n, int index, int64_t offset) {
     const int64_t total = check_distinct_knots(axis, distinct, multiplicities, n, offset);
     if (total != axis.count + axis.degree + 1) {
-        fail(NURBS_ERROR_SIZE,
+        fail(Status::size,
              "multiplicities of axis %d add up to %lld, expected counts[%d] + degrees[%d] + 1 = %lld", index,
              static_cast<long long>(total), index, index,
              static_cast<long long>(axis.count) + axis.degree + 1);
@@ -134,7 +134,7 @@ Spline::Axes multiplicity_axes(const AxesData &axes, const int64_t *distinct_cou
     static_cast<void>(axes.knot_total(1)); // refuses counts so large that the sums below would overflow
     for (int k = 0; k < axes.size(); ++k) {
         if (distinct_counts[k] < 2 || distinct_counts[k] > axes[k].count + axes[k].degree + 1) {
-            fail(distinct_counts[k] < 2 ? NURBS_ERROR_COUNT : NURBS_ERROR_SIZE,
+            fail(distinct_counts[k] < 2 ? Status::count : Status::size,
                  "distinct_counts[%d] = %lld, expected 2 to counts[%d] + degrees[%d] + 1 = %lld", k,
                  static_cast<long long>(distinct_counts[k]), k, k,
                  static_cast<long long>(axes[k].count) + axes[k].degree + 1);

@@ -1,5 +1,5 @@
 // Lines, arcs and conics in their axes, helices.
-#include "build/conic_curves.h"
+#include "build/conics/conic_curves.h"
 #include "build/helix.h"
 #include "build/polylines.h"
 #include "checks.h"

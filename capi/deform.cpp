@@ -34,7 +34,7 @@ void check_place_in_space(const double *point, const Spline &spline, const char 
 
 void check_order_in(int32_t order, int32_t least, int32_t most) {
     if (order < least || order > most) {
-        fail(NURBS_ERROR_ORDER, "order = %d, expected %d to %d", order, least, most);
+        fail(Status::order, "order = %d, expected %d to %d", order, least, most);
     }
 }
 
@@ -53,7 +53,7 @@ nurbs_status nurbs_warp(const nurbs *g, const double *range, const double *direc
         const Part part = checked_part(spline_of(g), range);
         check_vector(direction, *g->spline, "direction");
         if (!std::isfinite(distance)) {
-            fail(NURBS_ERROR_LENGTH, "distance = %s is not finite", Number(distance).text);
+            fail(Status::length, "distance = %s is not finite", Number(distance).text);
         }
         check_order_in(order, 0, 7);
         give(warp(g->spline, part, direction, distance, order), out);
@@ -83,14 +83,14 @@ nurbs_status nurbs_bend(const nurbs *g, const double *origin, const double *alon
         require_out(out);
         const Spline &spline = spline_of(g);
         if (spline.dim() < 2) {
-            fail(NURBS_ERROR_DIMENSION, "dimension %d of g, expected at least 2", spline.dim());
+            fail(Status::dimension, "dimension %d of g, expected at least 2", spline.dim());
         }
         check_place_in_space(origin, spline, "origin");
         check_vector(along, spline, "along");
         check_vector(across, spline, "across");
         check_factor(curvature, "curvature");
         if (!(lower < upper)) {
-            fail(NURBS_ERROR_EMPTY_DOMAIN, "lower = %s, expected less than upper = %s", Number(lower).text,
+            fail(Status::empty_domain, "lower = %s, expected less than upper = %s", Number(lower).text,
                  Number(upper).text);
         }
         check_positive_tolerance(tolerance);
@@ -108,14 +108,14 @@ nurbs_status nurbs_free_form_deform(const nurbs *g, const nurbs *volume, const d
         require(volume, "volume");
         const int axes = volume->spline->axes();
         if (volume->spline->dim() != axes || spline.dim() != axes) {
-            fail(NURBS_ERROR_DIMENSION, "dimension %d of g and %d of volume, expected %d, its number of axes",
+            fail(Status::dimension, "dimension %d of g and %d of volume, expected %d, its number of axes",
                  spline.dim(), volume->spline->dim(), axes);
         }
         check_place_in_space(lower, spline, "lower");
         check_place_in_space(upper, spline, "upper");
         for (int k = 0; k < axes; ++k) {
             if (!(lower[k] < upper[k]) || !std::isfinite(upper[k] - lower[k])) {
-                fail(NURBS_ERROR_EMPTY_DOMAIN, "lower[%d] = %s, expected less than upper[%d] = %s", k,
+                fail(Status::empty_domain, "lower[%d] = %s, expected less than upper[%d] = %s", k,
                      Number(lower[k]).text, k, Number(upper[k]).text);
             }
         }
@@ -159,7 +159,7 @@ nurbs_status nurbs_snap_boundary(const nurbs *g, int32_t axis, int32_t end, cons
         check_order_in(order, 0, 1);
         const bool curve = g->spline->axes() == 1;
         if ((flags & ~(curve ? 0 : NURBS_REVERSED)) != 0) {
-            fail(NURBS_ERROR_FLAGS, "flags = 0x%x, expected %s", flags,
+            fail(Status::flags, "flags = 0x%x, expected %s", flags,
                  curve ? "0 for a curve" : "NURBS_REVERSED or 0");
         }
         SnappedBoundary made = snap_boundary(g->spline, boundary, other->spline, other_boundary, order,

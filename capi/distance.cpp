@@ -4,8 +4,8 @@
 #include "outputs.h"
 
 #include "base/tolerance.h"
-#include "query/closest/hausdorff.h"
-#include "query/closest/pair_search.h"
+#include "closest/pair/hausdorff.h"
+#include "closest/pair/pair_search.h"
 
 #include <array>
 #include <span>

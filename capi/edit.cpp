@@ -25,9 +25,9 @@ int64_t checked_point(const Spline &spline, int64_t index, int64_t place = -1) {
     if (index < 0 || index >= spline.point_count()) {
         const auto last = static_cast<long long>(spline.point_count() - 1);
         if (place < 0) {
-            fail(NURBS_ERROR_INDEX, "index = %lld, expected 0 to %lld", static_cast<long long>(index), last);
+            fail(Status::index, "index = %lld, expected 0 to %lld", static_cast<long long>(index), last);
         }
-        fail(NURBS_ERROR_INDEX, "indices[%lld] = %lld, expected 0 to %lld", static_cast<long long>(place),
+        fail(Status::index, "indices[%lld] = %lld, expected 0 to %lld", static_cast<long long>(place),
              static_cast<long long>(index), last);
     }
     return original_of(spline, index);
@@ -41,7 +41,7 @@ void check_different(const int64_t *indices, const std::vector<int64_t> &origina
     });
     for (size_t i = 1; i < order.size(); ++i) {
         if (originals[order[i]] == originals[order[i - 1]]) {
-            fail(NURBS_ERROR_INDEX, "indices[%zu] = %lld is the same control point as indices[%zu] = %lld",
+            fail(Status::index, "indices[%zu] = %lld is the same control point as indices[%zu] = %lld",
                  order[i], static_cast<long long>(indices[order[i]]), order[i - 1],
                  static_cast<long long>(indices[order[i - 1]]));
         }
@@ -70,7 +70,7 @@ const double *checked_param(const Spline &spline, const double *params) {
 
 void check_distance(double distance) {
     if (!std::isfinite(distance)) {
-        fail(NURBS_ERROR_LENGTH, "distance = %s is not finite", Number(distance).text);
+        fail(Status::length, "distance = %s is not finite", Number(distance).text);
     }
 }
 
@@ -120,7 +120,7 @@ nurbs_status nurbs_set_weights(const nurbs *g, int64_t count, const int64_t *ind
         for (int64_t i = 0; i < count; ++i) {
             require(weights, "weights");
             if (!std::isfinite(weights[i]) || weights[i] < 0) {
-                fail(std::isfinite(weights[i]) ? NURBS_ERROR_WEIGHT_NEGATIVE : NURBS_ERROR_WEIGHT_NOT_FINITE,
+                fail(std::isfinite(weights[i]) ? Status::weight_negative : Status::weight_not_finite,
                      "weights[%lld] = %s, expected finite and >= 0", static_cast<long long>(i),
                      Number(weights[i]).text);
             }
@@ -147,7 +147,7 @@ nurbs_status nurbs_weight_cross_ratio(int32_t dim, const double *control_point, 
                                       const double *at_one, const double *at_weight, double *weight) {
     return guard([&] {
         if (dim < 1) {
-            fail(NURBS_ERROR_DIMENSION, "dim = %d, expected at least 1", dim);
+            fail(Status::dimension, "dim = %d, expected at least 1", dim);
         }
         require(weight, "weight");
         given_point(control_point, dim, "control_point");
@@ -205,7 +205,7 @@ namespace {
 
 LegInsertion insert_checked(const nurbs *g, int32_t axis, int64_t index, double ratio) {
     if (!(ratio >= 0 && ratio <= 1)) {
-        fail(NURBS_ERROR_FACTOR, "ratio = %s, expected 0 to 1", Number(ratio).text);
+        fail(Status::factor, "ratio = %s, expected 0 to 1", Number(ratio).text);
     }
     checked_point(*g->spline, index);
     return insert_on_leg(g->spline, axis, index, ratio);
@@ -233,13 +233,13 @@ nurbs_status nurbs_insert_at_point(const nurbs *g, int32_t axis, const double *p
         check_tolerance(tolerance);
         const Leg leg = nearest_leg(*g->spline, axis, point);
         if (!(leg.distance <= tolerance)) {
-            fail(NURBS_ERROR_OFF_POLYGON,
+            fail(Status::off_polygon,
                  "point: distance %s from the nearest leg, from control point %lld along axis %d; tolerance "
                  "= %s",
                  Number(leg.distance).text, static_cast<long long>(leg.point), axis, Number(tolerance).text);
         }
         if (leg.point < 0) { // an infinite tolerance, and no leg
-            fail(NURBS_ERROR_OFF_POLYGON, "g has no leg along axis %d without control points at infinity",
+            fail(Status::off_polygon, "g has no leg along axis %d without control points at infinity",
                  axis);
         }
         LegInsertion made = insert_checked(g, axis, leg.point, leg.ratio);

@@ -5,8 +5,8 @@
 #include "base/checked.h"
 #include "eval/evaluate.h"
 #include "eval/single_precision.h"
-#include "eval/slots.h"
-#include "refine/iso.h"
+#include "eval/kernels/slots.h"
+#include "refine/parts/iso.h"
 
 using namespace nrb;
 using namespace nrb::capi;

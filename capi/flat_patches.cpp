@@ -3,7 +3,7 @@
 #include "guard.h"
 #include "spline_data.h"
 
-#include "build/multilinear.h"
+#include "build/surfaces/multilinear.h"
 
 using namespace nrb;
 using namespace nrb::capi;
@@ -14,7 +14,7 @@ nurbs_status nurbs_surface_plane(int32_t dim, const double *origin, const double
         require_out(out);
         check_dimension(dim);
         if (dim < 2) {
-            fail(NURBS_ERROR_DIMENSION, "dim = %d, expected at least 2", dim);
+            fail(Status::dimension, "dim = %d, expected at least 2", dim);
         }
         require(u, "u");
         require(v, "v");

@@ -1,8 +1,8 @@
 // Degree and form.
-#include "refine/elevate.h"
-#include "refine/homogeneous.h"
-#include "refine/parametrization.h"
-#include "refine/transpose.h"
+#include "refine/degree/elevate.h"
+#include "refine/forms/homogeneous.h"
+#include "refine/forms/parametrization.h"
+#include "refine/forms/transpose.h"
 
 #include "checks.h"
 #include "guard.h"
@@ -14,7 +14,7 @@ namespace {
 
 void check_reverse_flags(uint32_t flags) {
     if ((flags & ~NURBS_KEEP_DOMAIN) != 0) {
-        fail(NURBS_ERROR_FLAGS, "flags = 0x%08x, expected 0 or NURBS_KEEP_DOMAIN", flags);
+        fail(Status::flags, "flags = 0x%08x, expected 0 or NURBS_KEEP_DOMAIN", flags);
     }
 }
 

@@ -2,10 +2,10 @@
 #include "batch.h"
 #include "guard.h"
 
-#include "eval/curvature.h"
-#include "eval/curve_frames.h"
-#include "eval/minimal_frames.h"
-#include "eval/surface_frames.h"
+#include "eval/frames/curvature.h"
+#include "eval/frames/curve_frames.h"
+#include "eval/frames/minimal_frames.h"
+#include "eval/frames/surface_frames.h"
 #include "spline/kind.h"
 
 #include <cmath>
@@ -87,14 +87,14 @@ const Spline &surface_in_space(const ::nurbs *g) {
 
 void check_plane(const Spline &spline, const double *values, const char *name) {
     if (spline.dim() == 2 && values != nullptr) {
-        fail(NURBS_ERROR_DIMENSION, "%s of a curve of dimension 2: expected NULL", name);
+        fail(Status::dimension, "%s of a curve of dimension 2: expected NULL", name);
     }
 }
 
 void check_finite(const double *direction, const char *name) {
     for (int c = 0; c < 3; ++c) {
         if (!std::isfinite(direction[c])) {
-            fail(NURBS_ERROR_DIRECTION, "%s[%d] = %s is not finite", name, c, Number(direction[c]).text);
+            fail(Status::direction, "%s[%d] = %s is not finite", name, c, Number(direction[c]).text);
         }
     }
 }

@@ -1,8 +1,8 @@
 // The two opaque types of the C API.
 #pragma once
 
-#include "io/document.h"
-#include "refine/cut.h"
+#include "model/document.h"
+#include "refine/parts/cut.h"
 #include "spline/spline.h"
 
 #include <nurbs/nurbs.h>

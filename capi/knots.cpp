@@ -12,7 +12,7 @@ namespace {
 
 std::span<double> knot_span(double *knots, int64_t knot_count) {
     if (knot_count < 0) {
-        fail(NURBS_ERROR_SIZE, "knot_count = %lld, expected the number of knots of the rule",
+        fail(Status::size, "knot_count = %lld, expected the number of knots of the rule",
              static_cast<long long>(knot_count));
     }
     checked_array(knot_count, "knots");
@@ -78,7 +78,7 @@ nurbs_status nurbs_knots_periodic(int32_t degree, int64_t n, const double *break
         require(breaks, "breaks");
         check_degree(degree, -1);
         if (n < 2 || n > knot_count) {
-            fail(n < 2 ? NURBS_ERROR_COUNT : NURBS_ERROR_SIZE,
+            fail(n < 2 ? Status::count : Status::size,
                  "n = %lld breaks, expected 2 to knot_count = %lld", static_cast<long long>(n),
                  static_cast<long long>(knot_count));
         }

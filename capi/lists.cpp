@@ -26,7 +26,7 @@ std::vector<SplinePtr> splines_of(int64_t count, const nurbs *const *handles, co
     std::vector<SplinePtr> splines;
     for (int64_t i = 0; i < count; ++i) {
         if (handles[i] == nullptr) {
-            fail(NURBS_ERROR_NULL, "%s[%lld] is NULL", name, static_cast<long long>(i));
+            fail(Status::null, "%s[%lld] is NULL", name, static_cast<long long>(i));
         }
         splines.push_back(handles[i]->spline);
     }
@@ -70,7 +70,7 @@ const nurbs_list &checked(const nurbs_list *list) {
 
 void check_index(int64_t index, int64_t size) {
     if (index < 0 || index >= size) {
-        fail(NURBS_ERROR_INDEX, "index = %lld, expected 0 to %lld", static_cast<long long>(index),
+        fail(Status::index, "index = %lld, expected 0 to %lld", static_cast<long long>(index),
              static_cast<long long>(size) - 1);
     }
 }
@@ -136,7 +136,7 @@ nurbs_status nurbs_list_note(const nurbs_list *list, int64_t index, int32_t *ent
         check_buffer(buf, cap);
         put(entity_type, int32_t{note.entity_type});
         put(line, note.line);
-        put(reason, note.reason);
+        put(reason, static_cast<nurbs_status>(note.reason));
         copy_text(note.text, buf, cap, length);
     });
 }

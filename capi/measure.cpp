@@ -8,9 +8,9 @@
 #include "base/checked.h"
 #include "base/tolerance.h"
 #include "eval/parameters.h"
-#include "query/measure/divide.h"
-#include "query/measure/length_table.h"
-#include "query/measure/moments.h"
+#include "measure/divide.h"
+#include "measure/length_table.h"
+#include "measure/moments.h"
 #include "spline/kind.h"
 
 using namespace nrb;
@@ -97,7 +97,7 @@ nurbs_status nurbs_curve_params_at_lengths(const nurbs *g, int64_t n, const doub
         const Records out = output("params", params, n, 1, param_stride, 0);
         check_overlap("params", out, "lengths", in);
         if ((flags & ~NURBS_CLAMP) != 0) {
-            fail(NURBS_ERROR_FLAGS, "flags = 0x%x, expected NURBS_CLAMP or 0", flags);
+            fail(Status::flags, "flags = 0x%x, expected NURBS_CLAMP or 0", flags);
         }
         check_tolerance(relative_tolerance, "relative_tolerance");
         curve_params_at_lengths(curve, in, relative_tolerance, flags != 0, out);
@@ -111,7 +111,7 @@ nurbs_status nurbs_curve_divide(const nurbs *g, const double *range, int64_t par
         check_at_least(parts, 1, "parts");
         const Records out = output("params", params, checked_sum(parts, 1, "params"), 1, 0, 0);
         if ((flags & ~NURBS_EQUAL_CHORDS) != 0) {
-            fail(NURBS_ERROR_FLAGS, "flags = 0x%x, expected NURBS_EQUAL_CHORDS or 0", flags);
+            fail(Status::flags, "flags = 0x%x, expected NURBS_EQUAL_CHORDS or 0", flags);
         }
         check_tolerance(relative_tolerance, "relative_tolerance");
         check_apart({memory("params", params, out.count), memory("size", size, 1)},
@@ -143,7 +143,7 @@ nurbs_status nurbs_moments(const nurbs *g, double relative_tolerance, double *co
     return guard([&] {
         const Spline &spline = spline_of(g);
         if (spline.axes() == 3 && spline.dim() != 3) {
-            fail(NURBS_ERROR_DIMENSION, "g is a volume of dimension %d, expected 3", spline.dim());
+            fail(Status::dimension, "g is a volume of dimension %d, expected 3", spline.dim());
         }
         check_tolerance(relative_tolerance, "relative_tolerance");
         require(content, "content");

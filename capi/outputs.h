@@ -32,7 +32,7 @@ void put_all(T *out, const Range &values) noexcept {
 inline int64_t checked_cap(int64_t cap, int64_t needed) {
     check_length(cap, "cap");
     if (cap != 0 && cap < needed) {
-        fail(NURBS_ERROR_SIZE, "cap = %lld, expected 0 or at least %lld", static_cast<long long>(cap),
+        fail(Status::size, "cap = %lld, expected 0 or at least %lld", static_cast<long long>(cap),
              static_cast<long long>(needed));
     }
     return cap == 0 ? 0 : needed;

@@ -15,7 +15,7 @@ inline Part checked_part(const Spline &spline, const double *range) {
         check_place(asked.lower, spline.axis(k).domain(), "range", k);
         check_place(asked.upper, spline.axis(k).domain(), "range", k);
         if (!(asked.lower < asked.upper)) {
-            fail(NURBS_ERROR_EMPTY_DOMAIN, "range[%d] = [%s, %s], expected an interval of axis %d", k,
+            fail(Status::empty_domain, "range[%d] = [%s, %s], expected an interval of axis %d", k,
                  Number(asked.lower).text, Number(asked.upper).text, k);
         }
         part[static_cast<size_t>(k)] = asked;

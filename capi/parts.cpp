@@ -4,9 +4,9 @@
 #include "lists.h"
 
 #include "base/tolerance.h"
-#include "refine/cut.h"
-#include "refine/join.h"
-#include "refine/seam.h"
+#include "refine/parts/cut.h"
+#include "refine/parts/join.h"
+#include "refine/periodic/seam.h"
 
 #include <cmath>
 #include <memory>
@@ -21,7 +21,7 @@ void check_range(const Spline &spline, int k, double lower, double upper) {
     check_place(lower, domain, "lower", k);
     check_place(upper, domain, "upper", k);
     if (!(lower < upper)) {
-        fail(NURBS_ERROR_EMPTY_DOMAIN, "lower = %s on axis %d, expected less than upper = %s",
+        fail(Status::empty_domain, "lower = %s on axis %d, expected less than upper = %s",
              Number(lower).text, k, Number(upper).text);
     }
 }
@@ -37,13 +37,13 @@ nurbs_status nurbs_split(const nurbs *g, int32_t axis, double param, nurbs **low
         *lower = nullptr;
         require(upper, "upper");
         if (lower == upper) {
-            fail(NURBS_ERROR_OVERLAP, "output upper overlaps lower");
+            fail(Status::overlap, "output upper overlaps lower");
         }
         check_axis(spline_of(g), axis);
         const Interval domain = g->spline->axis(axis).domain();
         check_place(param, domain, "param", axis);
         if (param == domain.lower || param == domain.upper) {
-            fail(NURBS_ERROR_EMPTY_DOMAIN, "param = %s is an end of [%s, %s], the domain of axis %d",
+            fail(Status::empty_domain, "param = %s is an end of [%s, %s], the domain of axis %d",
                  Number(param).text, Number(domain.lower).text, Number(domain.upper).text, axis);
         }
         const double breaks[] = {domain.lower, param, domain.upper};
@@ -103,7 +103,7 @@ nurbs_status nurbs_move_seam(const nurbs *g, int32_t axis, double param, nurbs *
         check_axis(spline_of(g), axis);
         const KnotVector &old = g->spline->axis(axis);
         if (!old.periodic()) {
-            fail(NURBS_ERROR_NOT_PERIODIC, "axis %d is not periodic: it has no seam to be moved", axis);
+            fail(Status::not_periodic, "axis %d is not periodic: it has no seam to be moved", axis);
         }
         check_place(param, old.domain(), "param", axis);
         give(move_seam(g->spline, axis, param), out);
@@ -118,7 +118,7 @@ nurbs_status nurbs_join(int64_t count, const nurbs *const *parts, int32_t axis, 
         check_axis(*splines.front(), axis);
         check_tolerance(tolerance);
         if ((flags & ~NURBS_KEEP_GAPS) != 0) {
-            fail(NURBS_ERROR_FLAGS, "flags = 0x%x, expected NURBS_KEEP_GAPS or 0", flags);
+            fail(Status::flags, "flags = 0x%x, expected NURBS_KEEP_GAPS or 0", flags);
         }
         const Joined joined = join(splines, axis, {tolerance, flags != 0});
         give(joined.spline, out);

@@ -3,7 +3,7 @@
 #include "sparse.h"
 
 #include "base/checked.h"
-#include "refine/power.h"
+#include "refine/forms/power.h"
 #include "spline_data.h"
 
 #include <algorithm>
@@ -48,11 +48,11 @@ void write_form(const PowerForm &form, double *coefficients, double *breaks) {
 
 void check_break(const double *breaks, int64_t i, bool first) {
     if (!std::isfinite(breaks[i])) {
-        fail(NURBS_ERROR_KNOT_NOT_FINITE, "breaks[%lld] = %s is not finite", static_cast<long long>(i),
+        fail(Status::knot_not_finite, "breaks[%lld] = %s is not finite", static_cast<long long>(i),
              Number(breaks[i]).text);
     }
     if (!first && !(breaks[i] > breaks[i - 1])) {
-        fail(NURBS_ERROR_KNOTS_DECREASING, "breaks[%lld] = %s, expected more than breaks[%lld] = %s",
+        fail(Status::knots_decreasing, "breaks[%lld] = %s, expected more than breaks[%lld] = %s",
              static_cast<long long>(i), Number(breaks[i]).text, static_cast<long long>(i - 1),
              Number(breaks[i - 1]).text);
     }
@@ -62,7 +62,7 @@ void check_piece_counts(const AxesData &axes, const int64_t *piece_counts) {
     require(piece_counts, "piece_counts");
     for (int k = 0; k < axes.size(); ++k) {
         if (piece_counts[k] < 1) {
-            fail(NURBS_ERROR_COUNT, "piece_counts[%d] = %lld, expected at least 1", k,
+            fail(Status::count, "piece_counts[%d] = %lld, expected at least 1", k,
                  static_cast<long long>(piece_counts[k]));
         }
     }
@@ -90,7 +90,7 @@ std::vector<std::vector<double>> checked_breaks(const AxesData &axes, const int6
             check_break(breaks, i, i == offset);
         }
         if (!std::isfinite(breaks[end - 1] - breaks[offset])) {
-            fail(NURBS_ERROR_KNOT_NOT_FINITE, "breaks[%lld] - breaks[%lld] overflows",
+            fail(Status::knot_not_finite, "breaks[%lld] - breaks[%lld] overflows",
                  static_cast<long long>(end - 1), static_cast<long long>(offset));
         }
         result.emplace_back(breaks + offset, breaks + end);
@@ -101,7 +101,7 @@ std::vector<std::vector<double>> checked_breaks(const AxesData &axes, const int6
 
 int record_width(int32_t dim, uint32_t flags) {
     if ((flags & ~NURBS_HOMOGENEOUS) != 0) {
-        fail(NURBS_ERROR_FLAGS, "flags = 0x%x, expected NURBS_HOMOGENEOUS or 0", flags);
+        fail(Status::flags, "flags = 0x%x, expected NURBS_HOMOGENEOUS or 0", flags);
     }
     check_dimension(dim);
     return dim + (flags != 0 ? 1 : 0);

@@ -2,7 +2,7 @@
 #include "checks.h"
 #include "guard.h"
 
-#include "refine/projections.h"
+#include "refine/forms/projections.h"
 
 #include <cmath>
 
@@ -11,7 +11,7 @@ using namespace nrb::capi;
 
 namespace {
 
-void check_vector(const double *x, int dim, const char *name, nurbs_status status) {
+void check_vector(const double *x, int dim, const char *name, Status status) {
     require(x, name);
     for (int c = 0; c < dim; ++c) {
         if (!std::isfinite(x[c])) {
@@ -21,8 +21,8 @@ void check_vector(const double *x, int dim, const char *name, nurbs_status statu
 }
 
 void check_plane(const Spline &spline, const double *point, const double *normal) {
-    check_vector(point, spline.dim(), "point", NURBS_ERROR_POINT_NOT_FINITE);
-    check_vector(normal, spline.dim(), "normal", NURBS_ERROR_DIRECTION);
+    check_vector(point, spline.dim(), "point", Status::point_not_finite);
+    check_vector(normal, spline.dim(), "normal", Status::direction);
 }
 
 } // namespace
@@ -43,7 +43,7 @@ nurbs_status nurbs_project_to_plane(const nurbs *g, const double *point, const d
         const Spline &spline = spline_of(g);
         check_plane(spline, point, normal);
         if (direction != nullptr) {
-            check_vector(direction, spline.dim(), "direction", NURBS_ERROR_DIRECTION);
+            check_vector(direction, spline.dim(), "direction", Status::direction);
         }
         give(project_to_plane(spline, point, normal, direction), out);
     });
@@ -54,7 +54,7 @@ nurbs_status nurbs_project_from(const nurbs *g, const double *eye, const double 
     return guard([&] {
         require_out(out);
         const Spline &spline = spline_of(g);
-        check_vector(eye, spline.dim(), "eye", NURBS_ERROR_POINT_NOT_FINITE);
+        check_vector(eye, spline.dim(), "eye", Status::point_not_finite);
         check_plane(spline, point, normal);
         give(project_from(spline, eye, point, normal), out);
     });

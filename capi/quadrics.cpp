@@ -2,8 +2,8 @@
 #include "guard.h"
 #include "lists.h"
 
-#include "build/quadrics.h"
-#include "build/sphere_patches.h"
+#include "build/surfaces/quadrics.h"
+#include "build/surfaces/sphere_patches.h"
 
 using namespace nrb;
 using namespace nrb::capi;
@@ -52,7 +52,7 @@ nurbs_status nurbs_surface_sphere_patches(const double *center, const double *ax
     return guard([&] {
         require_out(out);
         if ((flags & ~NURBS_HEMISPHERE) != 0) {
-            fail(NURBS_ERROR_FLAGS, "flags = 0x%x, expected NURBS_HEMISPHERE or 0", flags);
+            fail(Status::flags, "flags = 0x%x, expected NURBS_HEMISPHERE or 0", flags);
         }
         give_faces(sphere_patches(placed(center, axis, x), radius, flags != 0), out);
     });
@@ -123,7 +123,7 @@ nurbs_status nurbs_surface_hyperboloid(const double *center, const double *axis,
     return guard([&] {
         require_out(out);
         if ((flags & ~NURBS_TWO_SHEETS) != 0) {
-            fail(NURBS_ERROR_FLAGS, "flags = 0x%x, expected NURBS_TWO_SHEETS or 0", flags);
+            fail(Status::flags, "flags = 0x%x, expected NURBS_TWO_SHEETS or 0", flags);
         }
         give(hyperboloid(placed(center, axis, x), {radius_x, radius_y, radius_z, bottom, top, flags != 0},
                          make_turn(start, sweep), form),

@@ -4,7 +4,7 @@
 
 #include "base/error.h"
 #include "io/file.h"
-#include "io/iges.h"
+#include "io/iges/read_iges.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,7 +25,7 @@ constexpr int64_t largest_options = 4096;
 
 void check_options_size(int64_t size) {
     if (size < smallest_options || size > largest_options) {
-        fail(NURBS_ERROR_OPTIONS, "options: struct_size = %lld, expected %lld to %lld",
+        fail(Status::options, "options: struct_size = %lld, expected %lld to %lld",
              static_cast<long long>(size), static_cast<long long>(smallest_options),
              static_cast<long long>(largest_options));
     }
@@ -37,7 +37,7 @@ void check_unknown_fields(const nurbs_read_options &options) {
     const auto known = static_cast<int64_t>(sizeof options);
     if (std::any_of(bytes + known, bytes + std::max(known, options.struct_size),
                     [](unsigned char byte) { return byte != 0; })) {
-        fail(NURBS_ERROR_OPTIONS, "options: fields beyond byte %lld are unknown to this version and not zero",
+        fail(Status::options, "options: fields beyond byte %lld are unknown to this version and not zero",
              static_cast<long long>(known));
     }
 }
@@ -49,11 +49,11 @@ ReadSettings settings_of(const nurbs_read_options *options) {
     check_options_size(options->struct_size);
     check_unknown_fields(*options);
     if (!std::isfinite(options->unit) || options->unit < 0) {
-        fail(NURBS_ERROR_OPTIONS, "options: unit = %s, expected a finite value >= 0",
+        fail(Status::options, "options: unit = %s, expected a finite value >= 0",
              Number(options->unit).text);
     }
     if (options->max_bytes < 0) {
-        fail(NURBS_ERROR_OPTIONS, "options: max_bytes = %lld, expected >= 0",
+        fail(Status::options, "options: max_bytes = %lld, expected >= 0",
              static_cast<long long>(options->max_bytes));
     }
     const int64_t limit = options->max_bytes == 0 ? ReadSettings().max_bytes : options->max_bytes;

@@ -4,9 +4,9 @@
 #include "outputs.h"
 
 #include "base/tolerance.h"
-#include "query/conic_axes.h"
-#include "query/recognition/recognize.h"
-#include "query/shape_factor.h"
+#include "recognize/conic_axes.h"
+#include "recognize/recognize.h"
+#include "recognize/shape_factor.h"
 
 #include <algorithm>
 #include <span>

@@ -47,7 +47,7 @@ nurbs_status nurbs_reduce_knots(const nurbs *g, int32_t axis, double tolerance, 
         require_out(out);
         require(g, "g");
         if (axis < -1 || axis >= g->spline->axes()) {
-            fail(NURBS_ERROR_AXIS, "axis = %d, expected -1 to %d", axis, g->spline->axes() - 1);
+            fail(Status::axis, "axis = %d, expected -1 to %d", axis, g->spline->axes() - 1);
         }
         give_reduced(reduce_knots(g->spline, axis, tolerance), bound, out);
     });

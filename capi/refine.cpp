@@ -4,7 +4,7 @@
 #include "sparse.h"
 
 #include "base/checked.h"
-#include "refine/insert.h"
+#include "refine/knots/insert.h"
 
 #include <algorithm>
 

@@ -4,7 +4,7 @@
 #include "checks.h"
 #include "guard.h"
 #include "outputs.h"
-#include "refine/hermite.h"
+#include "refine/forms/hermite.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,28 +16,28 @@ namespace {
 
 SegmentBasis basis_of(int32_t value, const char *name) {
     if (value < NURBS_BASIS_POWER || value > NURBS_BASIS_BSPLINE) {
-        fail(NURBS_ERROR_BASIS, "%s = %d, expected one of the NURBS_BASIS_ constants", name, value);
+        fail(Status::basis, "%s = %d, expected one of the NURBS_BASIS_ constants", name, value);
     }
     return static_cast<SegmentBasis>(value);
 }
 
 void check_matrix_degree(int32_t degree, SegmentBasis from, SegmentBasis to) {
     if (degree < 0 || degree > max_matrix_degree) {
-        fail(NURBS_ERROR_DEGREE, "degree = %d, expected 0 to %d", degree, max_matrix_degree);
+        fail(Status::degree, "degree = %d, expected 0 to %d", degree, max_matrix_degree);
     }
     if (degree % 2 == 0 && (from == SegmentBasis::hermite || to == SegmentBasis::hermite)) {
-        fail(NURBS_ERROR_DEGREE, "degree = %d, expected an odd one for a Hermite basis", degree);
+        fail(Status::degree, "degree = %d, expected an odd one for a Hermite basis", degree);
     }
 }
 
 void check_rising(const double *params, int64_t n) {
     for (int64_t i = 0; i < n; ++i) {
         if (!std::isfinite(params[i])) {
-            fail(NURBS_ERROR_PARAMETER_NOT_FINITE, "params[%lld] = %s is not finite",
+            fail(Status::parameter_not_finite, "params[%lld] = %s is not finite",
                  static_cast<long long>(i), Number(params[i]).text);
         }
         if (i > 0 && !(params[i] > params[i - 1])) {
-            fail(NURBS_ERROR_KNOTS_DECREASING, "params[%lld] = %s, expected more than params[%lld] = %s",
+            fail(Status::knots_decreasing, "params[%lld] = %s, expected more than params[%lld] = %s",
                  static_cast<long long>(i), Number(params[i]).text, static_cast<long long>(i - 1),
                  Number(params[i - 1]).text);
         }
@@ -58,7 +58,7 @@ void check_finite(const ConstRecords &records, const char *name) {
     for (int64_t i = 0; i < records.count; ++i) {
         for (int64_t c = 0; c < records.width; ++c) {
             if (!std::isfinite(records(i, c))) {
-                fail(NURBS_ERROR_POINT_NOT_FINITE, "%s[%lld][%lld] = %s is not finite", name,
+                fail(Status::point_not_finite, "%s[%lld][%lld] = %s is not finite", name,
                      static_cast<long long>(i), static_cast<long long>(c), Number(records(i, c)).text);
             }
         }
@@ -71,7 +71,7 @@ double beside(const ConstRecords &points, const ConstRecords &tangents, int64_t 
     const double result = points(i, c) + side * (h * tangents(i, c)) / 3;
     if (!std::isfinite(result)) {
         const auto at = static_cast<long long>(i), in = static_cast<long long>(c);
-        fail(NURBS_ERROR_NOT_REPRESENTABLE,
+        fail(Status::not_representable,
              "points[%lld][%lld] %c tangents[%lld][%lld] * %s / 3 = %s %c %s * %s / 3 overflows", at, in,
              side < 0 ? '-' : '+', at, in, Number(h).text, Number(points(i, c)).text, side < 0 ? '-' : '+',
              Number(tangents(i, c)).text, Number(h).text);
@@ -107,7 +107,7 @@ nurbs_status nurbs_create_hermite(int64_t n, const double *params, int32_t dim, 
         require_out(out);
         check_at_least(n, 2, "n");
         if (dim < 1) {
-            fail(NURBS_ERROR_DIMENSION, "dim = %d, expected at least 1", dim);
+            fail(Status::dimension, "dim = %d, expected at least 1", dim);
         }
         require(params, "params");
         checked_product(checked_product(n, 2, "points"), dim, "points");

@@ -3,7 +3,7 @@
 
 #include "outputs.h"
 
-#include "eval/collocation.h"
+#include "eval/functions/collocation.h"
 
 namespace nrb::capi {
 

@@ -11,7 +11,7 @@ namespace {
 bool decode_periodic(uint32_t flags, int32_t axes, int k) {
     const uint32_t known = NURBS_ON_ALL_AXES(axes, NURBS_PERIODIC);
     if ((flags & ~known) != 0) {
-        fail(NURBS_ERROR_FLAGS, "flags = 0x%x: unknown bits 0x%x for %d axes", flags, flags & ~known, axes);
+        fail(Status::flags, "flags = 0x%x: unknown bits 0x%x for %d axes", flags, flags & ~known, axes);
     }
     return (flags & NURBS_ON_AXIS(k, NURBS_PERIODIC)) != 0;
 }
@@ -36,7 +36,7 @@ void check_dimension(int32_t dim) {
     constexpr int32_t largest =
         std::numeric_limits<int32_t>::max() - 1; // a homogeneous record has one more value
     if (dim < 1 || dim > largest) {
-        fail(NURBS_ERROR_DIMENSION, "dim = %d, expected 1 to %d", dim, largest);
+        fail(Status::dimension, "dim = %d, expected 1 to %d", dim, largest);
     }
 }
 
@@ -76,7 +76,7 @@ int64_t AxesData::knot_total(int extra) const {
     for (int k = 0; k < size_; ++k) {
         const AxisData &axis = (*this)[k];
         if (axis.count > most) {
-            fail(NURBS_ERROR_OVERFLOW, "knots: %lld + %d values exceed the address space",
+            fail(Status::overflow, "knots: %lld + %d values exceed the address space",
                  static_cast<long long>(axis.count), axis.degree + extra);
         }
         total += axis.count + axis.degree + extra;

@@ -29,7 +29,7 @@ nurbs_status translate_exception() noexcept {
         throw;
     } catch (const Error &error) {
         remember(error.what());
-        return error.status();
+        return static_cast<nurbs_status>(error.status());
     } catch (const std::bad_alloc &) {
         remember("an allocation failed");
         return NURBS_ERROR_MEMORY;

@@ -2,9 +2,9 @@
 #include "checks.h"
 #include "guard.h"
 
-#include "build/revolve.h"
-#include "build/stack.h"
-#include "build/tensor.h"
+#include "build/surfaces/revolve.h"
+#include "build/surfaces/ruled_extruded.h"
+#include "build/surfaces/tensor.h"
 
 using namespace nrb;
 using namespace nrb::capi;
@@ -32,7 +32,7 @@ nurbs_status nurbs_ruled(const nurbs *a, const nurbs *b, uint32_t flags, nurbs *
         require(a, "a");
         require(b, "b");
         if ((flags & ~NURBS_RULED_CARTESIAN) != 0) {
-            fail(NURBS_ERROR_FLAGS, "flags = 0x%x, expected NURBS_RULED_CARTESIAN or 0", flags);
+            fail(Status::flags, "flags = 0x%x, expected NURBS_RULED_CARTESIAN or 0", flags);
         }
         give(ruled(a->spline, b->spline, flags != 0), out);
     });

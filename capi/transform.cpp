@@ -1,5 +1,5 @@
 // Affine and projective maps.
-#include "refine/transform.h"
+#include "refine/forms/transform.h"
 
 #include "base/checked.h"
 #include "checks.h"
@@ -16,7 +16,7 @@ namespace {
 void check_out_dim(int32_t out_dim) {
     constexpr int32_t limit = std::numeric_limits<int32_t>::max() - 1;
     if (out_dim < 1 || out_dim > limit) {
-        fail(NURBS_ERROR_DIMENSION, "out_dim = %d, expected 1 to %d", out_dim, limit);
+        fail(Status::dimension, "out_dim = %d, expected 1 to %d", out_dim, limit);
     }
 }
 
@@ -25,7 +25,7 @@ void check_matrix(const double *matrix, int64_t rows, int64_t columns) {
     const int64_t size = checked_product(rows, columns, "matrix");
     for (int64_t i = 0; i < size; ++i) {
         if (!std::isfinite(matrix[i])) {
-            fail(NURBS_ERROR_MATRIX, "matrix[%lld][%lld] = %s is not finite",
+            fail(Status::matrix, "matrix[%lld][%lld] = %s is not finite",
                  static_cast<long long>(i / columns), static_cast<long long>(i % columns),
                  Number(matrix[i]).text);
         }
@@ -35,7 +35,7 @@ void check_matrix(const double *matrix, int64_t rows, int64_t columns) {
 void check_translation(const double *translation, int32_t out_dim) {
     for (int32_t i = 0; translation != nullptr && i < out_dim; ++i) {
         if (!std::isfinite(translation[i])) {
-            fail(NURBS_ERROR_MATRIX, "translation[%d] = %s is not finite", i, Number(translation[i]).text);
+            fail(Status::matrix, "translation[%d] = %s is not finite", i, Number(translation[i]).text);
         }
     }
 }

@@ -1,5 +1,5 @@
 // Weights changed, the shape kept.
-#include "refine/weights.h"
+#include "refine/forms/weights.h"
 
 #include "checks.h"
 #include "guard.h"

@@ -20,7 +20,7 @@ inline constexpr int64_t max_doubles =
 // The length n of an array, refused beyond max_doubles. `what` names the array in the message.
 inline int64_t checked_array(int64_t n, const char *what) {
     if (n > max_doubles) {
-        fail(NURBS_ERROR_OVERFLOW, "%s: %lld values exceed the address space", what,
+        fail(Status::overflow, "%s: %lld values exceed the address space", what,
              static_cast<long long>(n));
     }
     return n;
@@ -31,7 +31,7 @@ inline int64_t checked_product(int64_t a, int64_t b, const char *what) {
     // spares every call the division
     constexpr int64_t surely_small = sizeof(std::ptrdiff_t) == 8 ? int64_t{1} << 26 : int64_t{1} << 14;
     if ((a | b) >= surely_small && b != 0 && a > max_doubles / b) {
-        fail(NURBS_ERROR_OVERFLOW, "%s: %lld * %lld values exceed the address space", what,
+        fail(Status::overflow, "%s: %lld * %lld values exceed the address space", what,
              static_cast<long long>(a), static_cast<long long>(b));
     }
     return a * b;
@@ -40,7 +40,7 @@ inline int64_t checked_product(int64_t a, int64_t b, const char *what) {
 // a + b for a, b >= 0, refused beyond max_doubles.
 inline int64_t checked_sum(int64_t a, int64_t b, const char *what) {
     if (a > max_doubles - b) {
-        fail(NURBS_ERROR_OVERFLOW, "%s: %lld + %lld values exceed the address space", what,
+        fail(Status::overflow, "%s: %lld + %lld values exceed the address space", what,
              static_cast<long long>(a), static_cast<long long>(b));
     }
     return a + b;

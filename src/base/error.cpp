@@ -8,7 +8,7 @@
 
 namespace nrb {
 
-Error::Error(nurbs_status status, const char *text) noexcept : status_(status), text_{} {
+Error::Error(Status status, const char *text) noexcept : status_(status), text_{} {
     std::memcpy(text_, text, std::min(std::strlen(text), static_cast<size_t>(capacity) - 1));
 }
 
@@ -16,7 +16,7 @@ Number::Number(double value) noexcept : text{} {
     std::to_chars(text, text + sizeof text - 1, value);
 }
 
-void fail(nurbs_status status, const char *format, ...) {
+void fail(Status status, const char *format, ...) {
     char text[Error::capacity];
     va_list arguments;
     va_start(arguments, format);

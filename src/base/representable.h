@@ -10,12 +10,12 @@
 
 namespace nrb {
 
-// Throws NURBS_ERROR_NOT_REPRESENTABLE unless all values are finite; `what` names them in the message.
+// Throws Status::not_representable unless all values are finite; `what` names them in the message.
 inline void require_representable(std::span<const double> values, const char *what) {
     if (!all_finite(values)) {
         const auto bad =
             std::find_if_not(values.begin(), values.end(), [](double x) { return std::isfinite(x); });
-        fail(NURBS_ERROR_NOT_REPRESENTABLE, "%s: value %lld of the result overflows", what,
+        fail(Status::not_representable, "%s: value %lld of the result overflows", what,
              static_cast<long long>(bad - values.begin()));
     }
 }

@@ -5,17 +5,17 @@
 
 namespace nrb {
 
-// tolerance >= 0, else NURBS_ERROR_TOLERANCE.
+// tolerance >= 0, else Status::tolerance.
 inline void check_tolerance(double tolerance, const char *name = "tolerance") {
     if (!(tolerance >= 0)) {
-        fail(NURBS_ERROR_TOLERANCE, "%s = %s, expected >= 0", name, Number(tolerance).text);
+        fail(Status::tolerance, "%s = %s, expected >= 0", name, Number(tolerance).text);
     }
 }
 
-// tolerance > 0, else NURBS_ERROR_TOLERANCE.
+// tolerance > 0, else Status::tolerance.
 inline void check_positive_tolerance(double tolerance) {
     if (!(tolerance > 0)) {
-        fail(NURBS_ERROR_TOLERANCE, "tolerance = %s, expected > 0", Number(tolerance).text);
+        fail(Status::tolerance, "tolerance = %s, expected > 0", Number(tolerance).text);
     }
 }
 

@@ -1,6 +1,8 @@
 // B-spline and Bernstein basis functions at one parameter: the kernels below every evaluation.
 #pragma once
 
+#include "base/limits.h"
+
 #include <algorithm>
 #include <bit>
 #include <cstdint>
@@ -8,7 +10,7 @@
 
 namespace nrb {
 
-inline constexpr int max_basis = 32; // NURBS_MAX_DEGREE + 1
+inline constexpr int max_basis = max_degree + 1;
 
 // A value divided in the ratio in which t divides two knots: alpha = value (t - left) / (right - left), and
 // beta the rest.

@@ -13,27 +13,27 @@ namespace {
 
 void check_size(std::span<double> knots, int64_t expected) {
     if (static_cast<int64_t>(knots.size()) != expected) {
-        fail(NURBS_ERROR_SIZE, "knot_count = %zu, expected %lld", knots.size(),
+        fail(Status::size, "knot_count = %zu, expected %lld", knots.size(),
              static_cast<long long>(expected));
     }
 }
 
 void check_interval(double a, double b) {
     if (!std::isfinite(a) || !std::isfinite(b)) {
-        fail(NURBS_ERROR_KNOT_NOT_FINITE, "[a, b] = [%s, %s] is not finite", Number(a).text, Number(b).text);
+        fail(Status::knot_not_finite, "[a, b] = [%s, %s] is not finite", Number(a).text, Number(b).text);
     }
     if (!(a < b)) {
-        fail(NURBS_ERROR_EMPTY_DOMAIN, "[a, b] = [%s, %s], expected a < b", Number(a).text, Number(b).text);
+        fail(Status::empty_domain, "[a, b] = [%s, %s], expected a < b", Number(a).text, Number(b).text);
     }
 }
 
 void check_increasing(std::span<const double> breaks) {
     for (size_t i = 0; i < breaks.size(); ++i) {
         if (!std::isfinite(breaks[i])) {
-            fail(NURBS_ERROR_KNOT_NOT_FINITE, "breaks[%zu] = %s is not finite", i, Number(breaks[i]).text);
+            fail(Status::knot_not_finite, "breaks[%zu] = %s is not finite", i, Number(breaks[i]).text);
         }
         if (i > 0 && !(breaks[i - 1] < breaks[i])) {
-            fail(NURBS_ERROR_KNOTS_DECREASING, "breaks[%zu] = %s, expected more than breaks[%zu] = %s", i,
+            fail(Status::knots_decreasing, "breaks[%zu] = %s, expected more than breaks[%zu] = %s", i,
                  Number(breaks[i]).text, i - 1, Number(breaks[i - 1]).text);
         }
     }
@@ -53,7 +53,7 @@ double even(double a, double b, int64_t i, int64_t n) noexcept {
 void check_result(int degree, std::span<const double> knots) {
     if (std::any_of(knots.begin(), knots.end(), [](double t) { return !std::isfinite(t); }) ||
         !std::isfinite(knots.back() - knots.front())) {
-        fail(NURBS_ERROR_NOT_REPRESENTABLE, "knots: the range of the knots overflows double precision");
+        fail(Status::not_representable, "knots: the range of the knots overflows double precision");
     }
     check_knots(degree, knots, -1, 0);
 }
@@ -66,7 +66,7 @@ void fill_checked(int degree, const std::vector<double> &result, std::span<doubl
 void check_steps(double a, double b, int64_t n) {
     for (int64_t i = 0; i < n; ++i) {
         if (!(even(a, b, i, n) < even(a, b, i + 1, n))) {
-            fail(NURBS_ERROR_NOT_REPRESENTABLE,
+            fail(Status::not_representable,
                  "[a, b] = [%s, %s] has no room for %lld spans in double precision", Number(a).text,
                  Number(b).text, static_cast<long long>(n));
         }
@@ -96,11 +96,11 @@ void check_multiplicities(int degree, size_t n, const int32_t *multiplicities) {
     for (size_t i = 0; i < n; ++i) {
         const int m = break_multiplicity(multiplicities, i);
         if (m < 1 || m > degree + 1) {
-            fail(NURBS_ERROR_MULTIPLICITY, "multiplicities[%zu] = %d, expected 1 to %d", i, m, degree + 1);
+            fail(Status::multiplicity, "multiplicities[%zu] = %d, expected 1 to %d", i, m, degree + 1);
         }
     }
     if (break_multiplicity(multiplicities, 0) != break_multiplicity(multiplicities, n - 1)) {
-        fail(NURBS_ERROR_PERIODIC_KNOTS, "multiplicities[%zu] = %d, expected multiplicities[0] = %d", n - 1,
+        fail(Status::periodic_knots, "multiplicities[%zu] = %d, expected multiplicities[0] = %d", n - 1,
              break_multiplicity(multiplicities, n - 1), break_multiplicity(multiplicities, 0));
     }
 }
@@ -124,7 +124,7 @@ int64_t bezier_knot_count(int degree, int64_t pieces) {
 void bezier_knots(int degree, int64_t pieces, const double *breaks, std::span<double> knots) {
     check_degree(degree, -1);
     if (pieces < 1) {
-        fail(NURBS_ERROR_COUNT, "pieces = %lld, expected at least 1", static_cast<long long>(pieces));
+        fail(Status::count, "pieces = %lld, expected at least 1", static_cast<long long>(pieces));
     }
     check_size(knots, bezier_knot_count(degree, pieces));
     if (breaks != nullptr) {
@@ -147,11 +147,11 @@ void averaged_knots(int degree, std::span<const double> params, std::span<double
     check_knot_total(static_cast<int64_t>(knots.size()), degree, count);
     for (size_t i = 0; i < params.size(); ++i) {
         if (!std::isfinite(params[i])) {
-            fail(NURBS_ERROR_PARAMETER_NOT_FINITE, "params[%zu] = %s is not finite", i,
+            fail(Status::parameter_not_finite, "params[%zu] = %s is not finite", i,
                  Number(params[i]).text);
         }
         if (i > 0 && params[i] < params[i - 1]) {
-            fail(NURBS_ERROR_KNOTS_DECREASING, "params[%zu] = %s is smaller than params[%zu] = %s", i,
+            fail(Status::knots_decreasing, "params[%zu] = %s is smaller than params[%zu] = %s", i,
                  Number(params[i]).text, i - 1, Number(params[i - 1]).text);
         }
     }
@@ -176,7 +176,7 @@ void periodic_knots(int degree, std::span<const double> breaks, const int32_t *m
                     std::span<double> knots) {
     check_degree(degree, -1);
     if (breaks.size() < 2) {
-        fail(NURBS_ERROR_COUNT, "n = %zu, expected at least 2 breaks", breaks.size());
+        fail(Status::count, "n = %zu, expected at least 2 breaks", breaks.size());
     }
     check_multiplicities(degree, breaks.size(), multiplicities);
     check_increasing(breaks);

@@ -6,7 +6,7 @@
 
 namespace nrb {
 
-// Each checks that `knots` has the size that the rule asks for (NURBS_ERROR_SIZE) before anything else is
+// Each checks that `knots` has the size that the rule asks for (Status::size) before anything else is
 // written.
 void uniform_knots(int degree, int64_t count, double a, double b, std::span<double> knots);
 void open_uniform_knots(int degree, int64_t count, double a, double b, std::span<double> knots);

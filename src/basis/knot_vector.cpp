@@ -1,6 +1,7 @@
 #include "basis/knot_vector.h"
 
 #include "base/error.h"
+#include "base/limits.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,16 +26,16 @@ void check_finite_and_sorted(std::span<const double> knots, int axis, int64_t of
     for (size_t i = 0; i < knots.size(); ++i) {
         const long long index = static_cast<long long>(i) + offset;
         if (!std::isfinite(knots[i])) {
-            fail(NURBS_ERROR_KNOT_NOT_FINITE, "knots[%lld] = %s%s is not finite", index,
+            fail(Status::knot_not_finite, "knots[%lld] = %s%s is not finite", index,
                  Number(knots[i]).text, AxisText(axis).text);
         }
         if (i > 0 && knots[i] < knots[i - 1]) {
-            fail(NURBS_ERROR_KNOTS_DECREASING, "knots[%lld] = %s%s is smaller than knots[%lld] = %s", index,
+            fail(Status::knots_decreasing, "knots[%lld] = %s%s is smaller than knots[%lld] = %s", index,
                  Number(knots[i]).text, AxisText(axis).text, index - 1, Number(knots[i - 1]).text);
         }
     }
     if (!std::isfinite(knots.back() - knots.front())) {
-        fail(NURBS_ERROR_KNOT_NOT_FINITE,
+        fail(Status::knot_not_finite,
              "knots%s: the range from knots[%lld] = %s to knots[%lld] = %s overflows", AxisText(axis).text,
              static_cast<long long>(offset), Number(knots.front()).text,
              static_cast<long long>(offset) + static_cast<long long>(knots.size()) - 1,
@@ -49,7 +50,7 @@ void check_multiplicities(int degree, std::span<const double> knots, int axis, i
             continue;
         }
         const bool end = knots[i] == knots.front() || knots[i] == knots.back();
-        fail(end ? NURBS_ERROR_END_MULTIPLICITY : NURBS_ERROR_MULTIPLICITY,
+        fail(end ? Status::end_multiplicity : Status::multiplicity,
              "knots[%lld] = %s%s is the same knot as knots[%lld]; degree %d allows %d equal %s knots",
              static_cast<long long>(i + limit) + offset, Number(knots[i]).text, AxisText(axis).text,
              static_cast<long long>(i) + offset, degree, degree + 1, end ? "end" : "interior");
@@ -115,27 +116,27 @@ int64_t KnotVector::find_span(double t, bool left) const noexcept {
 }
 
 void check_degree(int degree, int axis) {
-    if (degree < 0 || degree > NURBS_MAX_DEGREE) {
-        fail(NURBS_ERROR_DEGREE, "degrees[%d] = %d, expected 0 to %d", axis < 0 ? 0 : axis, degree,
-             NURBS_MAX_DEGREE);
+    if (degree < 0 || degree > max_degree) {
+        fail(Status::degree, "degrees[%d] = %d, expected 0 to %d", axis < 0 ? 0 : axis, degree,
+             max_degree);
     }
 }
 
 void check_count(int degree, int64_t count, int axis) {
     const int index = axis < 0 ? 0 : axis;
     if (count <= 0) {
-        fail(NURBS_ERROR_COUNT, "counts[%d] = %lld, expected at least 1", index,
+        fail(Status::count, "counts[%d] = %lld, expected at least 1", index,
              static_cast<long long>(count));
     }
     if (count <= degree) {
-        fail(NURBS_ERROR_TOO_FEW_POINTS, "counts[%d] = %lld, degree %d needs at least %d control points",
+        fail(Status::too_few_points, "counts[%d] = %lld, degree %d needs at least %d control points",
              index, static_cast<long long>(count), degree, degree + 1);
     }
 }
 
 void check_knot_total(int64_t knot_count, int degree, int64_t count) {
     if (knot_count < 0 || knot_count - degree - 1 != count) { // neither side overflows
-        fail(NURBS_ERROR_SIZE, "knot_count = %lld, expected count + degree + 1 = %llu",
+        fail(Status::size, "knot_count = %lld, expected count + degree + 1 = %llu",
              static_cast<long long>(knot_count),
              static_cast<unsigned long long>(count) + static_cast<unsigned long long>(degree) + 1);
     }
@@ -146,7 +147,7 @@ void check_knots(int degree, std::span<const double> knots, int axis, int64_t of
     const auto first = static_cast<size_t>(degree);
     const size_t last = knots.size() - first - 1;
     if (knots[first] == knots[last]) {
-        fail(NURBS_ERROR_EMPTY_DOMAIN, "knots[%lld] = knots[%lld] = %s%s: the domain is empty",
+        fail(Status::empty_domain, "knots[%lld] = knots[%lld] = %s%s: the domain is empty",
              static_cast<long long>(first) + offset, static_cast<long long>(last) + offset,
              Number(knots[first]).text, AxisText(axis).text);
     }
@@ -175,7 +176,7 @@ void check_periodic_knots(int degree, std::span<const double> knots, int axis, i
         const auto i = static_cast<size_t>(wrong), p = static_cast<size_t>(degree);
         const size_t count = knots.size() - p - 1, distinct = count - p;
         const double period = knots[count] - knots[p];
-        fail(NURBS_ERROR_PERIODIC_KNOTS,
+        fail(Status::periodic_knots,
              "knots[%lld] = %s%s, expected knots[%lld] + period = %s on a periodic axis",
              static_cast<long long>(i + distinct) + offset, Number(knots[i + distinct]).text,
              AxisText(axis).text, static_cast<long long>(i) + offset, Number(knots[i] + period).text);

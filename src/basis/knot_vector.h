@@ -3,7 +3,7 @@
 #pragma once
 
 #include "base/lazy.h"
-#include "basis/pieces.h"
+#include "basis/power_spans.h"
 #include "basis/span_table.h"
 
 #include <cstdint>
@@ -72,13 +72,13 @@ using KnotVectorPtr = std::shared_ptr<const KnotVector>;
 // no axis), and `offset` is the place of the vector in the caller's array.
 void check_degree(int degree, int axis);
 void check_count(int degree, int64_t count, int axis);
-// knot_count == count + degree + 1, else NURBS_ERROR_SIZE. Precondition: degree and count have been checked.
+// knot_count == count + degree + 1, else Status::size. Precondition: degree and count have been checked.
 void check_knot_total(int64_t knot_count, int degree, int64_t count);
 void check_knots(int degree, std::span<const double> knots, int axis, int64_t offset);
 // The first knot whose copy a period later is not where it should be, or -1. Precondition: check_knots() accepts
 // the vector.
 int64_t first_not_repeated(int degree, std::span<const double> knots) noexcept;
-// Throws NURBS_ERROR_PERIODIC_KNOTS unless there is none.
+// Throws Status::periodic_knots unless there is none.
 void check_periodic_knots(int degree, std::span<const double> knots, int axis, int64_t offset);
 
 // All checks, then the shared value.

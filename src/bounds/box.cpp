@@ -1,9 +1,9 @@
 #include "bounds/box.h"
 
 #include "base/finite.h"
-#include "base/norm.h"
+#include "numeric/norm.h"
 #include "eval/evaluate.h"
-#include "eval/jet.h"
+#include "eval/frames/jet.h"
 
 #include <algorithm>
 #include <cmath>
@@ -88,7 +88,7 @@ ExtremePoint extreme_point(const Spline &spline, const double *direction, const 
     const PieceSource source = [&](int64_t i, QuotientPiece &out) { pieces.fill(i, unit.data(), out); };
     const LargestValue found = largest_value(pieces.count(), source, tolerance * length, most_halvings);
     if (found.piece < 0) {
-        fail(NURBS_ERROR_NOT_REPRESENTABLE,
+        fail(Status::not_representable,
              "no value is known: the weights cannot be shown to be positive anywhere");
     }
     ExtremePoint point;
@@ -100,7 +100,7 @@ ExtremePoint extreme_point(const Spline &spline, const double *direction, const 
     point.value = std::ldexp(value, exponent);
     point.bound = std::ldexp(std::max(value, rounded_up(middle + found.bounds.upper + rounding)), exponent);
     if (!std::isfinite(point.value)) {
-        fail(NURBS_ERROR_NOT_REPRESENTABLE, "value: the extreme value overflows");
+        fail(Status::not_representable, "value: the extreme value overflows");
     }
     return point;
 }

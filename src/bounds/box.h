@@ -1,7 +1,7 @@
 // Boxes that contain a spline, and its extreme points.
 #pragma once
 
-#include "bounds/spline_pieces.h"
+#include "pieces/spline_pieces.h"
 
 namespace nrb {
 
@@ -24,7 +24,7 @@ struct OrientedBox {
 };
 
 // Along the principal axes of the control points, longest first, or along the coordinate axes where that box
-// has no larger content. Throws NURBS_ERROR_DIMENSION, _NOT_REPRESENTABLE.
+// has no larger content. Throws Status::dimension, not_representable.
 inline constexpr int max_box_dimension = 16;
 OrientedBox oriented_box(const Spline &spline, double tolerance);
 
@@ -34,7 +34,7 @@ struct ExtremePoint {
     double bound = 0; // no point has more
 };
 
-// Throws NURBS_ERROR_NOT_REPRESENTABLE if no value is known or it overflows. Precondition: the direction is
+// Throws Status::not_representable if no value is known or it overflows. Precondition: the direction is
 // finite and not 0.
 ExtremePoint extreme_point(const Spline &spline, const double *direction, const Part &part, double tolerance);
 

@@ -1,7 +1,7 @@
 #include "bounds/cone.h"
 
-#include "base/norm.h"
-#include "bounds/derivative_pieces.h"
+#include "numeric/norm.h"
+#include "pieces/derivative_pieces.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // Cones that contain the directions of derivatives and of normals.
 #pragma once
 
-#include "bounds/spline_pieces.h"
+#include "pieces/spline_pieces.h"
 
 namespace nrb {
 

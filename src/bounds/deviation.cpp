@@ -16,13 +16,13 @@ constexpr double eps = std::numeric_limits<double>::epsilon();
 
 void check_comparable(const Spline &f, const Spline &g) {
     if (f.axes() != g.axes() || f.dim() != g.dim()) {
-        fail(NURBS_ERROR_INCOMPATIBLE, "g: %d axes in dimension %d, expected %d in %d as in f", g.axes(),
+        fail(Status::incompatible, "g: %d axes in dimension %d, expected %d in %d as in f", g.axes(),
              g.dim(), f.axes(), f.dim());
     }
     for (int k = 0; k < f.axes(); ++k) {
         const Interval a = f.axis(k).domain(), b = g.axis(k).domain();
         if (a.lower != b.lower || a.upper != b.upper) {
-            fail(NURBS_ERROR_INCOMPATIBLE, "g: domain [%s, %s] of axis %d, expected [%s, %s] as in f",
+            fail(Status::incompatible, "g: domain [%s, %s] of axis %d, expected [%s, %s] as in f",
                  Number(b.lower).text, Number(b.upper).text, k, Number(a.lower).text, Number(a.upper).text);
         }
     }

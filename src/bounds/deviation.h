@@ -1,8 +1,8 @@
 // How far two splines of the same domain are apart, with proof.
 #pragma once
 
-#include "bounds/bernstein_net.h"
-#include "bounds/largest_quotient.h"
+#include "pieces/bernstein_net.h"
+#include "pieces/largest_quotient.h"
 
 namespace nrb {
 
@@ -13,8 +13,8 @@ namespace nrb {
 // Where the weights of a piece agree bit for bit (and in polynomial splines) it is (A - B) / w.
 class DeviationPieces {
 public:
-    // Throws NURBS_ERROR_INCOMPATIBLE unless axes, dimensions and domains agree, _OVERFLOW,
-    // _NOT_REPRESENTABLE.
+    // Throws Status::incompatible unless axes, dimensions and domains agree, overflow,
+    // not_representable.
     DeviationPieces(const Spline &f, const Spline &g);
     // Of the pieces in [lower, upper] of one axis only.
     DeviationPieces(const Spline &f, const Spline &g, int axis, Interval part);

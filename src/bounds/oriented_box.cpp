@@ -1,8 +1,8 @@
 #include "bounds/box.h"
 
-#include "base/norm.h"
-#include "bounds/principal_axes.h"
-#include "refine/homogeneous.h"
+#include "numeric/norm.h"
+#include "numeric/solvers/principal_axes.h"
+#include "refine/forms/homogeneous.h"
 
 #include <algorithm>
 #include <cmath>
@@ -99,7 +99,7 @@ double content(const Extents &found) {
 OrientedBox oriented_box(const Spline &spline, double tolerance) {
     const int dim = spline.dim();
     if (dim > max_box_dimension) {
-        fail(NURBS_ERROR_DIMENSION, "dimension %d, expected at most %d", dim, max_box_dimension);
+        fail(Status::dimension, "dimension %d, expected at most %d", dim, max_box_dimension);
     }
     const SplinePieces pieces(spline, whole_domain(spline));
     std::vector<double> plain(static_cast<size_t>(dim) * static_cast<size_t>(dim));
@@ -114,7 +114,7 @@ OrientedBox oriented_box(const Spline &spline, double tolerance) {
     const auto finite = [](double x) { return std::isfinite(x); };
     if (!std::all_of(box.half.begin(), box.half.end(), finite) ||
         !std::all_of(box.center.begin(), box.center.end(), finite)) {
-        fail(NURBS_ERROR_NOT_REPRESENTABLE, "the box is not bounded, or overflows");
+        fail(Status::not_representable, "the box is not bounded, or overflows");
     }
     return box;
 }

@@ -2,7 +2,7 @@
 
 #include "base/checked.h"
 #include "base/error.h"
-#include "basis/binomial.h"
+#include "numeric/binomial.h"
 #include "build/make_shape.h"
 
 #include <algorithm>
@@ -110,7 +110,7 @@ CoilPiece make_piece(double angle, bool growing) {
 
 void check_helix(const Helix &shape, int dim, double tolerance) {
     const auto refuse = [](const char *name, double value, const char *expected) {
-        fail(NURBS_ERROR_LENGTH, "%s = %s, expected %s", name, Number(value).text, expected);
+        fail(Status::length, "%s = %s, expected %s", name, Number(value).text, expected);
     };
     if (!std::isfinite(shape.growth)) {
         refuse("growth", shape.growth, "a finite length");
@@ -122,14 +122,14 @@ void check_helix(const Helix &shape, int dim, double tolerance) {
         refuse("pitch", shape.pitch, "a finite length, and 0 in dimension 2");
     }
     if (!std::isfinite(shape.turns) || !(shape.turns > 0)) {
-        fail(NURBS_ERROR_FACTOR, "turns = %s, expected a finite number above 0", Number(shape.turns).text);
+        fail(Status::factor, "turns = %s, expected a finite number above 0", Number(shape.turns).text);
     }
     const double last = std::fma(shape.growth, shape.turns, shape.radius);
     if (!(last >= -4 * 0x1p-52 * shape.radius)) { // less is rounding, and becomes 0
         refuse("radius + growth * turns", last, "at least 0");
     }
     if (!std::isfinite(tolerance) || !(tolerance > 0)) {
-        fail(NURBS_ERROR_TOLERANCE, "tolerance = %s, expected a finite length above 0",
+        fail(Status::tolerance, "tolerance = %s, expected a finite length above 0",
              Number(tolerance).text);
     }
 }
@@ -152,7 +152,7 @@ int64_t piece_count(const Helix &shape, double tolerance) {
     const double largest = std::min(std::numbers::pi / 2, 4 * std::atan(k));
     const double pieces = std::ceil(turn * shape.turns / largest * (1 - 0x1p-50));
     if (!(pieces < 0x1p40)) {
-        fail(NURBS_ERROR_OVERFLOW, "%s turns to a tolerance of %s need %s pieces", Number(shape.turns).text,
+        fail(Status::overflow, "%s turns to a tolerance of %s need %s pieces", Number(shape.turns).text,
              Number(tolerance).text, Number(pieces).text);
     }
     auto count = std::max<int64_t>(1, static_cast<int64_t>(pieces));

@@ -1,7 +1,7 @@
 // Helices and spirals to a tolerance.
 #pragma once
 
-#include "build/angle.h"
+#include "build/conics/angle.h"
 #include "build/placement.h"
 #include "spline/spline.h"
 
@@ -29,7 +29,7 @@ struct HelixCurve {
 // to the second derivative. So values, tangents and curvatures agree at the ends of the pieces. Because g'''
 // / 2 is the integral of 6 (1 - u^2)^3 / (1 + y u^2)^4 over [0, 1], at most 96 / 35, the two differ by at
 // most 32 / 35 x (k^2 - x^2)^3, which is at most 32 / 35 (6/7)^3 / sqrt(7) k^7: the error as an angle. Throws
-// NURBS_ERROR_LENGTH, _ANGLE, _FACTOR, _TOLERANCE, _OVERFLOW, _NOT_REPRESENTABLE.
+// Status::length, angle, factor, tolerance, overflow, not_representable.
 HelixCurve helix(const Placement &place, const Helix &shape, double tolerance);
 
 } // namespace nrb

@@ -8,7 +8,7 @@
 namespace nrb {
 
 // A spline of Cartesian points and weights; weights that are all 1 are dropped. Throws
-// NURBS_ERROR_NOT_REPRESENTABLE if a coordinate is not finite, and what make_result() throws.
+// Status::not_representable if a coordinate is not finite, and what make_result() throws.
 SplinePtr make_shape(Spline::Axes axes, int dim, std::vector<double> points, std::vector<double> weights);
 
 } // namespace nrb

@@ -1,7 +1,7 @@
 #include "build/placement.h"
 
 #include "base/error.h"
-#include "base/sum.h"
+#include "numeric/sum.h"
 
 #include <algorithm>
 #include <array>
@@ -79,7 +79,7 @@ void set_frame(Placement &place, const WideVector &x, const WideVector &y, const
 
 void set_plane_frame(Placement &place, const double *axis, const double *x) {
     if (axis != nullptr) {
-        fail(NURBS_ERROR_DIRECTION, "axis is given, expected NULL in dimension 2");
+        fail(Status::direction, "axis is given, expected NULL in dimension 2");
     }
     if (x != nullptr) {
         check_direction(x, 2, "x");
@@ -105,7 +105,7 @@ void set_space_frame(Placement &place, const double *axis, const double *x) {
         const WideVector sine = cross(z, along);
         if (std::max({std::fabs(sine[0].high), std::fabs(sine[1].high), std::fabs(sine[2].high)}) <=
             4 * 0x1p-52) {
-            fail(NURBS_ERROR_DIRECTION, "x = (%s, %s, %s) is parallel to the axis", Number(x[0]).text,
+            fail(Status::direction, "x = (%s, %s, %s) is parallel to the axis", Number(x[0]).text,
                  Number(x[1]).text, Number(x[2]).text);
         }
     }
@@ -140,7 +140,7 @@ void Placement::point(const Wide &a, const Wide &b, const Wide &c, double *out) 
 void check_point(const double *point, int64_t dim, const char *name) {
     for (int64_t i = 0; i < dim; ++i) {
         if (!std::isfinite(point[i])) {
-            fail(NURBS_ERROR_POINT_NOT_FINITE, "%s[%lld] = %s is not finite", name, static_cast<long long>(i),
+            fail(Status::point_not_finite, "%s[%lld] = %s is not finite", name, static_cast<long long>(i),
                  Number(point[i]).text);
         }
     }
@@ -149,26 +149,26 @@ void check_point(const double *point, int64_t dim, const char *name) {
 void check_direction(const double *direction, int64_t dim, const char *name) {
     for (int64_t i = 0; i < dim; ++i) {
         if (!std::isfinite(direction[i])) {
-            fail(NURBS_ERROR_DIRECTION, "%s[%lld] = %s is not finite", name, static_cast<long long>(i),
+            fail(Status::direction, "%s[%lld] = %s is not finite", name, static_cast<long long>(i),
                  Number(direction[i]).text);
         }
     }
     if (std::all_of(direction, direction + dim, [](double d) { return d == 0; })) {
-        fail(NURBS_ERROR_DIRECTION, "%s is zero in its %lld components, expected a direction", name,
+        fail(Status::direction, "%s is zero in its %lld components, expected a direction", name,
              static_cast<long long>(dim));
     }
 }
 
 void check_positive_length(double length, const char *name) {
     if (!std::isfinite(length) || !(length > 0)) {
-        fail(NURBS_ERROR_LENGTH, "%s = %s, expected a finite length above 0", name, Number(length).text);
+        fail(Status::length, "%s = %s, expected a finite length above 0", name, Number(length).text);
     }
 }
 
 Placement make_placement(int32_t dim, const double *origin, const double *axis, const double *x,
                          const char *name) {
     if (dim != 2 && dim != 3) {
-        fail(NURBS_ERROR_DIMENSION, "dim = %d, expected 2 or 3", dim);
+        fail(Status::dimension, "dim = %d, expected 2 or 3", dim);
     }
     Placement place{{}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, dim, {}, {}, {}};
     if (origin != nullptr) {

@@ -1,8 +1,8 @@
 // Where a shape stands: an origin and a frame of unit vectors.
 #pragma once
 
-#include "base/wide.h"
-#include "eval/vector3.h"
+#include "numeric/double_double.h"
+#include "numeric/vector3.h"
 
 #include <cstdint>
 
@@ -33,15 +33,15 @@ struct Placement {
 };
 
 // As nurbs.h has it for the curves of its group: origin, axis and x have `dim` coordinates each, or are null.
-// Throws NURBS_ERROR_DIMENSION, _POINT_NOT_FINITE, _DIRECTION; `name` is that of the origin in messages.
+// Throws Status::dimension, point_not_finite, direction; `name` is that of the origin in messages.
 Placement make_placement(int32_t dim, const double *origin, const double *axis, const double *x,
                          const char *name);
 
-// Throws NURBS_ERROR_POINT_NOT_FINITE, naming the coordinate.
+// Throws Status::point_not_finite, naming the coordinate.
 void check_point(const double *point, int64_t dim, const char *name);
-// Finite, and not 0; throws NURBS_ERROR_DIRECTION.
+// Finite, and not 0; throws Status::direction.
 void check_direction(const double *direction, int64_t dim, const char *name);
-// Finite and positive; throws NURBS_ERROR_LENGTH.
+// Finite and positive; throws Status::length.
 void check_positive_length(double length, const char *name);
 
 } // namespace nrb

@@ -2,7 +2,7 @@
 
 #include "base/error.h"
 #include "base/finite.h"
-#include "base/norm.h"
+#include "numeric/norm.h"
 
 #include <algorithm>
 #include <cmath>
@@ -56,7 +56,7 @@ PlaneFrame::PlaneFrame(Coordinates first, Coordinates second, Coordinates third,
     const Vector high = across(leg, u_);
     const double height = length(high);
     if (!(std::min({width, height, length(leg)}) > rounding_)) {
-        fail(NURBS_ERROR_COLLINEAR,
+        fail(Status::collinear,
              "%s are on a line, or two of them are equal, to within rounding: height %s over a chord of %s",
              what, Number(height / scale_).text, Number(width / scale_).text);
     }
@@ -103,7 +103,7 @@ void PlaneFrame::check_point(Coordinates x, const char *name) const {
     const Vector v = offset(x);
     const double out = distance(v);
     if (out > rounding_ + 4 * tilt_ * length(v)) {
-        fail(NURBS_ERROR_CONIC, "%s is %s away from the plane of the other points", name,
+        fail(Status::conic, "%s is %s away from the plane of the other points", name,
              Number(out / scale_).text);
     }
 }
@@ -112,7 +112,7 @@ void PlaneFrame::check_direction(Coordinates v, const char *name) const {
     const Vector unit = scaled(Vector(v.begin(), v.end()), power_of_two(largest_magnitude(v)));
     const double out = distance(unit) / length(unit);
     if (out > 8 * eps + 4 * tilt_) {
-        fail(NURBS_ERROR_CONIC, "%s leaves the plane of the points: the sine of the angle is %s", name,
+        fail(Status::conic, "%s leaves the plane of the points: the sine of the angle is %s", name,
              Number(out).text);
     }
 }

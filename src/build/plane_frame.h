@@ -1,7 +1,7 @@
 // The plane of three points in any dimension, with coordinates in it.
 #pragma once
 
-#include "base/wide.h"
+#include "numeric/double_double.h"
 
 #include <cmath>
 #include <span>
@@ -38,7 +38,7 @@ class PlaneFrame {
 public:
     using Coordinates = std::span<const double>;
 
-    // Throws NURBS_ERROR_COLLINEAR if the height of `third` over the line through the other two is at most 8
+    // Throws Status::collinear if the height of `third` over the line through the other two is at most 8
     // eps of the largest coordinate, or if two of the points are as close as that; `what` names the points.
     PlaneFrame(Coordinates first, Coordinates second, Coordinates third, const char *what);
 
@@ -47,7 +47,7 @@ public:
     [[nodiscard]] Point2 direction(Coordinates v) const;
     // What rounding of the given coordinates can be in these ones.
     [[nodiscard]] double rounding() const noexcept { return rounding_; }
-    // Throws NURBS_ERROR_CONIC if a point, or a direction, is out of the plane by more than rounding
+    // Throws Status::conic if a point, or a direction, is out of the plane by more than rounding
     // explains.
     void check_point(Coordinates x, const char *name) const;
     void check_direction(Coordinates v, const char *name) const;

@@ -3,8 +3,8 @@
 #include "base/checked.h"
 #include "base/error.h"
 #include "base/representable.h"
-#include "build/angle.h"
-#include "build/arc.h"
+#include "build/conics/angle.h"
+#include "build/conics/arc.h"
 #include "build/make_shape.h"
 
 #include <algorithm>
@@ -20,11 +20,11 @@ namespace {
 void check_params(std::span<const double> params) {
     for (size_t i = 0; i < params.size(); ++i) {
         if (!std::isfinite(params[i])) {
-            fail(NURBS_ERROR_PARAMETER_NOT_FINITE, "params[%zu] = %s is not finite", i,
+            fail(Status::parameter_not_finite, "params[%zu] = %s is not finite", i,
                  Number(params[i]).text);
         }
         if (i > 0 && !(params[i] > params[i - 1])) {
-            fail(NURBS_ERROR_KNOTS_DECREASING, "params[%zu] = %s, expected more than params[%zu] = %s", i,
+            fail(Status::knots_decreasing, "params[%zu] = %s, expected more than params[%zu] = %s", i,
                  Number(params[i]).text, i - 1, Number(params[i - 1]).text);
         }
     }
@@ -100,7 +100,7 @@ std::vector<double> even_params(int64_t n) {
 
 SplinePtr polyline(int dim, std::vector<double> points, std::vector<double> params) {
     if (params.size() < 2) {
-        fail(NURBS_ERROR_TOO_FEW_POINTS, "n = %zu, expected at least 2 points", params.size());
+        fail(Status::too_few_points, "n = %zu, expected at least 2 points", params.size());
     }
     check_params(params);
     std::vector<double> knots;
@@ -114,7 +114,7 @@ SplinePtr polyline(int dim, std::vector<double> points, std::vector<double> para
 SplinePtr regular_polygon(const Placement &place, double radius, int64_t sides) {
     check_positive_length(radius, "radius");
     if (sides < 3) {
-        fail(NURBS_ERROR_COUNT, "sides = %lld, expected at least 3", static_cast<long long>(sides));
+        fail(Status::count, "sides = %lld, expected at least 3", static_cast<long long>(sides));
     }
     std::vector<double> points;
     points.reserve(static_cast<size_t>(checked_product(checked_sum(sides, 3, "sides"), place.dim, "points")));
@@ -131,7 +131,7 @@ SplinePtr rounded_rectangle(const Placement &place, double width, double height,
     check_positive_length(height, "height");
     const double x = width / 2, y = height / 2, r = corner_radius;
     if (!(r >= 0 && r <= std::min(x, y))) {
-        fail(NURBS_ERROR_LENGTH, "corner_radius = %s, expected 0 to %s, half of the smaller side",
+        fail(Status::length, "corner_radius = %s, expected 0 to %s, half of the smaller side",
              Number(r).text, Number(std::min(x, y)).text);
     }
     if (r == 0) {

@@ -11,17 +11,17 @@
 namespace nrb {
 
 // Through points of `dim` coordinates, one after the other, with as many parameters. Throws
-// NURBS_ERROR_TOO_FEW_POINTS, _PARAMETER_NOT_FINITE, _KNOTS_DECREASING, and what make_spline() throws.
+// Status::too_few_points, parameter_not_finite, knots_decreasing, and what make_spline() throws.
 SplinePtr polyline(int dim, std::vector<double> points, std::vector<double> params);
 
 // 0, 1 / (n - 1), ..., 1.
 std::vector<double> even_params(int64_t n);
 
 // A closed regular polygon over [0, 1] with its corners on a circle, the first towards x. Throws
-// NURBS_ERROR_COUNT, _LENGTH, _OVERFLOW.
+// Status::count, length, overflow.
 SplinePtr regular_polygon(const Placement &place, double radius, int64_t sides);
 
-// A closed rectangle with sides along x and y, corners rounded by quarter circles. Throws NURBS_ERROR_LENGTH.
+// A closed rectangle with sides along x and y, corners rounded by quarter circles. Throws Status::length.
 SplinePtr rounded_rectangle(const Placement &place, double width, double height, double corner_radius);
 
 } // namespace nrb

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "base/scratch.h"
-#include "eval/axis_basis.h"
-#include "eval/slots.h"
+#include "eval/functions/axis_basis.h"
+#include "eval/kernels/slots.h"
 
 #include <array>
 #include <optional>

@@ -1,6 +1,6 @@
 #include "eval/derivative_errors.h"
 
-#include "eval/jet.h"
+#include "eval/frames/jet.h"
 #include "spline/at_origin.h"
 
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "base/checked.h"
 #include "eval/blocks.h"
-#include "eval/derivative_source.h"
+#include "eval/kernels/derivative_source.h"
 #include "eval/evaluate.h"
 #include "eval/grid_layout.h"
 #include "spline/axis_view.h"

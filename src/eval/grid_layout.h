@@ -1,7 +1,7 @@
 // How the parameters of a grid are laid out for its kernel.
 #pragma once
 
-#include "eval/grid_kernel.h"
+#include "eval/kernels/grid_kernel.h"
 
 namespace nrb {
 

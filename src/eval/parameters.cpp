@@ -9,35 +9,6 @@ namespace nrb {
 
 namespace {
 
-constexpr uint32_t axis_bits = 0xffu;
-constexpr uint32_t known_bits = NURBS_LEFT | NURBS_CLAMP | NURBS_EXTRAPOLATE | NURBS_WRAP | NURBS_NAN;
-constexpr uint32_t mode_bits = NURBS_CLAMP | NURBS_EXTRAPOLATE | NURBS_WRAP;
-
-AxisRule decode_rule(uint32_t bits, uint32_t flags, int axis) {
-    if ((bits & ~known_bits) != 0) {
-        fail(NURBS_ERROR_FLAGS, "flags = 0x%x: unknown bits 0x%x for axis %d", flags, bits & ~known_bits,
-             axis);
-    }
-    AxisRule rule{(bits & NURBS_LEFT) != 0, (bits & NURBS_NAN) != 0, Outside::refuse};
-    switch (bits & mode_bits) {
-    case 0:
-        return rule;
-    case NURBS_CLAMP:
-        rule.outside = Outside::clamp;
-        return rule;
-    case NURBS_EXTRAPOLATE:
-        rule.outside = Outside::extrapolate;
-        return rule;
-    case NURBS_WRAP:
-        rule.outside = Outside::wrap;
-        return rule;
-    default:
-        fail(NURBS_ERROR_FLAGS,
-             "flags = 0x%x: NURBS_CLAMP, NURBS_EXTRAPOLATE and NURBS_WRAP exclude each other (axis %d)",
-             flags, axis);
-    }
-}
-
 bool inside(double t, Interval domain) noexcept {
     return t >= domain.lower && t <= domain.upper;
 }
@@ -89,26 +60,14 @@ bool packed_inside(const Spline::Axes &axes, const ConstRecords &params) noexcep
 
 } // namespace
 
-AxisRules decode_rules(uint32_t flags, int axes) {
-    const uint32_t allowed = 0xffffffu >> (8 * (max_axes - axes));
-    if ((flags & ~allowed) != 0) {
-        fail(NURBS_ERROR_FLAGS, "flags = 0x%x: unknown bits 0x%x for %d axes", flags, flags & ~allowed, axes);
-    }
-    AxisRules rules;
-    for (int k = 0; k < axes; ++k) {
-        rules[static_cast<size_t>(k)] = decode_rule((flags >> (8 * k)) & axis_bits, flags, k);
-    }
-    return rules;
-}
-
 void check_parameter(double t, const AxisRule &rule, Interval domain, const char *name) {
     if (inside(t, domain) || admitted(t, rule)) {
         return;
     }
     if (!std::isfinite(t)) {
-        fail(NURBS_ERROR_PARAMETER_NOT_FINITE, "%s = %s is not finite", name, Number(t).text);
+        fail(Status::parameter_not_finite, "%s = %s is not finite", name, Number(t).text);
     }
-    fail(NURBS_ERROR_OUTSIDE_DOMAIN, "%s = %s outside [%s, %s]", name, Number(t).text,
+    fail(Status::outside_domain, "%s = %s outside [%s, %s]", name, Number(t).text,
          Number(domain.lower).text, Number(domain.upper).text);
 }
 

@@ -11,7 +11,7 @@ namespace nrb {
 
 enum class Outside { refuse, clamp, extrapolate, wrap };
 
-// The eight flag bits of one axis, decoded.
+// What is asked for on one axis.
 struct AxisRule {
     bool left = false;
     bool nan = false;
@@ -19,11 +19,7 @@ struct AxisRule {
 };
 using AxisRules = std::array<AxisRule, max_axes>;
 
-// Decodes evaluation flags; throws NURBS_ERROR_FLAGS for unknown bits, bits of missing axes and modes that
-// exclude each other.
-AxisRules decode_rules(uint32_t flags, int axes);
-
-// Throws NURBS_ERROR_PARAMETER_NOT_FINITE or _OUTSIDE_DOMAIN when the rule does not admit t; `name` is how
+// Throws Status::parameter_not_finite or outside_domain when the rule does not admit t; `name` is how
 // the message calls it.
 void check_parameter(double t, const AxisRule &rule, Interval domain, const char *name);
 
@@ -41,7 +37,7 @@ void check_axis_parameters(const KnotVector &axis, const AxisRule &rule, ConstRe
 bool all_inside(const double *params, int64_t count, int axes, const Interval *domains) noexcept;
 
 // The parameter to evaluate at in place of an admitted t, or NaN when the rule gives NaN. A wrapped parameter
-// is in [lower, upper), with NURBS_LEFT in (lower, upper].
+// is in [lower, upper), from the left in (lower, upper].
 double place(double t, const AxisRule &rule, Interval domain) noexcept;
 
 } // namespace nrb

@@ -1,9 +1,9 @@
 #include "base/checked.h"
 #include "eval/blocks.h"
-#include "eval/curve_kernel.h"
-#include "eval/derivative_source.h"
+#include "eval/kernels/curve_kernel.h"
+#include "eval/kernels/derivative_source.h"
 #include "eval/evaluate.h"
-#include "eval/tensor_kernel.h"
+#include "eval/kernels/tensor_kernel.h"
 
 #include <algorithm>
 #include <memory>

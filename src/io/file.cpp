@@ -22,7 +22,7 @@ using File = std::unique_ptr<std::FILE, Close>;
     if (errno == ENOMEM) {
         throw std::bad_alloc();
     }
-    fail(NURBS_ERROR_FILE, "path = \"%.200s\": %s", path, std::generic_category().message(errno).c_str());
+    fail(Status::file, "path = \"%.200s\": %s", path, std::generic_category().message(errno).c_str());
 }
 
 // A cancelled thread unwinds by an exception that must not be caught, and the border catches all: the thread ends
@@ -55,7 +55,7 @@ std::vector<char> read_whole_file(const char *path, int64_t max_bytes) {
         const size_t got = std::fread(bytes.data() + used, 1, block, file.get());
         bytes.resize(used + got);
         if (static_cast<int64_t>(bytes.size()) > max_bytes) {
-            fail(NURBS_ERROR_TOO_LARGE, "path = \"%.200s\": more than max_bytes = %lld bytes", path,
+            fail(Status::too_large, "path = \"%.200s\": more than max_bytes = %lld bytes", path,
                  static_cast<long long>(max_bytes));
         }
         if (got < block) {

@@ -6,7 +6,7 @@
 
 namespace nrb {
 
-// The contents of a file; throws Error: NURBS_ERROR_FILE, or NURBS_ERROR_TOO_LARGE beyond max_bytes.
+// The contents of a file; throws Error: Status::file, or Status::too_large beyond max_bytes.
 std::vector<char> read_whole_file(const char *path, int64_t max_bytes);
 
 } // namespace nrb

@@ -1,15 +1,15 @@
 #include "reduce/compatible.h"
 
-#include "reduce/deviation.h"
+#include "reduce/layer_deviation.h"
 #include "reduce/knot_clusters.h"
 #include "reduce/snap.h"
-#include "refine/cut.h"
-#include "refine/elevate.h"
-#include "refine/homogeneous.h"
-#include "refine/parametrization.h"
-#include "refine/period.h"
-#include "refine/periodic.h"
-#include "refine/seam.h"
+#include "refine/parts/cut.h"
+#include "refine/degree/elevate.h"
+#include "refine/forms/homogeneous.h"
+#include "refine/forms/parametrization.h"
+#include "refine/periodic/period.h"
+#include "refine/periodic/periodic.h"
+#include "refine/periodic/seam.h"
 
 #include <algorithm>
 #include <cmath>
@@ -70,7 +70,7 @@ private:
 void check_axis_counts(std::span<const SplinePtr> splines) {
     for (size_t i = 1; i < splines.size(); ++i) {
         if (splines[i]->axes() != splines[0]->axes()) {
-            fail(NURBS_ERROR_INCOMPATIBLE, "splines[%zu] has %d axes, expected %d as splines[0] has", i,
+            fail(Status::incompatible, "splines[%zu] has %d axes, expected %d as splines[0] has", i,
                  splines[i]->axes(), splines[0]->axes());
         }
     }
@@ -91,7 +91,7 @@ double share_domain(Set &set, int k, bool any, double tolerance) {
         const double shift = std::max(std::abs(domain.lower - lower), std::abs(domain.upper - upper));
         const double moved = any ? 0 : shift * speed_bound(*spline, k);
         if (!any && !(shift <= width && std::isfinite(moved))) {
-            fail(NURBS_ERROR_INCOMPATIBLE,
+            fail(Status::incompatible,
                  "splines[%zu]: domain [%s, %s] on axis %d, expected [%s, %s] as in splines[0]", i,
                  Number(domain.lower).text, Number(domain.upper).text, k, Number(lower).text,
                  Number(upper).text);

@@ -1,7 +1,7 @@
 #include "reduce/knot_clusters.h"
 
 #include "base/error.h"
-#include "refine/period.h"
+#include "refine/periodic/period.h"
 
 #include <algorithm>
 #include <cmath>
@@ -57,7 +57,7 @@ void check_multiplicities(int degree, std::span<const double> knots, int k, cons
     const auto limit = static_cast<size_t>(degree) + 1;
     for (size_t i = 0; i + limit < knots.size(); ++i) {
         if (knots[i] == knots[i + limit]) {
-            fail(NURBS_ERROR_MULTIPLICITY,
+            fail(Status::multiplicity,
                  "%sknots within the tolerance of %s on axis %d would become one that occurs more than %zu "
                  "times, "
                  "which degree %d does not allow",

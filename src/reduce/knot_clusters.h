@@ -1,7 +1,7 @@
 // Near-equal knots made equal.
 #pragma once
 
-#include "refine/axis_table.h"
+#include "refine/knots/axis_table.h"
 
 namespace nrb {
 
@@ -40,7 +40,7 @@ private:
 // outside the domain are copies of those inside. The same axis if none moves. Where more than degree + 1
 // knots become an end of a plain axis, functions between equal knots vanish with them: the first layer of a
 // clamped start and the last of a clamped end stay, so that the end keeps its place, and those next to it go
-// (not of steps). `owner` begins the message of NURBS_ERROR_MULTIPLICITY, thrown where knots of any other
+// (not of steps). `owner` begins the message of Status::multiplicity, thrown where knots of any other
 // group together occur more than degree + 1 times.
 AxisTable moved_axis(const KnotVectorPtr &axis, const KnotClusters &clusters, int k, const char *owner);
 

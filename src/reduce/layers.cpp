@@ -2,8 +2,8 @@
 
 #include "base/checked.h"
 #include "base/finite.h"
-#include "refine/axis_table.h"
-#include "refine/homogeneous.h"
+#include "refine/knots/axis_table.h"
+#include "refine/forms/homogeneous.h"
 
 #include <algorithm>
 

@@ -1,11 +1,11 @@
 #include "reduce/periodic_form.h"
 
 #include "base/tolerance.h"
-#include "reduce/deviation.h"
-#include "refine/continuation.h"
-#include "refine/continued_layers.h"
-#include "refine/cut.h"
-#include "refine/period.h"
+#include "reduce/layer_deviation.h"
+#include "refine/parts/continuation.h"
+#include "refine/parts/continued_layers.h"
+#include "refine/parts/cut.h"
+#include "refine/periodic/period.h"
 #include "spline/axis_view.h"
 
 #include <algorithm>
@@ -127,7 +127,7 @@ PeriodicForm make_periodic(const SplinePtr &spline, int k, double tolerance) {
         }
         least = form ? std::min(least, form->deviation) : least;
     }
-    fail(NURBS_ERROR_GAP, "axis %d: to make its ends one moves the shape by up to %s, expected at most %s", k,
+    fail(Status::gap, "axis %d: to make its ends one moves the shape by up to %s, expected at most %s", k,
          Number(least).text, Number(tolerance).text);
 }
 

@@ -13,8 +13,8 @@ struct PeriodicForm {
 
 // Axis k periodic over its domain, with the highest order of continuity at the seam that moves the shape by at
 // most the tolerance. Of the control points whose knots stand on both sides of the seam each is continued from
-// the end that has more of them; the layers at the start give way to those at the end. Throws NURBS_ERROR_GAP if
-// not even the ends meet so, _TOLERANCE, and what extending and refining throw.
+// the end that has more of them; the layers at the start give way to those at the end. Throws Status::gap if
+// not even the ends meet so, tolerance, and what extending and refining throw.
 PeriodicForm make_periodic(const SplinePtr &spline, int k, double tolerance);
 
 // Whether the knots of an axis repeat and its last layers are the first ones, bit for bit.

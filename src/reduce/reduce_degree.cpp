@@ -2,12 +2,12 @@
 
 #include "base/checked.h"
 #include "base/finite.h"
-#include "reduce/banded_least_squares.h"
+#include "numeric/solvers/banded_least_squares.h"
 #include "reduce/layers.h"
-#include "refine/cut.h"
-#include "refine/elevate.h"
-#include "refine/homogeneous.h"
-#include "refine/period.h"
+#include "refine/parts/cut.h"
+#include "refine/degree/elevate.h"
+#include "refine/forms/homogeneous.h"
+#include "refine/periodic/period.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,10 +18,10 @@ namespace {
 
 void check_times(int degree, int axis, int64_t times) {
     if (times < 0) {
-        fail(NURBS_ERROR_TIMES, "times = %lld, expected >= 0", static_cast<long long>(times));
+        fail(Status::times, "times = %lld, expected >= 0", static_cast<long long>(times));
     }
     if (times > degree) {
-        fail(NURBS_ERROR_DEGREE, "degree %d of axis %d, lowered by times = %lld, would be less than 0",
+        fail(Status::degree, "degree %d of axis %d, lowered by times = %lld, would be less than 0",
              degree, axis, static_cast<long long>(times));
     }
 }
@@ -183,7 +183,7 @@ bool settle_weights(const Spline &spline, int degree, int64_t length, std::vecto
             settle(record, spline.dim(), {rounding * around.weight, rounding * around.coordinate});
         infinite = infinite || kind == Weight::infinite;
         if (kind == Weight::negative) {
-            fail(NURBS_ERROR_WEIGHT_SIGN, "weight %s of the result, expected >= 0", Number(weight).text);
+            fail(Status::weight_sign, "weight %s of the result, expected >= 0", Number(weight).text);
         }
     }
     return infinite;
@@ -208,7 +208,7 @@ SplinePtr lower_degree(const SplinePtr &spline, int axis, int times) {
     }
     const int64_t shift = periodic ? seam_copies_before(*raised.axis) - seam_copies_before(*refined.axis) : 0;
     if (!ReductionSystem(raised, count, length, fixed).solve(targets, shift, layers.data())) {
-        fail(NURBS_ERROR_NOT_REPRESENTABLE, "the knots of axis %d lie too close for its degree", axis);
+        fail(Status::not_representable, "the knots of axis %d lie too close for its degree", axis);
     }
     const bool infinite = settle_weights(*source, knots->degree(), length, layers);
     const SplinePtr base = infinite ? in_form(source, Form::homogeneous) : source;

@@ -7,8 +7,8 @@
 namespace nrb {
 
 // The closest spline of lower degree, compared after raising it again, over the knots of nurbs_reduce_degree()
-// and with the same clamped ends. Throws NURBS_ERROR_TIMES, _DEGREE, _WEIGHT_SIGN, _PERIODIC_KNOTS,
-// _NOT_REPRESENTABLE.
+// and with the same clamped ends. Throws Status::times, degree, weight_sign, periodic_knots,
+// not_representable.
 Reduced reduce_degree(const SplinePtr &spline, int axis, int64_t times);
 
 // The same without the bound.

@@ -1,7 +1,7 @@
 #include "reduce/reduce_knots.h"
 
 #include "base/tolerance.h"
-#include "reduce/thinning.h"
+#include "reduce/knot_removal_greedy.h"
 
 #include <algorithm>
 #include <cmath>

@@ -12,7 +12,7 @@ struct Reduced {
 
 // Removes knots of one axis, or of every one (-1), which share the tolerance evenly. The whole is certified
 // against the given spline, what is measured takes the place of the errors that were added up, and the
-// removal goes on until nothing more goes. Throws NURBS_ERROR_TOLERANCE, _PERIODIC_KNOTS, _NOT_REPRESENTABLE.
+// removal goes on until nothing more goes. Throws Status::tolerance, periodic_knots, not_representable.
 // Cost: near linear in the number of points.
 Reduced reduce_knots(const SplinePtr &spline, int axis, double tolerance);
 

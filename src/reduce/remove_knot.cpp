@@ -3,8 +3,8 @@
 #include "base/tolerance.h"
 #include "reduce/layers.h"
 #include "reduce/removal_step.h"
-#include "refine/insert.h"
-#include "refine/period.h"
+#include "refine/knots/insert.h"
+#include "refine/periodic/period.h"
 #include "spline/axis_view.h"
 
 #include <algorithm>
@@ -130,7 +130,7 @@ private:
         if (knots[static_cast<size_t>(p)] != lower ||
             knots[knots.size() - 1 - static_cast<size_t>(p)] != upper) {
             fail(
-                NURBS_ERROR_PERIODIC_KNOTS,
+                Status::periodic_knots,
                 "knots: the ends of the periodic domain [%s, %s] have other multiplicities than their copies",
                 Number(lower).text, Number(upper).text);
         }
@@ -183,11 +183,11 @@ void check_removable(const KnotVector &axis, int k, double knot) {
     check_knot(axis, k, knot);
     const auto [lower, upper] = axis.domain();
     if (multiplicity(axis.knots(), knot) == 0) {
-        fail(NURBS_ERROR_NOT_A_KNOT, "knot = %s is not a knot of axis %d", Number(knot).text, k);
+        fail(Status::not_a_knot, "knot = %s is not a knot of axis %d", Number(knot).text, k);
     }
     if ((knot == lower || knot == upper) &&
         (!axis.periodic() || multiplicity(axis.knots(), axis.domain().lower) == 1)) {
-        fail(NURBS_ERROR_END_KNOT, "knot = %s is an end of [%s, %s], the domain of axis %d%s",
+        fail(Status::end_knot, "knot = %s is an end of [%s, %s], the domain of axis %d%s",
              Number(knot).text, Number(lower).text, Number(upper).text, k,
              axis.periodic() ? ": a seam that occurs once can be moved, not removed" : "");
     }
@@ -257,7 +257,7 @@ SplinePtr with_axis_if_valid(const Spline &spline, int k, const AxisTable &made)
         return make_result(with_axis(spline, k, made.axis), spline.dim(), spline.form(),
                            std::move(net.points), std::move(net.weights));
     } catch (const Error &error) {
-        if (error.status() == NURBS_ERROR_WEIGHT_NEGATIVE || error.status() == NURBS_ERROR_WEIGHTS_VANISH) {
+        if (error.status() == Status::weight_negative || error.status() == Status::weights_vanish) {
             return nullptr;
         }
         throw;
@@ -268,7 +268,7 @@ KnotRemoval remove_knot(const SplinePtr &spline, int axis, double knot, int64_t 
     const KnotVector &old = spline->axis(axis);
     check_removable(old, axis, knot);
     if (times < 0) {
-        fail(NURBS_ERROR_TIMES, "times = %lld, expected >= 0", static_cast<long long>(times));
+        fail(Status::times, "times = %lld, expected >= 0", static_cast<long long>(times));
     }
     check_tolerance(tolerance);
     knot = old.periodic() && knot == old.domain().upper ? old.domain().lower : knot;

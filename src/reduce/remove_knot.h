@@ -2,18 +2,18 @@
 #pragma once
 
 #include "bounds/deviation.h"
-#include "refine/axis_table.h"
+#include "refine/knots/axis_table.h"
 
 namespace nrb {
 
 // The axis with one copy less of a knot (on a periodic axis: of all its copies a period away), and the layers
 // of the closest spline of its local ones; an empty pointer where there is none: on a periodic axis of no
 // more than degree - multiplicity + 1 distinct layers. Preconditions: the knot lies inside the domain, or is
-// the start of a periodic one and occurs there more than once. Throws NURBS_ERROR_PERIODIC_KNOTS.
+// the start of a periodic one and occurs there more than once. Throws Status::periodic_knots.
 AxisTable without_knot(const KnotVector &axis, double knot);
 
 // The spline over the other axis, with 0 for weights that are 0 to rounding; null where weights are not
-// allowed. Throws NURBS_ERROR_NOT_REPRESENTABLE, _OVERFLOW.
+// allowed. Throws Status::not_representable, overflow.
 SplinePtr with_axis_if_valid(const Spline &spline, int k, const AxisTable &made);
 
 struct KnotRemoval {
@@ -23,7 +23,7 @@ struct KnotRemoval {
 };
 
 // Removes up to `times` copies, as long as the bound is at most the tolerance. Throws
-// NURBS_ERROR_PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN, _NOT_A_KNOT, _END_KNOT, _TIMES, _TOLERANCE.
+// Status::parameter_not_finite, outside_domain, not_a_knot, end_knot, times, tolerance.
 KnotRemoval remove_knot(const SplinePtr &spline, int axis, double knot, int64_t times, double tolerance);
 
 } // namespace nrb

@@ -3,7 +3,7 @@
 #include "base/finite.h"
 #include "base/tolerance.h"
 #include "reduce/reduce_degree.h"
-#include "refine/homogeneous.h"
+#include "refine/forms/homogeneous.h"
 
 #include <cmath>
 
@@ -32,7 +32,7 @@ SplinePtr one_degree_less(const SplinePtr &spline, int axis) {
     try {
         return lower_degree(spline, axis, 1);
     } catch (const Error &error) {
-        if (error.status() == NURBS_ERROR_WEIGHT_SIGN || error.status() == NURBS_ERROR_WEIGHTS_VANISH) {
+        if (error.status() == Status::weight_sign || error.status() == Status::weights_vanish) {
             return nullptr;
         }
         throw;

@@ -1,13 +1,13 @@
 #include "reduce/snap.h"
 
-#include "reduce/deviation.h"
+#include "reduce/layer_deviation.h"
 #include "reduce/knot_clusters.h"
 
 namespace nrb {
 
 void check_relative_tolerance(double tolerance) {
     if (!(tolerance >= 0 && tolerance < 1)) {
-        fail(NURBS_ERROR_TOLERANCE, "tolerance = %s, a part of the domain's length, expected >= 0 and < 1",
+        fail(Status::tolerance, "tolerance = %s, a part of the domain's length, expected >= 0 and < 1",
              Number(tolerance).text);
     }
 }

@@ -1,7 +1,7 @@
 // Near-equal knots of one spline snapped together.
 #pragma once
 
-#include "refine/axis_table.h"
+#include "refine/knots/axis_table.h"
 
 namespace nrb {
 
@@ -11,11 +11,11 @@ struct Snapped {
 };
 
 // Knots in clusters of at most tolerance * (length of the domain), see KnotClusters, become one; control
-// points stay, but for those that moved_axis() drops. Throws NURBS_ERROR_TOLERANCE unless 0 <= tolerance < 1,
-// _MULTIPLICITY, and what refining throws.
+// points stay, but for those that moved_axis() drops. Throws Status::tolerance unless 0 <= tolerance < 1,
+// multiplicity, and what refining throws.
 Snapped snap_knots(const SplinePtr &spline, int axis, double tolerance);
 
-// Throws NURBS_ERROR_TOLERANCE unless 0 <= tolerance < 1.
+// Throws Status::tolerance unless 0 <= tolerance < 1.
 void check_relative_tolerance(double tolerance);
 
 // The layers of a moved axis over it; check_spline() is left to the caller.

@@ -22,10 +22,10 @@ void check_points(const Spline &spline, Values values) {
         const auto width = static_cast<size_t>(spline.stored_width());
         const bool weight = spline.form() == Form::homogeneous && i % width + 1 == width;
         if (values == Values::computed) {
-            fail(NURBS_ERROR_NOT_REPRESENTABLE, "points[%zu][%zu] of the result overflows", i / width,
+            fail(Status::not_representable, "points[%zu][%zu] of the result overflows", i / width,
                  i % width);
         }
-        fail(weight ? NURBS_ERROR_WEIGHT_NOT_FINITE : NURBS_ERROR_POINT_NOT_FINITE,
+        fail(weight ? Status::weight_not_finite : Status::point_not_finite,
              "points[%zu][%zu] = %s is not finite", i / width, i % width, Number(points[i]).text);
     }
 }
@@ -33,13 +33,13 @@ void check_points(const Spline &spline, Values values) {
 void check_weight(const Spline &spline, size_t i, Values values) {
     const double weight = spline.weights()[i];
     if (!std::isfinite(weight) && values == Values::computed) {
-        fail(NURBS_ERROR_NOT_REPRESENTABLE, "weights[%zu] of the result overflows", i);
+        fail(Status::not_representable, "weights[%zu] of the result overflows", i);
     }
     if (!std::isfinite(weight)) {
-        fail(NURBS_ERROR_WEIGHT_NOT_FINITE, "weights[%zu] = %s is not finite", i, Number(weight).text);
+        fail(Status::weight_not_finite, "weights[%zu] = %s is not finite", i, Number(weight).text);
     }
     if (weight < 0) {
-        fail(NURBS_ERROR_WEIGHT_NEGATIVE, "weights[%zu] = %s, expected >= 0", i, Number(weight).text);
+        fail(Status::weight_negative, "weights[%zu] = %s, expected >= 0", i, Number(weight).text);
     }
 }
 
@@ -61,7 +61,7 @@ void check_weight_values(const Spline &spline, Values values) {
         for (size_t c = 0; c < dim; ++c) {
             const double point = spline.points()[i * dim + c];
             if (!std::isfinite(weights[i] * point)) {
-                fail(NURBS_ERROR_NOT_REPRESENTABLE, "weights[%zu] * points[%zu][%zu] = %s * %s overflows", i,
+                fail(Status::not_representable, "weights[%zu] * points[%zu][%zu] = %s * %s overflows", i,
                      i, c, Number(weights[i]).text, Number(point).text);
             }
         }
@@ -139,7 +139,7 @@ std::vector<char> merge_layers(const std::vector<char> &carried, const AxisView 
         used += static_cast<size_t>(std::snprintf(where + used, sizeof where - used, "%s%s",
                                                   k == 0 ? "" : ", ", Number(window.parameter).text));
     }
-    fail(NURBS_ERROR_WEIGHTS_VANISH, "weights: every weight that is active at parameter (%s) is 0", where);
+    fail(Status::weights_vanish, "weights: every weight that is active at parameter (%s) is 0", where);
 }
 
 void check_weight_supports(const Spline &spline) {
@@ -183,7 +183,7 @@ void check_wrapping(const Spline &spline, int k, std::span<const double> values,
         const double *at = std::mismatch(begin, end, begin + period, same_bits).first;
         if (at != end) {
             const long long original = (at - values.data()) / width;
-            fail(NURBS_ERROR_PERIODIC_POINTS,
+            fail(Status::periodic_points,
                  "%s[%lld] = %s differs from %s[%lld] = %s, which it repeats on periodic axis %d", name,
                  original + period / width, Number(at[period]).text, name, original, Number(*at).text, k);
         }
@@ -217,7 +217,7 @@ SplinePtr make_checked(Spline::Axes axes, int dim, Form form, std::vector<double
     const int64_t count = spline->point_count();
     if (static_cast<int64_t>(spline->points().size()) != count * spline->stored_width() ||
         static_cast<int64_t>(spline->weights().size()) != (form == Form::rational ? count : 0)) {
-        fail(NURBS_ERROR_SIZE, "points: %zu values and %zu weights, expected %lld points of %d values",
+        fail(Status::size, "points: %zu values and %zu weights, expected %lld points of %d values",
              spline->points().size(), spline->weights().size(), static_cast<long long>(count),
              spline->stored_width());
     }

@@ -21,7 +21,7 @@ struct SplineName {
 
 void check_kind(const Spline &spline, int axes, const char *name, int64_t index) {
     if (spline.axes() != axes) {
-        fail(NURBS_ERROR_AXES, "%s has %d axes, expected a %s", SplineName(name, index).text, spline.axes(),
+        fail(Status::axes, "%s has %d axes, expected a %s", SplineName(name, index).text, spline.axes(),
              axes == 1   ? "curve"
              : axes == 2 ? "surface"
                          : "volume");
@@ -34,15 +34,15 @@ void check_dimension(const Spline &spline, int least, int most, const char *name
     }
     const SplineName of(name, index);
     if (least == most) {
-        fail(NURBS_ERROR_DIMENSION, "%s has dimension %d, expected %d", of.text, spline.dim(), least);
+        fail(Status::dimension, "%s has dimension %d, expected %d", of.text, spline.dim(), least);
     }
-    fail(NURBS_ERROR_DIMENSION, "%s has dimension %d, expected %d %s %d", of.text, spline.dim(), least,
+    fail(Status::dimension, "%s has dimension %d, expected %d %s %d", of.text, spline.dim(), least,
          most == least + 1 ? "or" : "to", most);
 }
 
 void check_same_dimension(const Spline &a, const Spline &b) {
     if (a.dim() != b.dim()) {
-        fail(NURBS_ERROR_INCOMPATIBLE, "b has dimension %d, expected %d as a has", b.dim(), a.dim());
+        fail(Status::incompatible, "b has dimension %d, expected %d as a has", b.dim(), a.dim());
     }
 }
 

@@ -120,7 +120,7 @@ struct Net {
 // Cartesian points are combined in their place, so that a point of weight 0 keeps a position.
 class LayerMaker {
 public:
-    // For `rows` layers in all. The spline must outlive this. Throws NURBS_ERROR_OVERFLOW.
+    // For `rows` layers in all. The spline must outlive this. Throws Status::overflow.
     LayerMaker(const Spline &spline, int axis, int64_t rows);
     LayerMaker(const LayerMaker &) = delete;
     LayerMaker &operator=(const LayerMaker &) = delete;
@@ -130,7 +130,7 @@ public:
     // follow each other.
     [[nodiscard]] bool in_parts() const noexcept { return view_.outer == 1; }
     void append(const LayerTable &table);
-    // When all have been appended. Throws NURBS_ERROR_NOT_REPRESENTABLE when a value overflows.
+    // When all have been appended. Throws Status::not_representable when a value overflows.
     Net finish();
 
 private:

@@ -16,7 +16,7 @@ Powers powers_near_one(const Spline &spline, int degree); // all that have influ
 SplinePtr near_one(const Spline &spline, const Powers &powers);
 
 // A result on what near_one() gave, brought back: coordinates that it has not changed are those of the given
-// spline, the others are divided by the powers. Throws NURBS_ERROR_NOT_REPRESENTABLE.
+// spline, the others are divided by the powers. Throws Status::not_representable.
 SplinePtr scaled_back(const Spline &result, const Spline &near, const Spline &given, const Powers &powers);
 
 } // namespace nrb

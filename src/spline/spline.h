@@ -3,8 +3,9 @@
 
 #include "base/error.h"
 #include "base/lazy.h"
+#include "base/limits.h"
 #include "basis/knot_vector.h"
-#include "basis/pieces.h"
+#include "basis/power_spans.h"
 
 #include <array>
 #include <atomic>
@@ -14,8 +15,6 @@
 #include <vector>
 
 namespace nrb {
-
-inline constexpr int max_axes = NURBS_MAX_AXES;
 
 // How the control points are stored. What the caller gave is what is kept.
 enum class Form {
@@ -144,14 +143,14 @@ private:
 };
 
 // Points and weights that are not finite are a mistake of who gave them, with statuses of their own, or overflow of
-// what was computed: NURBS_ERROR_NOT_REPRESENTABLE.
+// what was computed: Status::not_representable.
 enum class Values { given, computed };
 
 // Checks finiteness, weights (w(t) > 0 on the closed domain, or some w_i != 0 in every support when
 // homogeneous) and the wrapping of periodic axes; throws Error naming the array, the index and the value.
 void check_spline(const Spline &spline, Values values);
 
-// A checked spline from validated axes and packed data; throws NURBS_ERROR_SIZE when sizes disagree.
+// A checked spline from validated axes and packed data; throws Status::size when sizes disagree.
 SplinePtr make_spline(Spline::Axes axes, int dim, Form form, std::vector<double> points,
                       std::vector<double> weights = {});
 // The same of computed data.

@@ -14,7 +14,7 @@ PUBLIC_HEADER = "nurbs/nurbs.h"
 
 def rooms_in_order(src):
     text = (src / "CMakeLists.txt").read_text(encoding="utf-8")
-    return re.search(r"set\(rooms ([^)]*)\)", text)[1].split()
+    return re.findall(r"^ +([a-z]+)\b(?!/)", re.search(r"set\(rooms\n([^)]*)\)", text)[1], re.M)
 
 
 def includes(path):
@@ -28,7 +28,7 @@ def includes(path):
 def include_problem(src, room, rooms, angled, target):
     first = target.split("/")[0]
     if angled:
-        ours = (src / target).exists() or (first == "nurbs" and target != PUBLIC_HEADER)
+        ours = (src / target).is_file() or (first == "nurbs" and target != PUBLIC_HEADER)
         return f"<{target}> is not a header of the system" if ours else None
     if first not in rooms:
         return f'"{target}" does not begin with the name of a room'
@@ -39,7 +39,7 @@ def include_problem(src, room, rooms, angled, target):
 
 def file_problems(src, path, rooms):
     room = path.relative_to(src).parts[0]
-    if room not in rooms or len(path.relative_to(src).parts) not in (2, 3):
+    if room not in rooms:
         yield f"{path}: not a file of a room"
         return
     for number, angled, target in includes(path):

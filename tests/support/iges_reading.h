@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/error.h"
-#include "io/iges.h"
+#include "io/iges/read_iges.h"
 #include "support/iges_builder.h"
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ inline nrb::Document read(const IgesBuilder &builder, const nrb::ReadSettings &s
 inline nrb::SplinePtr only_spline(const nrb::Document &document) {
     EXPECT_EQ(document.splines.size(), 1U);
     for (const nrb::Note &note : document.notes) {
-        EXPECT_EQ(note.reason, NURBS_ERROR_UNSUPPORTED) << note.text;
+        EXPECT_EQ(note.reason, nrb::Status::unsupported) << note.text;
     }
     if (document.splines.empty()) {
         throw std::runtime_error("no spline was read");
@@ -37,18 +37,18 @@ inline nrb::SplinePtr read_one(int type, const std::string &data, const Fields &
     return only_spline(read(builder));
 }
 
-// The note that a file with one entity leaves; one with reason NURBS_OK, and a failed test, if there is none.
+// The note that a file with one entity leaves; one with reason nrb::Status::ok, and a failed test, if there is none.
 inline nrb::Note note_of(int type, const std::string &data, const Fields &fields = {}) {
     IgesBuilder builder;
     builder.add(type, data, fields);
     const nrb::Document document = read(builder);
     EXPECT_EQ(document.splines.size(), 0U);
     EXPECT_EQ(document.notes.size(), 1U);
-    return document.notes.empty() ? nrb::Note{0, 0, NURBS_OK, ""} : document.notes.front();
+    return document.notes.empty() ? nrb::Note{0, 0, nrb::Status::ok, ""} : document.notes.front();
 }
 
 struct Failure {
-    nurbs_status status = NURBS_OK;
+    nrb::Status status = nrb::Status::ok;
     std::string text;
 };
 

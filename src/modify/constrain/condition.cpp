@@ -1,10 +1,9 @@
 #include "modify/constrain/condition.h"
 
-#include "base/direction.h"
-#include "base/norm.h"
+#include "numeric/direction.h"
+#include "numeric/norm.h"
 
 #include <cmath>
-#include <nurbs/nurbs.h>
 
 namespace nrb {
 
@@ -12,19 +11,19 @@ Condition::Condition(int32_t kind, const Orders &orders, const double *param, co
                      int dim)
     : kind_(kind), dim_(dim), param_(param), target_(target) {
     switch (kind) {
-    case NURBS_CONSTRAIN_DIRECTION:
+    case constrain_direction:
         derivatives_ = {orders};
         add_complement(target);
         equations_ = dim - 1;
         break;
-    case NURBS_CONSTRAIN_NORMAL:
+    case constrain_normal:
         for (int k = 0; k < axes; ++k) {
             derivatives_.push_back({k == 0 ? 1 : 0, k == 1 ? 1 : 0, k == 2 ? 1 : 0});
         }
         rows_ = unit_vector(target, dim);
         equations_ = axes;
         break;
-    case NURBS_CONSTRAIN_CURVATURE:
+    case constrain_curvature:
         derivatives_ = {Orders{1}, Orders{2}};
         equations_ = dim;
         target_size_ = norm(target, dim);
@@ -50,23 +49,23 @@ void Condition::add_complement(const double *direction) {
 }
 
 bool Condition::linear() const noexcept {
-    return kind_ != NURBS_CONSTRAIN_CURVATURE;
+    return kind_ != constrain_curvature;
 }
 
 void Condition::evaluate(const double *values, double *residual, double *jacobian) const noexcept {
     const auto width = static_cast<int64_t>(derivatives_.size()) * dim_;
     std::fill_n(jacobian, equations_ * width, 0.0);
-    if (kind_ == NURBS_CONSTRAIN_CURVATURE) {
+    if (kind_ == constrain_curvature) {
         return curvature(values, residual, jacobian);
     }
     for (int k = 0; k < equations_; ++k) {
         double *const row = jacobian + k * width;
-        if (kind_ == NURBS_CONSTRAIN_VALUE) {
+        if (kind_ == constrain_value) {
             row[k] = 1;
             residual[k] = values[k] - target_[k];
             continue;
         }
-        const bool normal = kind_ == NURBS_CONSTRAIN_NORMAL;
+        const bool normal = kind_ == constrain_normal;
         const double *const along = rows_.data() + (normal ? 0 : k * dim_);
         const int from = normal ? k * dim_ : 0;
         std::copy_n(along, dim_, row + from);

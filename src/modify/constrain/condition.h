@@ -1,12 +1,19 @@
 // What constraints ask of a point and its derivatives: equations, and how they change with them.
 #pragma once
 
-#include "eval/slots.h"
+#include "eval/kernels/slots.h"
 
 #include <span>
 #include <vector>
 
 namespace nrb {
+
+enum ConstraintKind : int32_t {
+    constrain_value = 0, // the derivative of the given orders is the target
+    constrain_direction, // the derivative is parallel to the target, either way
+    constrain_normal,    // all first derivatives are perpendicular to the target
+    constrain_curvature, // the curvature vector of a curve is the target
+};
 
 // One constraint at a parameter. Its equations are functions of some derivatives of the spline.
 class Condition {

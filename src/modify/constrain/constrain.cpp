@@ -23,7 +23,7 @@ public:
             const double *const param = at;
             *at++ = std::ldexp(*condition.param(), knots_);
             const bool direction =
-                condition.kind() == NURBS_CONSTRAIN_DIRECTION || condition.kind() == NURBS_CONSTRAIN_NORMAL;
+                condition.kind() == constrain_direction || condition.kind() == constrain_normal;
             for (int c = 0; c < dim_; ++c) {
                 at[c] = std::ldexp(condition.target()[c], direction ? 0 : power(condition));
             }
@@ -35,7 +35,7 @@ public:
     [[nodiscard]] const std::vector<Condition> &conditions() const noexcept { return scaled_; }
     // Of the left sides.
     [[nodiscard]] int power(const Condition &condition) const noexcept {
-        return condition.kind() == NURBS_CONSTRAIN_CURVATURE ? -size_
+        return condition.kind() == constrain_curvature ? -size_
                                                              : size_ - knots_ * condition.derivatives()[0][0];
     }
 

@@ -26,8 +26,8 @@ struct Constrained {
 // are never formed: a system with them takes few conjugate gradients, since few derivatives of the spline are
 // in it.
 //
-// Throws NURBS_ERROR_INFLUENCE, _CONTRADICTION, _WEIGHT_SIGN, _NOT_CONVERGED, _POINT_NOT_FINITE,
-// _NOT_REPRESENTABLE, _OVERFLOW. Cost: with m equations of n unknowns n m^2, in each step.
+// Throws Status::influence, contradiction, weight_sign, not_converged, point_not_finite,
+// not_representable, overflow. Cost: with m equations of n unknowns n m^2, in each step.
 Constrained constrain(const Spline &spline, const std::vector<Condition> &conditions, const ChangeRule &rule,
                       double tolerance);
 

@@ -1,6 +1,6 @@
 #include "modify/constrain/equations.h"
 
-#include "base/norm.h"
+#include "numeric/norm.h"
 
 #include <algorithm>
 #include <cmath>
@@ -85,7 +85,7 @@ void check_influence(const NetState &state, const std::vector<LocalEquations> &a
             }
         }
         if (!acts) {
-            fail(NURBS_ERROR_INFLUENCE, "constraint %zu: no control point that may move acts on it", i);
+            fail(Status::influence, "constraint %zu: no control point that may move acts on it", i);
         }
     }
 }
@@ -96,7 +96,7 @@ void check_finite(const std::vector<LocalEquations> &all) {
     };
     for (size_t i = 0; i < all.size(); ++i) {
         if (!finite(all[i].residual) || !finite(all[i].jacobian)) {
-            fail(NURBS_ERROR_NOT_REPRESENTABLE,
+            fail(Status::not_representable,
                  "constraint %zu is not finite: C' is zero where a curvature is asked for, or a value "
                  "overflows",
                  i);
@@ -117,11 +117,11 @@ int64_t worst_missed(const std::vector<LocalEquations> &all) noexcept {
     return worst;
 }
 
-void fail_missed(nurbs_status status, const std::vector<LocalEquations> &all) {
+void fail_missed(Status status, const std::vector<LocalEquations> &all) {
     const int64_t worst = worst_missed(all);
     const LocalEquations &local = all[static_cast<size_t>(worst)];
     if (!std::isfinite(local.length())) {
-        status = NURBS_ERROR_NOT_REPRESENTABLE;
+        status = Status::not_representable;
     }
     fail(status, "constraint %lld is missed by %s, more than %s", static_cast<long long>(worst),
          Number(local.length()).text, Number(local.limit).text);

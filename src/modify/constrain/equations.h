@@ -23,19 +23,19 @@ LocalEquations local_equations(const NetState &state, const Condition &condition
 std::vector<LocalEquations> all_equations(const NetState &state, const std::vector<Condition> &conditions,
                                           double tolerance);
 
-// Throws NURBS_ERROR_INFLUENCE for a condition on which no control point that may move acts, no weight
+// Throws Status::influence for a condition on which no control point that may move acts, no weight
 // either.
 void check_influence(const NetState &state, const std::vector<LocalEquations> &all);
 
-// Throws NURBS_ERROR_NOT_REPRESENTABLE for a condition that overflows or has no value, as the curvature where
+// Throws Status::not_representable for a condition that overflows or has no value, as the curvature where
 // a curve's derivative is 0.
 void check_finite(const std::vector<LocalEquations> &all);
 
 // The condition that is missed by most of its limit; -1 if all are met.
 int64_t worst_missed(const std::vector<LocalEquations> &all) noexcept;
 
-// Throws the status naming that condition and by how much it is missed, NURBS_ERROR_NOT_REPRESENTABLE if that
+// Throws the status naming that condition and by how much it is missed, Status::not_representable if that
 // overflows.
-[[noreturn]] void fail_missed(nurbs_status status, const std::vector<LocalEquations> &all);
+[[noreturn]] void fail_missed(Status status, const std::vector<LocalEquations> &all);
 
 } // namespace nrb

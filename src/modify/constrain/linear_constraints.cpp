@@ -1,8 +1,8 @@
 #include "modify/constrain/linear_constraints.h"
 
 #include "base/checked.h"
-#include "base/norm.h"
-#include "modify/constrain/minimum_norm.h"
+#include "numeric/norm.h"
+#include "numeric/solvers/minimum_norm.h"
 #include "modify/constrain/scaling.h"
 
 #include <algorithm>
@@ -137,7 +137,7 @@ Constrained solve_linear(NetState &state, const std::vector<Condition> &conditio
         all = all_equations(state, conditions, tolerance);
     }
     if (worst_missed(all) >= 0) {
-        fail_missed(NURBS_ERROR_CONTRADICTION, all);
+        fail_missed(Status::contradiction, all);
     }
     return {state.spline(), lengths(all), system.rank(), largest_move(moves, dim),
             system.optimality(solution)};

@@ -1,11 +1,11 @@
 #include "modify/constrain/net_state.h"
 
 #include "base/finite.h"
-#include "base/norm.h"
+#include "numeric/norm.h"
 #include "base/representable.h"
 #include "modify/edit/kept_layers.h"
 #include "modify/edit/net_editor.h"
-#include "refine/homogeneous.h"
+#include "refine/forms/homogeneous.h"
 
 #include <algorithm>
 #include <cmath>
@@ -82,7 +82,7 @@ NetState::NetState(const Spline &spline, const Columns &columns)
         const size_t at = static_cast<size_t>(i) * dim;
         const double *record = spline.points().data() + i * spline.stored_width();
         if (largest_magnitude({record, dim}) > 0) {
-            fail(NURBS_ERROR_POINT_NOT_FINITE, "g: control point %lld is at infinity",
+            fail(Status::point_not_finite, "g: control point %lld is at infinity",
                  static_cast<long long>(i));
         }
         std::fill_n(start_.begin() + static_cast<int64_t>(at), dim, 0.0); // without an effect

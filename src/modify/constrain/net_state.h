@@ -2,7 +2,7 @@
 #pragma once
 
 #include "eval/active_points.h"
-#include "eval/leibniz.h"
+#include "eval/kernels/leibniz.h"
 #include "modify/constrain/condition.h"
 
 #include <optional>
@@ -30,7 +30,7 @@ Columns make_columns(const Spline &spline, const std::vector<Condition> &conditi
 // Cartesian control points and weights during an iteration.
 class NetState {
 public:
-    // The spline must outlive this. Throws NURBS_ERROR_POINT_NOT_FINITE if there is a control point at
+    // The spline must outlive this. Throws Status::point_not_finite if there is a control point at
     // infinity.
     NetState(const Spline &spline, const Columns &columns);
 

@@ -2,9 +2,9 @@
 
 #include "base/checked.h"
 #include "base/finite.h"
-#include "base/norm.h"
-#include "modify/constrain/conjugate_gradients.h"
-#include "modify/constrain/minimum_norm.h"
+#include "numeric/norm.h"
+#include "numeric/solvers/conjugate_gradients.h"
+#include "numeric/solvers/minimum_norm.h"
 #include "modify/constrain/scaling.h"
 
 #include <algorithm>
@@ -254,11 +254,11 @@ private:
 
     [[nodiscard]] Constrained finish() {
         if (worst_missed(all_) >= 0) {
-            fail_missed(rank_ < equation_count() ? NURBS_ERROR_CONTRADICTION : NURBS_ERROR_NOT_CONVERGED,
+            fail_missed(rank_ < equation_count() ? Status::contradiction : Status::not_converged,
                         all_);
         }
         if (!(optimality_ <= optimal)) {
-            fail(NURBS_ERROR_NOT_CONVERGED,
+            fail(Status::not_converged,
                  "the gradient of the Lagrangian is %s after %d steps, expected at most %s",
                  Number(optimality_).text, max_steps, Number(optimal).text);
         }
@@ -275,7 +275,7 @@ private:
         for (size_t i = 0; i < columns_.weights.size(); ++i) {
             const int64_t column = columns_.weights[i];
             if (column >= 0 && 1 + changes[static_cast<size_t>(column)] < vanishing) {
-                fail(NURBS_ERROR_WEIGHT_SIGN, "the weight of control point %zu would not be positive", i);
+                fail(Status::weight_sign, "the weight of control point %zu would not be positive", i);
             }
         }
     }

@@ -1,6 +1,6 @@
 #include "modify/constrain/scaling.h"
 
-#include "base/norm.h"
+#include "numeric/norm.h"
 
 #include <algorithm>
 #include <cmath>

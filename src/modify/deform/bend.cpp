@@ -1,7 +1,7 @@
 #include "modify/deform/bend.h"
 
 #include "base/finite.h"
-#include "base/norm.h"
+#include "numeric/norm.h"
 #include "modify/deform/bend_bound.h"
 
 #include <algorithm>
@@ -43,7 +43,7 @@ Bend make_bend(int dim, const double *origin, const double *along, const double 
         }
         const double left = norm(n.data(), dim);
         if (!(left > 8 * dim * std::numeric_limits<double>::epsilon())) {
-            fail(NURBS_ERROR_DIRECTION, "across is parallel to along");
+            fail(Status::direction, "across is parallel to along");
         }
         normalise(n);
     }

@@ -1,7 +1,7 @@
 // Shapes bent about an axis (A. Barr, "Global and local deformations of solid primitives", SIGGRAPH 1984).
 #pragma once
 
-#include "modify/deform/fit_image.h"
+#include "fit/fit_image.h"
 
 namespace nrb {
 
@@ -15,7 +15,7 @@ struct Bend {
     double upper;
 };
 
-// `across` made perpendicular, both made unit vectors. Throws NURBS_ERROR_DIRECTION if they are parallel.
+// `across` made perpendicular, both made unit vectors. Throws Status::direction if they are parallel.
 // Precondition: neither is 0.
 Bend make_bend(int dim, const double *origin, const double *along, const double *across, double curvature,
                double lower, double upper);

@@ -1,11 +1,11 @@
 #include "modify/deform/bend_bound.h"
 
-#include "base/norm.h"
-#include "basis/binomial.h"
-#include "bounds/bernstein_net.h"
-#include "modify/deform/span_samples.h"
-#include "refine/bezier_rows.h"
-#include "refine/homogeneous.h"
+#include "numeric/norm.h"
+#include "numeric/binomial.h"
+#include "pieces/bernstein_net.h"
+#include "fit/span_samples.h"
+#include "refine/knots/bezier_rows.h"
+#include "refine/forms/homogeneous.h"
 
 #include <algorithm>
 #include <cmath>

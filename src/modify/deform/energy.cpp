@@ -1,8 +1,8 @@
 #include "modify/deform/energy.h"
 
-#include "basis/binomial.h"
+#include "numeric/binomial.h"
 #include "modify/edit/net_editor.h"
-#include "refine/extraction.h"
+#include "refine/knots/extraction.h"
 
 #include <algorithm>
 #include <array>
@@ -137,17 +137,6 @@ private:
 
 std::vector<Entry> energy_entries(const Spline &spline, int order) {
     return Assembly(spline, order).entries();
-}
-
-std::vector<double> times(const std::vector<Entry> &entries, const std::vector<double> &x, int64_t width) {
-    std::vector<double> result(x.size(), 0.0);
-    for (const Entry &entry : entries) {
-        for (int64_t c = 0; c < width; ++c) {
-            result[static_cast<size_t>(entry.row * width + c)] +=
-                entry.value * x[static_cast<size_t>(entry.column * width + c)];
-        }
-    }
-    return result;
 }
 
 } // namespace nrb

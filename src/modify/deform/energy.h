@@ -1,27 +1,18 @@
 // The integral of squared derivatives of a spline as a quadratic form of its control points.
 #pragma once
 
+#include "numeric/solvers/sparse_system.h"
 #include "spline/spline.h"
 
 #include <vector>
 
 namespace nrb {
 
-// Entry (i, j) of a symmetric matrix, each with its mirror image.
-struct Entry {
-    int64_t row;
-    int64_t column;
-    double value;
-};
-
 // Sum over the axes of the integral over the domain of N_i^(order) N_j^(order), derivatives along that axis,
 // between the first copies of control points; axes of a lower degree contribute nothing. On a span N_i is a
-// Bernstein polynomial (refine/extraction.h), its derivatives are differences of coefficients, and the
+// Bernstein polynomial (refine/knots/extraction.h), its derivatives are differences of coefficients, and the
 // integral of B_i B_j of degree m is h binomial(m, i) binomial(m, j) / (binomial(2 m, i + j) (2 m + 1)).
 // Cost: for each control point the product of 2 degree + 1 over the axes.
 std::vector<Entry> energy_entries(const Spline &spline, int order);
-
-// K x for x[points][width], of the first copies; others are 0.
-std::vector<double> times(const std::vector<Entry> &entries, const std::vector<double> &x, int64_t width);
 
 } // namespace nrb

@@ -1,15 +1,16 @@
 #include "modify/deform/fair.h"
 
 #include "base/finite.h"
-#include "base/norm.h"
+#include "numeric/norm.h"
 #include "base/representable.h"
-#include "base/sum.h"
-#include "bounds/bernstein_net.h"
+#include "numeric/sum.h"
+#include "pieces/bernstein_net.h"
 #include "bounds/deviation.h"
-#include "modify/deform/sparse_system.h"
+#include "numeric/solvers/sparse_system.h"
+#include "modify/deform/energy.h"
 #include "modify/edit/kept_layers.h"
 #include "modify/edit/net_editor.h"
-#include "refine/homogeneous.h"
+#include "refine/forms/homogeneous.h"
 #include "spline/near_one.h"
 
 #include <algorithm>
@@ -209,10 +210,10 @@ Faired fair(const SplinePtr &spline, int order, const int32_t *keep, double tole
         enough = enough || spline->axis(k).degree() >= order;
     }
     if (!enough) {
-        fail(NURBS_ERROR_DEGREE, "order = %d, expected at most the degree of an axis of g", order);
+        fail(Status::degree, "order = %d, expected at most the degree of an axis of g", order);
     }
     if (spline->point_count() > std::numeric_limits<int32_t>::max()) {
-        fail(NURBS_ERROR_OVERFLOW, "g has %lld control points, expected fewer than 2^31",
+        fail(Status::overflow, "g has %lld control points, expected fewer than 2^31",
              static_cast<long long>(spline->point_count()));
     }
     std::vector<int32_t> usual;

@@ -16,7 +16,7 @@ struct Faired {
 // X_0 has the least energy among the splines whose control points are as near, sum |P_i - P_i0|^2. rho is
 // found by halving its logarithm, with the bound of deviation() as the judge; a solution that is too far is
 // taken as far along as the tolerance allows, which lowers the energy as well, because it is convex. Layers
-// that act on derivatives that stay, stay. Throws NURBS_ERROR_DEGREE, _NOT_REPRESENTABLE, _OVERFLOW. keep:
+// that act on derivatives that stay, stay. Throws Status::degree, not_representable, overflow. keep:
 // [axes][2] or null. Cost: some 30 factorisations of a sparse matrix of the size of the net, and as many
 // deviations.
 Faired fair(const SplinePtr &spline, int order, const int32_t *keep, double tolerance);

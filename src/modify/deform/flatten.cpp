@@ -1,6 +1,6 @@
 #include "modify/deform/flatten.h"
 
-#include "base/norm.h"
+#include "numeric/norm.h"
 #include "base/representable.h"
 #include "spline/axis_view.h"
 
@@ -30,7 +30,7 @@ public:
             slope += along_[c] * normal_[c];
         }
         if (!(std::abs(slope) > 4 * dim * std::numeric_limits<double>::epsilon())) {
-            fail(NURBS_ERROR_DIRECTION, "direction is parallel to the plane, expected one that crosses it");
+            fail(Status::direction, "direction is parallel to the plane, expected one that crosses it");
         }
         for (double &x : along_) {
             x /= slope;

@@ -1,10 +1,11 @@
 #include "modify/deform/free_form.h"
 
 #include "base/finite.h"
+#include "base/limits.h"
 #include "bounds/deviation.h"
 #include "eval/evaluate.h"
-#include "refine/compose.h"
-#include "refine/transform.h"
+#include "refine/algebra/compose.h"
+#include "refine/forms/transform.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,7 +34,7 @@ public:
     [[nodiscard]] double parameter(size_t k, double x) const {
         const double rounding = 64 * eps * std::max(std::abs(lower_[k]), std::abs(upper_[k]));
         if (x < lower_[k] - rounding || x > upper_[k] + rounding) {
-            fail(NURBS_ERROR_OUTSIDE_DOMAIN,
+            fail(Status::outside_domain,
                  "coordinate %zu of a point of g is %s, outside [%s, %s], the box", k, Number(x).text,
                  Number(lower_[k]).text, Number(upper_[k]).text);
         }
@@ -66,7 +67,7 @@ int image_degree(const Spline &spline, const Spline &volume) noexcept {
     }
     degree *= spline.axis(0).degree();
     const bool composed = spline.axes() == 1 && volume.axes() > 1 && !spline.rational();
-    return composed && degree <= NURBS_MAX_DEGREE ? degree : 0;
+    return composed && degree <= max_degree ? degree : 0;
 }
 
 } // namespace

@@ -7,10 +7,10 @@
 namespace nrb {
 
 // x -> V(A x), A the map of the box to the domain of the volume. Where g is a polynomial curve in the plane
-// or in space and the degree of the image at most NURBS_MAX_DEGREE, the image is composed (refine/compose.h)
+// or in space and the degree of the image at most max_degree, the image is composed (refine/algebra/compose.h)
 // and the bound of the distance from it is proven, but for the rounding of its control points, for which 64
 // eps of the volume's size are added for each degree. Otherwise it is that of samples. Throws
-// NURBS_ERROR_OUTSIDE_DOMAIN if a point is outside the box, and what fit_image() and compose() throw.
+// Status::outside_domain if a point is outside the box, and what fit_image() and compose() throw.
 // Preconditions: as many axes of the volume as dimensions of both, lower < upper.
 DeformedShape free_form_deform(const SplinePtr &spline, const SplinePtr &volume, const double *lower,
                                const double *upper, double tolerance);

@@ -1,6 +1,6 @@
 #include "modify/deform/region.h"
 
-#include "refine/insert.h"
+#include "refine/knots/insert.h"
 
 #include <algorithm>
 

@@ -1,16 +1,16 @@
 #include "modify/deform/snap_boundary.h"
 
-#include "base/norm.h"
+#include "numeric/norm.h"
 #include "base/representable.h"
 #include "bounds/deviation.h"
 #include "reduce/layers.h"
-#include "refine/axis_table.h"
-#include "refine/cut.h"
-#include "refine/homogeneous.h"
-#include "refine/joint_axis.h"
-#include "refine/parametrization.h"
-#include "refine/product.h"
-#include "refine/transform.h"
+#include "refine/knots/axis_table.h"
+#include "refine/parts/cut.h"
+#include "refine/forms/homogeneous.h"
+#include "refine/algebra/common_knots.h"
+#include "refine/forms/parametrization.h"
+#include "refine/algebra/product.h"
+#include "refine/forms/transform.h"
 #include "spline/axis_view.h"
 
 #include <algorithm>
@@ -24,15 +24,15 @@ namespace {
 
 void check_boundaries(const Spline &spline, Boundary boundary, const Spline &other, Boundary other_boundary) {
     if (spline.axes() > 2 || spline.axes() != other.axes()) {
-        fail(NURBS_ERROR_AXES, "g has %d axes and other %d, expected two curves or two surfaces",
+        fail(Status::axes, "g has %d axes and other %d, expected two curves or two surfaces",
              spline.axes(), other.axes());
     }
     if (spline.dim() != other.dim()) {
-        fail(NURBS_ERROR_INCOMPATIBLE, "dimension %d of other, expected %d as of g", other.dim(),
+        fail(Status::incompatible, "dimension %d of other, expected %d as of g", other.dim(),
              spline.dim());
     }
     if (spline.axis(boundary.axis).periodic() || other.axis(other_boundary.axis).periodic()) {
-        fail(NURBS_ERROR_PERIODIC, "axis %d of %s is periodic: it has no boundary",
+        fail(Status::periodic, "axis %d of %s is periodic: it has no boundary",
              spline.axis(boundary.axis).periodic() ? boundary.axis : other_boundary.axis,
              spline.axis(boundary.axis).periodic() ? "g" : "other");
     }
@@ -132,7 +132,7 @@ void check_orders(const Spline &g, const Spline &other, Boundary boundary, Bound
     for (const auto &[spline, axis, name] :
          {std::tuple(&g, boundary.axis, "g"), std::tuple(&other, other_boundary.axis, "other")}) {
         if (spline->axis(axis).degree() == 0) {
-            fail(NURBS_ERROR_DEGREE, "degree 0 of %s across the boundary, expected at least 1 for tangents",
+            fail(Status::degree, "degree 0 of %s across the boundary, expected at least 1 for tangents",
                  name);
         }
     }
@@ -142,7 +142,7 @@ void check_orders(const Spline &g, const Spline &other, Boundary boundary, Bound
 void set_second_layer(Layers &own, Layers &other, double factor) {
     const double speed = own.speed(), other_speed = other.speed();
     if (!(speed > 0) || !(other_speed > 0)) {
-        fail(NURBS_ERROR_TANGENT, "the derivative of %s across the boundary vanishes",
+        fail(Status::tangent, "the derivative of %s across the boundary vanishes",
              speed > 0 ? "other" : "g");
     }
     const double s = speed / other_speed * (other.slope() / own.slope());
@@ -156,7 +156,7 @@ void set_second_layer(Layers &own, Layers &other, double factor) {
         }
         const double weight = out[own.width() - 1];
         if (!(weight > 0) && a[own.width() - 1] > 0) {
-            fail(NURBS_ERROR_WEIGHT_SIGN, "weight %s of a control point next to the boundary, expected > 0",
+            fail(Status::weight_sign, "weight %s of a control point next to the boundary, expected > 0",
                  Number(weight).text);
         }
     }

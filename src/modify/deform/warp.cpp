@@ -1,12 +1,12 @@
 #include "modify/deform/warp.h"
 
-#include "base/norm.h"
+#include "numeric/norm.h"
 #include "base/representable.h"
 #include "basis/bspline.h"
-#include "build/functions.h"
+#include "refine/algebra/polynomial.h"
 #include "modify/edit/net_editor.h"
-#include "refine/period.h"
-#include "refine/sum.h"
+#include "refine/periodic/period.h"
+#include "refine/algebra/sum.h"
 #include "spline/axis_view.h"
 
 #include <algorithm>
@@ -32,7 +32,7 @@ std::vector<double> even_knots(Interval range, int degree, int k) {
     knots.back() = range.upper;
     for (size_t j = 1; j < knots.size(); ++j) {
         if (!(knots[j - 1] < knots[j])) {
-            fail(NURBS_ERROR_KNOTS_MERGE, "range[%d] = [%s, %s] has too few doubles for %zu knots", k,
+            fail(Status::knots_merge, "range[%d] = [%s, %s] has too few doubles for %zu knots", k,
                  Number(range.lower).text, Number(range.upper).text, knots.size());
         }
     }

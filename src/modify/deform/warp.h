@@ -8,8 +8,8 @@ namespace nrb {
 // See nurbs_warp(). The bump along an axis is the B-spline of degree order + 1 over order + 3 even knots of
 // the range, divided by its value in the middle, where it is largest: of all piecewise polynomials with that
 // many derivatives the one of least degree. It has a knot vector of its own over the domain of the spline,
-// periodic where that is, and is added exactly (refine/sum.h): the degree becomes at least order + 1, with
-// weights the sum of both. Throws what sum() throws, and NURBS_ERROR_KNOTS_MERGE if the range has too few
+// periodic where that is, and is added exactly (refine/algebra/sum.h): the degree becomes at least order + 1, with
+// weights the sum of both. Throws what sum() throws, and Status::knots_merge if the range has too few
 // doubles. Preconditions: the direction is not 0, order >= 0.
 SplinePtr warp(const SplinePtr &spline, const Part &part, const double *direction, double distance,
                int order);

@@ -1,6 +1,6 @@
 #include "modify/edit/influence.h"
 
-#include "base/norm.h"
+#include "numeric/norm.h"
 #include "eval/active_points.h"
 #include "modify/edit/net_editor.h"
 
@@ -191,10 +191,10 @@ void fail_influence(const Spline &spline, int64_t point, const double *param) {
     });
     const ParameterText place(param, spline.axes());
     if (point < 0) {
-        fail(NURBS_ERROR_INFLUENCE, "indices: these control points have no influence at (%s), where %s%s act",
+        fail(Status::influence, "indices: these control points have no influence at (%s), where %s%s act",
              place.text, acting.text(), acting.rest());
     }
-    fail(NURBS_ERROR_INFLUENCE, "control point %lld has no influence at (%s), where %s%s act",
+    fail(Status::influence, "control point %lld has no influence at (%s), where %s%s act",
          static_cast<long long>(point), place.text, acting.text(), acting.rest());
 }
 
@@ -211,7 +211,7 @@ Contribution contribution_of(const Spline &spline, std::span<const int64_t> orig
 
 Contribution contribution_about(const Spline &spline, int64_t original, const double *param) {
     if (spline.form() == Form::homogeneous && spline.weight(original) == 0) {
-        fail(NURBS_ERROR_POINT_NOT_FINITE, "g: control point %lld is at infinity",
+        fail(Status::point_not_finite, "g: control point %lld is at infinity",
              static_cast<long long>(original));
     }
     const ActiveAt active(spline, param);

@@ -30,15 +30,15 @@ struct Contribution {
 };
 
 // Of control points whose copies on periodic axes count with them; `originals` are the first of these. The
-// centre is their mean sum N_i w_i P_i / sum N_i w_i; throws NURBS_ERROR_INFLUENCE, naming the points that
+// centre is their mean sum N_i w_i P_i / sum N_i w_i; throws Status::influence, naming the points that
 // act, if there is none.
 Contribution contribution_of(const Spline &spline, std::span<const int64_t> originals, const double *param);
 
-// Of one control point, which is the centre whether it acts or not. Throws NURBS_ERROR_POINT_NOT_FINITE if it
+// Of one control point, which is the centre whether it acts or not. Throws Status::point_not_finite if it
 // is at infinity.
 Contribution contribution_about(const Spline &spline, int64_t original, const double *param);
 
-// Throws NURBS_ERROR_INFLUENCE for a control point (-1: those given) that does not act at a parameter.
+// Throws Status::influence for a control point (-1: those given) that does not act at a parameter.
 [[noreturn]] void fail_influence(const Spline &spline, int64_t point, const double *param);
 
 // The control point with the largest |R_i| at each parameter, all copies taken together, the first of

@@ -1,8 +1,8 @@
 #include "modify/edit/inverse_insertion.h"
 
-#include "base/norm.h"
+#include "numeric/norm.h"
 #include "basis/bspline.h"
-#include "refine/insert.h"
+#include "refine/knots/insert.h"
 #include "spline/axis_view.h"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace {
 
 void check_degree_of(const Spline &spline, int axis) {
     if (spline.axis(axis).degree() == 0) {
-        fail(NURBS_ERROR_DEGREE, "degree 0 of axis %d, expected at least 1: no knot moves its control points",
+        fail(Status::degree, "degree 0 of axis %d, expected at least 1: no knot moves its control points",
              axis);
     }
 }
@@ -38,7 +38,7 @@ double rational_ratio(const Spline &spline, int64_t from, int64_t to, double rat
     }
     if (before == 0 || behind == 0 || std::signbit(before) != std::signbit(behind)) {
         fail(
-            NURBS_ERROR_WEIGHT_SIGN,
+            Status::weight_sign,
             "the weights at the ends of the leg from control point %lld to %lld are %s and %s: no knot makes "
             "a point inside it a control point",
             static_cast<long long>(from), static_cast<long long>(to), Number(before).text,
@@ -73,7 +73,7 @@ double periodic_knot(const KnotVector &axis, int64_t layer, double s) noexcept {
 // control point another one.
 void check_period(const KnotVector &axis, int k) {
     if (axis.periodic() && axis.distinct_layers() < axis.degree()) {
-        fail(NURBS_ERROR_PERIODIC,
+        fail(Status::periodic,
              "axis %d is periodic with %lld different layers, fewer than its degree %d: the knots of a leg "
              "reach over "
              "more than a period",
@@ -84,7 +84,7 @@ void check_period(const KnotVector &axis, int k) {
 void check_room(const KnotVector &axis, int k, double knot) {
     const int present = multiplicity(axis.knots(), knot);
     if (present > axis.degree()) {
-        fail(NURBS_ERROR_MULTIPLICITY,
+        fail(Status::multiplicity,
              "knot = %s occurs %d times on axis %d already, degree %d allows no more", Number(knot).text,
              present, k, axis.degree());
     }
@@ -122,12 +122,12 @@ LegInsertion insert_on_leg(const SplinePtr &spline, int axis, int64_t point, dou
     const KnotVector &knots = spline->axis(axis);
     const int64_t layer = layer_of(view, point), next = point + view.inner;
     if (layer + 1 == view.count) {
-        fail(NURBS_ERROR_INDEX, "index = %lld is the last control point along axis %d, where no leg begins",
+        fail(Status::index, "index = %lld is the last control point along axis %d, where no leg begins",
              static_cast<long long>(point), axis);
     }
     for (const int64_t end : {point, next}) {
         if (at_infinity(*spline, end)) {
-            fail(NURBS_ERROR_POINT_NOT_FINITE, "g: control point %lld is at infinity",
+            fail(Status::point_not_finite, "g: control point %lld is at infinity",
                  static_cast<long long>(end));
         }
     }

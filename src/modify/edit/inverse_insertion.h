@@ -14,10 +14,10 @@ struct LegInsertion {
 // See nurbs_insert_on_leg(). A knot outside the domain goes in by the polar form of the end piece: of a
 // vector t_0, t_1, ... the new one has t_1, ..., t, ..., so that the domain is the same, and the layer that
 // has only arguments before it goes, which no point of the domain depends on; new layers are means of two old
-// ones. On a periodic axis the knot goes to where it is in the domain. Throws NURBS_ERROR_DEGREE, _INDEX,
-// _MULTIPLICITY, _PERIODIC if a periodic axis has fewer different layers than its degree, _WEIGHT_SIGN if the
+// ones. On a periodic axis the knot goes to where it is in the domain. Throws Status::degree, index,
+// multiplicity, periodic if a periodic axis has fewer different layers than its degree, weight_sign if the
 // weights at the ends of the leg have not one sign, so that no knot makes a point inside it one,
-// _POINT_NOT_FINITE if an end of the leg is at infinity, and what refine() throws. Precondition: 0 <= ratio
+// point_not_finite if an end of the leg is at infinity, and what refine() throws. Precondition: 0 <= ratio
 // <= 1.
 LegInsertion insert_on_leg(const SplinePtr &spline, int axis, int64_t point, double ratio);
 
@@ -27,7 +27,7 @@ struct Leg {
     double distance; // of the point given
 };
 
-// The nearest leg along an axis, the first of several. Throws NURBS_ERROR_DEGREE. Precondition: the point is
+// The nearest leg along an axis, the first of several. Throws Status::degree. Precondition: the point is
 // finite.
 Leg nearest_leg(const Spline &spline, int axis, const double *point);
 

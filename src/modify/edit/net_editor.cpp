@@ -46,7 +46,7 @@ void NetEditor::set_weight(int64_t point, double weight) {
     }
     const double old = spline_.weight(point);
     if (old == 0) {
-        fail(NURBS_ERROR_POINT_NOT_FINITE,
+        fail(Status::point_not_finite,
              "g: control point %lld is at infinity, where another weight would move it",
              static_cast<long long>(point));
     }

@@ -16,11 +16,11 @@ public:
     explicit NetEditor(const Spline &spline);
 
     // In place of that of an original control point, which keeps its place. A polynomial spline becomes
-    // rational. Throws NURBS_ERROR_POINT_NOT_FINITE if it has no place.
+    // rational. Throws Status::point_not_finite if it has no place.
     void set_weight(int64_t point, double weight);
     // Moves an original control point by scale * offset, its weight stays.
     void move(int64_t point, const double *offset, double scale) noexcept;
-    // Throws what make_result() throws, and NURBS_ERROR_NOT_REPRESENTABLE when a value overflows.
+    // Throws what make_result() throws, and Status::not_representable when a value overflows.
     [[nodiscard]] SplinePtr finish();
 
 private:

@@ -1,6 +1,6 @@
 #include "modify/edit/pull_point.h"
 
-#include "base/direction.h"
+#include "numeric/direction.h"
 #include "modify/edit/influence.h"
 #include "modify/edit/net_editor.h"
 

@@ -10,7 +10,7 @@ struct PointEdit {
     SplinePtr spline;
 };
 
-// P_i + alpha V with alpha = d / (|V| R_i(t)). Throws NURBS_ERROR_INFLUENCE, _NOT_REPRESENTABLE.
+// P_i + alpha V with alpha = d / (|V| R_i(t)). Throws Status::influence, not_representable.
 // Preconditions: the parameter has been admitted, the direction is not 0, `original` is a first copy
 // (net_editor.h).
 PointEdit pull_point(const Spline &spline, int64_t original, const double *param, const double *direction,

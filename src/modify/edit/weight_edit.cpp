@@ -1,7 +1,7 @@
 #include "modify/edit/weight_edit.h"
 
 #include "base/finite.h"
-#include "base/norm.h"
+#include "numeric/norm.h"
 #include "base/representable.h"
 #include "modify/edit/influence.h"
 #include "modify/edit/net_editor.h"
@@ -16,11 +16,11 @@ namespace {
 
 double checked_weight(double weight, int64_t point) {
     if (std::isinf(weight)) {
-        fail(NURBS_ERROR_NOT_REPRESENTABLE, "the weight of control point %lld overflows",
+        fail(Status::not_representable, "the weight of control point %lld overflows",
              static_cast<long long>(point));
     }
     if (!(weight > 0)) {
-        fail(NURBS_ERROR_WEIGHT_SIGN, "the weight of control point %lld would be %s, expected > 0",
+        fail(Status::weight_sign, "the weight of control point %lld would be %s, expected > 0",
              static_cast<long long>(point), Number(weight).text);
     }
     return weight;
@@ -34,12 +34,12 @@ double lowest_distance(const Contribution &sums) noexcept {
 double factor_for(const Contribution &sums, double distance) {
     const double reach = sums.reach();
     if (!(distance < reach)) { // not finite either
-        fail(NURBS_ERROR_LENGTH, "distance = %s, expected less than %s, the distance to the control points",
+        fail(Status::length, "distance = %s, expected less than %s, the distance to the control points",
              Number(distance).text, Number(reach).text);
     }
     const double factor = (reach + sums.rest / sums.weight * distance) / (reach - distance);
     if (!(factor > 0)) {
-        fail(NURBS_ERROR_WEIGHT_SIGN, "distance = %s, expected more than %s, where the weights would be 0",
+        fail(Status::weight_sign, "distance = %s, expected more than %s, where the weights would be 0",
              Number(distance).text, Number(reach == 0 || sums.rest == 0 ? 0 : lowest_distance(sums)).text);
     }
     return factor;
@@ -69,7 +69,7 @@ SplinePtr set_weights(const Spline &spline, std::span<const int64_t> originals, 
     for (int64_t i = 0; spline.form() == Form::homogeneous && i < spline.point_count(); ++i) {
         const double *record = spline.points().data() + i * spline.stored_width();
         if (spline.weight(i) == 0 && largest_magnitude({record, static_cast<size_t>(spline.dim())}) > 0) {
-            fail(NURBS_ERROR_POINT_NOT_FINITE, "g: control point %lld is at infinity",
+            fail(Status::point_not_finite, "g: control point %lld is at infinity",
                  static_cast<long long>(i));
         }
     }
@@ -150,13 +150,13 @@ double weight_cross_ratio(int dim, const double *control_point, const double *at
     std::vector<double> line = minus(at_zero, control_point);
     const double length = norm(line.data(), dim);
     if (length == 0) {
-        fail(NURBS_ERROR_COLLINEAR, "control_point and at_zero are the same point, expected two of a line");
+        fail(Status::collinear, "control_point and at_zero are the same point, expected two of a line");
     }
     std::transform(line.begin(), line.end(), line.begin(), [length](double x) { return x / length; });
     const double to_one = dot(minus(at_one, control_point), line),
                  from_one = dot(minus(at_zero, at_one), line);
     if (to_one == 0 || from_one == 0) {
-        fail(NURBS_ERROR_COLLINEAR, "at_one is %s, expected a point between the two",
+        fail(Status::collinear, "at_one is %s, expected a point between the two",
              to_one == 0 ? "control_point" : "at_zero");
     }
     const double to_weight = dot(minus(at_weight, control_point), line);
@@ -188,7 +188,7 @@ double weight_at(const Contribution &sums, const double *target, double toleranc
     }
     const double gap = distance_from_line(to_target, line);
     if (!(gap <= tolerance)) {
-        fail(NURBS_ERROR_GAP,
+        fail(Status::gap,
              "target: distance %s from the line that the weight moves the point on, tolerance = %s",
              Number(gap).text, Number(tolerance).text);
     }

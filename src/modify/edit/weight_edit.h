@@ -17,28 +17,28 @@ struct WeightEdit {
 // With one factor f of the weights of all of them the point is Q + offset / (f W + rest) (influence.h), so
 // that it moves by d towards Q for
 //     f = (|Q S| + (rest / W) d) / (|Q S| - d) = 1 + d / (R (|Q S| - d)).
-// Throws NURBS_ERROR_INFLUENCE, _LENGTH, _WEIGHT_SIGN, _NOT_REPRESENTABLE. The value is the factor.
+// Throws Status::influence, length, weight_sign, not_representable. The value is the factor.
 WeightEdit pull_weights(const Spline &spline, std::span<const int64_t> originals, const double *param,
                         double distance);
 // The same for one control point; the value is its weight.
 WeightEdit pull_weight(const Spline &spline, int64_t original, const double *param, double distance);
 
-// Throws NURBS_ERROR_POINT_NOT_FINITE if there is a control point at infinity, or one of them has no place,
+// Throws Status::point_not_finite if there is a control point at infinity, or one of them has no place,
 // and what make_result() throws. Precondition: the weights are finite and >= 0.
 SplinePtr set_weights(const Spline &spline, std::span<const int64_t> originals, const double *weights);
 
 // The points at the weights 0, 1 and the present one, each null or of the dimension of the spline. Throws
-// NURBS_ERROR_POINT_NOT_FINITE, _NOT_REPRESENTABLE, before anything is written.
+// Status::point_not_finite, not_representable, before anything is written.
 void weight_points(const Spline &spline, int64_t original, const double *param, double *at_zero,
                    double *at_one, double *at_weight);
 
-// See nurbs_weight_cross_ratio(). Throws NURBS_ERROR_COLLINEAR. Precondition: all coordinates are finite.
+// See nurbs_weight_cross_ratio(). Throws Status::collinear. Precondition: all coordinates are finite.
 double weight_cross_ratio(int dim, const double *control_point, const double *at_zero, const double *at_one,
                           const double *at_weight);
 
 // With the target at P + alpha * offset the weight is (1 / alpha - rest) / N, N the sum of the basis
-// functions of the copies. Throws NURBS_ERROR_INFLUENCE, _GAP, _WEIGHT_SIGN, _NOT_REPRESENTABLE,
-// _POINT_NOT_FINITE.
+// functions of the copies. Throws Status::influence, gap, weight_sign, not_representable,
+// point_not_finite.
 WeightEdit weight_through(const Spline &spline, int64_t original, const double *param, const double *target,
                           double tolerance);
 

@@ -28,9 +28,9 @@ TEST(Number, IsTheShortestTextThatNamesTheValue) {
 TEST(Error, CutsLongMessages) {
     const std::string text(1000, 'x');
     try {
-        nrb::fail(NURBS_ERROR_SYNTAX, "%s", text.c_str());
+        nrb::fail(nrb::Status::syntax, "%s", text.c_str());
     } catch (const nrb::Error &error) {
-        EXPECT_EQ(error.status(), NURBS_ERROR_SYNTAX);
+        EXPECT_EQ(error.status(), nrb::Status::syntax);
         EXPECT_EQ(std::string(error.what()), text.substr(0, nrb::Error::capacity - 1));
     }
 }

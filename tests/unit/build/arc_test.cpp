@@ -1,5 +1,5 @@
 // Angles whose multiples of 15 degrees are exact, and the arcs of the unit circle and hyperbola made of them.
-#include "build/arc.h"
+#include "build/conics/arc.h"
 
 #include "base/error.h"
 #include "reference/number.h"
@@ -70,24 +70,24 @@ TEST(Angle, parts_add_up_to_the_whole) {
     }
 }
 
-nurbs_status refused(double start, double sweep) {
+nrb::Status refused(double start, double sweep) {
     try {
         (void)nrb::make_turn(start, sweep);
     } catch (const nrb::Error &error) {
         return error.status();
     }
-    return NURBS_OK;
+    return nrb::Status::ok;
 }
 
 TEST(Turn, takes_a_full_turn_and_no_more) {
-    EXPECT_EQ(refused(1, 2 * pi), NURBS_OK);
-    EXPECT_EQ(refused(1, -2 * pi), NURBS_OK);
-    EXPECT_EQ(refused(1, std::nextafter(2 * pi, 7)), NURBS_OK); // rounding
-    EXPECT_EQ(refused(1, 2 * pi + 1e-14), NURBS_ERROR_ANGLE);
-    EXPECT_EQ(refused(1, 0), NURBS_ERROR_ANGLE);
-    EXPECT_EQ(refused(1, NAN), NURBS_ERROR_ANGLE);
-    EXPECT_EQ(refused(INFINITY, 1), NURBS_ERROR_ANGLE);
-    EXPECT_EQ(refused(0x1p23, 1), NURBS_ERROR_ANGLE);
+    EXPECT_EQ(refused(1, 2 * pi), nrb::Status::ok);
+    EXPECT_EQ(refused(1, -2 * pi), nrb::Status::ok);
+    EXPECT_EQ(refused(1, std::nextafter(2 * pi, 7)), nrb::Status::ok); // rounding
+    EXPECT_EQ(refused(1, 2 * pi + 1e-14), nrb::Status::angle);
+    EXPECT_EQ(refused(1, 0), nrb::Status::angle);
+    EXPECT_EQ(refused(1, NAN), nrb::Status::angle);
+    EXPECT_EQ(refused(INFINITY, 1), nrb::Status::angle);
+    EXPECT_EQ(refused(0x1p23, 1), nrb::Status::angle);
 }
 
 using reference::exact;
@@ -154,14 +154,14 @@ TEST(Arc, forms_have_their_degrees_and_pieces) {
     const auto points = [](double sweep, int form) {
         return nrb::unit_arc(nrb::make_turn(0.3, sweep), form).points.size();
     };
-    EXPECT_EQ(points(pi / 2, NURBS_ARC_QUARTERS), 3U);
-    EXPECT_EQ(points(-pi / 2 * 1.001, NURBS_ARC_QUARTERS), 5U);
-    EXPECT_EQ(points(2 * pi, NURBS_ARC_QUARTERS), 9U);
-    EXPECT_EQ(points(2 * pi / 3, NURBS_ARC_THIRDS), 3U);
-    EXPECT_EQ(points(2 * pi, NURBS_ARC_THIRDS), 7U);
-    EXPECT_EQ(points(2 * pi / 3, NURBS_ARC_SMOOTH), 3U);
-    EXPECT_EQ(points(2.2, NURBS_ARC_SMOOTH), 6U);
-    EXPECT_EQ(points(2 * pi, NURBS_ARC_SMOOTH), 6U);
+    EXPECT_EQ(points(pi / 2, nrb::arc_quarters), 3U);
+    EXPECT_EQ(points(-pi / 2 * 1.001, nrb::arc_quarters), 5U);
+    EXPECT_EQ(points(2 * pi, nrb::arc_quarters), 9U);
+    EXPECT_EQ(points(2 * pi / 3, nrb::arc_thirds), 3U);
+    EXPECT_EQ(points(2 * pi, nrb::arc_thirds), 7U);
+    EXPECT_EQ(points(2 * pi / 3, nrb::arc_smooth), 3U);
+    EXPECT_EQ(points(2.2, nrb::arc_smooth), 6U);
+    EXPECT_EQ(points(2 * pi, nrb::arc_smooth), 6U);
 }
 
 TEST(Arc, hyperbolas_are_on_theirs) {

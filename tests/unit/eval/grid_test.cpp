@@ -1,6 +1,6 @@
 // Grids that need few layers of a large net, and weights of any magnitude.
 #include "eval/evaluate.h"
-#include "eval/slots.h"
+#include "eval/kernels/slots.h"
 
 #include <cmath>
 #include <cstring>

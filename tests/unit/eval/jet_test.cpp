@@ -1,6 +1,6 @@
 // Taylor coefficients with error bounds, the bounds that hold everywhere, and the vector helpers.
 #include "eval/derivative_errors.h"
-#include "eval/jet.h"
+#include "eval/frames/jet.h"
 #include "reference/magnitudes.h"
 #include "support/cases.h"
 

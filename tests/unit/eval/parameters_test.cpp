@@ -1,8 +1,10 @@
 #include "eval/parameters.h"
+#include "evaluation_flags.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
+#include <nurbs/nurbs.h>
 
 namespace {
 
@@ -48,18 +50,18 @@ TEST(Place, GivesNaNOnlyWhereTheRuleSaysSo) {
 TEST(DecodeRules, RefusesBitsOfMissingAxesAndContradictions) {
     const auto status = [](uint32_t flags, int axes) {
         try {
-            nrb::decode_rules(flags, axes);
+            nrb::capi::decode_rules(flags, axes);
         } catch (const nrb::Error &error) {
             return error.status();
         }
-        return nurbs_status{NURBS_OK};
+        return nrb::Status::ok;
     };
-    EXPECT_EQ(status(NURBS_ON_AXIS(1, NURBS_LEFT), 2), NURBS_OK);
-    EXPECT_EQ(status(NURBS_ON_AXIS(1, NURBS_LEFT), 1), NURBS_ERROR_FLAGS);
-    EXPECT_EQ(status(0x20, 1), NURBS_ERROR_FLAGS);
-    EXPECT_EQ(status(0x80000000u, 3), NURBS_ERROR_FLAGS);
-    EXPECT_EQ(status(NURBS_CLAMP | NURBS_WRAP, 1), NURBS_ERROR_FLAGS);
-    EXPECT_EQ(status(NURBS_CLAMP | NURBS_NAN | NURBS_LEFT, 1), NURBS_OK);
+    EXPECT_EQ(status(NURBS_ON_AXIS(1, NURBS_LEFT), 2), nrb::Status::ok);
+    EXPECT_EQ(status(NURBS_ON_AXIS(1, NURBS_LEFT), 1), nrb::Status::flags);
+    EXPECT_EQ(status(0x20, 1), nrb::Status::flags);
+    EXPECT_EQ(status(0x80000000u, 3), nrb::Status::flags);
+    EXPECT_EQ(status(NURBS_CLAMP | NURBS_WRAP, 1), nrb::Status::flags);
+    EXPECT_EQ(status(NURBS_CLAMP | NURBS_NAN | NURBS_LEFT, 1), nrb::Status::ok);
 }
 
 } // namespace

@@ -1,5 +1,5 @@
-#include "eval/contraction.h"
-#include "eval/slots.h"
+#include "eval/kernels/contraction.h"
+#include "eval/kernels/slots.h"
 
 #include <gtest/gtest.h>
 #include <set>

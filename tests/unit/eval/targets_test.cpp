@@ -3,8 +3,8 @@
 // because the tables of a handle come from the instruction set that was chosen when they were built.
 #include "unit/targets.h"
 
-#include "basis/pieces.h"
-#include "eval/slots.h"
+#include "basis/power_spans.h"
+#include "eval/kernels/slots.h"
 #include "property/surface_normals.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "eval/triple_stream.h"
+#include "eval/kernels/triple_stream.h"
 
 #include <gtest/gtest.h>
 

@@ -95,7 +95,7 @@ TEST(RealFiles, ContentsMatchTheTable) {
         SCOPED_TRACE(name);
         const nrb::Document document = iges_test::read(bytes_of(entry.path()));
         for (const nrb::Note &note : document.notes) {
-            EXPECT_EQ(note.reason, NURBS_ERROR_UNSUPPORTED) << note.text;
+            EXPECT_EQ(note.reason, nrb::Status::unsupported) << note.text;
         }
         const auto expected = expected_contents().find(name);
         if (expected != expected_contents().end()) {

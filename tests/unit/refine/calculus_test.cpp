@@ -1,11 +1,11 @@
 // Derivatives, integrals, sums, products and compositions of curves of small whole numbers, which come out exactly.
 #include "curves.h"
-#include "refine/antiderivative.h"
-#include "refine/compose.h"
-#include "refine/derivative.h"
-#include "refine/power.h"
-#include "refine/product.h"
-#include "refine/sum.h"
+#include "refine/algebra/antiderivative.h"
+#include "refine/algebra/compose.h"
+#include "refine/algebra/derivative.h"
+#include "refine/forms/power.h"
+#include "refine/algebra/product.h"
+#include "refine/algebra/sum.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Signs of coordinates of curves, where they change, and monotony.
 #include "curves.h"
-#include "refine/crossings.h"
+#include "refine/algebra/crossings.h"
 
 #include <gtest/gtest.h>
 

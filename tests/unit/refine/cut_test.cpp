@@ -1,6 +1,6 @@
 // Cutting axes: breaks, saturated knots, pieces.
 #include "curves.h"
-#include "refine/cut.h"
+#include "refine/parts/cut.h"
 
 #include <gtest/gtest.h>
 

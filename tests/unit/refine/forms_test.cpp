@@ -1,11 +1,11 @@
 // Changes of form that move no value.
 #include "curves.h"
-#include "refine/axis_table.h"
-#include "refine/homogeneous.h"
-#include "refine/iso.h"
-#include "refine/join.h"
-#include "refine/parametrization.h"
-#include "refine/transpose.h"
+#include "refine/knots/axis_table.h"
+#include "refine/forms/homogeneous.h"
+#include "refine/parts/iso.h"
+#include "refine/parts/join.h"
+#include "refine/forms/parametrization.h"
+#include "refine/forms/transpose.h"
 
 #include <gtest/gtest.h>
 

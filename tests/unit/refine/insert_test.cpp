@@ -1,8 +1,8 @@
 #include "basis/bspline.h"
 #include "eval/evaluate.h"
-#include "refine/axis_table.h"
-#include "refine/cut.h"
-#include "refine/insert.h"
+#include "refine/knots/axis_table.h"
+#include "refine/parts/cut.h"
+#include "refine/knots/insert.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,10 @@
 // Maps of control points, quotients and Hermite data of small whole numbers.
 #include "curves.h"
-#include "refine/hermite.h"
-#include "refine/periodic.h"
-#include "refine/projections.h"
-#include "refine/quotient_rule.h"
-#include "refine/transform.h"
+#include "refine/forms/hermite.h"
+#include "refine/periodic/periodic.h"
+#include "refine/forms/projections.h"
+#include "refine/algebra/quotient_rule.h"
+#include "refine/forms/transform.h"
 
 #include <gtest/gtest.h>
 

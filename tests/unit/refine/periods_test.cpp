@@ -1,8 +1,8 @@
 // Knots and layers of periodic axes beyond one period.
 #include "curves.h"
-#include "refine/period.h"
-#include "refine/seam.h"
-#include "refine/unrolled.h"
+#include "refine/periodic/period.h"
+#include "refine/periodic/seam.h"
+#include "refine/periodic/periods.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>

@@ -1,9 +1,9 @@
 // The tables of refinement, of Bezier pieces and of elevation, whose rows are made many at a time.
-#include "refine/axis_table.h"
-#include "refine/bezier_rows.h"
-#include "refine/cut.h"
-#include "refine/elevation_table.h"
-#include "refine/polar_rows.h"
+#include "refine/knots/axis_table.h"
+#include "refine/knots/bezier_rows.h"
+#include "refine/parts/cut.h"
+#include "refine/degree/elevation_table.h"
+#include "refine/knots/blossom_rows.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,11 @@
+// The flags of evaluation, decoded.
+#pragma once
+
+#include "eval/parameters.h"
+
+namespace nrb::capi {
+
+// Throws Status::flags for unknown bits, bits of missing axes and modes that exclude each other.
+AxisRules decode_rules(uint32_t flags, int axes);
+
+} // namespace nrb::capi

@@ -1,0 +1,104 @@
+#include "analysis/contacts.h"
+
+#include "base/finite.h"
+#include "numeric/norm.h"
+#include "bounds/deviation.h"
+#include "eval/evaluate.h"
+#include "analysis/flatness.h"
+#include "refine/forms/homogeneous.h"
+#include "refine/parts/iso.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace nrb {
+
+namespace {
+
+constexpr double eps = std::numeric_limits<double>::epsilon();
+
+AxisRule side(bool upper) noexcept {
+    AxisRule rule;
+    rule.left = upper;
+    return rule;
+}
+
+double end_of(const KnotVector &axis, bool upper) noexcept {
+    return upper ? axis.domain().upper : axis.domain().lower;
+}
+
+bool same_values(const Spline &a, const Spline &b) noexcept {
+    return std::equal(a.points().begin(), a.points().end(), b.points().begin(), b.points().end()) &&
+           std::equal(a.weights().begin(), a.weights().end(), b.weights().begin(), b.weights().end());
+}
+
+double gap_of(const Spline &a, const Spline &b, double tolerance) {
+    if (same_values(a, b)) {
+        return 0;
+    }
+    const DeviationPieces pieces(a, b);
+    const std::vector<double> uppers = pieces.uppers();
+    const Enclosure found = pieces.enclosure(uppers);
+    const bool open = found.lower <= tolerance && tolerance < found.upper;
+    return open ? pieces.enclosure(uppers, {.ratio = 1e-9, .steps = 4000}).upper : found.upper;
+}
+
+// Of the ends of a curve. Clamped ones are control points; others have the error of evaluation, with 2 c(p)
+// <= 64 for both.
+double gap_of_ends(const Spline &curve) {
+    std::vector<double> ends[2];
+    for (const bool upper : {false, true}) {
+        const double t = end_of(curve.axis(0), upper);
+        AxisRules rules{};
+        rules[0] = side(upper);
+        auto &x = ends[upper ? 1 : 0];
+        x.resize(static_cast<size_t>(curve.dim()));
+        evaluate_points(curve, rules, 0, {&t, 1, 1, 1, 1}, {x.data(), 1, curve.dim(), curve.dim(), 1});
+    }
+    if (ends[0] == ends[1]) {
+        return 0;
+    }
+    const KnotVector &axis = curve.axis(0);
+    const bool exact = axis.clamped_start() && axis.clamped_end() && curve.form() != Form::homogeneous;
+    const double hull =
+        exact ? 0 : largest_magnitude(cartesian_points(curve.effective())) * std::sqrt(curve.dim());
+    return distance(ends[0].data(), ends[1].data(), curve.dim()) * (1 + (curve.dim() + 4) * eps) +
+           64 * eps * hull;
+}
+
+double size_of(const Spline &boundary) {
+    const std::vector<double> points = cartesian_points(boundary.effective());
+    const auto n = static_cast<size_t>(boundary.dim());
+    bool point = true;
+    for (size_t i = n; i < points.size() && point; ++i) {
+        point = points[i] == points[i % n];
+    }
+    return point ? 0 : farthest_from(boundary, ball_centre(sample_points(boundary), boundary.dim()));
+}
+
+} // namespace
+
+Contacts boundary_contacts(const Spline &spline, double tolerance) {
+    Contacts result;
+    for (int k = 0; k < spline.axes(); ++k) {
+        const KnotVector &axis = spline.axis(k);
+        double gap = 0;
+        if (spline.axes() == 1) {
+            gap = axis.periodic() ? 0 : gap_of_ends(spline);
+            result.boundaries.insert(result.boundaries.end(), 2, {true, 0});
+        } else {
+            const SplinePtr lower = iso(spline, k, end_of(axis, false), side(false)),
+                            upper = iso(spline, k, end_of(axis, true), side(true));
+            gap = axis.periodic() ? 0 : gap_of(*lower, *upper, tolerance);
+            for (const SplinePtr &boundary : {lower, upper}) {
+                const double size = size_of(*boundary);
+                result.boundaries.push_back({size <= tolerance, size});
+            }
+        }
+        result.axes.push_back({gap <= tolerance, gap});
+    }
+    return result;
+}
+
+} // namespace nrb

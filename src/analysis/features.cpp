@@ -1,0 +1,270 @@
+#include "analysis/features.h"
+
+#include "base/error.h"
+#include "eval/frames/curve_limit.h"
+#include "eval/frames/magnitude.h"
+#include "analysis/curve_signs.h"
+#include "analysis/curve_turns.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace nrb {
+
+namespace {
+
+constexpr int along = 2; // the axis of the three that curves lie along
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+// Twice M' w S + 6 M w' S - 3 M w S', or Q' w S + 6 Q w' S - 3 Q w S' for Q = M . M.
+RoundedPolynomial slope_numerator(const HomogeneousPiece &piece, const RoundedPolynomial &m) {
+    const RoundedPolynomial d = tangent_numerator(piece, 0), s = dot(d, d);
+    const bool plane = m.shape.width == 1;
+    const RoundedPolynomial q = plane ? m : dot(m, m);
+    RoundedPolynomial rise =
+        scaled(derivative(q, along) * s, plane ? 2 : 1) - scaled(q * derivative(s, along), 3);
+    if (piece.weight.shape.coefficients() == 1) {
+        return rise;
+    }
+    return rise * piece.weight + scaled(q * s * derivative(piece.weight, along), 6);
+}
+
+// The product of two signs, where both are known.
+std::vector<SignRun> product_runs(const std::vector<SignRun> &a, const std::vector<SignRun> &b) {
+    std::vector<double> cuts;
+    for (const auto *runs : {&a, &b}) {
+        for (const SignRun &run : *runs) {
+            cuts.insert(cuts.end(), {run.from, run.to});
+        }
+    }
+    std::sort(cuts.begin(), cuts.end());
+    cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
+    const auto sign_on = [](const std::vector<SignRun> &runs, double from, double to) {
+        const auto run = std::find_if(runs.begin(), runs.end(),
+                                      [&](const SignRun &r) { return r.from <= from && to <= r.to; });
+        return run == runs.end() ? 0 : run->sign;
+    };
+    const auto zero_in = [](const std::vector<SignRun> &runs, double from, double to) {
+        const auto run = std::find_if(runs.begin(), runs.end(), [&](const SignRun &r) {
+            return r.zero >= 0 && r.from <= from && to <= r.to && from <= r.zero && r.zero <= to;
+        });
+        return run == runs.end() ? -1 : run->zero;
+    };
+    std::vector<SignRun> result;
+    for (size_t i = 0; i + 1 < cuts.size(); ++i) {
+        const double from = cuts[i], to = cuts[i + 1];
+        result.push_back(
+            {from, to, sign_on(a, from, to) * sign_on(b, from, to), false, zero_in(a, from, to)});
+    }
+    return result;
+}
+
+class FeatureFinder {
+public:
+    FeatureFinder(const Spline &curve, uint32_t kinds) : curve_(curve), kinds_(kinds), pieces_(curve) {}
+
+    Features run() {
+        if (wants(feature_inflection)) {
+            curve_.dim() == 2 ? plane_inflections() : space_inflections();
+        }
+        if (wants(feature_curvature_maximum | feature_curvature_minimum)) {
+            extrema();
+        }
+        if (wants(feature_cusp)) {
+            cusps();
+        }
+        if (wants(feature_kink | feature_jump)) {
+            knots();
+        }
+        if (wants(feature_torsion)) {
+            torsion();
+        }
+        std::stable_sort(found_.list.begin(), found_.list.end(),
+                         [](const Feature &a, const Feature &b) { return a.at < b.at; });
+        return std::move(found_);
+    }
+
+private:
+    [[nodiscard]] bool wants(uint32_t kinds) const noexcept { return (kinds_ & kinds) != 0; }
+    void add(double at, int32_t kind, double value) { found_.list.push_back({at, kind, value}); }
+    [[nodiscard]] double curvature(double t) const {
+        double result = 0;
+        const AxisRules rules{};
+        for_each_magnitude(curve_, rules, {&t, 1}, [&result](const MagnitudeRun &run) {
+            Jet::prepare(run.spline);
+            result = std::ldexp(limit_frame(run.spline, run.rules, run.params(0, 0)).curvature, run.size);
+        });
+        return result;
+    }
+    void add_changes(const CurveSigns &signs, int32_t kind) {
+        found_.complete = found_.complete && signs.complete;
+        for (const SignChange &change : sign_changes(signs.runs, pieces_.periodic())) {
+            add(change.at, kind, curvature(change.at));
+        }
+    }
+
+    void plane_inflections() {
+        add_changes(curve_signs(pieces_.pieces(), bend_numerator), feature_inflection);
+    }
+    void torsion() { add_changes(curve_signs(pieces_.pieces(), twist_numerator), feature_torsion); }
+
+    struct CurveZero {
+        double from;
+        double to;
+        bool certain;
+    };
+    // Zeros of a vector in all pieces; one at a knot, seen from both sides, is one.
+    std::vector<CurveZero> zeros(const Numerator &numerator) {
+        std::vector<CurveZero> result;
+        for (const HomogeneousPiece &piece : pieces_.pieces()) {
+            found_.complete = found_.complete && piece.positive;
+            for (const ZeroPlace &place : zero_places(numerator(piece))) {
+                const CurveZero zero{piece.parameter(0, place.from), piece.parameter(0, place.to),
+                                     place.certain};
+                if (!result.empty() && zero.from <= result.back().to) {
+                    result.back().certain = result.back().certain && zero.certain;
+                    result.back().to = zero.to;
+                } else {
+                    result.push_back(zero);
+                }
+                found_.complete = found_.complete && zero.certain;
+            }
+        }
+        const Interval domain = curve_.axis(0).domain();
+        if (pieces_.periodic() && result.size() > 1 && result.back().to == domain.upper &&
+            result.front().from == domain.lower) {
+            result.pop_back();
+        }
+        return result;
+    }
+    // Where no vector is known, since it vanishes all along, there is no place to name.
+    static bool is_place(const CurveZero &zero, Interval domain) noexcept {
+        return zero.certain || zero.to - zero.from < 0x1p-20 * (domain.upper - domain.lower);
+    }
+
+    void space_inflections() {
+        const Interval domain = curve_.axis(0).domain();
+        for (const CurveZero &zero : zeros(bend_numerator)) {
+            const double at = zero.from / 2 + zero.to / 2;
+            const bool end = at <= domain.lower || at >= domain.upper;
+            if (is_place(zero, domain) && !(end && !pieces_.periodic())) {
+                add(at, feature_inflection, curvature(at));
+            }
+        }
+    }
+
+    void cusps() {
+        const auto tangent = [](const HomogeneousPiece &piece) { return tangent_numerator(piece, 0); };
+        for (const CurveZero &zero : zeros(tangent)) {
+            const double at = zero.from / 2 + zero.to / 2;
+            if (is_place(zero, curve_.axis(0).domain())) {
+                const bool knot = multiplicity(curve_.axis(0).knots(), at) > 0;
+                const double bend = knot ? curvature(at) : infinite;
+                add(at, feature_cusp, std::isnan(bend) ? infinite : bend);
+            }
+        }
+    }
+
+    void knots() {
+        for (size_t e = 0; e < pieces_.pieces().size(); ++e) {
+            const HomogeneousPiece *before = pieces_.before(e);
+            if (before == nullptr) {
+                continue;
+            }
+            const double at = pieces_.maker().breaks(0)[e], gap = pieces_.jump(e);
+            const double angle =
+                turning_angle(end_tangent(*before, true), end_tangent(pieces_.pieces()[e], false));
+            if (wants(feature_kink) && pieces_.order(e) < 1 && angle != 0) {
+                add(at, feature_kink, angle);
+            }
+            if (wants(feature_jump) && gap > 0) {
+                add(at, feature_jump, gap);
+            }
+        }
+    }
+
+    // 1 where the curvature jumps up at the start of piece e, -1 where it jumps down.
+    [[nodiscard]] int curvature_step(size_t e) const {
+        const HomogeneousPiece *before = pieces_.before(e);
+        if (before == nullptr || pieces_.order(e) >= 2) {
+            return 0;
+        }
+        const auto a = end_curvature(*before, true), b = end_curvature(pieces_.pieces()[e], false);
+        if (!a || !b || !(std::abs(b->value - a->value) > a->error + b->error)) {
+            return 0;
+        }
+        return b->value > a->value ? 1 : -1;
+    }
+
+    // Whether the curvature vanishes somewhere in [from, to].
+    [[nodiscard]] static bool is_flat(const std::vector<CurveRun> &bends, double from, double to) noexcept {
+        return std::any_of(bends.begin(), bends.end(), [&](const CurveRun &run) {
+            return run.sign == 0 && run.from <= to && from <= run.to;
+        });
+    }
+
+    // The rise of |curvature| along the curve, its steps at knots included; and where M vanishes.
+    static void append_piece(const HomogeneousPiece &piece, CurveSigns &rises, CurveSigns &bends) {
+        const RoundedPolynomial m = bend_numerator(piece);
+        if (exactly_zero(m)) {
+            rises.runs.push_back({piece.parameter(0, 0), piece.parameter(0, 1), 0});
+            bends.runs.push_back(rises.runs.back());
+            return;
+        }
+        const RoundedPolynomial q = m.shape.width == 1 ? m : dot(m, m);
+        SignRuns slope = sign_runs(slope_numerator(piece, m));
+        const SignRuns bend = sign_runs(q);
+        CurveSigns parts, own;
+        append_runs(piece, slope, own);
+        append_runs(piece, bend, parts);
+        bends.complete = bends.complete && (m.shape.width > 1 || parts.complete);
+        bends.runs.insert(bends.runs.end(), parts.runs.begin(), parts.runs.end());
+        if (bend.zeros_at_start != 0 || bend.nothing) {
+            bends.runs.push_back({piece.parameter(0, 0), piece.parameter(0, 0), 0});
+        }
+        if (bend.zeros_at_end != 0 || bend.nothing) {
+            bends.runs.push_back({piece.parameter(0, 1), piece.parameter(0, 1), 0});
+        }
+        slope.runs = m.shape.width == 1 ? product_runs(slope.runs, bend.runs) : slope.runs;
+        const bool complete = rises.complete && own.complete;
+        append_runs(piece, slope, rises);
+        rises.complete = complete; // that of the product counts what stands still as hidden
+    }
+
+    void extrema() {
+        CurveSigns rises, bends;
+        const auto &pieces = pieces_.pieces();
+        for (size_t e = 0; e < pieces.size(); ++e) {
+            const double start = pieces[e].parameter(0, 0);
+            rises.runs.push_back({start, start, curvature_step(e)});
+            if (pieces[e].positive) {
+                append_piece(pieces[e], rises, bends);
+            } else {
+                rises.complete = false;
+            }
+        }
+        found_.complete = found_.complete && rises.complete && bends.complete;
+        for (const SignChange &change : sign_changes(rises.runs, pieces_.periodic())) {
+            const bool least = change.after > 0;
+            if (wants(least ? feature_curvature_minimum : feature_curvature_maximum) &&
+                !(least && is_flat(bends.runs, change.from, change.to))) {
+                add(change.at, least ? feature_curvature_minimum : feature_curvature_maximum,
+                    curvature(change.at));
+            }
+        }
+    }
+
+    const Spline &curve_;
+    uint32_t kinds_;
+    CurvePieces pieces_;
+    Features found_;
+};
+
+} // namespace
+
+Features curve_features(const Spline &curve, uint32_t kinds) {
+    return FeatureFinder(curve, kinds).run();
+}
+
+} // namespace nrb

@@ -1,0 +1,257 @@
+#include "analysis/flatness.h"
+
+#include "numeric/norm.h"
+#include "numeric/solvers/principal_axes.h"
+#include "pieces/spline_pieces.h"
+#include "eval/evaluate.h"
+#include "refine/knots/bezier_rows.h"
+#include "refine/forms/homogeneous.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace nrb {
+
+namespace {
+
+constexpr double eps = std::numeric_limits<double>::epsilon();
+constexpr SearchLimits fine{.ratio = 1e-3, .steps = 4000};
+
+// The points that are finite, one after the other.
+std::vector<double> finite_points(const std::vector<double> &points, int dim) {
+    std::vector<double> result;
+    const auto n = static_cast<size_t>(dim);
+    for (size_t i = 0; i < points.size(); i += n) {
+        const auto first = points.begin() + static_cast<std::ptrdiff_t>(i), end = first + dim;
+        if (std::all_of(first, end, [](double x) { return std::isfinite(x); })) {
+            result.insert(result.end(), first, end);
+        }
+    }
+    return result;
+}
+
+std::vector<double> mean_of(const std::vector<double> &points, int dim) {
+    const auto n = static_cast<size_t>(dim);
+    std::vector<double> mean(n);
+    const size_t count = points.size() / n;
+    for (size_t i = 0; i < points.size(); ++i) {
+        mean[i % n] += points[i] / static_cast<double>(count);
+    }
+    return mean;
+}
+
+// The direction in which points spread most, by the power method on their covariance; the first coordinate
+// direction where they do not spread.
+std::vector<double> main_direction(std::vector<double> points, int dim) {
+    const auto n = static_cast<size_t>(dim);
+    const std::vector<double> mean = mean_of(points, dim);
+    size_t far = 0;
+    double reach = 0;
+    for (size_t i = 0; i < points.size(); i += n) {
+        for (size_t c = 0; c < n; ++c) {
+            points[i + c] -= mean[c];
+        }
+        const double size = norm(points.data() + i, dim);
+        far = size > reach ? i : far;
+        reach = std::max(reach, size);
+    }
+    std::vector<double> d(n);
+    if (!(reach > 0) || !std::isfinite(reach)) {
+        d[0] = 1;
+        return d;
+    }
+    std::for_each(points.begin(), points.end(), [reach](double &x) { x /= reach; });
+    std::copy_n(points.begin() + static_cast<std::ptrdiff_t>(far), n, d.begin());
+    for (int step = 0; step < 50; ++step) {
+        std::vector<double> next(n);
+        for (size_t i = 0; i < points.size(); i += n) {
+            double product = 0;
+            for (size_t c = 0; c < n; ++c) {
+                product += points[i + c] * d[c];
+            }
+            for (size_t c = 0; c < n; ++c) {
+                next[c] += product * points[i + c];
+            }
+        }
+        const double size = norm(next.data(), dim);
+        std::transform(next.begin(), next.end(), d.begin(), [size](double x) { return x / size; });
+    }
+    return d;
+}
+
+// Places in every span of an axis, so many that all axes together have some thousands, and its ends.
+std::vector<double> places_on(const KnotVector &axis, int axes) {
+    const std::vector<double> breaks = breaks_of(axis);
+    const double enough = std::pow(4096.0, 1.0 / axes);
+    const auto spans = static_cast<double>(breaks.size() - 1);
+    const int n = static_cast<int>(std::clamp(enough / spans, 1.0, 2.0 * axis.degree() + 2));
+    std::vector<double> places;
+    for (size_t e = 0; e + 1 < breaks.size(); ++e) {
+        for (int i = 0; i < n; ++i) {
+            const double share = static_cast<double>(i) / n;
+            places.push_back(breaks[e] * (1 - share) + breaks[e + 1] * share);
+        }
+    }
+    for (double &t : places) {
+        t = std::clamp(t, breaks.front(), breaks.back());
+    }
+    places.push_back(breaks.back());
+    return places;
+}
+
+std::vector<double> end_point(const Spline &curve, bool upper) {
+    AxisRules rules{};
+    rules[0].left = upper;
+    const Interval domain = curve.axis(0).domain();
+    const double t = upper ? domain.upper : domain.lower;
+    std::vector<double> x(static_cast<size_t>(curve.dim()));
+    evaluate_points(curve, rules, 0, {&t, 1, 1, 1, 1}, {x.data(), 1, curve.dim(), curve.dim(), 1});
+    return x;
+}
+
+// 1 - d d^T / |d|^2.
+std::vector<double> projection_across(const std::vector<double> &d) {
+    const size_t n = d.size();
+    double square = 0;
+    for (const double x : d) {
+        square += x * x;
+    }
+    std::vector<double> matrix(n * n);
+    for (size_t i = 0; i < n; ++i) {
+        for (size_t j = 0; j < n; ++j) {
+            matrix[i * n + j] = (i == j ? 1.0 : 0.0) - d[i] * d[j] / square;
+        }
+    }
+    return matrix;
+}
+
+// The largest |M (x - centre)| for a matrix of norm 1.
+double largest_image(const Spline &spline, const std::vector<double> &centre,
+                     const std::vector<double> &matrix) {
+    const SplinePieces pieces(spline, whole_domain(spline), centre);
+    const PieceSource source = [&](int64_t i, QuotientPiece &out) {
+        pieces.fill(i, matrix.data(), spline.dim(), 1, out);
+    };
+    const std::vector<double> uppers = quotient_uppers(pieces.count(), source);
+    return largest_quotient(uppers, source, fine).upper;
+}
+
+void require_finite(double bound) {
+    if (!std::isfinite(bound)) {
+        fail(Status::not_representable, "bound: the spline is not bounded, or its size overflows");
+    }
+}
+
+// The largest value of direction . (x - c), to a thousandth of the width that is known.
+double reach_of(const SplinePieces &pieces, const std::vector<double> &direction, double tolerance) {
+    const PieceSource source = [&](int64_t i, QuotientPiece &out) { pieces.fill(i, direction.data(), out); };
+    return largest_value(pieces.count(), source, tolerance, 4000).bounds.upper;
+}
+
+} // namespace
+
+std::vector<double> sample_points(const Spline &spline) {
+    std::array<std::vector<double>, max_axes> places;
+    std::array<ConstRecords, max_axes> params;
+    int64_t count = 1;
+    for (int k = 0; k < spline.axes(); ++k) {
+        const auto at = static_cast<size_t>(k);
+        places[at] = places_on(spline.axis(k), spline.axes());
+        params[at] = {places[at].data(), std::ssize(places[at]), 1, 1, 1};
+        count *= std::ssize(places[at]);
+    }
+    std::vector<double> points(static_cast<size_t>(count * spline.dim()));
+    evaluate_grid(spline, AxisRules{}, 0, params, {points.data(), count, spline.dim(), spline.dim(), 1});
+    return points;
+}
+
+std::vector<double> ball_centre(const std::vector<double> &points, int dim) {
+    const std::vector<double> usable = finite_points(points, dim);
+    const auto n = static_cast<size_t>(dim);
+    if (usable.empty()) {
+        return std::vector<double>(n, 0.0);
+    }
+    std::vector<double> centre(usable.begin(), usable.begin() + dim);
+    const int steps = static_cast<int>(std::clamp(2e7 / static_cast<double>(usable.size()), 20.0, 300.0));
+    for (int step = 1; step <= steps; ++step) {
+        const double *far = usable.data();
+        double reach = -1;
+        for (size_t i = 0; i < usable.size(); i += n) {
+            const double length = distance(usable.data() + i, centre.data(), dim);
+            far = length > reach ? usable.data() + i : far;
+            reach = std::max(reach, length);
+        }
+        for (size_t c = 0; c < n; ++c) {
+            centre[c] += (far[c] - centre[c]) / (step + 1);
+        }
+    }
+    return centre;
+}
+
+double farthest_from(const Spline &spline, const std::vector<double> &centre) {
+    const size_t n = centre.size();
+    std::vector<double> identity(n * n);
+    for (size_t i = 0; i < n; ++i) {
+        identity[i * n + i] = 1;
+    }
+    return largest_image(spline, centre, identity);
+}
+
+Flatness straightness(const Spline &spline) {
+    const int dim = spline.dim();
+    std::vector<double> points = finite_points(sample_points(spline), dim);
+    points.resize(std::max(points.size(), static_cast<size_t>(dim)), 0.0);
+    Flatness result{mean_of(points, dim), main_direction(points, dim), 0};
+    if (spline.axes() == 1) {
+        const std::vector<double> a = end_point(spline, false), b = end_point(spline, true);
+        double along = 0;
+        for (size_t c = 0; c < a.size(); ++c) {
+            along += result.direction[c] * (b[c] - a[c]);
+        }
+        if (along < 0) {
+            std::for_each(result.direction.begin(), result.direction.end(), [](double &x) { x = -x; });
+        }
+    }
+    const std::vector<double> across = projection_across(result.direction);
+    const auto n = static_cast<size_t>(dim);
+    std::vector<double> images(points.size());
+    for (size_t i = 0; i < points.size(); ++i) {
+        const size_t first = i - i % n;
+        for (size_t c = 0; c < n; ++c) {
+            images[i] += across[i % n * n + c] * (points[first + c] - result.origin[c]);
+        }
+    }
+    const std::vector<double> middle = ball_centre(images, dim);
+    std::transform(middle.begin(), middle.end(), result.origin.begin(), result.origin.begin(), std::plus<>());
+    result.bound = largest_image(spline, result.origin, across);
+    require_finite(result.bound);
+    return result;
+}
+
+Flatness planarity(const Spline &spline) {
+    const std::vector<double> axes = principal_axes(cartesian_points(spline.effective()), 3);
+    const SplinePieces pieces(spline, whole_domain(spline));
+    std::vector<double> normal(axes.begin() + 6, axes.end());
+    const auto largest = std::max_element(normal.begin(), normal.end(),
+                                          [](double a, double b) { return std::abs(a) < std::abs(b); });
+    if (*largest < 0) {
+        std::for_each(normal.begin(), normal.end(), [](double &x) { x = -x; });
+    }
+    std::vector<double> back = normal;
+    std::for_each(back.begin(), back.end(), [](double &x) { x = -x; });
+    constexpr double any = std::numeric_limits<double>::infinity();
+    const double tolerance = 1e-3 * (reach_of(pieces, normal, any) + reach_of(pieces, back, any));
+    const double high = reach_of(pieces, normal, tolerance), low = -reach_of(pieces, back, tolerance);
+    Flatness result{pieces.centre(), normal, 0};
+    for (size_t c = 0; c < 3; ++c) {
+        result.origin[c] += (high / 2 + low / 2) * normal[c];
+    }
+    const double moved = 8 * eps * (norm(result.origin.data(), 3) + std::abs(high) + std::abs(low));
+    result.bound = (high / 2 - low / 2) * (1 + 8 * eps) + moved;
+    require_finite(result.bound);
+    return result;
+}
+
+} // namespace nrb

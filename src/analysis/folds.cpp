@@ -1,0 +1,217 @@
+#include "analysis/folds.h"
+
+#include "base/error.h"
+#include "numeric/norm.h"
+#include "analysis/curve_signs.h"
+#include "analysis/jacobian_parts.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nrb {
+
+namespace {
+
+using Vector = std::array<double, 3>;
+
+// The mean of S_u x S_v over a piece, whose parameters run over a unit square: of polynomials that of the
+// coefficients, otherwise of N / w^3 at the middles of squares.
+Vector mean_normal(const HomogeneousPiece &piece) {
+    const RoundedPolynomial n = normal_numerator(piece);
+    Vector sum{};
+    if (piece.weight.shape.coefficients() == 1) {
+        for (size_t i = 0; i < n.values.size(); ++i) {
+            sum[i % 3] += n.values[i] / static_cast<double>(n.shape.coefficients());
+        }
+        return sum;
+    }
+    constexpr int places = 16;
+    for (int i = 0; i < places; ++i) {
+        const double u = (i + 0.5) / places;
+        RoundedPolynomial row = n, row_w = piece.weight;
+        split(row, 1, u);
+        split(row_w, 1, u);
+        row = end_value(row, 1, false);
+        row_w = end_value(row_w, 1, false);
+        for (int j = 0; j < places; ++j) {
+            const double v = (j + 0.5) / places;
+            RoundedPolynomial at = row, at_w = row_w;
+            split(at, 2, v);
+            split(at_w, 2, v);
+            const double w = at_w.values[0];
+            for (size_t c = 0; c < 3; ++c) {
+                sum[c] += at.values[c] / (w * w * w) / (places * places);
+            }
+        }
+    }
+    return sum;
+}
+
+// The vector area as a unit vector.
+Vector area_direction(const PieceMaker &maker) {
+    std::vector<Vector> parts;
+    std::vector<int> exponents;
+    for (int64_t e = 0; e < maker.count(); ++e) {
+        const HomogeneousPiece piece = maker.piece(e);
+        parts.push_back(mean_normal(piece));
+        exponents.push_back(2 * piece.exponent); // lengths are in units of their powers of two
+    }
+    const int unit = *std::max_element(exponents.begin(), exponents.end());
+    Vector area{};
+    double magnitude = 0;
+    for (size_t e = 0; e < parts.size(); ++e) {
+        for (size_t c = 0; c < 3; ++c) {
+            area[c] += std::ldexp(parts[e][c], exponents[e] - unit);
+        }
+        magnitude += std::ldexp(norm(parts[e].data(), 3), exponents[e] - unit);
+    }
+    const double size = norm(area.data(), 3);
+    if (!(size > 1e-9 * magnitude) || !std::isfinite(size)) {
+        fail(Status::direction, "reference is NULL, and the vector area vanishes: a direction is needed");
+    }
+    for (double &x : area) {
+        x /= size;
+    }
+    return area;
+}
+
+// Of magnitude near 1.
+Vector unit_of(const double *reference) {
+    Vector unit{reference[0], reference[1], reference[2]};
+    const double size = norm(unit.data(), 3);
+    const int exponent = std::ilogb(size);
+    for (double &x : unit) {
+        x = std::ldexp(x, -exponent);
+    }
+    return unit;
+}
+
+class FoldSearch {
+public:
+    FoldSearch(const Spline &spline, const double *reference)
+        : spline_(spline), maker_(spline, whole_domain(spline)) {
+        if (spline.dim() == 3 && spline.axes() == 2) {
+            reference_ = reference != nullptr ? unit_of(reference) : area_direction(maker_);
+        }
+    }
+
+    FoldTest run() {
+        for (int64_t e = 0; e < maker_.count() && !found(); ++e) {
+            start(maker_.piece(e));
+        }
+        int64_t halvings = parts_.empty() ? 0 : halvings_for(parts_.front().f);
+        while (!parts_.empty() && !found()) {
+            JacobianPart part = std::move(parts_.front()), lower;
+            parts_.pop_front();
+            look(part);
+            if (certain_sign(part.f) != 0) {
+                continue;
+            }
+            if (halvings-- <= 0 || !halve_longest(part, spline_.axes(), {1, 1, 1}, 0x1p-26, lower)) {
+                hidden_ = true;
+                continue;
+            }
+            parts_.push_back(std::move(lower));
+            parts_.push_back(std::move(part));
+        }
+        test_.result = found() ? fold_found : hidden_ ? fold_undecided : fold_none;
+        return test_;
+    }
+
+private:
+    [[nodiscard]] bool found() const noexcept { return test_.positive && test_.negative; }
+
+    // The product of three or four factors of a piece's degrees.
+    [[nodiscard]] bool too_large(const HomogeneousPiece &piece) const noexcept {
+        const double n = static_cast<double>(piece.points.shape.coefficients());
+        const double factors = spline_.axes() == 3 ? 12 : 4;
+        return n * n * factors > 2e7;
+    }
+
+    void start(const HomogeneousPiece &piece) {
+        const size_t e = pieces_.size();
+        pieces_.push_back(piece.part);
+        if (!piece.positive || too_large(piece)) {
+            hidden_ = true;
+            return;
+        }
+        RoundedPolynomial f = spline_.axes() == 3 ? volume_numerator(piece) : normal_numerator(piece);
+        if (f.shape.width == 3) {
+            RoundedPolynomial along = scaled(component(f, 0), reference_[0]);
+            along = sum(along, reference_[1], component(f, 1));
+            f = sum(along, reference_[2], component(f, 2));
+        }
+        if (exactly_zero(f)) {
+            return;
+        }
+        ends_.resize(e + 1);
+        ends_[e] = divide_boundaries(f, spline_.axes());
+        if (vanishes(f)) {
+            hidden_ = true;
+            return;
+        }
+        parts_.push_back({std::move(f), e, {}, {1, 1, 1}});
+    }
+
+    // A coefficient at a corner has the sign of J, unless the corner is on a boundary where J is 0; then the
+    // middle of a part with one sign has it.
+    void look(const JacobianPart &part) {
+        const int sign = certain_sign(part.f);
+        if (sign != 0) {
+            std::array<double, max_axes> middle{};
+            for (size_t k = 0; k < middle.size(); ++k) {
+                middle[k] = part.from[k] / 2 + part.to[k] / 2;
+            }
+            return note(part.piece, sign, middle);
+        }
+        const int axes = spline_.axes();
+        for (int corner = 0; corner < 1 << axes; ++corner) {
+            std::array<double, max_axes> at{};
+            size_t i = 0;
+            bool zero = false;
+            for (int k = 0; k < axes; ++k) {
+                const auto a = static_cast<size_t>(k);
+                const bool upper = (corner >> k & 1) != 0;
+                const auto n =
+                    static_cast<size_t>(part.f.shape.degrees[static_cast<size_t>(max_axes - axes + k)]);
+                i = i * (n + 1) + (upper ? n : 0);
+                at[a] = upper ? part.to[a] : part.from[a];
+                zero = zero || (at[a] == 0 && ends_[part.piece][a][0]) ||
+                       (at[a] == 1 && ends_[part.piece][a][1]);
+            }
+            if (!zero && part.f.sign(i) != 0) {
+                note(part.piece, part.f.sign(i), at);
+            }
+        }
+    }
+
+    void note(size_t piece, int sign, const std::array<double, max_axes> &place) {
+        auto &where = sign > 0 ? test_.positive : test_.negative;
+        if (where) {
+            return;
+        }
+        where.emplace();
+        for (size_t k = 0; k < static_cast<size_t>(spline_.axes()); ++k) {
+            const Interval range = pieces_[piece][k];
+            (*where)[k] =
+                std::clamp(range.lower * (1 - place[k]) + range.upper * place[k], range.lower, range.upper);
+        }
+    }
+
+    const Spline &spline_;
+    PieceMaker maker_;
+    Vector reference_{};
+    std::vector<Part> pieces_;
+    std::vector<Ends> ends_;
+    std::deque<JacobianPart> parts_;
+    bool hidden_ = false;
+    FoldTest test_;
+};
+
+} // namespace
+
+FoldTest fold_test(const Spline &spline, const double *reference) {
+    return FoldSearch(spline, reference).run();
+}
+
+} // namespace nrb

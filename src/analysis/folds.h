@@ -1,0 +1,28 @@
+// Whether a surface or volume folds over.
+#pragma once
+
+#include "spline/spline.h"
+
+#include <array>
+#include <optional>
+
+namespace nrb {
+
+enum Fold : int32_t {
+    fold_none = 0,  // proven: there is none
+    fold_found,     // proven: there is one
+    fold_undecided, // neither
+};
+
+struct FoldTest {
+    int32_t result = 0; // one of the fold_ constants
+    std::optional<std::array<double, max_axes>> positive;
+    std::optional<std::array<double, max_axes>> negative;
+};
+
+// The signs of Bernstein coefficients of the determinant J, whose factors that vanish on boundaries of pieces
+// to rounding are divided out, and of halves where they differ. The reference, of a surface in space, null:
+// its vector area. Throws Status::direction, not_representable.
+FoldTest fold_test(const Spline &spline, const double *reference);
+
+} // namespace nrb

@@ -1,0 +1,31 @@
+// Parts of the pieces of a spline on which a determinant of first derivatives is looked at.
+#pragma once
+
+#include "pieces/derivative_pieces.h"
+
+#include <deque>
+
+namespace nrb {
+
+// A polynomial on a part of a piece; from and to are places between 0 and 1 on the axes of the spline.
+struct JacobianPart {
+    RoundedPolynomial f;
+    size_t piece = 0;
+    std::array<double, max_axes> from{};
+    std::array<double, max_axes> to{1, 1, 1};
+};
+
+// The boundaries of a piece that a polynomial was divided by, lower and upper of each axis.
+using Ends = std::array<std::array<bool, 2>, max_axes>;
+// Divides by the boundaries on which all coefficients vanish to rounding, as often as they do.
+Ends divide_boundaries(RoundedPolynomial &f, int axes);
+
+// Halves a part along the axis on which it is longest, in units of `scale`, of those with a degree; false if
+// none is longer than `least`. The part becomes the upper half.
+bool halve_longest(JacobianPart &part, int axes, const std::array<double, max_axes> &scale, double least,
+                   JacobianPart &lower);
+
+// Parts are looked at from the largest to the smallest, as many as `halvings` allow and memory holds.
+int64_t halvings_for(const RoundedPolynomial &f) noexcept;
+
+} // namespace nrb

@@ -1,0 +1,88 @@
+// What a call of the public interface answers; the manual (nurbs/nurbs.h) says what each means. The core has an enum of its
+// own, whose values capi/constants.cpp compares with the public ones, so that it does not depend on the text of the manual.
+#pragma once
+
+#include <cstdint>
+
+namespace nrb {
+
+enum class Status : int32_t {
+    ok = 0,
+    // arguments
+    null = 1,
+    axes = 2,
+    axis = 3,
+    degree = 4,
+    count = 5,
+    too_few_points = 6,
+    overflow = 7,
+    size = 8,
+    dimension = 9,
+    stride = 10,
+    overlap = 11,
+    flags = 12,
+    order = 13,
+    knot_not_finite = 14,
+    knots_decreasing = 15,
+    end_multiplicity = 16,
+    multiplicity = 17,
+    empty_domain = 18,
+    point_not_finite = 19,
+    weight_not_finite = 20,
+    weight_negative = 21,
+    weights_vanish = 22,
+    parameter_not_finite = 23,
+    periodic_knots = 24,
+    periodic_points = 25,
+    times = 26,
+    options = 27,
+    index = 28,
+    direction = 29,
+    end_knot = 30,
+    not_a_knot = 31,
+    matrix = 32,
+    rational = 33,
+    incompatible = 40,
+    gap = 41,
+    tolerance = 42,
+    not_periodic = 43,
+    end_weights = 44,
+    factor = 45,
+    continuity = 46,
+    weight_sign = 47,
+    periodic = 48,
+    end = 49,
+    basis = 50,
+    not_monotone = 51,
+    angle = 52,
+    length = 53,
+    collinear = 54,
+    conic = 55,
+    form = 56,
+    tangent = 57,
+    twist = 58,
+    twist_rule = 59,
+    influence = 60,
+    contradiction = 61,
+    constraint = 62,
+    off_polygon = 63,
+    // domain
+    outside_domain = 100,
+    // numbers
+    not_representable = 200,
+    knots_merge = 202,
+    not_converged = 203,
+    // resources
+    memory = 300,
+    file = 301,
+    too_large = 302,
+    // contents of files
+    format = 400,
+    truncated = 401,
+    syntax = 402,
+    unsupported = 403,
+    // internal
+    internal = 900,
+};
+
+} // namespace nrb

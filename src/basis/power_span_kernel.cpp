@@ -1,0 +1,282 @@
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "basis/power_span_kernel.cpp"
+#include "base/simd.h"
+
+#include <hwy/foreach_target.h>
+
+#include "numeric/double_double-inl.h"
+#include "numeric/binomial.h"
+#include "basis/power_spans.h"
+
+#include <algorithm>
+#include <cmath>
+
+HWY_BEFORE_NAMESPACE();
+namespace nrb {
+namespace HWY_NAMESPACE {
+
+using Wide = hn::CappedTag<double, 8>;
+
+// Loops over the functions of low degrees are unrolled, so that their numbers stay in registers; where the
+// degree is any, only the inner ones are, because the code would be multiplied by the turns of each.
+template <int kDegree, class Body>
+HWY_INLINE void for_each(int first, int last, const Body &body) {
+    if constexpr (kDegree > 0) {
+#pragma GCC unroll 4
+        for (int i = first; i <= last; ++i) {
+            body(i);
+        }
+    } else {
+        for (int i = first; i <= last; ++i) {
+            body(i);
+        }
+    }
+}
+
+// The functions of several spans, one in each lane, seen from the middles of the spans. kDegree < 0 stands
+// for any degree.
+template <int kDegree, class D>
+class CentredFunctions {
+public:
+    static constexpr int most = kDegree > 0 ? kDegree : max_piece_degree;
+    using V = hn::Vec<D>;
+    using Number = Twin<V>;
+
+    // knots: [2 degree][lanes], those before the middle first; the local parameter is (t - middle) * scale.
+    HWY_INLINE CentredFunctions(D d, int degree, const double *knots, V middle, V scale) : d_(d) {
+        Number behind[most];
+        Number ahead[most];
+        const auto lanes = static_cast<int>(hn::Lanes(d));
+#pragma GCC unroll 4
+        for (int i = 0; i < degree; ++i) {
+            behind[i] =
+                scaled(exact_sum(middle, hn::Neg(hn::LoadU(d, knots + (degree - 1 - i) * lanes))), scale);
+            ahead[i] = scaled(exact_sum(hn::LoadU(d, knots + (degree + i) * lanes), hn::Neg(middle)), scale);
+        }
+        for_each<kDegree>(1, degree, [&](int e) HWY_ATTR {
+#pragma GCC unroll 4
+            for (int r = 0; r < e; ++r) {
+                const Number slope = inverse(behind[e - 1 - r] + ahead[r]);
+                slope_[e - 1][r] = slope;
+                behind_[e - 1][r] = behind[e - 1 - r] * slope;
+                ahead_[e - 1][r] = ahead[r] * slope;
+            }
+        });
+    }
+
+    // One step of the Cox-de Boor recurrence at the middle, from degree e - 1 to degree e.
+    HWY_INLINE void raise_degree(int e, Number *functions) const {
+        Number carried{hn::Zero(d_), hn::Zero(d_)};
+#pragma GCC unroll 4
+        for (int r = 0; r < e; ++r) {
+            const Number before = functions[r];
+            functions[r] = carried + before * ahead_[e - 1][r];
+            carried = before * behind_[e - 1][r];
+        }
+        functions[e] = carried;
+    }
+
+    // The difference formula, from derivatives of the functions of degree e - 1 to those of degree e, but for
+    // the factor e.
+    HWY_INLINE void differentiate(int e, Number *functions) const {
+        Number carried{hn::Zero(d_), hn::Zero(d_)};
+#pragma GCC unroll 4
+        for (int r = 0; r < e; ++r) {
+            const Number slope = functions[r] * slope_[e - 1][r];
+            functions[r] = carried - slope;
+            carried = slope;
+        }
+        functions[e] = carried;
+    }
+
+private:
+    static HWY_INLINE Number scaled(const Number &a, V scale) {
+        return {hn::Mul(a.high, scale), hn::Mul(a.low, scale)};
+    }
+
+    D d_;
+    Number slope_[most][most];  // [e - 1][r]: 1 / length of the support of function r of degree e - 1
+    Number behind_[most][most]; // the part of the support before the middle
+    Number ahead_[most][most];
+};
+
+// Lane l of the coefficients to the pieces of span l.
+template <class D>
+HWY_INLINE void store_row(D d, const Twin<hn::Vec<D>> *row, int degree, double factor, int64_t offset,
+                          int count, double *const *pieces, double *const *rests) {
+    HWY_ALIGN double high[8] = {};
+    HWY_ALIGN double low[8] = {};
+#pragma GCC unroll 4
+    for (int j = 0; j <= degree; ++j) {
+        const Twin<hn::Vec<D>> product = exact_product(row[j].high, hn::Set(d, factor));
+        const auto rest = hn::MulAdd(row[j].low, hn::Set(d, factor), product.low);
+        const Twin<hn::Vec<D>> value = ordered_sum(product.high, rest);
+        hn::Store(value.high, d, high);
+        hn::Store(value.low, d, low);
+        for (int l = 0; l < count; ++l) {
+            pieces[l][offset + j] = high[l];
+            if (rests != nullptr) {
+                rests[l][offset + j] = low[l];
+            }
+        }
+    }
+}
+
+// Coefficients of the pieces of `count` spans, at most one for each lane; the heads are there. knots as for
+// CentredFunctions. kDegree < 0 stands for any degree.
+template <int kDegree, class D>
+HWY_INLINE void fill_pieces(D d, int any_degree, const double *knots, int count, double *const *pieces,
+                            double *const *rests) {
+    using Number = Twin<hn::Vec<D>>;
+    constexpr int most = kDegree > 0 ? kDegree : max_piece_degree;
+    const int degree = kDegree > 0 ? kDegree : any_degree;
+    HWY_ALIGN double middles[8];
+    HWY_ALIGN double scales[8];
+    for (int l = 0; l < static_cast<int>(hn::Lanes(d)); ++l) {
+        middles[l] = pieces[std::min(l, count - 1)][Piece::middle];
+        scales[l] = pieces[std::min(l, count - 1)][Piece::scale];
+    }
+    const CentredFunctions<kDegree, D> centred(d, degree, knots, hn::Load(d, middles), hn::Load(d, scales));
+    const int lanes = Piece::lanes(degree + 1);
+    Number functions[most + 1];
+    Number row[most + 1];
+    functions[0] = {hn::Set(d, 1.0), hn::Zero(d)};
+    for_each<kDegree>(0, degree, [&](int e) HWY_ATTR {
+        if (e > 0) {
+            centred.raise_degree(e, functions);
+        }
+        std::copy_n(functions, e + 1, row);
+        for_each<kDegree>(e + 1, degree, [&](int raised) HWY_ATTR { centred.differentiate(raised, row); });
+        // The factors degree, ..., e + 1 of the difference formula, over the factorial of the order.
+        const int order = degree - e;
+        const double factor = binomial(degree, order);
+        store_row(d, row, degree, factor, Piece::head_size + static_cast<int64_t>(order) * lanes, count,
+                  pieces, rests);
+    });
+}
+
+template <class D>
+HWY_INLINE void fill_pieces_of(D d, int degree, const double *knots, int count, double *const *pieces,
+                               double *const *rests) {
+    switch (degree) {
+    case 1:
+        return fill_pieces<1>(d, degree, knots, count, pieces, rests);
+    case 2:
+        return fill_pieces<2>(d, degree, knots, count, pieces, rests);
+    case 3:
+        return fill_pieces<3>(d, degree, knots, count, pieces, rests);
+    default:
+        return fill_pieces<-1>(d, degree, knots, count, pieces, rests);
+    }
+}
+
+void make_pieces(const double *knots, int degree, const int64_t *spans, int count, double *const *pieces,
+                 double *const *rests) {
+    HWY_ALIGN double local[2 * max_piece_degree * 8];
+    const int lanes = count == 1 ? 1 : static_cast<int>(hn::Lanes(Wide()));
+    for (int i = 0; i < 2 * degree; ++i) {
+        for (int l = 0; l < lanes; ++l) {
+            local[i * lanes + l] = knots[spans[std::min(l, count - 1)] - degree + 1 + i];
+        }
+    }
+    if (count == 1) {
+        fill_pieces_of(hn::CappedTag<double, 1>(), degree, local, count, pieces, rests);
+    } else {
+        fill_pieces_of(Wide(), degree, local, count, pieces, rests);
+    }
+}
+
+int piece_lanes() {
+    return static_cast<int>(hn::Lanes(Wide()));
+}
+
+// Component c of power k: the sum over j of coefficient [k][j] with w_j x_jc, rounded once.
+template <int kDegree>
+HWY_INLINE void combine_degree(const double *HWY_RESTRICT basis, const double *HWY_RESTRICT rests,
+                               int any_degree, const double *HWY_RESTRICT weights,
+                               const double *HWY_RESTRICT points, int lanes, double *HWY_RESTRICT powers) {
+    const hn::CappedTag<double, 4> d;
+    using V = hn::Vec<hn::CappedTag<double, 4>>;
+    constexpr int most = kDegree > 0 ? kDegree : max_piece_degree;
+    const int degree = kDegree > 0 ? kDegree : any_degree;
+    const int functions = Piece::lanes(degree + 1);
+    for (int c = 0; c < lanes; c += static_cast<int>(hn::Lanes(d))) {
+        Twin<V> products[most + 1];
+#pragma GCC unroll 4
+        for (int j = 0; j <= degree; ++j) {
+            products[j] = exact_product(hn::Set(d, weights[j]),
+                                        hn::LoadU(d, points + static_cast<int64_t>(j) * lanes + c));
+        }
+        for_each<kDegree>(0, degree, [&](int k) HWY_ATTR {
+            Twin<V> sum{hn::Zero(d), hn::Zero(d)};
+#pragma GCC unroll 4
+            for (int j = 0; j <= degree; ++j) {
+                const V coefficient = hn::Set(d, basis[k * functions + j]);
+                const Twin<V> term = exact_product(coefficient, products[j].high);
+                const Twin<V> next = exact_sum(sum.high, term.high);
+                const V small =
+                    hn::MulAdd(coefficient, products[j].low,
+                               hn::MulAdd(hn::Set(d, rests[k * functions + j]), products[j].high, term.low));
+                sum = {next.high, hn::Add(sum.low, hn::Add(next.low, small))};
+            }
+            hn::StoreU(hn::Add(sum.high, sum.low), d, powers + static_cast<int64_t>(k) * lanes + c);
+        });
+    }
+}
+
+void combine(const double *basis, const double *rests, int degree, const double *weights,
+             const double *points, int lanes, double *powers) {
+    if (degree == 3) {
+        combine_degree<3>(basis, rests, degree, weights, points, lanes, powers);
+    } else {
+        combine_degree<-1>(basis, rests, degree, weights, points, lanes, powers);
+    }
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace nrb
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace nrb {
+
+namespace {
+
+void write_head(double lower, double upper, double *piece) noexcept {
+    const double middle = lower / 2 + upper / 2;
+    const double radius = std::max(middle - lower, upper - middle);
+    constexpr int largest_exponent = 1023;
+    piece[Piece::lower] = lower;
+    piece[Piece::upper] = upper;
+    piece[Piece::middle] = middle;
+    piece[Piece::scale] = std::ldexp(1.0, std::min(-std::ilogb(radius) - 1, largest_exponent));
+}
+
+HWY_EXPORT(make_pieces);
+HWY_EXPORT(piece_lanes);
+HWY_EXPORT(combine);
+
+} // namespace
+
+void basis_pieces(const double *knots, int degree, const int64_t *spans, int count, double *const *pieces,
+                  double *const *rests) noexcept {
+    const int lanes = Piece::lanes(degree + 1);
+    for (int l = 0; l < count; ++l) {
+        write_head(knots[spans[l]], knots[spans[l] + 1], pieces[l]);
+        std::fill_n(pieces[l] + Piece::head_size, static_cast<int64_t>(degree + 1) * lanes, 0.0);
+    }
+    HWY_DYNAMIC_DISPATCH(make_pieces)(knots, degree, spans, count, pieces, rests);
+}
+
+int pieces_together() noexcept {
+    return HWY_DYNAMIC_DISPATCH(piece_lanes)();
+}
+
+void combine_pieces(const double *basis, const double *rests, int degree, const double *weights,
+                    const double *points, int lanes, double *powers) noexcept {
+    HWY_DYNAMIC_DISPATCH(combine)
+    (basis + Piece::head_size, rests + Piece::head_size, degree, weights, points, lanes, powers);
+}
+
+} // namespace nrb
+#endif

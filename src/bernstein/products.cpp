@@ -1,0 +1,93 @@
+#include "bernstein/products.h"
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+namespace nrb {
+
+namespace {
+
+constexpr double eps = std::numeric_limits<double>::epsilon();
+
+// Adds a, times one coefficient of the other factor, to a part of the product, in which rows along the last
+// axis and planes of the last two lie so far apart.
+void add_scaled(const BernsteinShape &a, const double *from, double factor, double *out, int64_t row,
+                int64_t plane) noexcept {
+    const int64_t length = int64_t{a.degrees[2] + 1} * a.width;
+    for (int i = 0; i <= a.degrees[0]; ++i) {
+        for (int j = 0; j <= a.degrees[1]; ++j, from += length) {
+            double *target = out + i * plane + j * row;
+            for (int64_t c = 0; c < length; ++c) {
+                target[c] += factor * from[c];
+            }
+        }
+    }
+}
+
+} // namespace
+
+double elevation_coefficient(int low, int high, int i, int j) noexcept {
+    return binomial(low, j) * binomial(high - low, i - j) / binomial(high, i);
+}
+
+BernsteinShape product_shape(const BernsteinShape &a, const BernsteinShape &b) noexcept {
+    BernsteinShape shape = a;
+    for (size_t k = 0; k < shape.degrees.size(); ++k) {
+        shape.degrees[k] += b.degrees[k];
+    }
+    return shape;
+}
+
+// Each factor and the quotient take a rounding for every binomial and one more, and as many for the binomials
+// themselves; the sums have at most as many terms as the smaller factor has coefficients.
+double product_error(const BernsteinShape &a, const BernsteinShape &b) noexcept {
+    return eps / 2 * (static_cast<double>(std::min(a.coefficients(), b.coefficients())) + 18);
+}
+
+std::vector<double> binomial_factors(const BernsteinShape &shape) {
+    const auto &[a, b, c] = shape.degrees;
+    const double *first = binomials(a), *second = binomials(b), *third = binomials(c);
+    std::vector<double> factors;
+    factors.reserve(static_cast<size_t>(shape.values()));
+    for (int i = 0; i <= a; ++i) {
+        for (int j = 0; j <= b; ++j) {
+            for (int k = 0; k <= c; ++k) {
+                factors.insert(factors.end(), static_cast<size_t>(shape.width),
+                               first[i] * second[j] * third[k]);
+            }
+        }
+    }
+    return factors;
+}
+
+void add_convolution(const BernsteinShape &a, const double *left, const BernsteinShape &b,
+                     const double *right, double *out) noexcept {
+    const BernsteinShape product = product_shape(a, b);
+    const int64_t row = int64_t{product.degrees[2] + 1} * a.width, plane = (product.degrees[1] + 1) * row;
+    for (int i = 0; i <= b.degrees[0]; ++i) {
+        for (int j = 0; j <= b.degrees[1]; ++j) {
+            double *target = out + i * plane + j * row;
+            for (int k = 0; k <= b.degrees[2]; ++k, target += a.width) {
+                add_scaled(a, left, *right++, target, row, plane);
+            }
+        }
+    }
+}
+
+void halve(const BernsteinShape &shape, int axis, double *values, double *lower) noexcept {
+    int64_t outer = 1, inner = shape.width;
+    for (int k = 0; k < max_axes; ++k) {
+        (k < axis ? outer : inner) *= k == axis ? 1 : shape.degrees[static_cast<size_t>(k)] + 1;
+    }
+    const int n = shape.degrees[static_cast<size_t>(axis)];
+    for (int64_t o = 0; o < outer; ++o, values += (n + 1) * inner, lower += (n + 1) * inner) {
+        for (int r = 0; r <= n; ++r) {
+            std::copy_n(values, inner, lower + r * inner);
+            std::transform(values, values + (n - r) * inner, values + inner, values,
+                           [](double x, double y) { return x / 2 + y / 2; });
+        }
+    }
+}
+
+} // namespace nrb

@@ -1,0 +1,50 @@
+// Tensor products of Bernstein polynomials as plain arrays: the pieces on which bounds are proved, because a
+// polynomial lies in the convex hull of its coefficients (Farouki & Rajan, "Algorithms for polynomials in
+// Bernstein form", CAGD 5 (1988)).
+#pragma once
+
+#include "base/limits.h"
+#include "numeric/binomial.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace nrb {
+
+// Degrees of the last axes of the three, those in front have degree 0; `width` values for each coefficient,
+// last axis fastest.
+struct BernsteinShape {
+    std::array<int, max_axes> degrees{};
+    int width = 1;
+
+    [[nodiscard]] int64_t coefficients() const noexcept {
+        return int64_t{degrees[0] + 1} * (degrees[1] + 1) * (degrees[2] + 1);
+    }
+    [[nodiscard]] int64_t values() const noexcept { return coefficients() * width; }
+};
+
+// Coefficient j of a polynomial of degree `low` in coefficient i of the same one at degree `high`; within
+// 2 eps of itself.
+double elevation_coefficient(int low, int high, int i, int j) noexcept;
+
+// The product of polynomials of these shapes, b a scalar one: the degrees add up. Every value is within
+// product_error() of itself, relative to the sum of the magnitudes of its terms. Precondition: b.width == 1; all
+// degrees of the product are at most max_product_degree.
+BernsteinShape product_shape(const BernsteinShape &a, const BernsteinShape &b) noexcept;
+double product_error(const BernsteinShape &a, const BernsteinShape &b) noexcept;
+
+// For each value the binomials that belong to its coefficient: times these, factors are multiplied by
+// add_convolution(), and divided by those of its shape the sum is the product.
+std::vector<double> binomial_factors(const BernsteinShape &shape);
+// out += a * b; out overlaps neither. Cost: a.values() * b.coefficients().
+void add_convolution(const BernsteinShape &a, const double *left, const BernsteinShape &b,
+                     const double *right, double *out) noexcept;
+
+// de Casteljau's subdivision in the middle of an axis of the three: `values` becomes the upper half. `degree`
+// means on end, so that each value is within degree * eps / 2 of itself, relative to the same means of
+// magnitudes. Precondition: lower does not overlap values.
+void halve(const BernsteinShape &shape, int axis, double *values, double *lower) noexcept;
+
+} // namespace nrb

@@ -1,0 +1,296 @@
+#include "bernstein/rounded_polynomial.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+namespace nrb {
+
+namespace {
+
+constexpr double eps = std::numeric_limits<double>::epsilon();
+
+// C(n, 0), ..., C(n, n) of any degree, each within n eps of itself.
+std::vector<double> binomial_row(int n) {
+    if (n <= max_product_degree) {
+        return {binomials(n), binomials(n) + n + 1};
+    }
+    std::vector<double> row(static_cast<size_t>(n) + 1, 1.0);
+    for (int k = 1; 2 * k <= n; ++k) {
+        const auto at = static_cast<size_t>(k);
+        row[at] = row[static_cast<size_t>(n - k)] = row[at - 1] * (n - k + 1) / k;
+    }
+    return row;
+}
+
+std::vector<double> binomials_of(const BernsteinShape &shape) {
+    const auto first = binomial_row(shape.degrees[0]), second = binomial_row(shape.degrees[1]),
+               third = binomial_row(shape.degrees[2]);
+    std::vector<double> factors;
+    factors.reserve(static_cast<size_t>(shape.values()));
+    for (const double a : first) {
+        for (const double b : second) {
+            for (const double c : third) {
+                factors.insert(factors.end(), static_cast<size_t>(shape.width), a * b * c);
+            }
+        }
+    }
+    return factors;
+}
+
+// Roundings of binomials_of(): of the rows and of their products.
+double binomial_steps(const BernsteinShape &shape) noexcept {
+    double steps = 1;
+    for (const int n : shape.degrees) {
+        steps += n <= max_product_degree ? 0.5 : n;
+    }
+    return steps;
+}
+
+std::vector<double> times(std::vector<double> a, const std::vector<double> &factors) {
+    for (size_t i = 0; i < a.size(); ++i) {
+        a[i] *= factors[i];
+    }
+    return a;
+}
+
+std::vector<double> convolved(const BernsteinShape &a, const std::vector<double> &left,
+                              const BernsteinShape &b, const std::vector<double> &right,
+                              const std::vector<double> &factors) {
+    std::vector<double> out(factors.size(), 0.0);
+    add_convolution(a, left.data(), b, right.data(), out.data());
+    for (size_t i = 0; i < out.size(); ++i) {
+        out[i] /= factors[i];
+    }
+    return out;
+}
+
+std::vector<double> magnitudes(std::vector<double> a) {
+    std::for_each(a.begin(), a.end(), [](double &x) { x = std::abs(x); });
+    return a;
+}
+
+// Values in layers along an axis: [outer][degree + 1][inner].
+struct Layers {
+    int64_t outer = 1;
+    int64_t inner = 1;
+    int degree = 0;
+
+    Layers(const BernsteinShape &shape, int axis)
+        : inner(shape.width), degree(shape.degrees[static_cast<size_t>(axis)]) {
+        for (int k = 0; k < max_axes; ++k) {
+            (k < axis ? outer : inner) *= k == axis ? 1 : shape.degrees[static_cast<size_t>(k)] + 1;
+        }
+    }
+    [[nodiscard]] size_t at(int64_t o, int layer, int64_t i) const noexcept {
+        return static_cast<size_t>((o * (degree + 1) + layer) * inner + i);
+    }
+};
+
+RoundedPolynomial raised_to(const RoundedPolynomial &a, const BernsteinShape &shape) {
+    BernsteinShape rest;
+    for (size_t k = 0; k < rest.degrees.size(); ++k) {
+        rest.degrees[k] = shape.degrees[k] - a.shape.degrees[k];
+    }
+    if (rest.coefficients() == 1) {
+        return a;
+    }
+    const std::vector<double> ones(static_cast<size_t>(rest.coefficients()), 1.0);
+    return a * RoundedPolynomial{rest, ones, std::vector<double>(ones.size(), 0.0)};
+}
+
+void split_values(const Layers &layers, double place, std::vector<double> &values,
+                  std::vector<double> &lower) {
+    const auto inner = layers.inner;
+    const int n = layers.degree;
+    for (int64_t o = 0; o < layers.outer; ++o) {
+        double *high = values.data() + layers.at(o, 0, 0), *low = lower.data() + layers.at(o, 0, 0);
+        for (int r = 0; r <= n; ++r) {
+            std::copy_n(high, inner, low + r * inner);
+            std::transform(high, high + (n - r) * inner, high + inner, high,
+                           [place](double x, double y) { return (1 - place) * x + place * y; });
+        }
+    }
+}
+
+} // namespace
+
+RoundedPolynomial constant(double value) {
+    return {{}, {value}, {0}};
+}
+
+RoundedPolynomial component(const RoundedPolynomial &a, int c) {
+    RoundedPolynomial result{a.shape, {}, {}};
+    result.shape.width = 1;
+    for (size_t i = static_cast<size_t>(c); i < a.values.size(); i += static_cast<size_t>(a.shape.width)) {
+        result.values.push_back(a.values[i]);
+        result.errors.push_back(a.errors[i]);
+    }
+    return result;
+}
+
+RoundedPolynomial side_by_side(const std::vector<RoundedPolynomial> &components) {
+    RoundedPolynomial result{components.front().shape, {}, {}};
+    result.shape.width = static_cast<int>(components.size());
+    for (size_t i = 0; i < components.front().values.size(); ++i) {
+        for (const RoundedPolynomial &c : components) {
+            result.values.push_back(c.values[i]);
+            result.errors.push_back(c.errors[i]);
+        }
+    }
+    return result;
+}
+
+// (a + e)(b + f) = a b + a f + e (b + f), and the rounding of a b: binomials of both factors and of the
+// product, three multiplications, and sums of as many terms as the smaller factor has coefficients; half an
+// eps each.
+RoundedPolynomial operator*(const RoundedPolynomial &a, const RoundedPolynomial &b) {
+    RoundedPolynomial result{product_shape(a.shape, b.shape), {}, {}};
+    const auto left = binomials_of(a.shape), right = binomials_of(b.shape), over = binomials_of(result.shape);
+    const auto times_binomials = [&](const std::vector<double> &x, const std::vector<double> &y) {
+        return convolved(a.shape, times(x, left), b.shape, times(y, right), over);
+    };
+    const std::vector<double> a_size = magnitudes(a.values), b_size = magnitudes(b.values);
+    std::vector<double> b_most = b_size;
+    std::transform(b_most.begin(), b_most.end(), b.errors.begin(), b_most.begin(), std::plus<>());
+    result.values = times_binomials(a.values, b.values);
+    const std::vector<double> size = times_binomials(a_size, b_size),
+                              from_b = times_binomials(a_size, b.errors),
+                              from_a = times_binomials(a.errors, b_most);
+    const double terms = static_cast<double>(std::min(a.shape.coefficients(), b.shape.coefficients()));
+    const double steps =
+        2 + terms / 2 + binomial_steps(a.shape) + binomial_steps(b.shape) + binomial_steps(result.shape);
+    for (size_t i = 0; i < size.size(); ++i) {
+        result.errors.push_back(from_a[i] + from_b[i] + steps * eps * size[i]);
+    }
+    return result;
+}
+
+RoundedPolynomial sum(const RoundedPolynomial &a, double factor, const RoundedPolynomial &b) {
+    BernsteinShape shape = a.shape;
+    for (size_t k = 0; k < shape.degrees.size(); ++k) {
+        shape.degrees[k] = std::max(a.shape.degrees[k], b.shape.degrees[k]);
+    }
+    RoundedPolynomial result = raised_to(a, shape);
+    const RoundedPolynomial other = raised_to(b, shape);
+    for (size_t i = 0; i < result.values.size(); ++i) {
+        const double term = factor * other.values[i];
+        result.values[i] += term;
+        result.errors[i] +=
+            std::abs(factor) * other.errors[i] + eps * (std::abs(term) + std::abs(result.values[i]));
+    }
+    return result;
+}
+
+RoundedPolynomial scaled(RoundedPolynomial a, double factor) {
+    for (size_t i = 0; i < a.values.size(); ++i) {
+        a.values[i] *= factor;
+        a.errors[i] = a.errors[i] * std::abs(factor) + eps * std::abs(a.values[i]);
+    }
+    return a;
+}
+
+RoundedPolynomial dot(const RoundedPolynomial &a, const RoundedPolynomial &b) {
+    RoundedPolynomial result = component(a, 0) * component(b, 0);
+    for (int c = 1; c < a.shape.width; ++c) {
+        result = result + component(a, c) * component(b, c);
+    }
+    return result;
+}
+
+RoundedPolynomial derivative(const RoundedPolynomial &a, int axis) {
+    const Layers from(a.shape, axis);
+    RoundedPolynomial result{a.shape, {}, {}};
+    int &degree = result.shape.degrees[static_cast<size_t>(axis)];
+    degree = std::max(0, degree - 1);
+    result.values.assign(static_cast<size_t>(result.shape.values()), 0.0);
+    result.errors = result.values;
+    const Layers to(result.shape, axis);
+    for (int64_t o = 0; from.degree > 0 && o < to.outer; ++o) {
+        for (int j = 0; j < from.degree; ++j) {
+            for (int64_t i = 0; i < to.inner; ++i) {
+                const size_t low = from.at(o, j, i), high = from.at(o, j + 1, i), out = to.at(o, j, i);
+                result.values[out] = from.degree * (a.values[high] - a.values[low]);
+                result.errors[out] =
+                    from.degree * (a.errors[high] + a.errors[low]) + eps * std::abs(result.values[out]);
+            }
+        }
+    }
+    return result;
+}
+
+RoundedPolynomial end_value(const RoundedPolynomial &a, int axis, bool upper) {
+    const Layers from(a.shape, axis);
+    RoundedPolynomial result{a.shape, {}, {}};
+    result.shape.degrees[static_cast<size_t>(axis)] = 0;
+    for (int64_t o = 0; o < from.outer; ++o) {
+        for (int64_t i = 0; i < from.inner; ++i) {
+            const size_t at = from.at(o, upper ? from.degree : 0, i);
+            result.values.push_back(a.values[at]);
+            result.errors.push_back(a.errors[at]);
+        }
+    }
+    return result;
+}
+
+RoundedPolynomial split(RoundedPolynomial &a, int axis, double place) {
+    const Layers layers(a.shape, axis);
+    for (size_t i = 0; i < a.values.size(); ++i) { // each step of the means rounds them by 3 / 2 eps
+        a.errors[i] += 1.5 * layers.degree * eps * std::abs(a.values[i]);
+    }
+    RoundedPolynomial lower = a;
+    split_values(layers, place, a.values, lower.values);
+    split_values(layers, place, a.errors, lower.errors);
+    return lower;
+}
+
+// a_0 = 0 gives a = x sum_j a_(j+1) n / (j+1) B_j of degree n - 1.
+int divide_end(RoundedPolynomial &a, int axis, bool upper) {
+    int times = 0;
+    while (true) {
+        const Layers from(a.shape, axis);
+        if (!vanishes(end_value(a, axis, upper))) {
+            return times;
+        }
+        if (from.degree == 0) {
+            return -1;
+        }
+        RoundedPolynomial quotient{a.shape, {}, {}};
+        --quotient.shape.degrees[static_cast<size_t>(axis)];
+        const Layers to(quotient.shape, axis);
+        for (int64_t o = 0; o < to.outer; ++o) {
+            for (int j = 0; j <= to.degree; ++j) {
+                const double factor = static_cast<double>(from.degree) / (upper ? from.degree - j : j + 1);
+                for (int64_t i = 0; i < to.inner; ++i) {
+                    const size_t at = from.at(o, upper ? j : j + 1, i);
+                    quotient.values.push_back(a.values[at] * factor);
+                    quotient.errors.push_back(a.errors[at] * factor + eps * std::abs(quotient.values.back()));
+                }
+            }
+        }
+        a = std::move(quotient);
+        ++times;
+    }
+}
+
+bool vanishes(const RoundedPolynomial &a) noexcept {
+    for (size_t i = 0; i < a.values.size(); ++i) {
+        if (!(std::abs(a.values[i]) <= a.error(i))) {
+            return false;
+        }
+    }
+    return true;
+}
+
+int certain_sign(const RoundedPolynomial &a) noexcept {
+    const int first = a.sign(0);
+    for (size_t i = 1; i < a.values.size(); ++i) {
+        if (a.sign(i) != first) {
+            return 0;
+        }
+    }
+    return first;
+}
+
+} // namespace nrb

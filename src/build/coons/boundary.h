@@ -1,0 +1,14 @@
+// The boundaries of surfaces and volumes: what is left when one axis stands at an end of its domain.
+#pragma once
+
+#include "spline/spline.h"
+
+#include <vector>
+
+namespace nrb {
+
+// By axis, then by end; bit for bit what iso() gives. Throws Status::axes for a curve, and what iso()
+// throws.
+std::vector<SplinePtr> boundaries_of(const Spline &spline);
+
+} // namespace nrb

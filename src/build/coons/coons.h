@@ -1,0 +1,37 @@
+// Surfaces from their boundaries.
+#pragma once
+
+#include "build/coons/corner.h"
+
+#include <cstdint>
+
+namespace nrb {
+
+// See nurbs_surface_coons(). Throws Status::gap, and what make_blend_axis() and coons_patch() throw.
+SplinePtr surface_coons(const PatchCurves &curves, double tolerance);
+
+enum TwistChoice : int32_t {
+    twist_compatible = 0, // both, which must agree to the tolerance
+    twist_average,        // their mean
+    twist_given,
+    twist_zero,     // Ferguson's patch
+    twist_bilinear, // that of the bilinear patch of the corners
+    twist_adini,    // that of the bilinear Coons surface of the boundaries (Adini's twist)
+};
+
+// How the twists are chosen: one of the twist_ constants; `given` [4][dim] for twist_given.
+struct TwistRule {
+    int32_t rule;
+    const double *given;
+};
+
+struct HermitePatch {
+    SplinePtr surface;
+    double twist_gap; // largest difference between the twists used and those of the cross tangents
+};
+
+// See nurbs_surface_coons_hermite(). Throws Status::gap, tangent, twist, and what make_blend_axis() and
+// coons_patch() throw. Precondition: the rule suits.
+HermitePatch surface_coons_hermite(const PatchCurves &curves, const TwistRule &twists, double tolerance);
+
+} // namespace nrb

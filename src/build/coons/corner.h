@@ -1,0 +1,91 @@
+// What meets at the corners of a surface that is made of its boundaries: positions, tangents and twists, each
+// known from two curves.
+#pragma once
+
+#include "spline/spline.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace nrb {
+
+// The four boundaries of a surface over its domain, clamped, and the derivatives across them or none; finite
+// at their ends.
+struct PatchCurves {
+    std::vector<SplinePtr> boundaries;
+    std::vector<SplinePtr> cross;
+
+    [[nodiscard]] int dim() const noexcept { return boundaries[0]->dim(); }
+    // Axis 0 or 1 of the surface.
+    [[nodiscard]] Interval domain(int axis) const noexcept {
+        return boundaries[axis == 0 ? 2 : 0]->axis(0).domain();
+    }
+};
+
+// Clamps and maps the curves as nurbs.h has it. Throws Status::axes, dimension, knots_merge,
+// weights_vanish for an end at infinity, and what clamping throws. Preconditions: 4 boundaries, 4 or no
+// cross tangents.
+PatchCurves make_patch_curves(const std::vector<SplinePtr> &boundaries, const std::vector<SplinePtr> &cross);
+
+// The spline with clamped ends over a domain.
+SplinePtr clamped_over(const SplinePtr &spline, int axis, Interval domain);
+
+// Value and derivative at an end of a clamped curve, Cartesian. With homogeneous points A and weights w at
+// the end (0) and next to it (1) the derivative is p / h (A_1 - w_1 P_0) / w_0.
+struct EndJet {
+    std::vector<double> value;
+    std::vector<double> slope;
+};
+EndJet end_jet(const Spline &curve, bool upper);
+
+// Entry (i, j): value or derivative i by the parameter of axis 0 and j by that of axis 1, where 0 and 1 stand
+// for the values at the ends, 2 and 3 for the derivatives there.
+class CornerMatrix {
+public:
+    // A matrix of 2 or 4 rows and columns.
+    CornerMatrix(int order, int dim)
+        : order_(order), dim_(dim), values_(static_cast<size_t>(order * order) * static_cast<size_t>(dim)) {}
+
+    [[nodiscard]] int dim() const noexcept { return dim_; }
+    [[nodiscard]] double *at(int i, int j) noexcept { return values_.data() + place(i, j); }
+    [[nodiscard]] const double *at(int i, int j) const noexcept { return values_.data() + place(i, j); }
+    void set(int i, int j, const std::vector<double> &value) noexcept {
+        std::copy(value.begin(), value.end(), at(i, j));
+    }
+
+private:
+    [[nodiscard]] size_t place(int i, int j) const noexcept {
+        return static_cast<size_t>(i * order_ + j) * static_cast<size_t>(dim_);
+    }
+    int order_;
+    int dim_;
+    std::vector<double> values_;
+};
+
+// The corners as the curves have them that run along axis 1 (boundaries 0 and 1 with the derivatives across
+// them) and those along axis 0 (2 and 3). Without cross tangents what only they say is left 0.
+struct CornerPair {
+    CornerMatrix along1;
+    CornerMatrix along0;
+};
+CornerPair corner_pair(const PatchCurves &curves, int order);
+
+// Corners in the order of nurbs_coons_gaps().
+inline constexpr int corner_count = 4;
+
+struct CornerGaps {
+    std::array<double, corner_count> positions{};
+    std::array<std::array<double, 2>, corner_count> tangents{};
+    std::array<double, corner_count> twists{};
+};
+// Throws Status::not_representable.
+CornerGaps corner_gaps(const PatchCurves &curves);
+
+// Throws Status::gap, tangent, naming the corner.
+void check_positions(const CornerPair &pair, double tolerance);
+void check_tangents(const CornerGaps &gaps, double tolerance);
+// Throws Status::twist, naming the corner.
+void check_twists(const CornerGaps &gaps, double tolerance);
+
+} // namespace nrb

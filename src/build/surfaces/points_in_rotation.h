@@ -1,0 +1,43 @@
+// Coordinates that go round an axis.
+#pragma once
+
+#include "numeric/double_double.h"
+#include "spline/spline.h"
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace nrb {
+
+// An axis of revolution: a point on it, and its direction as a unit vector.
+struct AxisLine {
+    std::array<double, 3> origin;
+    std::array<Wide, 3> along;
+};
+
+// For many coordinates the values foot + x d + y e, each rounded once: foot, d and e are held in twice the
+// precision. Where the processor has no fused multiplication, coordinates above 2^990 come out as NaN.
+class Orbits {
+public:
+    explicit Orbits(int64_t coordinates);
+    // Those of the stored points of a spline of dimension 3: with foot the nearest point on the axis Z, d and
+    // e = Z x d are the ways from there. Weights of homogeneous records stay, and their feet are multiplied
+    // by them.
+    Orbits(const Spline &spline, const AxisLine &axis);
+
+    void set(int64_t coordinate, const Wide &foot, const Wide &d, const Wide &e) noexcept;
+    // All coordinates, in their order.
+    void values(double x, double y, double *out) const noexcept;
+
+private:
+    static constexpr int parts = 6; // foot, d and e, each with its rest
+    [[nodiscard]] std::array<double *, parts> arrays() noexcept;
+
+    int64_t size_;
+    int64_t stride_; // between the parts: whole vectors
+    std::vector<double> data_;
+};
+
+} // namespace nrb

@@ -1,0 +1,45 @@
+// Shapes of revolution, and those scaled from them, by their profiles.
+#pragma once
+
+#include "numeric/double_double.h"
+#include "build/conics/arc.h"
+#include "build/placement.h"
+#include "spline/spline.h"
+
+#include <vector>
+
+namespace nrb {
+
+struct ProfilePoint {
+    Wide radius;
+    Wide height;
+    double weight = 1;
+};
+
+// A curve in the half plane of radius and height.
+struct Profile {
+    KnotVectorPtr axis;
+    std::vector<ProfilePoint> points;
+};
+
+// Polynomial, of the degree that the points tell.
+Profile bezier_profile(std::vector<ProfilePoint> points);
+
+// The arc (offset + radius cos b, radius sin b).
+Profile arc_profile(const Turn &turn, int32_t form, double offset, double radius);
+
+// On radius^2 - (height / size)^2 = 1, or with two sheets (height / size)^2 - radius^2 = 1, from one height
+// to a higher one, which are the heights of its ends. At heights size sinh u (or cosh u) in pieces of at most
+// 2 in u, whose ends a and b have the middle control point (a + b) / (1 + cosh d) with the weight cosh(d /
+// 2), d the difference in u, by tanh(d / 2) = (b_h - a_h) / (size (a_r + b_r)): without cancellation, so that
+// short and distant arcs are as accurate as any. Throws Status::not_representable. Precondition: with two
+// sheets both heights are on one.
+Profile hyperbola_profile(double size, double bottom, double top, bool two_sheets);
+
+// Control points (scale_x x_j r_k, scale_y y_j r_k, h_k) in the frame with weights w_j w_k, for an arc (x_j,
+// y_j) as axis 0 and a profile (r_k, h_k) as axis 1; coordinates are rounded once. Throws
+// Status::not_representable.
+SplinePtr turned(const Placement &place, const Arc &arc, const Profile &profile, double scale_x = 1,
+                 double scale_y = 1);
+
+} // namespace nrb

@@ -1,0 +1,22 @@
+// Surfaces and volumes made of two splines over the axes of both.
+#pragma once
+
+#include "spline/spline.h"
+
+namespace nrb {
+
+// Control point (i, j) is a function of control point i of a and j of b, the axes of b stand behind those of
+// a, and weights are multiplied. Control points are Cartesian where those of a and b are: each within 3 eps /
+// 2 of the sum of the magnitudes of its terms. All throw Status::axes, dimension, overflow,
+// not_representable, weights_vanish. Cost: linear in the points of the result.
+
+// alpha a(u) + beta b(v). Precondition: alpha and beta are finite.
+SplinePtr tensor_sum(const Spline &a, double alpha, const Spline &b, double beta);
+
+// a(u) b(v) by components; one of dimension 1 multiplies all components of the other.
+SplinePtr tensor_product(const Spline &a, const Spline &b);
+
+// (scale r(v) x(u), scale r(v) y(u), z(v)) for curves (x, y) and (r, z). Throws Status::factor.
+SplinePtr swung(const Spline &trajectory, const Spline &profile, double scale);
+
+} // namespace nrb

@@ -1,0 +1,24 @@
+// Batches of queries for closest points.
+#pragma once
+
+#include "base/records.h"
+#include "closest/locator.h"
+
+namespace nrb {
+
+// Arrays without data are not wanted.
+struct FeetOutputs {
+    Records params;    // [axes]
+    Records feet;      // [dim]
+    Records distances; // [1]
+    int32_t *status = nullptr;
+};
+
+// Answers each query with a point that is finite; the others get NaN and closest_invalid. `asked` is
+// what they have in common.
+void closest_points(const Spline &spline, const ConstRecords &points, const Query &asked,
+                    const FeetOutputs &out);
+void closest_local(const Spline &spline, const ConstRecords &points, const ConstRecords &guesses,
+                   const FeetOutputs &out);
+
+} // namespace nrb

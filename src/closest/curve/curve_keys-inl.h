@@ -1,0 +1,98 @@
+// Bounds of the distances from a point of eight leaves, or eight boxes, of a curve tree at once. Included
+// once for every instruction set: see base/simd.h.
+#if defined(NURBS_QUERY_CLOSEST_CURVE_KEYS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef NURBS_QUERY_CLOSEST_CURVE_KEYS_INL_H_
+#undef NURBS_QUERY_CLOSEST_CURVE_KEYS_INL_H_
+#else
+#define NURBS_QUERY_CLOSEST_CURVE_KEYS_INL_H_
+#endif
+
+#include "closest/curve/curve_tree.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace nrb {
+namespace HWY_NAMESPACE {
+
+constexpr int fan = CurveTree::fan;
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+// Keys are what is made smallest: the distance, or its negative for the farthest point. Of eight children: no
+// point has a smaller key than `bound`, some point has at most `reached`.
+struct Keys {
+    double bound[fan];
+    double reached[fan];
+};
+
+HWY_INLINE void block_keys(const double *HWY_RESTRICT block, const double *HWY_RESTRICT x, int dim,
+                           bool farthest, Keys &keys) {
+    const double *HWY_RESTRICT inverse = block + 2 * dim * fan;
+    const double *HWY_RESTRICT deviation = inverse + fan;
+    double along[fan] = {}, first[fan] = {}, last[fan] = {};
+    for (int c = 0; c < dim; ++c) {
+        const double *HWY_RESTRICT start = block + c * fan;
+        const double *HWY_RESTRICT chord = block + (dim + c) * fan;
+        for (int k = 0; k < fan; ++k) {
+            const double d = x[c] - start[k];
+            along[k] += d * chord[k];
+            first[k] += d * d;
+            const double e = d - chord[k];
+            last[k] += e * e;
+        }
+    }
+    if (farthest) {
+        for (int k = 0; k < fan; ++k) {
+            const double end = -std::sqrt(std::max(first[k], last[k]));
+            keys.bound[k] = end - deviation[k];
+            keys.reached[k] = deviation[k] < infinite ? end : infinite;
+        }
+        return;
+    }
+    double place[fan], square[fan] = {};
+    for (int k = 0; k < fan; ++k) {
+        place[k] = std::min(std::max(along[k] * inverse[k], 0.0), 1.0);
+    }
+    for (int c = 0; c < dim; ++c) {
+        const double *HWY_RESTRICT start = block + c * fan;
+        const double *HWY_RESTRICT chord = block + (dim + c) * fan;
+        for (int k = 0; k < fan; ++k) {
+            const double d = x[c] - start[k] - place[k] * chord[k];
+            square[k] += d * d;
+        }
+    }
+    for (int k = 0; k < fan; ++k) {
+        const double distance = std::sqrt(square[k]);
+        keys.bound[k] = distance - deviation[k];
+        keys.reached[k] = distance + deviation[k];
+    }
+}
+
+HWY_INLINE void node_bounds(const double *HWY_RESTRICT node, const double *HWY_RESTRICT x, int dim,
+                            bool farthest, double *HWY_RESTRICT bound) {
+    double square[fan] = {};
+    for (int c = 0; c < dim; ++c) {
+        const double *HWY_RESTRICT lower = node + c * fan;
+        const double *HWY_RESTRICT upper = node + (dim + c) * fan;
+        for (int k = 0; k < fan; ++k) {
+            const double below = lower[k] - x[c], above = x[c] - upper[k];
+            const double outside = std::max(std::max(below, above), 0.0);
+            const double far = std::max(-below, -above);
+            const double d = farthest ? far : outside;
+            square[k] += d * d;
+        }
+    }
+    for (int k = 0; k < fan; ++k) {
+        bound[k] = farthest ? -std::sqrt(square[k]) : std::sqrt(square[k]);
+    }
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace nrb
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,232 @@
+#include "closest/curve/curve_tree.h"
+
+#include "base/finite.h"
+#include "numeric/norm.h"
+#include "pieces/bernstein_net.h"
+#include "refine/knots/bezier_rows.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace nrb {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+// How far a leaf may be from its chord, as a part of the chord, without another halving.
+constexpr double straight = 1.0 / 16;
+
+// Halvings of a span at most: leaves take ten times the memory of control points, so many spans stay whole.
+constexpr int most_halvings(int64_t spans) noexcept {
+    return spans <= 1 << 12 ? 3 : spans <= 1 << 16 ? 1 : 0;
+}
+
+// Control points as seen by bounds: those of a piece, divided by their weights.
+class PieceView {
+public:
+    PieceView(const double *records, int degree, int dim, int lanes) noexcept
+        : records_(records), degree_(degree), dim_(dim), lanes_(lanes) {}
+
+    [[nodiscard]] double weight(int i) const noexcept { return records_[(i + 1) * lanes_ - 1]; }
+    [[nodiscard]] double x(int i, int c) const noexcept { return records_[i * lanes_ + c] / weight(i); }
+    [[nodiscard]] bool positive() const noexcept {
+        for (int i = 0; i <= degree_; ++i) {
+            if (!(weight(i) > 0)) {
+                return false;
+            }
+        }
+        return true;
+    }
+    [[nodiscard]] double chord() const noexcept {
+        return norm_of(dim_, [this](int c) { return x(degree_, c) - x(0, c); });
+    }
+    // The largest distance of a control point from the chord: no point of the piece has a larger one, if the
+    // weights are positive.
+    [[nodiscard]] double deviation() const noexcept {
+        if (!positive()) {
+            return infinity;
+        }
+        double largest = 0;
+        for (int i = 1; i < degree_; ++i) {
+            largest = std::max(largest, from_chord(i));
+        }
+        return largest;
+    }
+
+private:
+    [[nodiscard]] double from_chord(int i) const noexcept {
+        double along = 0, length = 0;
+        for (int c = 0; c < dim_; ++c) {
+            const double chord = x(degree_, c) - x(0, c);
+            along += (x(i, c) - x(0, c)) * chord;
+            length += chord * chord;
+        }
+        const double place = length > 0 ? std::clamp(along / length, 0.0, 1.0) : 0;
+        return norm_of(dim_, [&](int c) { return x(i, c) - x(0, c) - place * (x(degree_, c) - x(0, c)); });
+    }
+
+    const double *records_;
+    int degree_;
+    int dim_;
+    int lanes_;
+};
+
+} // namespace
+
+// Lower and upper ends of boxes, one after the other.
+struct CurveTree::Boxes {
+    std::vector<double> lower;
+    std::vector<double> upper;
+};
+
+CurveTree::CurveTree(const Spline &curve)
+    : dim_(curve.dim()), degree_(curve.axis(0).degree()), lanes_((curve.dim() + 4) / 4 * 4),
+      centre_(centre_of(curve)) {
+    const CentredRecords records =
+        centred_records(curve, centre_, curve.rational(), curve.rational() ? weight_exponent(curve) : 0);
+    BernsteinNet::Breaks breaks{breaks_of(curve.axis(0)), {}, {}};
+    const int degrees[] = {degree_, 0, 0};
+    const BernsteinNet net(curve, records, breaks, degrees);
+    // of the net, of halvings and of what a search computes
+    rounding_ = net.error() / std::numeric_limits<double>::epsilon() + 6 * degree_ + 2 * lanes_ + 20;
+    const double extent = largest_magnitude(records.sizes);
+    size_ = std::max(extent, norm(centre_.data(), dim_));
+    exponent_ = extent > 0 && std::isfinite(extent) ? std::ilogb(extent) : 0;
+    const auto count = static_cast<size_t>(degree_ + 1);
+    std::vector<double> points(count * static_cast<size_t>(dim_)), weights(count, 1.0);
+    std::vector<double> padded(count * static_cast<size_t>(lanes_));
+    for (int64_t piece = 0; piece < net.pieces(); ++piece) {
+        net.copy(piece, points.data(), weights.data());
+        for (size_t i = 0; i < count; ++i) {
+            double *record = padded.data() + i * static_cast<size_t>(lanes_);
+            const double *point = points.data() + i * static_cast<size_t>(dim_);
+            std::transform(point, point + dim_, record,
+                           [this](double x) { return std::ldexp(x, -exponent_); });
+            record[lanes_ - 1] = weights[i];
+        }
+        if (std::all_of(weights.begin(), weights.end(), [](double w) { return w < 0; })) {
+            std::for_each(padded.begin(), padded.end(), [](double &x) { x = 0.0 - x; });
+        }
+        const auto e = static_cast<size_t>(piece);
+        add_span(padded.data(), {breaks[0][e], breaks[0][e + 1]}, most_halvings(net.pieces()));
+    }
+    const double ratio = weight_ratio();
+    rounding_ *= net.positive() ? 1 : ratio;
+    sound_ = ratio < 0x1p400;
+    add_blocks();
+    add_levels();
+}
+
+// The largest weight of the leaves over the smallest positive one.
+double CurveTree::weight_ratio() const noexcept {
+    double smallest = infinity, largest = 0;
+    for (size_t i = static_cast<size_t>(lanes_) - 1; i < records_.size(); i += static_cast<size_t>(lanes_)) {
+        largest = std::max(largest, std::abs(records_[i]));
+        smallest = records_[i] > 0 ? std::min(smallest, records_[i]) : smallest;
+    }
+    return largest / smallest;
+}
+
+void CurveTree::add_span(const double *records, Interval span, int halvings) {
+    const PieceView view(records, degree_, dim_, lanes_);
+    const double middle = span.lower / 2 + span.upper / 2;
+    const double deviation = view.deviation();
+    const bool divisible = span.lower < middle && middle < span.upper;
+    if (deviation <= straight * view.chord() || halvings == 0 || !divisible) {
+        records_.insert(records_.end(), records, records + (degree_ + 1) * lanes_);
+        domains_.push_back(span);
+        return;
+    }
+    std::vector<double> upper(records, records + (degree_ + 1) * lanes_), lower(upper.size());
+    halve({{0, 0, degree_}, lanes_}, 2, upper.data(), lower.data());
+    add_span(lower.data(), {span.lower, middle}, halvings - 1);
+    add_span(upper.data(), {middle, span.upper}, halvings - 1);
+}
+
+void CurveTree::add_blocks() {
+    blocks_.resize(static_cast<size_t>(block_count() * block_size()));
+    for (int64_t i = 0; i < block_count() * fan; ++i) {
+        const PieceView view(records(std::min(i, leaves() - 1)), degree_, dim_, lanes_);
+        double *block = blocks_.data() + i / fan * block_size() + i % fan;
+        double square = 0;
+        const bool positive = view.positive();
+        for (int c = 0; c < dim_; ++c) {
+            const double chord = positive ? view.x(degree_, c) - view.x(0, c) : 0;
+            block[c * fan] = positive ? view.x(0, c) : 0;
+            block[(dim_ + c) * fan] = chord;
+            square += chord * chord;
+        }
+        const double inverse = 1 / square;
+        block[2 * dim_ * fan] = std::isfinite(inverse) ? inverse : 0;
+        block[(2 * dim_ + 1) * fan] =
+            std::isfinite(inverse) || !positive ? view.deviation() : view.deviation() + view.chord();
+    }
+}
+
+CurveTree::Boxes CurveTree::leaf_boxes() const {
+    const auto dim = static_cast<size_t>(dim_);
+    Boxes boxes{std::vector<double>(static_cast<size_t>(leaves()) * dim, infinity),
+                std::vector<double>(static_cast<size_t>(leaves()) * dim, -infinity)};
+    for (int64_t leaf = 0; leaf < leaves(); ++leaf) {
+        const PieceView view(records(leaf), degree_, dim_, lanes_);
+        const bool positive = view.positive();
+        for (size_t c = 0; c < dim; ++c) {
+            double &lower = boxes.lower[static_cast<size_t>(leaf) * dim + c];
+            double &upper = boxes.upper[static_cast<size_t>(leaf) * dim + c];
+            for (int i = 0; i <= degree_; ++i) {
+                const double x = view.x(i, static_cast<int>(c));
+                lower = positive ? std::min(lower, x) : -infinity;
+                upper = positive ? std::max(upper, x) : infinity;
+            }
+        }
+    }
+    return boxes;
+}
+
+void CurveTree::add_levels() {
+    // The boxes of eight on end become one; those that fill a node up are never reached, since no distance is
+    // as small as theirs.
+    const auto dim = static_cast<size_t>(dim_);
+    Boxes boxes = leaf_boxes();
+    do {
+        const size_t below = boxes.lower.size() / dim, count = (below + fan - 1) / fan;
+        Boxes above{std::vector<double>(count * dim, infinity), std::vector<double>(count * dim, -infinity)};
+        for (size_t i = 0; i < below; ++i) {
+            for (size_t c = 0; c < dim; ++c) {
+                double &lower = above.lower[i / fan * dim + c], &upper = above.upper[i / fan * dim + c];
+                lower = std::min(lower, boxes.lower[i * dim + c]);
+                upper = std::max(upper, boxes.upper[i * dim + c]);
+            }
+        }
+        const size_t nodes = (count + fan - 1) / fan;
+        std::vector<double> level(nodes * static_cast<size_t>(node_size()), 0.0);
+        for (size_t i = 0; i < count; ++i) {
+            double *node = level.data() + i / fan * static_cast<size_t>(node_size()) + i % fan;
+            for (size_t c = 0; c < dim; ++c) {
+                node[c * fan] = above.lower[i * dim + c];
+                node[(dim + c) * fan] = above.upper[i * dim + c];
+            }
+        }
+        levels_.push_back(std::move(level));
+        boxes = std::move(above);
+    } while (boxes.lower.size() / dim > fan);
+}
+
+int64_t CurveTree::leaf_at(double t) const noexcept {
+    const auto after = std::upper_bound(domains_.begin(), domains_.end(), t,
+                                        [](double x, const Interval &leaf) { return x < leaf.lower; });
+    return std::max<int64_t>(after - domains_.begin() - 1, 0);
+}
+
+bool CurveTree::joined(int64_t leaf) const noexcept {
+    if (leaf < 0 || leaf + 1 >= leaves()) {
+        return false;
+    }
+    const PieceView view(records(leaf), degree_, dim_, lanes_),
+        next(records(leaf + 1), degree_, dim_, lanes_);
+    const double gap = norm_of(dim_, [&](int c) { return view.x(degree_, c) - next.x(0, c); });
+    return gap <= std::ldexp(2 * rounding_ * std::numeric_limits<double>::epsilon() * size_, -exponent_);
+}
+
+} // namespace nrb

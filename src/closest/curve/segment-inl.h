@@ -1,0 +1,156 @@
+// A piece of a curve as seen from a point: what is asked of it by searches for closest points. Included once
+// for every instruction set: see base/simd.h.
+#if defined(NURBS_QUERY_CLOSEST_SEGMENT_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef NURBS_QUERY_CLOSEST_SEGMENT_INL_H_
+#undef NURBS_QUERY_CLOSEST_SEGMENT_INL_H_
+#else
+#define NURBS_QUERY_CLOSEST_SEGMENT_INL_H_
+#endif
+
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace nrb {
+namespace HWY_NAMESPACE {
+
+// Degree and lanes, as constants where they are known (kDegree >= 0, kLanes > 0).
+template <int kDegree, int kLanes>
+struct SegmentShape {
+    int some_degree;
+    int some_lanes;
+
+    [[nodiscard]] HWY_INLINE int degree() const noexcept { return kDegree >= 0 ? kDegree : some_degree; }
+    [[nodiscard]] HWY_INLINE int lanes() const noexcept { return kLanes > 0 ? kLanes : some_lanes; }
+    [[nodiscard]] HWY_INLINE int size() const noexcept { return (degree() + 1) * lanes(); }
+};
+
+// What a segment D, w, the homogeneous piece with the query point as its origin, has at a place: the square
+// of the distance f = |D|^2 / w^2, and g = (D D') w - (D D) w', h = g', with f' = 2 g / w^3. Weights are
+// positive.
+struct Slope {
+    double square;
+    double first;
+    double second;
+};
+
+template <class Shape>
+class SegmentTools {
+public:
+    // work: size() doubles.
+    SegmentTools(const Shape &shape, double *work) noexcept : shape_(shape), work_(work) {}
+
+    // de Casteljau's triangle, of which the last three layers give value, first and second derivative.
+    [[nodiscard]] HWY_INLINE Slope slope(const double *HWY_RESTRICT segment, double s) const noexcept {
+        const int p = shape_.degree(), lanes = shape_.lanes();
+        double *HWY_RESTRICT b = work_;
+        std::copy_n(segment, shape_.size(), b);
+        const double r = 1 - s;
+        for (int level = p; level > 2; --level) {
+            step(b, level, r, s);
+        }
+        double dd = 0, dd1 = 0, d1d1 = 0, dd2 = 0, w = 0, w1 = 0, w2 = 0;
+        for (int c = 0; c < lanes; ++c) {
+            double x0 = b[c], x1 = 0, x2 = 0;
+            if (p >= 2) {
+                const double u = b[c], v = b[lanes + c], z = b[2 * lanes + c];
+                const double lower = r * u + s * v, upper = r * v + s * z;
+                x0 = r * lower + s * upper;
+                x1 = p * (upper - lower);
+                x2 = double(p) * (p - 1) * ((z - v) - (v - u));
+            } else if (p == 1) {
+                x0 = r * b[c] + s * b[lanes + c];
+                x1 = b[lanes + c] - b[c];
+            }
+            if (c == lanes - 1) {
+                w = x0, w1 = x1, w2 = x2;
+            } else {
+                dd += x0 * x0, dd1 += x0 * x1, d1d1 += x1 * x1, dd2 += x0 * x2;
+            }
+        }
+        return {dd / (w * w), dd1 * w - dd * w1, (d1d1 + dd2) * w - dd1 * w1 - dd * w2};
+    }
+
+    // The square of the distance of control point i, an end.
+    [[nodiscard]] HWY_INLINE double end_square(const double *segment, int i) const noexcept {
+        const double *record = segment + i * shape_.lanes();
+        const double w = record[shape_.lanes() - 1];
+        double sum = 0;
+        for (int c = 0; c < shape_.lanes() - 1; ++c) {
+            sum += record[c] * record[c];
+        }
+        return sum / (w * w);
+    }
+
+    // The lower part up to s, and the upper one.
+    // Either may be the segment itself.
+    HWY_INLINE void split(const double *segment, double s, double *lower, double *upper) const noexcept {
+        const int p = shape_.degree(), lanes = shape_.lanes();
+        const double r = 1 - s;
+        std::copy(segment, segment + (segment == upper ? 0 : shape_.size()), upper);
+        for (int level = p; level > 0; --level) {
+            std::copy_n(upper, lanes, lower + (p - level) * lanes);
+            step(upper, level, r, s);
+        }
+        std::copy_n(upper, lanes, lower + p * lanes);
+    }
+
+    // Whether sign (|D|^2 - R^2 w^2) >= 0 on the whole segment for certain: all its Bernstein coefficients
+    // are, after the rounding of their computation. binomials[i] = binomial(p, i), inverses[k] = 1 /
+    // binomial(2 p, k). Each coefficient is a mean of products of p + 1 pairs at most, so that with dim + 1
+    // terms each, 2 (p + lanes + 8) units of rounding of the mean of their magnitudes hold all errors.
+    [[nodiscard]] HWY_INLINE bool beyond(const double *HWY_RESTRICT segment, double square, double sign,
+                                         const double *binomials, double *HWY_RESTRICT norms) const noexcept {
+        const int p = shape_.degree(), lanes = shape_.lanes();
+        double *HWY_RESTRICT scaled = work_; // binomial times record, the weight times -R^2
+        for (int i = 0; i <= p; ++i) {
+            const double *record = segment + i * lanes;
+            const double binomial = binomials[i];
+            double sum = 0;
+            for (int c = 0; c < lanes; ++c) {
+                scaled[i * lanes + c] = binomial * record[c];
+                sum += c == lanes - 1 ? square * record[c] * record[c] : record[c] * record[c];
+            }
+            scaled[(i + 1) * lanes - 1] *= -square;
+            norms[i] = binomial * std::sqrt(sum);
+        }
+        const double unit = (p + lanes + 8) * std::numeric_limits<double>::epsilon();
+        for (int k = 0; k <= 2 * p; ++k) {
+            double value = 0, magnitude = 0;
+            for (int i = std::max(0, k - p), j = k - i; i <= j; ++i, --j) {
+                const double twice = i == j ? 1 : 2;
+                double dot = 0;
+                for (int c = 0; c < lanes; ++c) {
+                    dot += segment[i * lanes + c] * scaled[j * lanes + c];
+                }
+                value += twice * binomials[i] * dot;
+                magnitude += twice * norms[i] * norms[j];
+            }
+            if (!(sign * value >= unit * magnitude)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+private:
+    HWY_INLINE void step(double *HWY_RESTRICT b, int level, double r, double s) const noexcept {
+        const int end = level * shape_.lanes(), lanes = shape_.lanes();
+        for (int c = 0; c < end; ++c) {
+            b[c] = r * b[c] + s * b[lanes + c];
+        }
+    }
+
+    Shape shape_;
+    double *work_;
+};
+
+} // namespace HWY_NAMESPACE
+} // namespace nrb
+HWY_AFTER_NAMESPACE();
+
+#endif

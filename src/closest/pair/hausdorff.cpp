@@ -1,0 +1,289 @@
+#include "closest/pair/hausdorff.h"
+
+#include "base/error.h"
+#include "numeric/norm.h"
+#include "eval/evaluate.h"
+#include "closest/locator.h"
+#include "closest/pair/matched_bound.h"
+#include "closest/pair/parameter_map.h"
+#include "refine/knots/bezier_rows.h"
+#include "spline/kind.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace nrb {
+
+namespace {
+
+constexpr double eps = std::numeric_limits<double>::epsilon();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr int64_t budget_of_a_foot = 20000;
+constexpr int64_t budget_of_a_match = 500; // of which nothing is taken from the caller's budget
+constexpr double rounding = 0x1p-40;       // of points that may be the same, before anything is proven
+
+// Breaks of `other` where pieces of splines that are parametrized alike match, or as a map says that they are.
+BernsteinNet::Breaks alike_breaks(const Spline &spline, const Spline &other, const ParameterMap *map) {
+    BernsteinNet::Breaks breaks;
+    for (int k = 0; k < spline.axes() && (map != nullptr || spline.axes() == other.axes()); ++k) {
+        breaks[static_cast<size_t>(k)] =
+            map != nullptr ? map->breaks(k) : straight_map(spline, other).breaks(k);
+    }
+    return breaks;
+}
+
+// Finds pair_pieces() of a spline by their parameters.
+class PieceIndex {
+public:
+    explicit PieceIndex(const Spline &spline) {
+        for (int k = 0; k < spline.axes(); ++k) {
+            ends_.push_back(breaks_of(spline.axis(k)));
+        }
+    }
+
+    // Those that contain a place: two along an axis at a knot, none outside.
+    [[nodiscard]] std::vector<size_t> containing(const Place &place) const {
+        std::vector<size_t> found{0};
+        for (size_t k = 0; k < ends_.size(); ++k) {
+            const std::vector<double> &ends = ends_[k];
+            const size_t count = ends.size() - 1;
+            const auto above = std::lower_bound(ends.begin(), ends.end(), place[k]);
+            const auto at = static_cast<size_t>(above - ends.begin());
+            std::vector<size_t> next;
+            for (const size_t base : found) {
+                if (at > 0 && at <= count) {
+                    next.push_back(base * count + at - 1);
+                }
+                if (at < count && *above == place[k]) {
+                    next.push_back(base * count + at);
+                }
+            }
+            found = std::move(next);
+        }
+        return found;
+    }
+
+private:
+    std::vector<std::vector<double>> ends_;
+};
+
+struct FarPiece {
+    double upper;
+    PairPiece piece;
+    bool looked;
+
+    [[nodiscard]] bool operator<(const FarPiece &other) const noexcept { return upper < other.upper; }
+};
+
+// The nearest point of the other spline, in the frame.
+struct NearPoint {
+    Foot foot;
+    std::vector<double> point;
+    double distance = 0;
+};
+
+class FarthestSearch {
+public:
+    FarthestSearch(const Spline &from, const Spline &to, const PairFrame &frame, double tolerance,
+                   int64_t budget)
+        : to_(to), frame_(frame), locator_(locator_of(to)), index_(to), pieces_(pair_pieces(to, frame)),
+          dim_(from.dim()), tolerance_(tolerance), budget_(budget), query_(static_cast<size_t>(dim_)),
+          map_(matching_map(from, to, std::ldexp(rounding, frame.exponent),
+                            std::ldexp(tolerance, frame.exponent), std::min(budget, budget_of_a_match))) {
+        for (const PairPiece &piece : pieces_) {
+            moved_ = std::max(moved_, piece.positive() ? piece.moved() : 0);
+        }
+        for (PairPiece &piece : pair_pieces(from, frame, alike_breaks(from, to, map_ ? &*map_ : nullptr))) {
+            noise_ = std::max(noise_, piece.positive() ? piece.moved() : 0);
+            push(infinity, std::move(piece), false);
+        }
+        noise_ = 8 * (noise_ + moved_) + 256 * eps;
+    }
+
+    void run() {
+        while (!heap_.empty() && heap_.front().upper > limit() && budget_-- > 0) {
+            std::pop_heap(heap_.begin(), heap_.end());
+            FarPiece top = std::move(heap_.back());
+            heap_.pop_back();
+            if (!top.looked && top.piece.positive()) {
+                look(std::move(top));
+            } else {
+                divide(std::move(top));
+            }
+        }
+        if (!heap_.empty()) {
+            ceiling_ = std::max(ceiling_, heap_.front().upper);
+        }
+    }
+
+    [[nodiscard]] double at_least() const noexcept { return std::max(lower_, 0.0); }
+    [[nodiscard]] double at_most() const noexcept { return std::max(ceiling_, at_least()); }
+    [[nodiscard]] double noise() const noexcept { return noise_; }
+    [[nodiscard]] const Place &best() const noexcept { return best_; }
+
+private:
+    [[nodiscard]] double limit() const noexcept { return std::max(lower_, 0.0) + tolerance_ + noise_; }
+
+    void push(double upper, PairPiece piece, bool looked) {
+        if (upper <= limit()) {
+            ceiling_ = std::max(ceiling_, upper);
+            return;
+        }
+        heap_.push_back({upper, std::move(piece), looked});
+        std::push_heap(heap_.begin(), heap_.end());
+    }
+
+    // The foot of a point of the frame.
+    NearPoint nearest(const double *x) {
+        for (size_t c = 0; c < query_.size(); ++c) {
+            query_[c] = frame_.centre[c] + std::ldexp(x[c], frame_.exponent);
+        }
+        NearPoint near;
+        near.foot = locator_.nearest({query_.data(), nullptr, std::ldexp(tolerance_ / 4, frame_.exponent),
+                                      std::clamp<int64_t>(budget_, 1, budget_of_a_foot)});
+        budget_ -= near.foot.looked;
+        AxisRules rules{};
+        for (size_t k = 0; k < max_axes; ++k) {
+            rules[k].left = (near.foot.left >> k & 1) != 0;
+        }
+        near.point.resize(query_.size());
+        evaluate_points(to_, rules, 0, {near.foot.params.data(), 1, to_.axes(), to_.axes()},
+                        {near.point.data(), 1, dim_, dim_});
+        near.distance = std::ldexp(near.foot.distance, -frame_.exponent);
+        for (size_t c = 0; c < query_.size(); ++c) {
+            near.point[c] = std::ldexp(near.point[c] - frame_.centre[c], -frame_.exponent);
+        }
+        return near;
+    }
+
+    void look(FarPiece top) {
+        const PairPiece &piece = top.piece;
+        if (map_) {
+            top.upper = std::min(top.upper, mapped(piece));
+            if (top.upper <= limit()) {
+                ceiling_ = std::max(ceiling_, top.upper);
+                return;
+            }
+        }
+        const Place middle{0.5, 0.5, 0.5};
+        jet_.evaluate(piece, middle, false);
+        const NearPoint near = nearest(jet_.value());
+        const double noise = std::ldexp(near.foot.noise, -frame_.exponent) + 8 * (dim_ + 2) * eps;
+        if ((near.foot.status & (closest_certified | closest_coarse)) != 0) {
+            const double lower = near.distance - tolerance_ / 4 - noise - piece.moved();
+            if (lower > lower_) {
+                lower_ = lower;
+                best_ = piece.parameter(middle);
+            }
+        }
+        double upper = std::min(top.upper, from_point(piece, near.point) + noise + moved_ + piece.moved());
+        if (upper > limit()) {
+            upper = std::min(upper, matched(piece, near.foot));
+        }
+        push(upper, std::move(top.piece), true);
+    }
+
+    // By the map, with any piece of the other spline that the middle is mapped to.
+    double mapped(const PairPiece &piece) {
+        double best = infinity;
+        const Place middle = (*map_)(piece.parameter({0.5, 0.5, 0.5}));
+        for (const size_t i : index_.containing(middle)) {
+            const PairPiece &other = pieces_[i];
+            std::vector<Place> corners = MatchedBound::corners_of(piece);
+            for (Place &corner : corners) {
+                corner = other.place((*map_)(piece.parameter(corner)));
+            }
+            best = std::min(best, MatchedBound::upper(piece, other, corners, limit()));
+        }
+        return best;
+    }
+
+    // The distance of a point of the hull from one point is at most that of a control point.
+    [[nodiscard]] double from_point(const PairPiece &piece, const std::vector<double> &point) const noexcept {
+        double most = 0;
+        for (int64_t i = 0; i < piece.coefficients(); ++i) {
+            most = std::max(most, distance(piece.point(i), point.data(), dim_));
+        }
+        return most * (1 + (dim_ + 4) * eps);
+    }
+
+    // Both pieces beside a knot may match.
+    double matched(const PairPiece &piece, const Foot &foot) {
+        double best = infinity;
+        for (const size_t i : index_.containing(foot.params)) {
+            best = std::min(best, bound_.upper(piece, pieces_[i], pieces_[i].place(foot.params), limit()));
+        }
+        return best;
+    }
+
+    void divide(FarPiece top) {
+        std::optional<PairPiece> half = top.piece.halve();
+        if (!half) {
+            ceiling_ = std::max(ceiling_, top.upper);
+            return;
+        }
+        push(top.upper, std::move(*half), false);
+        push(top.upper, std::move(top.piece), false);
+    }
+
+    const Spline &to_;
+    const PairFrame &frame_;
+    const Locator &locator_;
+    PieceIndex index_;
+    std::vector<PairPiece> pieces_; // of the other spline
+    int dim_;
+    double tolerance_;
+    int64_t budget_;
+    std::vector<double> query_;
+    std::optional<ParameterMap> map_;
+    double moved_ = 0, noise_ = 0;
+    double lower_ = -infinity;
+    double ceiling_ = 0; // no point of the pieces that were left out is farther
+    Place best_{};
+    std::vector<FarPiece> heap_;
+    PieceJet jet_;
+    MatchedBound bound_;
+};
+
+// No point is away from the spline itself.
+FarthestPoint nowhere_else(const Spline &from) noexcept {
+    FarthestPoint result;
+    for (int k = 0; k < from.axes(); ++k) {
+        result.params[static_cast<size_t>(k)] = from.axis(k).domain().lower;
+    }
+    result.certified = true;
+    return result;
+}
+
+} // namespace
+
+FarthestPoint one_sided_distance(const Spline &from, const Spline &to, double tolerance, int64_t budget) {
+    check_same_dimension(from, to);
+    if (same_numbers(from, to)) {
+        return nowhere_else(from);
+    }
+    const PairFrame frame = pair_frame(from, to);
+    const double asked = std::ldexp(tolerance, -frame.exponent);
+    FarthestSearch search(from, to, frame, asked, budget);
+    search.run();
+    FarthestPoint result;
+    result.at_least = std::ldexp(search.at_least(), frame.exponent);
+    result.at_most = std::ldexp(search.at_most(), frame.exponent);
+    if (!std::isfinite(result.at_least)) {
+        fail(Status::not_representable, "the distance overflows double precision");
+    }
+    result.params = search.best();
+    if (search.at_least() == 0) {
+        for (int k = 0; k < from.axes(); ++k) {
+            const Interval domain = from.axis(k).domain();
+            auto &t = result.params[static_cast<size_t>(k)];
+            t = std::clamp(t, domain.lower, domain.upper);
+        }
+    }
+    const double gap = search.at_most() - search.at_least(), noise = search.noise();
+    result.certified = std::isfinite(gap + noise) && gap <= asked + 2 * noise;
+    return result;
+}
+
+} // namespace nrb

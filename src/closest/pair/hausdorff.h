@@ -1,0 +1,23 @@
+// How far the point of a spline that is farthest from another one is from it.
+#pragma once
+
+#include "spline/spline.h"
+
+#include <array>
+
+namespace nrb {
+
+struct FarthestPoint {
+    double at_least = 0;
+    double at_most = 0;
+    std::array<double, max_axes> params{}; // of a point that is at_least away
+    bool certified = false;
+};
+
+// The largest distance of a point of `from` to the nearest one of `to`. Best first over pieces of `from`: the
+// nearest point of the middle gives a lower bound; the farthest control point from that point an upper one,
+// which is good where the splines are apart, and matching with a piece of `to` another, which is good where
+// they touch. `budget`: most pieces looked at. Throws Status::incompatible, not_representable.
+FarthestPoint one_sided_distance(const Spline &from, const Spline &to, double tolerance, int64_t budget);
+
+} // namespace nrb

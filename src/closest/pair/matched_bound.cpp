@@ -1,0 +1,201 @@
+#include "closest/pair/matched_bound.h"
+
+#include "bernstein/rounded_polynomial.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace nrb {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// Values that are exact as they are.
+RoundedPolynomial exact_polynomial(const BernsteinShape &shape, std::vector<double> values) {
+    RoundedPolynomial p;
+    p.shape = shape;
+    p.errors.resize(values.size());
+    p.values = std::move(values);
+    return p;
+}
+
+// Components [first, first + count) of the records of a piece.
+RoundedPolynomial part_of(const PairPiece &piece, int first, int count) {
+    BernsteinShape shape = piece.shape();
+    shape.width = count;
+    std::vector<double> values;
+    for (int64_t i = 0; i < piece.coefficients(); ++i) {
+        values.insert(values.end(), piece.record(i) + first, piece.record(i) + first + count);
+    }
+    return exact_polynomial(shape, std::move(values));
+}
+
+// The parameters of y over x by the places of the corners, and 1 less them.
+struct Map {
+    std::vector<RoundedPolynomial> low, high; // for each axis of y: 1 - u, u
+};
+
+// Values at the corners of a cube, with only one of two along axes along which nothing changes.
+void drop_constant_axes(BernsteinShape &shape, std::vector<double> &values) {
+    size_t inner = 1;
+    for (size_t k = max_axes; k-- > 0;) {
+        if (shape.degrees[k] == 0) {
+            continue;
+        }
+        bool same = true;
+        std::vector<double> lower;
+        for (size_t i = 0; i < values.size(); ++i) {
+            if (i / inner % 2 == 0) {
+                same = same && values[i] == values[i + inner];
+                lower.push_back(values[i]);
+            }
+        }
+        if (same) {
+            shape.degrees[k] = 0;
+            values = std::move(lower);
+        } else {
+            inner *= 2;
+        }
+    }
+}
+
+Map map_of(const PairPiece &x, const PairPiece &y, const std::vector<Place> &corners) {
+    BernsteinShape cube;
+    for (int k = 0; k < x.axes(); ++k) {
+        cube.degrees[static_cast<size_t>(max_axes - x.axes() + k)] = x.degree(k) > 0 ? 1 : 0;
+    }
+    Map map;
+    for (size_t k = 0; k < static_cast<size_t>(y.axes()); ++k) {
+        BernsteinShape shape = cube;
+        std::vector<double> u, rest;
+        for (const Place &corner : corners) {
+            u.push_back(corner[k]);
+        }
+        drop_constant_axes(shape, u);
+        for (const double place : u) {
+            rest.push_back(1 - place);
+        }
+        map.high.push_back(exact_polynomial(shape, std::move(u)));
+        map.low.push_back(exact_polynomial(shape, std::move(rest)));
+        std::fill(map.low.back().errors.begin(), map.low.back().errors.end(),
+                  std::numeric_limits<double>::epsilon());
+    }
+    return map;
+}
+
+// de Casteljau's algorithm with polynomials as parameters, from the last axis to the first.
+RoundedPolynomial composition(const PairPiece &y, const Map &map) {
+    std::vector<RoundedPolynomial> net;
+    BernsteinShape point;
+    point.width = y.dim() + 1;
+    for (int64_t i = 0; i < y.coefficients(); ++i) {
+        net.push_back(exact_polynomial(point, {y.record(i), y.record(i) + point.width}));
+    }
+    for (int k = y.axes(); k-- > 0;) {
+        const auto at = static_cast<size_t>(k);
+        const int degree = y.degree(k);
+        std::vector<RoundedPolynomial> next;
+        for (auto row = net.begin(); row != net.end(); row += degree + 1) {
+            for (int level = degree; level > 0; --level) {
+                for (int i = 0; i < level; ++i) {
+                    row[i] = row[i] * map.low[at] + row[i + 1] * map.high[at];
+                }
+            }
+            next.push_back(std::move(*row));
+        }
+        net = std::move(next);
+    }
+    return std::move(net.front());
+}
+
+// Components [first, first + count).
+RoundedPolynomial components(const RoundedPolynomial &a, int first, int count) {
+    std::vector<RoundedPolynomial> parts;
+    for (int c = first; c < first + count; ++c) {
+        parts.push_back(component(a, c));
+    }
+    return side_by_side(parts);
+}
+
+double largest_quotient_of(const RoundedPolynomial &numerator, const RoundedPolynomial &denominator) {
+    const auto width = static_cast<size_t>(numerator.shape.width);
+    double largest = 0;
+    for (size_t i = 0; i < denominator.values.size(); ++i) {
+        double square = 0;
+        for (size_t c = i * width; c < (i + 1) * width; ++c) {
+            const double x = std::abs(numerator.values[c]) + numerator.error(c);
+            square += x * x;
+        }
+        const double w = denominator.values[i] - denominator.error(i);
+        if (!(w > 0)) {
+            return infinity;
+        }
+        largest = std::max(largest, std::sqrt(square) / w);
+    }
+    return largest * (1 + 1e-14 * static_cast<double>(width + 4));
+}
+
+} // namespace
+
+// The same by the squares, whose coefficients do not turn with the vectors: equal for concentric arcs.
+double largest_norm_of(const RoundedPolynomial &numerator, const RoundedPolynomial &denominator) {
+    const RoundedPolynomial squares = dot(numerator, numerator), weights = denominator * denominator;
+    double largest = 0;
+    for (size_t i = 0; i < squares.values.size(); ++i) {
+        const double w = weights.values[i] - weights.error(i);
+        if (!(w > 0)) {
+            return infinity;
+        }
+        largest = std::max(largest, (squares.values[i] + squares.error(i)) / w);
+    }
+    return std::sqrt(largest) * (1 + 1e-15);
+}
+
+std::vector<Place> MatchedBound::corners_of(const PairPiece &x) {
+    std::vector<Place> corners;
+    std::array<int, max_axes> ends{0, 0, 0};
+    for (int k = 0; k < x.axes(); ++k) {
+        ends[static_cast<size_t>(k)] = x.degree(k) > 0 ? 1 : 0;
+    }
+    for (int i = 0; i <= ends[0]; ++i) {
+        for (int j = 0; j <= ends[1]; ++j) {
+            for (int k = 0; k <= ends[2]; ++k) {
+                corners.push_back({double(i), double(j), double(k)});
+            }
+        }
+    }
+    return corners;
+}
+
+double MatchedBound::upper(const PairPiece &x, const PairPiece &y, const Place &guess, double enough) {
+    if (!x.positive() || !y.positive()) {
+        return infinity;
+    }
+    std::vector<Place> corners = corners_of(x);
+    for (Place &corner : corners) {
+        jet_.evaluate(x, corner, false);
+        PairPlace at;
+        at.b = guess;
+        descent_.run(PairPiece(jet_.value(), x.dim()), y, at);
+        corner = at.b;
+    }
+    return upper(x, y, corners, enough);
+}
+
+double MatchedBound::upper(const PairPiece &x, const PairPiece &y, const std::vector<Place> &corners,
+                           double enough) {
+    if (!x.positive() || !y.positive()) {
+        return infinity;
+    }
+    const int dim = x.dim();
+    const RoundedPolynomial image = composition(y, map_of(x, y, corners));
+    const RoundedPolynomial points = part_of(x, 0, dim), w = part_of(x, dim, 1), v = component(image, dim);
+    const RoundedPolynomial difference = points * v - components(image, 0, dim) * w;
+    const RoundedPolynomial weights = v * w;
+    const double moved = x.moved() + y.moved(), most = largest_quotient_of(difference, weights) + moved;
+    return most <= enough ? most : std::min(most, largest_norm_of(difference, weights) + moved);
+}
+
+} // namespace nrb

@@ -1,0 +1,29 @@
+// How far a piece is from another one, at most, if its points are matched with points of the other one.
+#pragma once
+
+#include "closest/pair/pair_descent.h"
+
+namespace nrb {
+
+// The corners of piece x are matched with the points of piece y that are nearest to them, what is between
+// them with what the multilinear map between the parameters makes of it: the largest distance of matched
+// points, by the quotients of the Bernstein coefficients of X v - Y w and v w (the composition of Y with the
+// map has in every variable the sum of the degrees of y). Of second order in the size of x, even where both
+// touch. Rounding and moved() of both are included; infinite where weights are not positive.
+class MatchedBound {
+public:
+    // `enough`: no less is wanted.
+    double upper(const PairPiece &x, const PairPiece &y, const Place &guess, double enough);
+
+    // The same for places on y of the corners of x that are known, in the order of corners_of(x).
+    static double upper(const PairPiece &x, const PairPiece &y, const std::vector<Place> &corners,
+                        double enough);
+    // The last axis is the fastest; axes without a degree have one end.
+    static std::vector<Place> corners_of(const PairPiece &x);
+
+private:
+    PieceJet jet_;
+    PairDescent descent_;
+};
+
+} // namespace nrb

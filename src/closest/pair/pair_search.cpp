@@ -1,0 +1,197 @@
+#include "closest/pair/pair_search.h"
+
+#include "base/error.h"
+#include "numeric/norm.h"
+#include "eval/evaluate.h"
+#include "closest/foot.h"
+#include "closest/pair/pair_bound.h"
+#include "closest/pair/pair_cells.h"
+#include "spline/kind.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace nrb {
+
+namespace {
+
+constexpr double eps = std::numeric_limits<double>::epsilon();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+struct CellPair {
+    double lower;
+    PairCell *a, *b;
+    bool looked; // a descent has been made
+
+    [[nodiscard]] bool operator<(const CellPair &other) const noexcept { return lower > other.lower; }
+};
+
+int highest_degree(const Spline &spline) noexcept {
+    int degree = 0;
+    for (int k = 0; k < spline.axes(); ++k) {
+        degree = std::max(degree, spline.axis(k).degree());
+    }
+    return degree;
+}
+
+class PairSearch {
+public:
+    // tolerance: in the frame.
+    PairSearch(const Spline &a, const Spline &b, const PairFrame &frame, double tolerance, int64_t budget)
+        : a_(pair_cells(pair_pieces(a, frame))), b_(pair_cells(pair_pieces(b, frame))), dim_(a.dim()),
+          noise_(noise_of(a, b)), allowed_(tolerance + noise_), budget_(budget) {}
+
+    // What rounding leaves open.
+    [[nodiscard]] double noise() const noexcept { return noise_; }
+
+    void run() {
+        push(a_.get(), b_.get(), 0);
+        while (!heap_.empty() && heap_.front().lower < limit() && budget_-- > 0) {
+            std::pop_heap(heap_.begin(), heap_.end());
+            const CellPair pair = heap_.back();
+            heap_.pop_back();
+            if (pair.a->piece && pair.b->piece && pair.a->piece->positive() && pair.b->piece->positive() &&
+                !pair.looked) {
+                look(pair);
+            } else {
+                divide(pair);
+            }
+        }
+        if (!heap_.empty()) {
+            floor_ = std::min(floor_, heap_.front().lower);
+        }
+    }
+
+    [[nodiscard]] double at_least() const noexcept { return std::max(0.0, std::min(floor_, upper_)); }
+    [[nodiscard]] double at_most() const noexcept { return upper_; }
+    // The best places, with whether they are upper ends.
+    struct Best {
+        Place a{}, b{};
+        std::array<bool, max_axes> left_a{}, left_b{};
+    };
+    [[nodiscard]] const Best &best() const noexcept { return best_; }
+
+private:
+    // Of the pieces and of the points that are evaluated in the end, at both splines.
+    [[nodiscard]] double noise_of(const Spline &a, const Spline &b) const noexcept {
+        return 4 * (a_->moved + b_->moved) + 64 * (highest_degree(a) + highest_degree(b) + 2) * eps;
+    }
+    [[nodiscard]] double limit() const noexcept { return upper_ - allowed_; }
+
+    void push(PairCell *a, PairCell *b, double least, bool looked = false) {
+        double lower = least;
+        if (!looked) {
+            lower = std::max(lower, box_distance(a->box.data(), b->box.data(), dim_) - a->moved - b->moved -
+                                        16 * eps);
+        }
+        if (lower >= limit()) {
+            floor_ = std::min(floor_, lower);
+            return;
+        }
+        heap_.push_back({lower, a, b, looked});
+        std::push_heap(heap_.begin(), heap_.end());
+    }
+
+    void look(const CellPair &pair) {
+        const PairPiece &a = *pair.a->piece, &b = *pair.b->piece;
+        PairPlace place;
+        place.a.fill(0.5);
+        place.b.fill(0.5);
+        descent_.run(a, b, place);
+        const double moved = a.moved() + b.moved();
+        if (place.distance + moved < upper_) {
+            upper_ = place.distance + moved;
+            best_.a = a.parameter(place.a);
+            best_.b = b.parameter(place.b);
+            for (size_t k = 0; k < max_axes; ++k) {
+                best_.left_a[k] = place.a[k] >= 1;
+                best_.left_b[k] = place.b[k] >= 1;
+            }
+        }
+        if (std::isfinite(place.distance)) {
+            push(pair.a, pair.b, std::max(pair.lower, bound_.lower(a, b, place, limit())), true);
+        } else {
+            push(pair.a, pair.b, pair.lower, true);
+        }
+    }
+
+    void divide(const CellPair &pair) {
+        const bool first = rank(*pair.a) >= rank(*pair.b);
+        if (!split(pair, first) && !split(pair, !first)) {
+            floor_ = std::min(floor_, pair.lower); // two points
+        }
+    }
+    // Groups go before pieces, pieces without bounds before all.
+    [[nodiscard]] static double rank(const PairCell &cell) noexcept {
+        return cell.piece ? cell.size : cell.size + 1e3;
+    }
+
+    bool split(const CellPair &pair, bool first) {
+        PairCell *cell = first ? pair.a : pair.b;
+        if (!cell->split()) {
+            return false;
+        }
+        for (const auto &child : cell->children) {
+            push(first ? child.get() : pair.a, first ? pair.b : child.get(), pair.lower);
+        }
+        return true;
+    }
+
+    std::unique_ptr<PairCell> a_, b_;
+    int dim_;
+    double noise_;
+    double allowed_; // between both bounds
+    int64_t budget_;
+    double upper_ = infinity; // proven
+    double floor_ = infinity; // no pair that was left out is nearer
+    Best best_;
+    std::vector<CellPair> heap_;
+    PairDescent descent_;
+    PairBound bound_;
+};
+
+std::vector<double> point_of(const Spline &spline, const Place &params,
+                             const std::array<bool, max_axes> &left) {
+    std::vector<double> x(static_cast<size_t>(spline.dim()));
+    AxisRules rules{};
+    for (size_t k = 0; k < max_axes; ++k) {
+        rules[k].left = left[k];
+    }
+    evaluate_points(spline, rules, 0, {params.data(), 1, spline.axes(), spline.axes()},
+                    {x.data(), 1, spline.dim(), spline.dim()});
+    return x;
+}
+
+} // namespace
+
+PairDistance pair_distance(const Spline &a, const Spline &b, double tolerance, int64_t budget) {
+    check_same_dimension(a, b);
+    const PairFrame frame = pair_frame(a, b);
+    PairSearch search(a, b, frame, std::ldexp(tolerance, -frame.exponent), budget);
+    search.run();
+    PairDistance result;
+    PairSearch::Best best = search.best();
+    if (!std::isfinite(search.at_most())) { // no piece could be looked at
+        for (int k = 0; k < a.axes(); ++k) {
+            best.a[static_cast<size_t>(k)] = a.axis(k).domain().lower;
+        }
+        for (int k = 0; k < b.axes(); ++k) {
+            best.b[static_cast<size_t>(k)] = b.axis(k).domain().lower;
+        }
+    }
+    result.params_a = best.a;
+    result.params_b = best.b;
+    const std::vector<double> from = point_of(a, best.a, best.left_a), to = point_of(b, best.b, best.left_b);
+    result.at_most = distance(from.data(), to.data(), a.dim());
+    if (!std::isfinite(result.at_most)) {
+        fail(Status::not_representable, "the distance overflows double precision");
+    }
+    const double least = std::ldexp(search.at_least(), frame.exponent) - underflow_noise;
+    result.at_least = std::max(0.0, std::min(least, result.at_most));
+    const double rounding = std::ldexp(2 * search.noise(), frame.exponent) + 2 * underflow_noise;
+    result.certified = std::isfinite(rounding) && result.at_most - result.at_least <= tolerance + rounding;
+    return result;
+}
+
+} // namespace nrb

@@ -1,0 +1,24 @@
+// The smallest distance of two splines.
+#pragma once
+
+#include "spline/spline.h"
+
+#include <array>
+#include <vector>
+
+namespace nrb {
+
+struct PairDistance {
+    double at_least = 0;
+    double at_most = 0; // distance of the points at the parameters
+    std::array<double, max_axes> params_a{}, params_b{};
+    bool certified = false;
+};
+
+// Best first over pairs of pieces, or groups of them in boxes. At each pair that is looked at a descent gives
+// an upper bound, and separating surfaces a lower one that is good to the second order; near a minimum that
+// grows to the second order a constant number of pairs is left at each size. `budget`: most pairs looked at.
+// Throws Status::incompatible, not_representable.
+PairDistance pair_distance(const Spline &a, const Spline &b, double tolerance, int64_t budget);
+
+} // namespace nrb

@@ -1,0 +1,120 @@
+#include "closest/patch/patch_candidates.h"
+
+#include "closest/patch/patch_place.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace nrb {
+
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+} // namespace
+
+PatchCandidates::Part PatchCandidates::inside(const PatchTree::Extent &extent) const noexcept {
+    Part part = Part::all;
+    for (int k = 0; query_.range != nullptr && k < pieces_.spline_axes(); ++k) {
+        const auto at = static_cast<size_t>(k);
+        const double first = pieces_.break_at(k, extent.lower[at]),
+                     last = pieces_.break_at(k, extent.upper[at]);
+        const Interval &range = query_.range[k];
+        if (last <= range.lower || first >= range.upper) {
+            return Part::none;
+        }
+        part = first < range.lower || last > range.upper ? Part::some : part;
+    }
+    return part;
+}
+
+// Whether the centre of a node that the range cuts is in it.
+bool PatchCandidates::holds_centre(int level, int64_t node) const noexcept {
+    const PatchTree::Place centre = tree_.centre(level, node);
+    PatchTree::Extent piece{};
+    piece.lower = piece.upper = pieces_.index(centre.piece);
+    for (int64_t &i : piece.upper) {
+        ++i;
+    }
+    const PatchBox box = box_in_range(pieces_, centre.piece, query_.range);
+    bool holds = inside(piece) != Part::none;
+    for (size_t k = 0; k < static_cast<size_t>(pieces_.shape().axes); ++k) {
+        holds = holds && centre.at[k] >= box.lower[k] && centre.at[k] <= box.upper[k];
+    }
+    return holds;
+}
+
+void PatchCandidates::visit_children(int level, const Candidate &parent, Candidates &next) {
+    const PatchTree::Family &family = tree_.family(level, parent.node);
+    double bounds[PatchTree::most_width], centres[PatchTree::most_width];
+    bound_discs(tree_.discs(family), family.width, pieces_.shape().dim, tree_.normals(), x_, query_.farthest,
+                {bounds, centres});
+    const bool leaves = level + 2 == tree_.levels();
+    for (int64_t i = 0; i < family.count; ++i) {
+        if (!(bounds[i] <= reached_ + margin_)) {
+            continue;
+        }
+        const int64_t node = family.first + i;
+        const Part part = query_.range == nullptr ? Part::all : inside(tree_.extent(level + 1, node));
+        if (part == Part::none) {
+            continue;
+        }
+        if (centres[i] < reached_ && (part == Part::all || holds_centre(level + 1, node))) {
+            reached_ = centres[i];
+            start_level_ = level + 1;
+            start_node_ = node;
+        } else if (leaves && reached_ == infinite && (start_level_ < 0 || centres[i] < outside_)) {
+            outside_ = centres[i];
+            start_level_ = level + 1;
+            start_node_ = node;
+        }
+        next.push_back({bounds[i], node});
+    }
+}
+
+PatchCandidates::PatchCandidates(const PatchPieces &pieces, const PatchTree &tree, const Query &query,
+                                 const double *x, double margin)
+    : pieces_(pieces), tree_(tree), query_(query), x_(x), margin_(margin) {
+    Candidates &leaves = leaves_;
+    Candidates other;
+    Candidates *now = &leaves, *next = &other;
+    reached_ = infinite;
+    now->push_back({-infinite, 0});
+    for (int level = 0; level + 1 < tree_.levels(); ++level) {
+        next->clear();
+        for (const Candidate &candidate : *now) {
+            if (candidate.bound <= reached_ + margin_) {
+                visit_children(level, candidate, *next);
+            }
+        }
+        std::swap(now, next);
+    }
+    if (now != &leaves) {
+        leaves.clear();
+        for (const Candidate &candidate : *now) {
+            leaves.push_back(candidate);
+        }
+    }
+}
+
+// The leaves of a piece stand side by side.
+void PatchCandidates::order(double limit, Groups &groups) {
+    const auto nearer = [](const auto &a, const auto &b) { return a.bound < b.bound; };
+    for (Candidate *first = leaves_.begin(); first != leaves_.end();) {
+        const int64_t piece = tree_.leaf(first->node).piece;
+        Candidate *end = first, *last = first;
+        for (; end != leaves_.end() && tree_.leaf(end->node).piece == piece; ++end) {
+            if (end->bound <= limit) {
+                *last++ = *end;
+            }
+        }
+        if (last != first) {
+            std::sort(first, last, nearer);
+            groups.push_back({first->bound, piece, first, last});
+        }
+        first = end;
+    }
+    std::sort(groups.begin(), groups.end(), nearer);
+}
+
+} // namespace nrb

@@ -1,0 +1,110 @@
+#include "closest/patch/patch_item.h"
+
+#include "numeric/norm.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace nrb {
+
+namespace {
+
+constexpr double eps = std::numeric_limits<double>::epsilon();
+constexpr double smallest_weight = 0x1p-200; // beyond it squares come near underflow
+
+} // namespace
+
+// w x and the difference are rounded, and x - c was: eps / 2 of |x - c| each, and of the result.
+PatchItem PatchItems::whole(int64_t piece) const {
+    PatchItem item;
+    item.values = memory_.take(pieces_.shape().values());
+    item.piece = piece;
+    shift_patch(pieces_.shape(), pieces_.patch(piece), x_, item.values);
+    item.moved = pieces_.moved() + 2 * eps * (norm(x_, pieces_.shape().dim) + pieces_.radius());
+    return item;
+}
+
+// The factors of the matrix are products of `degree` rounded numbers, the sums have degree + 1 terms: 2
+// degree eps of the mean of the magnitudes, of the point and of the weight.
+PatchItem PatchItems::part(const PatchItem &item, int axis, double lower, double upper,
+                           const double *matrix) const {
+    const auto at = static_cast<size_t>(axis);
+    PatchItem result = item;
+    result.values = memory_.take(pieces_.shape().values());
+    apply_matrix(pieces_.shape(), axis, matrix, item.values, result.values);
+    result.lower[at] = item.to_piece(axis, lower);
+    result.length[at] = item.length[at] * (upper - lower);
+    result.moved +=
+        (pieces_.shape().weighted ? 4 : 2) * (pieces_.shape().degree(axis) + 1) * eps * item.reach;
+    return result;
+}
+
+PatchItem PatchItems::part(const PatchItem &item, int axis, double lower, double upper) const {
+    double matrix[(max_degree + 1) * (max_degree + 1)];
+    part_matrix(pieces_.shape().degree(axis), lower, upper, matrix);
+    return part(item, axis, lower, upper, matrix);
+}
+
+// `degree` means on end, each off by eps / 2 of the means of the magnitudes: of points and weights.
+PatchItem PatchItems::halve_item(PatchItem &item, int axis) const {
+    const PatchShape &shape = pieces_.shape();
+    const auto at = static_cast<size_t>(axis);
+    BernsteinShape net{{}, shape.lanes};
+    std::copy_n(shape.degrees.begin(), shape.axes, net.degrees.begin());
+    item.moved += (shape.weighted ? 1.02 : 0.51) * shape.degree(axis) * eps * item.reach;
+    item.length[at] /= 2;
+    ++item.depth;
+    PatchItem lower = item;
+    lower.values = memory_.take(shape.values());
+    halve(net, axis, item.values, lower.values);
+    item.lower[at] += item.length[at];
+    return lower;
+}
+
+void PatchItems::measure(PatchItem &item) const noexcept {
+    const PatchShape &shape = pieces_.shape();
+    const int64_t count = shape.coefficients();
+    const double *q = item.values;
+    double least = std::numeric_limits<double>::infinity(), most = 0, square = 0, quotient = 0;
+    bool negative = false;
+    for (int64_t i = 0; i < count; ++i, q += shape.lanes) {
+        double sum = q[0] * q[0];
+        for (int c = 1; c < shape.dim; ++c) {
+            sum += q[c] * q[c];
+        }
+        const double w = q[shape.dim];
+        square = std::max(square, sum);
+        if (w == 0 && sum == 0 && pieces_.positive()) {
+            continue;
+        }
+        least = std::min(least, w);
+        most = std::max(most, w);
+        negative = negative || !(w > 0);
+    }
+    item.sound = !negative && least >= smallest_weight && std::isfinite(square);
+    if (!item.sound) {
+        return;
+    }
+    if (most > 2 * least) {
+        q = item.values;
+        for (int64_t i = 0; i < count; ++i, q += shape.lanes) {
+            const double w = q[shape.dim];
+            quotient = w > 0 ? std::max(quotient, norm(q, shape.dim) / w) : quotient;
+        }
+        item.reach = quotient * (1 + 8 * eps);
+    } else {
+        item.reach = std::sqrt(square) / least * (1 + (shape.dim + 8) * eps);
+    }
+    item.least_weight = least;
+    item.most_weight = most;
+    if (!pieces_.positive()) { // errors of records and weights, and of halving, count by the smallest weight
+        const double distance = item.reach + norm(x_, shape.dim);
+        const double records =
+            (pieces_.record_error() + distance * pieces_.weight_error()) * (8 + item.depth);
+        item.sound = least > 64 * pieces_.weight_error();
+        item.moved = std::max(item.moved, 1.05 * records / least);
+    }
+}
+
+} // namespace nrb

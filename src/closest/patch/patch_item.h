@@ -1,0 +1,51 @@
+// A part of a piece about a query point.
+#pragma once
+
+#include "closest/patch/patch_memory.h"
+#include "closest/patch/patch_pieces.h"
+
+namespace nrb {
+
+// Q = A - w x over a box in the piece: point i of the control net is Q_i / w_i.
+struct PatchItem {
+    double *values = nullptr;
+    int64_t piece = 0;
+    AxisValues lower{};         // in [0, 1] of the piece, along the axes of the shape
+    AxisValues length{1, 1, 1}; // of its sides
+    double moved = 0;           // how far rounding may have moved its points
+    double reach = 0;           // |Q_i| <= reach w_i
+    double least_weight = 1, most_weight = 1;
+    bool sound = false; // all weights are > 0, or 0 with Q_i = 0 exactly: the above hold
+    int depth = 0;
+
+    [[nodiscard]] double to_piece(int k, double s) const noexcept {
+        const auto at = static_cast<size_t>(k);
+        return lower[at] + length[at] * s;
+    }
+};
+
+// What makes items from pieces for one query point.
+class PatchItems {
+public:
+    // x: as placed by the pieces.
+    PatchItems(const PatchPieces &pieces, const double *x, PatchMemory &memory)
+        : pieces_(pieces), x_(x), memory_(memory) {}
+
+    // The whole piece.
+    [[nodiscard]] PatchItem whole(int64_t piece) const;
+    // The part [lower, upper] in the box of an item along an axis; matrix: part_matrix() of it.
+    [[nodiscard]] PatchItem part(const PatchItem &item, int axis, double lower, double upper,
+                                 const double *matrix) const;
+    [[nodiscard]] PatchItem part(const PatchItem &item, int axis, double lower, double upper) const;
+    // The halves along an axis; item becomes the upper one.
+    [[nodiscard]] PatchItem halve_item(PatchItem &item, int axis) const;
+    // Fills in sound, reach and the weights.
+    void measure(PatchItem &item) const noexcept;
+
+private:
+    const PatchPieces &pieces_;
+    const double *x_;
+    PatchMemory &memory_;
+};
+
+} // namespace nrb

@@ -1,0 +1,358 @@
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "closest/patch/patch_kernel.cpp"
+#include "base/simd.h"
+
+#include <hwy/foreach_target.h>
+
+#include "closest/patch/patch_kernel.h"
+
+#include "numeric/binomial.h"
+#include "eval/kernels/contraction.h"
+
+#include <algorithm>
+#include <limits>
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace nrb {
+namespace HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using Four = hn::CappedTag<double, 4>;
+inline constexpr int four_lanes = static_cast<int>(hn::MaxLanes(Four()));
+using Eight = hn::CappedTag<double, 8>;
+inline constexpr int eight_lanes = static_cast<int>(hn::MaxLanes(Eight()));
+
+void shift(const PatchShape &shape, const double *HWY_RESTRICT patch, const double *HWY_RESTRICT x,
+           double *HWY_RESTRICT out) {
+    const Four d;
+    const int64_t count = shape.coefficients();
+    for (int64_t i = 0; i < count; ++i, patch += shape.lanes, out += shape.lanes) {
+        const auto w = hn::Set(d, patch[shape.dim]);
+        for (int l = 0; l < shape.lanes; l += four_lanes) {
+            hn::StoreU(hn::NegMulAdd(w, hn::LoadU(d, x + l), hn::LoadU(d, patch + l)), d, out + l);
+        }
+    }
+}
+
+// out[l] = sum of factors[i] * rows[i * stride + l], l < length, a multiple of 4.
+template <int kRows>
+HWY_INLINE void combine_rows(const double *HWY_RESTRICT factors, int n, const double *HWY_RESTRICT rows,
+                             int64_t stride, int64_t length, double *HWY_RESTRICT out) {
+    const Four d;
+    const int count = kRows > 0 ? kRows : n;
+    for (int64_t l = 0; l < length; l += four_lanes) {
+        const double *from = rows + l;
+        auto sum = hn::Mul(hn::Set(d, factors[0]), hn::LoadU(d, from));
+        for (int i = 1; i < count; ++i) {
+            from += stride;
+            sum = hn::MulAdd(hn::Set(d, factors[i]), hn::LoadU(d, from), sum);
+        }
+        hn::StoreU(sum, d, out + l);
+    }
+}
+
+HWY_INLINE void combine(const double *factors, int n, const double *rows, int64_t stride, int64_t length,
+                        double *out) {
+    switch (n) {
+    case 3:
+        return combine_rows<3>(factors, n, rows, stride, length, out);
+    case 4:
+        return combine_rows<4>(factors, n, rows, stride, length, out);
+    default:
+        return combine_rows<-1>(factors, n, rows, stride, length, out);
+    }
+}
+
+inline constexpr int most_rows = max_degree + 1;
+
+// From the values of degree n - 1 those of degree n.
+HWY_INLINE void raise_bernstein(int n, double t, double *values) {
+    const double s = 1 - t;
+    values[n] = t * values[n - 1];
+    for (int i = n - 1; i > 0; --i) {
+        values[i] = s * values[i] + t * values[i - 1];
+    }
+    values[0] *= s;
+}
+
+// out = degree * (backward differences of the values of one degree less).
+HWY_INLINE void difference(int degree, const double *values, double *out) {
+    out[0] = -degree * values[0];
+    for (int i = 1; i < degree; ++i) {
+        out[i] = degree * (values[i - 1] - values[i]);
+    }
+    out[degree] = degree * values[degree - 1];
+}
+
+// Bernstein polynomials and their derivatives at t.
+HWY_INLINE void bernstein_functions(int degree, double t, int order, double (*out)[most_rows]) {
+    double *values = out[0];
+    values[0] = 1;
+    for (int n = 1; n <= degree; ++n) {
+        if (n == degree - 1 && order > 1) { // values hold degree - 2
+            double once[most_rows];
+            difference(degree - 1, values, once);
+            difference(degree, once, out[2]);
+        }
+        if (n == degree && order > 0) {
+            difference(degree, values, out[1]);
+        }
+        raise_bernstein(n, t, values);
+    }
+    if (degree < 2 && order > 1) {
+        std::fill_n(out[2], degree + 1, 0.0);
+    }
+}
+
+void evaluate(const PatchShape &shape, const double *HWY_RESTRICT patch, const AxisValues &at, int order,
+              double *HWY_RESTRICT work, double *HWY_RESTRICT out) {
+    int64_t length = shape.values();
+    if (shape.axes == 0) {
+        std::copy_n(patch, length, out);
+        return;
+    }
+    const double *from = patch;
+    for (int k = 0; k < shape.axes; ++k) {
+        const int n = shape.degree(k) + 1;
+        double functions[3][most_rows];
+        bernstein_functions(n - 1, at[static_cast<size_t>(k)], order, functions);
+        const int64_t whole = length;
+        length /= n;
+        double *to = k + 1 == shape.axes ? out : work;
+        for_each_step(k, order, [&](int64_t source, int a, int64_t target) {
+            combine(functions[a], n, from + source * whole, length, length, to + target * length);
+        });
+        from = to;
+        work += slot_count(k + 1, order) * length;
+    }
+}
+
+void apply(const PatchShape &shape, int axis, const double *matrix, const double *HWY_RESTRICT patch,
+           double *HWY_RESTRICT out) {
+    const int n = shape.degree(axis) + 1;
+    int64_t outer = 1, inner = shape.lanes;
+    for (int k = 0; k < shape.axes; ++k) {
+        (k < axis ? outer : inner) *= k == axis ? 1 : shape.degree(k) + 1;
+    }
+    for (int64_t o = 0; o < outer; ++o, patch += n * inner) {
+        for (int i = 0; i < n; ++i, out += inner) {
+            combine(matrix + i * n, n, patch, inner, inner, out);
+        }
+    }
+}
+
+// Sums of the products of coefficients, coordinate by coordinate, in work; every pair once.
+template <int kVectors>
+HWY_INLINE void add_products(const PatchShape &shape, const SquareTables &tables, const double *scaled,
+                             double *sums) {
+    const Four d;
+    const auto count = static_cast<int>(shape.coefficients());
+    const int vectors = kVectors > 0 ? kVectors : shape.lanes / four_lanes;
+    for (int a = 0; a < count; ++a) {
+        const double *left = scaled + static_cast<int64_t>(a) * shape.lanes;
+        double *row = sums + static_cast<int64_t>(tables.offsets[a]) * shape.lanes;
+        for (int v = 0; v < vectors; ++v) {
+            const auto once = hn::LoadU(d, left + v * four_lanes);
+            const auto twice = hn::Add(once, once);
+            double *place = row + static_cast<int64_t>(tables.offsets[a]) * shape.lanes + v * four_lanes;
+            hn::StoreU(hn::MulAdd(once, once, hn::LoadU(d, place)), d, place);
+            const double *right = left + v * four_lanes;
+            for (int b = a + 1; b < count; ++b) {
+                right += shape.lanes;
+                double *target = row + static_cast<int64_t>(tables.offsets[b]) * shape.lanes + v * four_lanes;
+                hn::StoreU(hn::MulAdd(twice, hn::LoadU(d, right), hn::LoadU(d, target)), d, target);
+            }
+        }
+    }
+}
+
+void square(const PatchShape &shape, const SquareTables &tables, const double *HWY_RESTRICT patch,
+            double *HWY_RESTRICT work, double *HWY_RESTRICT squares, double *HWY_RESTRICT weights) {
+    const Four d;
+    const int64_t count = shape.coefficients(), products = shape.products();
+    double *scaled = work, *sums = work + shape.values();
+    for (int64_t i = 0; i < count; ++i) {
+        const auto factor = hn::Set(d, tables.binomials[i]);
+        for (int l = 0; l < shape.lanes; l += four_lanes) {
+            const int64_t at = i * shape.lanes + l;
+            hn::StoreU(hn::Mul(factor, hn::LoadU(d, patch + at)), d, scaled + at);
+        }
+    }
+    std::fill_n(sums, products * shape.lanes, 0.0);
+    if (shape.lanes == four_lanes) {
+        add_products<1>(shape, tables, scaled, sums);
+    } else {
+        add_products<-1>(shape, tables, scaled, sums);
+    }
+    for (int64_t i = 0; i < products; ++i, sums += shape.lanes) {
+        double total = sums[0];
+        for (int c = 1; c < shape.dim; ++c) {
+            total += sums[c];
+        }
+        squares[i] = total * tables.inverses[i];
+        if (shape.weighted) {
+            weights[i] = sums[shape.dim] * tables.inverses[i];
+        }
+    }
+}
+
+double gap(int64_t count, const double *HWY_RESTRICT squares, const double *HWY_RESTRICT weights, double sign,
+           double rho2, double margin, double *HWY_RESTRICT out) {
+    const Four d;
+    const auto factor = hn::Set(d, sign), square = hn::Set(d, rho2), less = hn::Set(d, margin);
+    auto least = hn::Set(d, std::numeric_limits<double>::infinity());
+    int64_t i = 0;
+    for (; i + four_lanes <= count; i += four_lanes) {
+        const auto w = weights != nullptr ? hn::LoadU(d, weights + i) : hn::Set(d, 1.0);
+        const auto value = hn::Mul(factor, hn::NegMulAdd(square, w, hn::LoadU(d, squares + i)));
+        hn::StoreU(value, d, out + i);
+        least = hn::Min(least, hn::NegMulAdd(less, w, value));
+    }
+    double result = hn::GetLane(hn::MinOfLanes(d, least));
+    for (; i < count; ++i) {
+        const double w = weights != nullptr ? weights[i] : 1.0;
+        out[i] = sign * (squares[i] - rho2 * w);
+        result = std::min(result, out[i] - margin * w);
+    }
+    return result;
+}
+
+// The distance of x from all points p of a disc: |n (p - x)| >= the distance of the heights, and across n it
+// is at least |x - c| across n less the radius. The root of a difference that cancels is taken of less than
+// it.
+template <bool kNormals, bool kFarthest>
+HWY_INLINE void bound_all(const double *HWY_RESTRICT family, int64_t width, int dim,
+                          const double *HWY_RESTRICT x, const DiscBounds &out) {
+    const Eight d;
+    const auto zero = hn::Zero(d);
+    const auto slack = hn::Set(d, (dim + 8) * std::numeric_limits<double>::epsilon());
+    const double *radii = family + dim * width, *normals = radii + width;
+    for (int64_t i = 0; i < width; i += eight_lanes) {
+        auto square = zero, height = zero;
+        for (int c = 0; c < dim; ++c) {
+            const auto delta = hn::Sub(hn::Set(d, x[c]), hn::LoadU(d, family + c * width + i));
+            square = hn::MulAdd(delta, delta, square);
+            if (kNormals) {
+                height = hn::MulAdd(delta, hn::LoadU(d, normals + c * width + i), height);
+            }
+        }
+        const auto radius = hn::LoadU(d, radii + i);
+        const auto centre = hn::Sqrt(square);
+        auto bound = zero;
+        if (kNormals) {
+            const auto low = hn::LoadU(d, normals + dim * width + i);
+            const auto high = hn::LoadU(d, normals + (dim + 1) * width + i);
+            const auto rest = hn::NegMulAdd(height, height, square);
+            const auto off = hn::Mul(slack, square);
+            if (kFarthest) {
+                const auto across = hn::Add(hn::Sqrt(hn::Max(zero, hn::Add(rest, off))), radius);
+                const auto along = hn::Max(hn::Abs(hn::Sub(height, low)), hn::Abs(hn::Sub(height, high)));
+                bound = hn::Sqrt(hn::MulAdd(along, along, hn::Mul(across, across)));
+            } else {
+                const auto root = hn::Sqrt(hn::Max(zero, hn::Sub(rest, off)));
+                const auto across = hn::Max(zero, hn::Sub(root, radius));
+                const auto along = hn::Max(zero, hn::Max(hn::Sub(height, high), hn::Sub(low, height)));
+                bound = hn::Sqrt(hn::MulAdd(along, along, hn::Mul(across, across)));
+            }
+        } else {
+            bound = kFarthest ? hn::Add(centre, radius) : hn::Max(zero, hn::Sub(centre, radius));
+        }
+        hn::StoreU(kFarthest ? hn::Neg(bound) : bound, d, out.bounds + i);
+        hn::StoreU(kFarthest ? hn::Neg(centre) : centre, d, out.centres + i);
+    }
+}
+
+void bounds(const double *family, int64_t width, int dim, bool normals, const double *x, bool farthest,
+            const DiscBounds &out) {
+    if (normals) {
+        farthest ? bound_all<true, true>(family, width, dim, x, out)
+                 : bound_all<true, false>(family, width, dim, x, out);
+    } else {
+        farthest ? bound_all<false, true>(family, width, dim, x, out)
+                 : bound_all<false, false>(family, width, dim, x, out);
+    }
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace nrb
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace nrb {
+
+HWY_EXPORT(shift);
+HWY_EXPORT(evaluate);
+HWY_EXPORT(apply);
+HWY_EXPORT(square);
+HWY_EXPORT(gap);
+HWY_EXPORT(bounds);
+
+void shift_patch(const PatchShape &shape, const double *patch, const double *x, double *out) noexcept {
+    HWY_DYNAMIC_DISPATCH(shift)(shape, patch, x, out);
+}
+
+void evaluate_patch(const PatchShape &shape, const double *patch, const AxisValues &at, int order,
+                    double *work, double *out) noexcept {
+    HWY_DYNAMIC_DISPATCH(evaluate)(shape, patch, at, order, work, out);
+}
+
+int64_t evaluation_work(const PatchShape &shape) noexcept {
+    int64_t length = shape.values(), work = 0;
+    for (int k = 0; k + 1 < shape.axes; ++k) {
+        length /= shape.degree(k) + 1;
+        work += slot_count(k + 1, 2) * length;
+    }
+    return work;
+}
+
+// Row i holds the blossom at degree - i times lower and i times upper, in terms of the coefficients.
+void part_matrix(int degree, double lower, double upper, double *matrix) noexcept {
+    const int n = degree + 1;
+    for (int i = 0; i < n; ++i) {
+        double *row = matrix + i * n;
+        std::fill_n(row, n, 0.0);
+        row[0] = 1;
+        for (int step = 1; step <= degree; ++step) {
+            const double t = step <= i ? upper : lower;
+            row[step] = t * row[step - 1];
+            for (int j = step - 1; j > 0; --j) {
+                row[j] = (1 - t) * row[j] + t * row[j - 1];
+            }
+            row[0] *= 1 - t;
+        }
+    }
+}
+
+void apply_matrix(const PatchShape &shape, int axis, const double *matrix, const double *patch,
+                  double *out) noexcept {
+    HWY_DYNAMIC_DISPATCH(apply)(shape, axis, matrix, patch, out);
+}
+
+int64_t product_work(const PatchShape &shape) noexcept {
+    return shape.values() + shape.products() * shape.lanes;
+}
+
+void square_patch(const PatchShape &shape, const SquareTables &tables, const double *patch, double *work,
+                  double *squares, double *weights) noexcept {
+    HWY_DYNAMIC_DISPATCH(square)(shape, tables, patch, work, squares, weights);
+}
+
+double gap_coefficients(int64_t count, const double *squares, const double *weights, double sign, double rho2,
+                        double margin, double *out) noexcept {
+    return HWY_DYNAMIC_DISPATCH(gap)(count, squares, weights, sign, rho2, margin, out);
+}
+
+int64_t disc_columns(int dim, bool normals) noexcept {
+    return dim + 1 + (normals ? dim + 2 : 0);
+}
+
+void bound_discs(const double *family, int64_t width, int dim, bool normals, const double *x, bool farthest,
+                 const DiscBounds &out) noexcept {
+    HWY_DYNAMIC_DISPATCH(bounds)(family, width, dim, normals, x, farthest, out);
+}
+
+} // namespace nrb
+#endif

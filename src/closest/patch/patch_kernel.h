@@ -1,0 +1,48 @@
+// The arithmetic of patches in vectors.
+#pragma once
+
+#include "closest/patch/patch_shape.h"
+
+namespace nrb {
+
+// Q = A - w x, with x = (x, y, ..., 0, ...) padded to the lanes.
+void shift_patch(const PatchShape &shape, const double *patch, const double *x, double *out) noexcept;
+
+// The derivatives of all orders up to `order` <= 2 at a place in [0, 1]^axes, records of `lanes` in graded
+// order (eval/kernels/slots.h). work: [evaluation_work()].
+void evaluate_patch(const PatchShape &shape, const double *patch, const AxisValues &at, int order,
+                    double *work, double *out) noexcept;
+int64_t evaluation_work(const PatchShape &shape) noexcept;
+
+// The part between two places of an axis, by the blossom; matrix: [degree + 1][degree + 1], from
+// part_matrix(). `out` does not overlap `patch`.
+void part_matrix(int degree, double lower, double upper, double *matrix) noexcept;
+void apply_matrix(const PatchShape &shape, int axis, const double *matrix, const double *patch,
+                  double *out) noexcept;
+
+// Bernstein coefficients of |Q|^2 and w^2 (not written unless weighted), [products]. work: [product_work()].
+struct SquareTables {
+    const double *binomials = nullptr; // [coefficients] of the patch
+    const double *inverses = nullptr;  // [products] of the reciprocals of those of the product
+    const int32_t *offsets = nullptr;  // [coefficients] places in the net of the product
+};
+int64_t product_work(const PatchShape &shape) noexcept;
+void square_patch(const PatchShape &shape, const SquareTables &tables, const double *patch, double *work,
+                  double *squares, double *weights) noexcept;
+
+// out = sign (squares - rho2 weights), and the least of out - margin weights; weights null: 1.
+double gap_coefficients(int64_t count, const double *squares, const double *weights, double sign, double rho2,
+                        double margin, double *out) noexcept;
+
+// Discs: a family of `width` (a multiple of 8) of them is an array of columns [width]: the coordinates of the
+// centres, the radii, and, with normals, the three coordinates of the unit normals and the least and the
+// largest height over the plane through the centre.
+struct DiscBounds {
+    double *bounds;  // of sign * distance, from below
+    double *centres; // sign * distance of the centre
+};
+int64_t disc_columns(int dim, bool normals) noexcept;
+void bound_discs(const double *family, int64_t width, int dim, bool normals, const double *x, bool farthest,
+                 const DiscBounds &out) noexcept;
+
+} // namespace nrb

@@ -1,0 +1,92 @@
+// The Bezier pieces of a spline, prepared for the search for nearest points.
+//
+// Everything is about the centre of the control points and divided by a power of two, so that the shape has a
+// size near 1 whatever its units; weights are divided by another one.
+#pragma once
+
+#include "closest/patch/patch_squares.h"
+#include "spline/spline.h"
+
+#include <memory>
+#include <vector>
+
+namespace nrb {
+
+class PatchPieces {
+public:
+    explicit PatchPieces(const Spline &spline);
+
+    using Index = std::array<int64_t, max_axes>; // along the axes of the spline
+
+    [[nodiscard]] const PatchShape &shape() const noexcept { return shape_; }
+    [[nodiscard]] SquareTables tables() const noexcept { return squares_->tables(); }
+    [[nodiscard]] int spline_axes() const noexcept { return axes_; }
+    // The axis of the spline that an axis of the shape is.
+    [[nodiscard]] int spline_axis(int k) const noexcept { return map_[static_cast<size_t>(k)]; }
+    [[nodiscard]] int64_t count() const noexcept { return count_; }
+    [[nodiscard]] int64_t count(int axis) const noexcept {
+        return std::ssize(breaks_[static_cast<size_t>(axis)]) - 1;
+    }
+    [[nodiscard]] const double *patch(int64_t i) const noexcept {
+        return values_.data() + i * shape_.values();
+    }
+    [[nodiscard]] Index index(int64_t piece) const noexcept;
+    [[nodiscard]] int64_t piece(const Index &index) const noexcept;
+    [[nodiscard]] double break_at(int axis, int64_t i) const noexcept {
+        return breaks_[static_cast<size_t>(axis)][static_cast<size_t>(i)];
+    }
+    // Whether the spline jumps at break i.
+    [[nodiscard]] bool jumps(int axis, int64_t i) const noexcept {
+        return jumps_[static_cast<size_t>(axis)][static_cast<size_t>(i)] != 0;
+    }
+    // The piece next to i upwards or downwards, or -1 at an end, and where the spline jumps.
+    [[nodiscard]] int64_t neighbour(int axis, int64_t i, bool up) const noexcept;
+    [[nodiscard]] bool periodic(int axis) const noexcept { return periodic_[static_cast<size_t>(axis)]; }
+    [[nodiscard]] int64_t find(int axis, double t) const noexcept;
+
+    // x of the caller in these units; lanes() values.
+    void place(const double *x, double *out) const noexcept;
+    [[nodiscard]] double scaled(double length) const noexcept;
+    [[nodiscard]] double unscaled(double length) const noexcept;
+    // Largest magnitude of a point, with the centre as the caller has it.
+    [[nodiscard]] double size() const noexcept { return size_; }
+    [[nodiscard]] double magnitude(const double *x) const noexcept;  // |x| in these units
+    [[nodiscard]] double radius() const noexcept { return radius_; } // about the centre
+    [[nodiscard]] double weight_ratio() const noexcept { return ratio_; }
+
+    // Whether all weights are >= 0 and every coefficient has, by its own weight, a point within moved() of
+    // the exact one. Otherwise records and weights have errors of their own.
+    [[nodiscard]] bool positive() const noexcept { return positive_; }
+    [[nodiscard]] double moved() const noexcept { return moved_; }
+    [[nodiscard]] double record_error() const noexcept { return record_error_; }
+    [[nodiscard]] double weight_error() const noexcept { return weight_error_; }
+    // Relative to the sum of the magnitudes: of coefficients of squares, and of values at a place, where
+    // Bernstein functions take three roundings for each degree and sums one for each term.
+    [[nodiscard]] double product_error() const noexcept { return squares_->error(); }
+    [[nodiscard]] double value_error() const noexcept { return value_error_; }
+    // 64 eps times the sum of p + 1 over the axes: what a certificate allows for rounding.
+    [[nodiscard]] double allowance() const noexcept { return allowance_; }
+
+private:
+    void set_axes(const Spline &spline);
+    void copy(const Spline &spline);
+    void set_sizes(const Spline &spline, const std::vector<double> &sizes);
+
+    PatchShape shape_;
+    int axes_ = 0;
+    std::array<int, max_axes> map_{};
+    std::array<std::vector<double>, max_axes> breaks_;
+    std::array<std::vector<char>, max_axes> jumps_; // at each break
+    std::array<bool, max_axes> periodic_{};
+    int64_t count_ = 1;
+    std::vector<double> centre_;
+    int exponent_ = 0;
+    std::vector<double> values_;
+    std::unique_ptr<const PatchSquares> squares_;
+    double size_ = 0, radius_ = 0, ratio_ = 1;
+    bool positive_ = true;
+    double moved_ = 0, record_error_ = 0, weight_error_ = 0;
+    double value_error_ = 0, allowance_ = 0;
+};
+
+} // namespace nrb

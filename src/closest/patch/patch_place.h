@@ -1,0 +1,17 @@
+// Places on pieces as parameters, and the part of a piece that a query asks for.
+#pragma once
+
+#include "closest/foot.h"
+#include "closest/patch/patch_descent.h"
+
+namespace nrb {
+
+// The box in a piece, along the axes of the shape, that is in the range of a query.
+PatchBox box_in_range(const PatchPieces &pieces, int64_t piece, const Interval *range) noexcept;
+
+// Parameters, sides and whether they are on the boundary, of a place in a piece.
+Foot foot_at(const PatchPieces &pieces, int64_t piece, const AxisValues &at, const Interval *range) noexcept;
+// closest_boundary or 0.
+int32_t boundary_bit(const PatchPieces &pieces, const Foot &foot, const Interval *range) noexcept;
+
+} // namespace nrb

@@ -1,0 +1,184 @@
+#include "closest/patch/patch_query.h"
+
+#include "numeric/norm.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace nrb {
+
+namespace {
+
+constexpr double eps = std::numeric_limits<double>::epsilon();
+
+} // namespace
+
+PatchQuery::PatchQuery(const PatchPieces &pieces, const Query &query)
+    : pieces_(pieces), query_(query), x_(memory_.take(pieces.shape().lanes)), items_(pieces, x_, memory_),
+      descent_(pieces.shape(), memory_), sign_(query.farthest ? -1.0 : 1.0) {
+    pieces.place(query.point, x_);
+    const double reach = norm(x_, pieces.shape().dim) + pieces.radius();
+    tolerance_ = std::min(pieces.scaled(query.tolerance), 4 * reach); // more says no more
+    noise_ = scaled_noise(pieces, query.point);
+    floor_ = 8 * eps * (pieces.size() + pieces.magnitude(query.point));
+}
+
+// Where all points of the spline are equally far to rounding.
+bool PatchQuery::far_away() const noexcept {
+    return !(norm(x_, pieces_.shape().dim) < 0x1p100);
+}
+
+PatchBox PatchQuery::box(int64_t piece) const noexcept {
+    return box_in_range(pieces_, piece, query_.range);
+}
+
+// Rounding cannot tell points apart that are nearer to each other than this on a sphere about x.
+bool PatchQuery::same_point(const Place &a, const Place &b) {
+    const PatchMemory::Hold hold(memory_);
+    const int dim = pieces_.shape().dim;
+    double *p = memory_.take(dim), *q = memory_.take(dim);
+    descent_.point(items_.whole(a.piece).values, a.at, p);
+    descent_.point(items_.whole(b.piece).values, b.at, q);
+    const double apart = 8 * std::sqrt(noise_ * (std::abs(a.value) + noise_));
+    return distance(p, q, dim) <= apart;
+}
+
+// The pieces around a place at a side of its piece: the first in which the distance falls further.
+bool PatchQuery::walk_on(Place &place) {
+    const PatchShape &shape = pieces_.shape();
+    const PatchPieces::Index index = pieces_.index(place.piece);
+    const auto subsets = 1U << static_cast<unsigned>(shape.axes);
+    for (unsigned subset = 1; subset < subsets; ++subset) {
+        PatchPieces::Index next = index;
+        AxisValues at = place.at;
+        bool exists = true;
+        for (int k = 0; k < shape.axes; ++k) {
+            const auto i = static_cast<size_t>(k);
+            if ((subset >> i & 1U) == 0) {
+                continue;
+            }
+            const auto axis = static_cast<size_t>(pieces_.spline_axis(k));
+            const bool up = at[i] == 1;
+            exists = exists && (up || at[i] == 0);
+            next[axis] = exists ? pieces_.neighbour(pieces_.spline_axis(k), index[axis], up) : -1;
+            exists = exists && next[axis] >= 0;
+            at[i] = up ? 0 : 1;
+        }
+        if (!exists) {
+            continue;
+        }
+        const PatchMemory::Hold hold(memory_);
+        const int64_t piece = pieces_.piece(next);
+        const PatchBox part = box(piece);
+        for (size_t k = 0; k < static_cast<size_t>(shape.axes); ++k) {
+            exists = exists && part.lower[k] < part.upper[k];
+            at[k] = std::clamp(at[k], part.lower[k], part.upper[k]);
+        }
+        if (!exists) {
+            continue;
+        }
+        const PatchItem item = items_.whole(piece);
+        const double value = sign_ * descent_.descend(item.values, part, sign_, floor_, at).distance;
+        if (value < place.value - 1e-2 * noise_) {
+            place = {piece, at, value, item.moved};
+            return true;
+        }
+    }
+    return false;
+}
+
+bool PatchQuery::walk(Place &place) {
+    for (int i = 0; i < 100; ++i) {
+        if (!walk_on(place)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+// At the parameters of a foot, which are rounded.
+double PatchQuery::distance_at(const PatchItem &item, const Foot &foot) const {
+    const PatchPieces::Index index = pieces_.index(item.piece);
+    AxisValues at{};
+    for (int k = 0; k < pieces_.shape().axes; ++k) {
+        const int axis = pieces_.spline_axis(k);
+        const auto i = static_cast<size_t>(axis);
+        const double first = pieces_.break_at(axis, index[i]), last = pieces_.break_at(axis, index[i] + 1);
+        at[static_cast<size_t>(k)] = std::clamp((foot.params[i] - first) / (last - first), 0.0, 1.0);
+    }
+    return descent_.distance(item.values, at);
+}
+
+// The best of the parameters around, where rounding them moves the point by more than it may.
+void PatchQuery::polish(const PatchItem &item, Foot &foot) const {
+    const Foot centre = foot;
+    const PatchPieces::Index index = pieces_.index(item.piece);
+    for (int i = 0; i < 27; ++i) {
+        Foot other = centre;
+        for (int k = 0, rest = i; k < pieces_.spline_axes(); ++k, rest /= 3) {
+            const auto at = static_cast<size_t>(k);
+            const double low = pieces_.break_at(k, index[at]), high = pieces_.break_at(k, index[at] + 1);
+            const double t = centre.params[at];
+            const double moved = rest % 3 == 0 ? t : std::nextafter(t, rest % 3 == 1 ? low : high);
+            const bool inside =
+                query_.range == nullptr || (moved >= query_.range[k].lower && moved <= query_.range[k].upper);
+            other.params[at] = inside && (centre.left >> k & 1U) == 0 && moved < high ? moved : t;
+        }
+        other.distance = pieces_.unscaled(distance_at(item, other));
+        if (sign_ * other.distance < sign_ * foot.distance) {
+            foot = other;
+        }
+    }
+}
+
+// The distance is that at the parameters after their rounding.
+Foot PatchQuery::foot(const Place &place) {
+    const PatchMemory::Hold hold(memory_);
+    Foot result = foot_at(pieces_, place.piece, place.at, query_.range);
+    const PatchItem item = items_.whole(place.piece);
+    result.distance = pieces_.unscaled(distance_at(item, result));
+    if (!(sign_ * pieces_.scaled(result.distance) - place.value <= noise_ / 8)) {
+        polish(item, result);
+    }
+    result.status = boundary_bit(pieces_, result, query_.range);
+    return result;
+}
+
+Foot PatchQuery::any_point() {
+    PatchPieces::Index index{};
+    for (int axis = 0; axis < pieces_.spline_axes(); ++axis) {
+        const Interval whole{pieces_.break_at(axis, 0), pieces_.break_at(axis, pieces_.count(axis))};
+        const Interval range = query_.range != nullptr ? query_.range[axis] : whole;
+        index[static_cast<size_t>(axis)] = pieces_.find(axis, range.lower / 2 + range.upper / 2);
+    }
+    Foot result = foot_at(pieces_, pieces_.piece(index), {0.5, 0.5, 0.5}, query_.range);
+    result.distance = pieces_.unscaled(norm(x_, pieces_.shape().dim));
+    result.status |= closest_certified;
+    return result;
+}
+
+Foot PatchQuery::local(const double *guess) {
+    const PatchMemory::Hold hold(memory_);
+    PatchPieces::Index index{};
+    for (int axis = 0; axis < pieces_.spline_axes(); ++axis) {
+        index[static_cast<size_t>(axis)] = pieces_.find(axis, guess[axis]);
+    }
+    Place place;
+    place.piece = pieces_.piece(index);
+    for (int k = 0; k < pieces_.shape().axes; ++k) {
+        const int axis = pieces_.spline_axis(k);
+        const int64_t i = index[static_cast<size_t>(axis)];
+        const double first = pieces_.break_at(axis, i), last = pieces_.break_at(axis, i + 1);
+        place.at[static_cast<size_t>(k)] = std::clamp((guess[axis] - first) / (last - first), 0.0, 1.0);
+    }
+    const PatchItem item = items_.whole(place.piece);
+    const auto found = descent_.descend(item.values, {}, sign_, floor_, place.at, 100);
+    place.value = sign_ * found.distance;
+    const bool done = found.converged && walk(place);
+    Foot result = foot(place);
+    result.status |= done ? 0 : closest_budget;
+    return result;
+}
+
+} // namespace nrb

@@ -1,0 +1,56 @@
+// One query: its point among the pieces, and what is done with places on them.
+#pragma once
+
+#include "closest/patch/patch_place.h"
+
+namespace nrb {
+
+class PatchQuery {
+public:
+    PatchQuery(const PatchPieces &pieces, const Query &query);
+
+    // What is allowed for rounding, as a distance of the caller.
+    static double noise(const PatchPieces &pieces, const double *point) noexcept {
+        return pieces.unscaled(scaled_noise(pieces, point));
+    }
+    static double scaled_noise(const PatchPieces &pieces, const double *point) noexcept {
+        return pieces.allowance() * pieces.weight_ratio() * (pieces.size() + pieces.magnitude(point)) +
+               pieces.scaled(underflow_noise);
+    }
+    // The minimum that a descent from these parameters comes to.
+    Foot local(const double *guess);
+
+protected:
+    // A point of a piece, without rounded parameters.
+    struct Place {
+        int64_t piece = -1;
+        AxisValues at{};
+        double value = 0;     // sign * distance
+        double error = 0;     // of it
+        bool certain = false; // that it is a minimum
+    };
+
+    [[nodiscard]] bool far_away() const noexcept;
+    [[nodiscard]] PatchBox box(int64_t piece) const noexcept;
+    // Descends across pieces; false if it takes too many steps.
+    bool walk(Place &place);
+    bool walk_on(Place &place);
+    [[nodiscard]] bool same_point(const Place &a, const Place &b);
+    [[nodiscard]] double distance_at(const PatchItem &item, const Foot &foot) const;
+    void polish(const PatchItem &item, Foot &foot) const;
+    [[nodiscard]] Foot foot(const Place &place);
+    [[nodiscard]] Foot any_point(); // if far_away()
+
+    const PatchPieces &pieces_;
+    const Query &query_;
+    mutable PatchMemory memory_;
+    double *x_;
+    PatchItems items_;
+    PatchDescent descent_;
+    double sign_;
+    double tolerance_ = 0;
+    double noise_ = 0;
+    double floor_ = 0;
+};
+
+} // namespace nrb

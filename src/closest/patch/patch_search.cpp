@@ -1,0 +1,370 @@
+#include "closest/patch/patch_search.h"
+
+#include "numeric/norm.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace nrb {
+
+namespace {
+
+constexpr double eps = std::numeric_limits<double>::epsilon();
+constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr int deepest = 48;    // halvings of an axis
+constexpr int most_rounds = 8; // of improvements by one item
+constexpr int64_t turn = 12;   // items of a leaf, or of what was put off, that are looked at on end
+
+} // namespace
+
+PatchSearch::PatchSearch(const PatchPieces &pieces, const PatchTree &tree, const Query &query)
+    : PatchQuery(pieces, query), tree_(tree) {
+    const int64_t count = pieces.shape().coefficients();
+    cost_ = std::max<int64_t>(1, count * count / 65536);
+}
+
+// From the best centre.
+void PatchSearch::start(const PatchTree::Place &centre) {
+    const PatchMemory::Hold hold(memory_);
+    const PatchItem whole = items_.whole(centre.piece);
+    const PatchBox part = box(centre.piece);
+    best_.piece = centre.piece;
+    for (size_t k = 0; k < static_cast<size_t>(pieces_.shape().axes); ++k) {
+        best_.at[k] = std::clamp(centre.at[k], part.lower[k], part.upper[k]);
+    }
+    best_.value = sign_ * descent_.descend(whole.values, part, sign_, floor_, best_.at).distance;
+    best_.error = whole.moved + pieces_.value_error() * (std::abs(best_.value) + pieces_.radius());
+    if (!std::isfinite(best_.value)) {
+        best_.value = infinite;
+    }
+}
+
+// What may hold the best point comes first, so that little is left to look at, and that the best point is a
+// good one where the budget ends before.
+void PatchSearch::search() {
+    PatchCandidates candidates(pieces_, tree_, query_, x_, tolerance_ + noise_);
+    start(candidates.start());
+    PatchCandidates::Groups groups;
+    candidates.order(upper(), groups);
+    for (const PatchCandidates::Group &group : groups) {
+        if (group.bound > upper()) {
+            break;
+        }
+        if (spent() && unpaid_ <= 0) {
+            incomplete_ = true;
+            break;
+        }
+        search_piece(group);
+    }
+    search_later();
+}
+
+void PatchSearch::search_piece(const PatchCandidates::Group &group) {
+    const auto counts = [&](const Candidate &c) { return c.bound <= upper(); };
+    const PatchMemory::Hold hold(memory_);
+    PatchItem whole = items_.whole(group.piece);
+    items_.measure(whole);
+    const PatchBox part = box(group.piece);
+    const bool most = std::count_if(group.first, group.last, counts) > 5 && query_.range == nullptr;
+    if (most && !spent()) { // all of it may be settled at once
+        const PatchMemory::Hold again(memory_);
+        PatchItem item = whole;
+        bool fresh = false;
+        int axis = -1;
+        spent_ += cost_;
+        if (item.sound && settled(item, fresh, axis)) {
+            return;
+        }
+    }
+    for (const Candidate *leaf = group.first; leaf != group.last && counts(*leaf); ++leaf) {
+        pause_ = spent_ + turn * cost_;
+        search_leaf(whole, part, tree_.leaf(leaf->node));
+    }
+}
+
+// Parts that were put off, the nearest ones first.
+void PatchSearch::search_later() {
+    const int64_t size = pieces_.shape().values();
+    while (!later_.empty() && !spent()) {
+        const PatchMemory::Hold hold(memory_);
+        PatchQueue::Entry entry = later_.take();
+        double *values = memory_.take(size);
+        std::copy_n(entry.values.data(), size, values);
+        entry.item.values = values;
+        pause_ = spent_ + turn * cost_;
+        if (best_.value < entry.best) {
+            examine(entry.item, false);
+        } else {
+            split(entry.item, entry.axis);
+        }
+    }
+    incomplete_ = incomplete_ || !later_.empty();
+}
+
+// The leaf, as far as it is in the range that was asked for.
+void PatchSearch::search_leaf(const PatchItem &whole, const PatchBox &part, const PatchTree::Leaf &leaf) {
+    const PatchMemory::Hold hold(memory_);
+    PatchItem item = whole;
+    if (tree_.parts() == 1) { // halving writes into it
+        item.values = memory_.take(pieces_.shape().values());
+        std::copy_n(whole.values, pieces_.shape().values(), item.values);
+    }
+    for (int k = 0; k < pieces_.shape().axes; ++k) {
+        const auto at = static_cast<size_t>(k);
+        const int i = leaf.part[at], n = tree_.parts();
+        const double first = static_cast<double>(i) / n, last = static_cast<double>(i + 1) / n;
+        const double lower = std::max(first, part.lower[at]), upper = std::min(last, part.upper[at]);
+        if (!(lower < upper)) {
+            return;
+        }
+        if (lower != first || upper != last) {
+            item = items_.part(item, k, lower, upper);
+        } else if (n > 1) {
+            item = items_.part(item, k, lower, upper, tree_.matrix(k, i));
+        }
+    }
+    examine(item, true);
+}
+
+PatchGoal PatchSearch::goal(double value, const PatchItem &item) const noexcept {
+    PatchGoal result;
+    const double error = item.moved + best_.error;
+    result.sign = sign_;
+    result.worth = best_.value - 1e-2 * noise_;
+    result.rho = sign_ * (value + error);
+    result.margin = 2 * std::abs(result.rho) * std::max(0.0, tolerance_ + 0.875 * noise_ - error);
+    return result;
+}
+
+// The axis along which the coefficients spread most.
+int PatchSearch::longest_axis(const PatchItem &item) const noexcept {
+    const PatchShape &shape = pieces_.shape();
+    int longest = -1;
+    double most = -1;
+    int64_t step = shape.lanes;
+    for (int k = shape.axes; k-- > 0; step *= shape.degree(k) + 1) {
+        double spread = 0;
+        const int64_t period = step * (shape.degree(k) + 1);
+        for (int64_t i = 0; i < shape.values(); i += shape.lanes) {
+            const double *q = item.values + i;
+            const double w = q[shape.dim], other = i % period + step < period ? q[step + shape.dim] : 0;
+            if (w > 0 && other > 0) {
+                spread += norm_of(shape.dim, [&](int c) { return q[c] / w - q[step + c] / other; });
+            }
+        }
+        spread *= 1 + 1.0 / shape.degree(k);
+        if (spread > most) {
+            most = spread;
+            longest = k;
+        }
+    }
+    return longest;
+}
+
+void PatchSearch::examine(PatchItem &item, bool fresh) {
+    if (spent()) {
+        incomplete_ = true;
+        if (fresh && unpaid_ > 0) {
+            --unpaid_;
+            items_.measure(item);
+            improve(item, {0.5, 0.5, 0.5});
+        }
+        return;
+    }
+    spent_ += cost_;
+    items_.measure(item);
+    int axis = -1;
+    if (!item.sound) {
+        if (fresh) {
+            improve(item, {0.5, 0.5, 0.5});
+        }
+    } else if (settled(item, fresh, axis)) {
+        return;
+    }
+    axis = axis >= 0 ? axis : longest_axis(item);
+    if (spent_ >= pause_ && !later_.full()) {
+        put_off(item, axis);
+    } else {
+        split(item, axis);
+    }
+}
+
+void PatchSearch::put_off(const PatchItem &item, int axis) {
+    const double *values = item.values;
+    later_.put({order(item), best_.value, item, axis, {values, values + pieces_.shape().values()}});
+}
+
+// How good the points of an item may be, by a ball about its middle: no proof, rounding is not in it.
+double PatchSearch::order(const PatchItem &item) const {
+    const PatchMemory::Hold hold(memory_);
+    const PatchShape &shape = pieces_.shape();
+    double *middle = memory_.take(shape.dim), radius = 0;
+    descent_.point(item.values, {0.5, 0.5, 0.5}, middle);
+    const double *q = item.values;
+    for (int64_t i = 0; i < shape.coefficients(); ++i, q += shape.lanes) {
+        const double w = q[shape.dim];
+        radius = std::max(radius, norm_of(shape.dim, [&](int c) { return q[c] / w - middle[c]; }));
+    }
+    const double order = sign_ * norm(middle, shape.dim) - (item.sound ? radius : 0);
+    return std::isfinite(order) ? order : infinite;
+}
+
+void PatchSearch::split(PatchItem &item, int axis) {
+    if (axis < 0 || item.length[static_cast<size_t>(axis)] < std::ldexp(1.0, -deepest)) {
+        incomplete_ = true;
+        return;
+    }
+    const PatchMemory::Hold hold(memory_);
+    PatchItem lower = items_.halve_item(item, axis);
+    examine(lower, false);
+    examine(item, false);
+}
+
+// For patches of so many coefficients that their squares cost too much: the ball of the coefficients, and the
+// half space beyond the middle.
+bool PatchSearch::settled_by_plane(const PatchItem &item) {
+    const double limit = lower() + item.moved + best_.error + 4 * pieces_.value_error() * item.reach;
+    if (query_.farthest) {
+        return item.reach <= -limit;
+    }
+    if (limit <= 0) {
+        return true;
+    }
+    const PatchMemory::Hold hold(memory_);
+    const PatchShape &shape = pieces_.shape();
+    double *direction = memory_.take(shape.dim);
+    descent_.point(item.values, {0.5, 0.5, 0.5}, direction);
+    const double length = norm(direction, shape.dim) * (1 + (shape.dim + 8) * eps);
+    const double *q = item.values;
+    for (int64_t i = 0; i < shape.coefficients(); ++i, q += shape.lanes) {
+        double height = 0;
+        for (int c = 0; c < shape.dim; ++c) {
+            height += q[c] * direction[c];
+        }
+        if (!(height >= limit * length * q[shape.dim])) {
+            return false;
+        }
+    }
+    return true;
+}
+
+// Whether no point of the item counts any more, after what it may have shown has been kept.
+bool PatchSearch::settled(PatchItem &item, bool &fresh, int &axis) {
+    const PatchShape &shape = pieces_.shape();
+    if (shape.coefficients() > most_squared) {
+        if (!settled_by_plane(item)) {
+            const bool better = fresh && improve(item, {0.5, 0.5, 0.5});
+            fresh = false;
+            return better && settled_by_plane(item);
+        }
+        return true;
+    }
+    const PatchMemory::Hold hold(memory_);
+    const int64_t products = shape.products();
+    double *work = memory_.take(product_work(shape));
+    double *squares = memory_.take(products), *values = memory_.take(products);
+    double *weights = shape.weighted ? memory_.take(products) : nullptr;
+    square_patch(shape, pieces_.tables(), item.values, work, squares, weights);
+    const PatchGap gap{squares, weights, values};
+    for (int round = 0; round < most_rounds; ++round) {
+        const PatchGoal other = goal(upper(), item);
+        if (other.rho >= 0 ? PatchProof(pieces_, descent_, item, other, gap).positive() : sign_ > 0) {
+            return true;
+        }
+        PatchGoal least = goal(lower(), item);
+        const bool beyond = least.rho <= 0 && sign_ > 0;
+        least.rho = std::max(0.0, least.rho);
+        PatchProof proof(pieces_, descent_, item, least, gap);
+        const bool not_nearer = proof.positive() || beyond;
+        if (not_nearer && !asks_for_others()) {
+            return true;
+        }
+        extra_ += not_nearer ? 1 : 0;
+        if (not_nearer && proof.flat(4 * noise_)) {
+            const AxisValues middle{0.5, 0.5, 0.5};
+            consider(item, middle, descent_.distance(item.values, middle), false);
+            return true;
+        }
+        AxisValues guess{};
+        bool known = best_.piece == item.piece;
+        for (int k = 0; known && k < shape.axes; ++k) {
+            const auto i = static_cast<size_t>(k);
+            guess[i] = (best_.at[i] - item.lower[i]) / item.length[i];
+            known = guess[i] >= 0 && guess[i] <= 1;
+        }
+        const bool convex = proof.convex(known ? &guess : nullptr);
+        if (proof.found() && improve_to(item, proof.at(), proof.distance())) {
+            continue;
+        }
+        if (convex && (!all_ || is_least(item, gap, proof))) {
+            consider(item, proof.at(), proof.distance(), proof.strict());
+            return true;
+        }
+        if (fresh && !not_nearer) {
+            fresh = false;
+            if (improve(item, {0.5, 0.5, 0.5})) {
+                continue;
+            }
+        }
+        // Rounding counts by the reach, so that now and then all axes have their turn.
+        const bool wide = item.depth % 3 == 2 && item.reach > 1.25 * least.rho;
+        axis = wide ? longest_axis(item) : proof.widest_axis();
+        return not_nearer && item.depth > deepest;
+    }
+    return false;
+}
+
+// Weights move the minimum of F away from that of the distance where it is not near 0: whether what was found
+// is the latter, if it counts.
+bool PatchSearch::is_least(const PatchItem &item, const PatchGap &gap, const PatchProof &found) {
+    const double value = sign_ * found.distance();
+    if (!pieces_.shape().weighted || value > upper()) {
+        return true;
+    }
+    PatchGoal least = goal(value - 0.875 * noise_, item);
+    least.rho = std::max(0.0, least.rho);
+    PatchProof proof(pieces_, descent_, item, least, gap);
+    return proof.positive() || proof.convex(&found.at());
+}
+
+bool PatchSearch::improve(const PatchItem &item, AxisValues at) {
+    const double distance = descent_.descend(item.values, {}, sign_, floor_, at).distance;
+    return improve_to(item, at, distance);
+}
+
+bool PatchSearch::improve_to(const PatchItem &item, const AxisValues &at, double distance) {
+    const double value = sign_ * distance;
+    if (!(value < best_.value - 1e-2 * noise_) && !(best_.value == infinite && std::isfinite(value))) {
+        return false;
+    }
+    if (all_ && best_.value < infinite) {
+        others_.push_back(best_);
+    }
+    best_.piece = item.piece;
+    best_.value = value;
+    best_.error = item.moved + pieces_.value_error() * item.reach;
+    for (int k = 0; k < pieces_.shape().axes; ++k) {
+        const auto i = static_cast<size_t>(k);
+        best_.at[i] = std::clamp(item.to_piece(k, at[i]), 0.0, 1.0);
+    }
+    return true;
+}
+
+Foot PatchSearch::nearest() {
+    if (far_away()) {
+        return any_point();
+    }
+    search();
+    Foot result = foot(best_);
+    const double rounded = sign_ * pieces_.scaled(result.distance) - best_.value;
+    const bool unproven = incomplete_ || !std::isfinite(best_.value);
+    result.status |= unproven                ? closest_budget
+                     : rounded <= noise_ / 8 ? closest_certified
+                                             : closest_coarse;
+    result.status |= several_ ? closest_not_unique : 0;
+    result.looked = spent_;
+    return result;
+}
+
+} // namespace nrb

@@ -1,0 +1,46 @@
+// Bezier patches as the search for nearest points works on them: homogeneous coefficients of the axes that
+// have a degree.
+#pragma once
+
+#include "bernstein/products.h"
+
+#include <array>
+#include <cstdint>
+
+namespace nrb {
+
+// Most coefficients of patches whose squares are worth their cost.
+inline constexpr int64_t most_squared = 1024;
+
+// Coefficients [0, coefficients) of `lanes` doubles, last axis fastest: (x, y, ..., w, 0, ...), lanes a
+// multiple of 4. A polynomial patch has w = 1.
+struct PatchShape {
+    int axes = 0; // those of a degree > 0
+    std::array<int, max_axes> degrees{};
+    int dim = 0;
+    int lanes = 0;
+    bool weighted = false;
+
+    [[nodiscard]] int64_t coefficients() const noexcept {
+        int64_t count = 1;
+        for (int k = 0; k < axes; ++k) {
+            count *= degrees[static_cast<size_t>(k)] + 1;
+        }
+        return count;
+    }
+    [[nodiscard]] int64_t values() const noexcept { return coefficients() * lanes; }
+    // Coefficients of products of two such polynomials.
+    [[nodiscard]] int64_t products() const noexcept {
+        int64_t count = 1;
+        for (int k = 0; k < axes; ++k) {
+            count *= 2 * degrees[static_cast<size_t>(k)] + 1;
+        }
+        return count;
+    }
+    [[nodiscard]] int degree(int k) const noexcept { return degrees[static_cast<size_t>(k)]; }
+};
+
+// Numbers for each axis.
+using AxisValues = std::array<double, max_axes>;
+
+} // namespace nrb

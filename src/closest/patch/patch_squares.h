@@ -1,0 +1,26 @@
+// The tables for squares of patches of one shape.
+#pragma once
+
+#include "closest/patch/patch_kernel.h"
+
+#include <vector>
+
+namespace nrb {
+
+class PatchSquares {
+public:
+    explicit PatchSquares(const PatchShape &shape);
+
+    [[nodiscard]] SquareTables tables() const noexcept {
+        return {binomials_.data(), inverses_.data(), offsets_.data()};
+    }
+    // Of a coefficient of |Q|^2, relative to the sum of the magnitudes of what it is the sum of.
+    [[nodiscard]] double error() const noexcept { return error_; }
+
+private:
+    std::vector<double> binomials_, inverses_;
+    std::vector<int32_t> offsets_;
+    double error_ = 0;
+};
+
+} // namespace nrb

@@ -1,0 +1,78 @@
+// A tree of discs around the pieces of a spline: what a query looks at before any polynomial.
+//
+// A disc is the set of points across a unit normal n that are within a radius of the line through the centre,
+// and whose heights over the centre are in an interval; without normal, a ball. Centres are points of the
+// spline, so that each distance of a centre bounds the smallest one from above.
+#pragma once
+
+#include "closest/patch/patch_pieces.h"
+
+#include <vector>
+
+namespace nrb {
+
+class PatchTree {
+public:
+    explicit PatchTree(const PatchPieces &pieces);
+
+    // The children of a node, side by side.
+    struct Family {
+        int64_t first;  // child
+        int64_t count;  // of children
+        int64_t width;  // count rounded up for vectors
+        int64_t offset; // of the discs
+    };
+    // The pieces in a node, [lower, upper) along each axis of the spline.
+    struct Extent {
+        PatchPieces::Index lower, upper;
+    };
+
+    // Level 0 is the root, the last level holds the leaves. Node i of a level but the last has family i.
+    [[nodiscard]] int levels() const noexcept { return static_cast<int>(families_.size()) + 1; }
+    [[nodiscard]] const Family &family(int level, int64_t node) const noexcept {
+        return families_[static_cast<size_t>(level)][static_cast<size_t>(node)];
+    }
+    [[nodiscard]] const double *discs(const Family &family) const noexcept {
+        return discs_.data() + family.offset;
+    }
+    [[nodiscard]] bool normals() const noexcept { return normals_; }
+    [[nodiscard]] Extent extent(int level, int64_t node) const noexcept;
+
+    // The parts that a leaf is of its piece: part index [k] of parts() along each axis of the shape.
+    struct Leaf {
+        int64_t piece;
+        std::array<int, max_axes> part;
+    };
+    [[nodiscard]] Leaf leaf(int64_t node) const noexcept;
+    [[nodiscard]] int parts() const noexcept { return parts_; }
+    // Of the disc of a node, as a place of a piece.
+    struct Place {
+        int64_t piece;
+        AxisValues at;
+    };
+    [[nodiscard]] Place centre(int level, int64_t node) const noexcept;
+    // For part i of an axis of the shape.
+    [[nodiscard]] const double *matrix(int axis, int part) const noexcept {
+        return matrices_[static_cast<size_t>(axis)].data() + part * matrix_size(axis);
+    }
+    static constexpr int64_t most_width = 64;
+
+private:
+    struct Disc;
+    class Builder;
+    [[nodiscard]] int64_t matrix_size(int axis) const noexcept {
+        return int64_t{pieces_.shape().degree(axis) + 1} * (pieces_.shape().degree(axis) + 1);
+    }
+
+    const PatchPieces &pieces_;
+    bool normals_;
+    int parts_ = 1;
+    int64_t leaves_ = 1; // of a piece
+    std::array<std::vector<double>, max_axes> matrices_;
+    std::vector<std::vector<Family>> families_;
+    std::vector<std::vector<PatchPieces::Index>> nodes_; // of the levels of pieces and their groups
+    std::vector<PatchPieces::Index> blocks_;             // pieces in a node of such a level, along each axis
+    std::vector<double> discs_;
+};
+
+} // namespace nrb

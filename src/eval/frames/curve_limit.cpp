@@ -1,0 +1,165 @@
+#include "eval/frames/curve_limit.h"
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace nrb {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double nan_value = std::numeric_limits<double>::quiet_NaN();
+
+// The coefficients of a curve and their errors, each times a power of two that brings it near 1: a span may be much
+// shorter than those beside it, and products of its coefficients out of the range of double precision.
+class Coefficients {
+public:
+    Coefficients(const Jet &jet, int order) noexcept : order_(order) {
+        for (int i = 1; i <= order; ++i) {
+            const auto at = static_cast<size_t>(i);
+            exponents_[at] = size_exponent(jet.at(i));
+            values_[at] = times_power(jet.at(i), -exponents_[at]);
+            errors_[at] = std::ldexp(jet.error(i), -exponents_[at]);
+        }
+    }
+
+    [[nodiscard]] int order() const noexcept { return order_; }
+    [[nodiscard]] const Vector3 &at(int i) const noexcept { return values_[static_cast<size_t>(i)]; }
+    [[nodiscard]] double error(int i) const noexcept { return errors_[static_cast<size_t>(i)]; }
+    [[nodiscard]] int exponent(int i) const noexcept { return exponents_[static_cast<size_t>(i)]; }
+
+private:
+    int order_;
+    std::array<Vector3, max_jet_order + 1> values_;
+    std::array<double, max_jet_order + 1> errors_{};
+    std::array<int, max_jet_order + 1> exponents_{};
+};
+
+// The first coefficients that matter, C = C_0 + A_m s^m + ... with A_k the first one that is not parallel to
+// A_m; 0 if there is none.
+struct LeadingOrders {
+    int m = 0;
+    int k = 0;
+};
+
+double product_error(const Coefficients &jet, int m, int k) noexcept {
+    return length(jet.at(m)) * jet.error(k) + jet.error(m) * (length(jet.at(k)) + jet.error(k));
+}
+
+LeadingOrders leading_orders(const Coefficients &jet) noexcept {
+    LeadingOrders found;
+    for (int i = 1; i <= jet.order() && found.k == 0; ++i) {
+        if (found.m == 0) {
+            found.m = length(jet.at(i)) > jet.error(i) ? i : 0;
+        } else if (length(cross(jet.at(found.m), jet.at(i))) > product_error(jet, found.m, i)) {
+            found.k = i;
+        }
+    }
+    return found;
+}
+
+// s^exponent as s -> 0+, times a factor.
+double limit_of_power(double factor, int exponent) noexcept {
+    return exponent == 0 ? factor : exponent > 0 ? 0 : std::copysign(infinity, factor);
+}
+
+// The curve s^m A_m + s^k A_k has the curvature k (k - m) |V| / (m |A_m|)^2 s^(k - 2m) + ..., where V is the
+// part of A_k across A_m. `height` is |V|, with a sign in the plane.
+double curvature_limit(const Coefficients &jet, LeadingOrders orders, double height) noexcept {
+    const auto [m, k] = orders;
+    const double speed = m * length(jet.at(m)), factor = k * (k - m) * (height / speed) / speed;
+    return limit_of_power(std::ldexp(factor, jet.exponent(k) - 2 * jet.exponent(m)), k - 2 * m);
+}
+
+// With A_l the first coefficient outside the plane of A_m and A_k, det(C', C'', C''') / |C' x C''|^2 is
+// l (l - m) (l - k) / (m k (k - m)) (A_l . B) / (|A_m| |V|) s^(l - m - k) + ....
+double torsion_limit(const Coefficients &jet, LeadingOrders orders, const Vector3 &binormal) noexcept {
+    const auto [m, k] = orders;
+    const double area = length(cross(jet.at(m), jet.at(k)));
+    const double tilt = product_error(jet, m, k) / area;
+    for (int l = k + 1; l <= jet.order(); ++l) {
+        const double height = dot(jet.at(l), binormal);
+        if (std::fabs(height) > jet.error(l) + length(jet.at(l)) * tilt) {
+            const double factor = static_cast<double>(l * (l - m) * (l - k)) / (m * k * (k - m));
+            const int exponent = jet.exponent(l) - jet.exponent(m) - jet.exponent(k);
+            return limit_of_power(std::ldexp(factor * height / area, exponent), l - m - k);
+        }
+    }
+    return 0;
+}
+
+void complete_in_plane(const Coefficients &jet, LeadingOrders orders, CurveFrame &frame) noexcept {
+    frame.normal = {-frame.tangent.y, frame.tangent.x, 0};
+    if (orders.k > 0) {
+        const double height = dot(jet.at(orders.k), frame.normal); // side enters by the normal
+        frame.curvature = curvature_limit(jet, orders, height);
+    }
+}
+
+void complete_in_space(const Coefficients &jet, double side, LeadingOrders orders,
+                       CurveFrame &frame) noexcept {
+    const Vector3 &t = frame.tangent;
+    if (orders.k == 0) {
+        frame.normal = any_normal(t);
+        frame.binormal = cross(t, frame.normal);
+        frame.status |= frame_rule;
+        return;
+    }
+    const Vector3 area = cross(jet.at(orders.m), jet.at(orders.k));
+    const Vector3 turned = unit_across(area, t); // the binormal of the curve in s
+    frame.binormal = side * turned;
+    frame.normal = cross(frame.binormal, t);
+    frame.curvature = curvature_limit(jet, orders, length(area) / length(jet.at(orders.m)));
+    frame.torsion = torsion_limit(jet, orders, turned);
+    frame.status |= orders.m == 1 && orders.k == 2 ? 0 : frame_normal_limit;
+}
+
+// Derivatives of a polynomial end at its degree; torsion needs the third one.
+int highest_order(const Spline &spline) noexcept {
+    return spline.rational() ? max_jet_order : std::min(max_jet_order, std::max(spline.axis(0).degree(), 3));
+}
+
+} // namespace
+
+CurveFrame undefined_frame() noexcept {
+    const Vector3 none{nan_value, nan_value, nan_value};
+    return {none, none, none, nan_value, nan_value, frame_undefined};
+}
+
+CurveTangent curve_tangent(const Spline &spline, const AxisRules &rules, double t) noexcept {
+    Jet jet;
+    for (int order = 1; order <= highest_order(spline); ++order) {
+        if (!jet.evaluate(spline, rules, &t, order)) {
+            break;
+        }
+        if (length(jet.at(order)) > jet.error(order)) {
+            return {order, jet.side(0) * unit(jet.at(order))};
+        }
+    }
+    return {};
+}
+
+CurveFrame limit_frame(const Spline &spline, const AxisRules &rules, double t) noexcept {
+    Jet jet;
+    const int order = highest_order(spline);
+    if (!jet.evaluate(spline, rules, &t, order)) {
+        return undefined_frame();
+    }
+    const Coefficients coefficients(jet, order);
+    const LeadingOrders orders = leading_orders(coefficients);
+    if (orders.m == 0) {
+        return undefined_frame();
+    }
+    CurveFrame frame;
+    frame.tangent = jet.side(0) * unit(coefficients.at(orders.m));
+    frame.status = orders.m > 1 ? frame_limit : 0;
+    if (spline.dim() == 2) {
+        complete_in_plane(coefficients, orders, frame);
+    } else {
+        complete_in_space(coefficients, jet.side(0), orders, frame);
+    }
+    return frame;
+}
+
+} // namespace nrb

@@ -1,0 +1,35 @@
+// Outputs that wait until nothing can fail any more, since a call that fails writes nothing.
+#pragma once
+
+#include "eval/frames/magnitude.h"
+#include "eval/frames/frame_outputs.h"
+
+#include <vector>
+
+namespace nrb {
+
+// Arrays with a record for each parameter of a list, and statuses, as for_each_magnitude() finds them run by run.
+class WaitingOutputs {
+public:
+    struct Array {
+        Records out;   // not wanted without data
+        int power = 0; // of 1 / length, in which the values are
+    };
+    WaitingOutputs(std::vector<Array> arrays, int32_t *status, int64_t count);
+
+    // Where a run writes.
+    [[nodiscard]] Records part(size_t array, const MagnitudeRun &run) noexcept;
+    [[nodiscard]] int32_t *status(const MagnitudeRun &run) noexcept { return status_.data() + run.first; }
+    // What a run has written becomes that of the spline itself.
+    void finish(const MagnitudeRun &run) noexcept;
+    // Writes all; `order` is what for_each_magnitude() returns.
+    void write(const std::vector<int64_t> &order) const noexcept;
+
+private:
+    std::vector<Array> arrays_;
+    std::vector<std::vector<double>> values_;
+    int32_t *status_out_;
+    std::vector<int32_t> status_;
+};
+
+} // namespace nrb

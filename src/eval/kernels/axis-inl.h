@@ -1,0 +1,128 @@
+// Basis functions of one axis at one parameter. Included once for every instruction set: see base/simd.h.
+#if defined(NURBS_EVAL_AXIS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef NURBS_EVAL_AXIS_INL_H_
+#undef NURBS_EVAL_AXIS_INL_H_
+#else
+#define NURBS_EVAL_AXIS_INL_H_
+#endif
+
+#include "eval/kernels/axis_source.h"
+#include "eval/kernels/horner-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace nrb {
+namespace HWY_NAMESPACE {
+
+// By the recurrence, whose rows have no padding.
+//
+// Why a point made from these functions, here and in curve_kernel.cpp, is within (7 p + 2) eps hull for
+// weights >= 0. In roundings of eps / 2 each, those of the numerator relative to the sum of N w |x|, which is
+// at most w(t) hull, those of the denominator to w(t) itself, since no term of it is negative:
+//   functions: 4 at degree 1, where split() multiplies by 1 and nothing is added, 6 at each other: 6 p - 2
+//   w x, in the numerator only: 1
+//   contraction: a product and at most p sums for each term, or less where they are fused: p + 1
+//   1 / w(t), and the product with it: 2
+// Together 7 p + (7 p - 1) + 2 = 14 p + 1; at degree 0, where the functions are 1 exactly, 3. Up to the
+// 14 p + 4 of the bound there is room for the products of errors. Another axis adds its functions and its
+// contraction only.
+static HWY_NOINLINE void recurrence_values(const AxisSource &source, int64_t span, int order, double t,
+                                           double *values) {
+    const int functions = source.degree + 1;
+    basis_derivs(source.axis->knots().data(), source.degree, span, t, order, source.work);
+    for (int k = 0; k <= order; ++k) {
+        const double *row = source.work + static_cast<int64_t>(k) * functions;
+        std::copy_n(row, functions, values + static_cast<int64_t>(k) * source.lanes);
+    }
+}
+
+// Any parameter: outside the domain, at a knot, without tables.
+static HWY_NOINLINE AxisPoint special_values(const AxisSource &source, int order, double param,
+                                             double *values) {
+    const double t = place(param, source.rule, source.domain);
+    if (t != t) {
+        return {-1, -1};
+    }
+    const int64_t span = source.spans != nullptr ? source.spans->find(t, source.rule.left)
+                                                 : source.axis->find_span(t, source.rule.left);
+    const double *knots = source.axis->knots().data();
+    if (!source.has_pieces || !source.axis->has_piece(span)) {
+        recurrence_values(source, span, order, t, values);
+    } else if (source.pieces != nullptr && source.spans != nullptr) { // pieces never come without spans
+        const double *piece = (*source.pieces)[source.spans->number(t, source.rule.left)];
+        horner(order, piece, source.degree, source.lanes, t, values);
+    } else {
+        double *const pieces[1] = {source.work};
+        basis_pieces(knots, source.degree, &span, 1, pieces, nullptr);
+        horner(order, source.work, source.degree, source.lanes, t, values);
+    }
+    return {span - source.degree, sole_function(knots, source.degree, span, t)};
+}
+
+// values: [order + 1][lanes]. first < 0 when the parameter gives NaN.
+HWY_INLINE AxisPoint axis_values(const AxisSource &source, int order, double t, double *values) {
+    if (source.pieces != nullptr && t > source.domain.lower && t < source.domain.upper) {
+        const int64_t number = source.spans->number(t, false);
+        const double *piece = (*source.pieces)[number];
+        if (t > piece[Piece::lower]) {
+            horner(order, piece, source.degree, source.lanes, t, values);
+            return {source.spans->indices()[static_cast<size_t>(number)] - source.degree, -1};
+        }
+    }
+    return special_values(source, order, t, values);
+}
+
+// The pieces and first layers of parameters that lie strictly inside the domain and a span with a piece each;
+// false if some does not. Apart from its caller, so that all it needs stays in registers.
+static HWY_NOINLINE HWY_MAYBE_UNUSED bool locate(const AxisSource &source, const double *HWY_RESTRICT params,
+                                                 int64_t stride, int64_t count,
+                                                 AxisPoint *HWY_RESTRICT points,
+                                                 const double **HWY_RESTRICT found) {
+    const SpanTable::Finder find = source.spans->finder();
+    const int64_t *spans = source.spans->indices().data();
+    const double *pieces = (*source.pieces)[0];
+    const int64_t piece_size = source.pieces->size();
+    const Interval domain = source.domain;
+    const int degree = source.degree;
+    bool ordinary = true;
+    for (int64_t i = 0; i < count; ++i) {
+        const double t = params[i * stride];
+        if (HWY_UNLIKELY(!(t > domain.lower && t < domain.upper))) {
+            return false;
+        }
+        const int64_t number = find.number_inside(t);
+        const double *piece = pieces + number * piece_size;
+        points[i] = {spans[number] - degree, -1};
+        found[i] = piece;
+        ordinary &= t > piece[Piece::lower];
+    }
+    return ordinary;
+}
+
+// axis_values() of `count` parameters that are `stride` apart, in two passes: searches, then polynomials.
+// Record i goes to values[i * (order + 1) * lanes]. Returns whether a parameter was special: NaN, or with a
+// function that is alone.
+template <int kOrders, int kDegree>
+HWY_INLINE bool axis_block(const AxisSource &source, int order, const double *params, int64_t stride,
+                           int64_t count, AxisPoint *points, double *values) {
+    const int64_t size = source.values_size(order);
+    const double *found[axis_block_size];
+    if (source.pieces == nullptr || !locate(source, params, stride, count, points, found)) {
+        bool special = false;
+        for (int64_t i = 0; i < count; ++i) {
+            points[i] = axis_values(source, order, params[i * stride], values + i * size);
+            special |= points[i].sole >= 0 || !points[i].valid();
+        }
+        return special;
+    }
+    for (int64_t i = 0; i < count; ++i) {
+        horner_record<kOrders, kDegree>(order, found[i], source.degree, kDegree == 3 ? 4 : source.lanes,
+                                        params[i * stride], values + i * size);
+    }
+    return false;
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace nrb
+HWY_AFTER_NAMESPACE();
+
+#endif

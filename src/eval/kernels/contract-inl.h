@@ -1,0 +1,105 @@
+// Weighted sums of rows. Included once for every instruction set: see base/simd.h.
+#if defined(NURBS_EVAL_CONTRACT_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef NURBS_EVAL_CONTRACT_INL_H_
+#undef NURBS_EVAL_CONTRACT_INL_H_
+#else
+#define NURBS_EVAL_CONTRACT_INL_H_
+#endif
+
+#include "eval/kernels/horner-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace nrb {
+namespace HWY_NAMESPACE {
+
+// One vector of the sum; kDegree < 0 stands for any number n of rows, else that is kDegree + 1.
+template <int kDegree, class D>
+HWY_INLINE hn::Vec<D> contracted(D d, const double *HWY_RESTRICT coefficients, int n,
+                                 const double *HWY_RESTRICT rows, int64_t stride) {
+    const int count = kDegree >= 0 ? kDegree + 1 : n;
+    auto sum = hn::Mul(hn::Set(d, coefficients[0]), hn::LoadU(d, rows));
+    for (int i = 1; i < count; ++i) {
+        rows += stride;
+        sum = hn::MulAdd(hn::Set(d, coefficients[i]), hn::LoadU(d, rows), sum);
+    }
+    return sum;
+}
+
+template <int kDegree>
+HWY_INLINE void contract_degree(const double *HWY_RESTRICT coefficients, int n,
+                                const double *HWY_RESTRICT rows, int64_t stride, int64_t length,
+                                double *HWY_RESTRICT out) {
+    int64_t l = 0;
+    for (; l + wide_lanes <= length; l += wide_lanes) {
+        hn::StoreU(contracted<kDegree>(Wide(), coefficients, n, rows + l, stride), Wide(), out + l);
+    }
+    for (; l + quad_lanes <= length; l += quad_lanes) {
+        hn::StoreU(contracted<kDegree>(Quad(), coefficients, n, rows + l, stride), Quad(), out + l);
+    }
+    for (; l < length; ++l) {
+        hn::StoreU(contracted<kDegree>(hn::CappedTag<double, 1>(), coefficients, n, rows + l, stride),
+                   hn::CappedTag<double, 1>(), out + l);
+    }
+}
+
+// out[l] = coefficients[0] * rows[l], then fused + coefficients[i] * rows[i * stride + l] in rising order,
+// l < length, whatever the length and its vectors. Precondition: n >= 1; out overlaps nothing.
+HWY_INLINE void contract_rows(const double *coefficients, int n, const double *rows, int64_t stride,
+                              int64_t length, double *out) {
+    if (n == 4) {
+        contract_degree<3>(coefficients, n, rows, stride, length, out);
+    } else {
+        contract_degree<-1>(coefficients, n, rows, stride, length, out);
+    }
+}
+
+// kVectors vectors of the sums for kOrders sets of coefficients, `lanes` apart; the sums are `length` apart.
+template <int kOrders, int kVectors, class D>
+HWY_INLINE void contract_orders(D d, const double *HWY_RESTRICT coefficients, int lanes, int n,
+                                const double *HWY_RESTRICT rows, int64_t stride, int64_t length,
+                                double *HWY_RESTRICT out) {
+    constexpr int step = static_cast<int>(hn::MaxLanes(d));
+    hn::Vec<D> sums[kVectors][kOrders];
+    for (int a = 0; a < kOrders; ++a) {
+        for (int v = 0; v < kVectors; ++v) {
+            sums[v][a] = hn::Mul(hn::Set(d, coefficients[a * lanes]), hn::LoadU(d, rows + v * step));
+        }
+    }
+    for (int i = 1; i < n; ++i) {
+        rows += stride;
+        for (int a = 0; a < kOrders; ++a) {
+            const auto coefficient = hn::Set(d, coefficients[a * lanes + i]);
+            for (int v = 0; v < kVectors; ++v) {
+                sums[v][a] = hn::MulAdd(coefficient, hn::LoadU(d, rows + v * step), sums[v][a]);
+            }
+        }
+    }
+    for (int v = 0; v < kVectors; ++v) {
+        for (int a = 0; a < kOrders; ++a) {
+            hn::StoreU(sums[v][a], d, out + v * step + a * length);
+        }
+    }
+}
+
+// contract_rows() for the functions and their derivatives below kOrders. Precondition: the length is a
+// multiple of 4.
+template <int kOrders>
+HWY_INLINE void contract_rows_of_orders(const double *coefficients, int lanes, int n, const double *rows,
+                                        int64_t stride, int64_t length, double *out) {
+    int64_t l = 0;
+    for (; l + 3 * wide_lanes <= length; l += 3 * wide_lanes) {
+        contract_orders<kOrders, 3>(Wide(), coefficients, lanes, n, rows + l, stride, length, out + l);
+    }
+    for (; l + wide_lanes <= length; l += wide_lanes) {
+        contract_orders<kOrders, 1>(Wide(), coefficients, lanes, n, rows + l, stride, length, out + l);
+    }
+    for (; l < length; l += quad_lanes) {
+        contract_orders<kOrders, 1>(Quad(), coefficients, lanes, n, rows + l, stride, length, out + l);
+    }
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace nrb
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,400 @@
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "eval/kernels/curve_kernel.cpp"
+#include "base/simd.h"
+
+#include <hwy/foreach_target.h>
+
+#include "basis/bspline.h"
+#include "eval/kernels/contract-inl.h"
+#include "eval/kernels/curve_kernel.h"
+#include "eval/kernels/finish-inl.h"
+#include "eval/kernels/horner-inl.h"
+#include "eval/kernels/rows-inl.h"
+
+#include <cmath>
+
+HWY_BEFORE_NAMESPACE();
+namespace nrb {
+namespace HWY_NAMESPACE {
+
+static_assert(curve_group == group_size);
+
+// What the loops over ordinary parameters read, kept in registers.
+struct CurveTables {
+    explicit CurveTables(const CurveJob &job)
+        : domain(job.spline.axis(0).domain()), find(job.spans->finder()), pieces((*job.pieces)[0]),
+          piece_size(job.pieces->size()), degree(job.spline.axis(0).degree()), lanes(job.shape.lanes),
+          dim(job.shape.dim) {}
+
+    // The pieces of `count` parameters inside the domain; false unless each lies strictly inside its span,
+    // and the span has a piece.
+    [[nodiscard]] HWY_INLINE bool locate(const double *HWY_RESTRICT params, int count,
+                                         const double **HWY_RESTRICT found) const {
+        bool all = true;
+        for (int i = 0; i < count; ++i) {
+            const double *piece = pieces + find.number_inside(params[i]) * piece_size;
+            found[i] = piece;
+            all &= params[i] > piece[Piece::lower];
+        }
+        return all;
+    }
+
+    Interval domain;
+    SpanTable::Finder find;
+    const double *pieces;
+    int64_t piece_size;
+    int degree;
+    int lanes;
+    int dim;
+};
+
+// Whether `count` parameters lie strictly between two bounds; NaN does not.
+HWY_INLINE bool between(const double *block, int count, double lower_bound, double upper_bound) {
+    if (count < curve_block) {
+        bool all = true;
+        for (int i = 0; i < count; ++i) {
+            all = all && block[i] > lower_bound && block[i] < upper_bound;
+        }
+        return all;
+    }
+    const Wide d;
+    const auto lower = hn::Set(d, lower_bound);
+    const auto upper = hn::Set(d, upper_bound);
+    auto all = hn::And(hn::Lt(lower, hn::LoadU(d, block)), hn::Lt(hn::LoadU(d, block), upper));
+    for (int i = wide_lanes; i < curve_block; i += wide_lanes) {
+        const auto t = hn::LoadU(d, block + i);
+        all = hn::And(all, hn::And(hn::Lt(lower, t), hn::Lt(t, upper)));
+    }
+    return hn::AllTrue(d, all);
+}
+
+class CurveKernel {
+public:
+    CurveKernel(const CurveJob &job, const ConstRecords &params, const Records &out)
+        : job_(job), params_(params), out_(out), axis_(job.spline.axis(0)), domain_(axis_.domain()),
+          write_records_(job.shape, job.quotient, job.weights, out), write_rows_(job.shape, out) {}
+
+    void run() {
+        switch (job_.pieces == nullptr ? -1 : job_.shape.order) {
+        case -1:
+            return run_without_tables();
+        case 0:
+            return run_order<1>();
+        case 1:
+            return run_order<2>();
+        case 2:
+            return run_order<3>();
+        case 3: // torsion
+            return run_params<4, -1, 0>();
+        default:
+            return run_params<most_orders, -1, 0>();
+        }
+    }
+
+private:
+    // The shapes that are evaluated a million times have loops of their own; what they compute is the same.
+    template <int kOrders>
+    void run_order() {
+        if (job_.shape.lanes == 4) {
+            degree() == 3 ? run_params<kOrders, 3, 4>() : run_params<kOrders, -1, 4>();
+        } else {
+            job_.shape.lanes == 8 ? run_params<kOrders, -1, 8>() : run_params<kOrders, -1, 0>();
+        }
+    }
+
+    void run_without_tables() {
+        for (int64_t i = 0; i < params_.count; ++i) {
+            run_specially(params_(i, 0), i);
+        }
+    }
+
+    // Blocks in one span go by vectors across the parameters, others by vectors across the components, in two
+    // passes: the searches of a block do not wait for its divisions.
+    template <int kOrders, int kDegree, int kLanes>
+    HWY_NOINLINE void run_params() {
+        const CurveTables tables(job_);
+        const ConstRecords &params = params_;
+        const double *piece = nullptr;
+        double copy[curve_block];
+        for (int64_t first = 0; first < params.count; first += curve_block) {
+            const int count = static_cast<int>(std::min<int64_t>(curve_block, params.count - first));
+            const double *block = block_of(params, first, count, copy);
+            const double *pieces[curve_block];
+            if (piece != nullptr && count == curve_block &&
+                between(block, count, piece[Piece::lower], piece[Piece::upper])) {
+                run_in_piece<kOrders, kDegree>(block, piece, first);
+                continue;
+            }
+            if (!between(block, count, tables.domain.lower, tables.domain.upper) ||
+                !tables.locate(block, count, pieces)) {
+                run_specially(block, count, first);
+                piece = nullptr;
+                continue;
+            }
+            piece = pieces[count - 1];
+            if constexpr (kLanes > 0) {
+                run_quads<kOrders, kDegree, kLanes>(tables, block, pieces, count, first);
+            } else {
+                run_records<kOrders, kDegree>(tables, block, pieces, count, first);
+            }
+        }
+    }
+
+    // A block of parameters side by side.
+    static HWY_INLINE const double *block_of(const ConstRecords &params, int64_t first, int count,
+                                             double *copy) {
+        const double *start = params.data + first * params.stride;
+        if (params.stride == 1) {
+            return start;
+        }
+        for (int i = 0; i < count; ++i) {
+            copy[i] = start[i * params.stride];
+        }
+        return copy;
+    }
+
+    template <int kOrders, int kDegree>
+    HWY_NOINLINE void run_in_piece(const double *block, const double *piece, int64_t first) {
+        for (int i = 0; i < curve_block; i += group_size) {
+            horner_rows<kOrders, kDegree>(block + i, piece);
+            if (job_.quotient != nullptr) {
+                divide_group(job_.shape, *job_.quotient, job_.records);
+            }
+            write_rows_(first + i, group_size, job_.records);
+        }
+    }
+
+    template <int kOrders, int kDegree>
+    HWY_INLINE void run_records(const CurveTables &tables, const double *block, const double *const *pieces,
+                                int count, int64_t first) {
+        for (int i = 0; i < count; ++i) {
+            horner_record<kOrders, kDegree>(job_.shape.order, pieces[i], tables.degree, tables.lanes,
+                                            block[i], job_.records);
+            write_records_(first + i, 1, job_.records);
+        }
+    }
+
+    template <int kOrders, int kDegree>
+    HWY_INLINE void horner_rows(const double *HWY_RESTRICT params, const double *HWY_RESTRICT piece) {
+        using V = hn::Vec<Wide>;
+        const Wide d;
+        const int width = job_.shape.width;
+        const int64_t slot_size = static_cast<int64_t>(width) * group_size;
+        double *rows = job_.records;
+        const double scale = piece[Piece::scale];
+        for (int i = 0; i < group_size; i += wide_lanes) {
+            const V x = hn::Mul(hn::Sub(hn::LoadU(d, params + i), hn::Set(d, piece[Piece::middle])),
+                                hn::Set(d, scale));
+            for (int c = 0; c < width; ++c) {
+                V y[kOrders];
+                horner_vector<kOrders, kDegree>(d, OneComponent(), piece + Piece::head_size + c, degree(),
+                                                job_.shape.lanes, x, scale, y);
+                for (int k = 0; k < kOrders; ++k) {
+                    if (kOrders < most_orders || k < job_.shape.slots) {
+                        hn::Store(y[k], d, rows + k * slot_size + c * group_size + i);
+                    }
+                }
+            }
+        }
+        for (int64_t rest = kOrders * slot_size; rest < job_.shape.slots * slot_size; ++rest) {
+            rows[rest] = 0;
+        }
+    }
+
+    // Records of four or eight lanes, in registers from the coefficients to the caller's array.
+    template <int kOrders, int kDegree, int kLanes>
+    HWY_INLINE void run_quads(const CurveTables &tables, const double *block, const double *const *pieces,
+                              int count, int64_t first) {
+        const Quad d;
+        QuadWriter write(job_.shape, out_);
+        const int degree = tables.degree;
+        const int dim = tables.dim;
+        const bool rational = job_.quotient != nullptr;
+        for (int i = 0; i < count; ++i) {
+            QuadRecord<kOrders, kLanes> record;
+            const double *piece = pieces[i];
+            const double scale = piece[Piece::scale];
+            const auto x = hn::Set(d, (block[i] - piece[Piece::middle]) * scale);
+            for (int part = 0; part < record.parts; ++part) {
+                horner_vector<kOrders, kDegree>(d, Components(), piece + Piece::head_size + part * quad_lanes,
+                                                degree, kLanes, x, scale, record.values[part]);
+            }
+            if (rational) {
+                record.template divide_by_weight<1, kOrders - 1>(dim);
+            }
+            write(record, first + i);
+        }
+        write.template finish<kOrders, kLanes>(first + count - 1);
+    }
+
+    HWY_NOINLINE void run_specially(const double *params, int count, int64_t first) {
+        for (int i = 0; i < count; ++i) {
+            run_specially(params[i], first + i);
+        }
+    }
+
+    HWY_NOINLINE void run_specially(double param, int64_t i) {
+        const double t = place(param, job_.rule, domain_);
+        if (t != t) {
+            return write_nan(job_.shape.values(), out_, i);
+        }
+        const int64_t span = axis_.find_span(t, job_.rule.left);
+        if (job_.spline.has_piece(span)) {
+            horner(job_.shape.order, piece_of(span, t), degree(), job_.shape.lanes, t, job_.records);
+            write_records_(i, 1, job_.records);
+        } else {
+            write_by_recurrence(span, t, i);
+        }
+        const int sole = sole_function(axis_.knots().data(), degree(), span, t);
+        if (sole >= 0) {
+            write_control_point(job_.spline, span - degree() + sole, out_, i);
+        }
+    }
+
+    // The active records, one after the other with a stride.
+    struct ActiveRows {
+        const double *data;
+        int64_t stride;
+    };
+
+    // The functions of degrees p, p - 1, ... with the control points and those of the derivatives. Derivatives
+    // of the functions, whose sum is 0, would leave the rounding of the points' common part behind. For the
+    // same reason the quotient rule is applied to the curve seen from its own point at t, which is written
+    // after it.
+    void write_by_recurrence(int64_t span, double t, int64_t i) {
+        const int order = job_.shape.order;
+        basis_values_of_lower_degrees(axis_.knots().data(), degree(), span, t, order, job_.values);
+        const ActiveRows rows = active_rows(span);
+        contract(0, rows);
+        if (order == 0 || job_.quotient == nullptr) {
+            contract_derivatives(span, rows);
+            return write_records_(i, 1, job_.records);
+        }
+        double *point = job_.piece;
+        std::copy_n(job_.records, job_.shape.lanes, point);
+        divide_record<1, 0>(job_.shape, point);
+        const ActiveRows moved = rows_from(point, span, rows);
+        contract(0, moved);
+        contract_derivatives(span, moved);
+        write_records_(i, 1, job_.records);
+        for (int c = 0; c < job_.shape.dim; ++c) {
+            out_(i, c) = point[c];
+        }
+    }
+
+    // From the table, or made by the same code.
+    ActiveRows active_rows(int64_t span) {
+        const int width = job_.shape.width;
+        const int64_t first = span - degree();
+        if (job_.net != nullptr) {
+            return {job_.net + first * width, width};
+        }
+        const int lanes = job_.shape.lanes;
+        for (int j = 0; j <= degree(); ++j) {
+            double *record = job_.window + static_cast<int64_t>(j) * lanes;
+            job_.spline.record_part(first + j, 0, width, record);
+            std::fill(record + width, record + lanes, 0.0);
+        }
+        return {job_.window, lanes};
+    }
+
+    // The rows as seen from a point: from stored points, whose difference is rounded once; homogeneous records
+    // have a product and a difference that are rounded once.
+    ActiveRows rows_from(const double *point, int64_t span, const ActiveRows &rows) {
+        const Quad d;
+        const Spline &spline = job_.spline;
+        const int lanes = job_.shape.lanes;
+        const int dim = job_.shape.dim;
+        const double *stored = spline.points().data() + (span - degree()) * spline.stored_width();
+        double *record = job_.window;
+        for (int j = 0; j <= degree(); ++j, record += lanes, stored += spline.stored_width()) {
+            const double weight = rows.data[j * rows.stride + dim];
+            for (int c = 0; spline.form() == Form::homogeneous && c < dim; ++c) {
+                record[c] = std::fma(-point[c], weight, stored[c]);
+            }
+            for (int l = 0; spline.form() == Form::rational && l < dim; l += quad_lanes) {
+                const auto step = hn::Sub(hn::LoadU(d, stored + l), hn::LoadU(d, point + l));
+                const auto product = hn::Mul(hn::Set(d, weight), step);
+                hn::StoreU(weight == 0 ? hn::Zero(d) : product, d, record + l); // however far the point is
+            }
+            record[dim] = weight;
+        }
+        return {job_.window, lanes};
+    }
+
+    // The sum for derivative k of the first rows, with the functions of degree p - k. Lanes behind a record
+    // hold anything.
+    void contract(int k, const ActiveRows &rows) {
+        contract_rows(job_.values + static_cast<int64_t>(k) * (degree() + 1), degree() + 1 - k, rows.data,
+                      rows.stride, job_.shape.lanes,
+                      job_.records + static_cast<int64_t>(k) * job_.shape.lanes);
+    }
+
+    void contract_derivatives(int64_t span, ActiveRows rows) {
+        const int highest = std::min(job_.shape.order, degree());
+        for (int k = 1; k <= highest; ++k) {
+            rows = differences(span, k, rows);
+            contract(k, rows);
+        }
+        std::fill(job_.records + static_cast<int64_t>(highest + 1) * job_.shape.lanes,
+                  job_.records + job_.shape.size(), 0.0);
+    }
+
+    // From the control points of derivative k - 1 to those of derivative k, one fewer (Piegl & Tiller 3.4).
+    ActiveRows differences(int64_t span, int k, const ActiveRows &rows) {
+        const Quad d;
+        const int lanes = job_.shape.lanes;
+        const double *left = axis_.knots().data() + span - degree() + k;
+        const double *right = axis_.knots().data() + span + 1;
+        const auto factor = hn::Set(d, degree() - k + 1);
+        for (int j = 0; j <= degree() - k; ++j) {
+            const auto length = hn::Set(d, right[j] - left[j]);
+            const double *row = rows.data + j * rows.stride;
+            double *record = job_.window + static_cast<int64_t>(j) * lanes;
+            for (int l = 0; l < lanes; l += quad_lanes) {
+                const auto step = hn::Sub(hn::LoadU(d, row + rows.stride + l), hn::LoadU(d, row + l));
+                hn::StoreU(hn::Mul(factor, hn::Div(step, length)), d, record + l);
+            }
+        }
+        return {job_.window, lanes};
+    }
+
+    // From the table, or made by the same code.
+    const double *piece_of(int64_t span, double t) {
+        if (job_.pieces != nullptr) {
+            return (*job_.pieces)[job_.spans->number(t, job_.rule.left)];
+        }
+        job_.spline.curve_piece(span, job_.window, job_.piece);
+        return job_.piece;
+    }
+
+    [[nodiscard]] HWY_INLINE int degree() const { return axis_.degree(); }
+
+    const CurveJob &job_;
+    const ConstRecords &params_;
+    const Records &out_;
+    const KnotVector &axis_;
+    Interval domain_;
+    RecordWriter write_records_;
+    RowWriter write_rows_;
+};
+
+void run_curve(const CurveJob &job, const ConstRecords &params, const Records &out) {
+    CurveKernel(job, params, out).run();
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace nrb
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace nrb {
+
+HWY_EXPORT(run_curve);
+
+void run(const CurveJob &job, const ConstRecords &params, const Records &out) noexcept {
+    HWY_DYNAMIC_DISPATCH(run_curve)(job, params, out);
+}
+
+} // namespace nrb
+#endif

@@ -1,0 +1,29 @@
+// The kernel of curves: from parameters to points and derivatives.
+#pragma once
+
+#include "eval/kernels/finish.h"
+#include "eval/parameters.h"
+
+namespace nrb {
+
+struct CurveJob {
+    const Spline &spline;
+    AxisRule rule;
+    const RecordShape &shape;
+    const QuotientRule *quotient; // null for a polynomial curve
+    const SpanTable *spans;       // null with `pieces`
+    const PieceArray *pieces;     // null while there is no table: then every piece is made anew
+    const double *net; // the records, where the recurrence needs them; null while there is no table
+    double *records;   // working memory: [group][slots][lanes], a group being curve_group points
+    double *weights;   // [slots]
+    double *piece;     // Piece::size(degree, width)
+    double *values;    // [order + 1][degree + 1]
+    double *window;    // [degree + 1][lanes]
+};
+
+inline constexpr int curve_group = 8;
+inline constexpr int curve_block = 16; // parameters treated together, a multiple of curve_group
+
+void run(const CurveJob &job, const ConstRecords &params, const Records &out) noexcept;
+
+} // namespace nrb

@@ -1,0 +1,318 @@
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "eval/kernels/grid_kernel.cpp"
+#include "base/simd.h"
+
+#include <hwy/foreach_target.h>
+
+#include "eval/kernels/axis-inl.h"
+#include "eval/kernels/contract-inl.h"
+#include "eval/kernels/grid_kernel.h"
+#include "eval/kernels/rows-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace nrb {
+namespace HWY_NAMESPACE {
+
+static_assert(grid_group == group_size);
+
+class GridKernel {
+public:
+    explicit GridKernel(const GridJob &job)
+        : job_(job), last_(job.spline.axes() - 1), write_(job.shape, job.out) {}
+
+    // Axis 0 is contracted once for each of its parameters over the whole net, axis 1 once for each pair, and
+    // so on.
+    void run() { descend(0, 0); }
+
+private:
+    // `row`: number of the combination of parameters of the axes before `level`.
+    void descend(int level, int64_t row) {
+        const GridAxis &table = *job_.tables[static_cast<size_t>(level)];
+        const int64_t begin = level == 0 ? job_.begin : 0;
+        const int64_t end = level == 0 ? job_.end : table.size();
+        for (int64_t i = begin; i < end; ++i) {
+            chosen_[level] = table.points[static_cast<size_t>(i)];
+            if (chosen_[level].valid()) {
+                contract(level, i);
+            }
+            const int64_t next = row * table.size() + i;
+            if (level + 1 < last_) {
+                descend(level + 1, next);
+            } else if (job_.sink == nullptr) {
+                write_row(next * job_.tables[static_cast<size_t>(last_)]->size());
+            } else {
+                write_row(0);
+                const Records &rows = job_.out;
+                (*job_.sink)(job_.sink_first + next * job_.sink_stride,
+                             {rows.data, rows.count, rows.width, rows.stride, rows.component_stride});
+            }
+        }
+    }
+
+    void contract(int level, int64_t i) const {
+        const auto at = static_cast<size_t>(level);
+        const AxisSource &source = job_.sources[at];
+        const int order = job_.shape.order;
+        const int64_t length = job_.slabs.length[at];
+        const int64_t before = level == 0 ? 0 : job_.slabs.length[at - 1];
+        const double *net = level == 0 ? job_.net : job_.slabs.data[at - 1];
+        const double *values = job_.tables[at]->values.data() + i * source.values_size(order);
+        for_each_step(level, order, [&](int64_t from, int a, int64_t target) HWY_ATTR {
+            const double *rows = net + from * before + chosen_[level].first * length;
+            for (const Stretch &stretch : job_.stretches[at]) {
+                contract_rows(values + static_cast<int64_t>(a) * source.lanes, source.degree + 1,
+                              rows + stretch.offset, length, stretch.length,
+                              job_.slabs.data[at] + target * length + stretch.offset);
+            }
+        });
+    }
+
+    // All parameters of the last axis; the first of them is grid point `first`.
+    void write_row(int64_t first) const {
+        for (int k = 0; k < last_; ++k) {
+            if (!chosen_[k].valid()) {
+                return write_nan_row(first);
+            }
+        }
+        write_groups(first);
+        for (const int64_t position : job_.exceptions) {
+            mend(position, first);
+        }
+    }
+
+    // The shapes that grids are made of have loops of their own; what they compute is the same.
+    void write_groups(int64_t first) const {
+        const bool rational = job_.quotient != nullptr && job_.shape.width == 4;
+        const bool polynomial = job_.quotient == nullptr && job_.shape.width == 3;
+        if (last_ == 1 && job_.shape.order == 0 && rational) {
+            write_triples<1, 4>(first);
+        } else if (last_ == 1 && job_.shape.order == 0 && polynomial) {
+            write_triples<1, 3>(first);
+        } else if (last_ == 1 && job_.shape.order == 1 && rational) {
+            write_triples<2, 4>(first);
+        } else if (last_ == 1 && job_.shape.order == 1 && polynomial) {
+            write_triples<2, 3>(first);
+        } else {
+            write_any(first);
+        }
+    }
+
+    [[nodiscard]] int64_t values_of_group() const {
+        return static_cast<int64_t>(job_.shape.order + 1) *
+               (job_.sources[static_cast<size_t>(last_)].degree + 1) * group_size;
+    }
+
+    HWY_NOINLINE void write_any(int64_t first) const {
+        const double *values = job_.group_values;
+        for (const GridGroup &group : job_.groups) {
+            contract_group(group, values);
+            if (job_.quotient != nullptr) {
+                divide_group(job_.shape, *job_.quotient, job_.rows);
+            }
+            write_group(group, first);
+            values += values_of_group();
+        }
+    }
+
+    // Three coordinates of a surface, rational with width 4: in registers up to the division.
+    template <int kOrders, int kWidth>
+    HWY_NOINLINE void write_triples(int64_t first) const {
+        constexpr int slots = static_cast<int>(slot_count(2, kOrders - 1));
+        using V = hn::Vec<Wide>;
+        const Wide d;
+        const int functions = job_.sources[1].degree + 1;
+        const int64_t size = values_of_group();
+        const int64_t length = job_.slabs.length[0];
+        const bool separate = job_.out.stride == 1;
+        const bool packed = slots == 1 && job_.out.component_stride == 1 && job_.out.stride == 3;
+        const double *values = job_.group_values;
+        for (const GridGroup &group : job_.groups) {
+            const double *slab = job_.slabs.data[0] + group.first * kWidth;
+            const int64_t start = first + group.position[0];
+            // What a group that is not full writes beyond its own points is written again later.
+            const bool whole =
+                group.count == group_size || (job_.rising && start + group_size <= job_.out.count);
+            const bool direct = group.consecutive && (separate || (packed && whole));
+            for (int i = 0; i < group_size; i += wide_lanes) {
+                V sums[kWidth][slots];
+                contract_slots<kOrders, kWidth>(values + i, functions, slab, length, sums);
+                if (kWidth == 4) {
+                    const V inverse = hn::Div(hn::Set(d, 1.0), sums[kWidth - 1][0]);
+                    for (int c = 0; c < 3; ++c) {
+                        divide<2, kOrders - 1>(sums[kWidth - 1], inverse, sums[c]);
+                    }
+                }
+                if (direct && packed) {
+                    double *target = job_.out.data + 3 * (start + i);
+                    hn::StoreInterleaved3(sums[0][0], sums[1][0], sums[2][0], d, target);
+                    continue;
+                }
+                for (int s = 0; s < slots; ++s) {
+                    for (int c = 0; c < 3; ++c) {
+                        if (direct && i < group.count) {
+                            double *target = job_.out.data + start + (s * 3 + c) * job_.out.component_stride;
+                            store_some(sums[c][s], group.count - i, target + i);
+                        } else {
+                            hn::Store(sums[c][s], d, job_.rows + (s * kWidth + c) * group_size + i);
+                        }
+                    }
+                }
+            }
+            if (!direct) {
+                write_group(group, first);
+            }
+            values += size;
+        }
+    }
+
+    // contract_rows() for a vector of points, all components and slots at once.
+    template <int kOrders, int kWidth>
+    static HWY_INLINE void contract_slots(const double *HWY_RESTRICT values, int functions,
+                                          const double *HWY_RESTRICT slab, int64_t length,
+                                          hn::Vec<Wide> (*sums)[slot_count(2, kOrders - 1)]) {
+        add_function<kOrders, kWidth, true>(values, functions, slab, length, sums);
+        for (int j = 1; j < functions; ++j) {
+            add_function<kOrders, kWidth, false>(values + j * group_size, functions, slab + j * kWidth,
+                                                 length, sums);
+        }
+    }
+
+    template <int kOrders, int kWidth, bool kFirst>
+    static HWY_INLINE void add_function(const double *HWY_RESTRICT values, int functions,
+                                        const double *HWY_RESTRICT slab, int64_t length,
+                                        hn::Vec<Wide> (*sums)[slot_count(2, kOrders - 1)]) {
+        using V = hn::Vec<Wide>;
+        const Wide d;
+        for (int a = 0; a < kOrders; ++a) {
+            for (int b = 0; a + b < kOrders; ++b) {
+                const V value = hn::Load(d, values + b * functions * group_size);
+                for (int c = 0; c < kWidth; ++c) {
+                    const V row = hn::Set(d, slab[a * length + c]);
+                    V &sum = sums[c][slot(2, a, b)];
+                    sum = kFirst ? hn::Mul(value, row) : hn::MulAdd(value, row, sum);
+                }
+            }
+        }
+    }
+
+    HWY_INLINE void contract_group(const GridGroup &group, const double *values) const {
+        switch (job_.shape.width) {
+        case 3:
+            return contract_width<3>(group, values);
+        case 4:
+            return contract_width<4>(group, values);
+        default:
+            return contract_width<1>(group, values);
+        }
+    }
+
+    // contract_rows() for a group: kWidth components at a time.
+    template <int kWidth>
+    HWY_INLINE void contract_width(const GridGroup &group, const double *HWY_RESTRICT values) const {
+        const auto at = static_cast<size_t>(last_);
+        const int width = job_.shape.width;
+        const int functions = job_.sources[at].degree + 1;
+        const double *slab = job_.slabs.data[at - 1] + group.first * width;
+        const int64_t length = job_.slabs.length[at - 1];
+        for_each_step(last_, job_.shape.order, [&](int64_t from, int a, int64_t target) HWY_ATTR {
+            for (int c = 0; c < width; c += kWidth) {
+                for (int i = 0; i < group_size; i += wide_lanes) {
+                    contract_components<kWidth>(values + static_cast<int64_t>(a) * functions * group_size + i,
+                                                functions, slab + from * length + c, width,
+                                                job_.rows + (target * width + c) * group_size + i);
+                }
+            }
+        });
+    }
+
+    template <int kWidth>
+    static HWY_INLINE void contract_components(const double *HWY_RESTRICT values, int functions,
+                                               const double *HWY_RESTRICT rows, int width,
+                                               double *HWY_RESTRICT out) {
+        const Wide d;
+        hn::Vec<Wide> sums[kWidth];
+        const auto start = hn::Load(d, values);
+        for (int c = 0; c < kWidth; ++c) {
+            sums[c] = hn::Mul(start, hn::Set(d, rows[c]));
+        }
+        for (int j = 1; j < functions; ++j) {
+            const auto value = hn::Load(d, values + j * group_size);
+            rows += width;
+            for (int c = 0; c < kWidth; ++c) {
+                sums[c] = hn::MulAdd(value, hn::Set(d, rows[c]), sums[c]);
+            }
+        }
+        for (int c = 0; c < kWidth; ++c) {
+            hn::Store(sums[c], d, out + c * group_size);
+        }
+    }
+
+    HWY_INLINE void write_group(const GridGroup &group, int64_t first) const {
+        if (group.consecutive) {
+            return write_(first + group.position[0], group.count, job_.rows);
+        }
+        for (int i = 0; i < group.count; ++i) {
+            write_.scatter(first + group.position[i], i, job_.rows);
+        }
+    }
+
+    void write_nan_row(int64_t first) const {
+        for (int64_t i = 0; i < job_.tables[static_cast<size_t>(last_)]->size(); ++i) {
+            write_nan(job_.shape.values(), job_.out, first + i);
+        }
+    }
+
+    // NaN where the parameter gives it, the stored control point where one is alone on every axis.
+    void mend(int64_t position, int64_t first) const {
+        const AxisPoint &own = job_.tables[static_cast<size_t>(last_)]->points[static_cast<size_t>(position)];
+        if (!own.valid()) {
+            return write_nan(job_.shape.values(), job_.out, first + position);
+        }
+        int64_t index = 0;
+        for (int k = 0; k <= last_; ++k) {
+            const AxisPoint &point = k < last_ ? chosen_[k] : own;
+            if (point.sole < 0) {
+                return;
+            }
+            index = index * job_.spline.count(k) + point.first + point.sole;
+        }
+        write_control_point(job_.spline, index, job_.out, first + position);
+    }
+
+    const GridJob &job_;
+    int last_;
+    RowWriter write_;
+    AxisPoint chosen_[max_axes];
+};
+
+void tabulate_axis(const AxisSource &source, int order, ConstRecords params, GridAxis &table) {
+    double *values = table.values.data();
+    for (int64_t i = 0; i < params.count; ++i, values += source.values_size(order)) {
+        table.points[static_cast<size_t>(i)] = axis_values(source, order, params(i, 0), values);
+    }
+}
+
+void run_grid(const GridJob &job) {
+    GridKernel(job).run();
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace nrb
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace nrb {
+
+HWY_EXPORT(tabulate_axis);
+HWY_EXPORT(run_grid);
+
+void tabulate(const AxisSource &source, int order, ConstRecords params, GridAxis &table) noexcept {
+    HWY_DYNAMIC_DISPATCH(tabulate_axis)(source, order, params, table);
+}
+
+void run(const GridJob &job) noexcept {
+    HWY_DYNAMIC_DISPATCH(run_grid)(job);
+}
+
+} // namespace nrb
+#endif

@@ -1,0 +1,129 @@
+// Horner's rule on polynomial pieces. Included once for every instruction set: see base/simd.h.
+#if defined(NURBS_EVAL_HORNER_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef NURBS_EVAL_HORNER_INL_H_
+#undef NURBS_EVAL_HORNER_INL_H_
+#else
+#define NURBS_EVAL_HORNER_INL_H_
+#endif
+
+#include "basis/power_spans.h"
+
+#include <hwy/highway.h>
+
+#include <algorithm>
+
+HWY_BEFORE_NAMESPACE();
+namespace nrb {
+namespace HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+// Vectors across the components of one record, and across parameters. A lane's arithmetic does not depend on
+// the width of the vector, nor on whether lanes are components or parameters: this is what makes all ways to
+// evaluate a point agree in every bit.
+using Quad = hn::CappedTag<double, 4>;
+using Wide = hn::CappedTag<double, 8>;
+
+inline constexpr int wide_lanes = static_cast<int>(hn::MaxLanes(Wide()));
+
+inline constexpr int quad_lanes = static_cast<int>(hn::MaxLanes(Quad()));
+
+// Derivatives 0, ..., kOrders - 1 divided by their factorials, by repeated synthetic division: one step
+// multiplies by x and adds the next coefficient.
+template <int kOrders, class V>
+HWY_INLINE void horner_step(V x, V coefficient, V *HWY_RESTRICT y) {
+    for (int k = kOrders - 1; k > 0; --k) {
+        y[k] = hn::MulAdd(y[k], x, y[k - 1]);
+    }
+    y[0] = hn::MulAdd(y[0], x, coefficient);
+}
+
+// Coefficients of a vector: the components from `powers` on, or one of them for all lanes.
+struct Components {
+    template <class D>
+    HWY_INLINE hn::Vec<D> operator()(D d, const double *powers) const {
+        return hn::LoadU(d, powers);
+    }
+};
+struct OneComponent {
+    template <class D>
+    HWY_INLINE hn::Vec<D> operator()(D d, const double *powers) const {
+        return hn::Set(d, *powers);
+    }
+};
+
+// The polynomial with coefficients powers[k * stride], k = 0, ..., degree, and its derivatives, at x;
+// `factor` is the derivative of x. kDegree < 0 stands for any degree.
+template <int kOrders, int kDegree, class D, class Load>
+HWY_INLINE void horner_vector(D d, Load load, const double *HWY_RESTRICT powers, int degree, int64_t stride,
+                              hn::Vec<D> x, double factor, hn::Vec<D> *HWY_RESTRICT y) {
+    const int steps = kDegree >= 0 ? kDegree : degree;
+    const double *next = powers + steps * stride;
+    y[0] = load(d, next);
+    for (int k = 1; k < kOrders; ++k) {
+        y[k] = hn::Zero(d);
+    }
+    for (int i = 0; i < steps; ++i) {
+        next -= stride;
+        horner_step<kOrders>(x, load(d, next), y);
+    }
+    double product = 1;
+    for (int k = 1; k < kOrders; ++k) {
+        product *= k * factor;
+        y[k] = hn::Mul(y[k], hn::Set(d, product));
+    }
+}
+
+// Number of orders that a kernel for `order` computes; those above the degree are 0.
+inline constexpr int most_orders = max_piece_degree + 1;
+
+// Components l, l + 1, ... of a piece at x, as many as a vector holds.
+template <int kOrders, int kDegree, class D>
+HWY_INLINE void horner_lanes(D d, int order, const double *HWY_RESTRICT piece, int degree, int lanes, int l,
+                             double x, double *HWY_RESTRICT out) {
+    hn::Vec<D> y[kOrders];
+    horner_vector<kOrders, kDegree>(d, Components(), piece + Piece::head_size + l, degree, lanes,
+                                    hn::Set(d, x), piece[Piece::scale], y);
+    for (int k = 0; k < kOrders; ++k) {
+        if (kOrders < most_orders || k <= order) {
+            hn::StoreU(y[k], d, out + static_cast<int64_t>(k) * lanes + l);
+        }
+    }
+}
+
+// All components of a piece at t. out: [order + 1][lanes].
+template <int kOrders, int kDegree>
+HWY_INLINE void horner_record(int order, const double *HWY_RESTRICT piece, int degree, int lanes, double t,
+                              double *HWY_RESTRICT out) {
+    const double x = (t - piece[Piece::middle]) * piece[Piece::scale];
+    int l = 0;
+    for (; l + wide_lanes <= lanes; l += wide_lanes) {
+        horner_lanes<kOrders, kDegree>(Wide(), order, piece, degree, lanes, l, x, out);
+    }
+    for (; l < lanes; l += quad_lanes) {
+        horner_lanes<kOrders, kDegree>(Quad(), order, piece, degree, lanes, l, x, out);
+    }
+    if constexpr (kOrders == most_orders) {
+        std::fill_n(out + static_cast<int64_t>(kOrders) * lanes,
+                    static_cast<int64_t>(std::max(order + 1 - kOrders, 0)) * lanes, 0.0);
+    }
+}
+
+HWY_INLINE void horner(int order, const double *piece, int degree, int lanes, double t, double *out) {
+    switch (order) {
+    case 0:
+        return horner_record<1, -1>(order, piece, degree, lanes, t, out);
+    case 1:
+        return horner_record<2, -1>(order, piece, degree, lanes, t, out);
+    case 2:
+        return horner_record<3, -1>(order, piece, degree, lanes, t, out);
+    default:
+        return horner_record<most_orders, -1>(order, piece, degree, lanes, t, out);
+    }
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace nrb
+HWY_AFTER_NAMESPACE();
+
+#endif

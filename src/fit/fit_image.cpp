@@ -1,0 +1,330 @@
+#include "fit/fit_image.h"
+
+#include "numeric/norm.h"
+#include "base/representable.h"
+#include "fit/span_samples.h"
+#include "refine/degree/elevate.h"
+#include "refine/forms/homogeneous.h"
+#include "refine/knots/insert.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nrb {
+
+namespace {
+
+// The numerators w F(A / w) at samples (A, w) of homogeneous points, and the weights.
+struct Numerators {
+    std::vector<double> values;
+    std::vector<double> weights; // empty: 1
+};
+
+Numerators mapped(const std::vector<double> &samples, size_t dim, bool rational, const PointMap &map) {
+    const size_t width = dim + (rational ? 1 : 0), count = samples.size() / width;
+    Numerators result;
+    std::vector<double> points;
+    points.reserve(count * dim);
+    for (size_t i = 0; i < count; ++i) {
+        const double *const record = samples.data() + i * width;
+        const double w = rational ? record[dim] : 1;
+        std::transform(record, record + dim, std::back_inserter(points), [w](double x) { return x / w; });
+        if (rational) {
+            result.weights.push_back(w);
+        }
+    }
+    require_representable(points, "points of g");
+    result.values.resize(points.size());
+    map(points, result.values);
+    require_representable(result.values, "the image");
+    for (size_t i = 0; i < result.values.size() && rational; ++i) {
+        result.values[i] *= result.weights[i / dim];
+    }
+    return result;
+}
+
+// Where the samples of the spans of an axis stand.
+struct Lines {
+    size_t spans;
+    size_t places; // of a span
+    size_t inner;
+};
+
+// The largest error of each span of an axis.
+std::vector<double> span_errors(const Numerators &numerators, const std::vector<double> &projected,
+                                const Lines &lines, size_t dim) {
+    std::vector<double> errors(lines.spans, 0.0);
+    for (size_t i = 0; i * dim < projected.size(); ++i) {
+        const double gap =
+            distance(numerators.values.data() + i * dim, projected.data() + i * dim, static_cast<int>(dim));
+        double &error = errors[i / lines.inner / lines.places % lines.spans];
+        error = std::max(error, numerators.weights.empty() ? gap : gap / std::abs(numerators.weights[i]));
+    }
+    return errors;
+}
+
+class ImageFit {
+public:
+    ImageFit(const SplinePtr &g, const PointMap &map, double tolerance, const Judge &judge)
+        : fine_(g), map_(map), tolerance_(tolerance), judge_(judge), dim_(static_cast<size_t>(g->dim())) {
+        for (int k = 0; k < g->axes(); ++k) {
+            nodes_.emplace_back(g->axis(k).degree());
+        }
+    }
+
+    FittedImage run() {
+        double share = 0.25 / static_cast<double>(nodes_.size());
+        for (int round = 0; round < max_rounds && stalled_ < max_stalled; ++round) {
+            if (refine_where_needed(share * tolerance_)) {
+                continue;
+            }
+            Cuts cuts;
+            FittedImage image = candidate(cuts);
+            if (image.deviation <= tolerance_) {
+                return image;
+            }
+            if (!cut_where_asked(cuts)) {
+                if (judge_ && --patience_ < 0 && accept_samples(image)) {
+                    return image;
+                }
+                note_progress(image);
+                share /= 4;
+            }
+        }
+        fail_to_converge();
+    }
+
+private:
+    static constexpr int max_rounds = 120;
+    static constexpr int max_stalled = 3;
+    static constexpr int sufficient_degree = 3;
+    static constexpr int64_t max_points = int64_t{1} << 18;
+
+    // A bound may be far above what it bounds, and cost many control points.
+    bool accept_samples(FittedImage &image) const {
+        const double deviation = sampled_deviation(*records(), *image.spline);
+        if (deviation <= tolerance_) {
+            image.deviation = deviation;
+            image.proven = false;
+        }
+        return !image.proven;
+    }
+
+    // More control points that bring it no nearer mean that what is left is rounding.
+    void note_progress(const FittedImage &image) {
+        const int64_t points = image.spline->point_count();
+        stalled_ += points > last_points_ && image.deviation > 0.75 * last_deviation_ ? 1 : 0;
+        last_points_ = points;
+        last_deviation_ = image.deviation;
+    }
+
+    [[noreturn]] void fail_to_converge() const {
+        fail(Status::not_converged, "tolerance = %s is not reached with %lld control points",
+             Number(tolerance_).text, static_cast<long long>(fine_->point_count()));
+    }
+
+    [[nodiscard]] SplinePtr records() const { return fine_->rational() ? to_homogeneous(*fine_) : fine_; }
+
+    [[nodiscard]] Lines lines_of(size_t k) const {
+        Lines lines{static_cast<size_t>(fine_->axis(static_cast<int>(k)).spans().size()),
+                    nodes_[k].with_checks().size(), 1};
+        for (size_t j = k + 1; j < nodes_.size(); ++j) {
+            lines.inner *= static_cast<size_t>(fine_->axis(static_cast<int>(j)).spans().size()) *
+                           nodes_[j].nodes().size();
+        }
+        return lines;
+    }
+
+    // Whether degrees were raised or spans cut.
+    bool refine_where_needed(double target) {
+        std::vector<std::vector<double>> more(nodes_.size());
+        std::vector<char> raised(nodes_.size(), 0);
+        const SplinePtr homogeneous = records();
+        bool cut = false;
+        for (size_t k = 0; k < nodes_.size(); ++k) {
+            Places places;
+            for (size_t j = 0; j < nodes_.size(); ++j) {
+                places[j] = j == k ? nodes_[j].with_checks() : nodes_[j].nodes();
+            }
+            const Numerators numerators =
+                mapped(sampled(*homogeneous, places), dim_, fine_->rational(), map_);
+            const std::vector<double> projected =
+                projected_along(*fine_, static_cast<int>(k), nodes_, numerators.values, fine_->dim());
+            const std::vector<double> errors = span_errors(numerators, projected, lines_of(k), dim_);
+            raised[k] = cheaper_raised(fine_->axis(static_cast<int>(k)), errors, target) ? 1 : 0;
+            if (raised[k] == 0) {
+                more[k] = new_knots(static_cast<int>(k), errors, target);
+            }
+            cut = cut || raised[k] != 0 || !more[k].empty();
+        }
+        insert(more);
+        raise(raised);
+        return cut;
+    }
+
+    // Whether an axis of less than the sufficient degree would take more knots than raising it repeats.
+    static bool cheaper_raised(const KnotVector &axis, const std::vector<double> &errors, double target) {
+        const int times = sufficient_degree - axis.degree();
+        double knots = 0;
+        for (const double error : errors) {
+            knots += std::max(0.0, parts_wanted(axis, error, target) - 1);
+        }
+        return times > 0 && knots > static_cast<double>(times * std::ssize(errors));
+    }
+
+    void raise(const std::vector<char> &raised) {
+        for (size_t k = 0; k < nodes_.size(); ++k) {
+            if (raised[k] != 0) {
+                const auto axis = static_cast<int>(k);
+                fine_ = elevate(fine_, axis, sufficient_degree - fine_->axis(axis).degree());
+                nodes_[k] = LocalNodes(sufficient_degree);
+                require_room(fine_->point_count());
+            }
+        }
+    }
+
+    // The error of a part is that of the span divided by parts^(degree + 1), where the image is smooth.
+    static double parts_wanted(const KnotVector &axis, double error, double target) noexcept {
+        return std::ceil(std::pow(error / target, 1.0 / (axis.degree() + 1)));
+    }
+
+    void require_room(int64_t points) const {
+        if (points > max_points) {
+            fail_to_converge();
+        }
+    }
+
+    void insert(const std::vector<std::vector<double>> &more) {
+        int64_t points = 1;
+        for (size_t k = 0; k < nodes_.size(); ++k) {
+            points *= fine_->count(static_cast<int>(k)) + std::ssize(more[k]);
+        }
+        require_room(points);
+        for (size_t k = 0; k < nodes_.size(); ++k) {
+            fine_ = refine(fine_, static_cast<int>(k), more[k]);
+        }
+    }
+
+    // In quarters; whether there are any.
+    bool cut_where_asked(const Cuts &cuts) {
+        std::vector<std::vector<double>> more(nodes_.size());
+        bool cut = false;
+        for (size_t k = 0; k < nodes_.size(); ++k) {
+            for (size_t s = 0; s < cuts[k].size(); ++s) {
+                if (cuts[k][s] != 0) {
+                    append_parts(fine_->axis(static_cast<int>(k)), s, 4, more[k]);
+                    cut = true;
+                }
+            }
+        }
+        insert(more);
+        return cut;
+    }
+
+    void append_parts(const KnotVector &axis, size_t s, int parts, std::vector<double> &knots) const {
+        const int64_t span = axis.spans().indices()[s];
+        double last = axis[span];
+        for (int i = 1; i < parts; ++i) {
+            const double knot = axis[span] + (axis[span + 1] - axis[span]) * (static_cast<double>(i) / parts);
+            if (!(knot > last) || !(knot < axis[span + 1])) {
+                fail_to_converge();
+            }
+            knots.push_back(knot);
+            last = knot;
+        }
+    }
+
+    [[nodiscard]] std::vector<double> new_knots(int k, const std::vector<double> &errors,
+                                                double target) const {
+        constexpr double most_parts = 8;
+        constexpr double nearly = 0.6; // cuts make neighbours a little worse, which must not go on and on
+        constexpr double share = 0.2;  // of the largest, below which an error may be a neighbour's
+        const KnotVector &axis = fine_->axis(k);
+        std::vector<double> knots;
+        const double largest = *std::max_element(errors.begin(), errors.end());
+        if (largest <= target) {
+            return knots;
+        }
+        for (size_t s = 0; s < errors.size(); ++s) {
+            if (errors[s] <= std::max(nearly * target, share * largest)) {
+                continue;
+            }
+            const auto parts =
+                static_cast<int>(std::clamp(parts_wanted(axis, errors[s], target), 2.0, most_parts));
+            append_parts(axis, s, parts, knots);
+        }
+        return knots;
+    }
+
+    [[nodiscard]] FittedImage candidate(Cuts &cuts) const {
+        Places places;
+        for (size_t j = 0; j < nodes_.size(); ++j) {
+            places[j] = nodes_[j].nodes();
+        }
+        const SplinePtr homogeneous = records();
+        Numerators numerators = mapped(sampled(*homogeneous, places), dim_, fine_->rational(), map_);
+        SplinePtr image =
+            with_numerators(control_points(*fine_, nodes_, std::move(numerators.values), fine_->dim()));
+        const double deviation =
+            judge_ ? judge_(fine_, image, cuts) : sampled_deviation(*homogeneous, *image);
+        return {std::move(image), deviation, judge_ != nullptr};
+    }
+
+    [[nodiscard]] SplinePtr with_numerators(std::vector<double> numerators) const {
+        std::vector<double> weights(fine_->weights().begin(), fine_->weights().end());
+        std::vector<double> points;
+        for (size_t i = 0; i < numerators.size(); ++i) {
+            const double weight = fine_->weight(static_cast<int64_t>(i / dim_));
+            const bool divided = fine_->form() == Form::rational && weight != 0;
+            points.push_back(divided ? numerators[i] / weight : numerators[i]);
+            if (fine_->form() == Form::homogeneous && i % dim_ + 1 == dim_) {
+                points.push_back(weight);
+            }
+        }
+        require_representable(points, "control points");
+        return make_result(fine_->knot_vectors(), fine_->dim(), fine_->form(), std::move(points),
+                           std::move(weights));
+    }
+
+    [[nodiscard]] double sampled_deviation(const Spline &before, const Spline &image) const {
+        Places places;
+        for (size_t j = 0; j < nodes_.size(); ++j) {
+            const int intervals = 2 * (fine_->axis(static_cast<int>(j)).degree() + 1);
+            for (int i = 0; i <= intervals; ++i) {
+                places[j].push_back(static_cast<double>(i) / intervals);
+            }
+        }
+        const bool rational = fine_->rational();
+        const Numerators exact = mapped(sampled(before, places), dim_, rational, map_);
+        const std::vector<double> got = sampled(rational ? *to_homogeneous(image) : image, places);
+        const size_t width = dim_ + (rational ? 1 : 0);
+        double largest = 0;
+        for (size_t i = 0; i * dim_ < exact.values.size(); ++i) {
+            const double gap = norm_of(static_cast<int>(dim_), [&](int c) {
+                const auto at = static_cast<size_t>(c);
+                return got[i * width + at] - exact.values[i * dim_ + at];
+            });
+            largest = std::max(largest, rational ? gap / std::abs(exact.weights[i]) : gap);
+        }
+        return largest;
+    }
+
+    SplinePtr fine_;
+    const PointMap &map_;
+    double tolerance_;
+    const Judge &judge_;
+    size_t dim_;
+    std::vector<LocalNodes> nodes_;
+    int patience_ = 3; // rounds without a proof
+    int stalled_ = 0;
+    int64_t last_points_ = 0;
+    double last_deviation_ = HUGE_VAL;
+};
+
+} // namespace
+
+FittedImage fit_image(const SplinePtr &g, const PointMap &map, double tolerance, const Judge &judge) {
+    return ImageFit(g, map, tolerance, judge).run();
+}
+
+} // namespace nrb

@@ -1,0 +1,60 @@
+// The directory section, and the parameter data that its entries point to.
+#pragma once
+
+#include "io/iges/lines.h"
+#include "io/iges/record.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace nrb::iges {
+
+// A directory entry: two lines of ten fields of eight columns.
+struct Entry {
+    int type = 0;
+    int64_t line = 0; // sequence number of its first line, which is what pointers name
+    int64_t data_line = 0;
+    int64_t data_count = 0;
+    int64_t transform = 0; // pointer to a transformation matrix, 0: none
+    bool parameter_plane = false;
+    int64_t form = 0;
+    std::string_view label;
+    int64_t subscript = 0;
+    std::string damage; // what is wrong with these two lines; empty: nothing
+};
+
+class Directory {
+public:
+    // Unreadable fields damage their entry, never the file.
+    explicit Directory(const Lines &lines);
+
+    [[nodiscard]] const std::vector<Entry> &entries() const noexcept { return entries_; }
+    // Index of the entry that a pointer names, if there is one.
+    [[nodiscard]] std::optional<size_t> find(int64_t pointer) const noexcept;
+
+private:
+    std::vector<Entry> entries_;
+};
+
+// The parameter section. Each of its lines belongs to one entry and is handed out once, which keeps reading
+// linear however the pointers lie.
+class ParameterData {
+public:
+    ParameterData(const Lines &lines, Delimiters delimiters)
+        : lines_(lines), delimiters_(delimiters), taken_(lines.size(), false) {}
+
+    // The record of an entry, positioned after the entity type. Throws Status::syntax if the pointer, the
+    // back pointers, the type or the delimiters are wrong.
+    Record take(const Entry &entry);
+
+private:
+    void claim(int64_t line, const Entry &entry);
+    [[nodiscard]] int64_t line_count(const Entry &entry) const;
+
+    const Lines &lines_;
+    Delimiters delimiters_;
+    std::vector<bool> taken_;
+};
+
+} // namespace nrb::iges

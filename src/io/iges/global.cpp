@@ -1,0 +1,133 @@
+#include "io/iges/global.h"
+
+#include "base/error.h"
+#include "io/iges/text.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace nrb::iges {
+namespace {
+
+// Units by flag, IGES 5.3 table 2; flag 3 leaves it to the name.
+constexpr std::array<double, 12> metres_by_flag = {0, 0.0254, 0.001,   0,    0.3048, 1609.344,
+                                                   1, 1000,   2.54e-5, 1e-6, 0.01,   2.54e-8};
+constexpr int64_t flag_by_name = 3;
+constexpr int64_t flag_default = 1; // inch
+
+constexpr std::pair<std::string_view, int64_t> flags_by_name[] = {
+    {"IN", 1}, {"INCH", 1}, {"MM", 2}, {"FT", 4},  {"MI", 5},  {"M", 6},
+    {"KM", 7}, {"MIL", 8},  {"UM", 9}, {"CM", 10}, {"UIN", 11}};
+
+double metres_of_name(std::string_view name) {
+    std::string upper(trim(name));
+    std::transform(upper.begin(), upper.end(), upper.begin(),
+                   [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
+    for (const auto &[known, flag] : flags_by_name) {
+        if (known == upper) {
+            return metres_by_flag[static_cast<size_t>(flag)];
+        }
+    }
+    return 0;
+}
+
+// The flag rules; the name only counts where the flag is 3 or left out.
+double metres_of(int64_t flag, std::string_view name) {
+    if (flag == flag_by_name || (flag == 0 && !trim(name).empty())) {
+        return metres_of_name(name);
+    }
+    if (flag == 0) {
+        flag = flag_default;
+    }
+    return flag > 0 && flag < std::ssize(metres_by_flag) ? metres_by_flag[static_cast<size_t>(flag)] : 0;
+}
+
+std::string joined(const Lines &lines) {
+    std::string text;
+    text.reserve(lines.size() * data_columns);
+    for (const std::string_view line : lines) {
+        text += line.substr(0, data_columns);
+    }
+    return text;
+}
+
+// A delimiter may not be a character that numbers and strings need.
+char checked_delimiter(char c, const char *what) {
+    constexpr std::string_view taken = " 0123456789+-.DEH";
+    if (c < ' ' || c > '~' || taken.find(c) != std::string_view::npos) {
+        fail(Status::syntax, "global section: '%s' cannot be the %s",
+             excerpt(std::string_view(&c, 1)).c_str(), what);
+    }
+    return c;
+}
+
+// The first two parameters are strings of length 1 that name the delimiters they are themselves read by; a
+// blank one keeps the default.
+char read_delimiter(std::string_view text, size_t &at, char fallback, const char *what) {
+    at = std::min(text.find_first_not_of(' ', at), text.size());
+    if (text.substr(at, 2) != "1H" || at + 2 >= text.size()) {
+        return fallback;
+    }
+    at += 3;
+    return checked_delimiter(text[at - 1], what);
+}
+
+void expect_delimiter(std::string_view text, size_t &at, Delimiters delimiters) {
+    at = std::min(text.find_first_not_of(' ', at), text.size());
+    const bool found =
+        at < text.size() && (text[at] == delimiters.parameter || text[at] == delimiters.record);
+    if (!found) {
+        fail(Status::syntax,
+             "global section, column %lld of its text: '%s' where a delimiter was expected",
+             static_cast<long long>(at + 1), excerpt(text.substr(at, 8)).c_str());
+    }
+}
+
+// An empty record is allowed: every parameter has its default.
+Delimiters read_delimiters(std::string_view text) {
+    Delimiters result;
+    size_t at = 0;
+    result.parameter = read_delimiter(text, at, result.parameter, "parameter delimiter");
+    expect_delimiter(text, at, result);
+    if (text[at] == result.parameter) {
+        ++at;
+        result.record = read_delimiter(text, at, result.record, "record delimiter");
+        expect_delimiter(text, at, result);
+    }
+    if (result.parameter == result.record) {
+        fail(Status::syntax, "global section: parameter and record delimiter are both '%c'",
+             result.parameter);
+    }
+    return result;
+}
+
+} // namespace
+
+Global read_global(const Lines &lines) {
+    std::string text = joined(lines);
+    Global global;
+    global.delimiters = read_delimiters(text);
+    Record record(std::move(text), global.delimiters);
+    constexpr int64_t before_scale = 12;
+    record.skip(before_scale);
+    const bool unscaled = record.next_is_blank();
+    const double given = record.real("global section: model space scale");
+    const double scale = unscaled ? 1.0 : given;
+    if (!(scale > 0)) {
+        fail(Status::syntax, "global section: model space scale %s where a positive number was expected",
+             Number(scale).text);
+    }
+    const int64_t flag = record.integer("global section: unit flag");
+    const std::string_view name = record.string("global section: unit name");
+    // The scale is model space to real world: 0.125 means that 1 in the file stands for 8 units.
+    const double unit = metres_of(flag, name);
+    global.metres_per_unit = unit / scale;
+    if (unit > 0 && !std::isnormal(global.metres_per_unit)) {
+        fail(Status::syntax, "global section: model space scale %s is out of range", Number(scale).text);
+    }
+    return global;
+}
+
+} // namespace nrb::iges

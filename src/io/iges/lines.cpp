@@ -1,0 +1,196 @@
+#include "io/iges/lines.h"
+
+#include "base/error.h"
+#include "io/iges/text.h"
+
+namespace nrb::iges {
+namespace {
+
+constexpr std::string_view section_letters = "SGDPT";
+
+struct FileLine {
+    std::string_view text;
+    int64_t number;  // in the file, from 1
+    bool terminated; // false only for a last line without line end
+};
+
+// Takes the next line off `rest`, without its line end, which is LF, CR LF or CR.
+FileLine take_line(std::string_view &rest, int64_t number) {
+    const size_t end = rest.find_first_of("\r\n");
+    const bool terminated = end != std::string_view::npos;
+    const std::string_view text = rest.substr(0, end);
+    rest.remove_prefix(terminated ? end : rest.size());
+    if (terminated) {
+        rest.remove_prefix(rest.starts_with("\r\n") ? 2 : 1);
+    }
+    return {text, number, terminated};
+}
+
+// Programs for DOS ended text files with a Control-Z, others fill up a block with zeros.
+bool blank(std::string_view text) {
+    constexpr std::string_view nothing(" \t\r\n\x1a\0", 6);
+    return text.find_first_not_of(nothing) == std::string_view::npos;
+}
+
+// Takes off what editors and mail programs put before the first line, and returns how many lines that were.
+int64_t take_preamble(std::string_view &rest) {
+    constexpr std::string_view byte_order_mark("\xef\xbb\xbf");
+    if (rest.starts_with(byte_order_mark)) {
+        rest.remove_prefix(byte_order_mark.size());
+    }
+    int64_t lines = 0;
+    for (std::string_view ahead = rest; !ahead.empty() && blank(take_line(ahead, 0).text); ++lines) {
+        rest = ahead;
+    }
+    return lines;
+}
+
+char section_letter(std::string_view text) {
+    return text.size() > data_columns ? text[data_columns] : ' ';
+}
+
+void check_first_line(std::string_view text) {
+    const char letter = section_letter(text);
+    if (letter == 'S' || letter == 'G') {
+        return;
+    }
+    if (text.starts_with("ISO-10303-21")) {
+        fail(Status::format, "line 1: this is a STEP file, not IGES");
+    }
+    if (letter == 'C') {
+        fail(Status::format,
+             "line 1: the compressed ASCII form of IGES is not read, only the fixed-length form");
+    }
+    if (text.empty()) {
+        fail(Status::format, "the file is empty");
+    }
+    fail(Status::format,
+         "line 1: no section letter S in column 73, so this is not fixed-length ASCII IGES");
+}
+
+[[noreturn]] void fail_truncated(const FileLine &line) {
+    fail(Status::truncated, "line %lld: the file ends inside this line",
+         static_cast<long long>(line.number));
+}
+
+// Index into section_letters.
+size_t section_of(const FileLine &line) {
+    const char letter = section_letter(line.text);
+    const size_t section = section_letters.find(letter);
+    if (section != std::string_view::npos) {
+        return section;
+    }
+    if (!line.terminated && line.text.size() <= data_columns) {
+        fail_truncated(line);
+    }
+    fail(Status::syntax,
+         "line %lld: column 73 holds '%s' where a section letter S, G, D, P or T was expected",
+         static_cast<long long>(line.number), excerpt(std::string_view(&letter, 1)).c_str());
+}
+
+// Columns 74-80 count the lines of the section; missing lines would shift every pointer after them. A blank
+// number is taken as right.
+void check_sequence(const FileLine &line, int64_t expected) {
+    const std::string_view field = trim(line.text.substr(data_columns + 1, line_columns - data_columns - 1));
+    int64_t sequence = 0;
+    if (field.empty() || (parse_integer(field, sequence) && sequence == expected % sequence_limit)) {
+        return;
+    }
+    if (!line.terminated && line.text.size() < line_columns) {
+        fail_truncated(line);
+    }
+    fail(Status::syntax, "line %lld: sequence number '%s' where %lld was expected",
+         static_cast<long long>(line.number), excerpt(field).c_str(), static_cast<long long>(expected));
+}
+
+void check_width(const FileLine &line) {
+    if (line.text.size() > line_columns && !blank(line.text.substr(line_columns))) {
+        fail(Status::syntax, "line %lld: %lld columns where 80 are the most",
+             static_cast<long long>(line.number), static_cast<long long>(line.text.size()));
+    }
+}
+
+// After the terminate section only blank lines may follow.
+void check_rest(std::string_view rest, int64_t number) {
+    while (!rest.empty()) {
+        const FileLine line = take_line(rest, ++number);
+        if (!blank(line.text)) {
+            fail(Status::syntax, "line %lld: text after the terminate section",
+                 static_cast<long long>(number));
+        }
+    }
+}
+
+void check_count(std::string_view stated, char letter, const Lines &lines) {
+    int64_t count = 0;
+    const auto present = static_cast<int64_t>(lines.size());
+    const std::string_view field = stated.empty() ? stated : trim(stated.substr(1));
+    if (field.empty()) {
+        return;
+    }
+    if (stated[0] != letter || !parse_integer(field, count)) {
+        fail(Status::syntax,
+             "terminate section: '%s' where the number of lines of section %c was expected",
+             excerpt(stated).c_str(), letter);
+    }
+    if (count != present % sequence_limit) {
+        fail(count > present ? Status::truncated : Status::syntax,
+             "section %c has %lld lines, the terminate section says %lld", letter,
+             static_cast<long long>(present), static_cast<long long>(count));
+    }
+}
+
+// "S0000001G0000004D0000010P0000045": the number of lines of each section.
+void check_counts(const Sections &sections) {
+    const std::string_view text = sections.terminate.front();
+    check_count(text.substr(0, 8), 'S', sections.start);
+    check_count(text.substr(8, 8), 'G', sections.global);
+    check_count(text.substr(16, 8), 'D', sections.directory);
+    check_count(text.substr(24, 8), 'P', sections.parameter);
+}
+
+void check_complete(const Sections &sections) {
+    if (sections.terminate.empty()) {
+        fail(Status::truncated, "the file ends without its terminate section");
+    }
+    if (sections.global.empty()) {
+        fail(Status::truncated, "the global section is missing");
+    }
+    check_counts(sections);
+    if (sections.directory.size() % 2 != 0) {
+        fail(Status::truncated,
+             "the directory section has %lld lines, an odd number, where each entity takes two",
+             static_cast<long long>(sections.directory.size()));
+    }
+}
+
+} // namespace
+
+Sections split_sections(std::span<const char> bytes) {
+    Sections sections;
+    Lines *const in_order[] = {&sections.start, &sections.global, &sections.directory, &sections.parameter,
+                               &sections.terminate};
+    std::string_view rest(bytes.data(), bytes.size());
+    const int64_t skipped = take_preamble(rest);
+    check_first_line(rest.substr(0, rest.find_first_of("\r\n")));
+    size_t current = 0;
+    for (int64_t number = skipped + 1; !rest.empty() && sections.terminate.empty(); ++number) {
+        const FileLine line = take_line(rest, number);
+        const size_t section = section_of(line);
+        if (section < current) {
+            fail(Status::syntax, "line %lld: a line of section %c after section %c",
+                 static_cast<long long>(number), section_letters[section], section_letters[current]);
+        }
+        current = section;
+        in_order[section]->push_back(line.text.substr(0, line_columns));
+        check_sequence(line, static_cast<int64_t>(in_order[section]->size()));
+        check_width(line);
+        if (!sections.terminate.empty()) {
+            check_rest(rest, number);
+        }
+    }
+    check_complete(sections);
+    return sections;
+}
+
+} // namespace nrb::iges

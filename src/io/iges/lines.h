@@ -1,0 +1,31 @@
+// The 80-column lines of an IGES file, sorted into its sections.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace nrb::iges {
+
+inline constexpr size_t data_columns = 72;      // free text of a line of the sections S, G and T
+inline constexpr size_t parameter_columns = 64; // free text of a line of section P
+inline constexpr size_t line_columns = 80;
+inline constexpr int64_t sequence_limit = 10'000'000; // sequence numbers have seven digits
+
+using Lines = std::vector<std::string_view>;
+
+// Every line has at least 73 columns, and line i of a section carries sequence number i + 1.
+struct Sections {
+    Lines start;
+    Lines global;
+    Lines directory;
+    Lines parameter;
+    Lines terminate;
+};
+
+// Views into `bytes`. Throws Status::format, truncated or syntax; messages count lines of the file from
+// 1.
+Sections split_sections(std::span<const char> bytes);
+
+} // namespace nrb::iges

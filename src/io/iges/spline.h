@@ -1,0 +1,48 @@
+// Rational B-spline curves (entity 126) and surfaces (entity 128).
+#pragma once
+
+#include "io/iges/record.h"
+#include "io/iges/transform.h"
+#include "spline/spline.h"
+
+namespace nrb::iges {
+
+inline constexpr int curve_type = 126;
+inline constexpr int surface_type = 128;
+
+// The parameters of an entity as they stand, in the order of this library: last axis fastest.
+struct SplineData {
+    struct Axis {
+        int degree = 0;
+        int64_t count = 0;
+        bool periodic = false; // as the file says
+        std::vector<double> knots;
+        bool whole = true; // no range given: the whole domain
+        double lower = 0;
+        double upper = 0;
+    };
+    std::vector<Axis> axes;
+    std::vector<double> weights;
+    std::vector<double> points; // records of three
+};
+
+// Read an entity from its record, which stays behind the geometry, at the pointers that may follow. Throw
+// Error: Status::syntax, degree, count, too_few_points, overflow. Stated counts are checked against
+// the parameters that are there before anything is allocated.
+SplineData read_curve_data(Record &record);
+SplineData read_surface_data(Record &record);
+
+// Where and in which unit the control points lie.
+struct Placement {
+    const Transform *transform = nullptr;
+    double factor = 1;            // applied after the transform
+    bool parameter_plane = false; // two coordinates only
+};
+
+// The spline of an entity: placed, polynomial if the weights do not matter, periodic if the file says so and
+// the data bear it out bit for bit, cut to its parameter range where that lies inside the domain. Throws what
+// make_spline() throws, and Status::empty_domain or outside_domain for a range without parameters of the
+// domain.
+SplinePtr build_spline(SplineData data, const Placement &placement);
+
+} // namespace nrb::iges

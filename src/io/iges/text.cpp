@@ -1,0 +1,125 @@
+#include "io/iges/text.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+namespace nrb::iges {
+namespace {
+
+bool digit(char c) noexcept {
+    return c >= '0' && c <= '9';
+}
+
+// std::from_chars knows no plus sign, but "inf", "nan" and a minus sign after our plus: only a digit or a
+// point may come first.
+bool take_sign(std::string_view &text) noexcept {
+    const bool negative = text.starts_with('-');
+    if (negative || text.starts_with('+')) {
+        text.remove_prefix(1);
+    }
+    return negative;
+}
+
+// Decimal exponent of the leading digit of a number that std::from_chars found out of range; clipped to
+// +-10^9.
+int64_t magnitude(std::string_view mantissa, int64_t exponent) noexcept {
+    const size_t point = std::min(mantissa.find('.'), mantissa.size());
+    const size_t leading = mantissa.find_first_of("123456789");
+    if (leading == std::string_view::npos) {
+        return std::numeric_limits<int64_t>::min();
+    }
+    const auto place =
+        static_cast<int64_t>(point) - static_cast<int64_t>(leading) - (leading < point ? 1 : 0);
+    return place + std::clamp<int64_t>(exponent, -1'000'000'000, 1'000'000'000);
+}
+
+// Whether an out-of-range number lies below the smallest double, not above the largest.
+bool underflows(std::string_view number) noexcept {
+    const size_t mark = std::min(number.find_first_of("eE"), number.size());
+    int64_t exponent = 0;
+    if (mark < number.size()) {
+        std::string_view digits = number.substr(mark + 1);
+        const bool negative = take_sign(digits);
+        if (!parse_integer(digits, exponent)) {
+            exponent = std::numeric_limits<int64_t>::max();
+        }
+        exponent = negative ? -exponent : exponent;
+    }
+    return magnitude(number.substr(0, mark), exponent) < 0;
+}
+
+bool parse_unsigned_real(std::string_view number, double &value) noexcept {
+    const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), value);
+    if (end != number.data() + number.size() || error == std::errc::invalid_argument) {
+        return false;
+    }
+    if (error == std::errc::result_out_of_range) {
+        value = 0;
+        return underflows(number);
+    }
+    return std::isfinite(value);
+}
+
+// Whether char is signed depends on the machine.
+bool control(char c) noexcept {
+    return static_cast<unsigned char>(c) < ' ' || c == '\x7f';
+}
+bool prints(char c) noexcept {
+    return !control(c) && static_cast<unsigned char>(c) < 0x80;
+}
+
+} // namespace
+
+std::string_view trim(std::string_view text) noexcept {
+    const size_t first = text.find_first_not_of(' ');
+    if (first == std::string_view::npos) {
+        return {};
+    }
+    return text.substr(first, text.find_last_not_of(' ') - first + 1);
+}
+
+std::string excerpt(std::string_view text) {
+    constexpr size_t longest = 24;
+    std::string result(text.substr(0, longest));
+    std::replace_if(
+        result.begin(), result.end(), [](char c) { return !prints(c); }, '?');
+    return text.size() > longest ? result + "..." : result;
+}
+
+std::string printable(std::string_view text) {
+    std::string result(text);
+    std::replace_if(result.begin(), result.end(), control, '?');
+    return result;
+}
+
+bool parse_integer(std::string_view text, int64_t &value) noexcept {
+    const bool negative = take_sign(text);
+    if (text.empty() || !digit(text.front())) {
+        return false;
+    }
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    value = negative ? -value : value;
+    return error == std::errc() && end == text.data() + text.size();
+}
+
+bool parse_real(std::string_view text, double &value) {
+    const bool negative = take_sign(text);
+    if (text.empty() || !(digit(text.front()) || text.front() == '.')) {
+        return false;
+    }
+    const size_t mark = text.find_first_of("dD");
+    bool valid = false;
+    if (mark == std::string_view::npos) {
+        valid = parse_unsigned_real(text, value);
+    } else {
+        std::string with_e(text);
+        with_e[mark] = 'e';
+        valid = parse_unsigned_real(with_e, value);
+    }
+    value = negative ? -value : value;
+    return valid;
+}
+
+} // namespace nrb::iges

@@ -1,0 +1,48 @@
+// Transformation matrices (entity 124).
+#pragma once
+
+#include "io/iges/directory.h"
+
+#include <array>
+#include <map>
+
+namespace nrb::iges {
+
+// x -> R x + T.
+struct Transform {
+    std::array<std::array<double, 3>, 3> r = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+    std::array<double, 3> t = {0, 0, 0};
+
+    [[nodiscard]] std::array<double, 3> apply(const std::array<double, 3> &x) const noexcept;
+};
+
+// x -> outer(inner(x)).
+Transform compose(const Transform &outer, const Transform &inner) noexcept;
+
+// Resolves pointers to matrices, which may themselves point to matrices that apply after them. Each matrix is
+// read once.
+class Transforms {
+public:
+    Transforms(const Directory &directory, ParameterData &data) : directory_(directory), data_(data) {}
+
+    // The whole chain that starts at `pointer`. Throws Status::syntax if a link is missing, is no matrix,
+    // cannot be read or closes a circle.
+    const Transform &resolve(int64_t pointer);
+
+    // Whether the matrix of a directory entry has been part of a chain that could be resolved.
+    [[nodiscard]] bool used(size_t index) const noexcept;
+
+private:
+    struct Resolved {
+        Transform transform;
+        std::string damage; // empty: good
+    };
+    std::vector<size_t> unresolved_chain(int64_t pointer, Resolved &end);
+    Resolved read_link(const Entry &entry, const Resolved &outer);
+
+    const Directory &directory_;
+    ParameterData &data_;
+    std::map<size_t, Resolved> resolved_; // by index of the directory entry
+};
+
+} // namespace nrb::iges

@@ -1,0 +1,198 @@
+#include "measure/chord_path.h"
+
+#include "numeric/norm.h"
+#include "eval/evaluate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace nrb {
+
+namespace {
+
+constexpr double eps = std::numeric_limits<double>::epsilon();
+constexpr int most_corrections = 6;
+constexpr int64_t most_work = 4'000'000; // evaluations
+constexpr double shortest_step = 1e-9;   // of a chord
+
+double largest(const std::vector<double> &x) noexcept {
+    return std::accumulate(x.begin(), x.end(), 0.0,
+                           [](double a, double b) { return std::max(a, std::abs(b)); });
+}
+
+// So that the largest part is 1.
+void normalise(std::vector<double> &x) noexcept {
+    const double size = largest(x);
+    std::for_each(x.begin(), x.end(), [=](double &part) { part /= size; });
+}
+
+} // namespace
+
+ChordPath::ChordPath(const Spline &curve, Interval range, std::vector<double> params, double chord,
+                     double longest_step)
+    : curve_(curve), range_(range), count_(params.size() - 1), params_(std::move(params)), chord_(chord),
+      start_(chord), longest_step_(longest_step), length_(chord / 16),
+      values_(2 * (count_ + 1) * static_cast<size_t>(curve.dim())), speeds_(count_ + 1), ahead_(count_),
+      behind_(count_), misses_(count_), tangent_(count_ + 1), change_(count_ + 1), diagonal_(count_),
+      upper_(count_), border_(count_), right_(count_) {
+    tangent_[0] = 1;
+}
+
+// Chords and what they change by. False where there is no chord or no tangent, or an order is lost.
+bool ChordPath::evaluate() {
+    const auto dim = static_cast<size_t>(curve_.dim());
+    const auto count = static_cast<int64_t>(count_ + 1);
+    AxisRules rules{};
+    rules[0].left = true; // the last one may be the end
+    evaluate_points(curve_, rules, 1, {params_.data(), count},
+                    {values_.data(), count, 2 * curve_.dim(), 2 * curve_.dim()});
+    work_ += count;
+    rounding_ = 0;
+    for (size_t i = 0; i <= count_; ++i) {
+        rounding_ = std::max(rounding_, 8 * eps * norm(values_.data() + 2 * i * dim, curve_.dim()));
+        speeds_[i] = norm(values_.data() + (2 * i + 1) * dim, curve_.dim());
+        if (!(speeds_[i] > 0) || (i > 0 && !(params_[i] > params_[i - 1]))) {
+            return false;
+        }
+    }
+    for (size_t i = 0; i < count_; ++i) {
+        const double *from = values_.data() + 2 * i * dim, *to = from + 2 * dim;
+        const double length = distance(from, to, curve_.dim());
+        if (!(length > 0)) {
+            return false;
+        }
+        double at_start = 0, at_end = 0;
+        for (size_t c = 0; c < dim; ++c) {
+            const double along = (to[c] - from[c]) / length;
+            at_start += along * from[dim + c];
+            at_end += along * to[dim + c];
+        }
+        behind_[i] = at_start / speeds_[i];
+        ahead_[i] = at_end / speeds_[i + 1];
+        misses_[i] = length - chord_;
+    }
+    return true;
+}
+
+// ahead_i x_i - behind_i x_(i-1) - x_0 = -misses_i, or 0, and last . x = rhs, where x_0 belongs to the chord:
+// rotations make the bidiagonal rows upper ones, and all that may vanish is left in the last two equations.
+bool ChordPath::solve(const std::vector<double> &last, double rhs, bool residuals, std::vector<double> &out) {
+    const size_t n = count_;
+    double pivot = ahead_[0], border = -1, right = residuals ? -misses_[0] : 0;
+    double factor = last[1], corner = last[0];
+    for (size_t i = 0; i + 1 < n; ++i) {
+        const double next_right = residuals ? -misses_[i + 1] : 0;
+        const double size = std::hypot(pivot, behind_[i + 1]);
+        if (!(size > 0)) {
+            return false;
+        }
+        const double c = pivot / size, s = -behind_[i + 1] / size;
+        diagonal_[i] = size;
+        upper_[i] = s * ahead_[i + 1];
+        border_[i] = c * border - s;
+        right_[i] = c * right + s * next_right;
+        pivot = c * ahead_[i + 1];
+        border = -s * border - c;
+        right = -s * right + c * next_right;
+        const double share = factor / size;
+        factor = last[i + 2] - share * upper_[i];
+        corner -= share * border_[i];
+        rhs -= share * right_[i];
+    }
+    const double determinant = pivot * corner - border * factor;
+    out[0] = (pivot * rhs - factor * right) / determinant;
+    out[n] = (right * corner - border * rhs) / determinant;
+    for (size_t i = n - 1; i-- > 0;) {
+        out[i + 1] = (right_[i] - upper_[i] * out[i + 2] - border_[i] * out[0]) / diagonal_[i];
+    }
+    return std::isfinite(largest(out));
+}
+
+// False if a point would leave the range.
+bool ChordPath::move(const std::vector<double> &along, double by) {
+    chord_ += by * along[0];
+    bool inside = chord_ > 0;
+    for (size_t i = 1; i <= count_; ++i) {
+        params_[i] += by * along[i] / speeds_[i];
+        inside = inside && params_[i] > range_.lower && params_[i] <= range_.upper;
+    }
+    return inside;
+}
+
+// Newton's method on the plane last . x = 0, no farther than a given way.
+bool ChordPath::correct(const std::vector<double> &last, double tolerance, double farthest) {
+    for (int i = 0; i < most_corrections; ++i) {
+        if (!evaluate()) {
+            return false;
+        }
+        if (largest(misses_) <= tolerance * chord_ + rounding_) {
+            return true;
+        }
+        if (!solve(last, 0, true, change_) || largest(change_) > farthest || !move(change_, 1)) {
+            return false;
+        }
+        farthest /= 2;
+    }
+    return false;
+}
+
+// The direction in which the path goes on, its largest part 1. False if that is far from the one before: then
+// another part of the path, or another path, may have been hit.
+bool ChordPath::turn() {
+    constexpr double least_cosine = 0.99;
+    const std::vector<double> before = tangent_;
+    if (!solve(before, 1, false, tangent_)) {
+        return false;
+    }
+    normalise(tangent_);
+    const int n = static_cast<int>(count_ + 1);
+    const double product = std::inner_product(before.begin(), before.end(), tangent_.begin(), 0.0);
+    return product >= least_cosine * norm(before.data(), n) * norm(tangent_.data(), n);
+}
+
+// With the last point at the end of the range.
+bool ChordPath::finish(double tolerance) {
+    std::vector<double> last(count_ + 1, 0.0);
+    last[count_] = 1;
+    const double by = (range_.upper - params_[count_]) * speeds_[count_] / tangent_[count_];
+    move(tangent_, by);
+    params_[count_] = range_.upper;
+    return correct(last, tolerance, chord_ / 2) && params_[count_] == range_.upper;
+}
+
+// One step along the path, as long as the corrections stay small beside it.
+bool ChordPath::step() {
+    return move(tangent_, length_) && correct(tangent_, 1e-11, length_ / 16);
+}
+
+bool ChordPath::run(double relative_tolerance) {
+    if (!evaluate() || !solve(tangent_, 1, false, change_)) {
+        return false;
+    }
+    tangent_ = change_;
+    normalise(tangent_);
+    while (work_ < most_work && length_ > shortest_step * chord_ && chord_ > start_ / 2) {
+        const State before{params_, chord_, tangent_};
+        const double to_end = (range_.upper - params_[count_]) * speeds_[count_];
+        const bool last = tangent_[count_] > 0 && length_ * tangent_[count_] >= to_end;
+        if (last && finish(std::max(relative_tolerance / 8, 16 * eps))) {
+            return true;
+        }
+        if (!last && step() && turn()) {
+            length_ = std::min(2 * length_, longest_step_ * chord_);
+            continue;
+        }
+        params_ = before.params;
+        chord_ = before.chord;
+        tangent_ = before.tangent;
+        length_ /= 4;
+        if (!evaluate()) {
+            return false;
+        }
+    }
+    return false;
+}
+
+} // namespace nrb

@@ -1,0 +1,65 @@
+// Lengths along a curve as a function of the parameter, and its inverse.
+#pragma once
+
+#include "base/records.h"
+#include "measure/curve_length.h"
+
+#include <memory>
+
+namespace nrb {
+
+// The parts of a curve on which one rule gives the length to double precision. Kept with the spline, since it
+// takes as long as several lengths.
+class LengthTable {
+public:
+    explicit LengthTable(const Spline &curve);
+    static const LengthTable &of(const Spline &curve);
+
+    // Of the model divided by 2^exponent(), as all lengths here.
+    [[nodiscard]] double total() const noexcept { return starts_.back(); }
+    [[nodiscard]] double error() const noexcept { return error_; }
+    [[nodiscard]] int exponent() const noexcept { return pieces_.exponent(); }
+    // Doubles of working memory that the functions below need.
+    [[nodiscard]] size_t work_size() const noexcept;
+    // From the start of the domain; precondition: t in it. Cost: one rule.
+    [[nodiscard]] double length_at(double t, double *work) const noexcept;
+    // The first parameter at a length in [0, total()]: Newton's method with the speed as derivative, inside a
+    // bracket. Cost: about three rules.
+    [[nodiscard]] double param_at(double length, double *work) const noexcept;
+
+    // Throws Status::not_converged unless lengths are good to this tolerance, of `part` if that is less
+    // than the total, and not_representable.
+    void check(double relative_tolerance, double part) const;
+
+private:
+    [[nodiscard]] const double *net(size_t leaf) const noexcept {
+        return nets_.data() + leaf * static_cast<size_t>(pieces_.form().size());
+    }
+    [[nodiscard]] double part_length(size_t leaf, double lower, double upper, double *work) const noexcept;
+    [[nodiscard]] double from_start(size_t leaf, double x, double *work) const noexcept;
+    [[nodiscard]] double speed(size_t leaf, double x, double *work) const noexcept;
+    [[nodiscard]] double guess(size_t leaf, double part) const noexcept;
+    [[nodiscard]] double step_length(size_t leaf, double from, double to, double speed_from, double speed_to,
+                                     double *work) const noexcept;
+    // Precondition: 0 < part < the length of the leaf.
+    [[nodiscard]] double solve(size_t leaf, double part, double *work) const noexcept;
+
+    SpeedPieces pieces_;
+    std::vector<LengthLeaf> leaves_;
+    std::vector<double> nets_;
+    std::vector<double> starts_; // lengths up to each leaf, and the total
+    std::vector<double> params_; // where each leaf begins
+    std::vector<std::array<double, 2>> end_speeds_;
+    double error_ = 0;
+};
+
+// Lengths from the start of the domain. Preconditions: params in the domain.
+void curve_lengths(const Spline &curve, const ConstRecords &params, double relative_tolerance,
+                   const Records &out);
+
+// Parameters at lengths. Throws Status::length for a length that is not finite, or outside unless
+// `clamp`.
+void curve_params_at_lengths(const Spline &curve, const ConstRecords &lengths, double relative_tolerance,
+                             bool clamp, const Records &out);
+
+} // namespace nrb

@@ -1,0 +1,134 @@
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "measure/speed_kernel.cpp"
+#include "base/simd.h"
+
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "measure/speed_kernel.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace nrb {
+namespace HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+using Wide = hn::CappedTag<double, 8>;
+
+// kDegree: -1 if it is not known to the compiler.
+template <int kDegree>
+HWY_INLINE hn::Vec<Wide> polynomial(const double *HWY_RESTRICT row, const double *HWY_RESTRICT basis,
+                                    int degree) {
+    const Wide d;
+    const int n = kDegree < 0 ? degree : kDegree;
+    auto sum = hn::Mul(hn::Set(d, row[0]), hn::LoadU(d, basis));
+    for (int i = 1; i <= n; ++i) {
+        sum = hn::MulAdd(hn::Set(d, row[i]), hn::LoadU(d, basis + i * rule_capacity), sum);
+    }
+    return sum;
+}
+
+template <int kDegree, int kWeights>
+HWY_INLINE hn::Vec<Wide> speed(const SpeedForm &form, const double *HWY_RESTRICT net, int node) {
+    const Wide d;
+    auto square = hn::Zero(d);
+    const double *row = net;
+    for (int c = 0; c < form.dim; ++c, row += form.degree + 1) {
+        const auto x = polynomial<kDegree>(row, form.basis + node, form.degree);
+        square = hn::MulAdd(x, x, square);
+    }
+    const auto speed = hn::Sqrt(square);
+    if (form.weight_degree < 0) {
+        return speed;
+    }
+    const auto w = polynomial<kWeights>(row, form.weight_basis + node, form.weight_degree);
+    return hn::Div(speed, hn::Mul(w, w));
+}
+
+// Calls with the degrees of cubics as constants: visit<kDegree, kWeights>().
+template <class Visit>
+HWY_INLINE void with_degrees(const SpeedForm &form, Visit &&visit) {
+    if (form.degree == 4 && form.weight_degree == 3) {
+        visit.template operator()<4, 3>();
+    } else if (form.degree == 2) {
+        visit.template operator()<2, -1>();
+    } else {
+        visit.template operator()<-1, -1>();
+    }
+}
+
+void speeds(const SpeedForm &form, const double *net, int first, int count, double *out) {
+    const Wide d;
+    with_degrees(form, [&]<int kDegree, int kWeights>() HWY_ATTR {
+        for (int node = first; node < first + count; node += static_cast<int>(hn::Lanes(d))) {
+            hn::StoreU(speed<kDegree, kWeights>(form, net, node), d, out + node);
+        }
+    });
+}
+
+void rule_sums(const double *const *rows, const double *values, int count, double *sums) {
+    const Wide d;
+    for (int row = 0; row < 7; ++row) {
+        auto sum = hn::Zero(d);
+        for (int i = 0; i < count; i += static_cast<int>(hn::Lanes(d))) {
+            sum = hn::MulAdd(hn::LoadU(d, rows[row] + i), hn::LoadU(d, values + i), sum);
+        }
+        sums[row] = hn::GetLane(hn::SumOfLanes(d, sum));
+    }
+}
+
+void speeds_and_sums(const SpeedForm &form, const double *net, int first, int count, double *out,
+                     const double *const *rows, double *sums) {
+    HWY_NAMESPACE::speeds(form, net, first, count, out);
+    HWY_NAMESPACE::rule_sums(rows, out, first + count, sums);
+}
+
+double sum_of_speeds(const SpeedForm &form, const double *nets, int64_t count, const double *factors) {
+    const Wide d;
+    const int64_t size = form.size();
+    auto sum = hn::Zero(d);
+    with_degrees(form, [&]<int kDegree, int kWeights>() HWY_ATTR {
+        for (int64_t i = 0; i < count; ++i) {
+            for (int node = 0; node < 8; node += static_cast<int>(hn::Lanes(d))) {
+                sum = hn::MulAdd(speed<kDegree, kWeights>(form, nets + i * size, node),
+                                 hn::LoadU(d, factors + node), sum);
+            }
+        }
+    });
+    return hn::GetLane(hn::SumOfLanes(d, sum));
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace nrb
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace nrb {
+
+HWY_EXPORT(speeds);
+
+void speeds(const SpeedForm &form, const double *net, int first, int count, double *out) noexcept {
+    HWY_DYNAMIC_DISPATCH(speeds)(form, net, first, count, out);
+}
+
+HWY_EXPORT(speeds_and_sums);
+
+void speeds_and_sums(const SpeedForm &form, const double *net, int first, int count, double *out,
+                     const double *const *rows, double *sums) noexcept {
+    HWY_DYNAMIC_DISPATCH(speeds_and_sums)(form, net, first, count, out, rows, sums);
+}
+
+HWY_EXPORT(sum_of_speeds);
+
+double sum_of_speeds(const SpeedForm &form, const double *nets, int64_t count,
+                     const double *factors) noexcept {
+    return HWY_DYNAMIC_DISPATCH(sum_of_speeds)(form, nets, count, factors);
+}
+
+HWY_EXPORT(rule_sums);
+
+void rule_sums(const double *const *rows, const double *values, int count, double *sums) noexcept {
+    HWY_DYNAMIC_DISPATCH(rule_sums)(rows, values, count, sums);
+}
+
+} // namespace nrb
+#endif

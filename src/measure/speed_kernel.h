@@ -1,0 +1,34 @@
+// |C'| at the nodes of a rule.
+#pragma once
+
+#include "measure/nested_rule.h"
+
+#include <cstdint>
+
+namespace nrb {
+
+// The speed of a piece of a curve over u in [0, 1] as |N(u)| / w(u)^2: N has `dim` components of degree
+// `degree`, w follows as one more row of degree `weight_degree` if the curve is rational (-1: it is not).
+struct SpeedForm {
+    int dim = 1;
+    int degree = 0;
+    int weight_degree = -1;
+    const double *basis = nullptr;        // rule_basis(degree)
+    const double *weight_basis = nullptr; // rule_basis(weight_degree)
+
+    [[nodiscard]] int size() const noexcept { return dim * (degree + 1) + weight_degree + 1; }
+};
+
+// Speeds at nodes [first, first + count), multiples of 8, into their places in out.
+void speeds(const SpeedForm &form, const double *net, int first, int count, double *out) noexcept;
+// The same, and then sums over all nodes up to these as below.
+void speeds_and_sums(const SpeedForm &form, const double *net, int first, int count, double *out,
+                     const double *const *rows, double *sums) noexcept;
+// The sum over `count` nets of the speeds at the first 8 nodes times factors.
+double sum_of_speeds(const SpeedForm &form, const double *nets, int64_t count,
+                     const double *factors) noexcept;
+
+// The sums of `count` values, a multiple of 8, times each of seven rows of factors.
+void rule_sums(const double *const *rows, const double *values, int count, double *sums) noexcept;
+
+} // namespace nrb

@@ -1,0 +1,258 @@
+#include "measure/tensor_integral.h"
+
+#include "numeric/sum.h"
+#include "measure/element_shape.h"
+#include "measure/tolerance_ladder.h"
+#include "measure/tensor_rule.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace nrb {
+
+namespace {
+
+constexpr double eps = std::numeric_limits<double>::epsilon();
+constexpr int most_halvings = 200;
+
+// By the number of axes: the level to begin with, the highest one, and how many elements may be made.
+constexpr std::array<int, max_axes> first_levels = {2, 2, 1}, last_levels = {4, 3, 2};
+constexpr std::array<int64_t, max_axes> least_budgets = {20000, 10000, 8000};
+constexpr int64_t budget_for_an_element = 32;
+
+// What is known of the whole before the parts are integrated.
+struct Goal {
+    std::vector<double> tolerances; // of each value
+    double size = 0;
+    double share = 0; // of the tolerances, for however small an element
+};
+
+class TensorSearch {
+public:
+    TensorSearch(const std::vector<Elements> &splines, const Integrand &integrand)
+        : splines_(splines), integrand_(integrand), values_(static_cast<size_t>(integrand.values())) {
+        for (const Elements &elements : splines) {
+            count_ += elements.size();
+        }
+    }
+
+    // The rules of the first levels alone.
+    Integrals rough() {
+        start();
+        for (const Elements &elements : splines_) {
+            TensorRule rule(elements, integrand_);
+            Element element;
+            for (int64_t e = 0; e < elements.size(); ++e) {
+                elements.load(e, element);
+                add_rounding(elements, element);
+                rule.evaluate(element.net.data(), element.origin, first(elements));
+                accept(rule, elements.axes(), true);
+            }
+        }
+        return finish();
+    }
+
+    Integrals run(const Goal &goal) {
+        start();
+        budget_ = 0;
+        for (const Elements &elements : splines_) {
+            TensorRule rule(elements, integrand_);
+            ElementShape shape(elements);
+            Element element;
+            budget_ += least_budgets[axis_index(elements)] + budget_for_an_element * elements.size();
+            for (int64_t e = 0; e < elements.size(); ++e) {
+                elements.load(e, element);
+                add_rounding(elements, element);
+                run_element(elements, element, rule, shape, goal);
+            }
+        }
+        return finish();
+    }
+
+    [[nodiscard]] int64_t count() const noexcept { return count_; }
+    [[nodiscard]] bool spent() const noexcept { return budget_ < 0; }
+
+private:
+    static size_t axis_index(const Elements &elements) noexcept {
+        return static_cast<size_t>(elements.axes() - 1);
+    }
+    static Levels first(const Elements &elements) noexcept {
+        Levels levels{};
+        levels.fill(first_levels[axis_index(elements)]);
+        return levels;
+    }
+
+    void start() {
+        sums_.assign(values_, {});
+        errors_.assign(values_, {});
+        size_ = {};
+        rounding_ = 0;
+    }
+
+    Integrals finish() const {
+        Integrals result;
+        for (size_t j = 0; j < values_; ++j) {
+            result.values.push_back(sums_[j].value());
+            result.errors.push_back(errors_[j].value());
+        }
+        result.size = size_.value();
+        result.rounding = rounding_;
+        return result;
+    }
+
+    struct Verdict {
+        int axis = -1;      // the one that is to be refined, or -1
+        bool raise = false; // by a higher rule, else by halving
+    };
+
+    // The axis whose error exceeds what is allowed most.
+    [[nodiscard]] Verdict judge(const TensorRule &rule, const Levels &levels, int axes,
+                                const Goal &goal) const {
+        Verdict verdict;
+        double worst = 1;
+        const double part = std::max(goal.share, goal.size > 0 ? rule.magnitude(0) / goal.size / 2 : 1);
+        for (int k = 0; k < axes; ++k) {
+            bool promising = levels[static_cast<size_t>(k)] < last_levels[static_cast<size_t>(axes - 1)];
+            double most = 0;
+            for (int j = 0; j < static_cast<int>(values_); ++j) {
+                const double allowed = part * goal.tolerances[static_cast<size_t>(j)];
+                const double error = rule.error(k, j) * axes;
+                if (error > allowed) {
+                    most = std::max(most, error / allowed);
+                    promising = promising && rule.decay(k, j).one_higher() * rule.magnitude(j) <= allowed;
+                }
+            }
+            if (most > worst) {
+                worst = most;
+                verdict = {k, promising};
+            }
+        }
+        return verdict;
+    }
+
+    void run_element(const Elements &elements, const Element &element, TensorRule &rule, ElementShape &shape,
+                     const Goal &goal) {
+        const int axes = elements.axes();
+        const size_t size = element.net.size();
+        nets_.assign(element.net.begin(), element.net.end());
+        depths_.assign(1, 0);
+        while (!depths_.empty()) {
+            Levels levels = first(elements);
+            Verdict verdict;
+            do {
+                rule.evaluate(nets_.data() + nets_.size() - size, element.origin, levels);
+                verdict = judge(rule, levels, axes, goal);
+            } while (verdict.axis >= 0 && verdict.raise && ++levels[static_cast<size_t>(verdict.axis)] > 0);
+            if (verdict.axis < 0 && depths_.back() < most_halvings / 2 && matters(rule, goal)) {
+                verdict.axis = shape.uneven_axis(nets_.data() + nets_.size() - size, element.spread,
+                                                 integrand_.metric());
+            }
+            const bool good = verdict.axis < 0;
+            if (good || depths_.back() >= most_halvings || --budget_ < 0 || !std::isfinite(rule.value(0))) {
+                accept(rule, axes, good);
+                nets_.resize(nets_.size() - size);
+                depths_.pop_back();
+                continue;
+            }
+            halve_top(elements, size, verdict.axis);
+        }
+    }
+
+    // Whether an element is neither exact nor as small as its error may be.
+    [[nodiscard]] static bool matters(const TensorRule &rule, const Goal &goal) noexcept {
+        return !rule.exact() && rule.magnitude(0) > goal.share * goal.tolerances[0];
+    }
+
+    // Derivatives are off by a few eps of the spread for each degree.
+    void add_rounding(const Elements &elements, const Element &element) noexcept {
+        int degrees = 0;
+        double product = 1;
+        for (int k = 0; k < elements.axes(); ++k) {
+            degrees += elements.degree(k) + 1;
+            product *= element.spread;
+        }
+        rounding_ += 4 * degrees * eps * product;
+    }
+
+    void halve_top(const Elements &elements, size_t size, int axis) {
+        int64_t outer = elements.width(), inner = elements.coefficients();
+        for (int k = 0; k <= axis; ++k) {
+            inner /= elements.degree(k) + 1;
+            outer *= k < axis ? elements.degree(k) + 1 : 1;
+        }
+        nets_.resize(nets_.size() + size);
+        double *top = nets_.data() + nets_.size() - 2 * size;
+        halve_rows(outer, elements.degree(axis), inner, top, top + size);
+        ++depths_.back();
+        depths_.push_back(depths_.back());
+    }
+
+    // Of an element that could not be made good the last difference is the error.
+    void accept(const TensorRule &rule, int axes, bool good) {
+        for (size_t j = 0; j < values_; ++j) {
+            sums_[j].add(rule.value(static_cast<int>(j)));
+            double error = 4 * eps * rule.magnitude(static_cast<int>(j));
+            for (int k = 0; k < axes; ++k) {
+                error += good ? rule.error(k, static_cast<int>(j)) : rule.decay(k, static_cast<int>(j)).last;
+            }
+            errors_[j].add(std::isfinite(error) ? error : std::numeric_limits<double>::infinity());
+        }
+        size_.add(rule.magnitude(0));
+    }
+
+    const std::vector<Elements> &splines_;
+    const Integrand &integrand_;
+    size_t values_;
+    int64_t count_ = 0;
+    int64_t budget_ = 0;
+    std::vector<double> nets_;
+    std::vector<int> depths_;
+    std::vector<CompensatedSum> sums_, errors_;
+    CompensatedSum size_;
+    double rounding_ = 0;
+};
+
+Goal goal_of(const Integrals &known, const Integrand &integrand, double tolerance, double share) {
+    Goal goal{{}, known.size, share};
+    const size_t dependent = known.values.size() - static_cast<size_t>(integrand.independent());
+    for (size_t j = 0; j < known.values.size(); ++j) {
+        const double own = j < dependent ? std::abs(known.values[0]) : known.size;
+        goal.tolerances.push_back(std::max(tolerance * own, 16 * eps * known.size + known.rounding / 4));
+    }
+    return goal;
+}
+
+Integrals integrate_to(TensorSearch &search, const Integrand &integrand, double tolerance, Integrals known) {
+    double share = 1 / (32.0 * static_cast<double>(std::max<int64_t>(search.count(), 1)));
+    for (int attempt = 0; attempt < 3; ++attempt) {
+        known = search.run(goal_of(known, integrand, tolerance, share));
+        const Goal reached = goal_of(known, integrand, tolerance, share);
+        known.converged = true;
+        for (size_t j = 0; j < known.values.size(); ++j) {
+            const double rounding = 4 * eps * known.size + known.rounding;
+            known.converged = known.converged && known.errors[j] <= 2 * (reached.tolerances[j] + rounding);
+        }
+        if (known.converged || search.spent()) {
+            break;
+        }
+        share /= 64;
+    }
+    return known;
+}
+
+} // namespace
+
+Integrals integrate(const std::vector<Elements> &splines, const Integrand &integrand,
+                    double relative_tolerance) {
+    TensorSearch search(splines, integrand);
+    const Integrals rough = search.rough();
+    Reach reach(relative_tolerance);
+    Integrals result;
+    do {
+        result = integrate_to(search, integrand, reach.tolerance(), rough);
+    } while (!result.converged && reach.loosen());
+    return result;
+}
+
+} // namespace nrb

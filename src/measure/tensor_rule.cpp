@@ -1,0 +1,142 @@
+#include "measure/tensor_rule.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace nrb {
+
+TensorRule::TensorRule(const Elements &elements, const Integrand &integrand)
+    : integrand_(integrand), axes_(elements.axes()), dim_(elements.dim()), values_(integrand.values()),
+      rational_(elements.rational()), coefficients_(elements.coefficients()) {
+    for (int k = 0; k < axes_; ++k) {
+        const auto at = static_cast<size_t>(k);
+        degrees_[at] = elements.degree(k);
+        const auto size = static_cast<size_t>((degrees_[at] + 1) * rule_capacity);
+        basis_[at].resize(size);
+        derivatives_[at].resize(size);
+        rule_basis(degrees_[at], basis_[at].data());
+        rule_basis_derivatives(degrees_[at], derivatives_[at].data());
+    }
+    place_.resize(static_cast<size_t>(dim_));
+    first_.resize(static_cast<size_t>(dim_ * axes_));
+    out_.resize(static_cast<size_t>(values_));
+    across_.resize(static_cast<size_t>(axes_ * values_ * rule_capacity));
+    decays_.resize(static_cast<size_t>(axes_ * values_));
+    magnitudes_.resize(static_cast<size_t>(values_));
+}
+
+// Axis by axis from the last one: the values, and each derivative from the axis on which it is taken.
+void TensorRule::expand(const double *net, const Levels &levels) {
+    const int width = dim_ + (rational_ ? 1 : 0);
+    auto &values = nodes_[static_cast<size_t>(axes_)];
+    values.assign(net, net + width * coefficients_);
+    int64_t outer = width * coefficients_, inner = 1;
+    for (int k = axes_; k-- > 0;) {
+        const auto at = static_cast<size_t>(k);
+        const int terms = degrees_[at] + 1, count = rule_size(levels[at]);
+        outer /= terms;
+        const auto apply = [&](const std::vector<double> &matrix, const std::vector<double> &from,
+                               std::vector<double> &to) {
+            work_.resize(static_cast<size_t>(outer * count * inner));
+            contract(from.data(), outer, terms, inner, matrix.data(), rule_capacity, count, work_.data());
+            to.assign(work_.begin(), work_.end());
+        };
+        for (int l = k + 1; l < axes_; ++l) {
+            apply(basis_[at], nodes_[static_cast<size_t>(l)], nodes_[static_cast<size_t>(l)]);
+        }
+        apply(derivatives_[at], values, nodes_[at]);
+        apply(basis_[at], values, values);
+        inner *= count;
+    }
+    node_count_ = inner;
+}
+
+// x = A / w and x_k = (A_k - x w_k) / w.
+void TensorRule::visit_node(int64_t node, const std::vector<double> &origin) {
+    const auto component = [&](size_t slot, int c) {
+        return nodes_[slot][static_cast<size_t>(c * node_count_ + node)];
+    };
+    const auto values = static_cast<size_t>(axes_);
+    const double factor = rational_ ? 1 / component(values, dim_) : 1;
+    for (int c = 0; c < dim_; ++c) {
+        const double x = component(values, c) * factor;
+        place_[static_cast<size_t>(c)] = x + origin[static_cast<size_t>(c)];
+        for (int k = 0; k < axes_; ++k) {
+            const auto at = static_cast<size_t>(k);
+            const double slope = rational_ ? x * component(at, dim_) : 0;
+            first_[static_cast<size_t>(k * dim_ + c)] = (component(at, c) - slope) * factor;
+        }
+    }
+    integrand_(place_.data(), first_.data(), out_.data());
+    const bool change = integrand_.absolute() && out_[0] < 0;
+    negative_ = negative_ || change;
+    positive_ = positive_ || !change;
+    if (change) {
+        std::for_each(out_.begin(), out_.end(), [](double &x) { x = -x; });
+    }
+}
+
+void TensorRule::add(const std::array<int, max_axes> &at, const std::array<double, max_axes> &weights) {
+    for (int k = 0; k < axes_; ++k) {
+        double others = 1;
+        for (int l = 0; l < axes_; ++l) {
+            others *= l == k ? 1 : weights[static_cast<size_t>(l)];
+        }
+        double *across = across_.data() + k * values_ * rule_capacity + at[static_cast<size_t>(k)];
+        for (int j = 0; j < values_; ++j) {
+            across[j * rule_capacity] += others * out_[static_cast<size_t>(j)];
+        }
+    }
+    const double weight = weights[0] * weights[1] * weights[2];
+    for (size_t j = 0; j < magnitudes_.size(); ++j) {
+        magnitudes_[j] += weight * std::abs(out_[j]);
+    }
+}
+
+void TensorRule::evaluate(const double *net, const std::vector<double> &origin, const Levels &levels) {
+    positive_ = negative_ = false;
+    expand(net, levels);
+    std::fill(across_.begin(), across_.end(), 0.0);
+    std::fill(magnitudes_.begin(), magnitudes_.end(), 0.0);
+    std::array<int, max_axes> sizes{1, 1, 1}, at{};
+    std::array<double, max_axes> weights{1, 1, 1};
+    for (size_t k = 0; k < static_cast<size_t>(axes_); ++k) {
+        sizes[k] = rule_size(levels[k]);
+    }
+    const auto weight = [&](int k) {
+        const auto axis = static_cast<size_t>(k);
+        return k < axes_ ? rule_weights(levels[axis])[at[axis]] : 1;
+    };
+    int64_t node = 0;
+    for (at[0] = 0; at[0] < sizes[0]; ++at[0]) {
+        for (at[1] = 0; at[1] < sizes[1]; ++at[1]) {
+            for (at[2] = 0; at[2] < sizes[2]; ++at[2], ++node) {
+                weights = {weight(0), weight(1), weight(2)};
+                if (weights[0] * weights[1] * weights[2] != 0) {
+                    visit_node(node, origin);
+                    add(at, weights);
+                }
+            }
+        }
+    }
+    finish(levels);
+}
+
+void TensorRule::finish(const Levels &levels) {
+    for (size_t k = 0; k < static_cast<size_t>(axes_); ++k) {
+        const int degree = rational_ ? -1 : integrand_.degree(degrees_[k]);
+        const bool one_sign = !integrand_.absolute() || !positive_ || !negative_;
+        exact_[k] = one_sign && degree >= 0 && degree <= rule_exactness(levels[k]);
+        for (size_t j = 0; j < static_cast<size_t>(values_); ++j) {
+            const size_t at = k * static_cast<size_t>(values_) + j;
+            decays_[at] = rule_decay(levels[k], across_.data() + at * rule_capacity);
+        }
+    }
+}
+
+double TensorRule::error(int axis, int j) const noexcept {
+    return exact_[static_cast<size_t>(axis)] ? 0 : decay(axis, j).error(magnitude(j));
+}
+
+} // namespace nrb

@@ -1,0 +1,57 @@
+// One tensor product of nested rules on one element.
+#pragma once
+
+#include "measure/nested_rule.h"
+#include "measure/tensor_integral.h"
+
+#include <algorithm>
+
+namespace nrb {
+
+using Levels = std::array<int, max_axes>;
+
+// The integrals of an integrand over an element by the rules of some levels, and what the sums across all
+// axes but one tell of each axis.
+class TensorRule {
+public:
+    TensorRule(const Elements &elements, const Integrand &integrand);
+
+    // `net`: as in Element. Cost: one call of the integrand for each node, nodes of weight 0 left out.
+    void evaluate(const double *net, const std::vector<double> &origin, const Levels &levels);
+
+    [[nodiscard]] double value(int j) const noexcept { return decay(0, j).integral; }
+    [[nodiscard]] double magnitude(int j) const noexcept { return magnitudes_[static_cast<size_t>(j)]; }
+    // Of the rule along one axis; 0 for polynomials that it integrates exactly.
+    [[nodiscard]] double error(int axis, int j) const noexcept;
+    [[nodiscard]] bool exact() const noexcept {
+        return std::all_of(exact_.begin(), exact_.begin() + axes_, [](bool x) { return x; });
+    }
+    [[nodiscard]] const RuleDecay &decay(int axis, int j) const noexcept {
+        return decays_[static_cast<size_t>(axis * values_ + j)];
+    }
+
+private:
+    void expand(const double *net, const Levels &levels);
+    void visit_node(int64_t node, const std::vector<double> &origin);
+    void add(const std::array<int, max_axes> &at, const std::array<double, max_axes> &weights);
+    void finish(const Levels &levels);
+
+    const Integrand &integrand_;
+    int axes_, dim_, values_;
+    bool rational_;
+    std::array<int, max_axes> degrees_{};
+    int64_t coefficients_;
+    std::array<std::vector<double>, max_axes> basis_, derivatives_;
+    std::array<std::vector<double>, max_axes + 1> nodes_; // derivatives along each axis, then values
+    std::vector<double> work_;
+    int64_t node_count_ = 1;
+    std::vector<double> place_, first_, out_;
+    std::vector<double>
+        across_; // [axes][values][rule_capacity]: sums over all nodes with one place along an axis
+    std::vector<double> magnitudes_;
+    std::vector<RuleDecay> decays_;
+    std::array<bool, max_axes> exact_{};
+    bool positive_ = false, negative_ = false; // values of the first function seen
+};
+
+} // namespace nrb

@@ -1,0 +1,38 @@
+#include "numeric/binomial.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+namespace nrb {
+
+namespace {
+
+using BinomialTable = std::array<std::array<double, max_product_degree + 1>, max_product_degree + 1>;
+
+// In integers: the largest, (62 over 31), has 59 bits.
+BinomialTable make_binomials() noexcept {
+    BinomialTable table{};
+    std::array<uint64_t, max_product_degree + 1> row{1};
+    for (size_t n = 0; n < table.size(); ++n) {
+        std::transform(row.begin(), row.end(), table[n].begin(),
+                       [](uint64_t x) { return static_cast<double>(x); });
+        for (size_t k = row.size() - 1; k > 0; --k) {
+            row[k] += row[k - 1];
+        }
+    }
+    return table;
+}
+
+} // namespace
+
+const double *binomials(int n) noexcept {
+    static const BinomialTable table = make_binomials();
+    return table[static_cast<size_t>(n)].data();
+}
+
+double binomial(int n, int k) noexcept {
+    return binomials(n)[k];
+}
+
+} // namespace nrb

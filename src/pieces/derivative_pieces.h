@@ -1,0 +1,61 @@
+// The numerators of derivatives and normals on single Bernstein pieces.
+#pragma once
+
+#include "bernstein/rounded_polynomial.h"
+#include "pieces/spline_pieces.h"
+
+namespace nrb {
+
+// One piece of a spline in homogeneous coordinates A = w (x - c), w about a centre near it, so that rounding
+// is relative to the size of the piece, both in units of powers of two near the largest. In polynomial
+// splines, and where weights are equal, w is the constant 1.
+struct HomogeneousPiece {
+    RoundedPolynomial points; // A
+    RoundedPolynomial weight;
+    int exponent = 0;           // of the unit of length
+    bool positive = true;       // the weight, in the whole piece; otherwise its sign is not known
+    int first_axis = 0;         // of the three that the spline has
+    Part part{};                // of the parameters, for the axes of the spline
+    std::vector<double> centre; // c
+
+    // Place on an axis of the three that belongs to axis k of the spline.
+    [[nodiscard]] int axis(int k) const noexcept { return first_axis + k; }
+    [[nodiscard]] double parameter(int k, double place) const noexcept;
+};
+
+// The pieces of a part of a spline, made when they are asked for; last axis fastest.
+class PieceMaker {
+public:
+    PieceMaker(const Spline &spline, const Part &part);
+
+    [[nodiscard]] int64_t count() const noexcept;
+    [[nodiscard]] int64_t count(int k) const noexcept {
+        return std::ssize(breaks_[static_cast<size_t>(k)]) - 1;
+    }
+    [[nodiscard]] const std::vector<double> &breaks(int k) const noexcept {
+        return breaks_[static_cast<size_t>(k)];
+    }
+    [[nodiscard]] HomogeneousPiece piece(int64_t index) const;
+
+private:
+    [[nodiscard]] Spline sub_spline(const std::array<int64_t, max_axes> &spans) const;
+
+    const Spline &spline_;
+    bool weighted_;
+    BernsteinNet::Breaks breaks_;
+};
+
+// With A, w of a piece, derivatives with respect to places on it; each vanishes where its numerator does, and
+// has its direction: where the sign of w is not known, odd powers of w get one more factor. C' = D / w^2
+// along axis k of the spline: D = A' w - A w'.
+RoundedPolynomial tangent_numerator(const HomogeneousPiece &piece, int k);
+// S_u x S_v = N / w^3: N = w A_u x A_v + w_v A x A_u - w_u A x A_v; a scalar in dimension 2.
+RoundedPolynomial normal_numerator(const HomogeneousPiece &piece);
+// det(V_u, V_v, V_w) = J / w^4 of a volume in space.
+RoundedPolynomial volume_numerator(const HomogeneousPiece &piece);
+// C' x C'' = M / w^3 of a curve: M = w A' x A'' + w'' A x A' - w' A x A''; a scalar in dimension 2.
+RoundedPolynomial bend_numerator(const HomogeneousPiece &piece);
+// det(C', C'', C''') = T / w^4 of a curve in space.
+RoundedPolynomial twist_numerator(const HomogeneousPiece &piece);
+
+} // namespace nrb

@@ -1,0 +1,169 @@
+#include "recognize/piece_distance.h"
+
+#include "recognize/shape_forms.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace nrb {
+
+namespace {
+
+constexpr double eps = std::numeric_limits<double>::epsilon();
+
+bool straight(int32_t kind) noexcept {
+    return kind == shape_point || kind == shape_line || kind == shape_plane;
+}
+
+// The largest distance of control points that a function of them gives; it is convex and homogeneous.
+template <class Distance>
+double hull_bound(const ShapePiece &piece, Distance distance) {
+    double largest = 0;
+    for (int64_t i = 0; i < piece.coefficients(); ++i) {
+        if (piece.at(i)[3] != 0) {
+            largest = std::max(largest, distance(piece.point(i)));
+        }
+    }
+    return largest * (1 + 8 * eps);
+}
+
+double smallest_coordinate(const ShapePiece &piece, double Vector3::*coordinate) noexcept {
+    double least = std::numeric_limits<double>::infinity();
+    for (int64_t i = 0; i < piece.coefficients(); ++i) {
+        if (piece.at(i)[3] != 0) {
+            least = std::min(least, piece.point(i).*coordinate);
+        }
+    }
+    return least - 4 * eps * std::abs(least);
+}
+
+// The mean of the control points.
+Vector3 middle_of(const ShapePiece &piece) noexcept {
+    Vector3 sum;
+    double count = 0;
+    for (int64_t i = 0; i < piece.coefficients(); ++i) {
+        if (piece.at(i)[3] != 0) {
+            sum = sum + piece.point(i);
+            ++count;
+        }
+    }
+    return (1 / count) * sum;
+}
+
+// Of d >= 0 where d^2 - r^2 lies in a range: the largest |d - r|.
+DistanceBound from_square(double least, double most, double error, double r) noexcept {
+    const double square = r * r;
+    const double outside = most > 0 ? most / (r + std::sqrt(square * (1 - 4 * eps) + most)) : 0;
+    const double inner = std::sqrt(std::max(0.0, square * (1 - 4 * eps) + least));
+    const double inside = least < 0 ? std::min(r, -least / (r + inner)) : 0;
+    return {std::max(outside, inside) * (1 + 8 * eps), error / r};
+}
+
+} // namespace
+
+PieceDistance::PieceDistance(const Shape &shape) : shape_(shape) {
+    if (!straight(shape.kind) && shape.kind != shape_torus) {
+        quadric_ = quadric_of(shape);
+    }
+}
+
+DistanceBound PieceDistance::upper(const ShapePiece &piece) const {
+    DistanceBound bound;
+    if (straight(shape_.kind)) {
+        bound.upper =
+            hull_bound(piece, [this](const Vector3 &p) { return std::abs(signed_distance(shape_, p)); });
+    } else {
+        bound = shape_.kind == shape_torus ? from_torus(piece) : in_plane(piece);
+    }
+    if (shape_.planar()) {
+        const double height = hull_bound(piece, [](const Vector3 &p) { return std::abs(p.z); });
+        bound.upper = std::hypot(bound.upper, height);
+    }
+    bound.upper = bound.upper * (1 + 16 * eps) + piece.moved();
+    bound.noise += piece.moved() + 4 * eps * piece.size();
+    return std::isnan(bound.upper) ? DistanceBound{} : bound;
+}
+
+double PieceDistance::lower(const ShapePiece &piece, double noise) const {
+    double largest = 0;
+    const auto &degrees = piece.shape.degrees;
+    for (int corner = 0; corner < 8; ++corner) {
+        int64_t i = 0;
+        for (size_t k = 0; k < degrees.size(); ++k) {
+            i = i * (degrees[k] + 1) + ((corner >> k & 1) != 0 ? degrees[k] : 0);
+        }
+        if (piece.at(i)[3] != 0) {
+            largest = std::max(largest, least_distance(shape_, piece.point(i)));
+        }
+    }
+    return std::max(0.0, largest * (1 - 64 * eps) - 64 * eps * piece.size() - noise);
+}
+
+// In the plane of a circle or conic.
+DistanceBound PieceDistance::in_plane(const ShapePiece &piece) const {
+    if (quadric_.round()) {
+        const FormRange range = ShapeForms(piece).quadratic(quadric_);
+        return from_square(range.least, range.most, range.error, shape_.sizes[0]);
+    }
+    const DistanceBound bound = by_gradient(piece), extent{by_extent(piece), 0};
+    return extent.upper < bound.upper || beyond(piece, bound.upper) ? extent : bound;
+}
+
+// Whether a zero of the equation so near may be one of the other half of a cone or branch of a hyperbola.
+bool PieceDistance::beyond(const ShapePiece &piece, double distance) const noexcept {
+    return (shape_.kind == shape_cone && smallest_coordinate(piece, &Vector3::z) < distance) ||
+           (shape_.kind == shape_hyperbola && smallest_coordinate(piece, &Vector3::x) < distance);
+}
+
+// As Quadric::curvature() has it.
+DistanceBound PieceDistance::by_gradient(const ShapePiece &piece) const {
+    const ShapeForms forms(piece);
+    const FormRange value = forms.quadratic(quadric_);
+    const double f = std::max(std::abs(value.least), std::abs(value.most));
+    const double squared = forms.squared_gradient(quadric_).least;
+    const double curved = quadric_.curvature() * f * (1 + 8 * eps);
+    if (!(squared >= curved) || squared == 0) {
+        return {};
+    }
+    const double divisor = (std::sqrt(squared) + std::sqrt(squared - curved)) * (1 - 4 * eps);
+    return {f / divisor, value.error / divisor};
+}
+
+// With s the distance from the axis and G = s^2 + z^2 + R^2 - r^2, the product of (s - R)^2 + z^2 - r^2 = G -
+// 2 R s and (s + R)^2 + z^2 - r^2 = G + 2 R s is G^2 - 4 R^2 s^2.
+DistanceBound PieceDistance::from_torus(const ShapePiece &piece) const {
+    const double major = shape_.sizes[0], minor = shape_.sizes[1];
+    const TorusForms torus = ShapeForms(piece).torus(major, minor);
+    const double twice = 2 * major * std::sqrt(std::max(0.0, torus.squared_radius.least));
+    const double factor = (torus.sum.least + twice) - 8 * eps * (std::abs(torus.sum.least) + twice);
+    const DistanceBound extent{by_extent(piece), 0};
+    if (!(factor > 0)) {
+        return extent;
+    }
+    const FormRange &product = torus.product;
+    const DistanceBound bound =
+        from_square(product.least / factor, product.most / factor, product.error / factor, minor);
+    return extent.upper < bound.upper || across_axis(torus, bound.upper) ? extent : bound;
+}
+
+// Whether the nearest point of a circle that crosses the axis may be beyond it, where a torus has no points:
+// at s - R + R d / r, times r / d, which is positive if s r >= R (r - d).
+bool PieceDistance::across_axis(const TorusForms &torus, double distance) const noexcept {
+    const double major = shape_.sizes[0], minor = shape_.sizes[1];
+    const double least = std::sqrt(std::max(0.0, torus.squared_radius.least));
+    return minor > major && !(least * minor >= major * distance * (1 + 8 * eps));
+}
+
+// The distance of a point and the radius of a ball round it that holds all control points.
+double PieceDistance::by_extent(const ShapePiece &piece) const {
+    const Vector3 middle = middle_of(piece);
+    const bool plane = shape_.planar();
+    const double radius = hull_bound(piece, [&](const Vector3 &p) {
+        return plane ? std::hypot(p.x - middle.x, p.y - middle.y) : length(p - middle);
+    });
+    return most_distance(shape_, middle) + radius +
+           16 * eps * (piece.size() + shape_.sizes[0] + shape_.sizes[1]);
+}
+
+} // namespace nrb

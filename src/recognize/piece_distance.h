@@ -1,0 +1,41 @@
+// How far a Bezier piece is from a shape at most.
+#pragma once
+
+#include "recognize/shape_forms.h"
+#include "recognize/shape_pieces.h"
+
+#include <limits>
+
+namespace nrb {
+
+struct DistanceBound {
+    double upper = std::numeric_limits<double>::infinity();
+    double noise = 0; // what rounding has in it
+};
+
+// The equation of the shape along the piece bounds the value of that equation: of circles, spheres and
+// cylinders the square of the distance from the middle, of a torus that from its central circle times a
+// factor which has a bound from below, of the other quadrics a distance by their gradient. Where the gradient
+// is small beside the value, the distance of one point and the extent of the piece have to do.
+class PieceDistance {
+public:
+    explicit PieceDistance(const Shape &shape);
+
+    // Precondition: the piece is certified.
+    [[nodiscard]] DistanceBound upper(const ShapePiece &piece) const;
+    // Of the corners, at most the true distance less the noise.
+    [[nodiscard]] double lower(const ShapePiece &piece, double noise) const;
+
+private:
+    [[nodiscard]] DistanceBound in_plane(const ShapePiece &piece) const;
+    [[nodiscard]] DistanceBound by_gradient(const ShapePiece &piece) const;
+    [[nodiscard]] DistanceBound from_torus(const ShapePiece &piece) const;
+    [[nodiscard]] double by_extent(const ShapePiece &piece) const;
+    [[nodiscard]] bool across_axis(const TorusForms &torus, double distance) const noexcept;
+    [[nodiscard]] bool beyond(const ShapePiece &piece, double distance) const noexcept;
+
+    Shape shape_;
+    Quadric quadric_;
+};
+
+} // namespace nrb

@@ -1,0 +1,345 @@
+#include "refine/algebra/common_knots.h"
+
+#include "base/error.h"
+#include "numeric/sum.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace nrb {
+
+namespace {
+
+// Copies of a knot before place `index`, itself one of them, and those behind.
+struct Beside {
+    int before;
+    int behind;
+};
+
+Beside beside(std::span<const double> knots, int64_t index) noexcept {
+    const auto [first, last] =
+        std::equal_range(knots.begin(), knots.end(), knots[static_cast<size_t>(index)]);
+    return {static_cast<int>(index - (first - knots.begin())),
+            static_cast<int>(last - knots.begin() - 1 - index)};
+}
+
+// The knots of one period, from the lower end of the domain on, with their multiplicities.
+std::vector<KnotGroup> one_period(const KnotVector &axis) {
+    const auto [lower, upper] = axis.domain();
+    const Beside start = beside(axis.knots(), axis.degree()), end = beside(axis.knots(), axis.count());
+    if (start.before != end.before) {
+        fail(Status::periodic_knots,
+             "knots: the ends of the periodic domain [%s, %s] have other multiplicities than their copies",
+             Number(lower).text, Number(upper).text);
+    }
+    const int64_t first = axis.degree() - start.before;
+    return distinct_knots(
+        axis.knots().subspan(static_cast<size_t>(first), static_cast<size_t>(axis.distinct_layers())));
+}
+
+// A knot `periods` periods on; the ends of the domain are copies of each other.
+double copy_of(double knot, int64_t periods, Interval domain) noexcept {
+    if (periods == 0 || (periods == 1 && knot == domain.lower)) {
+        return periods == 0 ? knot : domain.upper;
+    }
+    return knot + static_cast<double>(periods) * (domain.upper - domain.lower);
+}
+
+} // namespace
+
+JointAxis::JointAxis(int degree, const std::vector<const KnotVector *> &members, int extra)
+    : degree_(degree) {
+    const bool periodic = std::all_of(members.begin(), members.end(),
+                                      [](const KnotVector *member) { return member->periodic(); });
+    if (periodic) {
+        add_periodic(members);
+    } else {
+        add_open(members);
+    }
+    count_copies(extra);
+    if (periodic) {
+        choose_periodic(members);
+    } else {
+        choose_open(members, extra);
+    }
+}
+
+// The knots of all members, each with its multiplicities.
+std::vector<JointAxis::Group> JointAxis::merged(const std::vector<std::vector<KnotGroup>> &own) {
+    std::vector<double> all;
+    for (const std::vector<KnotGroup> &groups : own) {
+        std::transform(groups.begin(), groups.end(), std::back_inserter(all),
+                       [](const KnotGroup &group) { return group.knot; });
+    }
+    std::sort(all.begin(), all.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    std::vector<Group> result;
+    std::vector<size_t> next(own.size(), 0);
+    for (const double knot : all) {
+        Group group{knot, 0, 0, {}, {}};
+        for (size_t i = 0; i < own.size(); ++i) {
+            const bool has = next[i] < own[i].size() && own[i][next[i]].knot == knot;
+            group.times[i] = has ? own[i][next[i]++].multiplicity : 0;
+        }
+        result.push_back(group);
+    }
+    return result;
+}
+
+void JointAxis::append(Group group) {
+    for (size_t i = 0; i < members_.size(); ++i) {
+        std::vector<double> &knots = members_[i].knots;
+        group.place[i] = std::ssize(knots);
+        knots.insert(knots.end(), static_cast<size_t>(group.times[i]), group.knot);
+    }
+    groups_.push_back(group);
+}
+
+void JointAxis::add_open(const std::vector<const KnotVector *> &members) {
+    std::vector<std::vector<KnotGroup>> own;
+    for (const KnotVector *member : members) {
+        members_.push_back({member->degree(), {}, 0, 0});
+        own.push_back(distinct_knots(member->knots()));
+    }
+    for (const Group &group : merged(own)) {
+        append(group);
+    }
+}
+
+// So many periods that each member has 2 r + 2 knots on either side of the domain: r + 1 of them can be
+// arguments, the others stand around these.
+void JointAxis::add_periodic(const std::vector<const KnotVector *> &members) {
+    const Interval domain = members.front()->domain();
+    std::vector<std::vector<KnotGroup>> own;
+    int64_t fewest = members.front()->distinct_layers();
+    for (const KnotVector *member : members) {
+        members_.push_back({member->degree(), {}, 0, member->distinct_layers()});
+        own.push_back(one_period(*member));
+        fewest = std::min(fewest, member->distinct_layers());
+    }
+    const std::vector<Group> period = merged(own);
+    const int64_t periods = (2 * int64_t{degree_} + 1) / fewest + 1;
+    for (int64_t turn = -periods; turn <= periods; ++turn) {
+        for (Group group : period) {
+            group.knot = copy_of(group.knot, turn, domain);
+            check_rising(group.knot);
+            append(group);
+        }
+    }
+    const Group &lower = groups_[group_of(domain.lower)];
+    for (size_t i = 0; i < members_.size(); ++i) {
+        const KnotVector &member = *members[i];
+        members_[i].shift = lower.place[i] - member.degree() + beside(member.knots(), member.degree()).before;
+    }
+}
+
+void JointAxis::check_rising(double knot) const {
+    if (!groups_.empty() && !(groups_.back().knot < knot)) {
+        fail(Status::periodic_knots,
+             "knots: copies a multiple of the period away meet at %s, where rounding makes knots equal that "
+             "differ",
+             Number(knot).text);
+    }
+}
+
+void JointAxis::count_copies(int extra) {
+    int64_t first = 0;
+    for (Group &group : groups_) {
+        int copies = 0;
+        for (size_t i = 0; i < members_.size(); ++i) {
+            const int raised = degree_ - members_[i].degree + group.times[i];
+            copies = std::max(copies, group.times[i] > 0 ? raised : 0);
+        }
+        group.first = first;
+        group.copies = std::min(copies + extra, degree_ + 1);
+        first += group.copies;
+    }
+}
+
+// As many copies of each end of the domain stand on its other side as the member needs that needs the most.
+void JointAxis::choose_open(const std::vector<const KnotVector *> &members, int extra) {
+    Beside most{0, 0};
+    for (const KnotVector *member : members) {
+        const int raise = degree_ - member->degree() + extra;
+        most.before = std::max(most.before, beside(member->knots(), member->degree()).before + raise);
+        most.behind = std::max(most.behind, beside(member->knots(), member->count()).behind + raise);
+    }
+    const auto [lower, upper] = members.front()->domain();
+    const Group &start = groups_[group_of(lower)], &end = groups_[group_of(upper)];
+    first_ = start.first + std::min(most.before, degree_) - degree_;
+    const int64_t last = end.first + end.copies - 1 - std::min(most.behind, degree_) + degree_;
+    axis_ = make_knot_vector(degree_, knots_between(first_, last + 1));
+}
+
+// The period begins at the same copy of its first knot as that of a member.
+void JointAxis::choose_periodic(const std::vector<const KnotVector *> &members) {
+    int before = 0;
+    for (const KnotVector *member : members) {
+        before = std::max(before, beside(member->knots(), member->degree()).before);
+    }
+    const auto [lower, upper] = members.front()->domain();
+    const Group &start = groups_[group_of(lower)], &end = groups_[group_of(upper)];
+    before = std::min(before, start.copies - 1);
+    first_ = start.first + before - degree_;
+    axis_ = make_knot_vector(degree_, knots_between(first_, end.first + before + degree_ + 1), true);
+}
+
+size_t JointAxis::group_of(double knot) const noexcept {
+    return static_cast<size_t>(
+        std::lower_bound(groups_.begin(), groups_.end(), knot,
+                         [](const Group &group, double value) { return group.knot < value; }) -
+        groups_.begin());
+}
+
+size_t JointAxis::group_at(int64_t index) const noexcept {
+    return static_cast<size_t>(
+        std::upper_bound(groups_.begin(), groups_.end(), index,
+                         [](int64_t i, const Group &group) { return i < group.first; }) -
+        groups_.begin() - 1);
+}
+
+std::vector<double> JointAxis::knots_between(int64_t first, int64_t end) const {
+    std::vector<double> knots;
+    knots.reserve(static_cast<size_t>(end - first));
+    for (size_t g = group_at(first); std::ssize(knots) < end - first; ++g) {
+        const int64_t from = std::max(groups_[g].first, first);
+        const int64_t to = std::min(groups_[g].first + groups_[g].copies, end);
+        knots.insert(knots.end(), static_cast<size_t>(to - from), groups_[g].knot);
+    }
+    return knots;
+}
+
+// The wrapped layers of a periodic axis are those of the first ones.
+JointAxis::Window JointAxis::window(int64_t layer) const noexcept {
+    const int64_t before = first_ + layer % axis_->distinct_layers();
+    const Group &start = groups_[group_at(before)];
+    Window window{};
+    window.start = start.knot;
+    int64_t at = before + 1;
+    auto g = static_cast<size_t>(&start - groups_.data());
+    g += at < start.first + start.copies ? 0 : 1;
+    window.group = static_cast<int64_t>(g);
+    for (int left = degree_; left > 0; ++g) {
+        const auto copies =
+            static_cast<int>(std::min<int64_t>(left, groups_[g].first + groups_[g].copies - at));
+        window.copies[static_cast<size_t>(window.size++)] = copies;
+        at += copies;
+        left -= copies;
+    }
+    return window;
+}
+
+// With no argument at all, at degree 0, those are none behind the last knot that is not above the support.
+JointAxis::Run JointAxis::own_arguments(size_t member, const Group *groups, const int *chosen, int low,
+                                        int high, double start) const noexcept {
+    if (low > high) {
+        const Group &last = groups_[group_of(start)];
+        return {last.place[member] + last.times[member], 0};
+    }
+    if (low == high) {
+        const Group &only = groups[low];
+        const int used = std::min(only.times[member], members_[member].degree);
+        return {only.place[member] + (only.knot == start ? only.times[member] - used : 0), used};
+    }
+    const int64_t first = groups[low].place[member] + std::max(groups[low].times[member] - chosen[low], 0);
+    return {first, groups[high].place[member] + std::min(groups[high].times[member], chosen[high]) - first};
+}
+
+void JointAxis::polar_row(int member, const Window &window, const int *chosen, PolarRow &row) const noexcept {
+    const auto m = static_cast<size_t>(member);
+    const Group *groups = groups_.data() + window.group;
+    int low = 0, high = window.size - 1;
+    while (low < window.size && chosen[low] == 0) {
+        ++low;
+    }
+    while (high >= 0 && chosen[high] == 0) {
+        --high;
+    }
+    const Run run = own_arguments(m, groups, chosen, low, high, window.start);
+    const double *first = members_[m].knots.data() + run.first, *end = first + run.size;
+    row.coefficients[0] = 1;
+    row.size = 1;
+    for (int i = low; i <= high; ++i) {
+        for (int extra = chosen[i] - groups[i].times[m]; extra > 0; --extra) {
+            append_argument(first, end, row.size++, groups[i].knot, row.coefficients);
+        }
+    }
+    row.first = run.first - row.size - members_[m].shift;
+}
+
+int64_t JointAxis::stored_layer(int member, int64_t layer) const noexcept {
+    const int64_t period = members_[static_cast<size_t>(member)].period;
+    return period == 0 ? layer : (layer % period + period) % period;
+}
+
+namespace {
+
+// The mean of values of a polar form, as coefficients of consecutive layers.
+class Mean {
+public:
+    void clear() noexcept { rows_.clear(); }
+    void add(const PolarRow &row, double times) {
+        rows_.push_back(row);
+        times_.resize(rows_.size());
+        times_.back() = times;
+    }
+    // Without the zeros before the first coefficient; the result is its layer.
+    int64_t write(double total, std::vector<double> &mean) const {
+        int64_t first = rows_.front().first, end = first;
+        for (const PolarRow &row : rows_) {
+            first = std::min(first, row.first);
+            end = std::max(end, row.first + row.size);
+        }
+        mean.clear();
+        for (int64_t layer = first; layer < end; ++layer) {
+            const double value = coefficient(layer) / total;
+            first += mean.empty() && value == 0 ? 1 : 0;
+            if (!mean.empty() || value != 0) {
+                mean.push_back(value);
+            }
+        }
+        return first;
+    }
+
+private:
+    [[nodiscard]] double coefficient(int64_t layer) const noexcept {
+        CompensatedSum sum;
+        for (size_t i = 0; i < rows_.size(); ++i) {
+            const int64_t at = layer - rows_[i].first;
+            if (at >= 0 && at < rows_[i].size) {
+                sum.add(times_[i] * rows_[i].coefficients[at]);
+            }
+        }
+        return sum.value();
+    }
+
+    std::vector<PolarRow> rows_;
+    std::vector<double> times_;
+};
+
+} // namespace
+
+// Only layers whose functions hold the support of a new one have a part in it: at most p + 1, which are stored in
+// a row.
+LayerTable JointAxis::raising(int member) const {
+    const int p = members_[static_cast<size_t>(member)].degree;
+    LayerTable table;
+    table.reserve(axis_->count(), axis_->degree() + 1);
+    Mean mean;
+    std::vector<double> coefficients;
+    for (int64_t layer = 0; layer < axis_->count(); ++layer) {
+        const Window window = this->window(layer);
+        mean.clear();
+        for_each_choice(window, p, [&](const int *chosen, double times) {
+            PolarRow row;
+            polar_row(member, window, chosen, row);
+            mean.add(row, times);
+        });
+        const int64_t first = mean.write(binomial(degree_, p), coefficients);
+        table.add_row(stored_layer(member, first), coefficients.data(),
+                      static_cast<int>(coefficients.size()));
+    }
+    return table;
+}
+
+} // namespace nrb

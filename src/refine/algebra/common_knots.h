@@ -1,0 +1,140 @@
+// Knots over which one or two splines, their sums and their products are splines of a higher degree, and how
+// control points there follow from polar forms.
+//
+// A polynomial of degree p has at degree r the polar form that is the mean of its own over all choices of p of
+// the r arguments, and the product of two of degrees p and r - p is the mean of the products of theirs, the
+// second at the arguments left over (L. Ramshaw 1989; K. Morken, "Some identities for products and degree
+// raising of splines", Constr. Approx. 7 (1991)). A knot that occurs m times in a spline of degree p occurs at
+// least r - p + m times here, so that whatever the choice, a knot of the spline strictly inside the window of a
+// control point is among its arguments as often as it is in its knots: its values are combinations of its
+// control points with factors in [0, 1].
+#pragma once
+
+#include "numeric/binomial.h"
+#include "basis/bspline.h"
+#include "basis/knot_vector.h"
+#include "spline/layer_table.h"
+
+#include <array>
+#include <vector>
+
+namespace nrb {
+
+// A value of a polar form: coefficients of consecutive layers; on a periodic axis of the endless sequence.
+struct PolarRow {
+    int64_t first;
+    int size;
+    double coefficients[max_basis];
+};
+
+class JointAxis {
+public:
+    static constexpr int max_members = 2;
+
+    // The axis of degree r, not less than those of the members, which have the same domain bit for bit; every
+    // knot has `extra` more copies than it needs, up to r + 1. It is periodic if all members are. Throws Status::periodic_knots if copies a period away cannot be told apart, and what
+    // make_knot_vector() throws.
+    JointAxis(int degree, const std::vector<const KnotVector *> &members, int extra);
+
+    [[nodiscard]] const KnotVectorPtr &axis() const noexcept { return axis_; }
+
+    // Distinct knots among the degree arguments of a control point, and how often they occur.
+    struct Window {
+        int64_t group;
+        int size;
+        std::array<int, max_basis> copies;
+        double start; // the knot before, where the support begins
+    };
+    [[nodiscard]] Window window(int64_t layer) const noexcept;
+
+    // The value of the polar form of a member at as many knots of each group of the window as `chosen` says,
+    // its degree in all. Where the member jumps, that of the piece to which the window's control point belongs.
+    // Every coefficient is accurate to 3 d eps of itself, d < size the arguments that are none of its knots.
+    void polar_row(int member, const Window &window, const int *chosen, PolarRow &row) const noexcept;
+    // The stored layer from which at most degree + 1 layers that begin at `layer` can be read.
+    [[nodiscard]] int64_t stored_layer(int member, int64_t layer) const noexcept;
+
+    // The table that gives the layers of the axis from those of a member: its degree raised to r, and its knots
+    // refined.
+    [[nodiscard]] LayerTable raising(int member) const;
+
+private:
+    // A knot: its first place and copies here, and in the knots of each member.
+    struct Group {
+        double knot;
+        int64_t first;
+        int copies;
+        std::array<int64_t, max_members> place;
+        std::array<int, max_members> times;
+    };
+    // The knots of a member, on a periodic axis of several periods.
+    struct Member {
+        int degree;
+        std::vector<double> knots;
+        int64_t shift;  // its place of stored knot 0
+        int64_t period; // layers of a period; 0: none
+    };
+
+    // The knots of a member that are among its arguments: the last copies of the lowest argument, all knots
+    // between, the first copies of the highest one; where it jumps at its only argument, those of one side.
+    struct Run {
+        int64_t first;
+        int64_t size;
+    };
+
+    static std::vector<Group> merged(const std::vector<std::vector<KnotGroup>> &own);
+    void append(Group group);
+    void add_open(const std::vector<const KnotVector *> &members);
+    void add_periodic(const std::vector<const KnotVector *> &members);
+    void check_rising(double knot) const;
+    void count_copies(int extra);
+    void choose_open(const std::vector<const KnotVector *> &members, int extra);
+    void choose_periodic(const std::vector<const KnotVector *> &members);
+    [[nodiscard]] Run own_arguments(size_t member, const Group *groups, const int *chosen, int low, int high,
+                                    double start) const noexcept;
+    [[nodiscard]] size_t group_of(double knot) const noexcept;
+    [[nodiscard]] size_t group_at(int64_t index) const noexcept;
+    [[nodiscard]] std::vector<double> knots_between(int64_t first, int64_t end) const;
+
+    int degree_;
+    std::vector<Member> members_;
+    std::vector<Group> groups_;
+    int64_t first_ = 0; // the place of knot 0 of the axis
+    KnotVectorPtr axis_;
+};
+
+// Calls body(chosen, times) for every way to choose `total` knots of a window, equal ones taken together: the
+// number of copies of each group, and in how many ways they can be picked.
+template <class Body>
+void for_each_choice(const JointAxis::Window &window, int total, Body &&body);
+
+namespace detail {
+
+template <class Body>
+void choose(const JointAxis::Window &window, int at, int left, int behind, double times, int *chosen,
+            Body &body) {
+    if (at == window.size) {
+        body(static_cast<const int *>(chosen), times);
+        return;
+    }
+    const int copies = window.copies[static_cast<size_t>(at)];
+    behind -= copies; // in the groups that follow
+    for (int n = left > behind ? left - behind : 0; n <= copies && n <= left; ++n) {
+        chosen[at] = n;
+        choose(window, at + 1, left - n, behind, times * binomial(copies, n), chosen, body);
+    }
+}
+
+} // namespace detail
+
+template <class Body>
+void for_each_choice(const JointAxis::Window &window, int total, Body &&body) {
+    int all = 0;
+    for (int i = 0; i < window.size; ++i) {
+        all += window.copies[static_cast<size_t>(i)];
+    }
+    int chosen[max_basis] = {};
+    detail::choose(window, 0, total, all, 1.0, chosen, body);
+}
+
+} // namespace nrb

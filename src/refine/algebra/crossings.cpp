@@ -1,0 +1,372 @@
+#include "refine/algebra/crossings.h"
+
+#include "numeric/binomial.h"
+#include "refine/knots/blossom.h"
+#include "refine/algebra/derivative.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace nrb {
+
+namespace {
+
+constexpr double eps = std::numeric_limits<double>::epsilon();
+
+} // namespace
+
+CurvePiece::CurvePiece(const Spline &curve, int64_t span) : curve_(&curve), span_(span) {
+    if (curve.rational()) {
+        const Coefficients values = weights_between(lower(), upper());
+        weights_.assign(values.begin(), values.begin() + degree() + 1);
+    }
+    for (int k = 0; k < curve.dim(); ++k) {
+        const Coefficients values = coefficients_between(k, lower(), upper());
+        coefficients_.insert(coefficients_.end(), values.begin(), values.begin() + degree() + 1);
+        known_.push_back(known_of(k));
+    }
+}
+
+namespace {
+
+// Values of a polar form at `from` and `to`, the latter 0, ..., degree times.
+template <class Polar>
+Coefficients bernstein(int degree, double from, double to, Polar polar) noexcept {
+    Coefficients arguments{}, values{};
+    arguments.fill(from);
+    const auto q = static_cast<size_t>(degree);
+    for (size_t j = 0; j <= q; ++j) {
+        if (j > 0) {
+            arguments[q - j] = to;
+        }
+        values[j] = polar(std::span<const double>(arguments).first(q));
+    }
+    return values;
+}
+
+} // namespace
+
+Coefficients CurvePiece::coefficients_between(int k, double from, double to) const noexcept {
+    return bernstein(degree(), from, to,
+                     [&](std::span<const double> arguments) { return polar_value(k, arguments); });
+}
+
+Coefficients CurvePiece::weights_between(double from, double to) const noexcept {
+    return bernstein(degree(), from, to,
+                     [&](std::span<const double> arguments) { return polar_weight(arguments); });
+}
+
+double CurvePiece::weight(int64_t i) const noexcept {
+    return std::ldexp(curve_->weight(i), -std::ilogb(curve_->all_weights().largest));
+}
+
+double CurvePiece::polar_weight(std::span<const double> arguments) const noexcept {
+    if (!curve_->rational()) {
+        return 1;
+    }
+    const PolarRow row = blossom_row(curve_->axis(0), span_, arguments);
+    double sum = 0;
+    for (int i = 0; i < row.size; ++i) {
+        sum += row.coefficients[i] * weight(row.first + i);
+    }
+    return sum;
+}
+
+double CurvePiece::quotient(const PolarRow &row, int k) const noexcept {
+    if (row.size == 1) {
+        return curve_->coordinate(row.first, k);
+    }
+    double sum = 0, weights = 0;
+    for (int i = 0; i < row.size; ++i) {
+        const double share = row.coefficients[i] * weight(row.first + i);
+        sum += share * curve_->coordinate(row.first + i, k);
+        weights += share;
+    }
+    return sum / weights;
+}
+
+double CurvePiece::polar_value(int k, std::span<const double> arguments) const noexcept {
+    const PolarRow row = blossom_row(curve_->axis(0), span_, arguments);
+    if (curve_->rational()) {
+        return quotient(row, k);
+    }
+    const double *points = curve_->points().data() + row.first * curve_->dim() + k;
+    double value = 0;
+    for (int i = 0; i < row.size; ++i) {
+        value += row.coefficients[i] * points[int64_t{i} * curve_->dim()];
+    }
+    return value;
+}
+
+double CurvePiece::value(int k, double t) const noexcept {
+    Coefficients arguments{};
+    arguments.fill(t);
+    return polar_value(k, std::span(arguments).first(static_cast<size_t>(degree())));
+}
+
+// Multiplied by eps before anything can overflow; t / length is at most 1 / eps.
+CurvePiece::Known CurvePiece::known_of(int k) const {
+    const int q = degree();
+    const Interval eps_range = eps_times_range(k);
+    const double eps_largest = std::max(-eps_range.lower, eps_range.upper);
+    const double rounding = (curve_->rational() ? 8 * (q + 2) : 4 * (q + 1)) * eps_largest;
+    const Known known{rounding, rounding + eps_times_slope(k, 0)};
+    if (curve_->rational() && eps * eps_times_slope(k, 2) > (eps_range.upper - eps_range.lower) / 4) {
+        fail(Status::not_representable,
+             "coordinate %d between t = %s and %s is too steep, by weights that differ so much: no parameter "
+             "tells where in its range it is",
+             k, Number(lower()).text, Number(upper()).text);
+    }
+    if (!std::isfinite(known.uncertainty)) {
+        fail(Status::not_representable,
+             "coordinate %d between t = %s and %s is too steep: the uncertainty of its values overflows", k,
+             Number(lower()).text, Number(upper()).text);
+    }
+    return known;
+}
+
+// Of the active control points.
+Interval CurvePiece::eps_times_range(int k) const noexcept {
+    Interval range{HUGE_VAL, -HUGE_VAL};
+    for (int64_t i = span_ - degree(); i <= span_; ++i) {
+        const double x = eps * curve_->coordinate(i, k);
+        range = {std::min(range.lower, x), std::max(range.upper, x)};
+    }
+    return range;
+}
+
+// Bound of eps t |F'|, of which each control point counts by its steps to the next one. With weights F' is the sum of
+// q N_i (w_(i+1) (F_(i+1) - F) - w_i (F_i - F)) / (t_(i+q+1) - t_(i+1)), N_i those of degree q - 1, divided by the
+// weight, and F lies among the F_i; equal weights have the ratios 1 + 1, of which `even` are left out.
+double CurvePiece::eps_times_slope(int k, double even) const noexcept {
+    const KnotVector &axis = curve_->axis(0);
+    const int q = axis.degree();
+    const double t = std::max(std::fabs(lower()), std::fabs(upper()));
+    const Interval eps_range = eps_times_range(k);
+    double least = curve_->weight(span_), slope = 0;
+    for (int64_t i = span_ - q; i < span_; ++i) {
+        least = std::min(least, curve_->weight(i));
+    }
+    for (int64_t i = span_ - q; i < span_; ++i) {
+        const double length = axis[i + q + 1] - axis[i + 1];
+        const double ratios = curve_->weight(i) / least + curve_->weight(i + 1) / least - even;
+        const double eps_step = eps * curve_->coordinate(i + 1, k) - eps * curve_->coordinate(i, k);
+        const double way =
+            curve_->rational() ? ratios * (eps_range.upper - eps_range.lower) : std::fabs(eps_step);
+        slope = std::max(slope, q * way * (t / length));
+    }
+    return slope;
+}
+
+double CurvePiece::uncertainty_at(int k, double t) const noexcept {
+    const KnotVector &axis = curve_->axis(0);
+    const int q = axis.degree();
+    const bool stored =
+        q == 0 || (t == lower() && axis[span_ - q + 1] == t) || (t == upper() && axis[span_ + q] == t);
+    return stored ? rounding(k) : uncertainty(k);
+}
+
+namespace {
+
+// Bernstein coefficients whose signs count, and what their uncertainty is multiplied by.
+template <size_t kSize>
+struct SignNet {
+    std::array<double, kSize> values{};
+    std::array<double, kSize> weights{};
+};
+
+// Walks through the parts of a piece in the order of their parameters. `value` is the function itself.
+template <size_t kSize, class Value>
+class SignWalk {
+public:
+    SignWalk(int degree, bool weighted, double uncertainty, Value value)
+        : value_(value), uncertainty_(uncertainty), degree_(degree), weighted_(weighted) {}
+
+    SignProfile walk(SignNet<kSize> &net, Interval part) && {
+        visit(net, part.lower, part.upper);
+        return std::move(profile_);
+    }
+
+private:
+    using Net = SignNet<kSize>;
+
+    [[nodiscard]] int sign(const Net &net, size_t j) const noexcept {
+        const double x = net.values[j], known = weighted_ ? uncertainty_ * net.weights[j] : uncertainty_;
+        return std::fabs(x) <= known ? 0 : x > 0 ? 1 : -1;
+    }
+
+    void visit(Net &net, double lower, double upper) {
+        int first = 0, last = 0, changes = 0;
+        for (int j = 0; j <= degree_; ++j) {
+            const int own = sign(net, static_cast<size_t>(j));
+            changes += own * last < 0 ? 1 : 0;
+            last = own != 0 ? own : last;
+            first = first != 0 ? first : own;
+        }
+        const double middle = lower + (upper - lower) / 2;
+        if (changes > 1 && lower < middle && middle < upper) {
+            Net left = net;
+            halve(left.values, net.values);
+            if (weighted_) {
+                halve(left.weights, net.weights);
+            }
+            visit(left, lower, middle);
+            visit(net, middle, upper);
+        } else if (first != 0) {
+            add(first, last, lower, upper);
+        }
+    }
+
+    // de Casteljau in the middle: `left` becomes the lower half, `values` the upper one.
+    void halve(std::array<double, kSize> &left, std::array<double, kSize> &values) const noexcept {
+        for (int r = 0; r <= degree_; ++r) {
+            left[static_cast<size_t>(r)] = values[0];
+            for (int j = 0; j < degree_ - r; ++j) {
+                const auto at = static_cast<size_t>(j);
+                values[at] = values[at] / 2 + values[at + 1] / 2;
+            }
+            // The upper half stays behind, from its end backwards.
+        }
+    }
+
+    // A part that begins with one sign and ends with another one, or the same.
+    void add(int first, int last, double lower, double upper) {
+        if (before_ * first < 0) {
+            profile_.crossings.push_back(lower);
+        }
+        if (first != last) {
+            profile_.crossings.push_back(root(lower, upper, last));
+        }
+        before_ = last;
+        profile_.below = profile_.below || first < 0 || last < 0;
+        profile_.above = profile_.above || first > 0 || last > 0;
+    }
+
+    [[nodiscard]] double root(double lower, double upper, int last) const noexcept {
+        for (;;) {
+            const double middle = lower + (upper - lower) / 2;
+            const double value = value_(middle);
+            if (value == 0 || middle == lower || middle == upper) {
+                return middle;
+            }
+            ((value > 0) == (last > 0) ? upper : lower) = middle;
+        }
+    }
+
+    Value value_;
+    double uncertainty_;
+    int degree_;
+    bool weighted_;
+    int before_ = 0; // the last sign met
+    SignProfile profile_;
+};
+
+// Of coordinate k minus c over a part of the piece, of which these are the coefficients and weights.
+SignProfile profile_of(const CurvePiece &piece, int k, double c, double uncertainty,
+                       std::span<const double> values, std::span<const double> weights, Interval part) {
+    SignNet<max_basis> net;
+    for (size_t j = 0; j < values.size(); ++j) {
+        net.values[j] = values[j] - c;
+        if (!weights.empty()) {
+            net.values[j] *= weights[j];
+            net.weights[j] = weights[j];
+        }
+    }
+    const auto value = [&piece, k, c](double t) { return piece.value(k, t) - c; };
+    return SignWalk<max_basis, decltype(value)>(piece.degree(), !weights.empty(), uncertainty, value)
+        .walk(net, part);
+}
+
+// Whether no jump leads back.
+bool continues(const CurvePiece &before, const CurvePiece &piece, bool rising) noexcept {
+    const double from = before.coefficients(0).back(), to = piece.coefficients(0).front();
+    const double slack = std::max(before.uncertainty(0), piece.uncertainty(0));
+    return rising ? to >= from - slack : to <= from + slack;
+}
+
+} // namespace
+
+SignProfile sign_profile(const CurvePiece &piece, int k, double c) {
+    return profile_of(piece, k, c, piece.uncertainty(k), piece.coefficients(k), piece.weights(),
+                      {piece.lower(), piece.upper()});
+}
+
+bool lies_above(const CurvePiece &piece, int k, double c, Interval part) {
+    const double middle = piece.value(k, part.lower + (part.upper - part.lower) / 2);
+    if (std::fabs(middle - c) > piece.uncertainty(k)) {
+        return middle > c;
+    }
+    const Coefficients values = piece.coefficients_between(k, part.lower, part.upper);
+    const size_t size = piece.coefficients(k).size();
+    Coefficients weights{};
+    if (!piece.weights().empty()) {
+        weights = piece.weights_between(part.lower, part.upper);
+    }
+    for (const double uncertainty : {piece.uncertainty(k), piece.rounding(k)}) {
+        const SignProfile profile = profile_of(piece, k, c, uncertainty, std::span(values).first(size),
+                                               std::span(weights).first(piece.weights().size()), part);
+        if (profile.below || profile.above) {
+            return profile.below && profile.above ? middle >= c : profile.above;
+        }
+    }
+    return true;
+}
+
+namespace {
+
+// Signs of the derivative of a curve of dimension 1 with weights. From B_i' B_j - B_i B_j' = (i - j) B_i B_j / (t (1 -
+// t)) its numerator has the Bernstein coefficients sum over i + j = k + 1, i < j of (j - i) binomial(q, i) binomial(q,
+// j) / binomial(2 q - 2, k) w_i w_j (F_j - F_i), which no translation of the F_i changes.
+SignProfile quotient_slope(const CurvePiece &piece) {
+    constexpr size_t size = 2 * max_basis;
+    const std::span<const double> points = piece.coefficients(0), weights = piece.weights();
+    const int q = piece.degree(), degree = std::max(2 * q - 2, 0);
+    SignNet<size> net;
+    for (int i = 0; i <= q; ++i) {
+        for (int j = i + 1; j <= q; ++j) {
+            const auto a = static_cast<size_t>(i), b = static_cast<size_t>(j), k = a + b - 1;
+            const double size_of_term = (j - i) * (binomial(q, i) / binomial(degree, i + j - 1)) *
+                                        binomial(q, j) * weights[a] * weights[b];
+            net.values[k] += size_of_term * (points[b] - points[a]);
+            net.weights[k] += size_of_term;
+        }
+    }
+    const auto middle = [](double) { return 0.0; }; // zeros are not asked for
+    return SignWalk<size, decltype(middle)>(degree, true, 2 * piece.rounding(0), middle)
+        .walk(net, {piece.lower(), piece.upper()});
+}
+
+// check(signs of the derivative) on all pieces, until it says false.
+template <class Check>
+bool all_slopes(const SplinePtr &curve, Check check) {
+    const SplinePtr slope = curve->rational() ? curve : polynomial_derivative(curve, 0, 1);
+    const std::span<const int64_t> spans = slope->axis(0).spans().indices();
+    return std::all_of(spans.begin(), spans.end(), [&](int64_t span) {
+        const CurvePiece piece(*slope, span);
+        return check(curve->rational() ? quotient_slope(piece) : sign_profile(piece, 0, 0));
+    });
+}
+
+} // namespace
+
+bool strictly_monotone(const SplinePtr &curve) {
+    bool below = false, above = false;
+    const bool moving = all_slopes(curve, [&](const SignProfile &profile) {
+        below = below || profile.below;
+        above = above || profile.above;
+        return profile.below != profile.above;
+    });
+    if (!moving) {
+        return false;
+    }
+    const std::span<const int64_t> spans = curve->axis(0).spans().indices();
+    for (size_t i = 1; i < spans.size(); ++i) {
+        if (!continues(CurvePiece(*curve, spans[i - 1]), CurvePiece(*curve, spans[i]), above)) {
+            return false;
+        }
+    }
+    return below != above;
+}
+
+} // namespace nrb

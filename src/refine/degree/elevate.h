@@ -1,0 +1,17 @@
+// Degree elevation.
+#pragma once
+
+#include "refine/knots/axis_table.h"
+
+namespace nrb {
+
+// The axis with its degree raised, and the table for all stored layers. Throws Status::periodic_knots,
+// not_representable. Precondition: 0 < times <= max_degree - degree.
+AxisTable elevate_axis(const KnotVector &axis, int64_t times);
+
+// The same shape with the degree of an axis raised by `times`. The tables of the steps are composed and
+// applied once. Throws Status::times, degree beyond max_degree, periodic_knots,
+// not_representable, weights_vanish, overflow. Cost: linear in the number of points.
+SplinePtr elevate(const SplinePtr &spline, int axis, int64_t times);
+
+} // namespace nrb

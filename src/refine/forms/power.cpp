@@ -1,0 +1,203 @@
+#include "refine/forms/power.h"
+
+#include "base/finite.h"
+#include "base/representable.h"
+#include "numeric/binomial.h"
+#include "refine/parts/cut.h"
+#include "refine/forms/homogeneous.h"
+#include "spline/axis_view.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nrb {
+
+namespace {
+
+// The pieces along every axis and the layers of one: missing axes come first, with one of each.
+class PieceOrder {
+public:
+    PieceOrder(const std::vector<int> &degrees, const std::vector<std::vector<double>> &breaks) {
+        const size_t missing = max_axes - degrees.size();
+        for (size_t k = 0; k < degrees.size(); ++k) {
+            layers_[missing + k] = degrees[k] + 1;
+            pieces_[missing + k] = std::ssize(breaks[k]) - 1;
+        }
+    }
+
+    // Rows are the records along the last axis of one piece.
+    [[nodiscard]] int64_t row_length() const noexcept { return layers_[2]; }
+    [[nodiscard]] int64_t rows() const noexcept {
+        return pieces_[0] * pieces_[1] * pieces_[2] * layers_[0] * layers_[1];
+    }
+    // Which row of the whole net, where each axis has all its layers side by side, is row `row` in the order
+    // that has the pieces one after the other.
+    [[nodiscard]] int64_t place_in_net(int64_t row) const noexcept {
+        const int64_t j = row % layers_[1], i = row / layers_[1] % layers_[0];
+        int64_t piece = row / (layers_[0] * layers_[1]);
+        const int64_t last = piece % pieces_[2];
+        piece /= pieces_[2];
+        const int64_t layer = piece / pieces_[1] * layers_[0] + i;
+        return ((layer * pieces_[1] + piece % pieces_[1]) * layers_[1] + j) * pieces_[2] + last;
+    }
+
+private:
+    std::array<int64_t, max_axes> layers_{1, 1, 1};
+    std::array<int64_t, max_axes> pieces_{1, 1, 1};
+};
+
+std::vector<double> piece_after_piece(const PieceOrder &order, int width, std::span<const double> net) {
+    const int64_t size = order.row_length() * width;
+    std::vector<double> result;
+    result.reserve(net.size());
+    for (int64_t row = 0; row < order.rows(); ++row) {
+        const auto from = net.begin() + order.place_in_net(row) * size;
+        result.insert(result.end(), from, from + size);
+    }
+    return result;
+}
+
+std::vector<double> side_by_side(const PieceOrder &order, int width, const std::vector<double> &pieces) {
+    const int64_t size = order.row_length() * width;
+    std::vector<double> net;
+    net.reserve(pieces.size() + Spline::padding);
+    net.resize(pieces.size());
+    for (int64_t row = 0; row < order.rows(); ++row) {
+        std::copy_n(pieces.begin() + row * size, size, net.begin() + order.place_in_net(row) * size);
+    }
+    return net;
+}
+
+// h^k as fraction * 2^exponent: a power of short or long spans would leave the range of doubles before the
+// coefficients do.
+struct ScaledPower {
+    double fraction;
+    int exponent;
+};
+ScaledPower scaled_power(double h, int k) noexcept {
+    int exponent = 0;
+    const double m = std::frexp(h, &exponent);
+    double fraction = 1;
+    for (int i = 0; i < k; ++i) {
+        fraction *= m;
+    }
+    return {fraction, k * exponent};
+}
+
+// Layers of `inner` values.
+void differences(double *layers, int degree, int64_t inner) noexcept {
+    for (int r = 1; r <= degree; ++r) {
+        for (int64_t i = (degree + 1) * inner; i-- > r * inner;) {
+            layers[i] -= layers[i - inner];
+        }
+    }
+}
+
+void sums(double *layers, int degree, int64_t inner) noexcept {
+    for (int r = degree; r >= 1; --r) {
+        for (int64_t i = r * inner; i < (degree + 1) * inner; ++i) {
+            layers[i] += layers[i - inner];
+        }
+    }
+}
+
+void bezier_to_power(double *layers, int degree, int64_t inner, double h) noexcept {
+    differences(layers, degree, inner);
+    for (int k = 1; k <= degree; ++k) {
+        const auto [fraction, exponent] = scaled_power(h, k);
+        const double times = binomial(degree, k);
+        std::for_each_n(layers + k * inner, inner,
+                        [fraction = fraction, exponent = exponent, times](double &x) {
+                            x = std::ldexp(times * x / fraction, -exponent);
+                        });
+    }
+}
+
+void power_to_bezier(double *layers, int degree, int64_t inner, double h) noexcept {
+    for (int k = 1; k <= degree; ++k) {
+        const auto [fraction, exponent] = scaled_power(h, k);
+        const double parts = binomial(degree, k);
+        std::for_each_n(layers + k * inner, inner,
+                        [fraction = fraction, exponent = exponent, parts](double &x) {
+                            x = std::ldexp(x * fraction / parts, exponent);
+                        });
+    }
+    sums(layers, degree, inner);
+}
+
+// Applies one of the two above to every piece of a net along an axis.
+template <class Change>
+void along(std::vector<double> &net, const AxisView &view, int degree, const std::vector<double> &breaks,
+           Change change) {
+    const int64_t size = (degree + 1) * view.inner;
+    double *layers = net.data();
+    for (int64_t o = 0; o < view.outer; ++o) {
+        for (size_t e = 0; e + 1 < breaks.size(); ++e, layers += size) {
+            change(layers, degree, view.inner, breaks[e + 1] - breaks[e]);
+        }
+    }
+}
+
+template <class Change>
+void along_all(std::vector<double> &net, const PowerForm &form, Change change) {
+    int64_t outer = 1, inner = std::ssize(net);
+    for (size_t k = 0; k < form.degrees.size(); ++k) {
+        const int64_t count = (form.degrees[k] + 1) * (std::ssize(form.breaks[k]) - 1);
+        inner /= count;
+        along(net, {outer, count, inner}, form.degrees[k], form.breaks[k], change);
+        outer *= count;
+    }
+}
+
+// A polynomial spline of the records.
+SplinePtr of_records(const SplinePtr &spline) {
+    if (!spline->rational()) {
+        return spline;
+    }
+    std::vector<double> records = homogeneous_points(*spline);
+    require_representable(records, "homogeneous points");
+    return std::make_shared<const Spline>(spline->knot_vectors(), spline->width(), Form::polynomial,
+                                          std::move(records), std::vector<double>());
+}
+
+} // namespace
+
+PowerForm to_power(const SplinePtr &spline) {
+    const PartedSpline pieces = bezier_pieces(of_records(spline));
+    const Spline &whole = pieces.whole();
+    PowerForm form{{}, {}, spline->width(), {}};
+    for (int k = 0; k < whole.axes(); ++k) {
+        const KnotVector &axis = whole.axis(k);
+        form.degrees.push_back(axis.degree());
+        std::vector<double> &breaks = form.breaks.emplace_back();
+        for (int64_t i = 0; i < std::ssize(axis.knots()); i += axis.degree() + 1) {
+            breaks.push_back(axis[i]);
+        }
+    }
+    std::vector<double> net(whole.points().begin(), whole.points().end());
+    along_all(net, form, bezier_to_power);
+    form.coefficients = piece_after_piece({form.degrees, form.breaks}, form.width, net);
+    require_representable(form.coefficients, "coefficients");
+    return form;
+}
+
+SplinePtr from_power(PowerForm form, bool rational) {
+    std::vector<double> net = side_by_side({form.degrees, form.breaks}, form.width, form.coefficients);
+    const bool given = all_finite(net);
+    along_all(net, form, power_to_bezier);
+    if (given) { // else make_spline() names the value that is not
+        require_representable(net, "points");
+    }
+    Spline::Axes axes;
+    for (size_t k = 0; k < form.degrees.size(); ++k) {
+        std::vector<double> knots;
+        for (const double knot : form.breaks[k]) {
+            knots.insert(knots.end(), static_cast<size_t>(form.degrees[k]) + 1, knot);
+        }
+        axes.push_back(make_knot_vector(form.degrees[k], std::move(knots), false, static_cast<int>(k)));
+    }
+    return make_spline(std::move(axes), form.width - (rational ? 1 : 0),
+                       rational ? Form::homogeneous : Form::polynomial, std::move(net));
+}
+
+} // namespace nrb

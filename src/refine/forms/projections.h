@@ -1,0 +1,16 @@
+// Reflections and projections as the affine and projective maps they are.
+#pragma once
+
+#include "spline/spline.h"
+
+namespace nrb {
+
+// All arrays have the dimension of the spline. Throws Status::direction for a normal of 0, a direction
+// parallel to the plane, or an eye in the plane, each to within rounding; and what transform() throws.
+SplinePtr mirror(const Spline &spline, const double *point, const double *normal);
+// direction null: along the normal.
+SplinePtr project_to_plane(const Spline &spline, const double *point, const double *normal,
+                           const double *direction);
+SplinePtr project_from(const Spline &spline, const double *eye, const double *point, const double *normal);
+
+} // namespace nrb

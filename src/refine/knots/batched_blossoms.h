@@ -1,0 +1,71 @@
+// Rows of one polar form each, collected until many with as many steps can be made side by side.
+#pragma once
+
+#include "refine/knots/blossom_rows.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace nrb {
+
+class RowBatches {
+public:
+    static constexpr int64_t batch_rows = int64_t{8} * row_lanes;
+
+    // For up to `steps` steps.
+    explicit RowBatches(int steps) : batches_(static_cast<size_t>(steps) + 1) {}
+
+    // The steps + 1 coefficients of a row with `steps` > 0 arguments, see append_argument(); they stand at `row`
+    // when finish() returns. The knots are read at once.
+    void add(int steps, const double *left, const double *right, const double *arguments, double *row) {
+        Batch &batch = batches_[static_cast<size_t>(steps)];
+        if (batch.knots.empty()) {
+            open(batch, steps);
+        }
+        double *knots = batch.knots.data() + batch.size;
+        switch (steps) { // those of low degrees without loops
+        case 1:
+            fill<1>(1, left, right, arguments, knots);
+            break;
+        case 2:
+            fill<2>(2, left, right, arguments, knots);
+            break;
+        case 3:
+            fill<3>(3, left, right, arguments, knots);
+            break;
+        default:
+            fill<0>(steps, left, right, arguments, knots);
+        }
+        batch.rows[batch.size++] = row;
+        if (batch.size == batch_rows) {
+            make(batch, steps);
+        }
+    }
+
+    void finish();
+
+private:
+    struct Batch {
+        int64_t size = 0;
+        double *rows[batch_rows] = {};
+        std::vector<double> knots; // [left sides from the farthest on, right sides, arguments][batch_rows]
+    };
+
+    template <int kSteps>
+    static void fill(int steps, const double *left, const double *right, const double *arguments,
+                     double *knots) {
+        const int n = kSteps > 0 ? kSteps : steps;
+        for (int i = 0; i < n; ++i) {
+            knots[i * batch_rows] = left[i - n];
+            knots[(n + i) * batch_rows] = right[i];
+            knots[(2 * n + i) * batch_rows] = arguments[i];
+        }
+    }
+
+    static void open(Batch &batch, int steps);
+    static void make(Batch &batch, int steps);
+
+    std::vector<Batch> batches_;
+};
+
+} // namespace nrb

@@ -1,0 +1,43 @@
+#include "refine/knots/extraction.h"
+
+#include "basis/bspline.h"
+
+#include <algorithm>
+
+namespace nrb {
+
+void bezier_extraction(const double *knots, int degree, int64_t span, double *matrix) noexcept {
+    double starts[max_basis] = {1}; // coefficients at `count` times the start of the span
+    for (int count = 0; count <= degree; ++count) {
+        double column[max_basis];
+        std::copy_n(starts, count + 1, column);
+        for (int d = count + 1; d <= degree; ++d) {
+            raise_degree(knots, d, span, knots[span + 1], column);
+        }
+        for (int j = 0; j <= degree; ++j) {
+            matrix[j * (degree + 1) + degree - count] = column[j];
+        }
+        if (count < degree) {
+            raise_degree(knots, count + 1, span, knots[span], starts);
+        }
+    }
+}
+
+void bezier_extraction(const KnotVector &axis, double *matrices, int64_t *firsts, double *domains) {
+    const int64_t size = int64_t{axis.degree() + 1} * (axis.degree() + 1);
+    for (const int64_t span : axis.spans().indices()) {
+        if (matrices != nullptr) {
+            bezier_extraction(axis.knots().data(), axis.degree(), span, matrices);
+            matrices += size;
+        }
+        if (firsts != nullptr) {
+            *firsts++ = span - axis.degree();
+        }
+        if (domains != nullptr) {
+            *domains++ = axis[span];
+            *domains++ = axis[span + 1];
+        }
+    }
+}
+
+} // namespace nrb

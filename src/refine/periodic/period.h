@@ -1,0 +1,19 @@
+// The knots of a periodic axis beyond one period.
+#pragma once
+
+#include "basis/knot_vector.h"
+
+#include <vector>
+
+namespace nrb {
+
+// Overwrites the knots before knots[first] and behind knots[last], a period of `step` knots later, by copies
+// a period away from those that are known. Knots that are equal have equal copies, whatever the rounding.
+// Throws Status::not_representable when a knot overflows. Preconditions: first + step == last < knots.size().
+void continue_knots(std::vector<double> &knots, size_t first, size_t last, size_t step);
+
+// The stored knots with `lead` more on either side, made in the same way. Throws
+// Status::not_representable when a knot overflows. Precondition: the axis is periodic.
+std::vector<double> extended_knots(const KnotVector &axis, int64_t lead);
+
+} // namespace nrb

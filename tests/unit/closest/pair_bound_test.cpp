@@ -1,0 +1,155 @@
+#include "closest/pair/matched_bound.h"
+#include "closest/pair/pair_bound.h"
+
+#include "support/generators.h"
+
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <limits>
+
+using namespace nrb;
+using support::Random;
+
+namespace {
+
+// A Bezier spline near a place, bent by `size`.
+SplinePtr random_piece(Random &random, int axes, double height, double size, bool rational) {
+    Spline::Axes knots;
+    int64_t count = 1;
+    for (int k = 0; k < axes; ++k) {
+        const int degree = random.whole(1, 3);
+        std::vector<double> vector(static_cast<size_t>(degree) + 1, 0.0);
+        vector.insert(vector.end(), static_cast<size_t>(degree) + 1, 1.0);
+        knots.push_back(make_knot_vector(degree, vector));
+        count *= degree + 1;
+    }
+    std::vector<double> points, weights;
+    for (int64_t i = 0; i < count; ++i) {
+        int64_t rest = i;
+        double place[3] = {0, 0, height + size * random.between(-1, 1)};
+        for (int k = axes; k-- > 0;) {
+            const int64_t n = knots[static_cast<size_t>(k)]->count();
+            place[k] =
+                static_cast<double>(rest % n) / static_cast<double>(n - 1) + size * random.between(-1, 1);
+            rest /= n;
+        }
+        points.insert(points.end(), place, place + 3);
+        if (rational) {
+            weights.push_back(random.between(0.8, 1.25));
+        }
+    }
+    return make_spline(knots, 3, rational ? Form::rational : Form::polynomial, points, weights);
+}
+
+// The best of descents from all combinations of three places on each axis.
+PairPlace best_place(const PairPiece &a, const PairPiece &b) {
+    PairDescent descent;
+    PairPlace best;
+    best.distance = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < 81; ++i) {
+        PairPlace at;
+        at.a = {i % 3 / 2.0, i / 3 % 3 / 2.0, 0};
+        at.b = {i / 9 % 3 / 2.0, i / 27 / 2.0, 0};
+        descent.run(a, b, at);
+        if (at.distance < best.distance) {
+            best = at;
+        }
+    }
+    return best;
+}
+
+} // namespace
+
+// Never above the distance, and for pieces that are nearly flat close to it.
+TEST(PairBound, IsBelowTheDistanceAndNearIt) {
+    Random random(771);
+    PairBound bound;
+    for (int i = 0; i < 200; ++i) {
+        const double size = i % 2 == 0 ? 1e-4 : 0.2;
+        const SplinePtr f = random_piece(random, random.whole(1, 2), 0, size, random.chance(50));
+        const SplinePtr g =
+            random_piece(random, random.whole(1, 2), random.between(0.5, 1), size, random.chance(50));
+        const PairFrame frame = pair_frame(*f, *g);
+        const PairPiece a = pair_pieces(*f, frame)[0], b = pair_pieces(*g, frame)[0];
+        const PairPlace best = best_place(a, b);
+        const double lower = bound.lower(a, b, best, std::numeric_limits<double>::infinity());
+        EXPECT_LE(lower, best.distance);
+        EXPECT_GE(lower, best.distance - 8 * size);
+        EXPECT_LE(box_distance(a.lower(), b.lower(), 3), best.distance);
+    }
+}
+
+// Halves are parts of the whole, as far as rounding allows that they say.
+TEST(PairPiece, HalvesHaveThePointsOfTheWhole) {
+    Random random(772);
+    PieceJet whole_jet, half_jet;
+    for (int i = 0; i < 50; ++i) {
+        const SplinePtr f = random_piece(random, random.whole(1, 3), 0, 0.3, random.chance(50));
+        const PairPiece whole = pair_pieces(*f, pair_frame(*f, *f))[0];
+        PairPiece upper = whole;
+        for (int step = 0; step < 20; ++step) {
+            std::optional<PairPiece> lower = upper.halve();
+            ASSERT_TRUE(lower.has_value());
+            const PairPiece &half = random.chance(50) ? *lower : upper;
+            const Place place{random.unit(), random.unit(), random.unit()};
+            half_jet.evaluate(half, place, false);
+            whole_jet.evaluate(whole, whole.place(half.parameter(place)), false);
+            for (int c = 0; c < 3; ++c) {
+                EXPECT_NEAR(half_jet.value()[c], whole_jet.value()[c], half.moved() + 1e-14);
+                EXPECT_GE(half_jet.value()[c], half.lower()[c] - 1e-15);
+                EXPECT_LE(half_jet.value()[c], half.upper()[c] + 1e-15);
+            }
+            upper = half;
+        }
+    }
+}
+
+// Central differences of values, and of first derivatives.
+TEST(PieceJet, DerivativesAreLimitsOfDifferences) {
+    Random random(773);
+    PieceJet jet, more, less;
+    for (int i = 0; i < 30; ++i) {
+        const SplinePtr f = random_piece(random, random.whole(1, 3), 0, 0.4, random.chance(50));
+        const PairPiece piece = pair_pieces(*f, pair_frame(*f, *f))[0];
+        const Place at{random.between(0.1, 0.9), random.between(0.1, 0.9), random.between(0.1, 0.9)};
+        jet.evaluate(piece, at, true);
+        constexpr double h = 1e-5;
+        for (int k = 0; k < piece.axes(); ++k) {
+            Place high = at, low = at;
+            high[static_cast<size_t>(k)] += h;
+            low[static_cast<size_t>(k)] -= h;
+            more.evaluate(piece, high, true);
+            less.evaluate(piece, low, true);
+            for (int c = 0; c < 3; ++c) {
+                EXPECT_NEAR(jet.first(k)[c], (more.value()[c] - less.value()[c]) / (2 * h), 1e-8);
+                for (int l = 0; l < piece.axes(); ++l) {
+                    EXPECT_NEAR(jet.second(std::min(k, l), std::max(k, l))[c],
+                                (more.first(l)[c] - less.first(l)[c]) / (2 * h), 1e-7);
+                }
+            }
+        }
+    }
+}
+
+// No point of one piece is farther from the other one.
+TEST(MatchedBound, NoPointIsFarther) {
+    Random random(774);
+    MatchedBound bound;
+    PieceJet jet;
+    PairDescent descent;
+    for (int i = 0; i < 60; ++i) {
+        const SplinePtr f = random_piece(random, random.whole(1, 2), 0, 0.1, random.chance(50));
+        const SplinePtr g = random_piece(random, random.whole(1, 2), 0, 0.1, random.chance(50));
+        const PairFrame frame = pair_frame(*f, *g);
+        const PairPiece a = pair_pieces(*f, frame)[0], b = pair_pieces(*g, frame)[0];
+        const double upper = bound.upper(a, b, {0.5, 0.5, 0.5}, 0);
+        for (int k = 0; k < 20; ++k) {
+            jet.evaluate(a, {random.unit(), random.unit(), 0}, false);
+            const PairPiece point(jet.value(), 3);
+            PairPlace at = best_place(point, b);
+            EXPECT_LE(at.distance, upper);
+        }
+        EXPECT_LE(bound.upper(a, a, {0.5, 0.5, 0.5}, 0), 1e-11);
+    }
+}

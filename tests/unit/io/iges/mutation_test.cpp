@@ -1,0 +1,83 @@
+// No file makes the reader crash: every byte of a small file changed to telling values, and every byte left
+// out or doubled.
+#include "support/iges_reading.h"
+
+namespace {
+
+using namespace iges_test;
+
+// One of everything that the reader looks into.
+std::string everything() {
+    IgesBuilder builder;
+    builder.add(124, "1.,0.,0.,1.D1,0.,1.,0.,2.,0.,0.,1.,3.");
+    builder.add(406, "1,4Hname", {.form = 15});
+    builder.add(126, std::string(line_126) + ",0,1,3", {.transform = 1, .label = "LABEL", .subscript = 3});
+    builder.add(126, "2,2,0,0,0,0,0.,0.,0.,1.,1.,1.,1.,.5,1.,0.,0.,0.,1.,1.,0.,2.,0.,0.,.25,.75");
+    builder.add(128, "1,1,1,1,0,0,0,0,0,0.,0.,1.,1.,0.,0.,1.,1.,1.,1.,1.,2.,0.,0.,0.,1.,0.,0.,0.,1.,0.,1.,1.,"
+                     "0.,0.,1.,0.,1.");
+    builder.add(102, "1,7");
+    builder.add(142, "0,9,11,5,2");
+    builder.add(141, "1,3,9,1,5,1,1,7");
+    return builder.text();
+}
+
+// Whatever happens is a document or an Error; the notes and splines are those of the entities.
+bool reads_or_throws(const std::string &text) {
+    try {
+        const nrb::Document document = read(text, {.unit = 0.001});
+        return document.splines.size() + document.notes.size() <= 8;
+    } catch (const nrb::Error &error) {
+        return error.status() >= nrb::Status::format && error.status() <= nrb::Status::syntax &&
+               error.what()[0] != '\0';
+    }
+}
+
+TEST(IgesMutation, TheFileItselfIsGood) {
+    const nrb::Document document = read(everything());
+    EXPECT_EQ(document.splines.size(), 3U);
+    EXPECT_EQ(document.notes.size(), 3U); // the matrix and the name have been used
+    EXPECT_EQ(document.splines[0].name, "name");
+    EXPECT_EQ(document.splines[1].spline->dim(), 2);
+}
+
+TEST(IgesMutation, EveryByteChanged) {
+    const std::string original = everything();
+    const std::string values("\0\xff\n\r,;H09-+. D", 14);
+    for (size_t at = 0; at < original.size(); ++at) {
+        std::string text = original;
+        for (const char value : values) {
+            text[at] = value;
+            ASSERT_TRUE(reads_or_throws(text)) << "byte " << at << " = " << static_cast<int>(value);
+        }
+    }
+}
+
+TEST(IgesMutation, EveryBitFlipped) {
+    const std::string original = everything();
+    for (size_t at = 0; at < original.size(); ++at) {
+        std::string text = original;
+        for (int bit = 0; bit < 8; ++bit) {
+            text[at] = static_cast<char>(original[at] ^ (1 << bit));
+            ASSERT_TRUE(reads_or_throws(text)) << "byte " << at << " bit " << bit;
+        }
+    }
+}
+
+TEST(IgesMutation, EveryByteLeftOutOrDoubled) {
+    const std::string original = everything();
+    for (size_t at = 0; at < original.size(); ++at) {
+        ASSERT_TRUE(reads_or_throws(original.substr(0, at) + original.substr(at + 1)))
+            << "byte " << at << " left out";
+        ASSERT_TRUE(reads_or_throws(original.substr(0, at) + original.substr(at == 0 ? 0 : at - 1)))
+            << "byte " << at << " doubled";
+    }
+}
+
+TEST(IgesMutation, EveryTruncation) {
+    const std::string original = everything();
+    for (size_t length = 0; length < original.size(); ++length) {
+        ASSERT_TRUE(reads_or_throws(original.substr(0, length))) << "cut at " << length;
+    }
+}
+
+} // namespace
