@@ -20,12 +20,11 @@ Records optional_output(const char *name, double *data, int64_t count, int64_t w
 void check_highest(int32_t order, const double *grad_params) {
     check_order(order);
     if (order == NURBS_MAX_ORDER && grad_params != nullptr) {
-        fail(Status::order, "order = %d, expected at most %d with grad_params", order,
-             NURBS_MAX_ORDER - 1);
+        fail(Status::order, "order = %d, expected at most %d with grad_params", order, NURBS_MAX_ORDER - 1);
     }
 }
 
-void check_gradients(const Gradients &out, ConstRecords params, ConstRecords cotangents) {
+void check_gradients(const eval::Gradients &out, ConstRecords params, ConstRecords cotangents) {
     check_overlap("grad_points", out.points, "grad_weights", read_only(out.weights));
     check_overlap("grad_points", out.points, "grad_params", read_only(out.params));
     check_overlap("grad_weights", out.weights, "grad_params", read_only(out.params));
@@ -51,17 +50,20 @@ nurbs_status nurbs_eval_adjoint(const nurbs *g, int32_t order, int64_t n, const 
         const SplineBatch batch = spline_batch(g, n, params, param_stride, param_component_stride,
                                                flags & ~uint32_t{NURBS_ACCUMULATE});
         const Spline &spline = batch.spline;
-        const int64_t width = checked_product(slot_count(spline.axes(), order), spline.dim(), "cotangents");
+        const int64_t width =
+            checked_product(eval::slot_count(spline.axes(), order), spline.dim(), "cotangents");
         const ConstRecords in =
             input("cotangents", cotangents, n, width, cotangent_stride, cotangent_component_stride);
         const int64_t count = spline.point_count();
-        const Gradients out{optional_output("grad_points", grad_points, count, spline.dim(),
-                                            grad_point_stride, grad_point_component_stride),
-                            optional_output("grad_weights", grad_weights, count, 1, grad_weight_stride, 0),
-                            optional_output("grad_params", grad_params, n, spline.axes(), grad_param_stride,
-                                            grad_param_component_stride)};
+        const eval::Gradients out{
+            optional_output("grad_points", grad_points, count, spline.dim(), grad_point_stride,
+                            grad_point_component_stride),
+            optional_output("grad_weights", grad_weights, count, 1, grad_weight_stride, 0),
+            optional_output("grad_params", grad_params, n, spline.axes(), grad_param_stride,
+                            grad_param_component_stride)};
         check_gradients(out, batch.params, in);
         admit(batch);
-        evaluate_adjoint(spline, batch.rules, order, batch.params, in, (flags & NURBS_ACCUMULATE) != 0, out);
+        eval::evaluate_adjoint(spline, batch.rules, order, batch.params, in, (flags & NURBS_ACCUMULATE) != 0,
+                               out);
     });
 }

@@ -3,8 +3,6 @@
 #include "guard.h"
 #include "outputs.h"
 
-#include "base/tolerance.h"
-#include "build/placement.h"
 #include "analysis/contacts.h"
 #include "analysis/convexity.h"
 #include "analysis/features.h"
@@ -12,6 +10,8 @@
 #include "analysis/folds.h"
 #include "analysis/monotone.h"
 #include "analysis/singular.h"
+#include "base/tolerance.h"
+#include "build/placement.h"
 #include "spline/kind.h"
 
 #include <algorithm>
@@ -32,8 +32,7 @@ uint32_t checked_kinds(uint32_t kinds, int dim) {
         fail(Status::flags, "kinds = 0x%x, expected a sum of NURBS_FEATURE_ constants", kinds);
     }
     if (dim != 3 && (kinds & NURBS_FEATURE_TORSION) != 0) {
-        fail(Status::dimension, "kinds = 0x%x: NURBS_FEATURE_TORSION needs dimension 3, not %d", kinds,
-             dim);
+        fail(Status::dimension, "kinds = 0x%x: NURBS_FEATURE_TORSION needs dimension 3, not %d", kinds, dim);
     }
     return kinds;
 }
@@ -46,7 +45,7 @@ const double *checked_reference(const Spline &spline, const double *reference) {
     if (spline.axes() != 2 || spline.dim() != 3) {
         fail(Status::direction, "reference is for surfaces in space, expected NULL");
     }
-    check_direction(reference, 3, "reference");
+    build::check_direction(reference, 3, "reference");
     return reference;
 }
 
@@ -72,7 +71,7 @@ nurbs_status nurbs_curve_features(const nurbs *g, uint32_t kinds, int64_t cap, d
         check_dimension(curve, 2, 3);
         const uint32_t wanted = checked_kinds(kinds, curve.dim());
         check_length(cap, "cap");
-        const Features features = curve_features(curve, wanted);
+        const analysis::Features features = analysis::curve_features(curve, wanted);
         const int64_t filled = checked_cap(cap, std::ssize(features.list));
         check_apart({memory("params", params, filled), memory("found", found, filled),
                      memory("values", values, filled), memory("count", count, 1),
@@ -93,9 +92,9 @@ nurbs_status nurbs_curve_monotone_pieces(const nurbs *g, const double *direction
     return guard([&] {
         const Spline &curve = curve_of(g);
         require(direction, "direction");
-        check_direction(direction, curve.dim(), "direction");
+        build::check_direction(direction, curve.dim(), "direction");
         check_length(cap, "cap");
-        const MonotonePieces found = monotone_pieces(curve, direction);
+        const analysis::MonotonePieces found = analysis::monotone_pieces(curve, direction);
         const int64_t filled = checked_cap(cap, std::ssize(found.pieces));
         check_apart({memory("starts", starts, filled), memory("signs", signs, filled),
                      memory("count", count, 1), memory("complete", complete, 1)},
@@ -114,7 +113,7 @@ nurbs_status nurbs_curve_convexity(const nurbs *g, int32_t *result) {
         const Spline &curve = curve_of(g);
         check_dimension(curve, 2, 2);
         require(result, "convexity");
-        *result = convexity(curve);
+        *result = analysis::convexity(curve);
     });
 }
 
@@ -126,7 +125,7 @@ nurbs_status nurbs_straightness(const nurbs *g, double *origin, double *directio
         check_apart(
             {memory("origin", origin, dim), memory("direction", direction, dim), memory("bound", bound, 1)},
             {});
-        const Flatness found = straightness(spline);
+        const analysis::Flatness found = analysis::straightness(spline);
         put_all(origin, found.origin);
         put_all(direction, found.direction);
         *bound = found.bound;
@@ -140,7 +139,7 @@ nurbs_status nurbs_planarity(const nurbs *g, double *origin, double *normal, dou
         require(bound, "bound");
         check_apart({memory("origin", origin, 3), memory("normal", normal, 3), memory("bound", bound, 1)},
                     {});
-        const Flatness found = planarity(spline);
+        const analysis::Flatness found = analysis::planarity(spline);
         put_all(origin, found.origin);
         put_all(normal, found.direction);
         *bound = found.bound;
@@ -156,7 +155,7 @@ nurbs_status nurbs_boundary_contacts(const nurbs *g, double tolerance, int32_t *
         check_apart({memory("closed", closed, axes), memory("gaps", gaps, axes),
                      memory("collapsed", collapsed, 2 * axes), memory("sizes", sizes, 2 * axes)},
                     {});
-        const Contacts found = boundary_contacts(spline, tolerance);
+        const analysis::Contacts found = analysis::boundary_contacts(spline, tolerance);
         for (size_t k = 0; k < found.axes.size(); ++k) {
             put(closed, k, int32_t{found.axes[k].closed});
             put(gaps, k, found.axes[k].gap);
@@ -177,7 +176,7 @@ nurbs_status nurbs_singular_points(const nurbs *g, double tolerance, int64_t cap
         }
         check_positive_tolerance(tolerance);
         check_length(cap, "cap");
-        const SingularPlaces found = singular_places(spline, tolerance);
+        const analysis::SingularPlaces found = analysis::singular_places(spline, tolerance);
         const int64_t filled = checked_cap(cap, std::ssize(found.places));
         const auto axes = static_cast<size_t>(spline.axes());
         check_apart({memory("params", params, filled * spline.axes()),
@@ -206,7 +205,7 @@ nurbs_status nurbs_fold_test(const nurbs *g, const double *reference, int32_t *r
         check_apart({memory("result", result, 1), memory("positive", positive, spline.axes()),
                      memory("negative", negative, spline.axes())},
                     {memory("reference", reference, reference == nullptr ? 0 : 3)});
-        const FoldTest test = fold_test(spline, direction);
+        const analysis::FoldTest test = analysis::fold_test(spline, direction);
         *result = test.result;
         put_place(test.positive, spline.axes(), positive);
         put_place(test.negative, spline.axes(), negative);

@@ -41,7 +41,7 @@ nurbs_status nurbs_find_spans(int32_t degree, int64_t count, const double *knots
         check_spans_overlap(spans, n, "params", batch.params);
         check_spans_overlap(spans, n, "knots", input("knots", knots, knot_count, 0));
         admit(batch);
-        find_spans(*batch.axis, batch.rule, batch.params, spans);
+        eval::find_spans(*batch.axis, batch.rule, batch.params, spans);
     });
 }
 
@@ -56,7 +56,7 @@ nurbs_status nurbs_bernstein(int32_t degree, int32_t order, int64_t n, const dou
         const int64_t width = int64_t{order + 1} * (degree + 1);
         const Records out = output("values", values, n, width, value_stride, value_component_stride);
         check_overlap("values", out, "params", in);
-        bernstein_polynomials(degree, order, in, out);
+        eval::bernstein_polynomials(degree, order, in, out);
     });
 }
 
@@ -78,7 +78,7 @@ nurbs_status nurbs_basis(int32_t degree, int64_t count, const double *knots, int
             check_spans_overlap(spans, n, "values", read_only(out));
         }
         admit(batch);
-        basis_functions(*batch.axis, batch.rule, order, batch.params, spans, out);
+        eval::basis_functions(*batch.axis, batch.rule, order, batch.params, spans, out);
     });
 }
 
@@ -95,6 +95,6 @@ nurbs_status nurbs_rational_basis(const nurbs *g, int64_t n, const double *param
             check_spans_overlap(spans, n * batch.spline.axes(), "values", read_only(out));
         }
         admit(batch);
-        rational_basis(batch.spline, batch.rules, batch.params, spans, out);
+        eval::rational_basis(batch.spline, batch.rules, batch.params, spans, out);
     });
 }

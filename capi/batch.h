@@ -11,7 +11,7 @@ namespace nrb::capi {
 
 struct SplineBatch {
     const Spline &spline;
-    AxisRules rules;
+    eval::AxisRules rules;
     ConstRecords params;
 };
 
@@ -19,13 +19,13 @@ struct SplineBatch {
 inline SplineBatch spline_batch(const ::nurbs *g, int64_t n, const double *params, int64_t stride,
                                 int64_t component_stride, uint32_t flags) {
     const Spline &spline = spline_of(g);
-    const AxisRules rules = decode_rules(flags, spline.axes());
+    const eval::AxisRules rules = decode_rules(flags, spline.axes());
     check_length(n, "n");
     return {spline, rules, input("params", params, n, spline.axes(), stride, component_stride)};
 }
 
 inline void admit(const SplineBatch &batch) {
-    check_parameters(batch.spline, batch.rules, batch.params);
+    eval::check_parameters(batch.spline, batch.rules, batch.params);
 }
 
 // The parameters of a grid, axis by axis, with the caller's arrays.
@@ -65,18 +65,18 @@ void check_overlap(const char *name, RecordView<Value> out, const Grid &grid) {
                   grid.axes * static_cast<int64_t>(sizeof *grid.counts));
 }
 
-inline void admit(const Spline &spline, const AxisRules &rules, const Grid &grid) {
+inline void admit(const Spline &spline, const eval::AxisRules &rules, const Grid &grid) {
     int64_t first = 0;
     for (int k = 0; k < spline.axes(); ++k) {
         const auto at = static_cast<size_t>(k);
-        check_axis_parameters(spline.axis(k), rules[at], grid.params[at], first);
+        eval::check_axis_parameters(spline.axis(k), rules[at], grid.params[at], first);
         first += grid.params[at].count;
     }
 }
 
 struct KnotBatch {
     KnotVectorPtr axis;
-    AxisRule rule;
+    eval::AxisRule rule;
     ConstRecords params;
 };
 
@@ -88,13 +88,13 @@ inline KnotBatch knot_batch(int32_t degree, int64_t count, const double *knots, 
     require(knots, "knots");
     checked_array(knot_count, "knots");
     KnotVectorPtr axis = make_knot_vector(degree, std::vector<double>(knots, knots + knot_count));
-    const AxisRule rule = decode_rules(flags, 1)[0];
+    const eval::AxisRule rule = decode_rules(flags, 1)[0];
     check_length(n, "n");
     return {std::move(axis), rule, input("params", params, n, stride)};
 }
 
 inline void admit(const KnotBatch &batch) {
-    check_axis_parameters(*batch.axis, batch.rule, batch.params, 0);
+    eval::check_axis_parameters(*batch.axis, batch.rule, batch.params, 0);
 }
 
 } // namespace nrb::capi

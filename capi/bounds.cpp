@@ -22,7 +22,7 @@ void check_surface_in_space(const Spline &spline) {
     check_dimension(spline, 3, 3);
 }
 
-void put_cone(const Cone &cone, double *direction, double *angle) {
+void put_cone(const bounds::Cone &cone, double *direction, double *angle) {
     put_all(direction, cone.direction);
     put(angle, cone.angle);
 }
@@ -40,7 +40,7 @@ nurbs_status nurbs_box(const nurbs *g, const double *range, double tolerance, do
         check_apart({memory("lower", lower, spline.dim()), memory("upper", upper, spline.dim()),
                      memory("gap", gap, 1)},
                     {memory("range", range, 2 * int64_t{spline.axes()})});
-        const Box box = bounding_box(spline, part, tolerance);
+        const bounds::Box box = bounds::bounding_box(spline, part, tolerance);
         put_all(lower, box.lower);
         put_all(upper, box.upper);
         put(gap, box.gap);
@@ -58,7 +58,7 @@ nurbs_status nurbs_oriented_box(const nurbs *g, double tolerance, double *center
         const int64_t dim = spline.dim();
         check_apart(
             {memory("center", center, dim), memory("axes", axes, dim * dim), memory("half", half, dim)}, {});
-        const OrientedBox box = oriented_box(spline, tolerance);
+        const bounds::OrientedBox box = bounds::oriented_box(spline, tolerance);
         put_all(center, box.center);
         put_all(axes, box.axes);
         put_all(half, box.half);
@@ -76,7 +76,7 @@ nurbs_status nurbs_tangent_cone(const nurbs *g, int32_t axis, const double *rang
         require(angle, "angle");
         check_apart({memory("direction", direction, spline.dim()), memory("angle", angle, 1)},
                     {memory("range", range, 2 * int64_t{spline.axes()})});
-        put_cone(tangent_cone(spline, axis, part, tolerance), direction, angle);
+        put_cone(bounds::tangent_cone(spline, axis, part, tolerance), direction, angle);
     });
 }
 
@@ -91,7 +91,7 @@ nurbs_status nurbs_normal_cone(const nurbs *g, const double *range, double toler
         require(angle, "angle");
         check_apart({memory("direction", direction, 3), memory("angle", angle, 1)},
                     {memory("range", range, 4)});
-        put_cone(normal_cone(spline, part, tolerance), direction, angle);
+        put_cone(bounds::normal_cone(spline, part, tolerance), direction, angle);
     });
 }
 
@@ -100,13 +100,13 @@ nurbs_status nurbs_extreme_point(const nurbs *g, const double *direction, const 
     return guard([&] {
         const Spline &spline = spline_of(g);
         require(direction, "direction");
-        check_direction(direction, spline.dim(), "direction");
+        build::check_direction(direction, spline.dim(), "direction");
         const Part part = checked_part(spline, range);
         check_tolerance(tolerance);
         const int64_t axes = spline.axes();
         check_apart({memory("params", params, axes), memory("value", value, 1), memory("bound", bound, 1)},
                     {memory("direction", direction, spline.dim()), memory("range", range, 2 * axes)});
-        const ExtremePoint point = extreme_point(spline, direction, part, tolerance);
+        const bounds::ExtremePoint point = bounds::extreme_point(spline, direction, part, tolerance);
         put_all(params, std::span(point.params).first(static_cast<size_t>(axes)));
         put(value, point.value);
         put(bound, point.bound);

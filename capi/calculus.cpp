@@ -5,12 +5,12 @@
 
 #include "eval/parameters.h"
 #include "refine/algebra/antiderivative.h"
-#include "refine/knots/blossom.h"
 #include "refine/algebra/compose.h"
 #include "refine/algebra/derivative.h"
 #include "refine/algebra/product.h"
 #include "refine/algebra/quotient_rule.h"
 #include "refine/algebra/sum.h"
+#include "refine/knots/blossom.h"
 
 #include <array>
 #include <cmath>
@@ -31,36 +31,35 @@ int64_t degree_total(const Spline &spline) noexcept {
 void check_finite(const double *values, int64_t n, const char *name) {
     for (int64_t i = 0; i < n; ++i) {
         if (!std::isfinite(values[i])) {
-            fail(Status::parameter_not_finite, "%s[%lld] = %s is not finite", name,
-                 static_cast<long long>(i), Number(values[i]).text);
+            fail(Status::parameter_not_finite, "%s[%lld] = %s is not finite", name, static_cast<long long>(i),
+                 Number(values[i]).text);
         }
     }
 }
 
 // The spans in which the parameters lie.
 std::array<int64_t, max_axes> spans_at(const Spline &spline, const double *params, uint32_t flags) {
-    const AxisRules rules = decode_rules(flags, spline.axes());
+    const eval::AxisRules rules = decode_rules(flags, spline.axes());
     std::array<int64_t, max_axes> spans{};
     for (size_t k = 0; k < static_cast<size_t>(spline.axes()); ++k) {
         if (rules[k].nan) {
-            fail(Status::flags, "flags = 0x%x: NURBS_NAN has no meaning for the choice of a piece",
-                 flags);
+            fail(Status::flags, "flags = 0x%x: NURBS_NAN has no meaning for the choice of a piece", flags);
         }
         const KnotVector &axis = spline.axis(static_cast<int>(k));
-        check_axis_parameters(axis, rules[k], {params + k, 1}, static_cast<int64_t>(k));
-        spans[k] = axis.find_span(place(params[k], rules[k], axis.domain()), rules[k].left);
+        eval::check_axis_parameters(axis, rules[k], {params + k, 1}, static_cast<int64_t>(k));
+        spans[k] = axis.find_span(eval::place(params[k], rules[k], axis.domain()), rules[k].left);
     }
     return spans;
 }
 
-ProductKind kind_of(uint32_t flags) {
+refine::ProductKind kind_of(uint32_t flags) {
     if ((flags & ~(NURBS_PRODUCT_DOT | NURBS_PRODUCT_CROSS)) != 0 ||
         flags == (NURBS_PRODUCT_DOT | NURBS_PRODUCT_CROSS)) {
         fail(Status::flags, "flags = 0x%x, expected NURBS_PRODUCT_DOT, NURBS_PRODUCT_CROSS or 0", flags);
     }
-    return flags == NURBS_PRODUCT_DOT     ? ProductKind::dot
-           : flags == NURBS_PRODUCT_CROSS ? ProductKind::cross
-                                          : ProductKind::components;
+    return flags == NURBS_PRODUCT_DOT     ? refine::ProductKind::dot
+           : flags == NURBS_PRODUCT_CROSS ? refine::ProductKind::cross
+                                          : refine::ProductKind::components;
 }
 
 } // namespace
@@ -79,7 +78,7 @@ nurbs_status nurbs_blossom(const nurbs *g, const double *params, int64_t count, 
         check_finite(args, count, "args");
         check_apart({memory("values", values, spline.width())},
                     {memory("params", params, spline.axes()), memory("args", args, count)});
-        blossom(spline, spans.data(), {args, static_cast<size_t>(count)}, values);
+        refine::blossom(spline, spans.data(), {args, static_cast<size_t>(count)}, values);
     });
 }
 
@@ -88,8 +87,8 @@ nurbs_status nurbs_derivative(const nurbs *g, int32_t axis, int32_t order, nurbs
         require_out(out);
         check_axis(spline_of(g), axis);
         check_order(order);
-        give(order > 0 && g->spline->rational() ? rational_derivative(*g->spline, axis, order)
-                                                : polynomial_derivative(g->spline, axis, order),
+        give(order > 0 && g->spline->rational() ? refine::rational_derivative(*g->spline, axis, order)
+                                                : refine::polynomial_derivative(g->spline, axis, order),
              out);
     });
 }
@@ -98,7 +97,7 @@ nurbs_status nurbs_antiderivative(const nurbs *g, int32_t axis, nurbs **out) {
     return guard([&] {
         require_out(out);
         check_axis(spline_of(g), axis);
-        give(antiderivative(*g->spline, axis), out);
+        give(refine::antiderivative(*g->spline, axis), out);
     });
 }
 
@@ -107,7 +106,7 @@ nurbs_status nurbs_product(const nurbs *a, const nurbs *b, uint32_t flags, nurbs
         require_out(out);
         require(a, "a");
         require(b, "b");
-        give(product(*a->spline, *b->spline, kind_of(flags)), out);
+        give(refine::product(*a->spline, *b->spline, kind_of(flags)), out);
     });
 }
 
@@ -116,7 +115,7 @@ nurbs_status nurbs_compose(const nurbs *g, const nurbs *f, nurbs **out) {
         require_out(out);
         require(g, "g");
         require(f, "f");
-        give(compose(g->spline, f->spline), out);
+        give(refine::compose(g->spline, f->spline), out);
     });
 }
 
@@ -127,6 +126,6 @@ nurbs_status nurbs_sum(const nurbs *a, double alpha, const nurbs *b, double beta
         require(b, "b");
         check_factor(alpha, "alpha");
         check_factor(beta, "beta");
-        give(sum(a->spline, alpha, b->spline, beta), out);
+        give(refine::sum(a->spline, alpha, b->spline, beta), out);
     });
 }

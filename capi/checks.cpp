@@ -53,16 +53,15 @@ void check_factor(double factor, const char *name) {
 
 void check_place(double t, Interval domain, const char *name, int axis) {
     if (!std::isfinite(t)) {
-        fail(Status::parameter_not_finite, "%s = %s on axis %d is not finite", name, Number(t).text,
-             axis);
+        fail(Status::parameter_not_finite, "%s = %s on axis %d is not finite", name, Number(t).text, axis);
     }
     if (t < domain.lower || t > domain.upper) {
-        fail(Status::outside_domain, "%s = %s outside [%s, %s], the domain of axis %d", name,
-             Number(t).text, Number(domain.lower).text, Number(domain.upper).text, axis);
+        fail(Status::outside_domain, "%s = %s outside [%s, %s], the domain of axis %d", name, Number(t).text,
+             Number(domain.lower).text, Number(domain.upper).text, axis);
     }
 }
 
-AxisEnds decode_ends(uint32_t flags, uint32_t others, const char *name) {
+refine::AxisEnds decode_ends(uint32_t flags, uint32_t others, const char *name) {
     constexpr uint32_t start = NURBS_FORM_CLAMPED_START, end = NURBS_FORM_CLAMPED_END;
     if ((flags & ~(start | end | others)) != 0) {
         fail(Status::flags,
@@ -111,8 +110,7 @@ void check_size(int64_t n, int64_t expected, const char *name) {
 namespace {
 
 [[noreturn]] void fail_stride(const char *name, const char *which, int64_t stride, const char *expected) {
-    fail(Status::stride, "%s: %s = %lld, expected %s", name, which, static_cast<long long>(stride),
-         expected);
+    fail(Status::stride, "%s: %s = %lld, expected %s", name, which, static_cast<long long>(stride), expected);
 }
 
 // Components share no place if the records are apart (stride covers a record) or the components are (a

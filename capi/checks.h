@@ -42,7 +42,7 @@ void check_factor(double factor, const char *name);
 void check_place(double t, Interval domain, const char *name, int axis);
 // The ends that NURBS_FORM_CLAMPED_START and NURBS_FORM_CLAMPED_END name; throws NURBS_ERROR_FLAGS for flags that are
 // neither these nor `others`, which the message calls `name`.
-AxisEnds decode_ends(uint32_t flags, uint32_t others = 0, const char *name = "");
+refine::AxisEnds decode_ends(uint32_t flags, uint32_t others = 0, const char *name = "");
 // Whether an end is the upper one; throws NURBS_ERROR_END for a value that is none.
 bool upper_end(int32_t end, const char *name);
 // n >= 0, else NURBS_ERROR_COUNT.

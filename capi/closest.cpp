@@ -86,7 +86,7 @@ public:
     void status(int32_t *data) noexcept { out_.status = data; }
 
     // No output touches another one, the points, the guesses if there are any, or one more input.
-    const FeetOutputs &checked(const Memory &more, const ConstRecords &guesses = {}) const {
+    const closest::FeetOutputs &checked(const Memory &more, const ConstRecords &guesses = {}) const {
         const Named<Records> outputs[] = {
             {"params", out_.params}, {"feet", out_.feet}, {"distances", out_.distances}};
         const Named<ConstRecords> inputs[] = {{"points", batch_.points}, {"guesses", guesses}};
@@ -121,18 +121,19 @@ private:
     }
 
     const PointBatch &batch_;
-    FeetOutputs out_;
+    closest::FeetOutputs out_;
 };
 
 void extremal_points(const PointBatch &batch, const double *range, double tolerance, int64_t budget,
                      bool farthest, const FeetArrays &arrays) {
     check_tolerance(tolerance);
     const Part part = checked_part(batch.spline, range);
-    const Query query{nullptr, range == nullptr ? nullptr : part.data(), tolerance,
-                      checked_budget(budget, default_budget), farthest};
-    const FeetOutputs &out = arrays.checked(memory("range", range, 2 * int64_t{batch.spline.axes()}));
+    const closest::Query query{nullptr, range == nullptr ? nullptr : part.data(), tolerance,
+                               checked_budget(budget, default_budget), farthest};
+    const closest::FeetOutputs &out =
+        arrays.checked(memory("range", range, 2 * int64_t{batch.spline.axes()}));
     batch.admit();
-    closest_points(batch.spline, batch.points, query, out);
+    closest::closest_points(batch.spline, batch.points, query, out);
 }
 
 // A query at one point.
@@ -146,12 +147,12 @@ struct PointQuery {
         query = {point, range == nullptr ? nullptr : part.data(), tolerance,
                  checked_budget(budget, default_budget)};
     }
-    [[nodiscard]] const Locator &locator() const { return locator_of(spline); }
+    [[nodiscard]] const closest::Locator &locator() const { return closest::locator_of(spline); }
 
     const Spline &spline;
     const double *range;
     Part part;
-    Query query{};
+    closest::Query query{};
 };
 
 struct CriticalOutputs {
@@ -166,7 +167,7 @@ struct CriticalOutputs {
         check_length(cap, "cap");
         check_finite("point", {query.query.point, 1, query.spline.dim(), query.spline.dim(), 1});
     }
-    void write(const PointQuery &query, const CriticalSet &found) const {
+    void write(const PointQuery &query, const closest::CriticalSet &found) const {
         const int64_t filled = checked_cap(cap, std::ssize(found.points)), dim = query.spline.dim();
         const auto axes = static_cast<size_t>(query.spline.axes());
         check_apart({memory("params", params, filled * query.spline.axes()),
@@ -175,7 +176,7 @@ struct CriticalOutputs {
                     {memory("point", query.query.point, dim),
                      memory("range", query.range, 2 * int64_t{query.spline.axes()})});
         for (size_t i = 0; std::cmp_less(i, filled); ++i) {
-            const CriticalPoint &one = found.points[i];
+            const closest::CriticalPoint &one = found.points[i];
             for (size_t k = 0; k < axes; ++k) {
                 put(params, i * axes + k, one.foot.params[k]);
             }
@@ -243,10 +244,10 @@ nurbs_status nurbs_closest_local(const nurbs *g, int64_t n, const double *points
         arrays.feet(feet, foot_stride, foot_component_stride);
         arrays.distances(distances, distance_stride);
         arrays.status(status);
-        const FeetOutputs &out = arrays.checked(memory("guesses", guesses, 0), starts);
+        const closest::FeetOutputs &out = arrays.checked(memory("guesses", guesses, 0), starts);
         check_guesses(batch.spline, starts);
         batch.admit();
-        closest_local(batch.spline, batch.points, starts, out);
+        closest::closest_local(batch.spline, batch.points, starts, out);
     });
 }
 
@@ -288,9 +289,9 @@ nurbs_status nurbs_curve_signed_distances(const nurbs *g, int64_t n, const doubl
         arrays.distances(distances, distance_stride);
         arrays.status(status);
         check_tolerance(tolerance);
-        const Query query{nullptr, nullptr, tolerance, checked_budget(budget, default_budget)};
-        const FeetOutputs &out = arrays.checked(memory("points", points, 0));
+        const closest::Query query{nullptr, nullptr, tolerance, checked_budget(budget, default_budget)};
+        const closest::FeetOutputs &out = arrays.checked(memory("points", points, 0));
         batch.admit();
-        signed_distances(batch.spline, batch.points, query, out);
+        closest::signed_distances(batch.spline, batch.points, query, out);
     });
 }

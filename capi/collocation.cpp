@@ -13,8 +13,8 @@ using namespace nrb::capi;
 
 namespace {
 
-Orders checked_orders(const int32_t *orders, int axes) {
-    Orders result{};
+eval::Orders checked_orders(const int32_t *orders, int axes) {
+    eval::Orders result{};
     int64_t total = 0;
     for (int k = 0; k < axes && orders != nullptr; ++k) {
         if (orders[k] < 0 || orders[k] > NURBS_MAX_ORDER) {
@@ -53,19 +53,19 @@ nurbs_status nurbs_collocation(int32_t axes, const int32_t *degrees, const int64
                                int64_t *entries, uint32_t flags) {
     return guard([&] {
         const Spline::Axes vectors = checked_axes(axes, degrees, counts, knots, knot_count);
-        const AxisRules rules = decode_rules(flags, axes);
-        const Orders derivative = checked_orders(orders, axes);
+        const eval::AxisRules rules = decode_rules(flags, axes);
+        const eval::Orders derivative = checked_orders(orders, axes);
         check_length(n, "n");
         const ConstRecords in = input("params", params, n, axes, param_stride, param_component_stride);
-        const int64_t total = checked_product(n, row_length(vectors), "entries");
+        const int64_t total = checked_product(n, eval::row_length(vectors), "entries");
         const SparseArrays arrays(cap, values, columns, row_pointers, entries);
-        const SparseRows rows =
+        const eval::SparseRows rows =
             arrays.check(n, total,
                          {memory("params", params, in.extent()), memory("knots", knots, knot_count),
                           memory("degrees", degrees, axes), memory("counts", counts, axes),
                           memory("orders", orders, axes)});
-        check_parameters(vectors, rules, in);
-        collocation(vectors, rules, derivative, in, rows);
+        eval::check_parameters(vectors, rules, in);
+        eval::collocation(vectors, rules, derivative, in, rows);
         arrays.finish(total);
     });
 }
@@ -78,14 +78,14 @@ nurbs_status nurbs_rational_collocation(const nurbs *g, const int32_t *orders, i
     return guard([&] {
         const SplineBatch batch = spline_batch(g, n, params, param_stride, param_component_stride, flags);
         const Spline &spline = batch.spline;
-        const Orders derivative = checked_orders(orders, spline.axes());
-        const int64_t total = checked_product(n, row_length(spline.knot_vectors()), "entries");
+        const eval::Orders derivative = checked_orders(orders, spline.axes());
+        const int64_t total = checked_product(n, eval::row_length(spline.knot_vectors()), "entries");
         const SparseArrays arrays(cap, values, columns, row_pointers, entries);
-        const SparseRows rows = arrays.check(
+        const eval::SparseRows rows = arrays.check(
             n, total,
             {memory("params", params, batch.params.extent()), memory("orders", orders, spline.axes())});
         admit(batch);
-        rational_collocation(spline, batch.rules, derivative, batch.params, rows);
+        eval::rational_collocation(spline, batch.rules, derivative, batch.params, rows);
         arrays.finish(total);
     });
 }
@@ -105,7 +105,7 @@ nurbs_status nurbs_bezier_extraction(const nurbs *g, int32_t axis, int64_t cap, 
                      memory("count", count, 1)},
                     {});
         if (filled > 0) {
-            bezier_extraction(knots, operators, firsts, domains);
+            refine::bezier_extraction(knots, operators, firsts, domains);
         }
         *count = spans;
     });

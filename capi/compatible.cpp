@@ -15,7 +15,7 @@ nurbs_status nurbs_snap_knots(const nurbs *g, int32_t axis, double tolerance, do
     return guard([&] {
         require_out(out);
         check_axis(spline_of(g), axis);
-        Snapped snapped = snap_knots(g->spline, axis, tolerance);
+        reduce::Snapped snapped = reduce::snap_knots(g->spline, axis, tolerance);
         give(std::move(snapped.spline), out);
         put(deviation, snapped.deviation);
     });
@@ -29,7 +29,7 @@ nurbs_status nurbs_make_compatible(int64_t count, const nurbs *const *splines, d
         if ((flags & ~NURBS_MAP_DOMAINS) != 0) {
             fail(Status::flags, "flags = 0x%x, expected NURBS_MAP_DOMAINS or 0", flags);
         }
-        Compatible made = make_compatible(given, tolerance, flags != 0);
+        reduce::Compatible made = reduce::make_compatible(given, tolerance, flags != 0);
         give_list(std::move(made.splines), out);
         put(deviation, made.deviation);
     });

@@ -21,15 +21,15 @@ void check_plane_dimension(int32_t dim) {
     }
 }
 
-Coordinates point_of(const double *point, int32_t dim, const char *name) {
+build::Coordinates point_of(const double *point, int32_t dim, const char *name) {
     require(point, name);
-    check_point(point, dim, name);
+    build::check_point(point, dim, name);
     return {point, static_cast<size_t>(dim)};
 }
 
-Coordinates direction_of(const double *direction, int32_t dim, const char *name) {
+build::Coordinates direction_of(const double *direction, int32_t dim, const char *name) {
     require(direction, name);
-    check_direction(direction, dim, name);
+    build::check_direction(direction, dim, name);
     return {direction, static_cast<size_t>(dim)};
 }
 
@@ -40,9 +40,9 @@ nurbs_status nurbs_curve_arc_through(int32_t dim, const double *a, const double 
     return guard([&] {
         require_out(out);
         check_plane_dimension(dim);
-        const Coordinates start = point_of(a, dim, "a");
-        const Coordinates between = point_of(b, dim, "b");
-        give(arc_through(start, between, point_of(c, dim, "c"), form), out);
+        const build::Coordinates start = point_of(a, dim, "a");
+        const build::Coordinates between = point_of(b, dim, "b");
+        give(build::arc_through(start, between, point_of(c, dim, "c"), form), out);
     });
 }
 
@@ -51,9 +51,9 @@ nurbs_status nurbs_curve_arc_tangent(int32_t dim, const double *a, const double 
     return guard([&] {
         require_out(out);
         check_plane_dimension(dim);
-        const Coordinates start = point_of(a, dim, "a");
-        const Coordinates direction = direction_of(tangent, dim, "tangent");
-        give(arc_tangent(start, direction, point_of(b, dim, "b"), form), out);
+        const build::Coordinates start = point_of(a, dim, "a");
+        const build::Coordinates direction = direction_of(tangent, dim, "tangent");
+        give(build::arc_tangent(start, direction, point_of(b, dim, "b"), form), out);
     });
 }
 
@@ -65,7 +65,7 @@ nurbs_status nurbs_curve_conic_triangle(int32_t dim, const double *p0, const dou
         point_of(p0, dim, "p0");
         point_of(p1, dim, "p1");
         point_of(p2, dim, "p2");
-        give(conic_by_shape_factor(dim, p0, p1, p2, shape_factor), out);
+        give(build::conic_by_shape_factor(dim, p0, p1, p2, shape_factor), out);
     });
 }
 
@@ -74,9 +74,9 @@ nurbs_status nurbs_curve_conic_shoulder(int32_t dim, const double *a, const doub
     return guard([&] {
         require_out(out);
         check_plane_dimension(dim);
-        const Coordinates start = point_of(a, dim, "a"), end = point_of(b, dim, "b");
-        const Coordinates leaving = direction_of(tangent_a, dim, "tangent_a");
-        give(conic_shoulder(start, leaving, end, direction_of(tangent_b, dim, "tangent_b"), rho), out);
+        const build::Coordinates start = point_of(a, dim, "a"), end = point_of(b, dim, "b");
+        const build::Coordinates leaving = direction_of(tangent_a, dim, "tangent_a");
+        give(build::conic_shoulder(start, leaving, end, direction_of(tangent_b, dim, "tangent_b"), rho), out);
     });
 }
 
@@ -86,10 +86,10 @@ nurbs_status nurbs_curve_conic_point(int32_t dim, const double *a, const double 
     return guard([&] {
         require_out(out);
         check_plane_dimension(dim);
-        const Coordinates start = point_of(a, dim, "a"), end = point_of(b, dim, "b");
-        const Coordinates leaving = direction_of(tangent_a, dim, "tangent_a");
-        const Coordinates arriving = direction_of(tangent_b, dim, "tangent_b");
-        give(conic_point(start, leaving, end, arriving, point_of(point, dim, "point"), form), out);
+        const build::Coordinates start = point_of(a, dim, "a"), end = point_of(b, dim, "b");
+        const build::Coordinates leaving = direction_of(tangent_a, dim, "tangent_a");
+        const build::Coordinates arriving = direction_of(tangent_b, dim, "tangent_b");
+        give(build::conic_point(start, leaving, end, arriving, point_of(point, dim, "point"), form), out);
     });
 }
 
@@ -104,9 +104,9 @@ nurbs_status nurbs_curve_conic_through(int32_t dim, const double *points, int64_
         for (int64_t i = 0; i < 5; ++i) {
             const std::array<char, 10> name = {'p', 'o', 'i', 'n', 't', 's', '[', static_cast<char>('0' + i),
                                                ']', 0};
-            check_point(all.data() + i * dim, dim, name.data());
+            build::check_point(all.data() + i * dim, dim, name.data());
         }
-        give(conic_through({all.data(), 5 * static_cast<size_t>(dim)}, dim, form), out);
+        give(build::conic_through({all.data(), 5 * static_cast<size_t>(dim)}, dim, form), out);
     });
 }
 
@@ -115,7 +115,7 @@ nurbs_status nurbs_curve_conic_implicit(const double *coefficients, double start
     return guard([&] {
         require_out(out);
         require(coefficients, "coefficients");
-        give(implicit_conic(coefficients, start, end, form), out);
+        give(build::implicit_conic(coefficients, start, end, form), out);
     });
 }
 
@@ -126,7 +126,8 @@ nurbs_status nurbs_curve_conic_focus(int32_t dim, const double *focus, const dou
         require_out(out);
         require(focus, "focus");
         require(foot, "foot");
-        give(conic_focus(focal_frame(dim, focus, axis, foot), eccentricity, make_turn(start, sweep), form),
+        give(build::conic_focus(build::focal_frame(dim, focus, axis, foot), eccentricity,
+                                build::make_turn(start, sweep), form),
              out);
     });
 }

@@ -34,8 +34,8 @@ void check_kind(const GivenConstraints &given, int64_t i) {
     const int axes = given.spline.axes(), dim = given.spline.dim();
     const auto place = static_cast<long long>(i);
     if (kind < NURBS_CONSTRAIN_VALUE || kind > NURBS_CONSTRAIN_CURVATURE) {
-        fail(Status::constraint, "kinds[%lld] = %d, expected one of the NURBS_CONSTRAIN_ constants",
-             place, kind);
+        fail(Status::constraint, "kinds[%lld] = %d, expected one of the NURBS_CONSTRAIN_ constants", place,
+             kind);
     }
     if (kind == NURBS_CONSTRAIN_CURVATURE && axes != 1) {
         fail(Status::axes, "kinds[%lld] = NURBS_CONSTRAIN_CURVATURE is for curves, g has %d axes", place,
@@ -48,10 +48,10 @@ void check_kind(const GivenConstraints &given, int64_t i) {
     }
 }
 
-Orders checked_orders(const GivenConstraints &given, int64_t i) {
+eval::Orders checked_orders(const GivenConstraints &given, int64_t i) {
     const int32_t kind = given.kind(i);
     const int axes = given.spline.axes();
-    Orders orders{};
+    eval::Orders orders{};
     if (given.orders == nullptr) {
         orders[0] = kind == NURBS_CONSTRAIN_DIRECTION && axes == 1 ? 1 : 0;
         return orders;
@@ -60,8 +60,8 @@ Orders checked_orders(const GivenConstraints &given, int64_t i) {
     for (int k = 0; k < axes; ++k) {
         const int32_t order = given.orders[i * axes + k];
         if (order < 0 || order > (free ? NURBS_MAX_ORDER : 0)) {
-            fail(Status::order, "orders[%lld][%d] = %d, expected 0%s", static_cast<long long>(i), k,
-                 order, free ? " to NURBS_MAX_ORDER" : " for this kind");
+            fail(Status::order, "orders[%lld][%d] = %d, expected 0%s", static_cast<long long>(i), k, order,
+                 free ? " to NURBS_MAX_ORDER" : " for this kind");
         }
         orders[static_cast<size_t>(k)] = order;
     }
@@ -73,8 +73,8 @@ void check_target(const GivenConstraints &given, int64_t i, const double *target
     const double *const bad =
         std::find_if_not(target, target + dim, [](double x) { return std::isfinite(x); });
     if (bad != target + dim) {
-        fail(Status::point_not_finite, "targets[%lld][%lld] = %s is not finite",
-             static_cast<long long>(i), static_cast<long long>(bad - target), Number(*bad).text);
+        fail(Status::point_not_finite, "targets[%lld][%lld] = %s is not finite", static_cast<long long>(i),
+             static_cast<long long>(bad - target), Number(*bad).text);
     }
     const int32_t kind = given.kind(i);
     const bool direction = kind == NURBS_CONSTRAIN_DIRECTION || kind == NURBS_CONSTRAIN_NORMAL;
@@ -83,10 +83,10 @@ void check_target(const GivenConstraints &given, int64_t i, const double *target
     }
 }
 
-std::vector<Condition> checked_conditions(const GivenConstraints &given) {
+std::vector<modify::Condition> checked_conditions(const GivenConstraints &given) {
     const int axes = given.spline.axes(), dim = given.spline.dim();
-    check_parameters(given.spline, {}, {given.params, given.count, axes, axes, 1});
-    std::vector<Condition> conditions;
+    eval::check_parameters(given.spline, {}, {given.params, given.count, axes, axes, 1});
+    std::vector<modify::Condition> conditions;
     for (int64_t i = 0; i < given.count; ++i) {
         const double *const target = given.targets + i * dim;
         check_kind(given, i);
@@ -131,9 +131,10 @@ nurbs_status nurbs_constrain(const nurbs *g, int64_t count, const int32_t *kinds
         check_costs(spline, costs, "costs");
         check_costs(spline, weight_costs, "weight_costs");
         check_tolerance(tolerance);
-        const std::vector<Condition> conditions =
+        const std::vector<modify::Condition> conditions =
             checked_conditions({spline, count, kinds, orders, params, targets});
-        Constrained made = constrain(spline, conditions, {keep, costs, weight_costs}, tolerance);
+        modify::Constrained made =
+            modify::constrain(spline, conditions, {keep, costs, weight_costs}, tolerance);
         give(std::move(made.spline), out);
         put_all(residuals, made.residuals);
         put(rank, made.rank);

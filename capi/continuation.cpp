@@ -4,8 +4,8 @@
 #include "outputs.h"
 
 #include "reduce/periodic_form.h"
-#include "refine/parts/continuation.h"
 #include "refine/forms/homogeneous.h"
+#include "refine/parts/continuation.h"
 
 using namespace nrb;
 using namespace nrb::capi;
@@ -17,7 +17,7 @@ nurbs_status nurbs_extend(const nurbs *g, int32_t axis, int32_t end, double amou
         check_axis(spline_of(g), axis);
         const bool upper = upper_end(end, "end");
         check_order(order);
-        give(extend(g->spline, axis, upper, amount, order), out);
+        give(refine::extend(g->spline, axis, upper, amount, order), out);
     });
 }
 
@@ -25,9 +25,11 @@ nurbs_status nurbs_unclamp(const nurbs *g, int32_t axis, uint32_t flags, nurbs *
     return guard([&] {
         require_out(out);
         check_axis(spline_of(g), axis);
-        const AxisEnds ends = decode_ends(flags, NURBS_HOMOGENEOUS, "NURBS_HOMOGENEOUS");
+        const refine::AxisEnds ends = decode_ends(flags, NURBS_HOMOGENEOUS, "NURBS_HOMOGENEOUS");
         const bool homogeneous = (flags & NURBS_HOMOGENEOUS) != 0 && g->spline->rational();
-        give(unclamp(homogeneous ? in_form(g->spline, Form::homogeneous) : g->spline, axis, ends), out);
+        give(refine::unclamp(homogeneous ? refine::in_form(g->spline, Form::homogeneous) : g->spline, axis,
+                             ends),
+             out);
     });
 }
 
@@ -36,7 +38,7 @@ nurbs_status nurbs_make_periodic(const nurbs *g, int32_t axis, double tolerance,
     return guard([&] {
         require_out(out);
         check_axis(spline_of(g), axis);
-        PeriodicForm form = make_periodic(g->spline, axis, tolerance);
+        reduce::PeriodicForm form = reduce::make_periodic(g->spline, axis, tolerance);
         give(std::move(form.spline), out);
         put(deviation, form.deviation);
         put(order, int32_t{form.order});
@@ -47,6 +49,6 @@ nurbs_status nurbs_detect_periodic(const nurbs *g, int32_t axis, int32_t *period
     return guard([&] {
         require(periodic, "periodic");
         check_axis(spline_of(g), axis);
-        *periodic = wraps(*g->spline, axis) ? 1 : 0;
+        *periodic = reduce::wraps(*g->spline, axis) ? 1 : 0;
     });
 }

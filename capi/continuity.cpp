@@ -3,8 +3,8 @@
 #include "guard.h"
 #include "outputs.h"
 
-#include "base/tolerance.h"
 #include "analysis/continuity.h"
+#include "base/tolerance.h"
 
 #include <utility>
 
@@ -13,7 +13,7 @@ using namespace nrb::capi;
 
 namespace {
 
-ContinuityRule checked_rule(double position, double derivative, double angle) {
+analysis::ContinuityRule checked_rule(double position, double derivative, double angle) {
     const struct {
         const char *name;
         double value;
@@ -33,9 +33,10 @@ nurbs_status nurbs_continuity(const nurbs *g, int32_t axis, double position_tole
                               double *position_gaps, double *angles, double *curvature_gaps, int64_t *count) {
     return guard([&] {
         check_axis(spline_of(g), axis);
-        const ContinuityRule rule = checked_rule(position_tolerance, derivative_tolerance, angle_tolerance);
+        const analysis::ContinuityRule rule =
+            checked_rule(position_tolerance, derivative_tolerance, angle_tolerance);
         check_length(cap, "cap");
-        const std::vector<KnotContinuity> rows = continuity(g->spline, axis, rule);
+        const std::vector<analysis::KnotContinuity> rows = analysis::continuity(g->spline, axis, rule);
         const int64_t filled = checked_cap(cap, std::ssize(rows));
         check_apart({memory("knots", knots, filled), memory("knot_orders", knot_orders, filled),
                      memory("orders", orders, filled), memory("geometric_orders", geometric_orders, filled),
@@ -63,8 +64,10 @@ nurbs_status nurbs_continuity_between(const nurbs *a, int32_t end_a, const nurbs
         require(a, "a");
         require(b, "b");
         const bool upper_a = upper_end(end_a, "end_a"), upper_b = upper_end(end_b, "end_b");
-        const ContinuityRule rule = checked_rule(position_tolerance, derivative_tolerance, angle_tolerance);
-        const Continuity found = continuity_between(*a->spline, upper_a, *b->spline, upper_b, rule);
+        const analysis::ContinuityRule rule =
+            checked_rule(position_tolerance, derivative_tolerance, angle_tolerance);
+        const analysis::Continuity found =
+            analysis::continuity_between(*a->spline, upper_a, *b->spline, upper_b, rule);
         put(order, int32_t{found.order});
         put(geometric, int32_t{found.geometric});
         put(position_gap, found.position_gap);

@@ -19,14 +19,14 @@ std::vector<SplinePtr> splines_at(const nurbs *const *handles, int64_t count, co
     return handles == nullptr ? std::vector<SplinePtr>() : splines_of(count, handles, name);
 }
 
-PatchCurves curves_of(const nurbs *const *boundaries, const nurbs *const *cross) {
+build::PatchCurves curves_of(const nurbs *const *boundaries, const nurbs *const *cross) {
     require(boundaries, "boundaries");
-    return make_patch_curves(splines_at(boundaries, 4, "boundaries"), splines_at(cross, 4, "cross"));
+    return build::make_patch_curves(splines_at(boundaries, 4, "boundaries"), splines_at(cross, 4, "cross"));
 }
 
 void check_twists_given(const double *twists, int32_t dim) {
     require(twists, "twists");
-    for (int64_t i = 0; i < corner_count * int64_t{dim}; ++i) {
+    for (int64_t i = 0; i < build::corner_count * int64_t{dim}; ++i) {
         if (!std::isfinite(twists[i])) {
             fail(Status::point_not_finite, "twists[%lld][%lld] = %s is not finite",
                  static_cast<long long>(i / dim), static_cast<long long>(i % dim), Number(twists[i]).text);
@@ -39,8 +39,7 @@ void check_rule(int32_t twist, const double *twists, bool has_cross, int32_t dim
         fail(Status::twist_rule, "twist = %d, expected one of the NURBS_TWIST_ constants", twist);
     }
     if (!has_cross && (twist == NURBS_TWIST_COMPATIBLE || twist == NURBS_TWIST_AVERAGE)) {
-        fail(Status::twist_rule, "twist = %d takes the twists of cross tangents, but cross is NULL",
-             twist);
+        fail(Status::twist_rule, "twist = %d takes the twists of cross tangents, but cross is NULL", twist);
     }
     if (twist == NURBS_TWIST_GIVEN) {
         check_twists_given(twists, dim);
@@ -54,8 +53,8 @@ void check_rule(int32_t twist, const double *twists, bool has_cross, int32_t dim
 nurbs_status nurbs_boundaries(const nurbs *g, nurbs_list **out) {
     return guard([&] {
         require_out(out);
-        std::vector<SplinePtr> boundaries = boundaries_of(spline_of(g));
-        Document document;
+        std::vector<SplinePtr> boundaries = build::boundaries_of(spline_of(g));
+        model::Document document;
         for (size_t i = 0; i < boundaries.size(); ++i) {
             document.splines.push_back(
                 {std::to_string(i / 2) + (i % 2 == 0 ? "-" : "+"), std::move(boundaries[i])});
@@ -68,7 +67,7 @@ nurbs_status nurbs_surface_coons(const nurbs *const *boundaries, double toleranc
     return guard([&] {
         require_out(out);
         check_tolerance(tolerance);
-        give(surface_coons(curves_of(boundaries, nullptr), tolerance), out);
+        give(build::surface_coons(curves_of(boundaries, nullptr), tolerance), out);
     });
 }
 
@@ -78,10 +77,10 @@ nurbs_status nurbs_surface_coons_hermite(const nurbs *const *boundaries, const n
     return guard([&] {
         require_out(out);
         check_tolerance(tolerance);
-        const PatchCurves curves = curves_of(boundaries, cross);
+        const build::PatchCurves curves = curves_of(boundaries, cross);
         check_rule(twist, twists, cross != nullptr, curves.dim());
         check_apart({memory("bound", bound, 1)}, {memory("twists", twists, 4 * int64_t{curves.dim()})});
-        HermitePatch made = surface_coons_hermite(curves, {twist, twists}, tolerance);
+        build::HermitePatch made = build::surface_coons_hermite(curves, {twist, twists}, tolerance);
         give(std::move(made.surface), out);
         if (bound != nullptr) {
             *bound = made.twist_gap;
@@ -96,8 +95,8 @@ nurbs_status nurbs_coons_gaps(const nurbs *const *boundaries, const nurbs *const
         check_apart(
             {memory("positions", positions, 4), memory("tangents", tangents, 8), memory("twists", twists, 4)},
             {});
-        const CornerGaps gaps = corner_gaps(curves_of(boundaries, cross));
-        for (size_t i = 0; i < corner_count; ++i) {
+        const build::CornerGaps gaps = build::corner_gaps(curves_of(boundaries, cross));
+        for (size_t i = 0; i < build::corner_count; ++i) {
             positions[i] = gaps.positions[i];
             for (size_t k = 0; k < 2 && tangents != nullptr; ++k) {
                 tangents[2 * i + k] = gaps.tangents[i][k];
@@ -114,6 +113,6 @@ nurbs_status nurbs_volume_coons(const nurbs *const *faces, double tolerance, nur
         require_out(out);
         check_tolerance(tolerance);
         require(faces, "faces");
-        give(volume_coons(splines_of(6, faces, "faces"), tolerance), out);
+        give(build::volume_coons(splines_of(6, faces, "faces"), tolerance), out);
     });
 }

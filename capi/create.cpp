@@ -79,8 +79,8 @@ int64_t check_distinct_knots(const AxisData &axis, const double *distinct, const
                  Number(distinct[i]).text);
         }
         if (i > 0 && distinct[i] <= distinct[i - 1]) {
-            fail(Status::knots_decreasing, "distinct_knots[%lld] = %s, expected more than %s before it",
-                 at, Number(distinct[i]).text, Number(distinct[i - 1]).text);
+            fail(Status::knots_decreasing, "distinct_knots[%lld] = %s, expected more than %s before it", at,
+                 Number(distinct[i]).text, Number(distinct[i - 1]).text);
         }
         total += multiplicities[i];
     }

@@ -28,11 +28,11 @@ nurbs_status nurbs_curve_line(int32_t dim, const double *a, const double *b, nur
         check_dimension(dim);
         require(a, "a");
         require(b, "b");
-        check_point(a, dim, "a");
-        check_point(b, dim, "b");
+        build::check_point(a, dim, "a");
+        build::check_point(b, dim, "b");
         std::vector<double> points(a, a + dim);
         points.insert(points.end(), b, b + dim);
-        give(polyline(dim, std::move(points), {0, 1}), out);
+        give(build::polyline(dim, std::move(points), {0, 1}), out);
     });
 }
 
@@ -47,7 +47,7 @@ nurbs_status nurbs_curve_polyline(int64_t n, int32_t dim, const double *points, 
         std::vector<double> places =
             params == nullptr ? counted(n) : packed(input("params", params, n, param_stride));
         places.resize(static_cast<size_t>(n));
-        give(polyline(dim, packed(corners), std::move(places)), out);
+        give(build::polyline(dim, packed(corners), std::move(places)), out);
     });
 }
 
@@ -55,7 +55,8 @@ nurbs_status nurbs_curve_polygon(int32_t dim, const double *center, const double
                                  double radius, int64_t sides, nurbs **out) {
     return guard([&] {
         require_out(out);
-        give(regular_polygon(make_placement(dim, center, axis, x, "center"), radius, sides), out);
+        give(build::regular_polygon(build::make_placement(dim, center, axis, x, "center"), radius, sides),
+             out);
     });
 }
 
@@ -64,8 +65,8 @@ nurbs_status nurbs_curve_rounded_rectangle(int32_t dim, const double *center, co
                                            nurbs **out) {
     return guard([&] {
         require_out(out);
-        const Placement place = make_placement(dim, center, axis, x, "center");
-        give(rounded_rectangle(place, width, height, corner_radius), out);
+        const build::Placement place = build::make_placement(dim, center, axis, x, "center");
+        give(build::rounded_rectangle(place, width, height, corner_radius), out);
     });
 }
 
@@ -73,9 +74,9 @@ nurbs_status nurbs_curve_circle(int32_t dim, const double *center, const double 
                                 double radius, int32_t form, nurbs **out) {
     return guard([&] {
         require_out(out);
-        const Placement place = make_placement(dim, center, axis, x, "center");
-        check_positive_length(radius, "radius");
-        give(ellipse(place, radius, radius, full_turn(), form), out);
+        const build::Placement place = build::make_placement(dim, center, axis, x, "center");
+        build::check_positive_length(radius, "radius");
+        give(build::ellipse(place, radius, radius, build::full_turn(), form), out);
     });
 }
 
@@ -83,9 +84,9 @@ nurbs_status nurbs_curve_arc(int32_t dim, const double *center, const double *ax
                              double radius, double start, double sweep, int32_t form, nurbs **out) {
     return guard([&] {
         require_out(out);
-        const Placement place = make_placement(dim, center, axis, x, "center");
-        check_positive_length(radius, "radius");
-        give(ellipse(place, radius, radius, make_turn(start, sweep), form), out);
+        const build::Placement place = build::make_placement(dim, center, axis, x, "center");
+        build::check_positive_length(radius, "radius");
+        give(build::ellipse(place, radius, radius, build::make_turn(start, sweep), form), out);
     });
 }
 
@@ -94,10 +95,10 @@ nurbs_status nurbs_curve_ellipse(int32_t dim, const double *center, const double
                                  nurbs **out) {
     return guard([&] {
         require_out(out);
-        const Placement place = make_placement(dim, center, axis, x, "center");
-        check_positive_length(radius_x, "radius_x");
-        check_positive_length(radius_y, "radius_y");
-        give(ellipse(place, radius_x, radius_y, make_turn(start, sweep), form), out);
+        const build::Placement place = build::make_placement(dim, center, axis, x, "center");
+        build::check_positive_length(radius_x, "radius_x");
+        build::check_positive_length(radius_y, "radius_y");
+        give(build::ellipse(place, radius_x, radius_y, build::make_turn(start, sweep), form), out);
     });
 }
 
@@ -105,7 +106,8 @@ nurbs_status nurbs_curve_parabola(int32_t dim, const double *vertex, const doubl
                                   double focal_length, double start, double end, nurbs **out) {
     return guard([&] {
         require_out(out);
-        give(parabola(make_placement(dim, vertex, axis, x, "vertex"), focal_length, start, end), out);
+        give(build::parabola(build::make_placement(dim, vertex, axis, x, "vertex"), focal_length, start, end),
+             out);
     });
 }
 
@@ -113,7 +115,9 @@ nurbs_status nurbs_curve_hyperbola(int32_t dim, const double *center, const doub
                                    double radius_x, double radius_y, double start, double end, nurbs **out) {
     return guard([&] {
         require_out(out);
-        give(hyperbola(make_placement(dim, center, axis, x, "center"), radius_x, radius_y, start, end), out);
+        give(build::hyperbola(build::make_placement(dim, center, axis, x, "center"), radius_x, radius_y,
+                              start, end),
+             out);
     });
 }
 
@@ -122,8 +126,8 @@ nurbs_status nurbs_curve_helix(int32_t dim, const double *origin, const double *
                                double tolerance, double *error, nurbs **out) {
     return guard([&] {
         require_out(out);
-        const Placement place = make_placement(dim, origin, axis, x, "origin");
-        HelixCurve made = helix(place, {radius, growth, pitch, start, turns}, tolerance);
+        const build::Placement place = build::make_placement(dim, origin, axis, x, "origin");
+        build::HelixCurve made = build::helix(place, {radius, growth, pitch, start, turns}, tolerance);
         give(std::move(made.spline), out);
         put(error, made.error);
     });

@@ -24,12 +24,12 @@ namespace {
 
 void check_vector(const double *direction, const Spline &spline, const char *name) {
     require(direction, name);
-    check_direction(direction, spline.dim(), name);
+    build::check_direction(direction, spline.dim(), name);
 }
 
 void check_place_in_space(const double *point, const Spline &spline, const char *name) {
     require(point, name);
-    check_point(point, spline.dim(), name);
+    build::check_point(point, spline.dim(), name);
 }
 
 void check_order_in(int32_t order, int32_t least, int32_t most) {
@@ -38,7 +38,7 @@ void check_order_in(int32_t order, int32_t least, int32_t most) {
     }
 }
 
-void give_deformed(DeformedShape shape, double *deviation, int32_t *proven, ::nurbs **out) {
+void give_deformed(modify::DeformedShape shape, double *deviation, int32_t *proven, ::nurbs **out) {
     give(std::move(shape.spline), out);
     put(deviation, shape.deviation);
     put(proven, int32_t{shape.proven ? 1 : 0});
@@ -56,7 +56,7 @@ nurbs_status nurbs_warp(const nurbs *g, const double *range, const double *direc
             fail(Status::length, "distance = %s is not finite", Number(distance).text);
         }
         check_order_in(order, 0, 7);
-        give(warp(g->spline, part, direction, distance, order), out);
+        give(modify::warp(g->spline, part, direction, distance, order), out);
     });
 }
 
@@ -70,7 +70,7 @@ nurbs_status nurbs_flatten(const nurbs *g, const double *range, const double *po
         if (direction != nullptr) {
             check_vector(direction, *g->spline, "direction");
         }
-        Flattened made = flatten(g->spline, part, point, normal, direction);
+        modify::Flattened made = modify::flatten(g->spline, part, point, normal, direction);
         give(std::move(made.spline), out);
         put(moved, made.moved);
     });
@@ -94,8 +94,9 @@ nurbs_status nurbs_bend(const nurbs *g, const double *origin, const double *alon
                  Number(upper).text);
         }
         check_positive_tolerance(tolerance);
-        const Bend rule = make_bend(spline.dim(), origin, along, across, curvature, lower, upper);
-        give_deformed(bend(g->spline, rule, tolerance), deviation, proven, out);
+        const modify::Bend rule =
+            modify::make_bend(spline.dim(), origin, along, across, curvature, lower, upper);
+        give_deformed(modify::bend(g->spline, rule, tolerance), deviation, proven, out);
     });
 }
 
@@ -120,8 +121,8 @@ nurbs_status nurbs_free_form_deform(const nurbs *g, const nurbs *volume, const d
             }
         }
         check_positive_tolerance(tolerance);
-        give_deformed(free_form_deform(g->spline, volume->spline, lower, upper, tolerance), deviation, proven,
-                      out);
+        give_deformed(modify::free_form_deform(g->spline, volume->spline, lower, upper, tolerance), deviation,
+                      proven, out);
     });
 }
 
@@ -135,7 +136,7 @@ nurbs_status nurbs_fair(const nurbs *g, int32_t order, const int32_t *keep, doub
         check_tolerance(tolerance);
         check_apart({memory("energies", energies, 2), memory("bound", bound, 1)},
                     {memory("keep", keep, int64_t{2} * spline.axes())});
-        Faired made = fair(g->spline, order, keep, tolerance);
+        modify::Faired made = modify::fair(g->spline, order, keep, tolerance);
         const std::array found{made.energy_before, made.energy_after};
         if (energies != nullptr) {
             require_representable(found, "energies");
@@ -154,16 +155,16 @@ nurbs_status nurbs_snap_boundary(const nurbs *g, int32_t axis, int32_t end, cons
         check_axis(spline_of(g), axis);
         require(other, "other");
         check_axis(*other->spline, other_axis);
-        const Boundary boundary{axis, upper_end(end, "end")};
-        const Boundary other_boundary{other_axis, upper_end(other_end, "other_end")};
+        const modify::Boundary boundary{axis, upper_end(end, "end")};
+        const modify::Boundary other_boundary{other_axis, upper_end(other_end, "other_end")};
         check_order_in(order, 0, 1);
         const bool curve = g->spline->axes() == 1;
         if ((flags & ~(curve ? 0 : NURBS_REVERSED)) != 0) {
             fail(Status::flags, "flags = 0x%x, expected %s", flags,
                  curve ? "0 for a curve" : "NURBS_REVERSED or 0");
         }
-        SnappedBoundary made = snap_boundary(g->spline, boundary, other->spline, other_boundary, order,
-                                             (flags & NURBS_REVERSED) != 0);
+        modify::SnappedBoundary made = modify::snap_boundary(
+            g->spline, boundary, other->spline, other_boundary, order, (flags & NURBS_REVERSED) != 0);
         give(std::move(made.spline), out);
         put(bound, made.bound);
     });

@@ -45,7 +45,7 @@ nurbs_status nurbs_distance(const nurbs *a, const nurbs *b, double tolerance, in
                      memory("params_a", params_a, first.axes()), memory("params_b", params_b, second.axes()),
                      memory("status", status, 1)},
                     {});
-        const PairDistance found = pair_distance(first, second, tolerance, most);
+        const closest::PairDistance found = closest::pair_distance(first, second, tolerance, most);
         put_params(params_a, found.params_a, first);
         put_params(params_b, found.params_b, second);
         put(at_least, found.at_least);
@@ -65,8 +65,8 @@ nurbs_status nurbs_hausdorff_distance(const nurbs *a, const nurbs *b, double tol
                      memory("params_a", params_a, first.axes()), memory("params_b", params_b, second.axes()),
                      memory("status", status, 1)},
                     {});
-        const FarthestPoint there = one_sided_distance(first, second, tolerance, most);
-        const FarthestPoint back = one_sided_distance(second, first, tolerance, most);
+        const closest::FarthestPoint there = closest::one_sided_distance(first, second, tolerance, most);
+        const closest::FarthestPoint back = closest::one_sided_distance(second, first, tolerance, most);
         put_params(params_a, there.params, first);
         put_params(params_b, back.params, second);
         put_all(at_least, std::array{there.at_least, back.at_least});

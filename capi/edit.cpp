@@ -30,7 +30,7 @@ int64_t checked_point(const Spline &spline, int64_t index, int64_t place = -1) {
         fail(Status::index, "indices[%lld] = %lld, expected 0 to %lld", static_cast<long long>(place),
              static_cast<long long>(index), last);
     }
-    return original_of(spline, index);
+    return modify::original_of(spline, index);
 }
 
 void check_different(const int64_t *indices, const std::vector<int64_t> &originals) {
@@ -64,7 +64,7 @@ std::vector<int64_t> checked_points(const Spline &spline, int64_t count, const i
 // One parameter of a spline.
 const double *checked_param(const Spline &spline, const double *params) {
     require(params, "params");
-    check_parameters(spline, {}, {params, 1, spline.axes(), spline.axes(), 1});
+    eval::check_parameters(spline, {}, {params, 1, spline.axes(), spline.axes(), 1});
     return params;
 }
 
@@ -76,7 +76,7 @@ void check_distance(double distance) {
 
 const double *given_point(const double *point, int64_t dim, const char *name) {
     require(point, name);
-    check_point(point, dim, name);
+    build::check_point(point, dim, name);
     return point;
 }
 
@@ -89,7 +89,7 @@ nurbs_status nurbs_pull_weight(const nurbs *g, int64_t index, const double *para
         const int64_t point = checked_point(spline_of(g), index);
         checked_param(*g->spline, params);
         check_distance(distance);
-        WeightEdit edit = pull_weight(*g->spline, point, params, distance);
+        modify::WeightEdit edit = modify::pull_weight(*g->spline, point, params, distance);
         give(std::move(edit.spline), out);
         put(weight, edit.value);
     });
@@ -104,7 +104,7 @@ nurbs_status nurbs_pull_weights(const nurbs *g, int64_t count, const int64_t *in
         const std::vector<int64_t> points = checked_points(spline, count, indices);
         checked_param(spline, params);
         check_distance(distance);
-        WeightEdit edit = pull_weights(spline, points, params, distance);
+        modify::WeightEdit edit = modify::pull_weights(spline, points, params, distance);
         give(std::move(edit.spline), out);
         put(factor, edit.value);
     });
@@ -125,7 +125,7 @@ nurbs_status nurbs_set_weights(const nurbs *g, int64_t count, const int64_t *ind
                      Number(weights[i]).text);
             }
         }
-        give(set_weights(spline, points, weights), out);
+        give(modify::set_weights(spline, points, weights), out);
     });
 }
 
@@ -139,7 +139,7 @@ nurbs_status nurbs_weight_points(const nurbs *g, int64_t index, const double *pa
         check_apart({memory("at_zero", at_zero, dim), memory("at_one", at_one, dim),
                      memory("at_weight", at_weight, dim)},
                     {memory("params", params, spline.axes())});
-        weight_points(spline, point, checked_param(spline, params), at_zero, at_one, at_weight);
+        modify::weight_points(spline, point, checked_param(spline, params), at_zero, at_one, at_weight);
     });
 }
 
@@ -157,7 +157,7 @@ nurbs_status nurbs_weight_cross_ratio(int32_t dim, const double *control_point, 
         check_apart({memory("weight", weight, 1)},
                     {memory("control_point", control_point, dim), memory("at_zero", at_zero, dim),
                      memory("at_one", at_one, dim), memory("at_weight", at_weight, dim)});
-        *weight = weight_cross_ratio(dim, control_point, at_zero, at_one, at_weight);
+        *weight = modify::weight_cross_ratio(dim, control_point, at_zero, at_one, at_weight);
     });
 }
 
@@ -169,7 +169,7 @@ nurbs_status nurbs_weight_through(const nurbs *g, int64_t index, const double *p
         checked_param(*g->spline, params);
         given_point(target, g->spline->dim(), "target");
         check_tolerance(tolerance);
-        WeightEdit edit = weight_through(*g->spline, point, params, target, tolerance);
+        modify::WeightEdit edit = modify::weight_through(*g->spline, point, params, target, tolerance);
         give(std::move(edit.spline), out);
         put(weight, edit.value);
     });
@@ -182,9 +182,9 @@ nurbs_status nurbs_pull_point(const nurbs *g, int64_t index, const double *param
         const int64_t point = checked_point(spline_of(g), index);
         checked_param(*g->spline, params);
         require(direction, "direction");
-        check_direction(direction, g->spline->dim(), "direction");
+        build::check_direction(direction, g->spline->dim(), "direction");
         check_distance(distance);
-        PointEdit edit = pull_point(*g->spline, point, params, direction, distance);
+        modify::PointEdit edit = modify::pull_point(*g->spline, point, params, direction, distance);
         give(std::move(edit.spline), out);
         put(moved, edit.moved);
     });
@@ -197,18 +197,18 @@ nurbs_status nurbs_most_influential(const nurbs *g, int64_t n, const double *par
         check_apart({memory("indices", indices, n), memory("influences", influences, n)},
                     {memory("params", params, batch.params.extent())});
         admit(batch);
-        most_influential(batch.spline, batch.params, indices, influences);
+        modify::most_influential(batch.spline, batch.params, indices, influences);
     });
 }
 
 namespace {
 
-LegInsertion insert_checked(const nurbs *g, int32_t axis, int64_t index, double ratio) {
+modify::LegInsertion insert_checked(const nurbs *g, int32_t axis, int64_t index, double ratio) {
     if (!(ratio >= 0 && ratio <= 1)) {
         fail(Status::factor, "ratio = %s, expected 0 to 1", Number(ratio).text);
     }
     checked_point(*g->spline, index);
-    return insert_on_leg(g->spline, axis, index, ratio);
+    return modify::insert_on_leg(g->spline, axis, index, ratio);
 }
 
 } // namespace
@@ -218,7 +218,7 @@ nurbs_status nurbs_insert_on_leg(const nurbs *g, int32_t axis, int64_t index, do
     return guard([&] {
         require_out(out);
         check_axis(spline_of(g), axis);
-        LegInsertion made = insert_checked(g, axis, index, ratio);
+        modify::LegInsertion made = insert_checked(g, axis, index, ratio);
         give(std::move(made.spline), out);
         put(knot, made.knot);
     });
@@ -231,7 +231,7 @@ nurbs_status nurbs_insert_at_point(const nurbs *g, int32_t axis, const double *p
         check_axis(spline_of(g), axis);
         given_point(point, g->spline->dim(), "point");
         check_tolerance(tolerance);
-        const Leg leg = nearest_leg(*g->spline, axis, point);
+        const modify::Leg leg = modify::nearest_leg(*g->spline, axis, point);
         if (!(leg.distance <= tolerance)) {
             fail(Status::off_polygon,
                  "point: distance %s from the nearest leg, from control point %lld along axis %d; tolerance "
@@ -239,10 +239,9 @@ nurbs_status nurbs_insert_at_point(const nurbs *g, int32_t axis, const double *p
                  Number(leg.distance).text, static_cast<long long>(leg.point), axis, Number(tolerance).text);
         }
         if (leg.point < 0) { // an infinite tolerance, and no leg
-            fail(Status::off_polygon, "g has no leg along axis %d without control points at infinity",
-                 axis);
+            fail(Status::off_polygon, "g has no leg along axis %d without control points at infinity", axis);
         }
-        LegInsertion made = insert_checked(g, axis, leg.point, leg.ratio);
+        modify::LegInsertion made = insert_checked(g, axis, leg.point, leg.ratio);
         give(std::move(made.spline), out);
         put(index, leg.point);
         put(ratio, leg.ratio);

@@ -4,8 +4,8 @@
 
 #include "base/checked.h"
 #include "eval/evaluate.h"
-#include "eval/single_precision.h"
 #include "eval/kernels/slots.h"
+#include "eval/single_precision.h"
 #include "refine/parts/iso.h"
 
 using namespace nrb;
@@ -17,11 +17,11 @@ namespace {
 void evaluate(const SplineBatch &batch, int32_t order, double *values, int64_t stride,
               int64_t component_stride, const char *name) {
     const Spline &spline = batch.spline;
-    const int64_t width = checked_product(slot_count(spline.axes(), order), spline.dim(), name);
+    const int64_t width = checked_product(eval::slot_count(spline.axes(), order), spline.dim(), name);
     const Records out = output(name, values, batch.params.count, width, stride, component_stride);
     check_overlap(name, out, "params", batch.params);
     admit(batch);
-    evaluate_points(spline, batch.rules, order, batch.params, out);
+    eval::evaluate_points(spline, batch.rules, order, batch.params, out);
 }
 
 void evaluate(const SplineBatch &batch, float *points, int64_t stride, int64_t component_stride) {
@@ -29,32 +29,32 @@ void evaluate(const SplineBatch &batch, float *points, int64_t stride, int64_t c
     const FloatRecords out = output("points", points, batch.params.count, dim, stride, component_stride);
     check_overlap("points", out, "params", batch.params);
     admit(batch);
-    evaluate_points(batch.spline, batch.rules, batch.params, out);
+    eval::evaluate_points(batch.spline, batch.rules, batch.params, out);
 }
 
 void evaluate_on_grid(const nurbs *g, int32_t order, const int64_t *counts, const double *params,
                       double *values, int64_t stride, int64_t component_stride, const char *name,
                       uint32_t flags) {
     const Spline &spline = spline_of(g);
-    const AxisRules rules = decode_rules(flags, spline.axes());
+    const eval::AxisRules rules = decode_rules(flags, spline.axes());
     const Grid grid = grid_of(spline, counts, params);
-    const int64_t width = checked_product(slot_count(spline.axes(), order), spline.dim(), name);
+    const int64_t width = checked_product(eval::slot_count(spline.axes(), order), spline.dim(), name);
     const Records out = output(name, values, grid.point_count, width, stride, component_stride);
     check_overlap(name, out, grid);
     admit(spline, rules, grid);
-    evaluate_grid(spline, rules, order, grid.params, out);
+    eval::evaluate_grid(spline, rules, order, grid.params, out);
 }
 
 void evaluate_on_grid(const nurbs *g, const int64_t *counts, const double *params, float *points,
                       int64_t stride, int64_t component_stride, uint32_t flags) {
     const Spline &spline = spline_of(g);
-    const AxisRules rules = decode_rules(flags, spline.axes());
+    const eval::AxisRules rules = decode_rules(flags, spline.axes());
     const Grid grid = grid_of(spline, counts, params);
     const FloatRecords out =
         output("points", points, grid.point_count, spline.dim(), stride, component_stride);
     check_overlap("points", out, grid);
     admit(spline, rules, grid);
-    evaluate_grid(spline, rules, grid.params, out);
+    eval::evaluate_grid(spline, rules, grid.params, out);
 }
 
 } // namespace
@@ -73,7 +73,7 @@ nurbs_status nurbs_derivative_slots(int32_t axes, int32_t order, int64_t *slots)
         check_axes(axes);
         check_order(order);
         require(slots, "slots");
-        *slots = slot_count(axes, order);
+        *slots = eval::slot_count(axes, order);
     });
 }
 
@@ -124,6 +124,6 @@ nurbs_status nurbs_iso(const nurbs *g, int32_t axis, double param, uint32_t flag
         require_out(out);
         const Spline &spline = spline_of(g);
         check_axis(spline, axis);
-        give(iso(spline, axis, param, decode_rules(flags, 1)[0]), out);
+        give(refine::iso(spline, axis, param, decode_rules(flags, 1)[0]), out);
     });
 }

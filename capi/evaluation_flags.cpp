@@ -10,23 +10,22 @@ constexpr uint32_t axis_bits = 0xffu;
 constexpr uint32_t known_bits = NURBS_LEFT | NURBS_CLAMP | NURBS_EXTRAPOLATE | NURBS_WRAP | NURBS_NAN;
 constexpr uint32_t mode_bits = NURBS_CLAMP | NURBS_EXTRAPOLATE | NURBS_WRAP;
 
-AxisRule decode_rule(uint32_t bits, uint32_t flags, int axis) {
+eval::AxisRule decode_rule(uint32_t bits, uint32_t flags, int axis) {
     if ((bits & ~known_bits) != 0) {
-        fail(Status::flags, "flags = 0x%x: unknown bits 0x%x for axis %d", flags, bits & ~known_bits,
-             axis);
+        fail(Status::flags, "flags = 0x%x: unknown bits 0x%x for axis %d", flags, bits & ~known_bits, axis);
     }
-    AxisRule rule{(bits & NURBS_LEFT) != 0, (bits & NURBS_NAN) != 0, Outside::refuse};
+    eval::AxisRule rule{(bits & NURBS_LEFT) != 0, (bits & NURBS_NAN) != 0, eval::Outside::refuse};
     switch (bits & mode_bits) {
     case 0:
         return rule;
     case NURBS_CLAMP:
-        rule.outside = Outside::clamp;
+        rule.outside = eval::Outside::clamp;
         return rule;
     case NURBS_EXTRAPOLATE:
-        rule.outside = Outside::extrapolate;
+        rule.outside = eval::Outside::extrapolate;
         return rule;
     case NURBS_WRAP:
-        rule.outside = Outside::wrap;
+        rule.outside = eval::Outside::wrap;
         return rule;
     default:
         fail(Status::flags,
@@ -37,12 +36,12 @@ AxisRule decode_rule(uint32_t bits, uint32_t flags, int axis) {
 
 } // namespace
 
-AxisRules decode_rules(uint32_t flags, int axes) {
+eval::AxisRules decode_rules(uint32_t flags, int axes) {
     const uint32_t allowed = 0xffffffu >> (8 * (max_axes - axes));
     if ((flags & ~allowed) != 0) {
         fail(Status::flags, "flags = 0x%x: unknown bits 0x%x for %d axes", flags, flags & ~allowed, axes);
     }
-    AxisRules rules;
+    eval::AxisRules rules;
     for (int k = 0; k < axes; ++k) {
         rules[static_cast<size_t>(k)] = decode_rule((flags >> (8 * k)) & axis_bits, flags, k);
     }

@@ -6,6 +6,6 @@
 namespace nrb::capi {
 
 // Throws Status::flags for unknown bits, bits of missing axes and modes that exclude each other.
-AxisRules decode_rules(uint32_t flags, int axes);
+eval::AxisRules decode_rules(uint32_t flags, int axes);
 
 } // namespace nrb::capi

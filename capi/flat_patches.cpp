@@ -18,7 +18,7 @@ nurbs_status nurbs_surface_plane(int32_t dim, const double *origin, const double
         }
         require(u, "u");
         require(v, "v");
-        give(parallelogram(dim, origin, u, v), out);
+        give(build::parallelogram(dim, origin, u, v), out);
     });
 }
 
@@ -27,7 +27,8 @@ nurbs_status nurbs_surface_bilinear(int32_t dim, const double *corners, int64_t 
     return guard([&] {
         require_out(out);
         check_dimension(dim);
-        give(multilinear(2, input("corners", corners, 4, dim, corner_stride, corner_component_stride)), out);
+        give(build::multilinear(2, input("corners", corners, 4, dim, corner_stride, corner_component_stride)),
+             out);
     });
 }
 
@@ -36,6 +37,7 @@ nurbs_status nurbs_volume_trilinear(int32_t dim, const double *corners, int64_t 
     return guard([&] {
         require_out(out);
         check_dimension(dim);
-        give(multilinear(3, input("corners", corners, 8, dim, corner_stride, corner_component_stride)), out);
+        give(build::multilinear(3, input("corners", corners, 8, dim, corner_stride, corner_component_stride)),
+             out);
     });
 }

@@ -24,7 +24,7 @@ nurbs_status nurbs_elevate(const nurbs *g, int32_t axis, int32_t times, nurbs **
     return guard([&] {
         require_out(out);
         check_axis(spline_of(g), axis);
-        give(elevate(g->spline, axis, times), out);
+        give(refine::elevate(g->spline, axis, times), out);
     });
 }
 
@@ -33,7 +33,7 @@ nurbs_status nurbs_reverse(const nurbs *g, int32_t axis, uint32_t flags, nurbs *
         require_out(out);
         check_axis(spline_of(g), axis);
         check_reverse_flags(flags);
-        give(reverse(*g->spline, axis, flags != 0), out);
+        give(refine::reverse(*g->spline, axis, flags != 0), out);
     });
 }
 
@@ -42,7 +42,7 @@ nurbs_status nurbs_transpose(const nurbs *g, const int32_t *permutation, nurbs *
         require_out(out);
         const Spline &spline = spline_of(g);
         require(permutation, "permutation");
-        give(transpose(spline, permutation), out);
+        give(refine::transpose(spline, permutation), out);
     });
 }
 
@@ -50,7 +50,7 @@ nurbs_status nurbs_reparametrize(const nurbs *g, int32_t axis, double lower, dou
     return guard([&] {
         require_out(out);
         check_axis(spline_of(g), axis);
-        give(reparametrize(g->spline, axis, {lower, upper}), out);
+        give(refine::reparametrize(g->spline, axis, {lower, upper}), out);
     });
 }
 
@@ -58,20 +58,20 @@ nurbs_status nurbs_make_rational(const nurbs *g, nurbs **out) {
     return guard([&] {
         require_out(out);
         require(g, "g");
-        give(make_rational(g->spline), out);
+        give(refine::make_rational(g->spline), out);
     });
 }
 
 nurbs_status nurbs_to_homogeneous(const nurbs *g, nurbs **out) {
     return guard([&] {
         require_out(out);
-        give(to_homogeneous(spline_of(g)), out);
+        give(refine::to_homogeneous(spline_of(g)), out);
     });
 }
 
 nurbs_status nurbs_from_homogeneous(const nurbs *g, nurbs **out) {
     return guard([&] {
         require_out(out);
-        give(from_homogeneous(spline_of(g)), out);
+        give(refine::from_homogeneous(spline_of(g)), out);
     });
 }

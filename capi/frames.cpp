@@ -111,14 +111,14 @@ nurbs_status nurbs_surface_eval_frames(const nurbs *g, int64_t n, const double *
         const Spline &spline = surface_in_space(g);
         const SplineBatch batch = spline_batch(g, n, params, param_stride, param_component_stride, flags);
         Outputs outputs(n, status);
-        const SurfaceFrames out{outputs.add({"points", points, 3, point_stride, point_component_stride}),
-                                outputs.add({"du", du, 3, du_stride, du_component_stride}),
-                                outputs.add({"dv", dv, 3, dv_stride, dv_component_stride}),
-                                outputs.add({"normals", normals, 3, normal_stride, normal_component_stride}),
-                                status};
+        const eval::SurfaceFrames out{
+            outputs.add({"points", points, 3, point_stride, point_component_stride}),
+            outputs.add({"du", du, 3, du_stride, du_component_stride}),
+            outputs.add({"dv", dv, 3, dv_stride, dv_component_stride}),
+            outputs.add({"normals", normals, 3, normal_stride, normal_component_stride}), status};
         outputs.check_inputs("params", batch.params);
         admit(batch);
-        surface_frames(spline, batch.rules, batch.params, out);
+        eval::surface_frames(spline, batch.rules, batch.params, out);
     });
 }
 
@@ -131,17 +131,17 @@ nurbs_status nurbs_surface_eval_grid_frames(const nurbs *g, const int64_t *count
                                             int32_t *status, uint32_t flags) {
     return guard([&] {
         const Spline &spline = surface_in_space(g);
-        const AxisRules rules = decode_rules(flags, spline.axes());
+        const eval::AxisRules rules = decode_rules(flags, spline.axes());
         const Grid grid = grid_of(spline, counts, params);
         Outputs outputs(grid.point_count, status);
-        const SurfaceFrames out{outputs.add({"points", points, 3, point_stride, point_component_stride}),
-                                outputs.add({"du", du, 3, du_stride, du_component_stride}),
-                                outputs.add({"dv", dv, 3, dv_stride, dv_component_stride}),
-                                outputs.add({"normals", normals, 3, normal_stride, normal_component_stride}),
-                                status};
+        const eval::SurfaceFrames out{
+            outputs.add({"points", points, 3, point_stride, point_component_stride}),
+            outputs.add({"du", du, 3, du_stride, du_component_stride}),
+            outputs.add({"dv", dv, 3, dv_stride, dv_component_stride}),
+            outputs.add({"normals", normals, 3, normal_stride, normal_component_stride}), status};
         outputs.check_inputs(grid);
         admit(spline, rules, grid);
-        surface_frames(spline, rules, grid.params, out);
+        eval::surface_frames(spline, rules, grid.params, out);
     });
 }
 
@@ -156,14 +156,14 @@ nurbs_status nurbs_surface_eval_curvatures(const nurbs *g, int64_t n, const doub
         const Spline &spline = surface_in_space(g);
         const SplineBatch batch = spline_batch(g, n, params, param_stride, param_component_stride, flags);
         Outputs outputs(n, status);
-        const SurfaceCurvatures out{
+        const eval::SurfaceCurvatures out{
             outputs.add({"principal", principal, 2, principal_stride, principal_component_stride}),
             outputs.add({"directions", directions, 6, direction_stride, direction_component_stride}),
             outputs.add({"mean", mean, 1, mean_stride, 0}),
             outputs.add({"gaussian", gaussian, 1, gaussian_stride, 0}), status};
         outputs.check_inputs("params", batch.params);
         admit(batch);
-        surface_curvatures(spline, batch.rules, batch.params, out);
+        eval::surface_curvatures(spline, batch.rules, batch.params, out);
     });
 }
 
@@ -183,7 +183,7 @@ nurbs_status nurbs_curve_eval_frames(const nurbs *g, int64_t n, const double *pa
         const SplineBatch batch = spline_batch(g, n, params, param_stride, 0, flags);
         const int dim = spline.dim();
         Outputs outputs(n, status);
-        const CurveFrames out{
+        const eval::CurveFrames out{
             outputs.add({"points", points, dim, point_stride, point_component_stride}),
             outputs.add({"tangents", tangents, dim, tangent_stride, tangent_component_stride}),
             outputs.add({"normals", normals, dim, normal_stride, normal_component_stride}),
@@ -193,7 +193,7 @@ nurbs_status nurbs_curve_eval_frames(const nurbs *g, int64_t n, const double *pa
             status};
         outputs.check_inputs("params", batch.params);
         admit(batch);
-        curve_frames(spline, batch.rules, batch.params, out);
+        eval::curve_frames(spline, batch.rules, batch.params, out);
     });
 }
 
@@ -208,7 +208,7 @@ nurbs_status nurbs_curve_rotation_minimizing_frames(
         check_dimension(spline, 3, 3);
         const SplineBatch batch = spline_batch(g, n, params, param_stride, 0, flags);
         Outputs outputs(n, status);
-        const MinimalFrames out{
+        const eval::MinimalFrames out{
             outputs.add({"points", points, 3, point_stride, point_component_stride}),
             outputs.add({"tangents", tangents, 3, tangent_stride, tangent_component_stride}),
             outputs.add({"normals", normals, 3, normal_stride, normal_component_stride}),
@@ -219,6 +219,6 @@ nurbs_status nurbs_curve_rotation_minimizing_frames(
             check_finite(first_normal, "first_normal");
         }
         admit(batch);
-        minimal_frames(spline, batch.rules, batch.params, first_normal, out);
+        eval::minimal_frames(spline, batch.rules, batch.params, first_normal, out);
     });
 }

@@ -15,8 +15,8 @@ struct nurbs {
 
 // Splines with names and notes, or else the parts of one spline, which are made when they are taken.
 struct nurbs_list {
-    nrb::Document document;
-    std::optional<nrb::PartedSpline> parts = std::nullopt;
+    nrb::model::Document document;
+    std::optional<nrb::refine::PartedSpline> parts = std::nullopt;
     bool named_by_axes = false; // parts: by their place on every axis
 
     [[nodiscard]] int64_t size() const noexcept;

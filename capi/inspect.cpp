@@ -167,6 +167,6 @@ nurbs_status nurbs_hull_size(const nurbs *g, int64_t n, const double *params, in
         const Records out = output("sizes", sizes, n, 1, size_stride, 0);
         check_overlap("sizes", out, "params", batch.params);
         admit(batch);
-        hull_sizes(batch.spline, batch.rules, batch.params, out);
+        eval::hull_sizes(batch.spline, batch.rules, batch.params, out);
     });
 }

@@ -78,9 +78,8 @@ nurbs_status nurbs_knots_periodic(int32_t degree, int64_t n, const double *break
         require(breaks, "breaks");
         check_degree(degree, -1);
         if (n < 2 || n > knot_count) {
-            fail(n < 2 ? Status::count : Status::size,
-                 "n = %lld breaks, expected 2 to knot_count = %lld", static_cast<long long>(n),
-                 static_cast<long long>(knot_count));
+            fail(n < 2 ? Status::count : Status::size, "n = %lld breaks, expected 2 to knot_count = %lld",
+                 static_cast<long long>(n), static_cast<long long>(knot_count));
         }
         if (multiplicities != nullptr) {
             source_span(multiplicities, n, "multiplicities", target);

@@ -11,7 +11,7 @@
 namespace nrb::capi {
 
 void give_list(std::vector<SplinePtr> splines, nurbs_list **out) {
-    Document document;
+    model::Document document;
     document.splines.reserve(splines.size());
     for (SplinePtr &spline : splines) {
         document.splines.push_back({std::to_string(document.splines.size()), std::move(spline)});
@@ -121,7 +121,7 @@ nurbs_status nurbs_list_name(const nurbs_list *list, int64_t index, char *buf, i
 
 nurbs_status nurbs_list_note_count(const nurbs_list *list, int64_t *count) {
     return guard([&] {
-        const Document &document = checked(list).document;
+        const model::Document &document = checked(list).document;
         require(count, "count");
         *count = static_cast<int64_t>(document.notes.size());
     });
@@ -130,9 +130,9 @@ nurbs_status nurbs_list_note_count(const nurbs_list *list, int64_t *count) {
 nurbs_status nurbs_list_note(const nurbs_list *list, int64_t index, int32_t *entity_type, int64_t *line,
                              nurbs_status *reason, char *buf, int64_t cap, int64_t *length) {
     return guard([&] {
-        const std::vector<Note> &notes = checked(list).document.notes;
+        const std::vector<model::Note> &notes = checked(list).document.notes;
         check_index(index, std::ssize(notes));
-        const Note &note = notes[static_cast<size_t>(index)];
+        const model::Note &note = notes[static_cast<size_t>(index)];
         check_buffer(buf, cap);
         put(entity_type, int32_t{note.entity_type});
         put(line, note.line);
@@ -143,7 +143,7 @@ nurbs_status nurbs_list_note(const nurbs_list *list, int64_t index, int32_t *ent
 
 nurbs_status nurbs_list_unit(const nurbs_list *list, double *metres) {
     return guard([&] {
-        const Document &document = checked(list).document;
+        const model::Document &document = checked(list).document;
         require(metres, "metres");
         *metres = document.metres_per_unit;
     });

@@ -18,10 +18,10 @@ using namespace nrb::capi;
 
 namespace {
 
-MomentOrder order_of(const double *centroid, const double *inertia) noexcept {
-    return inertia != nullptr    ? MomentOrder::inertia
-           : centroid != nullptr ? MomentOrder::centroid
-                                 : MomentOrder::content;
+measure::MomentOrder order_of(const double *centroid, const double *inertia) noexcept {
+    return inertia != nullptr    ? measure::MomentOrder::inertia
+           : centroid != nullptr ? measure::MomentOrder::centroid
+                                 : measure::MomentOrder::content;
 }
 
 // All that moments are written to.
@@ -40,7 +40,7 @@ void check_outputs(const char *name, const MomentOutputs &out, int64_t dim, Memo
                 {input});
 }
 
-void give_moments(const Moments &found, const MomentOutputs &out) {
+void give_moments(const measure::Moments &found, const MomentOutputs &out) {
     put(out.content, found.content);
     put_all(out.centroid, found.centroid);
     put_all(out.inertia, found.inertia);
@@ -67,7 +67,8 @@ nurbs_status nurbs_curve_length(const nurbs *g, const double *range, double rela
         check_tolerance(relative_tolerance, "relative_tolerance");
         require(length, "length");
         check_apart({memory("length", length, 1), memory("error", error, 1)}, {memory("range", range, 2)});
-        const Integral found = curve_length(curve, checked_part(curve, range)[0], relative_tolerance);
+        const measure::Integral found =
+            measure::curve_length(curve, checked_part(curve, range)[0], relative_tolerance);
         *length = found.value;
         put(error, found.error);
     });
@@ -82,8 +83,8 @@ nurbs_status nurbs_curve_lengths(const nurbs *g, int64_t n, const double *params
         const Records out = output("lengths", lengths, n, 1, length_stride, 0);
         check_overlap("lengths", out, "params", in);
         check_tolerance(relative_tolerance, "relative_tolerance");
-        check_parameters(curve, {}, in);
-        curve_lengths(curve, in, relative_tolerance, out);
+        eval::check_parameters(curve, {}, in);
+        measure::curve_lengths(curve, in, relative_tolerance, out);
     });
 }
 
@@ -100,7 +101,7 @@ nurbs_status nurbs_curve_params_at_lengths(const nurbs *g, int64_t n, const doub
             fail(Status::flags, "flags = 0x%x, expected NURBS_CLAMP or 0", flags);
         }
         check_tolerance(relative_tolerance, "relative_tolerance");
-        curve_params_at_lengths(curve, in, relative_tolerance, flags != 0, out);
+        measure::curve_params_at_lengths(curve, in, relative_tolerance, flags != 0, out);
     });
 }
 
@@ -118,8 +119,9 @@ nurbs_status nurbs_curve_divide(const nurbs *g, const double *range, int64_t par
                     {memory("range", range, 2)});
         std::vector<double> found;
         const Interval part = checked_part(curve, range)[0];
-        const double each = flags != 0 ? divide_by_chord(curve, part, parts, relative_tolerance, found)
-                                       : divide_by_length(curve, part, parts, relative_tolerance, found);
+        const double each = flags != 0
+                                ? measure::divide_by_chord(curve, part, parts, relative_tolerance, found)
+                                : measure::divide_by_length(curve, part, parts, relative_tolerance, found);
         put_all(params, found);
         put(size, each);
     });
@@ -133,7 +135,8 @@ nurbs_status nurbs_surface_area(const nurbs *g, const double *range, double rela
         require(area, "area");
         const MomentOutputs out{area, nullptr, nullptr, error};
         check_outputs("area", out, 0, memory("range", range, 4));
-        give_moments(moments(surface, checked_part(surface, range), MomentOrder::content, relative_tolerance),
+        give_moments(measure::moments(surface, checked_part(surface, range), measure::MomentOrder::content,
+                                      relative_tolerance),
                      out);
     });
 }
@@ -149,8 +152,9 @@ nurbs_status nurbs_moments(const nurbs *g, double relative_tolerance, double *co
         require(content, "content");
         const MomentOutputs out{content, centroid, inertia, error};
         check_outputs("content", out, spline.dim(), {});
-        give_moments(moments(spline, whole_domain(spline), order_of(centroid, inertia), relative_tolerance),
-                     out);
+        give_moments(
+            measure::moments(spline, whole_domain(spline), order_of(centroid, inertia), relative_tolerance),
+            out);
     });
 }
 
@@ -164,8 +168,9 @@ nurbs_status nurbs_enclosed_area(int64_t count, const nurbs *const *curves, doub
         require(area, "area");
         const MomentOutputs out{area, centroid, inertia, error};
         check_outputs("area", out, 2, memory("curves", curves, count));
-        check_closed(boundary, tolerance);
-        give_moments(enclosed_moments(boundary, order_of(centroid, inertia), relative_tolerance), out);
+        measure::check_closed(boundary, tolerance);
+        give_moments(measure::enclosed_moments(boundary, order_of(centroid, inertia), relative_tolerance),
+                     out);
     });
 }
 
@@ -178,6 +183,7 @@ nurbs_status nurbs_enclosed_volume(int64_t count, const nurbs *const *surfaces, 
         require(volume, "volume");
         const MomentOutputs out{volume, centroid, inertia, error, openness};
         check_outputs("volume", out, 3, memory("surfaces", surfaces, count));
-        give_moments(enclosed_moments(boundary, order_of(centroid, inertia), relative_tolerance), out);
+        give_moments(measure::enclosed_moments(boundary, order_of(centroid, inertia), relative_tolerance),
+                     out);
     });
 }

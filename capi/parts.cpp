@@ -21,8 +21,8 @@ void check_range(const Spline &spline, int k, double lower, double upper) {
     check_place(lower, domain, "lower", k);
     check_place(upper, domain, "upper", k);
     if (!(lower < upper)) {
-        fail(Status::empty_domain, "lower = %s on axis %d, expected less than upper = %s",
-             Number(lower).text, k, Number(upper).text);
+        fail(Status::empty_domain, "lower = %s on axis %d, expected less than upper = %s", Number(lower).text,
+             k, Number(upper).text);
     }
 }
 
@@ -47,7 +47,7 @@ nurbs_status nurbs_split(const nurbs *g, int32_t axis, double param, nurbs **low
                  Number(param).text, Number(domain.lower).text, Number(domain.upper).text, axis);
         }
         const double breaks[] = {domain.lower, param, domain.upper};
-        const PartedSpline parts = split_axis(g->spline, axis, breaks);
+        const refine::PartedSpline parts = refine::split_axis(g->spline, axis, breaks);
         auto first = std::make_unique<nurbs>(nurbs{parts.part(0)});
         give(parts.part(1), upper);
         *lower = first.release();
@@ -65,7 +65,7 @@ nurbs_status nurbs_extract(const nurbs *g, const double *lower, const double *up
         }
         SplinePtr part = g->spline;
         for (int k = 0; k < spline.axes(); ++k) {
-            part = restrict_axis(part, k, lower[k], upper[k]);
+            part = refine::restrict_axis(part, k, lower[k], upper[k]);
         }
         give(std::move(part), out);
     });
@@ -75,7 +75,7 @@ nurbs_status nurbs_decompose(const nurbs *g, nurbs_list **out) {
     return guard([&] {
         require_out(out);
         require(g, "g");
-        *out = new nurbs_list{{}, bezier_pieces(g->spline), true};
+        *out = new nurbs_list{{}, refine::bezier_pieces(g->spline), true};
     });
 }
 
@@ -84,8 +84,8 @@ nurbs_status nurbs_split_at_knots(const nurbs *g, int32_t axis, int32_t order, n
         require_out(out);
         check_axis(spline_of(g), axis);
         check_order(order);
-        const std::vector<double> breaks = rough_knots(g->spline->axis(axis), order);
-        *out = new nurbs_list{{}, split_axis(g->spline, axis, breaks)};
+        const std::vector<double> breaks = refine::rough_knots(g->spline->axis(axis), order);
+        *out = new nurbs_list{{}, refine::split_axis(g->spline, axis, breaks)};
     });
 }
 
@@ -93,7 +93,7 @@ nurbs_status nurbs_clamp_ends(const nurbs *g, int32_t axis, uint32_t flags, nurb
     return guard([&] {
         require_out(out);
         check_axis(spline_of(g), axis);
-        give(clamp_ends(g->spline, axis, decode_ends(flags)), out);
+        give(refine::clamp_ends(g->spline, axis, decode_ends(flags)), out);
     });
 }
 
@@ -106,7 +106,7 @@ nurbs_status nurbs_move_seam(const nurbs *g, int32_t axis, double param, nurbs *
             fail(Status::not_periodic, "axis %d is not periodic: it has no seam to be moved", axis);
         }
         check_place(param, old.domain(), "param", axis);
-        give(move_seam(g->spline, axis, param), out);
+        give(refine::move_seam(g->spline, axis, param), out);
     });
 }
 
@@ -120,7 +120,7 @@ nurbs_status nurbs_join(int64_t count, const nurbs *const *parts, int32_t axis, 
         if ((flags & ~NURBS_KEEP_GAPS) != 0) {
             fail(Status::flags, "flags = 0x%x, expected NURBS_KEEP_GAPS or 0", flags);
         }
-        const Joined joined = join(splines, axis, {tolerance, flags != 0});
+        const refine::Joined joined = refine::join(splines, axis, {tolerance, flags != 0});
         give(joined.spline, out);
         if (gap != nullptr) {
             *gap = joined.gap;

@@ -35,7 +35,7 @@ int64_t breaks_total(const Spline &spline) {
     return total;
 }
 
-void write_form(const PowerForm &form, double *coefficients, double *breaks) {
+void write_form(const refine::PowerForm &form, double *coefficients, double *breaks) {
     if (coefficients != nullptr) {
         std::copy(form.coefficients.begin(), form.coefficients.end(), coefficients);
     }
@@ -120,7 +120,7 @@ nurbs_status nurbs_to_power(const nurbs *g, int64_t cap, double *coefficients, d
                      memory("piece_counts", piece_counts, spline.axes()), memory("count", count, 1)},
                     {});
         if (filled != 0) {
-            write_form(to_power(g->spline), coefficients, breaks);
+            write_form(refine::to_power(g->spline), coefficients, breaks);
         }
         for (int k = 0; k < spline.axes() && piece_counts != nullptr; ++k) {
             piece_counts[k] = spline.axis(k).spans().size();
@@ -142,9 +142,9 @@ nurbs_status nurbs_create_power(int32_t axes, const int32_t *degrees, const int6
         const int width = record_width(dim, flags);
         const std::vector<double> values = packed(input("coefficients", coefficients, records, width,
                                                         coefficient_stride, coefficient_component_stride));
-        give(
-            from_power({{degrees, degrees + axes}, checked_breaks(data, piece_counts, breaks), width, values},
-                       flags != 0),
-            out);
+        give(refine::from_power(
+                 {{degrees, degrees + axes}, checked_breaks(data, piece_counts, breaks), width, values},
+                 flags != 0),
+             out);
     });
 }

@@ -32,7 +32,7 @@ nurbs_status nurbs_mirror(const nurbs *g, const double *point, const double *nor
         require_out(out);
         const Spline &spline = spline_of(g);
         check_plane(spline, point, normal);
-        give(mirror(spline, point, normal), out);
+        give(refine::mirror(spline, point, normal), out);
     });
 }
 
@@ -45,7 +45,7 @@ nurbs_status nurbs_project_to_plane(const nurbs *g, const double *point, const d
         if (direction != nullptr) {
             check_vector(direction, spline.dim(), "direction", Status::direction);
         }
-        give(project_to_plane(spline, point, normal, direction), out);
+        give(refine::project_to_plane(spline, point, normal, direction), out);
     });
 }
 
@@ -56,6 +56,6 @@ nurbs_status nurbs_project_from(const nurbs *g, const double *eye, const double 
         const Spline &spline = spline_of(g);
         check_vector(eye, spline.dim(), "eye", Status::point_not_finite);
         check_plane(spline, point, normal);
-        give(project_from(spline, eye, point, normal), out);
+        give(refine::project_from(spline, eye, point, normal), out);
     });
 }

@@ -10,17 +10,18 @@ using namespace nrb::capi;
 
 namespace {
 
-Placement placed(const double *origin, const double *axis, const double *x, const char *name = "center") {
-    return make_placement(3, origin, axis, x, name);
+build::Placement placed(const double *origin, const double *axis, const double *x,
+                        const char *name = "center") {
+    return build::make_placement(3, origin, axis, x, name);
 }
 
-Turn tube_turn(double start, double sweep) {
-    return make_turn(start, sweep, "tube_start", "tube_sweep");
+build::Turn tube_turn(double start, double sweep) {
+    return build::make_turn(start, sweep, "tube_start", "tube_sweep");
 }
 
 void give_faces(std::vector<SplinePtr> faces, nurbs_list **out) {
     constexpr const char *names[] = {"+X", "+Y", "-X", "-Y", "+Z", "-Z"};
-    Document document;
+    model::Document document;
     for (SplinePtr &face : faces) {
         document.splines.push_back({names[document.splines.size()], std::move(face)});
     }
@@ -33,7 +34,7 @@ nurbs_status nurbs_surface_sphere(const double *center, const double *axis, cons
                                   int32_t form, nurbs **out) {
     return guard([&] {
         require_out(out);
-        give(sphere(placed(center, axis, x), radius, form), out);
+        give(build::sphere(placed(center, axis, x), radius, form), out);
     });
 }
 
@@ -42,7 +43,8 @@ nurbs_status nurbs_surface_spherical_patch(const double *center, const double *a
                                            double north, int32_t form, nurbs **out) {
     return guard([&] {
         require_out(out);
-        give(spherical_patch(placed(center, axis, x), radius, make_turn(start, sweep), south, north, form),
+        give(build::spherical_patch(placed(center, axis, x), radius, build::make_turn(start, sweep), south,
+                                    north, form),
              out);
     });
 }
@@ -54,7 +56,7 @@ nurbs_status nurbs_surface_sphere_patches(const double *center, const double *ax
         if ((flags & ~NURBS_HEMISPHERE) != 0) {
             fail(Status::flags, "flags = 0x%x, expected NURBS_HEMISPHERE or 0", flags);
         }
-        give_faces(sphere_patches(placed(center, axis, x), radius, flags != 0), out);
+        give_faces(build::sphere_patches(placed(center, axis, x), radius, flags != 0), out);
     });
 }
 
@@ -63,7 +65,7 @@ nurbs_status nurbs_surface_ellipsoid(const double *center, const double *axis, c
                                      nurbs **out) {
     return guard([&] {
         require_out(out);
-        give(ellipsoid(placed(center, axis, x), radius_x, radius_y, radius_z, form), out);
+        give(build::ellipsoid(placed(center, axis, x), radius_x, radius_y, radius_z, form), out);
     });
 }
 
@@ -71,7 +73,9 @@ nurbs_status nurbs_surface_cylinder(const double *origin, const double *axis, co
                                     double height, double start, double sweep, int32_t form, nurbs **out) {
     return guard([&] {
         require_out(out);
-        give(cylinder(placed(origin, axis, x, "origin"), radius, height, make_turn(start, sweep), form), out);
+        give(build::cylinder(placed(origin, axis, x, "origin"), radius, height,
+                             build::make_turn(start, sweep), form),
+             out);
     });
 }
 
@@ -80,8 +84,8 @@ nurbs_status nurbs_surface_cone(const double *origin, const double *axis, const 
                                 nurbs **out) {
     return guard([&] {
         require_out(out);
-        give(cone(placed(origin, axis, x, "origin"), base_radius, top_radius, height, make_turn(start, sweep),
-                  form),
+        give(build::cone(placed(origin, axis, x, "origin"), base_radius, top_radius, height,
+                         build::make_turn(start, sweep), form),
              out);
     });
 }
@@ -91,8 +95,8 @@ nurbs_status nurbs_surface_torus(const double *center, const double *axis, const
                                  double tube_start, double tube_sweep, int32_t form, nurbs **out) {
     return guard([&] {
         require_out(out);
-        give(torus(placed(center, axis, x), major_radius, minor_radius, make_turn(start, sweep),
-                   tube_turn(tube_start, tube_sweep), form),
+        give(build::torus(placed(center, axis, x), major_radius, minor_radius, build::make_turn(start, sweep),
+                          tube_turn(tube_start, tube_sweep), form),
              out);
     });
 }
@@ -102,8 +106,8 @@ nurbs_status nurbs_surface_paraboloid(const double *vertex, const double *axis, 
                                       double sweep, int32_t form, nurbs **out) {
     return guard([&] {
         require_out(out);
-        give(paraboloid(placed(vertex, axis, x, "vertex"), radius_x, radius_y, height,
-                        make_turn(start, sweep), form),
+        give(build::paraboloid(placed(vertex, axis, x, "vertex"), radius_x, radius_y, height,
+                               build::make_turn(start, sweep), form),
              out);
     });
 }
@@ -112,7 +116,7 @@ nurbs_status nurbs_surface_saddle(const double *center, const double *axis, cons
                                   double radius_y, double height, nurbs **out) {
     return guard([&] {
         require_out(out);
-        give(saddle(placed(center, axis, x), radius_x, radius_y, height), out);
+        give(build::saddle(placed(center, axis, x), radius_x, radius_y, height), out);
     });
 }
 
@@ -125,8 +129,9 @@ nurbs_status nurbs_surface_hyperboloid(const double *center, const double *axis,
         if ((flags & ~NURBS_TWO_SHEETS) != 0) {
             fail(Status::flags, "flags = 0x%x, expected NURBS_TWO_SHEETS or 0", flags);
         }
-        give(hyperboloid(placed(center, axis, x), {radius_x, radius_y, radius_z, bottom, top, flags != 0},
-                         make_turn(start, sweep), form),
+        give(build::hyperboloid(placed(center, axis, x),
+                                {radius_x, radius_y, radius_z, bottom, top, flags != 0},
+                                build::make_turn(start, sweep), form),
              out);
     });
 }

@@ -42,21 +42,20 @@ void check_unknown_fields(const nurbs_read_options &options) {
     }
 }
 
-ReadSettings settings_of(const nurbs_read_options *options) {
+model::ReadSettings settings_of(const nurbs_read_options *options) {
     if (options == nullptr) {
         return {};
     }
     check_options_size(options->struct_size);
     check_unknown_fields(*options);
     if (!std::isfinite(options->unit) || options->unit < 0) {
-        fail(Status::options, "options: unit = %s, expected a finite value >= 0",
-             Number(options->unit).text);
+        fail(Status::options, "options: unit = %s, expected a finite value >= 0", Number(options->unit).text);
     }
     if (options->max_bytes < 0) {
         fail(Status::options, "options: max_bytes = %lld, expected >= 0",
              static_cast<long long>(options->max_bytes));
     }
-    const int64_t limit = options->max_bytes == 0 ? ReadSettings().max_bytes : options->max_bytes;
+    const int64_t limit = options->max_bytes == 0 ? model::ReadSettings().max_bytes : options->max_bytes;
     return {options->unit, limit};
 }
 
@@ -66,7 +65,7 @@ nurbs_status nurbs_read_options_init(nurbs_read_options *options, int64_t struct
     return guard([&] {
         require(options, "options");
         check_options_size(struct_size);
-        const ReadSettings defaults;
+        const model::ReadSettings defaults;
         // Fields of a newer header too: zero asks for nothing new.
         std::fill_n(reinterpret_cast<unsigned char *>(options), struct_size, static_cast<unsigned char>(0));
         options->struct_size = struct_size;
@@ -84,7 +83,7 @@ nurbs_status nurbs_read(const void *bytes, int64_t size, const nurbs_read_option
             require(bytes, "bytes");
         }
         const std::span<const char> text(static_cast<const char *>(bytes), static_cast<size_t>(size));
-        *out = new nurbs_list{read_iges(text, settings_of(options))};
+        *out = new nurbs_list{io::read_iges(text, settings_of(options))};
     });
 }
 
@@ -92,8 +91,8 @@ nurbs_status nurbs_read_file(const char *path, const nurbs_read_options *options
     return guard([&] {
         require_out(out);
         require(path, "path");
-        const ReadSettings settings = settings_of(options);
-        const std::vector<char> bytes = read_whole_file(path, settings.max_bytes);
-        *out = new nurbs_list{read_iges(bytes, settings)};
+        const model::ReadSettings settings = settings_of(options);
+        const std::vector<char> bytes = io::read_whole_file(path, settings.max_bytes);
+        *out = new nurbs_list{io::read_iges(bytes, settings)};
     });
 }

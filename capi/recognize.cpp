@@ -24,7 +24,7 @@ void copy(const Vector3 &v, double *out) noexcept {
 }
 
 // Numbers that have no meaning for a shape are 0.
-void copy_placement(const Shape &shape, double *out) noexcept {
+void copy_placement(const recognize::Shape &shape, double *out) noexcept {
     const bool axis = shape.kind > NURBS_SHAPE_POINT && shape.kind != NURBS_SHAPE_SPHERE;
     copy(shape.origin, out);
     copy(axis ? shape.z : Vector3{}, out + 3);
@@ -44,7 +44,7 @@ nurbs_status nurbs_conic_axes(const double *coefficients, int32_t *type, double 
         check_apart({memory("type", type, 1), memory("origin", origin, 2), memory("x", x, 2),
                      memory("sizes", sizes, 2)},
                     {memory("coefficients", coefficients, 6)});
-        const ConicAxes axes = conic_axes(coefficients);
+        const recognize::ConicAxes axes = recognize::conic_axes(coefficients);
         *type = axes.type;
         std::copy_n(axes.origin, 2, origin);
         std::copy_n(axes.x, 2, x);
@@ -58,7 +58,7 @@ nurbs_status nurbs_curve_shape_factor(const nurbs *g, double *factor, int32_t *t
         require(factor, "factor");
         require(type, "type");
         check_apart({memory("factor", factor, 1), memory("type", type, 1)}, {});
-        const ShapeFactor found = shape_factor(curve);
+        const recognize::ShapeFactor found = recognize::shape_factor(curve);
         *factor = found.factor;
         *type = found.type;
     });
@@ -73,7 +73,7 @@ nurbs_status nurbs_recognize(const nurbs *g, double tolerance, int32_t *shape, d
         check_apart({memory("shape", shape, 1), memory("placement", placement, 9), memory("sizes", sizes, 3),
                      memory("deviation", deviation, 1)},
                     {});
-        const Recognition found = recognize(spline, tolerance);
+        const recognize::Recognition found = recognize::recognize(spline, tolerance);
         *shape = found.shape.kind;
         if (placement != nullptr) {
             copy_placement(found.shape, placement);

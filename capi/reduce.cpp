@@ -13,7 +13,7 @@ using namespace nrb::capi;
 
 namespace {
 
-void give_reduced(Reduced result, double *bound, nurbs **out) {
+void give_reduced(reduce::Reduced result, double *bound, nurbs **out) {
     give(std::move(result.spline), out);
     put(bound, result.bound);
 }
@@ -24,7 +24,7 @@ nurbs_status nurbs_deviation(const nurbs *f, const nurbs *g, double *at_least, d
     return guard([&] {
         require(f, "f");
         require(g, "g");
-        const Enclosure found = deviation(*f->spline, *g->spline);
+        const pieces::Enclosure found = bounds::deviation(*f->spline, *g->spline);
         put(at_least, found.lower);
         put(at_most, found.upper);
     });
@@ -35,7 +35,7 @@ nurbs_status nurbs_remove_knot(const nurbs *g, int32_t axis, double knot, int32_
     return guard([&] {
         require_out(out);
         check_axis(spline_of(g), axis);
-        const KnotRemoval result = remove_knot(g->spline, axis, knot, times, tolerance);
+        const reduce::KnotRemoval result = reduce::remove_knot(g->spline, axis, knot, times, tolerance);
         give(result.spline, out);
         put(removed, static_cast<int32_t>(result.removed));
         put(bound, result.bound);
@@ -49,7 +49,7 @@ nurbs_status nurbs_reduce_knots(const nurbs *g, int32_t axis, double tolerance, 
         if (axis < -1 || axis >= g->spline->axes()) {
             fail(Status::axis, "axis = %d, expected -1 to %d", axis, g->spline->axes() - 1);
         }
-        give_reduced(reduce_knots(g->spline, axis, tolerance), bound, out);
+        give_reduced(reduce::reduce_knots(g->spline, axis, tolerance), bound, out);
     });
 }
 
@@ -57,7 +57,7 @@ nurbs_status nurbs_reduce_degree(const nurbs *g, int32_t axis, int32_t times, do
     return guard([&] {
         require_out(out);
         check_axis(spline_of(g), axis);
-        give_reduced(reduce_degree(g->spline, axis, times), bound, out);
+        give_reduced(reduce::reduce_degree(g->spline, axis, times), bound, out);
     });
 }
 
@@ -65,6 +65,6 @@ nurbs_status nurbs_simplify(const nurbs *g, double tolerance, double *bound, nur
     return guard([&] {
         require_out(out);
         require(g, "g");
-        give_reduced(simplify(g->spline, tolerance), bound, out);
+        give_reduced(reduce::simplify(g->spline, tolerance), bound, out);
     });
 }

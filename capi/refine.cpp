@@ -20,7 +20,7 @@ std::vector<double> new_knots(const nurbs *g, int32_t axis, int64_t count, const
         require(knots, "knots");
     }
     checked_array(count, "knots");
-    return checked_new_knots(g->spline->axis(axis), axis, {knots, static_cast<size_t>(count)});
+    return refine::checked_new_knots(g->spline->axis(axis), axis, {knots, static_cast<size_t>(count)});
 }
 
 int64_t entries_of(const LayerTable &table) {
@@ -32,7 +32,7 @@ int64_t entries_of(const LayerTable &table) {
 }
 
 // Arrays that are null are not filled.
-void fill(const LayerTable &table, const SparseRows &rows) noexcept {
+void fill(const LayerTable &table, const eval::SparseRows &rows) noexcept {
     int64_t at = 0;
     for (int64_t r = 0; r < table.rows(); ++r) {
         const LayerTable::Row &row = table.row(r);
@@ -58,7 +58,7 @@ nurbs_status nurbs_insert_knot(const nurbs *g, int32_t axis, double knot, int32_
     return guard([&] {
         require_out(out);
         check_axis(spline_of(g), axis);
-        give(insert_knot(g->spline, axis, knot, times), out);
+        give(refine::insert_knot(g->spline, axis, knot, times), out);
     });
 }
 
@@ -66,7 +66,7 @@ nurbs_status nurbs_refine(const nurbs *g, int32_t axis, int64_t count, const dou
     return guard([&] {
         require_out(out);
         const std::vector<double> inserted = new_knots(g, axis, count, knots);
-        give(refine(g->spline, axis, inserted), out);
+        give(refine::refine(g->spline, axis, inserted), out);
     });
 }
 
@@ -74,7 +74,8 @@ nurbs_status nurbs_refine_uniform(const nurbs *g, int32_t axis, int64_t parts, n
     return guard([&] {
         require_out(out);
         check_axis(spline_of(g), axis);
-        give(refine(g->spline, axis, uniform_new_knots(g->spline->axis(axis), axis, parts)), out);
+        give(refine::refine(g->spline, axis, refine::uniform_new_knots(g->spline->axis(axis), axis, parts)),
+             out);
     });
 }
 
@@ -83,7 +84,7 @@ nurbs_status nurbs_refinement_matrix(const nurbs *g, int32_t axis, int64_t count
                                      int64_t *entries) {
     return guard([&] {
         const std::vector<double> inserted = new_knots(g, axis, count, knots);
-        const LayerTable table = refine_axis(g->spline->axis(axis), inserted).table;
+        const LayerTable table = refine::refine_axis(g->spline->axis(axis), inserted).table;
         const int64_t total = entries_of(table);
         const SparseArrays arrays(cap, values, columns, row_pointers, entries);
         fill(table, arrays.check(table.rows(), total, {memory("knots", knots, count)}));

@@ -33,8 +33,8 @@ void check_matrix_degree(int32_t degree, SegmentBasis from, SegmentBasis to) {
 void check_rising(const double *params, int64_t n) {
     for (int64_t i = 0; i < n; ++i) {
         if (!std::isfinite(params[i])) {
-            fail(Status::parameter_not_finite, "params[%lld] = %s is not finite",
-                 static_cast<long long>(i), Number(params[i]).text);
+            fail(Status::parameter_not_finite, "params[%lld] = %s is not finite", static_cast<long long>(i),
+                 Number(params[i]).text);
         }
         if (i > 0 && !(params[i] > params[i - 1])) {
             fail(Status::knots_decreasing, "params[%lld] = %s, expected more than params[%lld] = %s",
@@ -132,7 +132,8 @@ nurbs_status nurbs_to_hermite(const nurbs *g, int64_t cap, double *params, doubl
         check_apart({memory("params", params, filled), memory("points", points, values),
                      memory("tangents", tangents, values), memory("count", count, 1)},
                     {});
-        const HermiteData data = hermite_data(g->spline); // refuses what has none, whatever is asked for
+        const refine::HermiteData data =
+            refine::hermite_data(g->spline); // refuses what has none, whatever is asked for
         if (cap != 0) {
             put_all(params, data.params);
             put_all(points, data.points);

@@ -14,9 +14,11 @@ public:
         : cap_(cap), values_(values), columns_(columns), row_pointers_(row_pointers), entries_(entries) {}
 
     // Checks lengths and overlap, and returns what is to be filled.
-    [[nodiscard]] SparseRows check(int64_t n, int64_t total, std::initializer_list<Memory> inputs) const {
+    [[nodiscard]] eval::SparseRows check(int64_t n, int64_t total,
+                                         std::initializer_list<Memory> inputs) const {
         const int64_t filled = checked_cap(cap_, total);
-        const SparseRows rows{cap_ == 0 ? nullptr : values_, cap_ == 0 ? nullptr : columns_, row_pointers_};
+        const eval::SparseRows rows{cap_ == 0 ? nullptr : values_, cap_ == 0 ? nullptr : columns_,
+                                    row_pointers_};
         check_apart({memory("values", rows.values, filled), memory("columns", rows.columns, filled),
                      memory("row_pointers", row_pointers_, n + 1), memory("entries", entries_, 1)},
                     inputs);

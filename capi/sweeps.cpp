@@ -14,7 +14,7 @@ nurbs_status nurbs_extrude(const nurbs *g, const double *vector, nurbs **out) {
         require_out(out);
         require(g, "g");
         require(vector, "vector");
-        give(extrude(g->spline, vector), out);
+        give(build::extrude(g->spline, vector), out);
     });
 }
 
@@ -22,7 +22,7 @@ nurbs_status nurbs_revolve(const nurbs *g, const double *point, const double *ax
                            int32_t form, nurbs **out) {
     return guard([&] {
         require_out(out);
-        give(revolve(spline_of(g), point, axis, sweep, form), out);
+        give(build::revolve(spline_of(g), point, axis, sweep, form), out);
     });
 }
 
@@ -34,7 +34,7 @@ nurbs_status nurbs_ruled(const nurbs *a, const nurbs *b, uint32_t flags, nurbs *
         if ((flags & ~NURBS_RULED_CARTESIAN) != 0) {
             fail(Status::flags, "flags = 0x%x, expected NURBS_RULED_CARTESIAN or 0", flags);
         }
-        give(ruled(a->spline, b->spline, flags != 0), out);
+        give(build::ruled(a->spline, b->spline, flags != 0), out);
     });
 }
 
@@ -45,7 +45,7 @@ nurbs_status nurbs_tensor_sum(const nurbs *a, double alpha, const nurbs *b, doub
         require(b, "b");
         check_factor(alpha, "alpha");
         check_factor(beta, "beta");
-        give(tensor_sum(*a->spline, alpha, *b->spline, beta), out);
+        give(build::tensor_sum(*a->spline, alpha, *b->spline, beta), out);
     });
 }
 
@@ -54,7 +54,7 @@ nurbs_status nurbs_tensor_product(const nurbs *a, const nurbs *b, nurbs **out) {
         require_out(out);
         require(a, "a");
         require(b, "b");
-        give(tensor_product(*a->spline, *b->spline), out);
+        give(build::tensor_product(*a->spline, *b->spline), out);
     });
 }
 
@@ -63,6 +63,6 @@ nurbs_status nurbs_surface_swung(const nurbs *trajectory, const nurbs *profile, 
         require_out(out);
         require(trajectory, "trajectory");
         require(profile, "profile");
-        give(swung(*trajectory->spline, *profile->spline, scale), out);
+        give(build::swung(*trajectory->spline, *profile->spline, scale), out);
     });
 }

@@ -25,9 +25,8 @@ void check_matrix(const double *matrix, int64_t rows, int64_t columns) {
     const int64_t size = checked_product(rows, columns, "matrix");
     for (int64_t i = 0; i < size; ++i) {
         if (!std::isfinite(matrix[i])) {
-            fail(Status::matrix, "matrix[%lld][%lld] = %s is not finite",
-                 static_cast<long long>(i / columns), static_cast<long long>(i % columns),
-                 Number(matrix[i]).text);
+            fail(Status::matrix, "matrix[%lld][%lld] = %s is not finite", static_cast<long long>(i / columns),
+                 static_cast<long long>(i % columns), Number(matrix[i]).text);
         }
     }
 }
@@ -50,7 +49,7 @@ nurbs_status nurbs_transform(const nurbs *g, int32_t out_dim, const double *matr
         check_out_dim(out_dim);
         check_matrix(matrix, out_dim, spline.dim());
         check_translation(translation, out_dim);
-        give(transform(spline, {out_dim, spline.dim(), matrix}, translation), out);
+        give(refine::transform(spline, {out_dim, spline.dim(), matrix}, translation), out);
     });
 }
 
@@ -60,6 +59,6 @@ nurbs_status nurbs_transform_projective(const nurbs *g, int32_t out_dim, const d
         const Spline &spline = spline_of(g);
         check_out_dim(out_dim);
         check_matrix(matrix, int64_t{out_dim} + 1, int64_t{spline.dim()} + 1);
-        give(transform_projective(spline, {out_dim + 1, spline.dim() + 1, matrix}), out);
+        give(refine::transform_projective(spline, {out_dim + 1, spline.dim() + 1, matrix}), out);
     });
 }

@@ -11,7 +11,7 @@ nurbs_status nurbs_normalize_weights(const nurbs *g, nurbs **out) {
     return guard([&] {
         require_out(out);
         require(g, "g");
-        give(normalize_weights(g->spline), out);
+        give(refine::normalize_weights(g->spline), out);
     });
 }
 
@@ -19,7 +19,7 @@ nurbs_status nurbs_reparametrize_moebius(const nurbs *g, int32_t axis, double ra
     return guard([&] {
         require_out(out);
         check_axis(spline_of(g), axis);
-        give(reparametrize_moebius(g->spline, axis, ratio), out);
+        give(refine::reparametrize_moebius(g->spline, axis, ratio), out);
     });
 }
 
@@ -27,6 +27,6 @@ nurbs_status nurbs_equalize_end_weights(const nurbs *g, int32_t axis, nurbs **ou
     return guard([&] {
         require_out(out);
         check_axis(spline_of(g), axis);
-        give(equalize_end_weights(g->spline, axis), out);
+        give(refine::equalize_end_weights(g->spline, axis), out);
     });
 }

@@ -1,10 +1,10 @@
 #include "analysis/contacts.h"
 
+#include "analysis/flatness.h"
 #include "base/finite.h"
-#include "numeric/norm.h"
 #include "bounds/deviation.h"
 #include "eval/evaluate.h"
-#include "analysis/flatness.h"
+#include "numeric/norm.h"
 #include "refine/forms/homogeneous.h"
 #include "refine/parts/iso.h"
 
@@ -12,14 +12,14 @@
 #include <cmath>
 #include <limits>
 
-namespace nrb {
+namespace nrb::analysis {
 
 namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
-AxisRule side(bool upper) noexcept {
-    AxisRule rule;
+eval::AxisRule side(bool upper) noexcept {
+    eval::AxisRule rule;
     rule.left = upper;
     return rule;
 }
@@ -37,9 +37,9 @@ double gap_of(const Spline &a, const Spline &b, double tolerance) {
     if (same_values(a, b)) {
         return 0;
     }
-    const DeviationPieces pieces(a, b);
+    const bounds::DeviationPieces pieces(a, b);
     const std::vector<double> uppers = pieces.uppers();
-    const Enclosure found = pieces.enclosure(uppers);
+    const pieces::Enclosure found = pieces.enclosure(uppers);
     const bool open = found.lower <= tolerance && tolerance < found.upper;
     return open ? pieces.enclosure(uppers, {.ratio = 1e-9, .steps = 4000}).upper : found.upper;
 }
@@ -50,11 +50,11 @@ double gap_of_ends(const Spline &curve) {
     std::vector<double> ends[2];
     for (const bool upper : {false, true}) {
         const double t = end_of(curve.axis(0), upper);
-        AxisRules rules{};
+        eval::AxisRules rules{};
         rules[0] = side(upper);
         auto &x = ends[upper ? 1 : 0];
         x.resize(static_cast<size_t>(curve.dim()));
-        evaluate_points(curve, rules, 0, {&t, 1, 1, 1, 1}, {x.data(), 1, curve.dim(), curve.dim(), 1});
+        eval::evaluate_points(curve, rules, 0, {&t, 1, 1, 1, 1}, {x.data(), 1, curve.dim(), curve.dim(), 1});
     }
     if (ends[0] == ends[1]) {
         return 0;
@@ -62,13 +62,13 @@ double gap_of_ends(const Spline &curve) {
     const KnotVector &axis = curve.axis(0);
     const bool exact = axis.clamped_start() && axis.clamped_end() && curve.form() != Form::homogeneous;
     const double hull =
-        exact ? 0 : largest_magnitude(cartesian_points(curve.effective())) * std::sqrt(curve.dim());
+        exact ? 0 : largest_magnitude(refine::cartesian_points(curve.effective())) * std::sqrt(curve.dim());
     return distance(ends[0].data(), ends[1].data(), curve.dim()) * (1 + (curve.dim() + 4) * eps) +
            64 * eps * hull;
 }
 
 double size_of(const Spline &boundary) {
-    const std::vector<double> points = cartesian_points(boundary.effective());
+    const std::vector<double> points = refine::cartesian_points(boundary.effective());
     const auto n = static_cast<size_t>(boundary.dim());
     bool point = true;
     for (size_t i = n; i < points.size() && point; ++i) {
@@ -88,8 +88,8 @@ Contacts boundary_contacts(const Spline &spline, double tolerance) {
             gap = axis.periodic() ? 0 : gap_of_ends(spline);
             result.boundaries.insert(result.boundaries.end(), 2, {true, 0});
         } else {
-            const SplinePtr lower = iso(spline, k, end_of(axis, false), side(false)),
-                            upper = iso(spline, k, end_of(axis, true), side(true));
+            const SplinePtr lower = refine::iso(spline, k, end_of(axis, false), side(false)),
+                            upper = refine::iso(spline, k, end_of(axis, true), side(true));
             gap = axis.periodic() ? 0 : gap_of(*lower, *upper, tolerance);
             for (const SplinePtr &boundary : {lower, upper}) {
                 const double size = size_of(*boundary);
@@ -101,4 +101,4 @@ Contacts boundary_contacts(const Spline &spline, double tolerance) {
     return result;
 }
 
-} // namespace nrb
+} // namespace nrb::analysis

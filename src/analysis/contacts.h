@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace nrb {
+namespace nrb::analysis {
 
 struct AxisContact {
     bool closed; // the gap is at most the tolerance
@@ -24,4 +24,4 @@ struct Contacts {
 // proven; their searches go on where they do not tell on which side of the tolerance the truth is.
 Contacts boundary_contacts(const Spline &spline, double tolerance);
 
-} // namespace nrb
+} // namespace nrb::analysis

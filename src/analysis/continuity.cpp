@@ -1,7 +1,7 @@
 #include "analysis/continuity.h"
 
-#include "numeric/norm.h"
 #include "eval/frames/jet.h"
+#include "numeric/norm.h"
 #include "refine/parts/iso.h"
 #include "spline/kind.h"
 #include "spline/near_one.h"
@@ -11,7 +11,7 @@
 #include <cmath>
 #include <limits>
 
-namespace nrb {
+namespace nrb::analysis {
 
 namespace {
 
@@ -32,7 +32,8 @@ double angle_between(const std::vector<double> &a, const std::vector<double> &b)
     return 2 * std::atan2(distance(a.data(), b.data(), n), along);
 }
 
-int parametric_order(const CurveSide &before, const CurveSide &after, const ContinuityRule &rule) {
+int parametric_order(const closest::CurveSide &before, const closest::CurveSide &after,
+                     const ContinuityRule &rule) {
     for (int k = 0; k <= before.order(); ++k) {
         const double allowed =
             k == 0 ? rule.position : rule.derivative * std::max(before.length(k), after.length(k));
@@ -52,7 +53,7 @@ struct Tangent {
     double error = 0;
 };
 
-Tangent tangent_of(const CurveSide &side, bool before) {
+Tangent tangent_of(const closest::CurveSide &side, bool before) {
     for (int k = 1; k <= side.order(); ++k) {
         const double length = side.length(k);
         if (length > side.error(k)) {
@@ -69,7 +70,7 @@ struct Curvature {
 };
 
 // (C'' - (C'' T) T) / |C'|^2
-Curvature curvature_of(const CurveSide &side, const Tangent &tangent) {
+Curvature curvature_of(const closest::CurveSide &side, const Tangent &tangent) {
     const int n = side.dim();
     const double speed = side.length(1);
     const double along = dot(side.at(2), tangent.unit.data(), n);
@@ -85,8 +86,9 @@ Curvature curvature_of(const CurveSide &side, const Tangent &tangent) {
 // G2 of two curves with regular tangents that agree. Along a length l the gap d turns the tangent by d l at
 // the most, and a curvature k by k l: against the longer span a gap counts as none where it is less than the
 // tolerance of the turn, or of 1. So rounding does not break a straight line, at any scale.
-void compare_curvatures(const CurveSide &before, const Tangent &tangent_before, const CurveSide &after,
-                        const Tangent &tangent_after, const ContinuityRule &rule, Continuity &found) {
+void compare_curvatures(const closest::CurveSide &before, const Tangent &tangent_before,
+                        const closest::CurveSide &after, const Tangent &tangent_after,
+                        const ContinuityRule &rule, Continuity &found) {
     const Curvature a = curvature_of(before, tangent_before), b = curvature_of(after, tangent_after);
     const int n = before.dim();
     found.curvature_gap = distance(a.vector.data(), b.vector.data(), n);
@@ -99,7 +101,8 @@ void compare_curvatures(const CurveSide &before, const Tangent &tangent_before, 
 
 } // namespace
 
-Continuity continuity(const CurveSide &before, const CurveSide &after, const ContinuityRule &rule) {
+Continuity continuity(const closest::CurveSide &before, const closest::CurveSide &after,
+                      const ContinuityRule &rule) {
     Continuity found{parametric_order(before, after, rule), -1,
                      distance(before.at(0), after.at(0), before.dim()), nan, nan};
     found.geometric = std::min(found.order, 0);
@@ -155,7 +158,7 @@ SplinePtr line_at(SplinePtr spline, int axis, const std::array<double, 2> &param
     size_t place = 0;
     for (int k = 0, left = spline->axes(); left > 1; --left) {
         k = k == axis ? k + 1 : k;
-        spline = iso(*spline, k, params[place++], {});
+        spline = refine::iso(*spline, k, params[place++], {});
         axis = k < axis ? axis - 1 : axis;
     }
     return spline;
@@ -164,7 +167,7 @@ SplinePtr line_at(SplinePtr spline, int axis, const std::array<double, 2> &param
 double accuracy_of(const Spline &spline) {
     double sum = 0;
     for (int k = 0; k < spline.axes(); ++k) {
-        sum += accuracy_factor(spline.axis(k).degree());
+        sum += eval::accuracy_factor(spline.axis(k).degree());
     }
     return sum;
 }
@@ -193,7 +196,7 @@ struct Normal {
     double error;
 };
 
-Normal normal_of(const CurveSide &u, const CurveSide &v) {
+Normal normal_of(const closest::CurveSide &u, const closest::CurveSide &v) {
     const double *a = u.at(1), *b = v.at(1);
     const double n[] = {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
     const double length = std::hypot(n[0], n[1], n[2]);
@@ -224,8 +227,8 @@ public:
         for (const Place &place : places_) {
             worst_.push_back({spline->axis(axis).degree(), 2, 0, nan, nan});
             if (has_normals()) {
-                below_.push_back(iso(*spline, axis, place.below, {.left = true}));
-                above_.push_back(iso(*spline, axis, place.above, {}));
+                below_.push_back(refine::iso(*spline, axis, place.below, {.left = true}));
+                above_.push_back(refine::iso(*spline, axis, place.above, {}));
             }
         }
     }
@@ -245,11 +248,11 @@ private:
 
     [[nodiscard]] Continuity at(const Spline &line, size_t i, double other) const {
         const int order = order_of(line);
-        const CurveSide before(line, places_[i].below, true, order, accuracy_),
+        const closest::CurveSide before(line, places_[i].below, true, order, accuracy_),
             after(line, places_[i].above, false, order, accuracy_);
         Continuity found = limited(continuity(before, after, rule_), line.axis(0).degree());
         if (has_normals()) {
-            const CurveSide left(*below_[i], other, false, 1, accuracy_),
+            const closest::CurveSide left(*below_[i], other, false, 1, accuracy_),
                 right(*above_[i], other, false, 1, accuracy_);
             compare_normals(normal_of(before, left), normal_of(after, right), rule_, found);
         } else if (spline_->axes() > 1) {
@@ -348,8 +351,8 @@ Continuity usual_continuity_between(const Spline &a, bool upper_a, const Spline 
                                     const ContinuityRule &rule) {
     const int degree = std::max(a.axis(0).degree(), b.axis(0).degree()), order = std::max(degree, 2);
     const Interval of_a = a.axis(0).domain(), of_b = b.axis(0).domain();
-    CurveSide before(a, upper_a ? of_a.upper : of_a.lower, upper_a, order, accuracy_of(a));
-    CurveSide after(b, upper_b ? of_b.upper : of_b.lower, upper_b, order, accuracy_of(b));
+    closest::CurveSide before(a, upper_a ? of_a.upper : of_a.lower, upper_a, order, accuracy_of(a));
+    closest::CurveSide after(b, upper_b ? of_b.upper : of_b.lower, upper_b, order, accuracy_of(b));
     if (!upper_a) {
         before.reverse();
     }
@@ -375,4 +378,4 @@ Continuity continuity_between(const Spline &a, bool upper_a, const Spline &b, bo
                        powers.size);
 }
 
-} // namespace nrb
+} // namespace nrb::analysis

@@ -3,7 +3,7 @@
 
 #include "closest/curve_side.h"
 
-namespace nrb {
+namespace nrb::analysis {
 
 struct ContinuityRule {
     double position; // largest distance that counts as none
@@ -28,7 +28,8 @@ struct KnotContinuity {
 };
 
 // Two sides of one place, both run through in the same direction.
-Continuity continuity(const CurveSide &before, const CurveSide &after, const ContinuityRule &rule);
+Continuity continuity(const closest::CurveSide &before, const closest::CurveSide &after,
+                      const ContinuityRule &rule);
 
 // At the distinct knots inside the domain of an axis, and at its seam, named by the upper end, if the axis is
 // periodic or its ends meet. Of a surface or volume: the worst of degree + 1 places in each span of every other
@@ -40,4 +41,4 @@ std::vector<KnotContinuity> continuity(const SplinePtr &spline, int axis, const 
 Continuity continuity_between(const Spline &a, bool upper_a, const Spline &b, bool upper_b,
                               const ContinuityRule &rule);
 
-} // namespace nrb
+} // namespace nrb::analysis

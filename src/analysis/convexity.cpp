@@ -8,7 +8,7 @@
 #include <limits>
 #include <numbers>
 
-namespace nrb {
+namespace nrb::analysis {
 
 namespace {
 
@@ -78,7 +78,7 @@ private:
     }
 
     void knot(size_t e) {
-        const HomogeneousPiece *before = pieces_.before(e);
+        const pieces::HomogeneousPiece *before = pieces_.before(e);
         if (before == nullptr) {
             return;
         }
@@ -94,9 +94,9 @@ private:
     // A tangent that vanishes inside is a cusp or a place where the curve stands still; at an end it is
     // divided out, and knot() sees whether the curve turns back there.
     void piece(size_t e) {
-        const HomogeneousPiece &piece = pieces_.pieces()[e];
+        const pieces::HomogeneousPiece &piece = pieces_.pieces()[e];
         unknown_ = unknown_ || !piece.positive;
-        RoundedPolynomial d = tangent_numerator(piece, 0);
+        RoundedPolynomial d = pieces::tangent_numerator(piece, 0);
         if (divide_end(d, along, false) < 0) {
             unknown_ = true;
             return;
@@ -105,7 +105,7 @@ private:
         for (const ZeroPlace &zero : zero_places(d)) {
             (zero.certain ? broken_ : unknown_) = true;
         }
-        for (const SignRun &run : sign_runs(bend_numerator(piece)).runs) {
+        for (const SignRun &run : sign_runs(pieces::bend_numerator(piece)).runs) {
             note(run.sign);
         }
         if (!broken_ && !unknown_) {
@@ -128,4 +128,4 @@ int32_t convexity(const Spline &curve) {
     return ConvexityTest(curve).run();
 }
 
-} // namespace nrb
+} // namespace nrb::analysis

@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-namespace nrb {
+namespace nrb::analysis {
 
 enum Convexity : int32_t {
     convexity_none = 0,  // turns both ways, or through more than a full turn, or has a cusp
@@ -20,4 +20,4 @@ enum Convexity : int32_t {
 // Status::not_representable. Precondition: a curve of dimension 2.
 int32_t convexity(const Spline &curve);
 
-} // namespace nrb
+} // namespace nrb::analysis

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace nrb {
+namespace nrb::analysis {
 
 bool exactly_zero(const RoundedPolynomial &f) noexcept {
     for (size_t i = 0; i < f.values.size(); ++i) {
@@ -13,7 +13,7 @@ bool exactly_zero(const RoundedPolynomial &f) noexcept {
     return true;
 }
 
-void append_runs(const HomogeneousPiece &piece, const SignRuns &signs, CurveSigns &out) {
+void append_runs(const pieces::HomogeneousPiece &piece, const SignRuns &signs, CurveSigns &out) {
     for (const SignRun &run : signs.runs) {
         out.runs.push_back({piece.parameter(0, run.from), piece.parameter(0, run.to), run.sign, run.zero >= 0,
                             piece.parameter(0, run.zero)});
@@ -21,9 +21,9 @@ void append_runs(const HomogeneousPiece &piece, const SignRuns &signs, CurveSign
     }
 }
 
-CurveSigns curve_signs(const std::vector<HomogeneousPiece> &pieces, const Numerator &numerator) {
+CurveSigns curve_signs(const std::vector<pieces::HomogeneousPiece> &pieces, const Numerator &numerator) {
     CurveSigns result;
-    for (const HomogeneousPiece &piece : pieces) {
+    for (const pieces::HomogeneousPiece &piece : pieces) {
         const RoundedPolynomial f = numerator(piece);
         if (!piece.positive || exactly_zero(f)) {
             result.runs.push_back({piece.parameter(0, 0), piece.parameter(0, 1), 0});
@@ -59,4 +59,4 @@ std::vector<SignChange> sign_changes(const std::vector<CurveRun> &runs, bool per
     return changes;
 }
 
-} // namespace nrb
+} // namespace nrb::analysis

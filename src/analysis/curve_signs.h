@@ -1,12 +1,12 @@
 // Signs along a whole curve, piece by piece.
 #pragma once
 
-#include "pieces/derivative_pieces.h"
 #include "bernstein/sign_runs.h"
+#include "pieces/derivative_pieces.h"
 
 #include <functional>
 
-namespace nrb {
+namespace nrb::analysis {
 
 // An interval of parameters with a certain sign (1 or -1), or one in which it is 0 or hidden (0).
 struct CurveRun {
@@ -23,14 +23,14 @@ struct CurveSigns {
 };
 
 // Scalar polynomials on the pieces of a curve, up to positive factors.
-using Numerator = std::function<RoundedPolynomial(const HomogeneousPiece &)>;
+using Numerator = std::function<RoundedPolynomial(const pieces::HomogeneousPiece &)>;
 
 // Whether all values are 0 without any rounding.
 bool exactly_zero(const RoundedPolynomial &f) noexcept;
 
 // The runs of one piece in its parameters. Pieces whose weight has no certain sign have none.
-void append_runs(const HomogeneousPiece &piece, const SignRuns &signs, CurveSigns &out);
-CurveSigns curve_signs(const std::vector<HomogeneousPiece> &pieces, const Numerator &numerator);
+void append_runs(const pieces::HomogeneousPiece &piece, const SignRuns &signs, CurveSigns &out);
+CurveSigns curve_signs(const std::vector<pieces::HomogeneousPiece> &pieces, const Numerator &numerator);
 
 // Where a sign turns into the other one: between the end of the one and the start of the other.
 struct SignChange {
@@ -44,4 +44,4 @@ struct SignChange {
 // With the change at the seam, given as the start, if the axis is periodic.
 std::vector<SignChange> sign_changes(const std::vector<CurveRun> &runs, bool periodic);
 
-} // namespace nrb
+} // namespace nrb::analysis

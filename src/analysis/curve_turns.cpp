@@ -1,13 +1,13 @@
 #include "analysis/curve_turns.h"
 
-#include "numeric/norm.h"
 #include "eval/evaluate.h"
+#include "numeric/norm.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-namespace nrb {
+namespace nrb::analysis {
 
 namespace {
 
@@ -26,17 +26,17 @@ Bounded at_end(const RoundedPolynomial &f, bool upper, size_t c = 0) noexcept {
 }
 
 std::vector<double> point(const Spline &curve, double t, bool left) {
-    AxisRules rules{};
+    eval::AxisRules rules{};
     rules[0].left = left;
     std::vector<double> x(static_cast<size_t>(curve.dim()));
-    evaluate_points(curve, rules, 0, {&t, 1, 1, 1, 1}, {x.data(), 1, curve.dim(), curve.dim(), 1});
+    eval::evaluate_points(curve, rules, 0, {&t, 1, 1, 1, 1}, {x.data(), 1, curve.dim(), curve.dim(), 1});
     return x;
 }
 
 } // namespace
 
-EndTangent end_tangent(const HomogeneousPiece &piece, bool upper) {
-    RoundedPolynomial d = tangent_numerator(piece, 0);
+EndTangent end_tangent(const pieces::HomogeneousPiece &piece, bool upper) {
+    RoundedPolynomial d = pieces::tangent_numerator(piece, 0);
     if (divide_end(d, along, upper) < 0) {
         return {};
     }
@@ -72,8 +72,8 @@ double turning_angle(const EndTangent &before, const EndTangent &after) {
     return n == 2 && a[0] * b[1] - a[1] * b[0] < 0 ? -angle : angle;
 }
 
-std::optional<EndCurvature> end_curvature(const HomogeneousPiece &piece, bool upper) {
-    const RoundedPolynomial d = tangent_numerator(piece, 0), m = bend_numerator(piece);
+std::optional<EndCurvature> end_curvature(const pieces::HomogeneousPiece &piece, bool upper) {
+    const RoundedPolynomial d = pieces::tangent_numerator(piece, 0), m = pieces::bend_numerator(piece);
     const Bounded s = at_end(dot(d, d), upper), w = at_end(piece.weight, upper);
     double bend = 0, error = 0;
     for (int c = 0; c < m.shape.width; ++c) {
@@ -96,7 +96,7 @@ CurvePieces::CurvePieces(const Spline &curve) : curve_(curve), maker_(curve, who
     }
 }
 
-const HomogeneousPiece *CurvePieces::before(size_t e) const noexcept {
+const pieces::HomogeneousPiece *CurvePieces::before(size_t e) const noexcept {
     return e > 0 ? &pieces_[e - 1] : periodic() ? &pieces_.back() : nullptr;
 }
 
@@ -116,4 +116,4 @@ double CurvePieces::jump(size_t e) const {
     return gap > 4 * eps * (norm(a.data(), n) + norm(b.data(), n)) ? gap : 0;
 }
 
-} // namespace nrb
+} // namespace nrb::analysis

@@ -6,14 +6,14 @@
 #include <optional>
 #include <vector>
 
-namespace nrb {
+namespace nrb::analysis {
 
 // Of a tangent or curvature at an end of a piece, in Cartesian units, with a bound of its rounding.
 struct EndTangent {
     std::vector<double> direction; // a unit vector; empty where it has none
     double turned = 0;             // at most, by rounding
 };
-EndTangent end_tangent(const HomogeneousPiece &piece, bool upper);
+EndTangent end_tangent(const pieces::HomogeneousPiece &piece, bool upper);
 
 // From one tangent to another: the angle, in the plane positive to the left; 0 where rounding may have made
 // it, or there is none.
@@ -24,7 +24,7 @@ struct EndCurvature {
     double error = 0;
 };
 // Where C' does not vanish for certain.
-std::optional<EndCurvature> end_curvature(const HomogeneousPiece &piece, bool upper);
+std::optional<EndCurvature> end_curvature(const pieces::HomogeneousPiece &piece, bool upper);
 
 // The pieces on both sides of the knots of a curve, its seam among them if it is periodic; kept, since both
 // need them.
@@ -33,11 +33,11 @@ public:
     explicit CurvePieces(const Spline &curve);
 
     [[nodiscard]] const Spline &curve() const noexcept { return curve_; }
-    [[nodiscard]] const PieceMaker &maker() const noexcept { return maker_; }
-    [[nodiscard]] const std::vector<HomogeneousPiece> &pieces() const noexcept { return pieces_; }
+    [[nodiscard]] const pieces::PieceMaker &maker() const noexcept { return maker_; }
+    [[nodiscard]] const std::vector<pieces::HomogeneousPiece> &pieces() const noexcept { return pieces_; }
     [[nodiscard]] bool periodic() const noexcept { return curve_.axis(0).periodic(); }
     // The piece before piece e, or null.
-    [[nodiscard]] const HomogeneousPiece *before(size_t e) const noexcept;
+    [[nodiscard]] const pieces::HomogeneousPiece *before(size_t e) const noexcept;
     // Order of continuity that the knot at the start of piece e guarantees.
     [[nodiscard]] int order(size_t e) const noexcept;
     // The distance of the two limits at the start of piece e, 0 where rounding may have made it.
@@ -45,8 +45,8 @@ public:
 
 private:
     const Spline &curve_;
-    PieceMaker maker_;
-    std::vector<HomogeneousPiece> pieces_;
+    pieces::PieceMaker maker_;
+    std::vector<pieces::HomogeneousPiece> pieces_;
 };
 
-} // namespace nrb
+} // namespace nrb::analysis

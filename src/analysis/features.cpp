@@ -1,16 +1,16 @@
 #include "analysis/features.h"
 
+#include "analysis/curve_signs.h"
+#include "analysis/curve_turns.h"
 #include "base/error.h"
 #include "eval/frames/curve_limit.h"
 #include "eval/frames/magnitude.h"
-#include "analysis/curve_signs.h"
-#include "analysis/curve_turns.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-namespace nrb {
+namespace nrb::analysis {
 
 namespace {
 
@@ -18,8 +18,8 @@ constexpr int along = 2; // the axis of the three that curves lie along
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 // Twice M' w S + 6 M w' S - 3 M w S', or Q' w S + 6 Q w' S - 3 Q w S' for Q = M . M.
-RoundedPolynomial slope_numerator(const HomogeneousPiece &piece, const RoundedPolynomial &m) {
-    const RoundedPolynomial d = tangent_numerator(piece, 0), s = dot(d, d);
+RoundedPolynomial slope_numerator(const pieces::HomogeneousPiece &piece, const RoundedPolynomial &m) {
+    const RoundedPolynomial d = pieces::tangent_numerator(piece, 0), s = dot(d, d);
     const bool plane = m.shape.width == 1;
     const RoundedPolynomial q = plane ? m : dot(m, m);
     RoundedPolynomial rise =
@@ -90,10 +90,11 @@ private:
     void add(double at, int32_t kind, double value) { found_.list.push_back({at, kind, value}); }
     [[nodiscard]] double curvature(double t) const {
         double result = 0;
-        const AxisRules rules{};
-        for_each_magnitude(curve_, rules, {&t, 1}, [&result](const MagnitudeRun &run) {
-            Jet::prepare(run.spline);
-            result = std::ldexp(limit_frame(run.spline, run.rules, run.params(0, 0)).curvature, run.size);
+        const eval::AxisRules rules{};
+        eval::for_each_magnitude(curve_, rules, {&t, 1}, [&result](const eval::MagnitudeRun &run) {
+            eval::Jet::prepare(run.spline);
+            result =
+                std::ldexp(eval::limit_frame(run.spline, run.rules, run.params(0, 0)).curvature, run.size);
         });
         return result;
     }
@@ -105,9 +106,9 @@ private:
     }
 
     void plane_inflections() {
-        add_changes(curve_signs(pieces_.pieces(), bend_numerator), feature_inflection);
+        add_changes(curve_signs(pieces_.pieces(), pieces::bend_numerator), feature_inflection);
     }
-    void torsion() { add_changes(curve_signs(pieces_.pieces(), twist_numerator), feature_torsion); }
+    void torsion() { add_changes(curve_signs(pieces_.pieces(), pieces::twist_numerator), feature_torsion); }
 
     struct CurveZero {
         double from;
@@ -117,7 +118,7 @@ private:
     // Zeros of a vector in all pieces; one at a knot, seen from both sides, is one.
     std::vector<CurveZero> zeros(const Numerator &numerator) {
         std::vector<CurveZero> result;
-        for (const HomogeneousPiece &piece : pieces_.pieces()) {
+        for (const pieces::HomogeneousPiece &piece : pieces_.pieces()) {
             found_.complete = found_.complete && piece.positive;
             for (const ZeroPlace &place : zero_places(numerator(piece))) {
                 const CurveZero zero{piece.parameter(0, place.from), piece.parameter(0, place.to),
@@ -145,7 +146,7 @@ private:
 
     void space_inflections() {
         const Interval domain = curve_.axis(0).domain();
-        for (const CurveZero &zero : zeros(bend_numerator)) {
+        for (const CurveZero &zero : zeros(pieces::bend_numerator)) {
             const double at = zero.from / 2 + zero.to / 2;
             const bool end = at <= domain.lower || at >= domain.upper;
             if (is_place(zero, domain) && !(end && !pieces_.periodic())) {
@@ -155,7 +156,9 @@ private:
     }
 
     void cusps() {
-        const auto tangent = [](const HomogeneousPiece &piece) { return tangent_numerator(piece, 0); };
+        const auto tangent = [](const pieces::HomogeneousPiece &piece) {
+            return pieces::tangent_numerator(piece, 0);
+        };
         for (const CurveZero &zero : zeros(tangent)) {
             const double at = zero.from / 2 + zero.to / 2;
             if (is_place(zero, curve_.axis(0).domain())) {
@@ -168,7 +171,7 @@ private:
 
     void knots() {
         for (size_t e = 0; e < pieces_.pieces().size(); ++e) {
-            const HomogeneousPiece *before = pieces_.before(e);
+            const pieces::HomogeneousPiece *before = pieces_.before(e);
             if (before == nullptr) {
                 continue;
             }
@@ -186,7 +189,7 @@ private:
 
     // 1 where the curvature jumps up at the start of piece e, -1 where it jumps down.
     [[nodiscard]] int curvature_step(size_t e) const {
-        const HomogeneousPiece *before = pieces_.before(e);
+        const pieces::HomogeneousPiece *before = pieces_.before(e);
         if (before == nullptr || pieces_.order(e) >= 2) {
             return 0;
         }
@@ -205,8 +208,8 @@ private:
     }
 
     // The rise of |curvature| along the curve, its steps at knots included; and where M vanishes.
-    static void append_piece(const HomogeneousPiece &piece, CurveSigns &rises, CurveSigns &bends) {
-        const RoundedPolynomial m = bend_numerator(piece);
+    static void append_piece(const pieces::HomogeneousPiece &piece, CurveSigns &rises, CurveSigns &bends) {
+        const RoundedPolynomial m = pieces::bend_numerator(piece);
         if (exactly_zero(m)) {
             rises.runs.push_back({piece.parameter(0, 0), piece.parameter(0, 1), 0});
             bends.runs.push_back(rises.runs.back());
@@ -267,4 +270,4 @@ Features curve_features(const Spline &curve, uint32_t kinds) {
     return FeatureFinder(curve, kinds).run();
 }
 
-} // namespace nrb
+} // namespace nrb::analysis

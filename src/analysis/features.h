@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace nrb {
+namespace nrb::analysis {
 
 enum FeatureKind : int32_t {
     feature_inflection = 0x01,        // the curvature changes its sign; in space: it vanishes
@@ -40,4 +40,4 @@ struct Features {
 // Throws Status::not_representable. Precondition: a curve of dimension 2 or 3.
 Features curve_features(const Spline &curve, uint32_t kinds);
 
-} // namespace nrb
+} // namespace nrb::analysis

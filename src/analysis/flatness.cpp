@@ -1,23 +1,23 @@
 #include "analysis/flatness.h"
 
+#include "eval/evaluate.h"
 #include "numeric/norm.h"
 #include "numeric/solvers/principal_axes.h"
 #include "pieces/spline_pieces.h"
-#include "eval/evaluate.h"
-#include "refine/knots/bezier_rows.h"
 #include "refine/forms/homogeneous.h"
+#include "refine/knots/bezier_rows.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 
-namespace nrb {
+namespace nrb::analysis {
 
 namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
-constexpr SearchLimits fine{.ratio = 1e-3, .steps = 4000};
+constexpr pieces::SearchLimits fine{.ratio = 1e-3, .steps = 4000};
 
 // The points that are finite, one after the other.
 std::vector<double> finite_points(const std::vector<double> &points, int dim) {
@@ -83,7 +83,7 @@ std::vector<double> main_direction(std::vector<double> points, int dim) {
 
 // Places in every span of an axis, so many that all axes together have some thousands, and its ends.
 std::vector<double> places_on(const KnotVector &axis, int axes) {
-    const std::vector<double> breaks = breaks_of(axis);
+    const std::vector<double> breaks = refine::breaks_of(axis);
     const double enough = std::pow(4096.0, 1.0 / axes);
     const auto spans = static_cast<double>(breaks.size() - 1);
     const int n = static_cast<int>(std::clamp(enough / spans, 1.0, 2.0 * axis.degree() + 2));
@@ -102,12 +102,12 @@ std::vector<double> places_on(const KnotVector &axis, int axes) {
 }
 
 std::vector<double> end_point(const Spline &curve, bool upper) {
-    AxisRules rules{};
+    eval::AxisRules rules{};
     rules[0].left = upper;
     const Interval domain = curve.axis(0).domain();
     const double t = upper ? domain.upper : domain.lower;
     std::vector<double> x(static_cast<size_t>(curve.dim()));
-    evaluate_points(curve, rules, 0, {&t, 1, 1, 1, 1}, {x.data(), 1, curve.dim(), curve.dim(), 1});
+    eval::evaluate_points(curve, rules, 0, {&t, 1, 1, 1, 1}, {x.data(), 1, curve.dim(), curve.dim(), 1});
     return x;
 }
 
@@ -130,12 +130,12 @@ std::vector<double> projection_across(const std::vector<double> &d) {
 // The largest |M (x - centre)| for a matrix of norm 1.
 double largest_image(const Spline &spline, const std::vector<double> &centre,
                      const std::vector<double> &matrix) {
-    const SplinePieces pieces(spline, whole_domain(spline), centre);
-    const PieceSource source = [&](int64_t i, QuotientPiece &out) {
+    const pieces::SplinePieces pieces(spline, whole_domain(spline), centre);
+    const pieces::PieceSource source = [&](int64_t i, pieces::QuotientPiece &out) {
         pieces.fill(i, matrix.data(), spline.dim(), 1, out);
     };
-    const std::vector<double> uppers = quotient_uppers(pieces.count(), source);
-    return largest_quotient(uppers, source, fine).upper;
+    const std::vector<double> uppers = pieces::quotient_uppers(pieces.count(), source);
+    return pieces::largest_quotient(uppers, source, fine).upper;
 }
 
 void require_finite(double bound) {
@@ -145,9 +145,11 @@ void require_finite(double bound) {
 }
 
 // The largest value of direction . (x - c), to a thousandth of the width that is known.
-double reach_of(const SplinePieces &pieces, const std::vector<double> &direction, double tolerance) {
-    const PieceSource source = [&](int64_t i, QuotientPiece &out) { pieces.fill(i, direction.data(), out); };
-    return largest_value(pieces.count(), source, tolerance, 4000).bounds.upper;
+double reach_of(const pieces::SplinePieces &pieces, const std::vector<double> &direction, double tolerance) {
+    const pieces::PieceSource source = [&](int64_t i, pieces::QuotientPiece &out) {
+        pieces.fill(i, direction.data(), out);
+    };
+    return pieces::largest_value(pieces.count(), source, tolerance, 4000).bounds.upper;
 }
 
 } // namespace
@@ -163,7 +165,8 @@ std::vector<double> sample_points(const Spline &spline) {
         count *= std::ssize(places[at]);
     }
     std::vector<double> points(static_cast<size_t>(count * spline.dim()));
-    evaluate_grid(spline, AxisRules{}, 0, params, {points.data(), count, spline.dim(), spline.dim(), 1});
+    eval::evaluate_grid(spline, eval::AxisRules{}, 0, params,
+                        {points.data(), count, spline.dim(), spline.dim(), 1});
     return points;
 }
 
@@ -231,8 +234,8 @@ Flatness straightness(const Spline &spline) {
 }
 
 Flatness planarity(const Spline &spline) {
-    const std::vector<double> axes = principal_axes(cartesian_points(spline.effective()), 3);
-    const SplinePieces pieces(spline, whole_domain(spline));
+    const std::vector<double> axes = principal_axes(refine::cartesian_points(spline.effective()), 3);
+    const pieces::SplinePieces pieces(spline, whole_domain(spline));
     std::vector<double> normal(axes.begin() + 6, axes.end());
     const auto largest = std::max_element(normal.begin(), normal.end(),
                                           [](double a, double b) { return std::abs(a) < std::abs(b); });
@@ -254,4 +257,4 @@ Flatness planarity(const Spline &spline) {
     return result;
 }
 
-} // namespace nrb
+} // namespace nrb::analysis

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace nrb {
+namespace nrb::analysis {
 
 struct Flatness {
     std::vector<double> origin;
@@ -31,4 +31,4 @@ std::vector<double> ball_centre(const std::vector<double> &points, int dim);
 // No point of the spline is farther from a point than this, and nearly the least such number.
 double farthest_from(const Spline &spline, const std::vector<double> &centre);
 
-} // namespace nrb
+} // namespace nrb::analysis

@@ -1,14 +1,14 @@
 #include "analysis/folds.h"
 
-#include "base/error.h"
-#include "numeric/norm.h"
 #include "analysis/curve_signs.h"
 #include "analysis/jacobian_parts.h"
+#include "base/error.h"
+#include "numeric/norm.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace nrb {
+namespace nrb::analysis {
 
 namespace {
 
@@ -16,8 +16,8 @@ using Vector = std::array<double, 3>;
 
 // The mean of S_u x S_v over a piece, whose parameters run over a unit square: of polynomials that of the
 // coefficients, otherwise of N / w^3 at the middles of squares.
-Vector mean_normal(const HomogeneousPiece &piece) {
-    const RoundedPolynomial n = normal_numerator(piece);
+Vector mean_normal(const pieces::HomogeneousPiece &piece) {
+    const RoundedPolynomial n = pieces::normal_numerator(piece);
     Vector sum{};
     if (piece.weight.shape.coefficients() == 1) {
         for (size_t i = 0; i < n.values.size(); ++i) {
@@ -48,11 +48,11 @@ Vector mean_normal(const HomogeneousPiece &piece) {
 }
 
 // The vector area as a unit vector.
-Vector area_direction(const PieceMaker &maker) {
+Vector area_direction(const pieces::PieceMaker &maker) {
     std::vector<Vector> parts;
     std::vector<int> exponents;
     for (int64_t e = 0; e < maker.count(); ++e) {
-        const HomogeneousPiece piece = maker.piece(e);
+        const pieces::HomogeneousPiece piece = maker.piece(e);
         parts.push_back(mean_normal(piece));
         exponents.push_back(2 * piece.exponent); // lengths are in units of their powers of two
     }
@@ -122,20 +122,21 @@ private:
     [[nodiscard]] bool found() const noexcept { return test_.positive && test_.negative; }
 
     // The product of three or four factors of a piece's degrees.
-    [[nodiscard]] bool too_large(const HomogeneousPiece &piece) const noexcept {
+    [[nodiscard]] bool too_large(const pieces::HomogeneousPiece &piece) const noexcept {
         const double n = static_cast<double>(piece.points.shape.coefficients());
         const double factors = spline_.axes() == 3 ? 12 : 4;
         return n * n * factors > 2e7;
     }
 
-    void start(const HomogeneousPiece &piece) {
+    void start(const pieces::HomogeneousPiece &piece) {
         const size_t e = pieces_.size();
         pieces_.push_back(piece.part);
         if (!piece.positive || too_large(piece)) {
             hidden_ = true;
             return;
         }
-        RoundedPolynomial f = spline_.axes() == 3 ? volume_numerator(piece) : normal_numerator(piece);
+        RoundedPolynomial f =
+            spline_.axes() == 3 ? pieces::volume_numerator(piece) : pieces::normal_numerator(piece);
         if (f.shape.width == 3) {
             RoundedPolynomial along = scaled(component(f, 0), reference_[0]);
             along = sum(along, reference_[1], component(f, 1));
@@ -199,7 +200,7 @@ private:
     }
 
     const Spline &spline_;
-    PieceMaker maker_;
+    pieces::PieceMaker maker_;
     Vector reference_{};
     std::vector<Part> pieces_;
     std::vector<Ends> ends_;
@@ -214,4 +215,4 @@ FoldTest fold_test(const Spline &spline, const double *reference) {
     return FoldSearch(spline, reference).run();
 }
 
-} // namespace nrb
+} // namespace nrb::analysis

@@ -6,7 +6,7 @@
 #include <array>
 #include <optional>
 
-namespace nrb {
+namespace nrb::analysis {
 
 enum Fold : int32_t {
     fold_none = 0,  // proven: there is none
@@ -25,4 +25,4 @@ struct FoldTest {
 // its vector area. Throws Status::direction, not_representable.
 FoldTest fold_test(const Spline &spline, const double *reference);
 
-} // namespace nrb
+} // namespace nrb::analysis

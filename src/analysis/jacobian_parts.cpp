@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace nrb {
+namespace nrb::analysis {
 
 Ends divide_boundaries(RoundedPolynomial &f, int axes) {
     Ends divided{};
@@ -43,4 +43,4 @@ int64_t halvings_for(const RoundedPolynomial &f) noexcept {
     return std::min(most, room / std::max<int64_t>(1, f.shape.values()));
 }
 
-} // namespace nrb
+} // namespace nrb::analysis

@@ -5,7 +5,7 @@
 
 #include <deque>
 
-namespace nrb {
+namespace nrb::analysis {
 
 // A polynomial on a part of a piece; from and to are places between 0 and 1 on the axes of the spline.
 struct JacobianPart {
@@ -28,4 +28,4 @@ bool halve_longest(JacobianPart &part, int axes, const std::array<double, max_ax
 // Parts are looked at from the largest to the smallest, as many as `halvings` allow and memory holds.
 int64_t halvings_for(const RoundedPolynomial &f) noexcept;
 
-} // namespace nrb
+} // namespace nrb::analysis

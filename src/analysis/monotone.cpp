@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace nrb {
+namespace nrb::analysis {
 
 namespace {
 
@@ -37,8 +37,8 @@ MonotonePieces monotone_pieces(const Spline &curve, const double *direction) {
     const std::vector<double> unit = scaled_direction(direction, curve.dim());
     MonotonePieces result;
     for (size_t e = 0; e < pieces.pieces().size(); ++e) {
-        const HomogeneousPiece &piece = pieces.pieces()[e];
-        const SignRuns signs = sign_runs(along(tangent_numerator(piece, 0), unit));
+        const pieces::HomogeneousPiece &piece = pieces.pieces()[e];
+        const SignRuns signs = sign_runs(along(pieces::tangent_numerator(piece, 0), unit));
         result.complete = result.complete && !signs.doubtful;
         bool fresh = e == 0 || pieces.jump(e) > 0;
         double from = piece.parameter(0, 0);
@@ -58,4 +58,4 @@ MonotonePieces monotone_pieces(const Spline &curve, const double *direction) {
     return result;
 }
 
-} // namespace nrb
+} // namespace nrb::analysis

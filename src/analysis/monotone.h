@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace nrb {
+namespace nrb::analysis {
 
 struct MonotonePieces {
     struct Piece {
@@ -20,4 +20,4 @@ struct MonotonePieces {
 // Status::not_representable. Precondition: a finite direction.
 MonotonePieces monotone_pieces(const Spline &curve, const double *direction);
 
-} // namespace nrb
+} // namespace nrb::analysis

@@ -7,27 +7,27 @@
 #include <numeric>
 #include <optional>
 
-namespace nrb {
+namespace nrb::analysis {
 
 namespace {
 
 // |S_u|^2 |S_v|^2 - (S_u . S_v)^2, times powers of the weight.
-RoundedPolynomial gram_numerator(const HomogeneousPiece &piece) {
-    const RoundedPolynomial u = tangent_numerator(piece, 0), v = tangent_numerator(piece, 1);
+RoundedPolynomial gram_numerator(const pieces::HomogeneousPiece &piece) {
+    const RoundedPolynomial u = pieces::tangent_numerator(piece, 0), v = pieces::tangent_numerator(piece, 1);
     const RoundedPolynomial mixed = dot(u, v);
     return dot(u, u) * dot(v, v) - mixed * mixed;
 }
 
 // Nothing: every place is singular.
-std::optional<RoundedPolynomial> numerator_of(const HomogeneousPiece &piece, int axes) {
+std::optional<RoundedPolynomial> numerator_of(const pieces::HomogeneousPiece &piece, int axes) {
     const int dim = piece.points.shape.width;
     if (axes == 1) {
-        return tangent_numerator(piece, 0);
+        return pieces::tangent_numerator(piece, 0);
     }
     if (dim == 1) {
         return std::nullopt;
     }
-    return dim <= 3 ? normal_numerator(piece) : gram_numerator(piece);
+    return dim <= 3 ? pieces::normal_numerator(piece) : gram_numerator(piece);
 }
 
 // A component, or the projection to the mean of the coefficients, has a certain sign.
@@ -91,7 +91,7 @@ public:
     }
 
 private:
-    void start(const HomogeneousPiece &piece) {
+    void start(const pieces::HomogeneousPiece &piece) {
         const size_t e = pieces_.size();
         pieces_.push_back(piece.part);
         std::array<double, max_axes> scale{};
@@ -243,7 +243,7 @@ private:
 
     int axes_;
     double tolerance_;
-    PieceMaker maker_;
+    pieces::PieceMaker maker_;
     Part domain_;
     std::vector<Part> pieces_;
     std::vector<std::array<double, max_axes>> scales_; // length of a piece as a part of the domain
@@ -258,4 +258,4 @@ SingularPlaces singular_places(const Spline &spline, double tolerance) {
     return SingularSearch(spline, tolerance).run();
 }
 
-} // namespace nrb
+} // namespace nrb::analysis

@@ -3,7 +3,7 @@
 
 #include "pieces/spline_pieces.h"
 
-namespace nrb {
+namespace nrb::analysis {
 
 struct SingularPlace {
     std::array<double, 2> at{};
@@ -21,4 +21,4 @@ struct SingularPlaces {
 // vanish to rounding are places of their own and divided out. Throws Status::not_representable.
 SingularPlaces singular_places(const Spline &spline, double tolerance);
 
-} // namespace nrb
+} // namespace nrb::analysis

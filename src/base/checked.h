@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace nrb {
+namespace nrb::inline base {
 
 // Largest number of doubles that an array can hold: its size in bytes must fit a difference of pointers, and no
 // processor has more than 2^56 bytes of addresses for a program. What is below both limits can be summed and turned
@@ -20,8 +20,7 @@ inline constexpr int64_t max_doubles =
 // The length n of an array, refused beyond max_doubles. `what` names the array in the message.
 inline int64_t checked_array(int64_t n, const char *what) {
     if (n > max_doubles) {
-        fail(Status::overflow, "%s: %lld values exceed the address space", what,
-             static_cast<long long>(n));
+        fail(Status::overflow, "%s: %lld values exceed the address space", what, static_cast<long long>(n));
     }
     return n;
 }
@@ -46,4 +45,4 @@ inline int64_t checked_sum(int64_t a, int64_t b, const char *what) {
     return a + b;
 }
 
-} // namespace nrb
+} // namespace nrb::inline base

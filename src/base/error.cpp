@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <cstring>
 
-namespace nrb {
+namespace nrb::inline base {
 
 Error::Error(Status status, const char *text) noexcept : status_(status), text_{} {
     std::memcpy(text_, text, std::min(std::strlen(text), static_cast<size_t>(capacity) - 1));
@@ -25,4 +25,4 @@ void fail(Status status, const char *format, ...) {
     throw Error(status, text);
 }
 
-} // namespace nrb
+} // namespace nrb::inline base

@@ -5,7 +5,7 @@
 
 #include <exception>
 
-namespace nrb {
+namespace nrb::inline base {
 
 // Carries a status and its message. The text is stored inside, so that throwing needs no memory
 // beyond the exception object itself.
@@ -31,4 +31,4 @@ struct Number {
 // Throws Error with a printf-style message.
 [[noreturn]] __attribute__((format(printf, 2, 3))) void fail(Status status, const char *format, ...);
 
-} // namespace nrb
+} // namespace nrb::inline base

@@ -13,7 +13,7 @@
 #include <cstdint>
 
 HWY_BEFORE_NAMESPACE();
-namespace nrb {
+namespace nrb::inline base {
 namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
@@ -100,11 +100,11 @@ Extremes find_extremes(std::span<const double> values) {
 }
 
 } // namespace HWY_NAMESPACE
-} // namespace nrb
+} // namespace nrb::inline base
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace nrb {
+namespace nrb::inline base {
 
 HWY_EXPORT(find_below);
 HWY_EXPORT(find_largest);
@@ -126,5 +126,5 @@ Extremes extremes(std::span<const double> values) noexcept {
     return HWY_DYNAMIC_DISPATCH(find_extremes)(values);
 }
 
-} // namespace nrb
+} // namespace nrb::inline base
 #endif

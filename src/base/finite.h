@@ -3,7 +3,7 @@
 
 #include <span>
 
-namespace nrb {
+namespace nrb::inline base {
 
 bool all_finite(std::span<const double> values) noexcept;
 
@@ -22,4 +22,4 @@ struct Extremes {
 // Of those that are numbers, and the first one. Precondition: there is one.
 Extremes extremes(std::span<const double> values) noexcept;
 
-} // namespace nrb
+} // namespace nrb::inline base

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <memory>
 
-namespace nrb {
+namespace nrb::inline base {
 
 // Two threads that meet may both build; the first to store wins and the other result is dropped. Nobody ever
 // waits, and a builder that throws leaves the slot empty.
@@ -50,4 +50,4 @@ private:
     mutable std::atomic<int64_t> count_{0};
 };
 
-} // namespace nrb
+} // namespace nrb::inline base

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-namespace nrb {
+namespace nrb::inline base {
 
 template <class T>
 struct RecordView {
@@ -28,4 +28,4 @@ using ConstRecords = RecordView<const double>;
 using Records = RecordView<double>;
 using FloatRecords = RecordView<float>; // results in single precision; strides in floats
 
-} // namespace nrb
+} // namespace nrb::inline base

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <span>
 
-namespace nrb {
+namespace nrb::inline base {
 
 // Throws Status::not_representable unless all values are finite; `what` names them in the message.
 inline void require_representable(std::span<const double> values, const char *what) {
@@ -20,4 +20,4 @@ inline void require_representable(std::span<const double> values, const char *wh
     }
 }
 
-} // namespace nrb
+} // namespace nrb::inline base

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <memory>
 
-namespace nrb {
+namespace nrb::inline base {
 
 class Scratch {
 public:
@@ -37,4 +37,4 @@ private:
     double *next_;
 };
 
-} // namespace nrb
+} // namespace nrb::inline base

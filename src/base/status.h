@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-namespace nrb {
+namespace nrb::inline base {
 
 enum class Status : int32_t {
     ok = 0,
@@ -85,4 +85,4 @@ enum class Status : int32_t {
     internal = 900,
 };
 
-} // namespace nrb
+} // namespace nrb::inline base

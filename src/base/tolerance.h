@@ -3,7 +3,7 @@
 
 #include "base/error.h"
 
-namespace nrb {
+namespace nrb::inline base {
 
 // tolerance >= 0, else Status::tolerance.
 inline void check_tolerance(double tolerance, const char *name = "tolerance") {
@@ -19,4 +19,4 @@ inline void check_positive_tolerance(double tolerance) {
     }
 }
 
-} // namespace nrb
+} // namespace nrb::inline base

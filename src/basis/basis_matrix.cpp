@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace nrb {
+namespace nrb::inline basis {
 
 namespace {
 
@@ -192,4 +192,4 @@ void basis_matrix(SegmentBasis from, SegmentBasis to, int degree, double *matrix
     }
 }
 
-} // namespace nrb
+} // namespace nrb::inline basis

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-namespace nrb {
+namespace nrb::inline basis {
 
 enum class SegmentBasis { power, bernstein, hermite, bspline };
 
@@ -16,4 +16,4 @@ inline constexpr int max_matrix_degree = 21;
 // max_matrix_degree, odd where hermite occurs. Cost: O(degree^3).
 void basis_matrix(SegmentBasis from, SegmentBasis to, int degree, double *matrix) noexcept;
 
-} // namespace nrb
+} // namespace nrb::inline basis

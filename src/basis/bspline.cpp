@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace nrb {
+namespace nrb::inline basis {
 
 void raise_degree(const double *knots, int d, int64_t span, double t, double *values) noexcept {
     append_argument(knots + span + 1, knots + span + 1, d, t, values);
@@ -77,4 +77,4 @@ void bernstein_derivs(int degree, double t, int order, double *values) noexcept 
     basis_derivs(knots, degree, degree, t, order, values);
 }
 
-} // namespace nrb
+} // namespace nrb::inline basis

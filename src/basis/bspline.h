@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <span>
 
-namespace nrb {
+namespace nrb::inline basis {
 
 inline constexpr int max_basis = max_degree + 1;
 
@@ -85,4 +85,4 @@ inline int sole_function(const double *knots, int degree, int64_t span, double t
 // B_(j,p)(t) and derivatives over [0, 1], same layout as basis_derivs().
 void bernstein_derivs(int degree, double t, int order, double *values) noexcept;
 
-} // namespace nrb
+} // namespace nrb::inline basis

@@ -7,14 +7,13 @@
 #include <cmath>
 #include <vector>
 
-namespace nrb {
+namespace nrb::inline basis {
 
 namespace {
 
 void check_size(std::span<double> knots, int64_t expected) {
     if (static_cast<int64_t>(knots.size()) != expected) {
-        fail(Status::size, "knot_count = %zu, expected %lld", knots.size(),
-             static_cast<long long>(expected));
+        fail(Status::size, "knot_count = %zu, expected %lld", knots.size(), static_cast<long long>(expected));
     }
 }
 
@@ -147,8 +146,7 @@ void averaged_knots(int degree, std::span<const double> params, std::span<double
     check_knot_total(static_cast<int64_t>(knots.size()), degree, count);
     for (size_t i = 0; i < params.size(); ++i) {
         if (!std::isfinite(params[i])) {
-            fail(Status::parameter_not_finite, "params[%zu] = %s is not finite", i,
-                 Number(params[i]).text);
+            fail(Status::parameter_not_finite, "params[%zu] = %s is not finite", i, Number(params[i]).text);
         }
         if (i > 0 && params[i] < params[i - 1]) {
             fail(Status::knots_decreasing, "params[%zu] = %s is smaller than params[%zu] = %s", i,
@@ -207,4 +205,4 @@ void periodic_knots(int degree, std::span<const double> breaks, const int32_t *m
     fill_checked(degree, result, knots);
 }
 
-} // namespace nrb
+} // namespace nrb::inline basis

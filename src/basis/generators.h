@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <span>
 
-namespace nrb {
+namespace nrb::inline basis {
 
 // Each checks that `knots` has the size that the rule asks for (Status::size) before anything else is
 // written.
@@ -20,4 +20,4 @@ void periodic_knots(int degree, std::span<const double> breaks, const int32_t *m
 // Sizes of the vectors above; throw when they overflow.
 int64_t bezier_knot_count(int degree, int64_t pieces);
 
-} // namespace nrb
+} // namespace nrb::inline basis

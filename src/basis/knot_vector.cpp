@@ -8,7 +8,7 @@
 #include <cstdio>
 #include <limits>
 
-namespace nrb {
+namespace nrb::inline basis {
 
 namespace {
 
@@ -26,8 +26,8 @@ void check_finite_and_sorted(std::span<const double> knots, int axis, int64_t of
     for (size_t i = 0; i < knots.size(); ++i) {
         const long long index = static_cast<long long>(i) + offset;
         if (!std::isfinite(knots[i])) {
-            fail(Status::knot_not_finite, "knots[%lld] = %s%s is not finite", index,
-                 Number(knots[i]).text, AxisText(axis).text);
+            fail(Status::knot_not_finite, "knots[%lld] = %s%s is not finite", index, Number(knots[i]).text,
+                 AxisText(axis).text);
         }
         if (i > 0 && knots[i] < knots[i - 1]) {
             fail(Status::knots_decreasing, "knots[%lld] = %s%s is smaller than knots[%lld] = %s", index,
@@ -117,20 +117,18 @@ int64_t KnotVector::find_span(double t, bool left) const noexcept {
 
 void check_degree(int degree, int axis) {
     if (degree < 0 || degree > max_degree) {
-        fail(Status::degree, "degrees[%d] = %d, expected 0 to %d", axis < 0 ? 0 : axis, degree,
-             max_degree);
+        fail(Status::degree, "degrees[%d] = %d, expected 0 to %d", axis < 0 ? 0 : axis, degree, max_degree);
     }
 }
 
 void check_count(int degree, int64_t count, int axis) {
     const int index = axis < 0 ? 0 : axis;
     if (count <= 0) {
-        fail(Status::count, "counts[%d] = %lld, expected at least 1", index,
-             static_cast<long long>(count));
+        fail(Status::count, "counts[%d] = %lld, expected at least 1", index, static_cast<long long>(count));
     }
     if (count <= degree) {
-        fail(Status::too_few_points, "counts[%d] = %lld, degree %d needs at least %d control points",
-             index, static_cast<long long>(count), degree, degree + 1);
+        fail(Status::too_few_points, "counts[%d] = %lld, degree %d needs at least %d control points", index,
+             static_cast<long long>(count), degree, degree + 1);
     }
 }
 
@@ -222,4 +220,4 @@ double greville(const KnotVector &axis, int64_t i) noexcept {
     return axis[i + 1] + offset / p;
 }
 
-} // namespace nrb
+} // namespace nrb::inline basis

@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-namespace nrb {
+namespace nrb::inline basis {
 
 struct Interval {
     double lower;
@@ -96,4 +96,4 @@ int multiplicity(std::span<const double> knots, double knot) noexcept;
 // span's middle.
 double greville(const KnotVector &axis, int64_t i) noexcept;
 
-} // namespace nrb
+} // namespace nrb::inline basis

@@ -4,16 +4,19 @@
 
 #include <hwy/foreach_target.h>
 
-#include "numeric/double_double-inl.h"
-#include "numeric/binomial.h"
 #include "basis/power_spans.h"
+#include "numeric/binomial.h"
+#include "numeric/double_double-inl.h"
 
 #include <algorithm>
 #include <cmath>
 
 HWY_BEFORE_NAMESPACE();
-namespace nrb {
+namespace nrb::inline basis {
 namespace HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+using namespace numeric::HWY_NAMESPACE;
 
 using Wide = hn::CappedTag<double, 8>;
 
@@ -234,11 +237,11 @@ void combine(const double *basis, const double *rests, int degree, const double 
 }
 
 } // namespace HWY_NAMESPACE
-} // namespace nrb
+} // namespace nrb::inline basis
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace nrb {
+namespace nrb::inline basis {
 
 namespace {
 
@@ -278,5 +281,5 @@ void combine_pieces(const double *basis, const double *rests, int degree, const 
     (basis + Piece::head_size, rests + Piece::head_size, degree, weights, points, lanes, powers);
 }
 
-} // namespace nrb
+} // namespace nrb::inline basis
 #endif

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace nrb {
+namespace nrb::inline basis {
 
 PieceArray::PieceArray(int64_t count, int64_t size) : size_(size) {
     constexpr size_t line = 64 / sizeof(double);
@@ -35,4 +35,4 @@ PieceArray basis_pieces(const KnotVector &axis) {
     return pieces;
 }
 
-} // namespace nrb
+} // namespace nrb::inline basis

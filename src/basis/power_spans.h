@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace nrb {
+namespace nrb::inline basis {
 
 class KnotVector;
 
@@ -74,4 +74,4 @@ private:
 // The pieces of the basis functions of every non-empty span of a knot vector.
 PieceArray basis_pieces(const KnotVector &axis);
 
-} // namespace nrb
+} // namespace nrb::inline basis

@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-namespace nrb {
+namespace nrb::inline basis {
 
 SpanTable::SpanTable(int degree, std::span<const double> knots) {
     const auto first = static_cast<size_t>(degree);
@@ -87,4 +87,4 @@ int64_t find_span(int degree, std::span<const double> knots, double t, bool left
     return after - knots.begin() - 1;
 }
 
-} // namespace nrb
+} // namespace nrb::inline basis

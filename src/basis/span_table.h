@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace nrb {
+namespace nrb::inline basis {
 
 // Only non-empty spans are listed; they are numbered from 0 on. A parameter's bucket is
 // floor((t - lower) * scale); in floating point this is a monotone function of t, so that breaks in lower
@@ -92,4 +92,4 @@ private:
 // SpanTable::find() without a table: a binary search.
 int64_t find_span(int degree, std::span<const double> knots, double t, bool left) noexcept;
 
-} // namespace nrb
+} // namespace nrb::inline basis

@@ -4,7 +4,7 @@
 #include <limits>
 #include <vector>
 
-namespace nrb {
+namespace nrb::inline bernstein {
 
 namespace {
 
@@ -90,4 +90,4 @@ void halve(const BernsteinShape &shape, int axis, double *values, double *lower)
     }
 }
 
-} // namespace nrb
+} // namespace nrb::inline bernstein

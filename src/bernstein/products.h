@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace nrb {
+namespace nrb::inline bernstein {
 
 // Degrees of the last axes of the three, those in front have degree 0; `width` values for each coefficient,
 // last axis fastest.
@@ -47,4 +47,4 @@ void add_convolution(const BernsteinShape &a, const double *left, const Bernstei
 // magnitudes. Precondition: lower does not overlap values.
 void halve(const BernsteinShape &shape, int axis, double *values, double *lower) noexcept;
 
-} // namespace nrb
+} // namespace nrb::inline bernstein

@@ -5,7 +5,7 @@
 #include <functional>
 #include <limits>
 
-namespace nrb {
+namespace nrb::inline bernstein {
 
 namespace {
 
@@ -293,4 +293,4 @@ int certain_sign(const RoundedPolynomial &a) noexcept {
     return first;
 }
 
-} // namespace nrb
+} // namespace nrb::inline bernstein

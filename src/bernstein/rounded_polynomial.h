@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace nrb {
+namespace nrb::inline bernstein {
 
 // Every value is within error(i) of the exact one, by a running error analysis that follows all operations.
 // Nothing is relative to a scale of its own, so nothing depends on that of a model or of its weights.
@@ -59,4 +59,4 @@ bool vanishes(const RoundedPolynomial &a) noexcept; // to rounding
 // 1 or -1: all coefficients have that sign for certain; else 0.
 int certain_sign(const RoundedPolynomial &a) noexcept;
 
-} // namespace nrb
+} // namespace nrb::inline bernstein

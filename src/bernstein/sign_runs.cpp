@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace nrb {
+namespace nrb::inline bernstein {
 
 namespace {
 
@@ -279,4 +279,4 @@ std::vector<ZeroPlace> zero_places(RoundedPolynomial v) {
     return isolation.take();
 }
 
-} // namespace nrb
+} // namespace nrb::inline bernstein

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace nrb {
+namespace nrb::inline bernstein {
 
 // An interval between places 0 and 1. Sign 1 or -1: certain, but for the ends. Sign 0: a zero that is known
 // to be one and simple (`simple`, from and to being one place), or rounding hides the sign.
@@ -47,4 +47,4 @@ struct ZeroPlace {
 // others are compared with their rounding. Ends count as in sign_runs().
 std::vector<ZeroPlace> zero_places(RoundedPolynomial v);
 
-} // namespace nrb
+} // namespace nrb::inline bernstein

@@ -1,15 +1,15 @@
 #include "bounds/box.h"
 
 #include "base/finite.h"
-#include "numeric/norm.h"
 #include "eval/evaluate.h"
 #include "eval/frames/jet.h"
+#include "numeric/norm.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-namespace nrb {
+namespace nrb::bounds {
 
 namespace {
 
@@ -21,9 +21,11 @@ double rounded_up(double x) noexcept {
 }
 
 // Of one coordinate times a sign.
-LargestValue face(const SplinePieces &pieces, int coordinate, double sign, double tolerance) {
-    const PieceSource source = [&](int64_t i, QuotientPiece &out) { pieces.fill(i, coordinate, sign, out); };
-    return largest_value(pieces.count(), source, tolerance, most_halvings);
+pieces::LargestValue face(const pieces::SplinePieces &pieces, int coordinate, double sign, double tolerance) {
+    const pieces::PieceSource source = [&](int64_t i, pieces::QuotientPiece &out) {
+        pieces.fill(i, coordinate, sign, out);
+    };
+    return pieces::largest_value(pieces.count(), source, tolerance, most_halvings);
 }
 
 // How far an evaluated point may be from the exact one, by the accuracy contract: c eps times the largest
@@ -34,7 +36,7 @@ double evaluation_error(const Spline &spline) {
     }
     double factor = 0;
     for (int k = 0; k < spline.axes(); ++k) {
-        factor += 4 * accuracy_factor(spline.axis(k).degree());
+        factor += 4 * eval::accuracy_factor(spline.axis(k).degree());
     }
     return factor * eps * largest_magnitude(spline.effective().points());
 }
@@ -42,26 +44,26 @@ double evaluation_error(const Spline &spline) {
 // Where a place is the end of a piece the spline is the limit from inside of it.
 double value_at(const Spline &spline, const double *direction, const std::array<double, max_axes> &params,
                 const std::array<double, max_axes> &place) {
-    AxisRules rules{};
+    eval::AxisRules rules{};
     for (int k = 0; k < spline.axes(); ++k) {
         rules[static_cast<size_t>(k)].left = place[static_cast<size_t>(k + max_axes - spline.axes())] == 1;
     }
     std::vector<double> point(static_cast<size_t>(spline.dim()));
-    evaluate_points(spline, rules, 0, {params.data(), 1, spline.axes(), spline.axes(), 1},
-                    {point.data(), 1, spline.dim(), spline.dim(), 1});
+    eval::evaluate_points(spline, rules, 0, {params.data(), 1, spline.axes(), spline.axes(), 1},
+                          {point.data(), 1, spline.dim(), spline.dim(), 1});
     return dot(direction, point.data(), spline.dim());
 }
 
 } // namespace
 
 Box bounding_box(const Spline &spline, const Part &part, double tolerance) {
-    const SplinePieces pieces(spline, part);
+    const pieces::SplinePieces pieces(spline, part);
     const double pad = evaluation_error(spline);
     Box box;
     for (int c = 0; c < spline.dim(); ++c) {
         const double centre = pieces.centre()[static_cast<size_t>(c)];
-        const Enclosure low = face(pieces, c, -1, tolerance).bounds;
-        const Enclosure high = face(pieces, c, 1, tolerance).bounds;
+        const pieces::Enclosure low = face(pieces, c, -1, tolerance).bounds;
+        const pieces::Enclosure high = face(pieces, c, 1, tolerance).bounds;
         box.lower.push_back(-rounded_up(low.upper - centre + pad));
         box.upper.push_back(rounded_up(centre + high.upper + pad));
         const double gap = rounded_up(std::max(low.upper - low.lower, high.upper - high.lower) + pad);
@@ -74,7 +76,7 @@ Box bounding_box(const Spline &spline, const Part &part, double tolerance) {
 
 ExtremePoint extreme_point(const Spline &spline, const double *direction, const Part &part,
                            double tolerance) {
-    const SplinePieces pieces(spline, part);
+    const pieces::SplinePieces pieces(spline, part);
     const int dim = spline.dim();
     double largest = 0;
     for (int c = 0; c < dim; ++c) {
@@ -85,8 +87,11 @@ ExtremePoint extreme_point(const Spline &spline, const double *direction, const 
     std::vector<double> unit(direction, direction + dim);
     std::for_each(unit.begin(), unit.end(), [exponent](double &x) { x = std::ldexp(x, -exponent); });
     const double length = norm(unit.data(), dim);
-    const PieceSource source = [&](int64_t i, QuotientPiece &out) { pieces.fill(i, unit.data(), out); };
-    const LargestValue found = largest_value(pieces.count(), source, tolerance * length, most_halvings);
+    const pieces::PieceSource source = [&](int64_t i, pieces::QuotientPiece &out) {
+        pieces.fill(i, unit.data(), out);
+    };
+    const pieces::LargestValue found =
+        pieces::largest_value(pieces.count(), source, tolerance * length, most_halvings);
     if (found.piece < 0) {
         fail(Status::not_representable,
              "no value is known: the weights cannot be shown to be positive anywhere");
@@ -105,4 +110,4 @@ ExtremePoint extreme_point(const Spline &spline, const double *direction, const 
     return point;
 }
 
-} // namespace nrb
+} // namespace nrb::bounds

@@ -3,7 +3,7 @@
 
 #include "pieces/spline_pieces.h"
 
-namespace nrb {
+namespace nrb::bounds {
 
 struct Box {
     std::vector<double> lower;
@@ -41,4 +41,4 @@ ExtremePoint extreme_point(const Spline &spline, const double *direction, const 
 // How many halvings a search may take.
 inline constexpr int most_halvings = 20000;
 
-} // namespace nrb
+} // namespace nrb::bounds

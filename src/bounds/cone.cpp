@@ -10,7 +10,7 @@
 #include <numbers>
 #include <numeric>
 
-namespace nrb {
+namespace nrb::bounds {
 
 namespace {
 
@@ -106,7 +106,7 @@ public:
             inner < pi / 2 ? inner + angle_between(own.data(), direction_.data(), a.shape.width) : pi;
         return std::min(pi, outer + 4 * eps);
     }
-    [[nodiscard]] Enclosure bounds(const Piece &piece) const {
+    [[nodiscard]] pieces::Enclosure bounds(const Piece &piece) const {
         return {lower(piece.numerator), upper(piece.numerator)};
     }
     [[nodiscard]] static double noise(const Piece & /*piece*/) noexcept { return 0; }
@@ -236,24 +236,26 @@ Cone cone_of(int64_t pieces, int dim, const Numerators &source, double tolerance
     for (int64_t e = 0; e < pieces; ++e) {
         uppers.push_back(problem.upper(source(e)));
     }
-    const Enclosure found = BranchAndBound(problem, uppers, 0).run(most_cone_halvings);
+    const pieces::Enclosure found = pieces::BranchAndBound(problem, uppers, 0).run(most_cone_halvings);
     return {direction, std::min(pi, found.upper)};
 }
 
 } // namespace
 
 Cone tangent_cone(const Spline &spline, int axis, const Part &part, double tolerance) {
-    const PieceMaker maker(spline, part);
+    const pieces::PieceMaker maker(spline, part);
     const Numerators source = [&](int64_t i) {
-        return without_zeros(tangent_numerator(maker.piece(i), axis));
+        return without_zeros(pieces::tangent_numerator(maker.piece(i), axis));
     };
     return cone_of(maker.count(), spline.dim(), source, tolerance);
 }
 
 Cone normal_cone(const Spline &spline, const Part &part, double tolerance) {
-    const PieceMaker maker(spline, part);
-    const Numerators source = [&](int64_t i) { return without_zeros(normal_numerator(maker.piece(i))); };
+    const pieces::PieceMaker maker(spline, part);
+    const Numerators source = [&](int64_t i) {
+        return without_zeros(pieces::normal_numerator(maker.piece(i)));
+    };
     return cone_of(maker.count(), spline.dim(), source, tolerance);
 }
 
-} // namespace nrb
+} // namespace nrb::bounds

@@ -3,7 +3,7 @@
 
 #include "pieces/spline_pieces.h"
 
-namespace nrb {
+namespace nrb::bounds {
 
 // { v : angle(v, direction) <= angle }.
 struct Cone {
@@ -20,4 +20,4 @@ Cone tangent_cone(const Spline &spline, int axis, const Part &part, double toler
 // The directions of S_u x S_v. Precondition: a surface of dimension 3.
 Cone normal_cone(const Spline &spline, const Part &part, double tolerance);
 
-} // namespace nrb
+} // namespace nrb::bounds

@@ -8,7 +8,7 @@
 #include <iterator>
 #include <limits>
 
-namespace nrb {
+namespace nrb::bounds {
 
 namespace {
 
@@ -16,8 +16,8 @@ constexpr double eps = std::numeric_limits<double>::epsilon();
 
 void check_comparable(const Spline &f, const Spline &g) {
     if (f.axes() != g.axes() || f.dim() != g.dim()) {
-        fail(Status::incompatible, "g: %d axes in dimension %d, expected %d in %d as in f", g.axes(),
-             g.dim(), f.axes(), f.dim());
+        fail(Status::incompatible, "g: %d axes in dimension %d, expected %d in %d as in f", g.axes(), g.dim(),
+             f.axes(), f.dim());
     }
     for (int k = 0; k < f.axes(); ++k) {
         const Interval a = f.axis(k).domain(), b = g.axis(k).domain();
@@ -43,14 +43,14 @@ std::vector<double> common_breaks(const KnotVector &f, const KnotVector &g, Inte
 
 // What both nets have in common.
 struct DeviationPieces::Setting {
-    BernsteinNet::Breaks breaks;
+    pieces::BernsteinNet::Breaks breaks;
     std::array<int, max_axes> degrees{};
     std::vector<double> centre;
     bool weighted = false;
     int f_exponent = 0;
     int g_exponent = 0;
 
-    Setting(const Spline &f, const Spline &g, int axis, Interval part) : centre(centre_of(f)) {
+    Setting(const Spline &f, const Spline &g, int axis, Interval part) : centre(pieces::centre_of(f)) {
         check_comparable(f, g);
         for (int k = 0; k < f.axes(); ++k) {
             const auto at = static_cast<size_t>(k);
@@ -58,8 +58,8 @@ struct DeviationPieces::Setting {
             degrees[at] = std::max(f.axis(k).degree(), g.axis(k).degree());
         }
         weighted = f.rational() || g.rational();
-        f_exponent = weight_exponent(f);
-        g_exponent = weight_exponent(g);
+        f_exponent = pieces::weight_exponent(f);
+        g_exponent = pieces::weight_exponent(g);
         if (std::abs(f_exponent - g_exponent) <= 1) { // so that equal weights stay equal
             g_exponent = f_exponent;
         }
@@ -67,9 +67,10 @@ struct DeviationPieces::Setting {
 };
 
 DeviationPieces::DeviationPieces(const Spline &f, const Spline &g, const Setting &setting)
-    : breaks_(setting.breaks), f_(f, centred_records(f, setting.centre, setting.weighted, setting.f_exponent),
-                                  breaks_, setting.degrees),
-      g_(g, centred_records(g, setting.centre, setting.weighted, setting.g_exponent), breaks_,
+    : breaks_(setting.breaks),
+      f_(f, pieces::centred_records(f, setting.centre, setting.weighted, setting.f_exponent), breaks_,
+         setting.degrees),
+      g_(g, pieces::centred_records(g, setting.centre, setting.weighted, setting.g_exponent), breaks_,
          setting.degrees) {}
 
 DeviationPieces::DeviationPieces(const Spline &f, const Spline &g)
@@ -97,7 +98,7 @@ void unscale(std::vector<double> &values, const std::vector<double> &factors) no
 // The pieces of both splines, one after another, and the sizes that their errors are counted in.
 class DeviationPieces::Difference {
 public:
-    Difference(const BernsteinNet &f, const BernsteinNet &g)
+    Difference(const pieces::BernsteinNet &f, const pieces::BernsteinNet &g)
         : f_(f), g_(g), vector_(f.shape()), scalar_(f.shape()) {
         vector_.width -= f.weighted() ? 1 : 0;
         scalar_.width = 1;
@@ -115,7 +116,7 @@ public:
         }
     }
 
-    void fill(int64_t piece, QuotientPiece &out) {
+    void fill(int64_t piece, pieces::QuotientPiece &out) {
         out.numerator_error = out.quotient_error = out.denominator_error = out.denominator_factor = 0;
         out.last_axis = -1;
         size_ = std::max(f_.size(piece), g_.size(piece));
@@ -135,7 +136,7 @@ public:
 
 private:
     // (A - B) / w, where w* and v* may differ by their errors.
-    void fill_alike(QuotientPiece &out) const {
+    void fill_alike(pieces::QuotientPiece &out) const {
         out.shape = vector_;
         out.numerators = a_;
         out.denominators = w_;
@@ -171,7 +172,7 @@ private:
     }
 
     // (A - B) v - B (w - v) and w v. Destroys the factors.
-    void fill_products(QuotientPiece &out) {
+    void fill_products(pieces::QuotientPiece &out) {
         scale(a_, vector_factors_);
         scale(b_, vector_factors_);
         scale(w_, scalar_factors_);
@@ -192,7 +193,7 @@ private:
     }
 
     // Errors of A - B and v, of B and w - v, and of the products, each relative to the sums of w v.
-    void add_relative_errors(QuotientPiece &out) const {
+    void add_relative_errors(pieces::QuotientPiece &out) const {
         const double f = f_.error(), g = g_.error(), product = product_error(vector_, scalar_) + eps;
         const double entering = 2 * size_ * (f + g * ratio_);
         const double forming = (g + eps + product) * (points_apart_ + size_ * weights_apart_);
@@ -202,7 +203,7 @@ private:
     }
 
     // The same with the largest of each, for weights of any sign.
-    void add_absolute_errors(QuotientPiece &out) const {
+    void add_absolute_errors(pieces::QuotientPiece &out) const {
         const double f = f_.error(), g = g_.error(), product = product_error(vector_, scalar_) + eps;
         const double w = f_.largest_weight(), v = g_.largest_weight();
         const double a = largest_record(f_), b = largest_record(g_);
@@ -214,12 +215,12 @@ private:
         out.denominator_error = 1.01 * (f + g + product) * w * v;
         out.quotient_error = out.denominator_factor = 0;
     }
-    double largest_record(const BernsteinNet &net) const noexcept {
+    double largest_record(const pieces::BernsteinNet &net) const noexcept {
         return std::max(net.largest_record(), size_ * net.largest_weight());
     }
 
-    const BernsteinNet &f_;
-    const BernsteinNet &g_;
+    const pieces::BernsteinNet &f_;
+    const pieces::BernsteinNet &g_;
     BernsteinShape vector_, scalar_, numerator_, denominator_;
     std::vector<double> vector_factors_, scalar_factors_, numerator_factors_, denominator_factors_;
     std::vector<double> a_, b_, w_, v_, e_, rest_; // of the present piece
@@ -230,25 +231,29 @@ private:
 };
 
 std::vector<double> DeviationPieces::uppers() const {
-    return quotient_uppers(pieces(), [difference = Difference(f_, g_)](
-                                         int64_t i, QuotientPiece &out) mutable { difference.fill(i, out); });
+    return pieces::quotient_uppers(
+        pieces(), [difference = Difference(f_, g_)](int64_t i, pieces::QuotientPiece &out) mutable {
+            difference.fill(i, out);
+        });
 }
 
-Enclosure DeviationPieces::enclosure(std::span<const double> uppers, const SearchLimits &limits) const {
-    const PieceSource source = [difference = Difference(f_, g_)](int64_t i, QuotientPiece &out) mutable {
+pieces::Enclosure DeviationPieces::enclosure(std::span<const double> uppers,
+                                             const pieces::SearchLimits &limits) const {
+    const pieces::PieceSource source = [difference = Difference(f_, g_)](int64_t i,
+                                                                         pieces::QuotientPiece &out) mutable {
         difference.fill(i, out);
     };
-    return largest_quotient(uppers, source, limits);
+    return pieces::largest_quotient(uppers, source, limits);
 }
 
-Enclosure deviation(const Spline &f, const Spline &g) {
+pieces::Enclosure deviation(const Spline &f, const Spline &g) {
     const DeviationPieces pieces(f, g);
     return pieces.enclosure(pieces.uppers());
 }
 
-Enclosure deviation(const Spline &f, const Spline &g, int axis, Interval part) {
+pieces::Enclosure deviation(const Spline &f, const Spline &g, int axis, Interval part) {
     const DeviationPieces pieces(f, g, axis, part);
     return pieces.enclosure(pieces.uppers());
 }
 
-} // namespace nrb
+} // namespace nrb::bounds

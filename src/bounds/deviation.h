@@ -4,7 +4,7 @@
 #include "pieces/bernstein_net.h"
 #include "pieces/largest_quotient.h"
 
-namespace nrb {
+namespace nrb::bounds {
 
 // The difference of two splines as quotients of Bernstein polynomials, piece by piece. With homogeneous
 // points A, w of f and B, v of g about a common centre
@@ -20,26 +20,27 @@ public:
     DeviationPieces(const Spline &f, const Spline &g, int axis, Interval part);
 
     [[nodiscard]] int64_t pieces() const noexcept { return f_.pieces(); }
-    [[nodiscard]] const BernsteinNet::Breaks &breaks() const noexcept { return breaks_; }
+    [[nodiscard]] const pieces::BernsteinNet::Breaks &breaks() const noexcept { return breaks_; }
     // A bound for each piece.
     [[nodiscard]] std::vector<double> uppers() const;
     // Of the largest distance.
-    [[nodiscard]] Enclosure enclosure(std::span<const double> uppers, const SearchLimits &limits = {}) const;
+    [[nodiscard]] pieces::Enclosure enclosure(std::span<const double> uppers,
+                                              const pieces::SearchLimits &limits = {}) const;
 
 private:
     struct Setting;
     class Difference;
     DeviationPieces(const Spline &f, const Spline &g, const Setting &setting);
 
-    BernsteinNet::Breaks breaks_;
-    BernsteinNet f_;
-    BernsteinNet g_;
+    pieces::BernsteinNet::Breaks breaks_;
+    pieces::BernsteinNet f_;
+    pieces::BernsteinNet g_;
 };
 
 // sup |f(t) - g(t)| over the domain, both limits at jumps included. Rounding is in the bounds, which differ
 // by a factor of 5/4 at most beside it, unless the search ends at its limit of steps; the upper one is
 // infinite where a denominator cannot be shown to have no zero.
-Enclosure deviation(const Spline &f, const Spline &g);
-Enclosure deviation(const Spline &f, const Spline &g, int axis, Interval part);
+pieces::Enclosure deviation(const Spline &f, const Spline &g);
+pieces::Enclosure deviation(const Spline &f, const Spline &g, int axis, Interval part);
 
-} // namespace nrb
+} // namespace nrb::bounds

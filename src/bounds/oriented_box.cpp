@@ -9,7 +9,7 @@
 #include <limits>
 #include <numeric>
 
-namespace nrb {
+namespace nrb::bounds {
 
 namespace {
 
@@ -21,7 +21,7 @@ struct Extents {
     std::vector<double> upper;
 };
 
-Extents extents(const SplinePieces &pieces, const std::vector<double> &axes, double tolerance) {
+Extents extents(const pieces::SplinePieces &pieces, const std::vector<double> &axes, double tolerance) {
     const size_t dim = pieces.centre().size();
     Extents found;
     std::vector<double> direction(dim);
@@ -29,10 +29,10 @@ Extents extents(const SplinePieces &pieces, const std::vector<double> &axes, dou
         std::transform(axes.begin() + static_cast<std::ptrdiff_t>(row * dim),
                        axes.begin() + static_cast<std::ptrdiff_t>((row + 1) * dim), direction.begin(),
                        [sign](double x) { return sign * x; });
-        const PieceSource source = [&](int64_t i, QuotientPiece &out) {
+        const pieces::PieceSource source = [&](int64_t i, pieces::QuotientPiece &out) {
             pieces.fill(i, direction.data(), out);
         };
-        return largest_value(pieces.count(), source, tolerance, most_halvings).bounds.upper;
+        return pieces::largest_value(pieces.count(), source, tolerance, most_halvings).bounds.upper;
     };
     for (size_t r = 0; r < dim; ++r) {
         found.lower.push_back(-largest(-1, r));
@@ -56,7 +56,7 @@ double skewness(const std::vector<double> &axes, size_t dim) {
 
 // The box about the middle m of the extents: x - c = A^T z with A A^T = 1 + E gives A (x - c) = (1 + E) z, so
 // that z - m is in [-half, half] but for E z, and what rounding does to c + A^T m.
-OrientedBox box_of(const SplinePieces &pieces, std::vector<double> axes, const Extents &found) {
+OrientedBox box_of(const pieces::SplinePieces &pieces, std::vector<double> axes, const Extents &found) {
     const size_t dim = pieces.centre().size();
     OrientedBox box{pieces.centre(), std::move(axes), {}};
     double reach = 0;
@@ -101,12 +101,12 @@ OrientedBox oriented_box(const Spline &spline, double tolerance) {
     if (dim > max_box_dimension) {
         fail(Status::dimension, "dimension %d, expected at most %d", dim, max_box_dimension);
     }
-    const SplinePieces pieces(spline, whole_domain(spline));
+    const pieces::SplinePieces pieces(spline, whole_domain(spline));
     std::vector<double> plain(static_cast<size_t>(dim) * static_cast<size_t>(dim));
     for (size_t r = 0; r < static_cast<size_t>(dim); ++r) {
         plain[r * static_cast<size_t>(dim) + r] = 1;
     }
-    std::vector<double> turned = principal_axes(cartesian_points(spline.effective()), dim);
+    std::vector<double> turned = principal_axes(refine::cartesian_points(spline.effective()), dim);
     const Extents straight = extents(pieces, plain, tolerance), oblique = extents(pieces, turned, tolerance);
     const bool better = content(oblique) < content(straight);
     OrientedBox box =
@@ -119,4 +119,4 @@ OrientedBox oriented_box(const Spline &spline, double tolerance) {
     return box;
 }
 
-} // namespace nrb
+} // namespace nrb::bounds

@@ -2,8 +2,8 @@
 
 #include "base/checked.h"
 #include "base/error.h"
-#include "numeric/binomial.h"
 #include "build/make_shape.h"
+#include "numeric/binomial.h"
 
 #include <algorithm>
 #include <array>
@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace nrb {
+namespace nrb::build {
 
 namespace {
 
@@ -129,8 +129,7 @@ void check_helix(const Helix &shape, int dim, double tolerance) {
         refuse("radius + growth * turns", last, "at least 0");
     }
     if (!std::isfinite(tolerance) || !(tolerance > 0)) {
-        fail(Status::tolerance, "tolerance = %s, expected a finite length above 0",
-             Number(tolerance).text);
+        fail(Status::tolerance, "tolerance = %s, expected a finite length above 0", Number(tolerance).text);
     }
 }
 
@@ -241,4 +240,4 @@ HelixCurve helix(const Placement &place, const Helix &shape, double tolerance) {
             slope(shape) * angle_error(angle)};
 }
 
-} // namespace nrb
+} // namespace nrb::build

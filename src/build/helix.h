@@ -5,7 +5,7 @@
 #include "build/placement.h"
 #include "spline/spline.h"
 
-namespace nrb {
+namespace nrb::build {
 
 struct Helix {
     double radius; // at the start
@@ -32,4 +32,4 @@ struct HelixCurve {
 // Status::length, angle, factor, tolerance, overflow, not_representable.
 HelixCurve helix(const Placement &place, const Helix &shape, double tolerance);
 
-} // namespace nrb
+} // namespace nrb::build

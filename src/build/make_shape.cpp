@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace nrb {
+namespace nrb::build {
 
 SplinePtr make_shape(Spline::Axes axes, int dim, std::vector<double> points, std::vector<double> weights) {
     require_representable(points, "the control points of the shape");
@@ -15,4 +15,4 @@ SplinePtr make_shape(Spline::Axes axes, int dim, std::vector<double> points, std
     return make_result(std::move(axes), dim, Form::rational, std::move(points), std::move(weights));
 }
 
-} // namespace nrb
+} // namespace nrb::build

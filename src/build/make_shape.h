@@ -5,10 +5,10 @@
 
 #include <vector>
 
-namespace nrb {
+namespace nrb::build {
 
 // A spline of Cartesian points and weights; weights that are all 1 are dropped. Throws
 // Status::not_representable if a coordinate is not finite, and what make_result() throws.
 SplinePtr make_shape(Spline::Axes axes, int dim, std::vector<double> points, std::vector<double> weights);
 
-} // namespace nrb
+} // namespace nrb::build

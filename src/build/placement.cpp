@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-namespace nrb {
+namespace nrb::build {
 
 namespace {
 
@@ -183,4 +183,4 @@ Placement make_placement(int32_t dim, const double *origin, const double *axis, 
     return place;
 }
 
-} // namespace nrb
+} // namespace nrb::build

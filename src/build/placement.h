@@ -6,7 +6,7 @@
 
 #include <cstdint>
 
-namespace nrb {
+namespace nrb::build {
 
 // The frame is known to twice the precision, so that shapes do not lean or shear by its rounding.
 struct Placement {
@@ -44,4 +44,4 @@ void check_direction(const double *direction, int64_t dim, const char *name);
 // Finite and positive; throws Status::length.
 void check_positive_length(double length, const char *name);
 
-} // namespace nrb
+} // namespace nrb::build

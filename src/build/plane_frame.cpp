@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-namespace nrb {
+namespace nrb::build {
 
 namespace {
 
@@ -29,7 +29,7 @@ Vector scaled(Vector v, double factor) {
 // The part of v across a unit vector; twice, since cancellation leaves some of it.
 Vector across(Vector v, std::span<const double> unit) {
     for (int pass = 0; pass < 2; ++pass) {
-        const double part = dot(v, unit);
+        const double part = numeric::dot(v, unit);
         for (size_t i = 0; i < v.size(); ++i) {
             v[i] -= part * unit[i];
         }
@@ -125,4 +125,4 @@ Vector PlaneFrame::vector(const Point2 &v) const {
     return out;
 }
 
-} // namespace nrb
+} // namespace nrb::build

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace nrb {
+namespace nrb::build {
 
 // A point or vector of a plane, in twice the precision.
 struct Point2 {
@@ -67,4 +67,4 @@ private:
     double tilt_; // uncertainty of the plane's direction
 };
 
-} // namespace nrb
+} // namespace nrb::build

@@ -13,15 +13,14 @@
 #include <span>
 #include <utility>
 
-namespace nrb {
+namespace nrb::build {
 
 namespace {
 
 void check_params(std::span<const double> params) {
     for (size_t i = 0; i < params.size(); ++i) {
         if (!std::isfinite(params[i])) {
-            fail(Status::parameter_not_finite, "params[%zu] = %s is not finite", i,
-                 Number(params[i]).text);
+            fail(Status::parameter_not_finite, "params[%zu] = %s is not finite", i, Number(params[i]).text);
         }
         if (i > 0 && !(params[i] > params[i - 1])) {
             fail(Status::knots_decreasing, "params[%zu] = %s, expected more than params[%zu] = %s", i,
@@ -131,8 +130,8 @@ SplinePtr rounded_rectangle(const Placement &place, double width, double height,
     check_positive_length(height, "height");
     const double x = width / 2, y = height / 2, r = corner_radius;
     if (!(r >= 0 && r <= std::min(x, y))) {
-        fail(Status::length, "corner_radius = %s, expected 0 to %s, half of the smaller side",
-             Number(r).text, Number(std::min(x, y)).text);
+        fail(Status::length, "corner_radius = %s, expected 0 to %s, half of the smaller side", Number(r).text,
+             Number(std::min(x, y)).text);
     }
     if (r == 0) {
         return rectangle(place, x, y);
@@ -150,4 +149,4 @@ SplinePtr rounded_rectangle(const Placement &place, double width, double height,
     return std::move(outline).closed();
 }
 
-} // namespace nrb
+} // namespace nrb::build

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace nrb {
+namespace nrb::build {
 
 // Through points of `dim` coordinates, one after the other, with as many parameters. Throws
 // Status::too_few_points, parameter_not_finite, knots_decreasing, and what make_spline() throws.
@@ -24,4 +24,4 @@ SplinePtr regular_polygon(const Placement &place, double radius, int64_t sides);
 // A closed rectangle with sides along x and y, corners rounded by quarter circles. Throws Status::length.
 SplinePtr rounded_rectangle(const Placement &place, double width, double height, double corner_radius);
 
-} // namespace nrb
+} // namespace nrb::build

@@ -1,14 +1,14 @@
 #include "closest/closest.h"
 
-#include "numeric/norm.h"
-#include "eval/evaluate.h"
 #include "closest/curve/curve_locator.h"
 #include "closest/patch/patch_locator.h"
+#include "eval/evaluate.h"
+#include "numeric/norm.h"
 
 #include <cmath>
 #include <limits>
 
-namespace nrb {
+namespace nrb::closest {
 
 namespace {
 
@@ -95,16 +95,16 @@ private:
     }
 
     void evaluate(int64_t count) {
-        AxisRules rules;
-        for (AxisRule &rule : rules) {
+        eval::AxisRules rules;
+        for (eval::AxisRule &rule : rules) {
             rule.nan = true;
         }
         const int axes = spline_.axes(), dim = spline_.dim();
         for (int64_t k = 0; k < count; ++k) {
             std::copy_n(found_[static_cast<size_t>(k)].params.data(), axes, params_.data() + k * axes);
         }
-        evaluate_points(spline_, rules, 0, {params_.data(), count, axes, axes, 1},
-                        {feet_.data(), count, dim, dim, 1});
+        eval::evaluate_points(spline_, rules, 0, {params_.data(), count, axes, axes, 1},
+                              {feet_.data(), count, dim, dim, 1});
         for (int64_t k = 0; k < count; ++k) {
             const uint32_t left = found_[static_cast<size_t>(k)].left;
             if (left == 0) {
@@ -113,8 +113,8 @@ private:
             for (int a = 0; a < axes; ++a) {
                 rules[static_cast<size_t>(a)].left = (left >> a & 1) != 0;
             }
-            evaluate_points(spline_, rules, 0, {params_.data() + k * axes, 1, axes, axes, 1},
-                            {point(k), 1, dim, dim, 1});
+            eval::evaluate_points(spline_, rules, 0, {params_.data() + k * axes, 1, axes, axes, 1},
+                                  {point(k), 1, dim, dim, 1});
         }
     }
 
@@ -166,4 +166,4 @@ void closest_local(const Spline &spline, const ConstRecords &points, const Const
     }
 }
 
-} // namespace nrb
+} // namespace nrb::closest

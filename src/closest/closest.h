@@ -4,7 +4,7 @@
 #include "base/records.h"
 #include "closest/locator.h"
 
-namespace nrb {
+namespace nrb::closest {
 
 // Arrays without data are not wanted.
 struct FeetOutputs {
@@ -21,4 +21,4 @@ void closest_points(const Spline &spline, const ConstRecords &points, const Quer
 void closest_local(const Spline &spline, const ConstRecords &points, const ConstRecords &guesses,
                    const FeetOutputs &out);
 
-} // namespace nrb
+} // namespace nrb::closest

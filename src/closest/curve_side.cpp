@@ -1,15 +1,15 @@
 #include "closest/curve_side.h"
 
-#include "numeric/norm.h"
-#include "numeric/binomial.h"
 #include "basis/bspline.h"
+#include "numeric/binomial.h"
+#include "numeric/norm.h"
 #include "spline/contract.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-namespace nrb {
+namespace nrb::closest {
 
 namespace {
 
@@ -106,4 +106,4 @@ void CurveSide::reverse() noexcept {
     }
 }
 
-} // namespace nrb
+} // namespace nrb::closest

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace nrb {
+namespace nrb::closest {
 
 // The Cartesian derivatives of orders 0, 1, ... as vectors, and what their rounding may amount to: the bounds
 // H_k and E_k of nurbs.h's preamble, for the whole span, in Euclidean length. Where w(t) = 0 they are not finite.
@@ -37,4 +37,4 @@ private:
     std::vector<double> errors_;
 };
 
-} // namespace nrb
+} // namespace nrb::closest

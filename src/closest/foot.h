@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace nrb {
+namespace nrb::closest {
 
 // What gradual underflow may add to a distance, since coordinates that small are rounded to a multiple of it.
 inline constexpr double underflow_noise = 64 * std::numeric_limits<double>::denorm_min();
@@ -57,4 +57,4 @@ struct Query {
     bool farthest = false; // the farthest point in place of the nearest one
 };
 
-} // namespace nrb
+} // namespace nrb::closest

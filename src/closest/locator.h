@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-namespace nrb {
+namespace nrb::closest {
 
 struct CriticalSet {
     std::vector<CriticalPoint> points; // in the order of their parameters
@@ -44,4 +44,4 @@ public:
 // Built at the first use.
 const Locator &locator_of(const Spline &spline);
 
-} // namespace nrb
+} // namespace nrb::closest

@@ -1,15 +1,15 @@
 #include "closest/signed_distance.h"
 
-#include "numeric/norm.h"
-#include "eval/frames/curve_limit.h"
 #include "eval/evaluate.h"
+#include "eval/frames/curve_limit.h"
 #include "eval/frames/jet.h"
+#include "numeric/norm.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-namespace nrb {
+namespace nrb::closest {
 
 namespace {
 
@@ -24,7 +24,7 @@ class Sides {
 public:
     explicit Sides(const Spline &curve)
         : curve_(curve), axis_(curve.axis(0)), domain_(axis_.domain()), closed_(ends_meet()) {
-        Jet::prepare(curve);
+        eval::Jet::prepare(curve);
     }
 
     // 1 where x, with its nearest point C(t), is to the left of the curve, else -1. Between knots the foot of
@@ -41,9 +41,9 @@ public:
 private:
     [[nodiscard]] Plane point(double t, bool left) const {
         Plane x{};
-        AxisRules rules;
+        eval::AxisRules rules;
         rules[0].left = left;
-        evaluate_points(curve_, rules, 0, {&t, 1, 1, 1, 1}, {x.data(), 1, 2, 2, 1});
+        eval::evaluate_points(curve_, rules, 0, {&t, 1, 1, 1, 1}, {x.data(), 1, 2, 2, 1});
         return x;
     }
     [[nodiscard]] bool ends_meet() const {
@@ -58,9 +58,9 @@ private:
 
     // The unit tangent on one side, zero where there is none.
     [[nodiscard]] Plane tangent(double t, bool left) const {
-        AxisRules rules;
+        eval::AxisRules rules;
         rules[0].left = left;
-        const CurveTangent found = curve_tangent(curve_, rules, t);
+        const eval::CurveTangent found = eval::curve_tangent(curve_, rules, t);
         return found.kind > 0 ? Plane{found.direction.x, found.direction.y} : Plane{};
     }
 
@@ -113,7 +113,7 @@ struct Block {
 void signed_distances(const Spline &curve, const ConstRecords &points, const Query &asked,
                       const FeetOutputs &out) {
     const Sides sides(curve);
-    AxisRules rules;
+    eval::AxisRules rules;
     rules[0].nan = true;
     Block block;
     for (int64_t first = 0; first < points.count; first += Block::size) {
@@ -125,8 +125,8 @@ void signed_distances(const Spline &curve, const ConstRecords &points, const Que
                           {block.distances.data(), part.count, 1, 1, 1},
                           block.status.data()};
         closest_points(curve, part, asked, found);
-        evaluate_points(curve, rules, 1, {block.params.data(), part.count, 1, 1, 1},
-                        {block.derivs.data(), part.count, 4, 4, 1});
+        eval::evaluate_points(curve, rules, 1, {block.params.data(), part.count, 1, 1, 1},
+                              {block.derivs.data(), part.count, 4, 4, 1});
         for (int64_t i = 0; i < part.count; ++i) {
             const auto at = static_cast<size_t>(i);
             const Plane offset{part(i, 0) - found.feet(i, 0), part(i, 1) - found.feet(i, 1)};
@@ -144,4 +144,4 @@ void signed_distances(const Spline &curve, const ConstRecords &points, const Que
     }
 }
 
-} // namespace nrb
+} // namespace nrb::closest

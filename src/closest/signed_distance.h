@@ -3,11 +3,11 @@
 
 #include "closest/closest.h"
 
-namespace nrb {
+namespace nrb::closest {
 
 // As closest_points(), with distances that are positive to the left of the curve. Precondition: a curve of
 // dimension 2; out.feet is not wanted.
 void signed_distances(const Spline &curve, const ConstRecords &points, const Query &asked,
                       const FeetOutputs &out);
 
-} // namespace nrb
+} // namespace nrb::closest

@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-namespace nrb {
+namespace nrb::eval {
 
 namespace {
 
@@ -126,4 +126,4 @@ void hull_sizes(const Spline &spline, const AxisRules &rules, ConstRecords param
     }
 }
 
-} // namespace nrb
+} // namespace nrb::eval

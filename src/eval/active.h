@@ -3,7 +3,7 @@
 
 #include "eval/parameters.h"
 
-namespace nrb {
+namespace nrb::eval {
 
 // values record: [(p_0 + 1) ... (p_last + 1)]; spans: packed [count][axes] or null. A parameter that gives
 // NaN has spans -1.
@@ -14,4 +14,4 @@ void rational_basis(const Spline &spline, const AxisRules &rules, ConstRecords p
 // point at infinity, (max|w_i P_i| + |C(t)| max|w_i|) / |w(t)|.
 void hull_sizes(const Spline &spline, const AxisRules &rules, ConstRecords params, Records sizes);
 
-} // namespace nrb
+} // namespace nrb::eval

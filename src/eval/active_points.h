@@ -9,7 +9,7 @@
 #include <array>
 #include <optional>
 
-namespace nrb {
+namespace nrb::eval {
 
 class ActivePoints {
 public:
@@ -89,4 +89,4 @@ private:
     int64_t size_ = 1;
 };
 
-} // namespace nrb
+} // namespace nrb::eval

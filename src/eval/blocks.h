@@ -4,7 +4,7 @@
 
 #include "eval/parameters.h"
 
-namespace nrb {
+namespace nrb::eval {
 
 inline constexpr int64_t block_size = 64;
 
@@ -28,4 +28,4 @@ void evaluate_combinations(const Spline &spline, const AxisRules &rules, int ord
 void evaluate_grid(const Spline &spline, const AxisRules &rules, int order,
                    const std::array<ConstRecords, max_axes> &params, BlockSink &sink);
 
-} // namespace nrb
+} // namespace nrb::eval

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace nrb {
+namespace nrb::eval {
 
 namespace {
 
@@ -108,4 +108,4 @@ DerivativeErrors derivative_errors(const Spline &spline, const AxisRules &rules,
     return {first * e_u, first * e_v, second * e_uu, second * e_uv, second * e_vv};
 }
 
-} // namespace nrb
+} // namespace nrb::eval

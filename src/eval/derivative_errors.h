@@ -4,7 +4,7 @@
 
 #include "eval/parameters.h"
 
-namespace nrb {
+namespace nrb::eval {
 
 // Bounds of the lengths of the errors, each at least that of Jet for the same derivative.
 struct DerivativeErrors {
@@ -20,4 +20,4 @@ struct DerivativeErrors {
 // it can spare. Throws only if a table has to be built.
 DerivativeErrors derivative_errors(const Spline &spline, const AxisRules &rules, int64_t points);
 
-} // namespace nrb
+} // namespace nrb::eval

@@ -3,7 +3,7 @@
 
 #include "eval/parameters.h"
 
-namespace nrb {
+namespace nrb::eval {
 
 // out record: [slots][dim], slots = slot_count(axes, order). Order 0 are points. All parameters must have
 // been admitted by check_parameters(); the strided views must not overlap. May throw only std::bad_alloc,
@@ -16,4 +16,4 @@ void evaluate_points(const Spline &spline, const AxisRules &rules, int order, co
 void evaluate_grid(const Spline &spline, const AxisRules &rules, int order,
                    const std::array<ConstRecords, max_axes> &params, const Records &out);
 
-} // namespace nrb
+} // namespace nrb::eval

@@ -1,15 +1,15 @@
 #include "base/checked.h"
 #include "eval/blocks.h"
-#include "eval/kernels/derivative_source.h"
 #include "eval/evaluate.h"
 #include "eval/grid_layout.h"
+#include "eval/kernels/derivative_source.h"
 #include "spline/axis_view.h"
 
 #include <algorithm>
 #include <memory>
 #include <optional>
 
-namespace nrb {
+namespace nrb::eval {
 
 namespace {
 
@@ -298,4 +298,4 @@ void evaluate_grid(const Spline &spline, const AxisRules &rules, int order,
     }
 }
 
-} // namespace nrb
+} // namespace nrb::eval

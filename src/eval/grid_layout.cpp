@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace nrb {
+namespace nrb::eval {
 
 std::vector<int64_t> needed_layers(const GridAxis &table, int degree) {
     std::vector<int64_t> firsts;
@@ -74,4 +74,4 @@ void transpose_values(const GridAxis &table, const AxisSource &source, int order
     }
 }
 
-} // namespace nrb
+} // namespace nrb::eval

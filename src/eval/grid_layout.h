@@ -3,7 +3,7 @@
 
 #include "eval/kernels/grid_kernel.h"
 
-namespace nrb {
+namespace nrb::eval {
 
 // Every layer of an axis of that degree that is active at some parameter, in rising order.
 std::vector<int64_t> needed_layers(const GridAxis &table, int degree);
@@ -16,4 +16,4 @@ std::vector<GridGroup> group_by_layers(const GridAxis &table);
 void transpose_values(const GridAxis &table, const AxisSource &source, int order,
                       const std::vector<GridGroup> &groups, double *values) noexcept;
 
-} // namespace nrb
+} // namespace nrb::eval

@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <limits>
 
-namespace nrb {
+namespace nrb::eval {
 
 namespace {
 
@@ -67,8 +67,8 @@ void check_parameter(double t, const AxisRule &rule, Interval domain, const char
     if (!std::isfinite(t)) {
         fail(Status::parameter_not_finite, "%s = %s is not finite", name, Number(t).text);
     }
-    fail(Status::outside_domain, "%s = %s outside [%s, %s]", name, Number(t).text,
-         Number(domain.lower).text, Number(domain.upper).text);
+    fail(Status::outside_domain, "%s = %s outside [%s, %s]", name, Number(t).text, Number(domain.lower).text,
+         Number(domain.upper).text);
 }
 
 void check_parameters(const Spline::Axes &axes, const AxisRules &rules, const ConstRecords &params) {
@@ -113,4 +113,4 @@ double place(double t, const AxisRule &rule, Interval domain) noexcept {
     return nan;
 }
 
-} // namespace nrb
+} // namespace nrb::eval

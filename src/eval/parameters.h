@@ -7,7 +7,7 @@
 #include <array>
 #include <cstdint>
 
-namespace nrb {
+namespace nrb::eval {
 
 enum class Outside { refuse, clamp, extrapolate, wrap };
 
@@ -40,4 +40,4 @@ bool all_inside(const double *params, int64_t count, int axes, const Interval *d
 // is in [lower, upper), from the left in (lower, upper].
 double place(double t, const AxisRule &rule, Interval domain) noexcept;
 
-} // namespace nrb
+} // namespace nrb::eval

@@ -1,15 +1,15 @@
 #include "base/checked.h"
 #include "eval/blocks.h"
+#include "eval/evaluate.h"
 #include "eval/kernels/curve_kernel.h"
 #include "eval/kernels/derivative_source.h"
-#include "eval/evaluate.h"
 #include "eval/kernels/tensor_kernel.h"
 
 #include <algorithm>
 #include <memory>
 #include <optional>
 
-namespace nrb {
+namespace nrb::eval {
 
 namespace {
 
@@ -306,4 +306,4 @@ void evaluate_combinations(const Spline &spline, const AxisRules &rules, int ord
                                     [&](auto &&evaluate) { evaluate_blocks(evaluate, blocks, width, sink); });
 }
 
-} // namespace nrb
+} // namespace nrb::eval

@@ -3,7 +3,7 @@
 #include "eval/blocks.h"
 #include "eval/evaluate.h"
 
-namespace nrb {
+namespace nrb::eval {
 
 namespace {
 
@@ -41,4 +41,4 @@ void evaluate_grid(const Spline &spline, const AxisRules &rules,
     evaluate_grid(spline, rules, 0, params, sink);
 }
 
-} // namespace nrb
+} // namespace nrb::eval

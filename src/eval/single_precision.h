@@ -3,7 +3,7 @@
 
 #include "eval/parameters.h"
 
-namespace nrb {
+namespace nrb::eval {
 
 // As evaluate_points() and evaluate_grid() of order 0, every coordinate computed in double precision and
 // rounded once, to the nearest float. May throw only std::bad_alloc, before anything is written. A grid needs
@@ -13,4 +13,4 @@ void evaluate_points(const Spline &spline, const AxisRules &rules, ConstRecords 
 void evaluate_grid(const Spline &spline, const AxisRules &rules,
                    const std::array<ConstRecords, max_axes> &params, FloatRecords points);
 
-} // namespace nrb
+} // namespace nrb::eval

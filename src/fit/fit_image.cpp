@@ -1,8 +1,8 @@
 #include "fit/fit_image.h"
 
-#include "numeric/norm.h"
 #include "base/representable.h"
 #include "fit/span_samples.h"
+#include "numeric/norm.h"
 #include "refine/degree/elevate.h"
 #include "refine/forms/homogeneous.h"
 #include "refine/knots/insert.h"
@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace nrb {
+namespace nrb::fit {
 
 namespace {
 
@@ -123,7 +123,9 @@ private:
              Number(tolerance_).text, static_cast<long long>(fine_->point_count()));
     }
 
-    [[nodiscard]] SplinePtr records() const { return fine_->rational() ? to_homogeneous(*fine_) : fine_; }
+    [[nodiscard]] SplinePtr records() const {
+        return fine_->rational() ? refine::to_homogeneous(*fine_) : fine_;
+    }
 
     [[nodiscard]] Lines lines_of(size_t k) const {
         Lines lines{static_cast<size_t>(fine_->axis(static_cast<int>(k)).spans().size()),
@@ -176,7 +178,7 @@ private:
         for (size_t k = 0; k < nodes_.size(); ++k) {
             if (raised[k] != 0) {
                 const auto axis = static_cast<int>(k);
-                fine_ = elevate(fine_, axis, sufficient_degree - fine_->axis(axis).degree());
+                fine_ = refine::elevate(fine_, axis, sufficient_degree - fine_->axis(axis).degree());
                 nodes_[k] = LocalNodes(sufficient_degree);
                 require_room(fine_->point_count());
             }
@@ -201,7 +203,7 @@ private:
         }
         require_room(points);
         for (size_t k = 0; k < nodes_.size(); ++k) {
-            fine_ = refine(fine_, static_cast<int>(k), more[k]);
+            fine_ = refine::refine(fine_, static_cast<int>(k), more[k]);
         }
     }
 
@@ -296,7 +298,7 @@ private:
         }
         const bool rational = fine_->rational();
         const Numerators exact = mapped(sampled(before, places), dim_, rational, map_);
-        const std::vector<double> got = sampled(rational ? *to_homogeneous(image) : image, places);
+        const std::vector<double> got = sampled(rational ? *refine::to_homogeneous(image) : image, places);
         const size_t width = dim_ + (rational ? 1 : 0);
         double largest = 0;
         for (size_t i = 0; i * dim_ < exact.values.size(); ++i) {
@@ -327,4 +329,4 @@ FittedImage fit_image(const SplinePtr &g, const PointMap &map, double tolerance,
     return ImageFit(g, map, tolerance, judge).run();
 }
 
-} // namespace nrb
+} // namespace nrb::fit

@@ -7,7 +7,7 @@
 #include <functional>
 #include <vector>
 
-namespace nrb {
+namespace nrb::fit {
 
 // points[n][dim] to images of the same size; may throw what it does not map.
 using PointMap = std::function<void(const std::vector<double> &points, std::vector<double> &images)>;
@@ -34,4 +34,4 @@ struct FittedImage {
 FittedImage fit_image(const SplinePtr &g, const PointMap &map, double tolerance,
                       const Judge &judge = nullptr);
 
-} // namespace nrb
+} // namespace nrb::fit

@@ -1,9 +1,9 @@
 #include "fit/span_samples.h"
 
 #include "basis/bspline.h"
-#include "refine/algebra/polynomial.h"
 #include "numeric/solvers/banded_least_squares.h"
 #include "reduce/layers.h"
+#include "refine/algebra/polynomial.h"
 #include "spline/layer_table.h"
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 #include <limits>
 #include <numbers>
 
-namespace nrb {
+namespace nrb::fit {
 
 namespace {
 
@@ -65,7 +65,7 @@ SplinePtr applied(const Spline &spline, int k, const LayerTable &table) {
     Net net = apply_along(spline, k, table);
     Spline::Axes axes = spline.knot_vectors();
     axes[static_cast<size_t>(k)] = index_axis(table.rows());
-    return polynomial_spline(std::move(axes), spline.dim(), std::move(net.points));
+    return refine::polynomial_spline(std::move(axes), spline.dim(), std::move(net.points));
 }
 
 } // namespace
@@ -147,14 +147,14 @@ private:
 // control points of an axis.
 SplinePtr fitted(const Spline &samples, int k, const KnotVector &axis, const LocalNodes &nodes, size_t places,
                  size_t stride) {
-    const int64_t length = layer_length(samples, k);
+    const int64_t length = reduce::layer_length(samples, k);
     const std::vector<double> layers =
-        AxisFit(axis, nodes, places, stride, length).run(layer_records(samples, k));
-    std::vector<LayerSource> sources;
+        AxisFit(axis, nodes, places, stride, length).run(reduce::layer_records(samples, k));
+    std::vector<reduce::LayerSource> sources;
     for (int64_t i = 0; i < axis.count(); ++i) {
         sources.push_back({-1, layers.data() + i % axis.distinct_layers() * length});
     }
-    return spline_of_layers(samples, k, index_axis(axis.count()), sources);
+    return reduce::spline_of_layers(samples, k, index_axis(axis.count()), sources);
 }
 
 // Samples with `places[k]` of each span on axis k.
@@ -165,7 +165,7 @@ SplinePtr as_spline(const Spline &spline, const std::array<size_t, max_axes> &pl
         axes.push_back(
             index_axis(spline.axis(k).spans().size() * static_cast<int64_t>(places[static_cast<size_t>(k)])));
     }
-    return polynomial_spline(std::move(axes), width, std::move(samples));
+    return refine::polynomial_spline(std::move(axes), width, std::move(samples));
 }
 
 std::array<size_t, max_axes> node_counts(const std::vector<LocalNodes> &nodes) noexcept {
@@ -200,4 +200,4 @@ std::vector<double> projected_along(const Spline &spline, int k, const std::vect
     return {values->points().begin(), values->points().end()};
 }
 
-} // namespace nrb
+} // namespace nrb::fit

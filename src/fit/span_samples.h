@@ -6,7 +6,7 @@
 #include <array>
 #include <vector>
 
-namespace nrb {
+namespace nrb::fit {
 
 // Places in a span, from 0 to 1, where polynomials of a degree are interpolated: Chebyshev's with the ends,
 // so that splines meet at knots; the middle for degree 0.
@@ -49,4 +49,4 @@ std::vector<double> control_points(const Spline &spline, const std::vector<Local
 std::vector<double> projected_along(const Spline &spline, int k, const std::vector<LocalNodes> &nodes,
                                     std::vector<double> samples, int width);
 
-} // namespace nrb
+} // namespace nrb::fit

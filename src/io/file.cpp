@@ -9,7 +9,7 @@
 #include <pthread.h>
 #include <system_error>
 
-namespace nrb {
+namespace nrb::io {
 
 namespace {
 
@@ -69,4 +69,4 @@ std::vector<char> read_whole_file(const char *path, int64_t max_bytes) {
     return bytes;
 }
 
-} // namespace nrb
+} // namespace nrb::io

@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <vector>
 
-namespace nrb {
+namespace nrb::io {
 
 // The contents of a file; throws Error: Status::file, or Status::too_large beyond max_bytes.
 std::vector<char> read_whole_file(const char *path, int64_t max_bytes);
 
-} // namespace nrb
+} // namespace nrb::io

@@ -1,14 +1,14 @@
 #include "measure/chord_path.h"
 
-#include "numeric/norm.h"
 #include "eval/evaluate.h"
+#include "numeric/norm.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
 
-namespace nrb {
+namespace nrb::measure {
 
 namespace {
 
@@ -44,10 +44,10 @@ ChordPath::ChordPath(const Spline &curve, Interval range, std::vector<double> pa
 bool ChordPath::evaluate() {
     const auto dim = static_cast<size_t>(curve_.dim());
     const auto count = static_cast<int64_t>(count_ + 1);
-    AxisRules rules{};
+    eval::AxisRules rules{};
     rules[0].left = true; // the last one may be the end
-    evaluate_points(curve_, rules, 1, {params_.data(), count},
-                    {values_.data(), count, 2 * curve_.dim(), 2 * curve_.dim()});
+    eval::evaluate_points(curve_, rules, 1, {params_.data(), count},
+                          {values_.data(), count, 2 * curve_.dim(), 2 * curve_.dim()});
     work_ += count;
     rounding_ = 0;
     for (size_t i = 0; i <= count_; ++i) {
@@ -195,4 +195,4 @@ bool ChordPath::run(double relative_tolerance) {
     return false;
 }
 
-} // namespace nrb
+} // namespace nrb::measure

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace nrb {
+namespace nrb::measure {
 
 // The chains t_0 < t_1 < ... < t_n with |C(t_i) - C(t_(i-1))| = d for all i and t_0 given are n equations in
 // n + 1 unknowns: a curve. It begins at d = 0 and goes on until t_n reaches the end of the range, since
@@ -59,4 +59,4 @@ private:
     std::vector<double> diagonal_, upper_, border_, right_;
 };
 
-} // namespace nrb
+} // namespace nrb::measure

@@ -1,9 +1,9 @@
 #include "measure/curve_length.h"
 
 #include "base/error.h"
-#include "numeric/sum.h"
-#include "measure/tolerance_ladder.h"
 #include "measure/speed_net.h"
+#include "measure/tolerance_ladder.h"
+#include "numeric/sum.h"
 
 #include <algorithm>
 #include <array>
@@ -11,7 +11,7 @@
 #include <limits>
 #include <numeric>
 
-namespace nrb {
+namespace nrb::measure {
 
 namespace {
 
@@ -305,11 +305,10 @@ Integral curve_length(const Spline &curve, Interval range, double relative_toler
     const Integral found = integrate(pieces, relative_tolerance);
     const Integral result = scaled_result(found, pieces.exponent(), relative_tolerance, "length");
     if (!found.good) {
-        fail(Status::not_converged,
-             "length = %s: the error reached is %s, expected relative_tolerance = %s",
+        fail(Status::not_converged, "length = %s: the error reached is %s, expected relative_tolerance = %s",
              Number(result.value).text, Number(result.error).text, Number(relative_tolerance).text);
     }
     return result;
 }
 
-} // namespace nrb
+} // namespace nrb::measure

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace nrb {
+namespace nrb::measure {
 
 struct Integral {
     double value;
@@ -70,4 +70,4 @@ Integral curve_length(const Spline &curve, Interval range, double relative_toler
 // The results of an integral, scaled by 2^exponent.
 Integral scaled_result(Integral integral, int exponent, double relative_tolerance, const char *what);
 
-} // namespace nrb
+} // namespace nrb::measure

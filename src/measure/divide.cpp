@@ -1,16 +1,16 @@
 #include "measure/divide.h"
 
 #include "base/error.h"
-#include "numeric/norm.h"
 #include "eval/evaluate.h"
 #include "measure/chord_path.h"
 #include "measure/length_table.h"
+#include "numeric/norm.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-namespace nrb {
+namespace nrb::measure {
 
 namespace {
 
@@ -51,9 +51,9 @@ public:
         return std::ldexp(distance(from.data(), point_.data(), curve_.dim()), -table_.exponent());
     }
     void place(double t, bool left, std::vector<double> &point) const {
-        AxisRules rules{};
+        eval::AxisRules rules{};
         rules[0].left = left;
-        evaluate_points(curve_, rules, 0, {&t, 1}, {point.data(), 1, curve_.dim(), curve_.dim()});
+        eval::evaluate_points(curve_, rules, 0, {&t, 1}, {point.data(), 1, curve_.dim(), curve_.dim()});
     }
 
 private:
@@ -266,4 +266,4 @@ double divide_by_chord(const Spline &curve, Interval range, int64_t parts, doubl
     return arc.to_model(chord);
 }
 
-} // namespace nrb
+} // namespace nrb::measure

@@ -3,7 +3,7 @@
 
 #include "measure/curve_length.h"
 
-namespace nrb {
+namespace nrb::measure {
 
 // params: [parts + 1], the ends of the range among them. Returns the length of a part. Throws
 // Status::length if the range has none, not_converged, not_representable.
@@ -16,4 +16,4 @@ double divide_by_length(const Spline &curve, Interval range, int64_t parts, doub
 double divide_by_chord(const Spline &curve, Interval range, int64_t parts, double relative_tolerance,
                        std::vector<double> &params);
 
-} // namespace nrb
+} // namespace nrb::measure

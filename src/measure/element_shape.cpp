@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace nrb {
+namespace nrb::measure {
 
 namespace {
 
@@ -136,4 +136,4 @@ int ElementShape::uneven_axis(const double *net, double spread, bool legs) {
     return worst;
 }
 
-} // namespace nrb
+} // namespace nrb::measure

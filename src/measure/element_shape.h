@@ -4,7 +4,7 @@
 
 #include "measure/elements.h"
 
-namespace nrb {
+namespace nrb::measure {
 
 // The axis along which an element should be halved first, or -1: the weights differ by a factor of more than
 // 64; or, if `legs`, some leg of the control net along the axis is more than 75 degrees off the sum of all of
@@ -34,4 +34,4 @@ private:
     int last_ = 0;
 };
 
-} // namespace nrb
+} // namespace nrb::measure

@@ -7,7 +7,7 @@
 #include <limits>
 #include <utility>
 
-namespace nrb {
+namespace nrb::measure {
 
 ModelFrame model_frame(const Spline *const *splines, int64_t count) {
     const auto dim = static_cast<size_t>(splines[0]->dim());
@@ -132,7 +132,7 @@ void Elements::add_span(AxisElements &elements, const KnotVector &axis, int64_t 
     const size_t start = elements.matrices.size();
     elements.matrices.resize(start + static_cast<size_t>(n * n));
     double *matrix = elements.matrices.data() + start;
-    bezier_extraction(axis.knots().data(), axis.degree(), span, matrix);
+    refine::bezier_extraction(axis.knots().data(), axis.degree(), span, matrix);
     const double length = axis[span + 1] - axis[span];
     const Interval part{std::max(range.lower, axis[span]), std::min(range.upper, axis[span + 1])};
     const double lower = (part.lower - axis[span]) / length, upper = (part.upper - axis[span]) / length;
@@ -263,4 +263,4 @@ void Elements::load(int64_t element, Element &out) const {
     }
 }
 
-} // namespace nrb
+} // namespace nrb::measure

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace nrb {
+namespace nrb::measure {
 
 // Where a model is and how large: coordinates become (x - centre) * scale, at most about 1, with a power of
 // two as scale. The ratio of a scaled content of some axes to the true one is scale^axes.
@@ -79,4 +79,4 @@ void halve_rows(int64_t outer, int degree, int64_t inner, double *values, double
 // Coefficients over [lower, upper] of [0, 1] in place of those over [0, 1].
 void cut_row(int degree, double lower, double upper, double *values) noexcept;
 
-} // namespace nrb
+} // namespace nrb::measure

@@ -2,15 +2,15 @@
 
 #include "base/error.h"
 #include "base/scratch.h"
-#include "numeric/sum.h"
 #include "numeric/binomial.h"
+#include "numeric/sum.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 
-namespace nrb {
+namespace nrb::measure {
 
 namespace {
 
@@ -180,8 +180,7 @@ void LengthTable::check(double relative_tolerance, double part) const {
     const Integral result = scaled_result({total(), error_}, exponent(), relative_tolerance, "length");
     if (error_ >
         2 * std::max(relative_tolerance * std::min(part, total()), pieces_.rounding() + 8 * eps * total())) {
-        fail(Status::not_converged,
-             "length = %s: the error reached is %s, expected relative_tolerance = %s",
+        fail(Status::not_converged, "length = %s: the error reached is %s, expected relative_tolerance = %s",
              Number(result.value).text, Number(result.error).text, Number(relative_tolerance).text);
     }
 }
@@ -218,4 +217,4 @@ void curve_params_at_lengths(const Spline &curve, const ConstRecords &lengths, d
     }
 }
 
-} // namespace nrb
+} // namespace nrb::measure

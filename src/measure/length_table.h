@@ -6,7 +6,7 @@
 
 #include <memory>
 
-namespace nrb {
+namespace nrb::measure {
 
 // The parts of a curve on which one rule gives the length to double precision. Kept with the spline, since it
 // takes as long as several lengths.
@@ -62,4 +62,4 @@ void curve_lengths(const Spline &curve, const ConstRecords &params, double relat
 void curve_params_at_lengths(const Spline &curve, const ConstRecords &lengths, double relative_tolerance,
                              bool clamp, const Records &out);
 
-} // namespace nrb
+} // namespace nrb::measure

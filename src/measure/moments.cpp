@@ -1,16 +1,16 @@
 #include "measure/moments.h"
 
 #include "base/error.h"
-#include "numeric/norm.h"
 #include "base/representable.h"
 #include "eval/evaluate.h"
 #include "measure/curve_length.h"
+#include "numeric/norm.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-namespace nrb {
+namespace nrb::measure {
 
 namespace {
 
@@ -181,8 +181,7 @@ Moments moments_of(const std::vector<Elements> &splines, const Integrand &integr
     result.content = std::ldexp(sums.values[0] * factors.content, power);
     result.error = std::ldexp((sums.errors[0] + sums.rounding) * factors.content, power);
     if (!sums.converged || !std::isfinite(sums.values[0])) {
-        fail(Status::not_converged,
-             "content = %s: the error reached is %s, expected relative_tolerance = %s",
+        fail(Status::not_converged, "content = %s: the error reached is %s, expected relative_tolerance = %s",
              Number(result.content).text, Number(result.error).text, Number(relative_tolerance).text);
     }
     if (order != MomentOrder::content) {
@@ -199,9 +198,9 @@ Moments moments_of(const std::vector<Elements> &splines, const Integrand &integr
 // The place of a curve at a parameter, from one side.
 std::vector<double> place_of(const Spline &curve, double t, bool left) {
     std::vector<double> x(static_cast<size_t>(curve.dim()));
-    AxisRules rules{};
+    eval::AxisRules rules{};
     rules[0].left = left;
-    evaluate_points(curve, rules, 0, {&t, 1}, {x.data(), 1, curve.dim(), curve.dim()});
+    eval::evaluate_points(curve, rules, 0, {&t, 1}, {x.data(), 1, curve.dim(), curve.dim()});
     return x;
 }
 
@@ -269,11 +268,10 @@ void check_closed(const std::vector<SplinePtr> &curves, double tolerance) {
             gap = std::min(gap, distance(start.place.data(), end.place.data(), 2));
         }
         if (!(gap <= tolerance)) {
-            fail(Status::gap,
-                 "curves[%lld] ends %s from the nearest start, expected at most tolerance = %s",
+            fail(Status::gap, "curves[%lld] ends %s from the nearest start, expected at most tolerance = %s",
                  static_cast<long long>(end.curve), Number(gap).text, Number(tolerance).text);
         }
     }
 }
 
-} // namespace nrb
+} // namespace nrb::measure

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace nrb {
+namespace nrb::measure {
 
 // How far the moments go.
 enum class MomentOrder { content, centroid, inertia };
@@ -32,4 +32,4 @@ Moments enclosed_moments(const std::vector<SplinePtr> &boundary, MomentOrder ord
 // the tolerance.
 void check_closed(const std::vector<SplinePtr> &curves, double tolerance);
 
-} // namespace nrb
+} // namespace nrb::measure

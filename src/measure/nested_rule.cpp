@@ -1,14 +1,14 @@
 #include "measure/nested_rule.h"
 
-#include "numeric/binomial.h"
 #include "measure/speed_kernel.h"
+#include "numeric/binomial.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 
-namespace nrb {
+namespace nrb::measure {
 
 namespace {
 
@@ -275,4 +275,4 @@ RuleDecay speed_decay(const SpeedForm &form, const double *net, int first, int l
     return decay_of(sums);
 }
 
-} // namespace nrb
+} // namespace nrb::measure

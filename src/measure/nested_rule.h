@@ -4,7 +4,7 @@
 
 #include <limits>
 
-namespace nrb {
+namespace nrb::measure {
 
 // Level l has 3, 7, 15, 31, 63 nodes and is exact up to degree 5, 11, 23, 47, 95; all weights are positive.
 // Each level repeats the nodes of the one before it, so that two more rules to compare with cost nothing.
@@ -57,4 +57,4 @@ struct SpeedForm;
 RuleDecay speed_decay(const SpeedForm &form, const double *net, int first, int level,
                       double *values) noexcept;
 
-} // namespace nrb
+} // namespace nrb::measure

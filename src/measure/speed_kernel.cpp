@@ -8,7 +8,7 @@
 #include "measure/speed_kernel.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace nrb {
+namespace nrb::measure {
 namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
@@ -98,11 +98,11 @@ double sum_of_speeds(const SpeedForm &form, const double *nets, int64_t count, c
 }
 
 } // namespace HWY_NAMESPACE
-} // namespace nrb
+} // namespace nrb::measure
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace nrb {
+namespace nrb::measure {
 
 HWY_EXPORT(speeds);
 
@@ -130,5 +130,5 @@ void rule_sums(const double *const *rows, const double *values, int count, doubl
     HWY_DYNAMIC_DISPATCH(rule_sums)(rows, values, count, sums);
 }
 
-} // namespace nrb
+} // namespace nrb::measure
 #endif

@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-namespace nrb {
+namespace nrb::measure {
 
 // The speed of a piece of a curve over u in [0, 1] as |N(u)| / w(u)^2: N has `dim` components of degree
 // `degree`, w follows as one more row of degree `weight_degree` if the curve is rational (-1: it is not).
@@ -31,4 +31,4 @@ double sum_of_speeds(const SpeedForm &form, const double *nets, int64_t count,
 // The sums of `count` values, a multiple of 8, times each of seven rows of factors.
 void rule_sums(const double *const *rows, const double *values, int count, double *sums) noexcept;
 
-} // namespace nrb
+} // namespace nrb::measure

@@ -1,7 +1,7 @@
 #include "measure/speed_net.h"
 
-#include "numeric/binomial.h"
 #include "measure/elements.h"
+#include "numeric/binomial.h"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,7 @@
 #include <limits>
 #include <utility>
 
-namespace nrb {
+namespace nrb::measure {
 
 namespace {
 
@@ -103,7 +103,7 @@ void halve_rows(int rows, int degree, double scale, double *values, double *lowe
         return halve_rows<4>(rows, scale, values, lower);
     default:
         std::for_each_n(values, rows * (degree + 1), [=](double &x) { x *= scale; });
-        nrb::halve_rows(rows, degree, 1, values, lower);
+        measure::halve_rows(rows, degree, 1, values, lower);
     }
 }
 
@@ -154,4 +154,4 @@ void halve_net(const SpeedForm &form, double *net, double *lower) noexcept {
     }
 }
 
-} // namespace nrb
+} // namespace nrb::measure

@@ -3,7 +3,7 @@
 
 #include "measure/speed_kernel.h"
 
-namespace nrb {
+namespace nrb::measure {
 
 // What the coefficients of a net tell of features that are narrower than the nodes are apart: peaks where the
 // weights differ much, dips and zeros where the curve turns sharply.
@@ -27,4 +27,4 @@ void wronskian(int p, const double *a, const double *w, double *out) noexcept;
 // Both halves of a net, of half the speed: the upper one in its place.
 void halve_net(const SpeedForm &form, double *net, double *lower) noexcept;
 
-} // namespace nrb
+} // namespace nrb::measure

@@ -1,15 +1,15 @@
 #include "measure/tensor_integral.h"
 
-#include "numeric/sum.h"
 #include "measure/element_shape.h"
-#include "measure/tolerance_ladder.h"
 #include "measure/tensor_rule.h"
+#include "measure/tolerance_ladder.h"
+#include "numeric/sum.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-namespace nrb {
+namespace nrb::measure {
 
 namespace {
 
@@ -255,4 +255,4 @@ Integrals integrate(const std::vector<Elements> &splines, const Integrand &integ
     return result;
 }
 
-} // namespace nrb
+} // namespace nrb::measure

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace nrb {
+namespace nrb::measure {
 
 // What is integrated, several values at once. The first one says how much an element matters, and its
 // integral is what the tolerance of the others is relative to, coordinates being at most about 1; the last
@@ -40,4 +40,4 @@ struct Integrals {
 Integrals integrate(const std::vector<Elements> &splines, const Integrand &integrand,
                     double relative_tolerance);
 
-} // namespace nrb
+} // namespace nrb::measure

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-namespace nrb {
+namespace nrb::measure {
 
 TensorRule::TensorRule(const Elements &elements, const Integrand &integrand)
     : integrand_(integrand), axes_(elements.axes()), dim_(elements.dim()), values_(integrand.values()),
@@ -139,4 +139,4 @@ double TensorRule::error(int axis, int j) const noexcept {
     return exact_[static_cast<size_t>(axis)] ? 0 : decay(axis, j).error(magnitude(j));
 }
 
-} // namespace nrb
+} // namespace nrb::measure

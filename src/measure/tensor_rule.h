@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace nrb {
+namespace nrb::measure {
 
 using Levels = std::array<int, max_axes>;
 
@@ -54,4 +54,4 @@ private:
     bool positive_ = false, negative_ = false; // values of the first function seen
 };
 
-} // namespace nrb
+} // namespace nrb::measure

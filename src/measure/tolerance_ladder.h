@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace nrb {
+namespace nrb::measure {
 
 // The tolerances that are tried one after the other, relative: the one asked for, and if that is below
 // rounding, one of nine digits and one of three. What does not reach these is taken for infinite.
@@ -28,4 +28,4 @@ private:
     bool best_;
 };
 
-} // namespace nrb
+} // namespace nrb::measure

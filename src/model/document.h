@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace nrb {
+namespace nrb::model {
 
 struct NamedSpline {
     std::string name;
@@ -33,4 +33,4 @@ struct ReadSettings {
     int64_t max_bytes = int64_t{1} << 30;
 };
 
-} // namespace nrb
+} // namespace nrb::model

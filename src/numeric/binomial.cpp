@@ -4,7 +4,7 @@
 #include <array>
 #include <cstdint>
 
-namespace nrb {
+namespace nrb::inline numeric {
 
 namespace {
 
@@ -35,4 +35,4 @@ double binomial(int n, int k) noexcept {
     return binomials(n)[k];
 }
 
-} // namespace nrb
+} // namespace nrb::inline numeric

@@ -3,8 +3,7 @@
 
 #include "base/limits.h"
 
-
-namespace nrb {
+namespace nrb::inline numeric {
 
 inline constexpr int max_product_degree = 2 * max_degree;
 
@@ -13,4 +12,4 @@ double binomial(int n, int k) noexcept;
 // C(n, 0), ..., C(n, n).
 const double *binomials(int n) noexcept;
 
-} // namespace nrb
+} // namespace nrb::inline numeric

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace nrb {
+namespace nrb::inline numeric {
 
 // Scaled by a power of two first, so that no length over- or underflows.
 std::vector<double> unit_vector(const double *direction, int dim) {
@@ -21,4 +21,4 @@ std::vector<double> unit_vector(const double *direction, int dim) {
     return unit;
 }
 
-} // namespace nrb
+} // namespace nrb::inline numeric

@@ -3,9 +3,9 @@
 
 #include <vector>
 
-namespace nrb {
+namespace nrb::inline numeric {
 
 // Of length 1. Precondition: finite and not zero.
 std::vector<double> unit_vector(const double *direction, int dim);
 
-} // namespace nrb
+} // namespace nrb::inline numeric

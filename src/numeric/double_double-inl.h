@@ -1,17 +1,17 @@
 // Twins: unevaluated sums of two doubles, twice the precision (Dekker 1971), for coefficients that are used a
 // million times. Included once for every instruction set: see base/simd.h.
-#if defined(NURBS_BASE_TWIN_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef NURBS_BASE_TWIN_INL_H_
-#undef NURBS_BASE_TWIN_INL_H_
+#if defined(NURBS_NUMERIC_DOUBLE_DOUBLE_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef NURBS_NUMERIC_DOUBLE_DOUBLE_INL_H_
+#undef NURBS_NUMERIC_DOUBLE_DOUBLE_INL_H_
 #else
-#define NURBS_BASE_TWIN_INL_H_
+#define NURBS_NUMERIC_DOUBLE_DOUBLE_INL_H_
 #endif
 
 #include <cstdint>
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
-namespace nrb {
+namespace nrb::inline numeric {
 namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
@@ -101,7 +101,7 @@ HWY_INLINE Twin<V> inverse(const Twin<V> &a) {
 }
 
 } // namespace HWY_NAMESPACE
-} // namespace nrb
+} // namespace nrb::inline numeric
 HWY_AFTER_NAMESPACE();
 
 #endif

@@ -5,7 +5,7 @@
 #include <cfloat>
 #include <cmath>
 
-namespace nrb {
+namespace nrb::inline numeric {
 
 // On processors that compute with more digits (x87) the errors of operations would not be what is relied on.
 static_assert(FLT_EVAL_METHOD == 0, "operations on doubles have to be rounded to double");
@@ -69,4 +69,4 @@ inline Wide square_root(const Wide &a) noexcept {
     return Wide::ordered_sum(first, rest.high / (2 * first));
 }
 
-} // namespace nrb
+} // namespace nrb::inline numeric

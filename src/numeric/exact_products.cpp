@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace nrb {
+namespace nrb::inline numeric {
 
 namespace {
 
@@ -60,4 +60,4 @@ double difference_of_products(double a, double b, double c, double d) noexcept {
     return std::fma(a, b, -product) + std::fma(-c, d, product);
 }
 
-} // namespace nrb
+} // namespace nrb::inline numeric

@@ -1,7 +1,7 @@
 // Products of two numbers compared without rounding, and their differences with little.
 #pragma once
 
-namespace nrb {
+namespace nrb::inline numeric {
 
 // The sign of a b - c d: -1, 0 or 1, at any size. Precondition: all are finite.
 int compare_products(double a, double b, double c, double d) noexcept;
@@ -11,4 +11,4 @@ int compare_products(double a, double b, double c, double d) noexcept;
 // Math. Comp. 82 (2013)).
 double difference_of_products(double a, double b, double c, double d) noexcept;
 
-} // namespace nrb
+} // namespace nrb::inline numeric

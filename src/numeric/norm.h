@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <span>
 
-namespace nrb {
+namespace nrb::inline numeric {
 
 // The length of a vector whose component c is x(c), within (n / 2 + 2) eps of itself at any size; not finite
 // if a component is not. Cost: one square root, and a second pass for sizes whose squares are not safe.
@@ -57,4 +57,4 @@ inline double dot(std::span<const double> a, std::span<const double> b) noexcept
     return dot(a.data(), b.data(), static_cast<int>(a.size()));
 }
 
-} // namespace nrb
+} // namespace nrb::inline numeric

@@ -1,7 +1,7 @@
 // Sums that are as accurate as if they had been formed in twice the precision.
 #pragma once
 
-namespace nrb {
+namespace nrb::inline numeric {
 
 // D. Knuth's two-sum gives the rounding error of an addition exactly; the errors are added up on their own (T.
 // Ogita, S. Rump, S. Oishi, "Accurate sum and dot product", SIAM J. Sci. Comput. 26 (2005), Sum2): the value is
@@ -19,4 +19,4 @@ struct CompensatedSum {
     [[nodiscard]] double value() const noexcept { return sum + rest; }
 };
 
-} // namespace nrb
+} // namespace nrb::inline numeric

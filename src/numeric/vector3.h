@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace nrb {
+namespace nrb::inline numeric {
 
 struct Vector3 {
     double x = 0;
@@ -87,4 +87,4 @@ inline Vector3 any_normal(const Vector3 &t) noexcept {
     return unit(axis - dot(axis, t) * t);
 }
 
-} // namespace nrb
+} // namespace nrb::inline numeric

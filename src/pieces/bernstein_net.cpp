@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-namespace nrb {
+namespace nrb::pieces {
 
 namespace {
 
@@ -24,10 +24,10 @@ double length(const double *x, int n) noexcept {
 
 // Rows [e * (p + 1), ...) give the Bernstein points of the piece behind break e.
 LayerTable piece_rows(const KnotVector &axis, const std::vector<double> &breaks) {
-    const std::vector<double> fine = saturated(axis, breaks);
-    const Refinement refinement(axis.degree(), axis.knots(), fine);
+    const std::vector<double> fine = refine::saturated(axis, breaks);
+    const refine::Refinement refinement(axis.degree(), axis.knots(), fine);
     const int64_t first = std::lower_bound(fine.begin(), fine.end(), breaks.front()) - fine.begin();
-    return rows_of(refinement, first, first + (std::ssize(breaks) - 1) * (axis.degree() + 1));
+    return refine::rows_of(refinement, first, first + (std::ssize(breaks) - 1) * (axis.degree() + 1));
 }
 
 LayerTable elevation_rows(int low, int high, int64_t pieces) {
@@ -48,8 +48,8 @@ LayerTable elevation_rows(int low, int high, int64_t pieces) {
 
 SplinePtr applied(const Spline &net, int axis, const LayerTable &table, KnotVectorPtr knots) {
     Net made = apply_along(net, axis, table);
-    return std::make_shared<const Spline>(with_axis(net, axis, std::move(knots)), net.dim(), Form::polynomial,
-                                          std::move(made.points), std::vector<double>());
+    return std::make_shared<const Spline>(refine::with_axis(net, axis, std::move(knots)), net.dim(),
+                                          Form::polynomial, std::move(made.points), std::vector<double>());
 }
 
 // Replaces the layers of an axis by the maxima over those that are active on each piece.
@@ -156,10 +156,11 @@ BernsteinNet::BernsteinNet(const Spline &spline, const CentredRecords &records, 
         if (k + 1 < spline.axes()) {
             view = {view.outer * counts_[padded], spline.count(k + 1), view.inner / spline.count(k + 1)};
         }
-        net = applied(*net, k, piece_rows(axis, breaks[at]), bezier_knots(p, breaks[at]));
+        net = applied(*net, k, piece_rows(axis, breaks[at]), refine::bezier_knots(p, breaks[at]));
         steps += 4 * p + 2; // coefficients 3 p, sums (p + 2) / 2
         if (n > p) {
-            net = applied(*net, k, elevation_rows(p, n, counts_[padded]), bezier_knots(n, breaks[at]));
+            net =
+                applied(*net, k, elevation_rows(p, n, counts_[padded]), refine::bezier_knots(n, breaks[at]));
             steps += n + 4;
         }
     }
@@ -202,4 +203,4 @@ void BernsteinNet::copy(int64_t piece, double *coordinates, double *weights) con
     }
 }
 
-} // namespace nrb
+} // namespace nrb::pieces

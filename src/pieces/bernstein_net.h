@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace nrb {
+namespace nrb::pieces {
 
 // Homogeneous points about a centre in Cartesian space, as they enter a net.
 struct CentredRecords {
@@ -65,4 +65,4 @@ private:
     double largest_weight_ = 1;
 };
 
-} // namespace nrb
+} // namespace nrb::pieces

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace nrb {
+namespace nrb::pieces {
 
 struct Enclosure {
     double lower;
@@ -105,4 +105,4 @@ private:
     double least_;
 };
 
-} // namespace nrb
+} // namespace nrb::pieces

@@ -10,7 +10,7 @@
 #include <memory>
 #include <optional>
 
-namespace nrb {
+namespace nrb::pieces {
 
 namespace {
 
@@ -120,7 +120,7 @@ double HomogeneousPiece::parameter(int k, double place) const noexcept {
 }
 
 PieceMaker::PieceMaker(const Spline &spline, const Part &part)
-    : spline_(spline), weighted_(spline.rational() && !equal_weights(spline)) {
+    : spline_(spline), weighted_(spline.rational() && !refine::equal_weights(spline)) {
     for (size_t k = 0; k < static_cast<size_t>(spline.axes()); ++k) {
         breaks_[k] = breaks_in(spline.axis(static_cast<int>(k)), part[k]);
     }
@@ -245,4 +245,4 @@ RoundedPolynomial twist_numerator(const HomogeneousPiece &piece) {
     return wedge(a, d, dd, derivative(dd, piece.axis(0)));
 }
 
-} // namespace nrb
+} // namespace nrb::pieces

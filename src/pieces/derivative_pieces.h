@@ -4,7 +4,7 @@
 #include "bernstein/rounded_polynomial.h"
 #include "pieces/spline_pieces.h"
 
-namespace nrb {
+namespace nrb::pieces {
 
 // One piece of a spline in homogeneous coordinates A = w (x - c), w about a centre near it, so that rounding
 // is relative to the size of the piece, both in units of powers of two near the largest. In polynomial
@@ -58,4 +58,4 @@ RoundedPolynomial bend_numerator(const HomogeneousPiece &piece);
 // det(C', C'', C''') = T / w^4 of a curve in space.
 RoundedPolynomial twist_numerator(const HomogeneousPiece &piece);
 
-} // namespace nrb
+} // namespace nrb::pieces

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace nrb {
+namespace nrb::pieces {
 
 namespace {
 
@@ -335,4 +335,4 @@ LargestValue largest_value(int64_t count, const PieceSource &source, double gap,
     return result;
 }
 
-} // namespace nrb
+} // namespace nrb::pieces

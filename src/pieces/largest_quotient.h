@@ -7,7 +7,7 @@
 #include <functional>
 #include <vector>
 
-namespace nrb {
+namespace nrb::pieces {
 
 // A vector valued polynomial N and a scalar one W of the same degrees, and what rounding may have made of
 // them: with exact coefficients N*, W*,
@@ -63,4 +63,4 @@ struct LargestValue {
 };
 LargestValue largest_value(int64_t count, const PieceSource &source, double gap, int steps);
 
-} // namespace nrb
+} // namespace nrb::pieces

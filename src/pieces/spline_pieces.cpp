@@ -7,7 +7,7 @@
 #include <iterator>
 #include <limits>
 
-namespace nrb {
+namespace nrb::pieces {
 
 namespace {
 
@@ -113,4 +113,4 @@ void SplinePieces::fill(int64_t piece, const double *matrix, int rows, double no
     }
 }
 
-} // namespace nrb
+} // namespace nrb::pieces

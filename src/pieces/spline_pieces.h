@@ -5,7 +5,7 @@
 #include "pieces/largest_quotient.h"
 #include "spline/part.h"
 
-namespace nrb {
+namespace nrb::pieces {
 
 // Ends of the pieces of an axis in an interval of its domain: its knots inside, and the ends.
 std::vector<double> breaks_in(const KnotVector &axis, Interval part);
@@ -41,4 +41,4 @@ private:
     mutable std::vector<double> coordinates_; // of the present piece
 };
 
-} // namespace nrb
+} // namespace nrb::pieces

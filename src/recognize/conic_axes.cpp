@@ -2,15 +2,15 @@
 
 #include "base/error.h"
 #include "base/finite.h"
-#include "numeric/sum.h"
 #include "numeric/exact_products.h"
+#include "numeric/sum.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 
-namespace nrb {
+namespace nrb::recognize {
 
 namespace {
 
@@ -188,4 +188,4 @@ ConicAxes conic_axes(const double *coefficients) {
     return axes;
 }
 
-} // namespace nrb
+} // namespace nrb::recognize

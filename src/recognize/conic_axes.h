@@ -3,7 +3,7 @@
 
 #include "recognize/conic_type.h"
 
-namespace nrb {
+namespace nrb::recognize {
 
 // Of an ellipse: centre, semi-axes, x along the longer one; of a hyperbola: centre, semi-axes along x and
 // across, x towards a vertex; x[0] > 0, or x = (0, 1). Of a parabola: vertex, focal length and 0, x towards
@@ -24,4 +24,4 @@ ConicAxes conic_axes(const double *coefficients);
 // The same without a check of the result; false if there is no such conic, or a coefficient is not finite.
 bool find_conic_axes(const double *coefficients, ConicAxes &axes) noexcept;
 
-} // namespace nrb
+} // namespace nrb::recognize

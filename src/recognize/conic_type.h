@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-namespace nrb {
+namespace nrb::recognize {
 
 enum ConicType : int32_t {
     conic_ellipse = 1,
@@ -14,4 +14,4 @@ enum ConicType : int32_t {
     conic_line,  // P0, P1 and P2 are on a line
 };
 
-} // namespace nrb
+} // namespace nrb::recognize

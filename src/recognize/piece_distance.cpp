@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace nrb {
+namespace nrb::recognize {
 
 namespace {
 
@@ -166,4 +166,4 @@ double PieceDistance::by_extent(const ShapePiece &piece) const {
            16 * eps * (piece.size() + shape_.sizes[0] + shape_.sizes[1]);
 }
 
-} // namespace nrb
+} // namespace nrb::recognize

@@ -6,7 +6,7 @@
 
 #include <limits>
 
-namespace nrb {
+namespace nrb::recognize {
 
 struct DistanceBound {
     double upper = std::numeric_limits<double>::infinity();
@@ -38,4 +38,4 @@ private:
     Quadric quadric_;
 };
 
-} // namespace nrb
+} // namespace nrb::recognize

@@ -12,7 +12,7 @@
 #include <cmath>
 #include <limits>
 
-namespace nrb {
+namespace nrb::recognize {
 
 namespace {
 
@@ -133,4 +133,4 @@ Recognition recognize(const Spline &given, double tolerance) {
     return {};
 }
 
-} // namespace nrb
+} // namespace nrb::recognize

@@ -4,7 +4,7 @@
 #include "recognize/shape_model.h"
 #include "spline/spline.h"
 
-namespace nrb {
+namespace nrb::recognize {
 
 struct Recognition {
     Shape shape;
@@ -19,4 +19,4 @@ struct Recognition {
 // tolerance, a few products of each Bezier piece.
 Recognition recognize(const Spline &spline, double tolerance);
 
-} // namespace nrb
+} // namespace nrb::recognize

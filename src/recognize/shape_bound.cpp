@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace nrb {
+namespace nrb::recognize {
 
 namespace {
 
@@ -26,7 +26,7 @@ class Search {
 public:
     Search(const Shape &shape, double tolerance) : distance_(shape), tolerance_(tolerance) {}
 
-    Enclosure run(std::vector<ShapePiece> pieces) {
+    pieces::Enclosure run(std::vector<ShapePiece> pieces) {
         const auto steps = 400 + 60 * std::ssize(pieces);
         for (ShapePiece &piece : pieces) {
             push(std::move(piece), infinite, 0);
@@ -90,8 +90,8 @@ private:
 
 } // namespace
 
-Enclosure distance_from(const Spline &spline, const Shape &shape, double tolerance) {
+pieces::Enclosure distance_from(const Spline &spline, const Shape &shape, double tolerance) {
     return Search(shape, tolerance).run(shape_pieces(spline, shape));
 }
 
-} // namespace nrb
+} // namespace nrb::recognize

@@ -5,7 +5,7 @@
 #include "recognize/shape_model.h"
 #include "spline/spline.h"
 
-namespace nrb {
+namespace nrb::recognize {
 
 // The largest distance of a point of the spline from the shape with exactly these numbers (the axis taken for
 // a unit vector, and x for its part across it), enclosed. Homogeneous Bezier pieces in the frame of the shape
@@ -16,6 +16,6 @@ namespace nrb {
 // bound exceeds the tolerance, or after a number of steps; where the weights have no certain sign the upper
 // bound is infinite. Precondition: values near 1 in size, so that fourth powers of lengths neither overflow
 // nor underflow.
-Enclosure distance_from(const Spline &spline, const Shape &shape, double tolerance);
+pieces::Enclosure distance_from(const Spline &spline, const Shape &shape, double tolerance);
 
-} // namespace nrb
+} // namespace nrb::recognize

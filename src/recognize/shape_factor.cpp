@@ -1,7 +1,7 @@
 #include "recognize/shape_factor.h"
 
-#include "numeric/norm.h"
 #include "numeric/exact_products.h"
+#include "numeric/norm.h"
 #include "refine/knots/bezier_rows.h"
 #include "spline/kind.h"
 
@@ -10,7 +10,7 @@
 #include <cmath>
 #include <limits>
 
-namespace nrb {
+namespace nrb::recognize {
 
 namespace {
 
@@ -56,7 +56,7 @@ Segment bezier_segment(const Spline &curve) {
         curve.knot_vectors(), curve.width(), Form::polynomial,
         std::vector<double>(curve.records().begin(), curve.records().begin() + int64_t{3} * curve.width()),
         std::vector<double>());
-    const std::vector<double> points = apply_along(*net, 0, bezier_rows(axis)).points;
+    const std::vector<double> points = apply_along(*net, 0, refine::bezier_rows(axis)).points;
     Segment segment{curve.rational(), curve.dim(), {}, {1, 1, 1}};
     for (size_t i = 0; i < 3; ++i) {
         const double *record = points.data() + i * static_cast<size_t>(curve.width());
@@ -133,8 +133,8 @@ ShapeFactor shape_factor(const Spline &curve) {
     Segment segment = bezier_segment(curve);
     const auto [first, middle, last] = segment.weights;
     if (!(first > 0) || !(last > 0)) {
-        fail(Status::weight_sign, "the weights at the ends are %s and %s, expected > 0",
-             Number(first).text, Number(last).text);
+        fail(Status::weight_sign, "the weights at the ends are %s and %s, expected > 0", Number(first).text,
+             Number(last).text);
     }
     const double *record = segment.point(1);
     const bool at_infinity = segment.homogeneous && middle == 0 &&
@@ -145,4 +145,4 @@ ShapeFactor shape_factor(const Spline &curve) {
     return {middle / first * (middle / last), kind_of(segment, at_infinity)};
 }
 
-} // namespace nrb
+} // namespace nrb::recognize

@@ -4,7 +4,7 @@
 #include "recognize/conic_type.h"
 #include "spline/spline.h"
 
-namespace nrb {
+namespace nrb::recognize {
 
 struct ShapeFactor {
     double factor; // w1^2 / (w0 w2) of the Bezier weights
@@ -17,4 +17,4 @@ struct ShapeFactor {
 // count, weight_sign.
 ShapeFactor shape_factor(const Spline &curve);
 
-} // namespace nrb
+} // namespace nrb::recognize

@@ -1,13 +1,13 @@
 #include "recognize/shape_fit.h"
 
+#include "numeric/solvers/small_svd.h"
 #include "recognize/conic_axes.h"
 #include "recognize/shape_refine.h"
-#include "numeric/solvers/small_svd.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace nrb {
+namespace nrb::recognize {
 
 namespace {
 
@@ -191,8 +191,7 @@ Shape parabola_in(const Shape &plane, const Points &points, double tolerance) {
     across.set_frame(plane.z, plane.y);
     const Shape first = size > 0 ? parabola_along(frame, points, tolerance) : Shape{};
     const Shape second = parabola_along(across, points, tolerance);
-    return first.kind != shape_none &&
-                   largest_distance(first, points) <= largest_distance(second, points)
+    return first.kind != shape_none && largest_distance(first, points) <= largest_distance(second, points)
                ? first
                : second;
 }
@@ -303,7 +302,7 @@ Shape fitted_shape(int32_t kind, const ShapeSamples &samples, int dim, double to
     }
     return kind == shape_cylinder ? cylinder_through(samples, tolerance)
            : kind == shape_cone   ? cone_through(samples, tolerance)
-                                        : torus_through(samples, tolerance);
+                                  : torus_through(samples, tolerance);
 }
 
-} // namespace nrb
+} // namespace nrb::recognize

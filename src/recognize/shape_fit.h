@@ -4,7 +4,7 @@
 #include "recognize/shape_model.h"
 #include "recognize/shape_samples.h"
 
-namespace nrb {
+namespace nrb::recognize {
 
 // The shape of a kind that fits the samples best or nearly so, relative to their centre; shape_none if
 // there is none, and any one where the best is no nearer than the tolerance. `dim` is that of the spline.
@@ -19,4 +19,4 @@ Shape fitted_shape(int32_t kind, const ShapeSamples &samples, int dim, double to
 // states.
 Shape placed_shape(const Shape &fitted, const ShapeSamples &samples, int dim);
 
-} // namespace nrb
+} // namespace nrb::recognize

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace nrb {
+namespace nrb::recognize {
 
 namespace {
 
@@ -156,4 +156,4 @@ FormRange ShapeForms::product(const Fourth &form) const {
     return range_of(square, powers, form.error, product_error(double_, double_) + 2 * product_error_);
 }
 
-} // namespace nrb
+} // namespace nrb::recognize

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace nrb {
+namespace nrb::recognize {
 
 // Between what bounds the values of a polynomial over a power of the weight lie; `error` is what rounding has
 // in them.
@@ -62,4 +62,4 @@ private:
     double product_error_;
 };
 
-} // namespace nrb
+} // namespace nrb::recognize

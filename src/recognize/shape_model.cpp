@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace nrb {
+namespace nrb::recognize {
 
 void Shape::set_frame(const Vector3 &axis, const Vector3 &direction) noexcept {
     z = unit(axis);
@@ -135,4 +135,4 @@ double least_distance(const Shape &shape, const Vector3 &p) noexcept {
     return shape.planar() ? std::hypot(d, p.z) : std::abs(d);
 }
 
-} // namespace nrb
+} // namespace nrb::recognize

@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-namespace nrb {
+namespace nrb::recognize {
 
 enum ShapeKind : int32_t {
     shape_none = 0,
@@ -38,9 +38,7 @@ struct Shape {
     }
     // With z of unit length and y across it.
     void set_frame(const Vector3 &axis, const Vector3 &direction) noexcept;
-    [[nodiscard]] bool planar() const noexcept {
-        return kind >= shape_circle && kind <= shape_hyperbola;
-    }
+    [[nodiscard]] bool planar() const noexcept { return kind >= shape_circle && kind <= shape_hyperbola; }
 };
 
 // The equation k.x x^2 + k.y y^2 + k.z z^2 + 2 l x + c = 0 of a shape in its frame, each coefficient within 3
@@ -71,4 +69,4 @@ double least_distance(const Shape &shape, const Vector3 &p) noexcept;
 // of a hyperbola; almost always equal to it.
 double most_distance(const Shape &shape, const Vector3 &p) noexcept;
 
-} // namespace nrb
+} // namespace nrb::recognize

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace nrb {
+namespace nrb::recognize {
 
 namespace {
 
@@ -120,15 +120,15 @@ std::vector<ShapePiece> shape_pieces(const Spline &spline, const Shape &shape) {
     const auto dim = static_cast<size_t>(spline.dim());
     std::vector<double> centre{shape.origin.x, shape.origin.y, shape.origin.z};
     centre.resize(dim);
-    BernsteinNet::Breaks breaks;
+    pieces::BernsteinNet::Breaks breaks;
     std::array<int, max_axes> degrees{};
     for (int k = 0; k < spline.axes(); ++k) {
-        breaks[static_cast<size_t>(k)] = breaks_of(spline.axis(k));
+        breaks[static_cast<size_t>(k)] = refine::breaks_of(spline.axis(k));
         degrees[static_cast<size_t>(k)] = spline.axis(k).degree();
     }
-    const CentredRecords records =
-        centred_records(spline, centre, spline.rational(), weight_exponent(spline));
-    const BernsteinNet net(spline, records, breaks, degrees);
+    const pieces::CentredRecords records =
+        pieces::centred_records(spline, centre, spline.rational(), pieces::weight_exponent(spline));
+    const pieces::BernsteinNet net(spline, records, breaks, degrees);
     const auto count = static_cast<size_t>(net.shape().coefficients());
     std::vector<double> points(count * dim), weights(net.weighted() ? count : 0);
     std::vector<ShapePiece> pieces(static_cast<size_t>(net.pieces()));
@@ -156,4 +156,4 @@ std::vector<ShapePiece> shape_pieces(const Spline &spline, const Shape &shape) {
     return pieces;
 }
 
-} // namespace nrb
+} // namespace nrb::recognize

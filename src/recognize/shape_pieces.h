@@ -7,7 +7,7 @@
 
 #include <vector>
 
-namespace nrb {
+namespace nrb::recognize {
 
 // Homogeneous coefficients (w x, w y, w z, w), and how far rounding may have moved what they stand for: if
 // all weights are > 0, every point of the piece is within moved() of that of the spline.
@@ -51,4 +51,4 @@ private:
 // Cost: linear in the number of pieces. Precondition: dimension 2 or 3.
 std::vector<ShapePiece> shape_pieces(const Spline &spline, const Shape &shape);
 
-} // namespace nrb
+} // namespace nrb::recognize

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace nrb {
+namespace nrb::recognize {
 
 namespace {
 
@@ -143,4 +143,4 @@ Shape placed_shape(const Shape &fitted, const ShapeSamples &samples, int dim) {
     return shape;
 }
 
-} // namespace nrb
+} // namespace nrb::recognize

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace nrb {
+namespace nrb::recognize {
 
 namespace {
 
@@ -79,8 +79,8 @@ Shape moved(const Shape &shape, const std::vector<Freedom> &free, const std::vec
 }
 
 bool valid(const Shape &shape) noexcept {
-    const bool two = shape.kind == shape_ellipse || shape.kind == shape_hyperbola ||
-                     shape.kind == shape_torus;
+    const bool two =
+        shape.kind == shape_ellipse || shape.kind == shape_hyperbola || shape.kind == shape_torus;
     return shape.sizes[0] > 0 && (!two || shape.sizes[1] > 0) &&
            (shape.kind != shape_cone || shape.sizes[0] < quarter_turn);
 }
@@ -198,4 +198,4 @@ double largest_distance(const Shape &shape, std::span<const Vector3> points) noe
     return largest;
 }
 
-} // namespace nrb
+} // namespace nrb::recognize

@@ -5,7 +5,7 @@
 
 #include <span>
 
-namespace nrb {
+namespace nrb::recognize {
 
 // Gauss-Newton steps on the distances of the points, over the motions and sizes that change the shape: one
 // that is better than the given one, or the given one. The search ends early where distances above the
@@ -15,4 +15,4 @@ Shape refined(const Shape &shape, std::span<const Vector3> points, double tolera
 // The largest distance of a point; infinite if one is not finite.
 double largest_distance(const Shape &shape, std::span<const Vector3> points) noexcept;
 
-} // namespace nrb
+} // namespace nrb::recognize

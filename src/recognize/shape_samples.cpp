@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace nrb {
+namespace nrb::recognize {
 
 namespace {
 
@@ -33,9 +33,9 @@ std::vector<double> values_at(const Spline &spline, int order, const Params &u, 
     std::vector<double> values(static_cast<size_t>(count * width));
     const Records out{values.data(), count, width, width, 1};
     if (curve) {
-        evaluate_points(spline, {}, order, list(u), out);
+        eval::evaluate_points(spline, {}, order, list(u), out);
     } else {
-        evaluate_grid(spline, {}, order, {list(u), list(v), {}}, out);
+        eval::evaluate_grid(spline, {}, order, {list(u), list(v), {}}, out);
     }
     return values;
 }
@@ -53,7 +53,7 @@ Params evenly(Interval domain, int count) {
 // The breaks of an axis, `most` of them at most, and where there are few also inner parameters of their
 // spans, since the chord over a whole span says nothing where it is closed.
 Params some_breaks(const KnotVector &axis, size_t most) {
-    const Params all = breaks_of(axis);
+    const Params all = refine::breaks_of(axis);
     Params some;
     if (all.size() <= most) {
         const int parts = all.size() < 8 ? 5 : 1;
@@ -192,4 +192,4 @@ ShapeSamples shape_samples(const Spline &spline) {
     return samples;
 }
 
-} // namespace nrb
+} // namespace nrb::recognize

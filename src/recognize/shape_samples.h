@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace nrb {
+namespace nrb::recognize {
 
 // Spread evenly over the spline rather than over its parameters. Those that are not finite are left out; at
 // most a few hundred.
@@ -22,4 +22,4 @@ struct ShapeSamples {
 // Of a curve or surface of dimension 2 or 3.
 ShapeSamples shape_samples(const Spline &spline);
 
-} // namespace nrb
+} // namespace nrb::recognize

@@ -1,12 +1,12 @@
 #include "reduce/compatible.h"
 
-#include "reduce/layer_deviation.h"
 #include "reduce/knot_clusters.h"
+#include "reduce/layer_deviation.h"
 #include "reduce/snap.h"
-#include "refine/parts/cut.h"
 #include "refine/degree/elevate.h"
 #include "refine/forms/homogeneous.h"
 #include "refine/forms/parametrization.h"
+#include "refine/parts/cut.h"
 #include "refine/periodic/period.h"
 #include "refine/periodic/periodic.h"
 #include "refine/periodic/seam.h"
@@ -18,7 +18,7 @@
 #include <iterator>
 #include <map>
 
-namespace nrb {
+namespace nrb::reduce {
 
 namespace {
 
@@ -42,9 +42,9 @@ using Groups = std::map<KnotVectorPtr, std::vector<size_t>, AxisLess>;
 class Set {
 public:
     explicit Set(std::span<const SplinePtr> splines) : splines_(splines.begin(), splines.end()) {
-        const Form form = common_form(splines);
+        const Form form = refine::common_form(splines);
         for (SplinePtr &spline : splines_) {
-            spline = in_form(spline, form);
+            spline = refine::in_form(spline, form);
         }
     }
 
@@ -56,9 +56,9 @@ public:
         return groups;
     }
     // Applies one table to all splines that have an axis.
-    void apply(int k, const std::vector<size_t> &members, const AxisTable &made) {
+    void apply(int k, const std::vector<size_t> &members, const refine::AxisTable &made) {
         for (const size_t i : members) {
-            splines_[i] = with_axis(*splines_[i], k, made);
+            splines_[i] = refine::with_axis(*splines_[i], k, made);
         }
     }
     [[nodiscard]] std::vector<SplinePtr> &splines() noexcept { return splines_; }
@@ -96,7 +96,7 @@ double share_domain(Set &set, int k, bool any, double tolerance) {
                  Number(domain.lower).text, Number(domain.upper).text, k, Number(lower).text,
                  Number(upper).text);
         }
-        spline = reparametrize(spline, k, {lower, upper});
+        spline = refine::reparametrize(spline, k, {lower, upper});
         largest = std::max(largest, moved);
     }
     return largest;
@@ -108,7 +108,7 @@ void share_periodicity(Set &set, int k) {
     std::vector<SplinePtr> &splines = set.splines();
     if (!std::all_of(splines.begin(), splines.end(), periodic)) {
         for (SplinePtr &spline : splines) {
-            spline = open_axis(spline, k);
+            spline = refine::open_axis(spline, k);
         }
     }
 }
@@ -118,7 +118,7 @@ void share_degree(Set &set, int k) {
     const int degree = groups.rbegin()->first->degree(); // the order begins with the degree
     for (const auto &[axis, members] : groups) {
         if (axis->degree() < degree) {
-            set.apply(k, members, elevate_axis(*axis, degree - axis->degree()));
+            set.apply(k, members, refine::elevate_axis(*axis, degree - axis->degree()));
         }
     }
 }
@@ -128,14 +128,14 @@ void share_ends(Set &set, int k) {
     const Groups groups = set.groups(k);
     const std::span<const double> first = groups.begin()->first->knots();
     const auto p = std::ptrdiff_t{groups.begin()->first->degree()};
-    AxisEnds ends{false, false};
+    refine::AxisEnds ends{false, false};
     for (const auto &[axis, members] : groups) {
         const std::span<const double> knots = axis->knots();
         ends.lower = ends.lower || !std::equal(first.begin(), first.begin() + p, knots.begin());
         ends.upper = ends.upper || !std::equal(first.end() - p, first.end(), knots.end() - p);
     }
     for (SplinePtr &spline : set.splines()) {
-        spline = clamp_ends(spline, k, ends);
+        spline = refine::clamp_ends(spline, k, ends);
     }
 }
 
@@ -169,7 +169,7 @@ KnotVectorPtr periodic_axis(int degree, Interval domain, std::span<const double>
     knots[p] = domain.lower;
     const auto inside = std::upper_bound(period.begin(), period.end(), domain.lower);
     std::copy(inside, period.end(), knots.begin() + static_cast<std::ptrdiff_t>(p) + 1);
-    continue_knots(knots, p, p + period.size(), period.size());
+    refine::continue_knots(knots, p, p + period.size(), period.size());
     return make_knot_vector(degree, std::move(knots), true, k);
 }
 
@@ -211,7 +211,7 @@ void share_values(Set &set, int k, double tolerance, std::vector<char> &moved) {
     for (const auto &[axis, members] : groups) {
         char owner[40];
         static_cast<void>(std::snprintf(owner, sizeof owner, "splines[%zu]: ", members.front()));
-        const AxisTable snapped = moved_axis(axis, clusters, k, owner);
+        const refine::AxisTable snapped = moved_axis(axis, clusters, k, owner);
         for (const size_t i : members) {
             if (snapped.axis != axis) {
                 set.splines()[i] = over_axis(*set.splines()[i], k, snapped);
@@ -257,7 +257,7 @@ void share_plain_knots(Set &set, int k) {
     const std::vector<double> all = united(groups, [](const KnotVector &axis) { return axis.knots(); });
     KnotVectorPtr common = std::make_shared<const KnotVector>(groups.begin()->first->degree(), all);
     for (const auto &[axis, members] : groups) {
-        set.apply(k, members, {common, rows_over(*axis, all)});
+        set.apply(k, members, {common, refine::rows_over(*axis, all)});
     }
 }
 
@@ -270,7 +270,7 @@ double share_periodic_knots(Set &set, int k) {
     const KnotVectorPtr common = periodic_axis(first.degree(), first.domain(), all, k);
     double deviation = 0;
     for (const auto &[axis, members] : groups) {
-        AxisTable made = refine_periodic(*axis, missing(all, one_period(*axis)));
+        refine::AxisTable made = refine::refine_periodic(*axis, missing(all, one_period(*axis)));
         const int64_t shift = copies_behind(*made.axis), period = std::ssize(all);
         made.table = rotated(made.table, shift, period);
         const std::span<const double> kept = made.axis->knots().subspan(static_cast<size_t>(shift));
@@ -278,7 +278,7 @@ double share_periodic_knots(Set &set, int k) {
         made.axis = common;
         for (const size_t i : members) {
             const SplinePtr before = set.splines()[i];
-            set.splines()[i] = with_axis(*before, k, made);
+            set.splines()[i] = refine::with_axis(*before, k, made);
             deviation = exact ? deviation : std::max(deviation, deviation_bound(before, set.splines()[i]));
         }
     }
@@ -331,4 +331,4 @@ Compatible make_compatible(std::span<const SplinePtr> splines, double tolerance,
     return {std::move(set.splines()), shifted + deviation + rounding};
 }
 
-} // namespace nrb
+} // namespace nrb::reduce

@@ -5,7 +5,7 @@
 
 #include <span>
 
-namespace nrb {
+namespace nrb::reduce {
 
 struct Compatible {
     std::vector<SplinePtr> splines;
@@ -18,4 +18,4 @@ struct Compatible {
 // distinct knot vectors.
 Compatible make_compatible(std::span<const SplinePtr> splines, double tolerance, bool map_domains);
 
-} // namespace nrb
+} // namespace nrb::reduce

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace nrb {
+namespace nrb::reduce {
 
 std::vector<KnotCount> counted(std::span<const double> sorted) {
     std::vector<KnotCount> counts;
@@ -87,7 +87,8 @@ void drop_excess(int degree, double end, Kept &kept) {
 
 } // namespace
 
-AxisTable moved_axis(const KnotVectorPtr &axis, const KnotClusters &clusters, int k, const char *owner) {
+refine::AxisTable moved_axis(const KnotVectorPtr &axis, const KnotClusters &clusters, int k,
+                             const char *owner) {
     const auto p = static_cast<size_t>(axis->degree());
     const auto count = static_cast<size_t>(axis->count());
     Kept kept{{axis->knots().begin(), axis->knots().end()}, std::vector<int64_t>(count)};
@@ -97,10 +98,10 @@ AxisTable moved_axis(const KnotVectorPtr &axis, const KnotClusters &clusters, in
     std::transform(knots.begin() + static_cast<std::ptrdiff_t>(first),
                    knots.begin() + static_cast<std::ptrdiff_t>(end),
                    knots.begin() + static_cast<std::ptrdiff_t>(first), clusters);
-    AxisTable made{axis, {}};
+    refine::AxisTable made{axis, {}};
     if (!std::equal(knots.begin(), knots.end(), axis->knots().begin())) {
         if (axis->periodic()) {
-            continue_knots(knots, p, count, count - p);
+            refine::continue_knots(knots, p, count, count - p);
         } else {
             drop_excess(axis->degree(), axis->domain().lower, kept);
             drop_excess(axis->degree(), axis->domain().upper, kept);
@@ -112,4 +113,4 @@ AxisTable moved_axis(const KnotVectorPtr &axis, const KnotClusters &clusters, in
     return made;
 }
 
-} // namespace nrb
+} // namespace nrb::reduce

@@ -3,7 +3,7 @@
 
 #include "refine/knots/axis_table.h"
 
-namespace nrb {
+namespace nrb::reduce {
 
 struct KnotCount {
     double knot;
@@ -42,6 +42,7 @@ private:
 // clamped start and the last of a clamped end stay, so that the end keeps its place, and those next to it go
 // (not of steps). `owner` begins the message of Status::multiplicity, thrown where knots of any other
 // group together occur more than degree + 1 times.
-AxisTable moved_axis(const KnotVectorPtr &axis, const KnotClusters &clusters, int k, const char *owner);
+refine::AxisTable moved_axis(const KnotVectorPtr &axis, const KnotClusters &clusters, int k,
+                             const char *owner);
 
-} // namespace nrb
+} // namespace nrb::reduce

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <limits>
 
-namespace nrb {
+namespace nrb::reduce {
 
 namespace {
 
@@ -443,7 +443,7 @@ KnotVectorPtr Thinning::remaining_axis() const {
     std::vector<double> stored(count + 2 * p + 1);
     std::copy(knots.begin(), knots.end(), stored.begin() + degree_);
     stored[p + count] = axis_.domain().upper;
-    continue_knots(stored, p, p + count, count);
+    refine::continue_knots(stored, p, p + count, count);
     check_periodic_knots(degree_, stored, -1, 0);
     return std::make_shared<const KnotVector>(degree_, std::move(stored), true);
 }
@@ -463,4 +463,4 @@ SplinePtr Thinning::result() const {
     return spline_of_layers(spline_, axis_index_, std::move(axis), sources);
 }
 
-} // namespace nrb
+} // namespace nrb::reduce

@@ -7,7 +7,7 @@
 
 #include <vector>
 
-namespace nrb {
+namespace nrb::reduce {
 
 // Knots and layers are linked lists, on a periodic axis rings, so that a removal costs O(degree^2) for each
 // control point of a layer, whatever their number. For each span it is known how far the spline may have
@@ -112,4 +112,4 @@ private:
     std::vector<Candidate> heap_;
 };
 
-} // namespace nrb
+} // namespace nrb::reduce

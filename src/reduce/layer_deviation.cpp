@@ -1,7 +1,7 @@
 #include "reduce/layer_deviation.h"
 
-#include "numeric/norm.h"
 #include "bounds/deviation.h"
+#include "numeric/norm.h"
 #include "reduce/layers.h"
 #include "refine/knots/axis_table.h"
 
@@ -11,7 +11,7 @@
 #include <iterator>
 #include <limits>
 
-namespace nrb {
+namespace nrb::reduce {
 
 namespace {
 
@@ -30,7 +30,7 @@ std::vector<double> clamped_knots(const KnotVector &axis) {
 }
 
 // The axis over clamped knots that hold its own. On a periodic one the stored layers and knots say it all.
-AxisTable clamped_axis(const KnotVector &axis, const std::vector<double> &wanted) {
+refine::AxisTable clamped_axis(const KnotVector &axis, const std::vector<double> &wanted) {
     const auto [lower, upper] = axis.domain();
     std::vector<double> fine;
     std::set_union(wanted.begin(), wanted.end(), axis.knots().begin(), axis.knots().end(),
@@ -38,9 +38,9 @@ AxisTable clamped_axis(const KnotVector &axis, const std::vector<double> &wanted
     const auto layer_at = [&](double t) {
         return std::lower_bound(fine.begin(), fine.end(), t) - fine.begin();
     };
-    const Refinement refinement(axis.degree(), axis.knots(), fine);
+    const refine::Refinement refinement(axis.degree(), axis.knots(), fine);
     return {std::make_shared<const KnotVector>(axis.degree(), wanted),
-            rows_of(refinement, layer_at(lower), layer_at(upper))};
+            refine::rows_of(refinement, layer_at(lower), layer_at(upper))};
 }
 
 struct Pair {
@@ -55,9 +55,9 @@ Pair over_common_knots(const SplinePtr &a, const SplinePtr &b) {
         const std::vector<double> first = clamped_knots(a->axis(k)), second = clamped_knots(b->axis(k));
         std::vector<double> both;
         std::set_union(first.begin(), first.end(), second.begin(), second.end(), std::back_inserter(both));
-        const AxisTable of_a = clamped_axis(a->axis(k), both), of_b = clamped_axis(b->axis(k), both);
-        pair.a = with_axis(*pair.a, k, of_a);
-        pair.b = with_axis(*pair.b, k, of_b);
+        const refine::AxisTable of_a = clamped_axis(a->axis(k), both), of_b = clamped_axis(b->axis(k), both);
+        pair.a = refine::with_axis(*pair.a, k, of_a);
+        pair.b = refine::with_axis(*pair.b, k, of_b);
         pair.steps +=
             of_a.table.copies_only() && of_b.table.copies_only() ? 0 : 7.0 * a->axis(k).degree() + 2;
     }
@@ -155,7 +155,7 @@ double speed_bound(const Spline &given, int axis) {
 double deviation_bound(const SplinePtr &a, const SplinePtr &b) {
     const auto [p, q, steps] = over_common_knots(a, b);
     if (p->rational() && (sign_of_weights(*p) == 0 || sign_of_weights(*p) != sign_of_weights(*q))) {
-        return deviation(*a, *b).upper;
+        return bounds::deviation(*a, *b).upper;
     }
     double bound = 0, largest = 0;
     for (int64_t i = 0; i < p->point_count(); ++i) {
@@ -168,4 +168,4 @@ double deviation_bound(const SplinePtr &a, const SplinePtr &b) {
     return bound * (1 + (p->dim() + 8) * eps) + rounding;
 }
 
-} // namespace nrb
+} // namespace nrb::reduce

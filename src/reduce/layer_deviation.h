@@ -3,7 +3,7 @@
 
 #include "spline/spline.h"
 
-namespace nrb {
+namespace nrb::reduce {
 
 // An upper bound of |a(t) - b(t)| over the domain, in the Euclidean norm. Both are refined to the union of
 // their knots, clamped. With control points P_i, Q_i and weights v_i, w_i there,
@@ -30,4 +30,4 @@ double deviation_bound(const SplinePtr &a, const SplinePtr &b);
 // weights are positive, and at jumps.
 double speed_bound(const Spline &spline, int axis);
 
-} // namespace nrb
+} // namespace nrb::reduce

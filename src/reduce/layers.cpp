@@ -2,12 +2,12 @@
 
 #include "base/checked.h"
 #include "base/finite.h"
-#include "refine/knots/axis_table.h"
 #include "refine/forms/homogeneous.h"
+#include "refine/knots/axis_table.h"
 
 #include <algorithm>
 
-namespace nrb {
+namespace nrb::reduce {
 
 namespace {
 
@@ -42,7 +42,7 @@ int64_t layer_length(const Spline &spline, int axis) {
 
 std::vector<double> layer_records(const Spline &spline, int axis) {
     std::vector<double> records = spline.rational()
-                                      ? homogeneous_points(spline)
+                                      ? refine::homogeneous_points(spline)
                                       : std::vector<double>(spline.points().begin(), spline.points().end());
     const AxisView view = axis_view(spline, axis, spline.width());
     if (view.outer == 1) {
@@ -84,8 +84,8 @@ SplinePtr spline_of_layers(const Spline &old, int axis, KnotVectorPtr knots,
             }
         }
     }
-    return make_result(with_axis(old, axis, std::move(knots)), old.dim(), old.form(), std::move(net.points),
-                       std::move(net.weights));
+    return make_result(refine::with_axis(old, axis, std::move(knots)), old.dim(), old.form(),
+                       std::move(net.points), std::move(net.weights));
 }
 
-} // namespace nrb
+} // namespace nrb::reduce

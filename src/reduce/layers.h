@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-namespace nrb {
+namespace nrb::reduce {
 
 // Homogeneous points when rational: all of layer 0, then all of layer 1 and so on, in the order of the other
 // axes.
@@ -39,4 +39,4 @@ struct LayerSource {
 SplinePtr spline_of_layers(const Spline &old, int axis, KnotVectorPtr knots,
                            std::span<const LayerSource> layers);
 
-} // namespace nrb
+} // namespace nrb::reduce

@@ -13,7 +13,7 @@
 #include <limits>
 #include <optional>
 
-namespace nrb {
+namespace nrb::reduce {
 
 namespace {
 
@@ -33,7 +33,7 @@ bool layers_repeat(const Spline &spline, int k, std::span<const double> values, 
 SplinePtr declared_periodic(const Spline &spline, int k) {
     const KnotVector &axis = spline.axis(k);
     auto knots = make_knot_vector(axis.degree(), {axis.knots().begin(), axis.knots().end()}, true, k);
-    return make_result(with_axis(spline, k, std::move(knots)), spline.dim(), spline.form(),
+    return make_result(refine::with_axis(spline, k, std::move(knots)), spline.dim(), spline.form(),
                        {spline.points().begin(), spline.points().end()},
                        {spline.weights().begin(), spline.weights().end()});
 }
@@ -48,7 +48,7 @@ std::vector<double> periodic_knots(const KnotVector &axis, int order) {
     knots[p] = lower;
     std::copy(axis.knots().begin() + axis.degree() + 1, axis.knots().begin() + axis.count(),
               knots.begin() + axis.degree() + 1);
-    continue_knots(knots, p, p + period, period);
+    refine::continue_knots(knots, p, p + period, period);
     return knots;
 }
 
@@ -61,15 +61,16 @@ void add_seam_row(const KnotVector &axis, std::span<const double> knots, int ord
     const auto fresh = static_cast<size_t>(ahead), behind = static_cast<size_t>(order - ahead);
     if (2 * ahead <= order) {
         const size_t upper = knots.size() - 1 - at;
-        add_continued_row(axis, n - order + ahead, n + copies, knots.subspan(upper + 1, fresh), table);
+        refine::add_continued_row(axis, n - order + ahead, n + copies, knots.subspan(upper + 1, fresh),
+                                  table);
     } else {
         const size_t first = at + 1 - static_cast<size_t>(copies) - behind;
-        add_continued_row(axis, p + 1 - copies, p + 1 + ahead, knots.subspan(first, behind), table);
+        refine::add_continued_row(axis, p + 1 - copies, p + 1 + ahead, knots.subspan(first, behind), table);
     }
 }
 
 // Layers of one period: the one whose arguments end with the seam, those across it, and those behind it.
-AxisTable periodic_table(const KnotVector &axis, int order, int k) {
+refine::AxisTable periodic_table(const KnotVector &axis, int order, int k) {
     std::vector<double> knots = periodic_knots(axis, order);
     const int64_t n = axis.count(), period = n - 1 - order;
     LayerTable rows;
@@ -88,13 +89,13 @@ AxisTable periodic_table(const KnotVector &axis, int order, int k) {
 
 // None where weights continued beyond an end fall below 0, or to 0 at infinity: an order too high.
 std::optional<PeriodicForm> form_of_order(const SplinePtr &spline, const Spline &whole, int k, int order) {
-    const AxisTable made = periodic_table(whole.axis(k), order, k);
-    auto [net, infinite] = continued_along(whole, k, made.table);
+    const refine::AxisTable made = periodic_table(whole.axis(k), order, k);
+    auto [net, infinite] = refine::continued_along(whole, k, made.table);
     if (infinite >= 0 ||
         std::any_of(net.weights.begin(), net.weights.end(), [](double w) { return w < 0; })) {
         return {};
     }
-    SplinePtr periodic = make_result(with_axis(whole, k, made.axis), whole.dim(), whole.form(),
+    SplinePtr periodic = make_result(refine::with_axis(whole, k, made.axis), whole.dim(), whole.form(),
                                      std::move(net.points), std::move(net.weights));
     const double deviation = deviation_bound(spline, periodic);
     return PeriodicForm{std::move(periodic), deviation, order};
@@ -117,7 +118,7 @@ PeriodicForm make_periodic(const SplinePtr &spline, int k, double tolerance) {
         const int order = p - multiplicity(axis.knots(), axis.domain().lower);
         return {axis.periodic() ? spline : declared_periodic(*spline, k), 0, order};
     }
-    const SplinePtr whole = clamp_ends(spline, k);
+    const SplinePtr whole = refine::clamp_ends(spline, k);
     double least = std::numeric_limits<double>::infinity();
     for (int order = static_cast<int>(std::min<int64_t>(p - 1, (whole->count(k) - 1) / 2)); order >= 0;
          --order) {
@@ -131,4 +132,4 @@ PeriodicForm make_periodic(const SplinePtr &spline, int k, double tolerance) {
          Number(least).text, Number(tolerance).text);
 }
 
-} // namespace nrb
+} // namespace nrb::reduce

@@ -3,7 +3,7 @@
 
 #include "spline/spline.h"
 
-namespace nrb {
+namespace nrb::reduce {
 
 struct PeriodicForm {
     SplinePtr spline;
@@ -20,4 +20,4 @@ PeriodicForm make_periodic(const SplinePtr &spline, int k, double tolerance);
 // Whether the knots of an axis repeat and its last layers are the first ones, bit for bit.
 bool wraps(const Spline &spline, int axis) noexcept;
 
-} // namespace nrb
+} // namespace nrb::reduce

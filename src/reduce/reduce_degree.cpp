@@ -4,15 +4,15 @@
 #include "base/finite.h"
 #include "numeric/solvers/banded_least_squares.h"
 #include "reduce/layers.h"
-#include "refine/parts/cut.h"
 #include "refine/degree/elevate.h"
 #include "refine/forms/homogeneous.h"
+#include "refine/parts/cut.h"
 #include "refine/periodic/period.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace nrb {
+namespace nrb::reduce {
 
 namespace {
 
@@ -21,8 +21,8 @@ void check_times(int degree, int axis, int64_t times) {
         fail(Status::times, "times = %lld, expected >= 0", static_cast<long long>(times));
     }
     if (times > degree) {
-        fail(Status::degree, "degree %d of axis %d, lowered by times = %lld, would be less than 0",
-             degree, axis, static_cast<long long>(times));
+        fail(Status::degree, "degree %d of axis %d, lowered by times = %lld, would be less than 0", degree,
+             axis, static_cast<long long>(times));
     }
 }
 
@@ -67,7 +67,7 @@ KnotVectorPtr lowered_periodic_axis(const KnotVector &axis, int times) {
     knots.insert(knots.end(), static_cast<size_t>(ahead + 1), upper);
     const size_t last = knots.size() - 1;
     knots.resize(knots.size() + q);
-    continue_knots(knots, q, last, last - q);
+    refine::continue_knots(knots, q, last, last - q);
     check_periodic_knots(axis.degree() - times, knots, -1, 0);
     return std::make_shared<const KnotVector>(axis.degree() - times, std::move(knots), true);
 }
@@ -87,14 +87,14 @@ std::vector<double> missing_knots(const KnotVector &fine, const KnotVector &coar
 }
 
 // The polynomial spline of the records, with one layer of the axis after the other.
-std::vector<double> refined_layers(const Spline &spline, int axis, const AxisTable &made) {
+std::vector<double> refined_layers(const Spline &spline, int axis, const refine::AxisTable &made) {
     const std::vector<double> points =
-        spline.rational() ? homogeneous_points(spline)
+        spline.rational() ? refine::homogeneous_points(spline)
                           : std::vector<double>(spline.points().begin(), spline.points().end());
     const Spline records(spline.knot_vectors(), spline.width(), Form::polynomial, points, {});
     const Net net = apply_along(records, axis, made.table);
-    const Spline refined(with_axis(spline, axis, made.axis), spline.width(), Form::polynomial, net.points,
-                         {});
+    const Spline refined(refine::with_axis(spline, axis, made.axis), spline.width(), Form::polynomial,
+                         net.points, {});
     return layer_records(refined, axis);
 }
 
@@ -102,7 +102,7 @@ std::vector<double> refined_layers(const Spline &spline, int axis, const AxisTab
 class ReductionSystem {
 public:
     // `fixed`: the first and the last unknown layer are known.
-    ReductionSystem(const AxisTable &raised, int64_t unknowns, int64_t length, bool fixed)
+    ReductionSystem(const refine::AxisTable &raised, int64_t unknowns, int64_t length, bool fixed)
         : table_(raised.table), rows_(raised.axis->distinct_layers()), unknowns_(unknowns), length_(length),
           lead_(fixed ? 1 : 0), columns_(unknowns - 2 * lead_) {
         int widest = 1;
@@ -193,11 +193,11 @@ bool settle_weights(const Spline &spline, int degree, int64_t length, std::vecto
 
 SplinePtr lower_degree(const SplinePtr &spline, int axis, int times) {
     const bool periodic = spline->axis(axis).periodic();
-    const SplinePtr source = periodic ? spline : clamp_ends(spline, axis);
+    const SplinePtr source = periodic ? spline : refine::clamp_ends(spline, axis);
     const KnotVector &old = source->axis(axis);
     const KnotVectorPtr knots = periodic ? lowered_periodic_axis(old, times) : lowered_open_axis(old, times);
-    const AxisTable raised = elevate_axis(*knots, times);
-    const AxisTable refined = refine_axis(old, missing_knots(*raised.axis, old));
+    const refine::AxisTable raised = refine::elevate_axis(*knots, times);
+    const refine::AxisTable refined = refine::refine_axis(old, missing_knots(*raised.axis, old));
     const int64_t length = layer_length(*source, axis), count = knots->distinct_layers();
     const bool fixed = !periodic && knots->degree() > 0;
     std::vector<double> layers(static_cast<size_t>(checked_product(count, length, "points")));
@@ -211,7 +211,7 @@ SplinePtr lower_degree(const SplinePtr &spline, int axis, int times) {
         fail(Status::not_representable, "the knots of axis %d lie too close for its degree", axis);
     }
     const bool infinite = settle_weights(*source, knots->degree(), length, layers);
-    const SplinePtr base = infinite ? in_form(source, Form::homogeneous) : source;
+    const SplinePtr base = infinite ? refine::in_form(source, Form::homogeneous) : source;
     std::vector<LayerSource> sources;
     for (int64_t i = 0; i < knots->count(); ++i) {
         sources.push_back({-1, layers.data() + i % count * length});
@@ -229,7 +229,7 @@ Reduced reduce_degree(const SplinePtr &spline, int axis, int64_t times) {
         return {spline, 0};
     }
     const SplinePtr result = lower_degree(spline, axis, static_cast<int>(times));
-    return {result, deviation(*spline, *result).upper};
+    return {result, bounds::deviation(*spline, *result).upper};
 }
 
-} // namespace nrb
+} // namespace nrb::reduce

@@ -4,7 +4,7 @@
 
 #include "reduce/reduce_knots.h"
 
-namespace nrb {
+namespace nrb::reduce {
 
 // The closest spline of lower degree, compared after raising it again, over the knots of nurbs_reduce_degree()
 // and with the same clamped ends. Throws Status::times, degree, weight_sign, periodic_knots,
@@ -14,4 +14,4 @@ Reduced reduce_degree(const SplinePtr &spline, int axis, int64_t times);
 // The same without the bound.
 SplinePtr lower_degree(const SplinePtr &spline, int axis, int times);
 
-} // namespace nrb
+} // namespace nrb::reduce

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <optional>
 
-namespace nrb {
+namespace nrb::reduce {
 
 namespace {
 
@@ -15,8 +15,8 @@ constexpr int max_rounds = 12;
 constexpr int max_attempts = 5;
 
 // A bound for each span of an axis: the largest of all pieces there.
-std::vector<double> span_errors(const DeviationPieces &pieces, const std::vector<double> &uppers, int axes,
-                                int axis) {
+std::vector<double> span_errors(const bounds::DeviationPieces &pieces, const std::vector<double> &uppers,
+                                int axes, int axis) {
     size_t inner = 1;
     for (int k = axis + 1; k < axes; ++k) {
         inner *= pieces.breaks()[static_cast<size_t>(k)].size() - 1;
@@ -31,7 +31,7 @@ std::vector<double> span_errors(const DeviationPieces &pieces, const std::vector
 
 struct Certified {
     SplinePtr spline;
-    std::optional<DeviationPieces> pieces;
+    std::optional<bounds::DeviationPieces> pieces;
     std::vector<double> uppers;
 };
 
@@ -42,7 +42,7 @@ Certified thin(const SplinePtr &spline, int axis, double tolerance, double aim, 
     Thinning thinning(*spline, axis, forgive_rounding);
     for (int round = 0; round < max_rounds && thinning.run(aim) > 0; ++round) {
         const SplinePtr next = thinning.result();
-        DeviationPieces pieces(*spline, *next);
+        bounds::DeviationPieces pieces(*spline, *next);
         std::vector<double> uppers = pieces.uppers();
         const double largest = *std::max_element(uppers.begin(), uppers.end());
         if (!(largest <= tolerance) || !std::isfinite(largest)) {
@@ -85,9 +85,10 @@ Reduced reduce_knots(const SplinePtr &spline, int axis, double tolerance) {
             continue;
         }
         sum += next.bound;
-        result = {next.spline, k == 0 ? next.bound : std::min(sum, deviation(*spline, *next.spline).upper)};
+        result = {next.spline,
+                  k == 0 ? next.bound : std::min(sum, bounds::deviation(*spline, *next.spline).upper)};
     }
     return result;
 }
 
-} // namespace nrb
+} // namespace nrb::reduce

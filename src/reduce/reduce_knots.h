@@ -3,7 +3,7 @@
 
 #include "bounds/deviation.h"
 
-namespace nrb {
+namespace nrb::reduce {
 
 struct Reduced {
     SplinePtr spline;
@@ -16,4 +16,4 @@ struct Reduced {
 // Cost: near linear in the number of points.
 Reduced reduce_knots(const SplinePtr &spline, int axis, double tolerance);
 
-} // namespace nrb
+} // namespace nrb::reduce

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace nrb {
+namespace nrb::reduce {
 
 namespace {
 
@@ -76,4 +76,4 @@ void remove_layer(const RemovalStep &step, RemovalWindow window, int64_t width, 
     }
 }
 
-} // namespace nrb
+} // namespace nrb::reduce

@@ -6,7 +6,7 @@
 
 #include <cstdint>
 
-namespace nrb {
+namespace nrb::reduce {
 
 // Putting knot u = t_r, the last of s copies, back into the result gives
 //     Q_i = alpha_i P_i + (1 - alpha_i) P_(i-1),   alpha_i = (u - t_i) / (t_(i+p+1) - t_i),   r - p <= i <=
@@ -38,4 +38,4 @@ void removal_gap(const RemovalStep &step, RemovalWindow window, int64_t width, d
 // is multiplied by up to 2 in each equation.
 void remove_layer(const RemovalStep &step, RemovalWindow window, int64_t width, const double *gap) noexcept;
 
-} // namespace nrb
+} // namespace nrb::reduce

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace nrb {
+namespace nrb::reduce {
 
 namespace {
 
@@ -48,12 +48,12 @@ int64_t last_copy(const KnotVector &axis, double knot) noexcept {
     return std::upper_bound(axis.knots().begin(), axis.knots().end(), knot) - axis.knots().begin() - 1;
 }
 
-AxisTable without_open_knot(const KnotVector &axis, double knot) {
+refine::AxisTable without_open_knot(const KnotVector &axis, double knot) {
     const int64_t last = last_copy(axis, knot);
     const WindowRows rows =
         window_rows(axis.knots().data() + last, axis.degree(), multiplicity(axis.knots(), knot));
     const int64_t first = last - axis.degree() - 1; // of the window
-    AxisTable made;
+    refine::AxisTable made;
     made.table.reserve(axis.count() - 1);
     const int64_t kept_before = rows.size == 2 && rows.count == 1 ? first : first + 1;
     for (int64_t i = 0; i < kept_before; ++i) {
@@ -82,20 +82,20 @@ public:
     PeriodicRemoval(const KnotVector &axis, double knot)
         : axis_(axis), period_(axis.distinct_layers()), lead_(4 * int64_t{axis.degree()} + 4),
           last_(last_copy(axis, knot)), multiplicity_(multiplicity(axis.knots(), knot)),
-          extended_(extended_knots(axis, lead_)) {}
+          extended_(refine::extended_knots(axis, lead_)) {}
 
     [[nodiscard]] bool possible() const noexcept {
         return period_ > std::max(1, axis_.degree() - multiplicity_ + 1);
     }
 
-    AxisTable make() {
+    refine::AxisTable make() {
         const int p = axis_.degree();
         collect_kept();
         const int64_t lower = place(last_ == p ? p - 1 : p); // the copy that is to start the domain
         const auto first = kept_.begin() + lower - p;
         std::vector<double> knots(first, first + period_ + 2 * int64_t{p});
         check_domain(knots);
-        AxisTable made{std::make_shared<const KnotVector>(p, std::move(knots), true), {}};
+        refine::AxisTable made{std::make_shared<const KnotVector>(p, std::move(knots), true), {}};
         const std::vector<Row> rows = layers_of_one_period();
         const int64_t base = place(last_ - 1) - p + (multiplicity_ > p ? 0 : 1);
         for (int64_t i = 0; i < period_ - 1 + p; ++i) {
@@ -180,15 +180,15 @@ private:
 };
 
 void check_removable(const KnotVector &axis, int k, double knot) {
-    check_knot(axis, k, knot);
+    refine::check_knot(axis, k, knot);
     const auto [lower, upper] = axis.domain();
     if (multiplicity(axis.knots(), knot) == 0) {
         fail(Status::not_a_knot, "knot = %s is not a knot of axis %d", Number(knot).text, k);
     }
     if ((knot == lower || knot == upper) &&
         (!axis.periodic() || multiplicity(axis.knots(), axis.domain().lower) == 1)) {
-        fail(Status::end_knot, "knot = %s is an end of [%s, %s], the domain of axis %d%s",
-             Number(knot).text, Number(lower).text, Number(upper).text, k,
+        fail(Status::end_knot, "knot = %s is an end of [%s, %s], the domain of axis %d%s", Number(knot).text,
+             Number(lower).text, Number(upper).text, k,
              axis.periodic() ? ": a seam that occurs once can be moved, not removed" : "");
     }
 }
@@ -207,21 +207,21 @@ Interval affected(const KnotVector &axis, double knot, int64_t copies) {
             std::min(axis.domain().upper, axis[std::min<int64_t>(end, axis.count() + p)])};
 }
 
-Enclosure deviation_around(const SplinePtr &before, const SplinePtr &after, int k, double knot,
-                           int64_t copies) {
+pieces::Enclosure deviation_around(const SplinePtr &before, const SplinePtr &after, int k, double knot,
+                                   int64_t copies) {
     const KnotVector &axis = before->axis(k);
-    return axis.periodic() ? deviation(*before, *after)
-                           : deviation(*before, *after, k, affected(axis, knot, copies));
+    return axis.periodic() ? bounds::deviation(*before, *after)
+                           : bounds::deviation(*before, *after, k, affected(axis, knot, copies));
 }
 
 } // namespace
 
-AxisTable without_knot(const KnotVector &axis, double knot) {
+refine::AxisTable without_knot(const KnotVector &axis, double knot) {
     if (!axis.periodic()) {
         return without_open_knot(axis, knot);
     }
     PeriodicRemoval removal(axis, knot);
-    return removal.possible() ? removal.make() : AxisTable{};
+    return removal.possible() ? removal.make() : refine::AxisTable{};
 }
 
 namespace {
@@ -250,11 +250,11 @@ void settle_negative(const Spline &spline, int k, const LayerTable &table, Net &
 
 } // namespace
 
-SplinePtr with_axis_if_valid(const Spline &spline, int k, const AxisTable &made) {
+SplinePtr with_axis_if_valid(const Spline &spline, int k, const refine::AxisTable &made) {
     try {
         Net net = apply_along(spline, k, made.table);
         settle_negative(spline, k, made.table, net);
-        return make_result(with_axis(spline, k, made.axis), spline.dim(), spline.form(),
+        return make_result(refine::with_axis(spline, k, made.axis), spline.dim(), spline.form(),
                            std::move(net.points), std::move(net.weights));
     } catch (const Error &error) {
         if (error.status() == Status::weight_negative || error.status() == Status::weights_vanish) {
@@ -274,7 +274,7 @@ KnotRemoval remove_knot(const SplinePtr &spline, int axis, double knot, int64_t 
     knot = old.periodic() && knot == old.domain().upper ? old.domain().lower : knot;
     KnotRemoval result{spline, 0, 0};
     for (const int64_t most = std::min(times, removable_copies(old, knot)); result.removed < most;) {
-        const AxisTable made = without_knot(result.spline->axis(axis), knot);
+        const refine::AxisTable made = without_knot(result.spline->axis(axis), knot);
         const SplinePtr next =
             made.axis == nullptr ? nullptr : with_axis_if_valid(*result.spline, axis, made);
         if (next == nullptr) {
@@ -289,4 +289,4 @@ KnotRemoval remove_knot(const SplinePtr &spline, int axis, double knot, int64_t 
     return result;
 }
 
-} // namespace nrb
+} // namespace nrb::reduce

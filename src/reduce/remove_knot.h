@@ -4,17 +4,17 @@
 #include "bounds/deviation.h"
 #include "refine/knots/axis_table.h"
 
-namespace nrb {
+namespace nrb::reduce {
 
 // The axis with one copy less of a knot (on a periodic axis: of all its copies a period away), and the layers
 // of the closest spline of its local ones; an empty pointer where there is none: on a periodic axis of no
 // more than degree - multiplicity + 1 distinct layers. Preconditions: the knot lies inside the domain, or is
 // the start of a periodic one and occurs there more than once. Throws Status::periodic_knots.
-AxisTable without_knot(const KnotVector &axis, double knot);
+refine::AxisTable without_knot(const KnotVector &axis, double knot);
 
 // The spline over the other axis, with 0 for weights that are 0 to rounding; null where weights are not
 // allowed. Throws Status::not_representable, overflow.
-SplinePtr with_axis_if_valid(const Spline &spline, int k, const AxisTable &made);
+SplinePtr with_axis_if_valid(const Spline &spline, int k, const refine::AxisTable &made);
 
 struct KnotRemoval {
     SplinePtr spline;
@@ -26,4 +26,4 @@ struct KnotRemoval {
 // Status::parameter_not_finite, outside_domain, not_a_knot, end_knot, times, tolerance.
 KnotRemoval remove_knot(const SplinePtr &spline, int axis, double knot, int64_t times, double tolerance);
 
-} // namespace nrb
+} // namespace nrb::reduce

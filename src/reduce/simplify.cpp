@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace nrb {
+namespace nrb::reduce {
 
 namespace {
 
@@ -18,7 +18,7 @@ SplinePtr without_weights(const Spline &given) {
         return nullptr;
     }
     const Spline &spline = given.effective();
-    std::vector<double> points = cartesian_points(spline);
+    std::vector<double> points = refine::cartesian_points(spline);
     return all_finite(points)
                ? make_result(spline.knot_vectors(), spline.dim(), Form::polynomial, std::move(points))
                : nullptr;
@@ -44,7 +44,7 @@ bool accept(const SplinePtr &original, const SplinePtr &candidate, double tolera
     if (candidate == nullptr) {
         return false;
     }
-    const double bound = deviation(*original, *candidate).upper;
+    const double bound = bounds::deviation(*original, *candidate).upper;
     if (!std::isfinite(bound) || bound > tolerance) {
         return false;
     }
@@ -83,4 +83,4 @@ Reduced simplify(const SplinePtr &spline, double tolerance) {
     return best;
 }
 
-} // namespace nrb
+} // namespace nrb::reduce

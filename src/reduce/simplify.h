@@ -3,9 +3,9 @@
 
 #include "reduce/reduce_knots.h"
 
-namespace nrb {
+namespace nrb::reduce {
 
 // Weights first, then the degree of each axis, then knots. Throws as reduce_knots().
 Reduced simplify(const SplinePtr &spline, double tolerance);
 
-} // namespace nrb
+} // namespace nrb::reduce

@@ -1,9 +1,9 @@
 #include "reduce/snap.h"
 
-#include "reduce/layer_deviation.h"
 #include "reduce/knot_clusters.h"
+#include "reduce/layer_deviation.h"
 
-namespace nrb {
+namespace nrb::reduce {
 
 void check_relative_tolerance(double tolerance) {
     if (!(tolerance >= 0 && tolerance < 1)) {
@@ -12,10 +12,10 @@ void check_relative_tolerance(double tolerance) {
     }
 }
 
-SplinePtr over_axis(const Spline &spline, int k, const AxisTable &moved) {
+SplinePtr over_axis(const Spline &spline, int k, const refine::AxisTable &moved) {
     Net net = apply_along(spline, k, moved.table);
-    return std::make_shared<const Spline>(with_axis(spline, k, moved.axis), spline.dim(), spline.form(),
-                                          std::move(net.points), std::move(net.weights));
+    return std::make_shared<const Spline>(refine::with_axis(spline, k, moved.axis), spline.dim(),
+                                          spline.form(), std::move(net.points), std::move(net.weights));
 }
 
 Snapped snap_knots(const SplinePtr &spline, int axis, double tolerance) {
@@ -23,7 +23,7 @@ Snapped snap_knots(const SplinePtr &spline, int axis, double tolerance) {
     const KnotVectorPtr &old = spline->knot_vectors()[static_cast<size_t>(axis)];
     const Interval domain = old->domain();
     const KnotClusters clusters(counted(old->knots()), domain, tolerance * (domain.upper - domain.lower));
-    const AxisTable moved = moved_axis(old, clusters, axis, "");
+    const refine::AxisTable moved = moved_axis(old, clusters, axis, "");
     if (moved.axis == old) {
         return {spline, 0};
     }
@@ -33,4 +33,4 @@ Snapped snap_knots(const SplinePtr &spline, int axis, double tolerance) {
     return {std::move(snapped), deviation};
 }
 
-} // namespace nrb
+} // namespace nrb::reduce

@@ -3,7 +3,7 @@
 
 #include "refine/knots/axis_table.h"
 
-namespace nrb {
+namespace nrb::reduce {
 
 struct Snapped {
     SplinePtr spline;
@@ -19,6 +19,6 @@ Snapped snap_knots(const SplinePtr &spline, int axis, double tolerance);
 void check_relative_tolerance(double tolerance);
 
 // The layers of a moved axis over it; check_spline() is left to the caller.
-SplinePtr over_axis(const Spline &spline, int k, const AxisTable &moved);
+SplinePtr over_axis(const Spline &spline, int k, const refine::AxisTable &moved);
 
-} // namespace nrb
+} // namespace nrb::reduce

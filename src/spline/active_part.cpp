@@ -1,6 +1,6 @@
 #include "spline/active_part.h"
 
-namespace nrb {
+namespace nrb::inline spline {
 
 namespace {
 
@@ -46,4 +46,4 @@ SplinePtr active_part(const Spline &given, const std::array<int64_t, max_axes> &
                                           std::move(weights));
 }
 
-} // namespace nrb
+} // namespace nrb::inline spline

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace nrb {
+namespace nrb::inline spline {
 
 namespace {
 
@@ -96,4 +96,4 @@ const Spline::AnyTable &make_at_origin(const Spline &spline) {
     });
 }
 
-} // namespace nrb
+} // namespace nrb::inline spline

@@ -4,7 +4,7 @@
 
 #include "spline/spline.h"
 
-namespace nrb {
+namespace nrb::inline spline {
 
 const Spline::AnyTable &make_at_origin(const Spline &spline);
 
@@ -20,4 +20,4 @@ inline const Spline &at_origin(const Spline &spline) {
     return table == nullptr ? spline : *static_cast<const Spline *>(table.get());
 }
 
-} // namespace nrb
+} // namespace nrb::inline spline

@@ -4,7 +4,7 @@
 
 #include "spline/spline.h"
 
-namespace nrb {
+namespace nrb::inline spline {
 
 struct AxisView {
     int64_t outer; // product of the counts of the axes before
@@ -23,4 +23,4 @@ inline AxisView axis_view(const Spline &spline, int axis, int64_t width) noexcep
     return view;
 }
 
-} // namespace nrb
+} // namespace nrb::inline spline

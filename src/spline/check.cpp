@@ -9,7 +9,7 @@
 #include <cmath>
 #include <cstdio>
 
-namespace nrb {
+namespace nrb::inline spline {
 
 namespace {
 
@@ -22,8 +22,7 @@ void check_points(const Spline &spline, Values values) {
         const auto width = static_cast<size_t>(spline.stored_width());
         const bool weight = spline.form() == Form::homogeneous && i % width + 1 == width;
         if (values == Values::computed) {
-            fail(Status::not_representable, "points[%zu][%zu] of the result overflows", i / width,
-                 i % width);
+            fail(Status::not_representable, "points[%zu][%zu] of the result overflows", i / width, i % width);
         }
         fail(weight ? Status::weight_not_finite : Status::point_not_finite,
              "points[%zu][%zu] = %s is not finite", i / width, i % width, Number(points[i]).text);
@@ -61,8 +60,8 @@ void check_weight_values(const Spline &spline, Values values) {
         for (size_t c = 0; c < dim; ++c) {
             const double point = spline.points()[i * dim + c];
             if (!std::isfinite(weights[i] * point)) {
-                fail(Status::not_representable, "weights[%zu] * points[%zu][%zu] = %s * %s overflows", i,
-                     i, c, Number(weights[i]).text, Number(point).text);
+                fail(Status::not_representable, "weights[%zu] * points[%zu][%zu] = %s * %s overflows", i, i,
+                     c, Number(weights[i]).text, Number(point).text);
             }
         }
     }
@@ -237,4 +236,4 @@ SplinePtr make_result(Spline::Axes axes, int dim, Form form, std::vector<double>
     return make_checked(std::move(axes), dim, form, std::move(points), std::move(weights), Values::computed);
 }
 
-} // namespace nrb
+} // namespace nrb::inline spline

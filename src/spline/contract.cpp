@@ -1,6 +1,6 @@
 #include "spline/contract.h"
 
-namespace nrb {
+namespace nrb::inline spline {
 
 namespace {
 
@@ -48,4 +48,4 @@ void contract(const double *coefficients, int n, const double *rows, int64_t str
     }
 }
 
-} // namespace nrb
+} // namespace nrb::inline spline

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-namespace nrb {
+namespace nrb::inline spline {
 
 // out[l] = coefficients[0] * rows[l] + ... + coefficients[n-1] * rows[(n-1) * stride + l], l < length, added
 // in this order for every l, whatever the length: this is what makes a point, a batch and a grid agree in
@@ -12,4 +12,4 @@ namespace nrb {
 void contract(const double *coefficients, int n, const double *rows, int64_t stride, int64_t length,
               double *out) noexcept;
 
-} // namespace nrb
+} // namespace nrb::inline spline

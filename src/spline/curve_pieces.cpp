@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace nrb {
+namespace nrb::inline spline {
 
 bool Spline::even(WeightRange range) noexcept {
     constexpr double largest_ratio = 4;
@@ -118,4 +118,4 @@ const PieceArray *Spline::pieces_after(int64_t uses) const {
     return nullptr;
 }
 
-} // namespace nrb
+} // namespace nrb::inline spline

@@ -5,7 +5,7 @@
 #include <array>
 #include <limits>
 
-namespace nrb {
+namespace nrb::inline spline {
 
 namespace {
 
@@ -92,4 +92,4 @@ SplinePtr Spline::without_inert_points() const {
     return result;
 }
 
-} // namespace nrb
+} // namespace nrb::inline spline

@@ -2,7 +2,7 @@
 
 #include <cstdio>
 
-namespace nrb {
+namespace nrb::inline spline {
 
 namespace {
 
@@ -46,4 +46,4 @@ void check_same_dimension(const Spline &a, const Spline &b) {
     }
 }
 
-} // namespace nrb
+} // namespace nrb::inline spline

@@ -3,7 +3,7 @@
 
 #include "spline/spline.h"
 
-namespace nrb {
+namespace nrb::inline spline {
 
 // The spline is argument `name`, or element `index` of it.
 
@@ -14,4 +14,4 @@ void check_dimension(const Spline &spline, int least, int most, const char *name
 // As many coordinates as `a` has, else Status::incompatible.
 void check_same_dimension(const Spline &a, const Spline &b);
 
-} // namespace nrb
+} // namespace nrb::inline spline

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <optional>
 
-namespace nrb {
+namespace nrb::inline spline {
 
 namespace {
 
@@ -181,4 +181,4 @@ Net apply_along(const Spline &spline, int axis, const LayerTable &table) {
     return maker.finish();
 }
 
-} // namespace nrb
+} // namespace nrb::inline spline

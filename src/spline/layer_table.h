@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-namespace nrb {
+namespace nrb::inline spline {
 
 // New layer r is the sum of coefficient[offset + i] * old layer (first + i), i < size. A row of the single
 // coefficient 1 is a copy and costs no coefficient.
@@ -146,4 +146,4 @@ private:
 // The same with one table.
 Net apply_along(const Spline &spline, int axis, const LayerTable &table);
 
-} // namespace nrb
+} // namespace nrb::inline spline

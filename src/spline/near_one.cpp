@@ -7,7 +7,7 @@
 #include <numeric>
 #include <vector>
 
-namespace nrb {
+namespace nrb::inline spline {
 
 Powers powers_near_one(const Spline &spline, int degree, std::span<const int64_t> places) {
     constexpr int near_one = 64;
@@ -65,4 +65,4 @@ SplinePtr scaled_back(const Spline &result, const Spline &near, const Spline &gi
                        std::vector<double>(given.weights().begin(), given.weights().end()));
 }
 
-} // namespace nrb
+} // namespace nrb::inline spline

@@ -5,7 +5,7 @@
 
 #include <span>
 
-namespace nrb {
+namespace nrb::inline spline {
 
 // What brings the coordinates, the weights and the shortest of the axes of at least a degree near 1, all axes by
 // one power of two; nothing where they are not far from it. Only the control points at `places` count.
@@ -19,4 +19,4 @@ SplinePtr near_one(const Spline &spline, const Powers &powers);
 // spline, the others are divided by the powers. Throws Status::not_representable.
 SplinePtr scaled_back(const Spline &result, const Spline &near, const Spline &given, const Powers &powers);
 
-} // namespace nrb
+} // namespace nrb::inline spline

@@ -5,7 +5,7 @@
 
 #include <array>
 
-namespace nrb {
+namespace nrb::inline spline {
 
 // An interval for each axis; those of axes that a spline lacks are not read.
 using Part = std::array<Interval, max_axes>;
@@ -22,4 +22,4 @@ inline bool same(Interval a, Interval b) noexcept {
     return a.lower == b.lower && a.upper == b.upper;
 }
 
-} // namespace nrb
+} // namespace nrb::inline spline

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace nrb {
+namespace nrb::inline spline {
 
 namespace {
 
@@ -55,4 +55,4 @@ SplinePtr scaled(const Spline &spline, const Powers &powers) {
                                           std::move(weights));
 }
 
-} // namespace nrb
+} // namespace nrb::inline spline

@@ -3,7 +3,7 @@
 
 #include "spline/spline.h"
 
-namespace nrb {
+namespace nrb::inline spline {
 
 // The exponents: of the stored coordinates (homogeneous ones contain their weight), the weights and the knots
 // of each axis.
@@ -26,4 +26,4 @@ int kept_apart(const Spline::Axes &axes, int exponent) noexcept;
 // is for the caller to know.
 SplinePtr scaled(const Spline &spline, const Powers &powers);
 
-} // namespace nrb
+} // namespace nrb::inline spline

@@ -10,7 +10,7 @@
 #include <algorithm>
 
 HWY_BEFORE_NAMESPACE();
-namespace nrb {
+namespace nrb::inline spline {
 namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
@@ -116,11 +116,11 @@ bool combine_quotients(const LayerTable &table, const ShortNet &net, double *poi
 }
 
 } // namespace HWY_NAMESPACE
-} // namespace nrb
+} // namespace nrb::inline spline
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace nrb {
+namespace nrb::inline spline {
 
 HWY_EXPORT(combine_plain);
 HWY_EXPORT(combine_quotients);
@@ -133,5 +133,5 @@ bool combine_short(const LayerTable &table, const ShortNet &net, double *points,
     return HWY_DYNAMIC_DISPATCH(combine_quotients)(table, net, points, weights);
 }
 
-} // namespace nrb
+} // namespace nrb::inline spline
 #endif

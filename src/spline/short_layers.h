@@ -4,7 +4,7 @@
 
 #include "spline/layer_table.h"
 
-namespace nrb {
+namespace nrb::inline spline {
 
 inline constexpr int64_t longest_short_layer = 4;
 
@@ -23,4 +23,4 @@ struct ShortNet {
 };
 bool combine_short(const LayerTable &table, const ShortNet &net, double *points, double *weights) noexcept;
 
-} // namespace nrb
+} // namespace nrb::inline spline

@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <numeric>
 
-namespace nrb {
+namespace nrb::inline spline {
 
 namespace {
 
@@ -121,4 +121,4 @@ double Spline::coordinate(int64_t i, int c) const noexcept {
     return form_ == Form::homogeneous ? stored / weight(i) : stored;
 }
 
-} // namespace nrb
+} // namespace nrb::inline spline

@@ -14,7 +14,7 @@
 #include <span>
 #include <vector>
 
-namespace nrb {
+namespace nrb::inline spline {
 
 // How the control points are stored. What the caller gave is what is kept.
 enum class Form {
@@ -157,4 +157,4 @@ SplinePtr make_spline(Spline::Axes axes, int dim, Form form, std::vector<double>
 SplinePtr make_result(Spline::Axes axes, int dim, Form form, std::vector<double> points,
                       std::vector<double> weights = {});
 
-} // namespace nrb
+} // namespace nrb::inline spline

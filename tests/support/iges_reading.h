@@ -11,18 +11,18 @@
 
 namespace iges_test {
 
-inline nrb::Document read(const std::string &text, const nrb::ReadSettings &settings = {}) {
-    return nrb::read_iges(text, settings);
+inline nrb::model::Document read(const std::string &text, const nrb::model::ReadSettings &settings = {}) {
+    return nrb::io::read_iges(text, settings);
 }
 
-inline nrb::Document read(const IgesBuilder &builder, const nrb::ReadSettings &settings = {}) {
+inline nrb::model::Document read(const IgesBuilder &builder, const nrb::model::ReadSettings &settings = {}) {
     return read(builder.text(), settings);
 }
 
 // The one spline of a file; the test fails if there is another number of them, or an entity that is wrong.
-inline nrb::SplinePtr only_spline(const nrb::Document &document) {
+inline nrb::SplinePtr only_spline(const nrb::model::Document &document) {
     EXPECT_EQ(document.splines.size(), 1U);
-    for (const nrb::Note &note : document.notes) {
+    for (const nrb::model::Note &note : document.notes) {
         EXPECT_EQ(note.reason, nrb::Status::unsupported) << note.text;
     }
     if (document.splines.empty()) {
@@ -38,13 +38,13 @@ inline nrb::SplinePtr read_one(int type, const std::string &data, const Fields &
 }
 
 // The note that a file with one entity leaves; one with reason nrb::Status::ok, and a failed test, if there is none.
-inline nrb::Note note_of(int type, const std::string &data, const Fields &fields = {}) {
+inline nrb::model::Note note_of(int type, const std::string &data, const Fields &fields = {}) {
     IgesBuilder builder;
     builder.add(type, data, fields);
-    const nrb::Document document = read(builder);
+    const nrb::model::Document document = read(builder);
     EXPECT_EQ(document.splines.size(), 0U);
     EXPECT_EQ(document.notes.size(), 1U);
-    return document.notes.empty() ? nrb::Note{0, 0, nrb::Status::ok, ""} : document.notes.front();
+    return document.notes.empty() ? nrb::model::Note{0, 0, nrb::Status::ok, ""} : document.notes.front();
 }
 
 struct Failure {
@@ -53,7 +53,7 @@ struct Failure {
 };
 
 // What reading a whole file throws.
-inline Failure failure_of(const std::string &text, const nrb::ReadSettings &settings = {}) {
+inline Failure failure_of(const std::string &text, const nrb::model::ReadSettings &settings = {}) {
     try {
         (void)read(text, settings);
         return {};

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace nrb {
+namespace nrb::build {
 
 namespace {
 
@@ -95,8 +95,7 @@ double Angle::radians() const noexcept {
 
 Angle make_angle(double radians, const char *name) {
     if (!std::isfinite(radians) || std::fabs(radians) > largest_angle) {
-        fail(Status::angle, "%s = %s, expected a finite angle of at most 2^22", name,
-             Number(radians).text);
+        fail(Status::angle, "%s = %s, expected a finite angle of at most 2^22", name, Number(radians).text);
     }
     return Angle::from_radians(radians);
 }
@@ -111,4 +110,4 @@ Turn make_turn(double start, double sweep, const char *start_name, const char *s
     return {begin, turn};
 }
 
-} // namespace nrb
+} // namespace nrb::build

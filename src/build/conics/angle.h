@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-namespace nrb {
+namespace nrb::build {
 
 struct Direction {
     double cos;
@@ -53,4 +53,4 @@ Turn make_turn(double start, double sweep, const char *start_name = "start",
                const char *sweep_name = "sweep");
 Angle make_angle(double radians, const char *name);
 
-} // namespace nrb
+} // namespace nrb::build

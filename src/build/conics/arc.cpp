@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace nrb {
+namespace nrb::build {
 
 namespace {
 
@@ -100,4 +100,4 @@ Arc unit_arc(const Turn &turn, int32_t form) {
     return form == arc_thirds || pieces == 1 ? pieced_arc(turn, pieces) : smooth_arc(turn);
 }
 
-} // namespace nrb
+} // namespace nrb::build

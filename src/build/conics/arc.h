@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace nrb {
+namespace nrb::build {
 
 // How an arc is put together.
 enum ArcForm : int32_t {
@@ -46,4 +46,4 @@ KnotVectorPtr piecewise_knots(int64_t pieces);
 // Throws Status::form unless the form is one of arc_quarters, ..., `last`.
 void check_arc_form(int32_t form, int32_t last = arc_smooth);
 
-} // namespace nrb
+} // namespace nrb::build

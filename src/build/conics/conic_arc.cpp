@@ -10,7 +10,7 @@
 #include <initializer_list>
 #include <utility>
 
-namespace nrb {
+namespace nrb::build {
 
 namespace {
 
@@ -151,4 +151,4 @@ SplinePtr conic_by_shape_factor(int dim, const double *p0, const double *p1, con
     return conic_segment(dim, p0, p1, p2, std::sqrt(factor));
 }
 
-} // namespace nrb
+} // namespace nrb::build

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-namespace nrb {
+namespace nrb::build {
 
 // The curve with the homogeneous Bezier points (A, 1), (h, w), (B, 1). The control point h / w may be at
 // infinity (w = 0, parallel tangents) or behind the arc (w < 0, more than half an ellipse). In the affine
@@ -45,4 +45,4 @@ SplinePtr conic_segment(int dim, const double *p0, const double *p1, const doubl
 // degree 1. Throws Status::factor for a factor that is negative or NaN, and what make_shape() throws.
 SplinePtr conic_by_shape_factor(int dim, const double *p0, const double *p1, const double *p2, double factor);
 
-} // namespace nrb
+} // namespace nrb::build

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace nrb {
+namespace nrb::build {
 
 namespace {
 
@@ -257,8 +257,7 @@ SplinePtr conic_shoulder(Coordinates a, Coordinates tangent_a, Coordinates b, Co
              Number(crossing.alpha).text, Number(crossing.beta).text);
     }
     if (crossing.miss > 16 * 0x1p-52 * (largest_coordinate(a, b) + crossing.reach)) {
-        fail(Status::conic, "the tangents pass each other at a distance of %s",
-             Number(crossing.miss).text);
+        fail(Status::conic, "the tangents pass each other at a distance of %s", Number(crossing.miss).text);
     }
     Vector corner = copy(a);
     for (size_t i = 0; i < corner.size(); ++i) {
@@ -275,8 +274,7 @@ SplinePtr conic_point(Coordinates a, Coordinates tangent_a, Coordinates b, Coord
     plane.check_direction(tangent_b, "tangent_b");
     const TangentPencil pencil(plane.point(b), plane.direction(tangent_a), plane.direction(tangent_b));
     if (pencil.degenerate(plane.rounding())) {
-        fail(Status::conic,
-             "a tangent is along the chord from a to b to within rounding, %s of its length",
+        fail(Status::conic, "a tangent is along the chord from a to b to within rounding, %s of its length",
              Number(plane.rounding()).text);
     }
     const ConicArc arc =
@@ -308,4 +306,4 @@ SplinePtr conic_through(Coordinates points, int dim, int32_t form) {
     return conic_curve({&arc, 1}, form);
 }
 
-} // namespace nrb
+} // namespace nrb::build

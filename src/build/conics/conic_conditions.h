@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <span>
 
-namespace nrb {
+namespace nrb::build {
 
 using Coordinates = std::span<const double>; // of one point or direction; as many in all arguments
 
@@ -21,4 +21,4 @@ SplinePtr conic_point(Coordinates a, Coordinates tangent_a, Coordinates b, Coord
 // `points` holds five of dim coordinates.
 SplinePtr conic_through(Coordinates points, int dim, int32_t form);
 
-} // namespace nrb
+} // namespace nrb::build

@@ -7,14 +7,14 @@
 #include <utility>
 #include <vector>
 
-namespace nrb {
+namespace nrb::build {
 
 namespace {
 
 void check_range(double start, double end) {
     if (!std::isfinite(start) || !std::isfinite(end)) {
-        fail(Status::parameter_not_finite, "%s = %s is not finite",
-             std::isfinite(start) ? "end" : "start", Number(std::isfinite(start) ? end : start).text);
+        fail(Status::parameter_not_finite, "%s = %s is not finite", std::isfinite(start) ? "end" : "start",
+             Number(std::isfinite(start) ? end : start).text);
     }
     if (!(start < end)) {
         fail(Status::empty_domain, "start = %s, end = %s, expected start < end", Number(start).text,
@@ -60,4 +60,4 @@ SplinePtr hyperbola(const Placement &place, double radius_x, double radius_y, do
     return placed_arc(place, radius_x, radius_y, unit_hyperbola(start, end));
 }
 
-} // namespace nrb
+} // namespace nrb::build

@@ -7,7 +7,7 @@
 
 #include <cstdint>
 
-namespace nrb {
+namespace nrb::build {
 
 // origin + radius_x x X + radius_y y Y for the points (x, y) of an arc. Equal weights are dropped.
 SplinePtr placed_arc(const Placement &place, double radius_x, double radius_y, const Arc &arc);
@@ -18,4 +18,4 @@ SplinePtr ellipse(const Placement &place, double radius_x, double radius_y, cons
 SplinePtr parabola(const Placement &place, double focal_length, double start, double end);
 SplinePtr hyperbola(const Placement &place, double radius_x, double radius_y, double start, double end);
 
-} // namespace nrb
+} // namespace nrb::build

@@ -1,8 +1,8 @@
 #include "build/conics/conic_focus.h"
 
 #include "base/error.h"
-#include "numeric/norm.h"
 #include "build/conics/conic_arc.h"
+#include "numeric/norm.h"
 
 #include <array>
 #include <cmath>
@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace nrb {
+namespace nrb::build {
 
 namespace {
 
@@ -120,4 +120,4 @@ SplinePtr conic_focus(const FocalFrame &frame, double eccentricity, const Turn &
     return conic_curve(pieces, form);
 }
 
-} // namespace nrb
+} // namespace nrb::build

@@ -7,7 +7,7 @@
 
 #include <cstdint>
 
-namespace nrb {
+namespace nrb::build {
 
 // A focus at the origin, and a directrix across x at a distance.
 struct FocalFrame {
@@ -22,4 +22,4 @@ FocalFrame focal_frame(int32_t dim, const double *focus, const double *axis, con
 // Throws Status::factor, conic, and what conic_curve() throws.
 SplinePtr conic_focus(const FocalFrame &frame, double eccentricity, const Turn &turn, int32_t form);
 
-} // namespace nrb
+} // namespace nrb::build

@@ -5,11 +5,11 @@
 
 #include <cstdint>
 
-namespace nrb {
+namespace nrb::build {
 
 // An arc of A x^2 + B x y + C y^2 + D x + E y + F = 0 in the plane: of an ellipse from one eccentric angle to
 // another, of a parabola or hyperbola from one parameter of parabola() or hyperbola() to another. Throws what
 // conic_axes() and those functions throw.
 SplinePtr implicit_conic(const double *coefficients, double start, double end, int32_t form);
 
-} // namespace nrb
+} // namespace nrb::build

@@ -1,20 +1,20 @@
 #include "build/coons/blend_axis.h"
 
 #include "base/representable.h"
-#include "refine/algebra/polynomial.h"
 #include "reduce/compatible.h"
+#include "refine/algebra/polynomial.h"
 #include "refine/forms/weights.h"
 
 #include <algorithm>
 #include <array>
 
-namespace nrb {
+namespace nrb::build {
 
 Quotient as_quotient(const SplinePtr &curve) {
     if (curve->form() == Form::polynomial) {
         return {curve, nullptr};
     }
-    const bool equal = equal_weights(*curve), records = curve->form() == Form::homogeneous;
+    const bool equal = refine::equal_weights(*curve), records = curve->form() == Form::homogeneous;
     const double first = curve->weight(0);
     std::vector<double> points, weights;
     for (int64_t i = 0; i < curve->point_count(); ++i) {
@@ -27,8 +27,8 @@ Quotient as_quotient(const SplinePtr &curve) {
     }
     require_representable(points, "numerators");
     require_representable(weights, "denominators");
-    return {polynomial_spline(curve->knot_vectors(), curve->dim(), std::move(points)),
-            equal ? nullptr : polynomial_spline(curve->knot_vectors(), 1, std::move(weights))};
+    return {refine::polynomial_spline(curve->knot_vectors(), curve->dim(), std::move(points)),
+            equal ? nullptr : refine::polynomial_spline(curve->knot_vectors(), 1, std::move(weights))};
 }
 
 namespace {
@@ -62,7 +62,7 @@ private:
     [[nodiscard]] SplinePtr product_without(size_t left_out) const {
         SplinePtr result;
         for (size_t i = 0; i < distinct_.size(); ++i) {
-            result = i == left_out ? result : times(distinct_[i], result);
+            result = i == left_out ? result : refine::times(distinct_[i], result);
         }
         return result;
     }
@@ -78,8 +78,8 @@ SplinePtr blending_functions(Interval domain, int degree) {
     const double third = (domain.upper - domain.lower) / 3;
     const std::vector<double> linear = {1, 0, 0, 1};
     const std::vector<double> cubic = {1, 0, 0, 0, 1, 0, third, 0, 0, 1, 0, -third, 0, 1, 0, 0};
-    return polynomial_spline({std::make_shared<const KnotVector>(degree, std::move(knots))}, degree + 1,
-                             degree == 1 ? linear : cubic);
+    return refine::polynomial_spline({std::make_shared<const KnotVector>(degree, std::move(knots))},
+                                     degree + 1, degree == 1 ? linear : cubic);
 }
 
 // The length of parameter after which a unit of derivative has moved control point 1 by 1, and back from the
@@ -143,7 +143,8 @@ bool share_axis(const std::vector<SplinePtr> &functions) {
 }
 
 std::vector<SplinePtr> over_common_axis(std::vector<SplinePtr> functions) {
-    return share_axis(functions) ? std::move(functions) : make_compatible(functions, 0, false).splines;
+    return share_axis(functions) ? std::move(functions)
+                                 : reduce::make_compatible(functions, 0, false).splines;
 }
 
 // 1 - t and t: their control points are their values at the Greville abscissae. Precondition: the degree is
@@ -179,7 +180,7 @@ BlendAxis linear_blend(std::vector<SplinePtr> functions) {
 
 BlendAxis general_blend(std::vector<SplinePtr> functions, const SplinePtr &common, int degree) {
     const size_t count = functions.size();
-    functions.push_back(times(blending_functions(functions[0]->axis(0).domain(), degree), common));
+    functions.push_back(refine::times(blending_functions(functions[0]->axis(0).domain(), degree), common));
     if (common != nullptr) {
         functions.push_back(common);
     }
@@ -197,7 +198,7 @@ BlendAxis general_blend(std::vector<SplinePtr> functions, const SplinePtr &commo
 
 bool same_function(const SplinePtr &a, const SplinePtr &b) {
     const std::array<SplinePtr, 2> both = {a, b};
-    const Compatible made = make_compatible(both, 0, false);
+    const reduce::Compatible made = reduce::make_compatible(both, 0, false);
     return std::ranges::equal(made.splines[0]->points(), made.splines[1]->points());
 }
 
@@ -207,7 +208,7 @@ BlendAxis make_blend_axis(std::span<const Quotient> functions, int degree) {
     std::vector<SplinePtr> numerators;
     int largest = 0;
     for (size_t i = 0; i < functions.size(); ++i) {
-        numerators.push_back(times(functions[i].numerators, denominators.product_of_others(i)));
+        numerators.push_back(refine::times(functions[i].numerators, denominators.product_of_others(i)));
         largest = std::max(largest, numerators.back()->axis(0).degree());
     }
     BlendAxis made = common == nullptr && degree == 1 && largest > 0
@@ -217,4 +218,4 @@ BlendAxis make_blend_axis(std::span<const Quotient> functions, int degree) {
     return made;
 }
 
-} // namespace nrb
+} // namespace nrb::build

@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-namespace nrb {
+namespace nrb::build {
 
 // Whether two polynomial splines have the same control points over common knots, bit for bit. Precondition: neither is null.
 bool same_function(const SplinePtr &a, const SplinePtr &b);
@@ -58,4 +58,4 @@ struct BlendAxis {
 // Status::degree and what product() throws. Precondition: all have the same domain.
 BlendAxis make_blend_axis(std::span<const Quotient> functions, int degree);
 
-} // namespace nrb
+} // namespace nrb::build

@@ -4,27 +4,27 @@
 #include "bounds/deviation.h"
 #include "build/coons/blend_axis.h"
 #include "build/coons/corner.h"
-#include "refine/algebra/polynomial.h"
 #include "build/coons/volume_edge.h"
 #include "reduce/compatible.h"
+#include "refine/algebra/polynomial.h"
+#include "refine/algebra/product.h"
 #include "refine/forms/homogeneous.h"
 #include "refine/parts/iso.h"
-#include "refine/algebra/product.h"
 
 #include <algorithm>
 
-namespace nrb {
+namespace nrb::build {
 
 namespace {
 
 SplinePtr checked_terms(Spline::Axes axes, int dim, std::vector<double> points) {
     require_representable(points, "terms of the volume");
-    return polynomial_spline(std::move(axes), dim, std::move(points));
+    return refine::polynomial_spline(std::move(axes), dim, std::move(points));
 }
 
 std::vector<SplinePtr> made_compatible(const SplinePtr &a, const SplinePtr &b) {
     const SplinePtr both[] = {a, b};
-    return make_compatible(both, 0, false).splines;
+    return reduce::make_compatible(both, 0, false).splines;
 }
 
 SplinePtr plus(const SplinePtr &a, const SplinePtr &b) {
@@ -49,7 +49,7 @@ Part part_of(const Spline &spline) {
     if (first == 0) {
         fail(Status::weights_vanish, "faces: a corner lies at infinity");
     }
-    Part part{spline.knot_vectors(), homogeneous_points(spline), {}};
+    Part part{spline.knot_vectors(), refine::homogeneous_points(spline), {}};
     std::vector<double> numerators;
     for (size_t i = 0; i < part.numerators.size(); ++i) {
         const bool weight = (i + 1) % (static_cast<size_t>(spline.dim()) + 1) == 0;
@@ -115,7 +115,7 @@ public:
     [[nodiscard]] SplinePtr result(Form form) const {
         SplinePtr numerators;
         for (const Group &group : groups_) {
-            numerators = plus(numerators, times(group.sum, product_without(&group)));
+            numerators = plus(numerators, refine::times(group.sum, product_without(&group)));
         }
         const SplinePtr denominator =
             product_without(nullptr); // none where all weights of each part are equal
@@ -130,7 +130,7 @@ public:
             records.insert(records.end(), point, point + dim);
             records.push_back(denominator != nullptr ? both[1]->points()[i] : 1);
         }
-        return from_records(both[0]->knot_vectors(), dim_, form, std::move(records));
+        return refine::from_records(both[0]->knot_vectors(), dim_, form, std::move(records));
     }
 
 private:
@@ -161,7 +161,7 @@ private:
     [[nodiscard]] SplinePtr product_without(const Group *left_out) const {
         SplinePtr result;
         for (const Group &group : groups_) {
-            result = &group == left_out ? result : times(result, group.denominator);
+            result = &group == left_out ? result : refine::times(result, group.denominator);
         }
         return result;
     }
@@ -174,7 +174,7 @@ private:
 // The curve of a clamped face at an end of one of its axes.
 SplinePtr edge_curve(const Spline &face, int place, bool upper) {
     const Interval domain = face.axis(place).domain();
-    return iso(face, place, upper ? domain.upper : domain.lower, {});
+    return refine::iso(face, place, upper ? domain.upper : domain.lower, {});
 }
 
 // A proven bound of the distance of two curves; 0 if they are the same, up to a factor of the weights.
@@ -182,7 +182,7 @@ double gap(const SplinePtr &a, const SplinePtr &b) {
     const Part one = part_of(*a), other = part_of(*b);
     const bool same = std::ranges::equal(a->axis(0).knots(), b->axis(0).knots()) &&
                       one.numerators == other.numerators && one.weights == other.weights;
-    return same ? 0 : deviation(*a, *b).upper;
+    return same ? 0 : bounds::deviation(*a, *b).upper;
 }
 
 Stand stand(bool upper) noexcept {
@@ -234,7 +234,7 @@ SplinePtr sum_of_blends(const std::vector<SplinePtr> &faces, double tolerance) {
     BlendSum sum(faces[0]->dim(), domains);
     add_faces(clamped, sum);
     add_edges(clamped, tolerance, sum);
-    return sum.result(common_form(faces));
+    return sum.result(refine::common_form(faces));
 }
 
-} // namespace nrb
+} // namespace nrb::build

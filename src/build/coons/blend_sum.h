@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace nrb {
+namespace nrb::build {
 
 // The volume of volume_coons() as the sum of its 6 + 12 + 8 terms: those with one denominator are added up
 // first, and each of these sums is multiplied by the denominators of the others. The edges are those of the
@@ -15,4 +15,4 @@ namespace nrb {
 // dimension. Cost: that of the products.
 SplinePtr sum_of_blends(const std::vector<SplinePtr> &faces, double tolerance);
 
-} // namespace nrb
+} // namespace nrb::build

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace nrb {
+namespace nrb::build {
 
 void clear_margins(const BlendAxis &axis, size_t width, std::vector<double> &function) {
     const auto length = static_cast<std::ptrdiff_t>(axis.margin() * width);
@@ -78,8 +78,8 @@ SplinePtr blended_spline(const std::vector<const BlendAxis *> &axes, int dim, Fo
     }
     const std::vector<double> divisors =
         tensor(axes, [](const BlendAxis &axis, size_t i) { return axis.divisor(i); });
-    return from_records(std::move(knots), dim, form,
-                        records_of(net, static_cast<size_t>(dim), divisors, weights));
+    return refine::from_records(std::move(knots), dim, form,
+                                records_of(net, static_cast<size_t>(dim), divisors, weights));
 }
 
-} // namespace nrb
+} // namespace nrb::build

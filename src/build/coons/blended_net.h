@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-namespace nrb {
+namespace nrb::build {
 
 // out += factor * x, n values.
 inline void add_scaled(double factor, const double *x, size_t n, double *out) noexcept {
@@ -57,4 +57,4 @@ std::vector<double> net_of_zeros(const std::vector<const BlendAxis *> &axes, int
 SplinePtr blended_spline(const std::vector<const BlendAxis *> &axes, int dim, Form form,
                          std::vector<double> net);
 
-} // namespace nrb
+} // namespace nrb::build

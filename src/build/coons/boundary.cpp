@@ -2,7 +2,7 @@
 
 #include "refine/parts/iso.h"
 
-namespace nrb {
+namespace nrb::build {
 
 std::vector<SplinePtr> boundaries_of(const Spline &spline) {
     if (spline.axes() == 1) {
@@ -11,10 +11,10 @@ std::vector<SplinePtr> boundaries_of(const Spline &spline) {
     std::vector<SplinePtr> boundaries;
     for (int k = 0; k < spline.axes(); ++k) {
         const auto [lower, upper] = spline.axis(k).domain();
-        boundaries.push_back(iso(spline, k, lower, {}));
-        boundaries.push_back(iso(spline, k, upper, {}));
+        boundaries.push_back(refine::iso(spline, k, lower, {}));
+        boundaries.push_back(refine::iso(spline, k, upper, {}));
     }
     return boundaries;
 }
 
-} // namespace nrb
+} // namespace nrb::build

@@ -5,10 +5,10 @@
 
 #include <vector>
 
-namespace nrb {
+namespace nrb::build {
 
 // By axis, then by end; bit for bit what iso() gives. Throws Status::axes for a curve, and what iso()
 // throws.
 std::vector<SplinePtr> boundaries_of(const Spline &spline);
 
-} // namespace nrb
+} // namespace nrb::build

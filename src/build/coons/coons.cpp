@@ -1,14 +1,14 @@
 #include "build/coons/coons.h"
 
-#include "numeric/norm.h"
 #include "build/coons/coons_patch.h"
+#include "numeric/norm.h"
 #include "refine/forms/homogeneous.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
-namespace nrb {
+namespace nrb::build {
 
 namespace {
 
@@ -25,7 +25,7 @@ BlendAxis blend_axis(const PatchCurves &curves, int axis) {
 }
 
 SplinePtr patch(const PatchCurves &curves, const CornerPair &own, const CornerMatrix &m) {
-    const Form form = std::max(common_form(curves.boundaries), common_form(curves.cross));
+    const Form form = std::max(refine::common_form(curves.boundaries), refine::common_form(curves.cross));
     return coons_patch(blend_axis(curves, 0), blend_axis(curves, 1), own, m, form);
 }
 
@@ -176,4 +176,4 @@ HermitePatch surface_coons_hermite(const PatchCurves &curves, const TwistRule &t
     return {patch(whole, own, corners.matrix()), 0};
 }
 
-} // namespace nrb
+} // namespace nrb::build

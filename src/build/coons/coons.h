@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-namespace nrb {
+namespace nrb::build {
 
 // See nurbs_surface_coons(). Throws Status::gap, and what make_blend_axis() and coons_patch() throw.
 SplinePtr surface_coons(const PatchCurves &curves, double tolerance);
@@ -34,4 +34,4 @@ struct HermitePatch {
 // coons_patch() throw. Precondition: the rule suits.
 HermitePatch surface_coons_hermite(const PatchCurves &curves, const TwistRule &twists, double tolerance);
 
-} // namespace nrb
+} // namespace nrb::build

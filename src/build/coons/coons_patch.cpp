@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace nrb {
+namespace nrb::build {
 
 namespace {
 
@@ -104,4 +104,4 @@ SplinePtr coons_patch(BlendAxis u, BlendAxis v, const CornerPair &own, const Cor
     return blended_spline({&u, &v}, m.dim(), form, std::move(net));
 }
 
-} // namespace nrb
+} // namespace nrb::build

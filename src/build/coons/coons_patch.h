@@ -4,7 +4,7 @@
 #include "build/coons/blend_axis.h"
 #include "build/coons/corner.h"
 
-namespace nrb {
+namespace nrb::build {
 
 // With blending functions f_i(u), g_j(v) for the values and derivatives i, j at the ends,
 //
@@ -19,4 +19,4 @@ namespace nrb {
 // each coordinate of the net.
 SplinePtr coons_patch(BlendAxis u, BlendAxis v, const CornerPair &own, const CornerMatrix &m, Form form);
 
-} // namespace nrb
+} // namespace nrb::build

@@ -14,7 +14,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace nrb {
+namespace nrb::build {
 
 namespace {
 
@@ -139,10 +139,10 @@ private:
         }
         const SplinePtr first = edge_curve(axis, a), second = edge_curve(axis, b);
         if (first->form() == second->form()) {
-            const double bound = deviation_bound(first, second);
-            return bound <= tolerance ? bound : std::min(bound, deviation(*first, *second).upper);
+            const double bound = reduce::deviation_bound(first, second);
+            return bound <= tolerance ? bound : std::min(bound, bounds::deviation(*first, *second).upper);
         }
-        return deviation(*first, *second).upper;
+        return bounds::deviation(*first, *second).upper;
     }
 
     // Whether both faces hold the edge with the same bits: taking their weights apart rounds differently.
@@ -150,7 +150,7 @@ private:
         const Spline &a = stored_boundary(edge.face(), edge.second, edge.second_upper);
         const Spline &b = stored_boundary(edge.other_face(), edge.first, edge.first_upper);
         return std::ranges::equal(a.axis(0).knots(), b.axis(0).knots()) &&
-               std::ranges::equal(a.points(), b.points()) && same_weights(a, b);
+               std::ranges::equal(a.points(), b.points()) && refine::same_weights(a, b);
     }
     [[nodiscard]] const Spline &stored_boundary(size_t face, int axis, bool upper) const {
         return *stored_[face][face_at(FaceAxes(face).place(axis), upper)];
@@ -301,8 +301,8 @@ SplinePtr volume_coons(const std::vector<SplinePtr> &faces, double tolerance) {
     check_faces(faces);
     const bool separate =
         std::ranges::all_of(faces, [](const SplinePtr &face) { return has_separate_weights(*face); });
-    return separate ? FaceBlend(faces, tolerance).volume(common_form(faces))
+    return separate ? FaceBlend(faces, tolerance).volume(refine::common_form(faces))
                     : sum_of_blends(faces, tolerance);
 }
 
-} // namespace nrb
+} // namespace nrb::build

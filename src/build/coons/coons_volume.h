@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace nrb {
+namespace nrb::build {
 
 // See nurbs_volume_coons(). With f_a, g_b, h_c the linear blending functions of the axes, F, G, H the faces,
 // E the edges and V the corners (W. J. Gordon, C. A. Hall 1973),
@@ -20,4 +20,4 @@ namespace nrb {
 // sum_of_blends() and make_result() throw. Precondition: 6 faces. Cost: linear in the points of the result.
 SplinePtr volume_coons(const std::vector<SplinePtr> &faces, double tolerance);
 
-} // namespace nrb
+} // namespace nrb::build

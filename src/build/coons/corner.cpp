@@ -1,17 +1,17 @@
 #include "build/coons/corner.h"
 
 #include "numeric/norm.h"
-#include "refine/parts/cut.h"
 #include "refine/forms/parametrization.h"
+#include "refine/parts/cut.h"
 #include "spline/kind.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace nrb {
+namespace nrb::build {
 
 SplinePtr clamped_over(const SplinePtr &spline, int axis, Interval domain) {
-    return reparametrize(clamp_ends(spline, axis), axis, domain);
+    return refine::reparametrize(refine::clamp_ends(spline, axis), axis, domain);
 }
 
 namespace {
@@ -182,4 +182,4 @@ void check_twists(const CornerGaps &gaps, double tolerance) {
     }
 }
 
-} // namespace nrb
+} // namespace nrb::build

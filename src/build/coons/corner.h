@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace nrb {
+namespace nrb::build {
 
 // The four boundaries of a surface over its domain, clamped, and the derivatives across them or none; finite
 // at their ends.
@@ -88,4 +88,4 @@ void check_tangents(const CornerGaps &gaps, double tolerance);
 // Throws Status::twist, naming the corner.
 void check_twists(const CornerGaps &gaps, double tolerance);
 
-} // namespace nrb
+} // namespace nrb::build

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-namespace nrb {
+namespace nrb::build {
 
 std::vector<double> FaceNet::layer(int axis, bool upper) const {
     const size_t end = upper ? count(axis) - 1 : 0;
@@ -170,8 +170,7 @@ Quotient along(const FaceNet &net, int axis) {
     const auto at = static_cast<size_t>(axis), dim = static_cast<size_t>(net.dim);
     const int64_t width = checked_product(static_cast<int64_t>(net.count(1 - axis)), net.dim, "records");
     if (width > std::numeric_limits<int32_t>::max() - 2) {
-        fail(Status::overflow, "rows of %lld values exceed what is supported",
-             static_cast<long long>(width));
+        fail(Status::overflow, "rows of %lld values exceed what is supported", static_cast<long long>(width));
     }
     return {function_of(net.axes[at], static_cast<int>(width),
                         axis == 0 ? net.points : transposed(net.points, net.count(0), net.count(1), dim)),
@@ -184,4 +183,4 @@ void replace_axis(FaceNet &net, int axis, KnotVectorPtr knots, const std::vector
         axis == 0 ? rows : transposed(rows, net.count(1), net.count(0), static_cast<size_t>(net.dim));
 }
 
-} // namespace nrb
+} // namespace nrb::build

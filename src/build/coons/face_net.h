@@ -6,7 +6,7 @@
 
 #include <array>
 
-namespace nrb {
+namespace nrb::build {
 
 // The control net of a surface; point (i, j) is record i * counts[1] + j.
 struct FaceNet {
@@ -39,4 +39,4 @@ FaceNet make_face_net(const SplinePtr &face, const std::array<Interval, 2> &doma
 Quotient along(const FaceNet &net, int axis);
 void replace_axis(FaceNet &net, int axis, KnotVectorPtr knots, const std::vector<double> &rows);
 
-} // namespace nrb
+} // namespace nrb::build

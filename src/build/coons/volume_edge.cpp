@@ -1,6 +1,6 @@
 #include "build/coons/volume_edge.h"
 
-namespace nrb {
+namespace nrb::build {
 
 void VolumeEdge::check(double gap, double tolerance) const {
     if (!(gap <= tolerance)) {
@@ -17,4 +17,4 @@ std::array<Interval, 3> volume_domains(const std::vector<SplinePtr> &faces) {
     return {faces[2]->axis(0).domain(), faces[0]->axis(0).domain(), faces[0]->axis(1).domain()};
 }
 
-} // namespace nrb
+} // namespace nrb::build

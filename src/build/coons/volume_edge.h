@@ -5,7 +5,7 @@
 
 #include <array>
 
-namespace nrb {
+namespace nrb::build {
 
 inline constexpr size_t face_count = 6;
 inline constexpr size_t edges_of_axis = 4;
@@ -48,4 +48,4 @@ struct VolumeEdge {
 // The domains of the axes of a volume, as its faces have them.
 std::array<Interval, 3> volume_domains(const std::vector<SplinePtr> &faces);
 
-} // namespace nrb
+} // namespace nrb::build

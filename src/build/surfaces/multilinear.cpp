@@ -1,20 +1,20 @@
 #include "build/surfaces/multilinear.h"
 
 #include "base/representable.h"
-#include "numeric/double_double.h"
 #include "build/placement.h"
+#include "numeric/double_double.h"
 #include "refine/knots/bezier_rows.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-namespace nrb {
+namespace nrb::build {
 
 namespace {
 
 SplinePtr over_corners(int axes, int dim, std::vector<double> corners) {
-    const KnotVectorPtr axis = bezier_knots(1, std::array<double, 2>{0, 1});
+    const KnotVectorPtr axis = refine::bezier_knots(1, std::array<double, 2>{0, 1});
     return make_spline(Spline::Axes(static_cast<size_t>(axes), axis), dim, Form::polynomial,
                        std::move(corners));
 }
@@ -77,4 +77,4 @@ SplinePtr parallelogram(int dim, const double *origin, const double *u, const do
     return over_corners(2, dim, std::move(corners));
 }
 
-} // namespace nrb
+} // namespace nrb::build

@@ -4,7 +4,7 @@
 #include "base/records.h"
 #include "spline/spline.h"
 
-namespace nrb {
+namespace nrb::build {
 
 // The patch of degree 1 on all axes over 2^axes corners, last axis fastest. Throws
 // Status::point_not_finite.
@@ -15,4 +15,4 @@ SplinePtr multilinear(int axes, const ConstRecords &corners);
 // parallel, not_representable.
 SplinePtr parallelogram(int dim, const double *origin, const double *u, const double *v);
 
-} // namespace nrb
+} // namespace nrb::build

@@ -4,16 +4,17 @@
 
 #include <hwy/foreach_target.h>
 
-#include "numeric/double_double-inl.h"
 #include "build/surfaces/points_in_rotation.h"
+#include "numeric/double_double-inl.h"
 
 #include <algorithm>
 
 HWY_BEFORE_NAMESPACE();
-namespace nrb {
+namespace nrb::build {
 namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
+using namespace numeric::HWY_NAMESPACE;
 using Lanes = hn::CappedTag<double, 8>;
 using Vector = hn::Vec<Lanes>;
 using Number = Twin<Vector>;
@@ -109,11 +110,11 @@ void radii(const double *points, int64_t records, int width, const AxisLine &axi
 }
 
 } // namespace HWY_NAMESPACE
-} // namespace nrb
+} // namespace nrb::build
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace nrb {
+namespace nrb::build {
 
 HWY_EXPORT(orbit_values);
 HWY_EXPORT(radii);
@@ -160,5 +161,5 @@ void Orbits::values(double x, double y, double *out) const noexcept {
     HWY_DYNAMIC_DISPATCH(orbit_values)(data_.data(), stride_, size_, x, y, out);
 }
 
-} // namespace nrb
+} // namespace nrb::build
 #endif

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-namespace nrb {
+namespace nrb::build {
 
 // An axis of revolution: a point on it, and its direction as a unit vector.
 struct AxisLine {
@@ -40,4 +40,4 @@ private:
     std::vector<double> data_;
 };
 
-} // namespace nrb
+} // namespace nrb::build

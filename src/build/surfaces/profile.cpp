@@ -8,7 +8,7 @@
 #include <array>
 #include <cmath>
 
-namespace nrb {
+namespace nrb::build {
 
 namespace {
 
@@ -48,7 +48,7 @@ std::vector<double> piece_ends(double size, double bottom, double top, bool two_
 
 Profile bezier_profile(std::vector<ProfilePoint> points) {
     const int degree = static_cast<int>(points.size()) - 1;
-    return {bezier_knots(degree, std::array<double, 2>{0, 1}), std::move(points)};
+    return {refine::bezier_knots(degree, std::array<double, 2>{0, 1}), std::move(points)};
 }
 
 Profile arc_profile(const Turn &turn, int32_t form, double offset, double radius) {
@@ -105,4 +105,4 @@ SplinePtr turned(const Placement &place, const Arc &arc, const Profile &profile,
     return make_result({arc.axis, profile.axis}, 3, Form::rational, std::move(points), std::move(weights));
 }
 
-} // namespace nrb
+} // namespace nrb::build

@@ -1,14 +1,14 @@
 // Shapes of revolution, and those scaled from them, by their profiles.
 #pragma once
 
-#include "numeric/double_double.h"
 #include "build/conics/arc.h"
 #include "build/placement.h"
+#include "numeric/double_double.h"
 #include "spline/spline.h"
 
 #include <vector>
 
-namespace nrb {
+namespace nrb::build {
 
 struct ProfilePoint {
     Wide radius;
@@ -42,4 +42,4 @@ Profile hyperbola_profile(double size, double bottom, double top, bool two_sheet
 SplinePtr turned(const Placement &place, const Arc &arc, const Profile &profile, double scale_x = 1,
                  double scale_y = 1);
 
-} // namespace nrb
+} // namespace nrb::build

@@ -8,7 +8,7 @@
 #include <array>
 #include <cmath>
 
-namespace nrb {
+namespace nrb::build {
 
 namespace {
 
@@ -33,8 +33,7 @@ Turn latitudes(double south, double north) {
 
 void check_end_radius(double radius, const char *name) {
     if (!std::isfinite(radius) || radius < 0) {
-        fail(Status::length, "%s = %s, expected a finite length of at least 0", name,
-             Number(radius).text);
+        fail(Status::length, "%s = %s, expected a finite length of at least 0", name, Number(radius).text);
     }
 }
 
@@ -125,7 +124,7 @@ SplinePtr saddle(const Placement &place, double radius_x, double radius_y, doubl
                     points.data() + 3 * i);
     }
     require_representable(points, "control points");
-    const KnotVectorPtr axis = bezier_knots(2, std::array<double, 2>{0, 1});
+    const KnotVectorPtr axis = refine::bezier_knots(2, std::array<double, 2>{0, 1});
     return make_result({axis, axis}, 3, Form::polynomial, std::move(points));
 }
 
@@ -136,4 +135,4 @@ SplinePtr hyperboloid(const Placement &place, const HyperboloidSize &size, const
                   size.radius_y);
 }
 
-} // namespace nrb
+} // namespace nrb::build

@@ -7,7 +7,7 @@
 
 #include <cstdint>
 
-namespace nrb {
+namespace nrb::build {
 
 // As nurbs.h has them: arcs in one of the arc_ forms as axis 0, over `turn`. All throw
 // Status::length, naming the argument, form, not_representable.
@@ -36,4 +36,4 @@ struct HyperboloidSize {
 };
 SplinePtr hyperboloid(const Placement &place, const HyperboloidSize &size, const Turn &turn, int32_t form);
 
-} // namespace nrb
+} // namespace nrb::build

@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-namespace nrb {
+namespace nrb::build {
 
 namespace {
 
@@ -95,4 +95,4 @@ SplinePtr revolve(const Spline &spline, const double *point, const double *axis,
                        turned_points(spline, line, arc, turn.sweep.full_turn()), turned_weights(spline, arc));
 }
 
-} // namespace nrb
+} // namespace nrb::build

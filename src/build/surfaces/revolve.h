@@ -6,7 +6,7 @@
 
 #include <cstdint>
 
-namespace nrb {
+namespace nrb::build {
 
 // The spline turned about the line through a point, null: the origin, in a direction, null: (0, 0, 1). The
 // angle from 0 to `sweep` becomes axis 0, an arc in one of the arc_ forms with control points (x_j,
@@ -16,4 +16,4 @@ namespace nrb {
 // Status::axes, dimension, point_not_finite, direction, angle, form, overflow, not_representable.
 SplinePtr revolve(const Spline &spline, const double *point, const double *axis, double sweep, int32_t form);
 
-} // namespace nrb
+} // namespace nrb::build

@@ -4,16 +4,16 @@
 #include "base/representable.h"
 #include "build/placement.h"
 #include "reduce/compatible.h"
-#include "refine/knots/bezier_rows.h"
+#include "refine/algebra/sum.h"
 #include "refine/forms/homogeneous.h"
 #include "refine/forms/parametrization.h"
-#include "refine/algebra/sum.h"
 #include "refine/forms/weights.h"
+#include "refine/knots/bezier_rows.h"
 
 #include <algorithm>
 #include <array>
 
-namespace nrb {
+namespace nrb::build {
 
 namespace {
 
@@ -45,9 +45,9 @@ std::vector<double> moved_points(const Spline &spline, const double *vector) {
 SplinePtr ruled_over_product(const SplinePtr &a, SplinePtr b) {
     for (int k = 0; k < a->axes(); ++k) {
         const Interval domain = a->axis(k).domain();
-        b = reparametrize(b, k, domain);
+        b = refine::reparametrize(b, k, domain);
     }
-    return stacked(sum(a, 1, b, 0), sum(a, 0, b, 1));
+    return stacked(refine::sum(a, 1, b, 0), refine::sum(a, 0, b, 1));
 }
 
 } // namespace
@@ -60,10 +60,10 @@ void check_room_for_axis(const Spline &spline, const char *name) {
 
 SplinePtr stacked(const SplinePtr &a, const SplinePtr &b) {
     const std::array<SplinePtr, 2> both = {a, b};
-    const Form form = common_form(both);
-    const SplinePtr lower = in_form(a, form), upper = in_form(b, form);
+    const Form form = refine::common_form(both);
+    const SplinePtr lower = refine::in_form(a, form), upper = refine::in_form(b, form);
     Spline::Axes axes = lower->knot_vectors();
-    axes.push_back(bezier_knots(1, std::array<double, 2>{0, 1}));
+    axes.push_back(refine::bezier_knots(1, std::array<double, 2>{0, 1}));
     return make_result(std::move(axes), lower->dim(), form,
                        interleaved(lower->points(), upper->points(), lower->stored_width()),
                        interleaved(lower->weights(), upper->weights(), 1));
@@ -101,11 +101,11 @@ SplinePtr ruled(const SplinePtr &a, const SplinePtr &b, bool cartesian) {
         fail(Status::dimension, "dimension %d of b, expected %d as of a", b->dim(), a->dim());
     }
     // Weights that differ by a factor make no difference to Cartesian points.
-    const std::array<SplinePtr, 2> both = {cartesian ? normalize_weights(a) : a,
-                                           cartesian ? normalize_weights(b) : b};
-    const std::vector<SplinePtr> same = make_compatible(both, 0, true).splines;
-    return cartesian && !same_weights(*same[0], *same[1]) ? ruled_over_product(both[0], both[1])
-                                                          : stacked(same[0], same[1]);
+    const std::array<SplinePtr, 2> both = {cartesian ? refine::normalize_weights(a) : a,
+                                           cartesian ? refine::normalize_weights(b) : b};
+    const std::vector<SplinePtr> same = reduce::make_compatible(both, 0, true).splines;
+    return cartesian && !refine::same_weights(*same[0], *same[1]) ? ruled_over_product(both[0], both[1])
+                                                                  : stacked(same[0], same[1]);
 }
 
-} // namespace nrb
+} // namespace nrb::build

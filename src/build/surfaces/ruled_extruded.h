@@ -3,7 +3,7 @@
 
 #include "spline/spline.h"
 
-namespace nrb {
+namespace nrb::build {
 
 // Throws Status::axes, naming the spline, for one of max_axes axes.
 void check_room_for_axis(const Spline &spline, const char *name);
@@ -22,4 +22,4 @@ SplinePtr extrude(const SplinePtr &spline, const double *vector);
 // and what make_compatible(), reparametrize() and sum() throw.
 SplinePtr ruled(const SplinePtr &a, const SplinePtr &b, bool cartesian);
 
-} // namespace nrb
+} // namespace nrb::build

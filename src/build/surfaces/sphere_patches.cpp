@@ -8,7 +8,7 @@
 #include <array>
 #include <cstdint>
 
-namespace nrb {
+namespace nrb::build {
 
 namespace {
 
@@ -53,7 +53,7 @@ NetPoint net_point(int i, int j) noexcept {
 }
 
 KnotVectorPtr quartic() {
-    return bezier_knots(4, std::array<double, 2>{0, 1});
+    return refine::bezier_knots(4, std::array<double, 2>{0, 1});
 }
 
 // The face +Z of the unit sphere.
@@ -71,7 +71,7 @@ SplinePtr unit_face() {
 
 // Its part y >= 0; y is 0 on the edge by the symmetry of the face.
 SplinePtr upper_half(const SplinePtr &face) {
-    const SplinePtr half = cut_axis(face, 1, 0.5, 1, {true, true});
+    const SplinePtr half = refine::cut_axis(face, 1, 0.5, 1, {true, true});
     std::vector<double> points(half->points().begin(), half->points().end());
     for (size_t i = 1; i < points.size(); i += 15) {
         points[i] = 0;
@@ -113,4 +113,4 @@ std::vector<SplinePtr> sphere_patches(const Placement &place, double radius, boo
     return patches;
 }
 
-} // namespace nrb
+} // namespace nrb::build

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace nrb {
+namespace nrb::build {
 
 // Six patches of degree 4 x 4 over the faces +X, +Y, -X, -Y, +Z, -Z of a cube (J. E. Cobb, "Tiling the sphere
 // with rational Bezier patches", 1988). Under the stereographic projection from -Z the face +Z is bounded by
@@ -19,4 +19,4 @@ namespace nrb {
 // -Y from the equator on, and +Z. Throws Status::length, not_representable.
 std::vector<SplinePtr> sphere_patches(const Placement &place, double radius, bool half);
 
-} // namespace nrb
+} // namespace nrb::build

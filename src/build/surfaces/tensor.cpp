@@ -9,7 +9,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace nrb {
+namespace nrb::build {
 
 namespace {
 
@@ -43,8 +43,10 @@ void check_axes(const Spline &a, const Spline &b) {
 template <class CoordinateForm>
 std::vector<double> outer_points(const Outer &outer, const CoordinateForm &form) {
     const bool homogeneous = outer.form == Form::homogeneous;
-    const std::vector<double> records_a = homogeneous ? homogeneous_points(outer.a) : std::vector<double>(),
-                              records_b = homogeneous ? homogeneous_points(outer.b) : std::vector<double>();
+    const std::vector<double> records_a =
+                                  homogeneous ? refine::homogeneous_points(outer.a) : std::vector<double>(),
+                              records_b =
+                                  homogeneous ? refine::homogeneous_points(outer.b) : std::vector<double>();
     const double *x = homogeneous ? records_a.data() : outer.a.points().data();
     const int64_t dim_a = outer.a.dim(), dim_b = outer.b.dim(), more = homogeneous ? 1 : 0;
     std::vector<double> points(static_cast<size_t>(checked_product(outer.count(), outer.width(), "points")));
@@ -110,8 +112,7 @@ SplinePtr tensor_product(const Spline &a, const Spline &b) {
     check_axes(a, b);
     const int dim = std::max(a.dim(), b.dim());
     if (a.dim() != b.dim() && a.dim() != 1 && b.dim() != 1) {
-        fail(Status::dimension, "dimensions %d of a and %d of b, expected equal ones or 1", a.dim(),
-             b.dim());
+        fail(Status::dimension, "dimensions %d of a and %d of b, expected equal ones or 1", a.dim(), b.dim());
     }
     const std::ptrdiff_t step_a = a.dim() == 1 ? 0 : 1, step_b = b.dim() == 1 ? 0 : 1;
     return outer_spline(a, b, dim, [=](const double *x, double, const double *y, double, double *out) {
@@ -135,4 +136,4 @@ SplinePtr swung(const Spline &trajectory, const Spline &profile, double scale) {
                         });
 }
 
-} // namespace nrb
+} // namespace nrb::build

@@ -3,7 +3,7 @@
 
 #include "spline/spline.h"
 
-namespace nrb {
+namespace nrb::build {
 
 // Control point (i, j) is a function of control point i of a and j of b, the axes of b stand behind those of
 // a, and weights are multiplied. Control points are Cartesian where those of a and b are: each within 3 eps /
@@ -19,4 +19,4 @@ SplinePtr tensor_product(const Spline &a, const Spline &b);
 // (scale r(v) x(u), scale r(v) y(u), z(v)) for curves (x, y) and (r, z). Throws Status::factor.
 SplinePtr swung(const Spline &trajectory, const Spline &profile, double scale);
 
-} // namespace nrb
+} // namespace nrb::build

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace nrb {
+namespace nrb::closest {
 
 namespace {
 
@@ -61,4 +61,4 @@ bool BestPlaces::unique() const {
     });
 }
 
-} // namespace nrb
+} // namespace nrb::closest

@@ -6,7 +6,7 @@
 #include <array>
 #include <limits>
 
-namespace nrb {
+namespace nrb::closest {
 
 // A place on a leaf, and the square of its distance in the units of the tree.
 struct CurvePlace {
@@ -49,4 +49,4 @@ private:
     std::array<CurvePlace, most_rivals> rivals_;
 };
 
-} // namespace nrb
+} // namespace nrb::closest

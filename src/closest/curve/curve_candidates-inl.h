@@ -1,10 +1,10 @@
 // The leaves of a curve tree that may hold the nearest point. Included once for every instruction set: see
 // base/simd.h.
-#if defined(NURBS_QUERY_CLOSEST_CURVE_CANDIDATES_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef NURBS_QUERY_CLOSEST_CURVE_CANDIDATES_INL_H_
-#undef NURBS_QUERY_CLOSEST_CURVE_CANDIDATES_INL_H_
+#if defined(NURBS_CLOSEST_CURVE_CURVE_CANDIDATES_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef NURBS_CLOSEST_CURVE_CURVE_CANDIDATES_INL_H_
+#undef NURBS_CLOSEST_CURVE_CURVE_CANDIDATES_INL_H_
 #else
-#define NURBS_QUERY_CLOSEST_CURVE_CANDIDATES_INL_H_
+#define NURBS_CLOSEST_CURVE_CURVE_CANDIDATES_INL_H_
 #endif
 
 #include "closest/curve/curve_keys-inl.h"
@@ -12,7 +12,7 @@
 #include <limits>
 
 HWY_BEFORE_NAMESPACE();
-namespace nrb {
+namespace nrb::closest {
 namespace HWY_NAMESPACE {
 
 struct Candidate {
@@ -144,7 +144,7 @@ private:
 };
 
 } // namespace HWY_NAMESPACE
-} // namespace nrb
+} // namespace nrb::closest
 HWY_AFTER_NAMESPACE();
 
 #endif

@@ -1,15 +1,15 @@
 #include "closest/curve/curve_critical.h"
 
+#include "bernstein/sign_runs.h"
+#include "eval/evaluate.h"
 #include "numeric/norm.h"
 #include "pieces/derivative_pieces.h"
-#include "eval/evaluate.h"
-#include "bernstein/sign_runs.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-namespace nrb {
+namespace nrb::closest {
 
 namespace {
 
@@ -51,7 +51,7 @@ struct Ends {
     std::vector<double> end;
 };
 
-std::vector<double> point_of(const HomogeneousPiece &piece, bool last) {
+std::vector<double> point_of(const pieces::HomogeneousPiece &piece, bool last) {
     const auto dim = piece.centre.size();
     const size_t at = last ? piece.points.values.size() - dim : 0;
     const double w = last ? piece.weight.values.back() : piece.weight.values.front();
@@ -63,7 +63,7 @@ std::vector<double> point_of(const HomogeneousPiece &piece, bool last) {
 }
 
 // D, the piece about the query point.
-RoundedPolynomial offset_from(const HomogeneousPiece &piece, const double *x) {
+RoundedPolynomial offset_from(const pieces::HomogeneousPiece &piece, const double *x) {
     std::vector<RoundedPolynomial> shift;
     for (size_t c = 0; c < piece.centre.size(); ++c) {
         RoundedPolynomial one = constant(std::ldexp(x[c] - piece.centre[c], -piece.exponent));
@@ -74,7 +74,7 @@ RoundedPolynomial offset_from(const HomogeneousPiece &piece, const double *x) {
 }
 
 // No point of a piece with positive weights is nearer.
-double least_distance(const HomogeneousPiece &piece, const double *x) noexcept {
+double least_distance(const pieces::HomogeneousPiece &piece, const double *x) noexcept {
     const auto dim = piece.centre.size();
     const auto count = static_cast<size_t>(piece.points.shape.coefficients());
     const auto weights = static_cast<size_t>(piece.weight.shape.coefficients());
@@ -122,14 +122,14 @@ private:
             out_of_budget_ = true;
             return ends;
         }
-        const HomogeneousPiece piece = maker_.piece(i);
+        const pieces::HomogeneousPiece piece = maker_.piece(i);
         ends.start = point_of(piece, false);
         ends.end = point_of(piece, true);
         if (least_distance(piece, question_.point) > question_.within) {
             return ends;
         }
         const SignRuns signs =
-            sign_runs(dot(offset_from(piece, question_.point), tangent_numerator(piece, 0)));
+            sign_runs(dot(offset_from(piece, question_.point), pieces::tangent_numerator(piece, 0)));
         ends.looked_at = true;
         ends.nothing = signs.nothing;
         ends.first_sign = signs.runs.front().sign;
@@ -146,7 +146,7 @@ private:
     }
 
     // Run k, if it is a zero; neighbouring runs with signs have one between them.
-    void note_between(const HomogeneousPiece &piece, const std::vector<SignRun> &runs, size_t k) {
+    void note_between(const pieces::HomogeneousPiece &piece, const std::vector<SignRun> &runs, size_t k) {
         const SignRun &run = runs[k];
         const double middle = run.from + (run.to - run.from) / 2;
         if (run.sign == 0 && k + 1 < runs.size()) {
@@ -210,10 +210,11 @@ private:
     void place() {
         const int dim = curve_.dim();
         for (Event &event : events_) {
-            AxisRules rules;
+            eval::AxisRules rules;
             rules[0].left = event.left;
             event.point.resize(static_cast<size_t>(dim));
-            evaluate_points(curve_, rules, 0, {&event.t, 1, 1, 1, 1}, {event.point.data(), 1, dim, dim, 1});
+            eval::evaluate_points(curve_, rules, 0, {&event.t, 1, 1, 1, 1},
+                                  {event.point.data(), 1, dim, dim, 1});
             event.distance = distance(event.point.data(), question_.point, dim);
         }
     }
@@ -245,7 +246,7 @@ private:
 
     const Spline &curve_;
     const CriticalQuestion &question_;
-    PieceMaker maker_;
+    pieces::PieceMaker maker_;
     int64_t looked_ = 0;
     bool out_of_budget_ = false;
     std::vector<Event> events_;
@@ -257,4 +258,4 @@ CriticalSet critical_points(const Spline &curve, const CriticalQuestion &questio
     return CriticalSearch(curve, question).run();
 }
 
-} // namespace nrb
+} // namespace nrb::closest

@@ -1,10 +1,10 @@
 // All critical points of the distance from a curve.
 #pragma once
 
-#include "pieces/spline_pieces.h"
 #include "closest/locator.h"
+#include "pieces/spline_pieces.h"
 
-namespace nrb {
+namespace nrb::closest {
 
 // What is asked of the critical points of a curve.
 struct CriticalQuestion {
@@ -20,4 +20,4 @@ struct CriticalQuestion {
 // sign; not unique where the polynomial vanishes to rounding on a whole piece, which gives its start.
 CriticalSet critical_points(const Spline &curve, const CriticalQuestion &question);
 
-} // namespace nrb
+} // namespace nrb::closest

@@ -1,10 +1,10 @@
 // Bounds of the distances from a point of eight leaves, or eight boxes, of a curve tree at once. Included
 // once for every instruction set: see base/simd.h.
-#if defined(NURBS_QUERY_CLOSEST_CURVE_KEYS_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef NURBS_QUERY_CLOSEST_CURVE_KEYS_INL_H_
-#undef NURBS_QUERY_CLOSEST_CURVE_KEYS_INL_H_
+#if defined(NURBS_CLOSEST_CURVE_CURVE_KEYS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef NURBS_CLOSEST_CURVE_CURVE_KEYS_INL_H_
+#undef NURBS_CLOSEST_CURVE_CURVE_KEYS_INL_H_
 #else
-#define NURBS_QUERY_CLOSEST_CURVE_KEYS_INL_H_
+#define NURBS_CLOSEST_CURVE_CURVE_KEYS_INL_H_
 #endif
 
 #include "closest/curve/curve_tree.h"
@@ -16,7 +16,7 @@
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
-namespace nrb {
+namespace nrb::closest {
 namespace HWY_NAMESPACE {
 
 constexpr int fan = CurveTree::fan;
@@ -92,7 +92,7 @@ HWY_INLINE void node_bounds(const double *HWY_RESTRICT node, const double *HWY_R
 }
 
 } // namespace HWY_NAMESPACE
-} // namespace nrb
+} // namespace nrb::closest
 HWY_AFTER_NAMESPACE();
 
 #endif

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace nrb {
+namespace nrb::closest {
 
 CurveLocator::CurveLocator(const Spline &curve)
     : curve_(curve), tree_(curve), domain_(curve.axis(0).domain()), periodic_(curve.axis(0).periodic()) {}
@@ -102,4 +102,4 @@ CriticalSet CurveLocator::minima(const Query &query) const {
     return set;
 }
 
-} // namespace nrb
+} // namespace nrb::closest

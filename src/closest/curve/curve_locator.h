@@ -4,7 +4,7 @@
 #include "closest/curve/curve_search.h"
 #include "closest/locator.h"
 
-namespace nrb {
+namespace nrb::closest {
 
 class CurveLocator final : public Locator {
 public:
@@ -28,4 +28,4 @@ private:
     bool periodic_;
 };
 
-} // namespace nrb
+} // namespace nrb::closest

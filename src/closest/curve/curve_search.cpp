@@ -4,15 +4,15 @@
 
 #include <hwy/foreach_target.h>
 
-#include "numeric/norm.h"
 #include "base/scratch.h"
-#include "numeric/binomial.h"
 #include "closest/curve/curve_candidates-inl.h"
 #include "closest/curve/curve_search.h"
 #include "closest/curve/segment-inl.h"
+#include "numeric/binomial.h"
+#include "numeric/norm.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace nrb {
+namespace nrb::closest {
 namespace HWY_NAMESPACE {
 
 template <class Shape>
@@ -20,8 +20,7 @@ class CurveSearch {
 public:
     CurveSearch(const CurveTree &tree, const Query &query, const Shape &shape)
         : tree_(tree), query_(query), shape_(shape),
-          scratch_(
-              static_cast<size_t>((stack_height + 1) * shape.size() + tree.dim() + max_degree + 1)),
+          scratch_(static_cast<size_t>((stack_height + 1) * shape.size() + tree.dim() + max_degree + 1)),
           tools_(shape, scratch_.take(static_cast<size_t>(shape.size()))),
           x_(scratch_.take(static_cast<size_t>(tree.dim()))), norms_(scratch_.take(max_degree + 1)),
           segments_(scratch_.take(static_cast<size_t>(stack_height * shape.size()))),
@@ -280,11 +279,11 @@ CurvePlace run_descent(const CurveTree &tree, const Query &query, int64_t leaf, 
 }
 
 } // namespace HWY_NAMESPACE
-} // namespace nrb
+} // namespace nrb::closest
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace nrb {
+namespace nrb::closest {
 
 HWY_EXPORT(run_search);
 HWY_EXPORT(run_descent);
@@ -302,5 +301,5 @@ CurvePlace descend(const CurveTree &tree, const double *point, int64_t leaf, dou
     return HWY_DYNAMIC_DISPATCH(run_descent)(tree, {point, nullptr, 0, 1}, leaf, s);
 }
 
-} // namespace nrb
+} // namespace nrb::closest
 #endif

@@ -3,7 +3,7 @@
 
 #include "closest/curve/curve_best.h"
 
-namespace nrb {
+namespace nrb::closest {
 
 struct CurveSearchResult {
     CurvePlace place;
@@ -21,4 +21,4 @@ CurveSearchResult search(const CurveTree &tree, const Query &query);
 // The place of a local minimum that a descent comes to from s on a leaf.
 CurvePlace descend(const CurveTree &tree, const double *point, int64_t leaf, double s);
 
-} // namespace nrb
+} // namespace nrb::closest

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <limits>
 
-namespace nrb {
+namespace nrb::closest {
 
 namespace {
 
@@ -82,12 +82,12 @@ struct CurveTree::Boxes {
 
 CurveTree::CurveTree(const Spline &curve)
     : dim_(curve.dim()), degree_(curve.axis(0).degree()), lanes_((curve.dim() + 4) / 4 * 4),
-      centre_(centre_of(curve)) {
-    const CentredRecords records =
-        centred_records(curve, centre_, curve.rational(), curve.rational() ? weight_exponent(curve) : 0);
-    BernsteinNet::Breaks breaks{breaks_of(curve.axis(0)), {}, {}};
+      centre_(pieces::centre_of(curve)) {
+    const pieces::CentredRecords records = pieces::centred_records(
+        curve, centre_, curve.rational(), curve.rational() ? pieces::weight_exponent(curve) : 0);
+    pieces::BernsteinNet::Breaks breaks{refine::breaks_of(curve.axis(0)), {}, {}};
     const int degrees[] = {degree_, 0, 0};
-    const BernsteinNet net(curve, records, breaks, degrees);
+    const pieces::BernsteinNet net(curve, records, breaks, degrees);
     // of the net, of halvings and of what a search computes
     rounding_ = net.error() / std::numeric_limits<double>::epsilon() + 6 * degree_ + 2 * lanes_ + 20;
     const double extent = largest_magnitude(records.sizes);
@@ -229,4 +229,4 @@ bool CurveTree::joined(int64_t leaf) const noexcept {
     return gap <= std::ldexp(2 * rounding_ * std::numeric_limits<double>::epsilon() * size_, -exponent_);
 }
 
-} // namespace nrb
+} // namespace nrb::closest

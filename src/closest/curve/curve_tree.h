@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace nrb {
+namespace nrb::closest {
 
 // A leaf is a piece over a part of one span. Its records are about the centre of the curve, in units of
 // 2^exponent: coordinates, zeros, and the weight as the last one of `lanes`, a multiple of 4; weights that
@@ -80,4 +80,4 @@ private:
     std::vector<std::vector<double>> levels_;
 };
 
-} // namespace nrb
+} // namespace nrb::closest

@@ -1,12 +1,11 @@
 // A piece of a curve as seen from a point: what is asked of it by searches for closest points. Included once
 // for every instruction set: see base/simd.h.
-#if defined(NURBS_QUERY_CLOSEST_SEGMENT_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef NURBS_QUERY_CLOSEST_SEGMENT_INL_H_
-#undef NURBS_QUERY_CLOSEST_SEGMENT_INL_H_
+#if defined(NURBS_CLOSEST_CURVE_SEGMENT_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef NURBS_CLOSEST_CURVE_SEGMENT_INL_H_
+#undef NURBS_CLOSEST_CURVE_SEGMENT_INL_H_
 #else
-#define NURBS_QUERY_CLOSEST_SEGMENT_INL_H_
+#define NURBS_CLOSEST_CURVE_SEGMENT_INL_H_
 #endif
-
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +14,7 @@
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
-namespace nrb {
+namespace nrb::closest {
 namespace HWY_NAMESPACE {
 
 // Degree and lanes, as constants where they are known (kDegree >= 0, kLanes > 0).
@@ -150,7 +149,7 @@ private:
 };
 
 } // namespace HWY_NAMESPACE
-} // namespace nrb
+} // namespace nrb::closest
 HWY_AFTER_NAMESPACE();
 
 #endif

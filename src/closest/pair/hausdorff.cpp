@@ -1,11 +1,11 @@
 #include "closest/pair/hausdorff.h"
 
 #include "base/error.h"
-#include "numeric/norm.h"
-#include "eval/evaluate.h"
 #include "closest/locator.h"
 #include "closest/pair/matched_bound.h"
 #include "closest/pair/parameter_map.h"
+#include "eval/evaluate.h"
+#include "numeric/norm.h"
 #include "refine/knots/bezier_rows.h"
 #include "spline/kind.h"
 
@@ -13,7 +13,7 @@
 #include <cmath>
 #include <limits>
 
-namespace nrb {
+namespace nrb::closest {
 
 namespace {
 
@@ -24,8 +24,9 @@ constexpr int64_t budget_of_a_match = 500; // of which nothing is taken from the
 constexpr double rounding = 0x1p-40;       // of points that may be the same, before anything is proven
 
 // Breaks of `other` where pieces of splines that are parametrized alike match, or as a map says that they are.
-BernsteinNet::Breaks alike_breaks(const Spline &spline, const Spline &other, const ParameterMap *map) {
-    BernsteinNet::Breaks breaks;
+pieces::BernsteinNet::Breaks alike_breaks(const Spline &spline, const Spline &other,
+                                          const ParameterMap *map) {
+    pieces::BernsteinNet::Breaks breaks;
     for (int k = 0; k < spline.axes() && (map != nullptr || spline.axes() == other.axes()); ++k) {
         breaks[static_cast<size_t>(k)] =
             map != nullptr ? map->breaks(k) : straight_map(spline, other).breaks(k);
@@ -38,7 +39,7 @@ class PieceIndex {
 public:
     explicit PieceIndex(const Spline &spline) {
         for (int k = 0; k < spline.axes(); ++k) {
-            ends_.push_back(breaks_of(spline.axis(k)));
+            ends_.push_back(refine::breaks_of(spline.axis(k)));
         }
     }
 
@@ -143,13 +144,13 @@ private:
         near.foot = locator_.nearest({query_.data(), nullptr, std::ldexp(tolerance_ / 4, frame_.exponent),
                                       std::clamp<int64_t>(budget_, 1, budget_of_a_foot)});
         budget_ -= near.foot.looked;
-        AxisRules rules{};
+        eval::AxisRules rules{};
         for (size_t k = 0; k < max_axes; ++k) {
             rules[k].left = (near.foot.left >> k & 1) != 0;
         }
         near.point.resize(query_.size());
-        evaluate_points(to_, rules, 0, {near.foot.params.data(), 1, to_.axes(), to_.axes()},
-                        {near.point.data(), 1, dim_, dim_});
+        eval::evaluate_points(to_, rules, 0, {near.foot.params.data(), 1, to_.axes(), to_.axes()},
+                              {near.point.data(), 1, dim_, dim_});
         near.distance = std::ldexp(near.foot.distance, -frame_.exponent);
         for (size_t c = 0; c < query_.size(); ++c) {
             near.point[c] = std::ldexp(near.point[c] - frame_.centre[c], -frame_.exponent);
@@ -286,4 +287,4 @@ FarthestPoint one_sided_distance(const Spline &from, const Spline &to, double to
     return result;
 }
 
-} // namespace nrb
+} // namespace nrb::closest

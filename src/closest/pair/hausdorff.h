@@ -5,7 +5,7 @@
 
 #include <array>
 
-namespace nrb {
+namespace nrb::closest {
 
 struct FarthestPoint {
     double at_least = 0;
@@ -20,4 +20,4 @@ struct FarthestPoint {
 // they touch. `budget`: most pieces looked at. Throws Status::incompatible, not_representable.
 FarthestPoint one_sided_distance(const Spline &from, const Spline &to, double tolerance, int64_t budget);
 
-} // namespace nrb
+} // namespace nrb::closest

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace nrb {
+namespace nrb::closest {
 
 namespace {
 
@@ -198,4 +198,4 @@ double MatchedBound::upper(const PairPiece &x, const PairPiece &y, const std::ve
     return most <= enough ? most : std::min(most, largest_norm_of(difference, weights) + moved);
 }
 
-} // namespace nrb
+} // namespace nrb::closest

@@ -3,7 +3,7 @@
 
 #include "closest/pair/pair_descent.h"
 
-namespace nrb {
+namespace nrb::closest {
 
 // The corners of piece x are matched with the points of piece y that are nearest to them, what is between
 // them with what the multilinear map between the parameters makes of it: the largest distance of matched
@@ -26,4 +26,4 @@ private:
     PairDescent descent_;
 };
 
-} // namespace nrb
+} // namespace nrb::closest

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace nrb {
+namespace nrb::closest {
 
 namespace {
 
@@ -223,4 +223,4 @@ double PairBound::lower(const PairPiece &a, const PairPiece &b, const PairPlace 
     return best - moved;
 }
 
-} // namespace nrb
+} // namespace nrb::closest

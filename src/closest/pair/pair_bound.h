@@ -3,7 +3,7 @@
 
 #include "closest/pair/pair_descent.h"
 
-namespace nrb {
+namespace nrb::closest {
 
 // Of boxes, [2][dim] each.
 double box_distance(const double *a, const double *b, int dim) noexcept;
@@ -40,4 +40,4 @@ private:
     bool projected_ = false;
 };
 
-} // namespace nrb
+} // namespace nrb::closest

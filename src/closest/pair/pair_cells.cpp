@@ -4,7 +4,7 @@
 #include <limits>
 #include <span>
 
-namespace nrb {
+namespace nrb::closest {
 
 namespace {
 
@@ -87,4 +87,4 @@ std::unique_ptr<PairCell> pair_cells(std::vector<PairPiece> pieces) {
     return tree_of(cells);
 }
 
-} // namespace nrb
+} // namespace nrb::closest

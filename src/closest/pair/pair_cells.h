@@ -5,7 +5,7 @@
 
 #include <memory>
 
-namespace nrb {
+namespace nrb::closest {
 
 struct PairCell {
     std::optional<PairPiece> piece; // none: a group
@@ -21,4 +21,4 @@ struct PairCell {
 // Precondition: there is a piece.
 std::unique_ptr<PairCell> pair_cells(std::vector<PairPiece> pieces);
 
-} // namespace nrb
+} // namespace nrb::closest

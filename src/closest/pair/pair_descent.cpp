@@ -1,13 +1,13 @@
 #include "closest/pair/pair_descent.h"
 
-#include "numeric/norm.h"
 #include "numeric/binomial.h"
+#include "numeric/norm.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-namespace nrb {
+namespace nrb::closest {
 
 namespace {
 
@@ -245,4 +245,4 @@ void PairDescent::run(const PairPiece &a, const PairPiece &b, PairPlace &at) {
     at.distance = distance(at.from.data(), at.to.data(), a.dim());
 }
 
-} // namespace nrb
+} // namespace nrb::closest

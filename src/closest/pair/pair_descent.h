@@ -3,7 +3,7 @@
 
 #include "closest/pair/pair_piece.h"
 
-namespace nrb {
+namespace nrb::closest {
 
 // A place on a piece of each of two splines.
 struct PairPlace {
@@ -41,4 +41,4 @@ private:
     std::array<double, 2 * max_axes> gradient_{};
 };
 
-} // namespace nrb
+} // namespace nrb::closest

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace nrb {
+namespace nrb::closest {
 
 namespace {
 
@@ -158,20 +158,20 @@ std::optional<PairPiece> PairPiece::halve() {
 }
 
 std::vector<PairPiece> pair_pieces(const Spline &spline, const PairFrame &frame,
-                                   const BernsteinNet::Breaks &more) {
-    BernsteinNet::Breaks breaks;
+                                   const pieces::BernsteinNet::Breaks &more) {
+    pieces::BernsteinNet::Breaks breaks;
     std::array<int, max_axes> degrees{};
     for (int k = 0; k < spline.axes(); ++k) {
         std::vector<double> &ends = breaks[static_cast<size_t>(k)];
-        ends = breaks_of(spline.axis(k));
+        ends = refine::breaks_of(spline.axis(k));
         ends.insert(ends.end(), more[static_cast<size_t>(k)].begin(), more[static_cast<size_t>(k)].end());
         std::sort(ends.begin(), ends.end());
         ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
         degrees[static_cast<size_t>(k)] = spline.axis(k).degree();
     }
-    const CentredRecords records =
-        centred_records(spline, frame.centre, spline.rational(), weight_exponent(spline));
-    const BernsteinNet net(spline, records, breaks, degrees);
+    const pieces::CentredRecords records =
+        pieces::centred_records(spline, frame.centre, spline.rational(), pieces::weight_exponent(spline));
+    const pieces::BernsteinNet net(spline, records, breaks, degrees);
     const auto count = static_cast<size_t>(net.shape().coefficients());
     const auto dim = static_cast<size_t>(spline.dim());
     // not a factor, which would overflow for the smallest models
@@ -210,4 +210,4 @@ std::vector<PairPiece> pair_pieces(const Spline &spline, const PairFrame &frame,
     return pieces;
 }
 
-} // namespace nrb
+} // namespace nrb::closest

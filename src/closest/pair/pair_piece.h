@@ -5,7 +5,7 @@
 
 #include <optional>
 
-namespace nrb {
+namespace nrb::closest {
 
 // What both splines of a pair have in common: coordinates become (x - centre) 2^-exponent, at most about 1.
 struct PairFrame {
@@ -56,7 +56,7 @@ public:
 
 private:
     friend std::vector<PairPiece> pair_pieces(const Spline &, const PairFrame &,
-                                              const BernsteinNet::Breaks &);
+                                              const pieces::BernsteinNet::Breaks &);
     void update();
     [[nodiscard]] double legs(int axis) const noexcept;
 
@@ -77,6 +77,6 @@ private:
 
 // `more`: further ends of pieces along each axis, in the domain.
 std::vector<PairPiece> pair_pieces(const Spline &spline, const PairFrame &frame,
-                                   const BernsteinNet::Breaks &more = {});
+                                   const pieces::BernsteinNet::Breaks &more = {});
 
-} // namespace nrb
+} // namespace nrb::closest

@@ -1,18 +1,18 @@
 #include "closest/pair/pair_search.h"
 
 #include "base/error.h"
-#include "numeric/norm.h"
-#include "eval/evaluate.h"
 #include "closest/foot.h"
 #include "closest/pair/pair_bound.h"
 #include "closest/pair/pair_cells.h"
+#include "eval/evaluate.h"
+#include "numeric/norm.h"
 #include "spline/kind.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-namespace nrb {
+namespace nrb::closest {
 
 namespace {
 
@@ -154,12 +154,12 @@ private:
 std::vector<double> point_of(const Spline &spline, const Place &params,
                              const std::array<bool, max_axes> &left) {
     std::vector<double> x(static_cast<size_t>(spline.dim()));
-    AxisRules rules{};
+    eval::AxisRules rules{};
     for (size_t k = 0; k < max_axes; ++k) {
         rules[k].left = left[k];
     }
-    evaluate_points(spline, rules, 0, {params.data(), 1, spline.axes(), spline.axes()},
-                    {x.data(), 1, spline.dim(), spline.dim()});
+    eval::evaluate_points(spline, rules, 0, {params.data(), 1, spline.axes(), spline.axes()},
+                          {x.data(), 1, spline.dim(), spline.dim()});
     return x;
 }
 
@@ -194,4 +194,4 @@ PairDistance pair_distance(const Spline &a, const Spline &b, double tolerance, i
     return result;
 }
 
-} // namespace nrb
+} // namespace nrb::closest

@@ -6,7 +6,7 @@
 #include <array>
 #include <vector>
 
-namespace nrb {
+namespace nrb::closest {
 
 struct PairDistance {
     double at_least = 0;
@@ -21,4 +21,4 @@ struct PairDistance {
 // Throws Status::incompatible, not_representable.
 PairDistance pair_distance(const Spline &a, const Spline &b, double tolerance, int64_t budget);
 
-} // namespace nrb
+} // namespace nrb::closest

@@ -1,15 +1,15 @@
 #include "closest/pair/parameter_map.h"
 
-#include "numeric/norm.h"
-#include "eval/evaluate.h"
 #include "closest/locator.h"
+#include "eval/evaluate.h"
+#include "numeric/norm.h"
 #include "refine/knots/bezier_rows.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
-namespace nrb {
+namespace nrb::closest {
 
 namespace {
 
@@ -48,7 +48,7 @@ std::vector<double> ParameterMap::breaks(int k) const {
         if (axis != k || range.lower == range.upper) {
             continue;
         }
-        for (const double t : breaks_of(to_.axis(l))) {
+        for (const double t : refine::breaks_of(to_.axis(l))) {
             const double back = moved(t, range, domain);
             if (back > domain.lower && back < domain.upper) {
                 breaks.push_back(back);
@@ -138,8 +138,8 @@ private:
     static constexpr double standstill = 0x1p-30;
 
     static void evaluate(const Spline &spline, const Place &params, std::vector<double> &point) {
-        evaluate_points(spline, {}, 0, {params.data(), 1, spline.axes(), spline.axes()},
-                        {point.data(), 1, spline.dim(), spline.dim()});
+        eval::evaluate_points(spline, {}, 0, {params.data(), 1, spline.axes(), spline.axes()},
+                              {point.data(), 1, spline.dim(), spline.dim()});
     }
 
     [[nodiscard]] Place at_shares(const double *shares) const noexcept {
@@ -253,4 +253,4 @@ bool same_numbers(const Spline &a, const Spline &b) noexcept {
     return same && std::ranges::equal(a.points(), b.points()) && std::ranges::equal(a.weights(), b.weights());
 }
 
-} // namespace nrb
+} // namespace nrb::closest

@@ -3,7 +3,7 @@
 
 #include "closest/pair/pair_piece.h"
 
-namespace nrb {
+namespace nrb::closest {
 
 // From the parameters of one spline to those of another, linear along each axis: an axis of the image follows one axis
 // of the origin, in either direction, or stands still.
@@ -40,4 +40,4 @@ std::optional<ParameterMap> matching_map(const Spline &from, const Spline &to, d
 // Whether two splines are the same numbers.
 bool same_numbers(const Spline &a, const Spline &b) noexcept;
 
-} // namespace nrb
+} // namespace nrb::closest

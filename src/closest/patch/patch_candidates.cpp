@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace nrb {
+namespace nrb::closest {
 
 namespace {
 
@@ -117,4 +117,4 @@ void PatchCandidates::order(double limit, Groups &groups) {
     std::sort(groups.begin(), groups.end(), nearer);
 }
 
-} // namespace nrb
+} // namespace nrb::closest

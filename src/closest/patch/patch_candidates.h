@@ -5,7 +5,7 @@
 #include "closest/patch/patch_memory.h"
 #include "closest/patch/patch_tree.h"
 
-namespace nrb {
+namespace nrb::closest {
 
 class PatchCandidates {
 public:
@@ -50,4 +50,4 @@ private:
     Candidates leaves_;
 };
 
-} // namespace nrb
+} // namespace nrb::closest

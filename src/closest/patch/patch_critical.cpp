@@ -1,14 +1,14 @@
 #include "closest/patch/patch_critical.h"
 
-#include "numeric/norm.h"
 #include "closest/patch/patch_matrix.h"
 #include "closest/patch/patch_place.h"
+#include "numeric/norm.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-namespace nrb {
+namespace nrb::closest {
 
 namespace {
 
@@ -95,7 +95,7 @@ PatchCritical::Spots PatchCritical::minima(const std::vector<int64_t> &pieces, d
 void PatchCritical::testify(const std::vector<double> &point, int64_t piece, int32_t kind) {
     const Answer answer = kind == critical_minimum     ? Answer::yes
                           : kind == critical_undecided ? Answer::unknown
-                                                             : Answer::no;
+                                                       : Answer::no;
     for (Testimony &other : testimonies_) {
         if (other.piece == piece &&
             distance(point.data(), other.point.data(), pieces_.shape().dim) <= near_) {
@@ -389,4 +389,4 @@ void PatchCritical::add_point(const PatchItem &whole, const AxisValues &at, int3
     points_.push_back(std::move(point));
 }
 
-} // namespace nrb
+} // namespace nrb::closest

@@ -13,7 +13,7 @@
 #include <limits>
 #include <vector>
 
-namespace nrb {
+namespace nrb::closest {
 
 class PatchCritical {
 public:
@@ -123,4 +123,4 @@ private:
     std::vector<std::vector<double>> points_; // the same
 };
 
-} // namespace nrb
+} // namespace nrb::closest

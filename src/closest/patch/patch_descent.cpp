@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace nrb {
+namespace nrb::closest {
 
 namespace {
 
@@ -22,10 +22,10 @@ double product(const double *a, const double *b, int n) noexcept {
 
 // The slot of the second derivative along two axes, and the first derivative along one.
 int64_t second(int axes, int k, int l) noexcept {
-    Orders orders{};
+    eval::Orders orders{};
     ++orders[static_cast<size_t>(k)];
     ++orders[static_cast<size_t>(l)];
-    return slot(axes, orders);
+    return eval::slot(axes, orders);
 }
 
 using Matrix = std::array<AxisValues, max_axes>;
@@ -80,7 +80,7 @@ void PatchDescent::point(const double *values, const AxisValues &at, double *out
 PatchValues PatchDescent::values(const double *values, const AxisValues &at) const {
     const PatchMemory::Hold hold(memory_);
     double *work = memory_.take(evaluation_work(shape_));
-    double *q = memory_.take(slot_count(max_axes, 1) * shape_.lanes);
+    double *q = memory_.take(eval::slot_count(max_axes, 1) * shape_.lanes);
     evaluate_patch(shape_, values, at, 1, work, q);
     PatchValues result;
     result.length = std::sqrt(product(q, q, shape_.dim));
@@ -100,7 +100,7 @@ PatchJet PatchDescent::jet(const double *values, const AxisValues &at) const {
     const PatchMemory::Hold hold(memory_);
     const int dim = shape_.dim, axes = shape_.axes;
     double *work = memory_.take(evaluation_work(shape_));
-    double *q = memory_.take(slot_count(max_axes, 2) * shape_.lanes);
+    double *q = memory_.take(eval::slot_count(max_axes, 2) * shape_.lanes);
     evaluate_patch(shape_, values, at, 2, work, q);
     const double inverse = 1 / q[dim];
     for (int c = 0; c < dim; ++c) {
@@ -221,4 +221,4 @@ PatchDescent::Result PatchDescent::descend(const double *values, const PatchBox 
     return {std::sqrt(now.square), false};
 }
 
-} // namespace nrb
+} // namespace nrb::closest

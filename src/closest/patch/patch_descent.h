@@ -3,7 +3,7 @@
 
 #include "closest/patch/patch_item.h"
 
-namespace nrb {
+namespace nrb::closest {
 
 // S = Q / w at a place, as far as the distance needs it: derivatives of |S|^2 / 2.
 struct PatchJet {
@@ -56,4 +56,4 @@ private:
     PatchMemory &memory_;
 };
 
-} // namespace nrb
+} // namespace nrb::closest

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace nrb {
+namespace nrb::closest {
 
 namespace {
 
@@ -107,4 +107,4 @@ void PatchItems::measure(PatchItem &item) const noexcept {
     }
 }
 
-} // namespace nrb
+} // namespace nrb::closest

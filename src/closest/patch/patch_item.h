@@ -4,7 +4,7 @@
 #include "closest/patch/patch_memory.h"
 #include "closest/patch/patch_pieces.h"
 
-namespace nrb {
+namespace nrb::closest {
 
 // Q = A - w x over a box in the piece: point i of the control net is Q_i / w_i.
 struct PatchItem {
@@ -48,4 +48,4 @@ private:
     PatchMemory &memory_;
 };
 
-} // namespace nrb
+} // namespace nrb::closest

@@ -6,8 +6,8 @@
 
 #include "closest/patch/patch_kernel.h"
 
-#include "numeric/binomial.h"
 #include "eval/kernels/contraction.h"
+#include "numeric/binomial.h"
 
 #include <algorithm>
 #include <limits>
@@ -15,7 +15,7 @@
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
-namespace nrb {
+namespace nrb::closest {
 namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
@@ -122,11 +122,11 @@ void evaluate(const PatchShape &shape, const double *HWY_RESTRICT patch, const A
         const int64_t whole = length;
         length /= n;
         double *to = k + 1 == shape.axes ? out : work;
-        for_each_step(k, order, [&](int64_t source, int a, int64_t target) {
+        eval::for_each_step(k, order, [&](int64_t source, int a, int64_t target) {
             combine(functions[a], n, from + source * whole, length, length, to + target * length);
         });
         from = to;
-        work += slot_count(k + 1, order) * length;
+        work += eval::slot_count(k + 1, order) * length;
     }
 }
 
@@ -277,11 +277,11 @@ void bounds(const double *family, int64_t width, int dim, bool normals, const do
 }
 
 } // namespace HWY_NAMESPACE
-} // namespace nrb
+} // namespace nrb::closest
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace nrb {
+namespace nrb::closest {
 
 HWY_EXPORT(shift);
 HWY_EXPORT(evaluate);
@@ -303,7 +303,7 @@ int64_t evaluation_work(const PatchShape &shape) noexcept {
     int64_t length = shape.values(), work = 0;
     for (int k = 0; k + 1 < shape.axes; ++k) {
         length /= shape.degree(k) + 1;
-        work += slot_count(k + 1, 2) * length;
+        work += eval::slot_count(k + 1, 2) * length;
     }
     return work;
 }
@@ -354,5 +354,5 @@ void bound_discs(const double *family, int64_t width, int dim, bool normals, con
     HWY_DYNAMIC_DISPATCH(bounds)(family, width, dim, normals, x, farthest, out);
 }
 
-} // namespace nrb
+} // namespace nrb::closest
 #endif

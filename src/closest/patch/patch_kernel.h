@@ -3,7 +3,7 @@
 
 #include "closest/patch/patch_shape.h"
 
-namespace nrb {
+namespace nrb::closest {
 
 // Q = A - w x, with x = (x, y, ..., 0, ...) padded to the lanes.
 void shift_patch(const PatchShape &shape, const double *patch, const double *x, double *out) noexcept;
@@ -45,4 +45,4 @@ int64_t disc_columns(int dim, bool normals) noexcept;
 void bound_discs(const double *family, int64_t width, int dim, bool normals, const double *x, bool farthest,
                  const DiscBounds &out) noexcept;
 
-} // namespace nrb
+} // namespace nrb::closest

@@ -1,13 +1,13 @@
-#include "numeric/norm.h"
 #include "closest/patch/patch_critical.h"
 #include "closest/patch/patch_matrix.h"
+#include "numeric/norm.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 
-namespace nrb {
+namespace nrb::closest {
 
 namespace {
 
@@ -112,4 +112,4 @@ int32_t PatchCritical::kind(const Face &face, const PatchItem &whole, const Axis
                       : critical_saddle;
 }
 
-} // namespace nrb
+} // namespace nrb::closest

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace nrb {
+namespace nrb::closest {
 
 Foot PatchLocator::nearest(const Query &query) const {
     Foot foot = PatchSearch(pieces_, tree_, query).nearest();
@@ -51,4 +51,4 @@ Foot PatchLocator::local(const double *point, const double *guess) const {
     return PatchQuery(pieces_, query).local(guess);
 }
 
-} // namespace nrb
+} // namespace nrb::closest

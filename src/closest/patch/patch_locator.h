@@ -13,7 +13,7 @@
 
 #include <vector>
 
-namespace nrb {
+namespace nrb::closest {
 
 class PatchLocator final : public Locator {
 public:
@@ -29,4 +29,4 @@ private:
     PatchTree tree_;
 };
 
-} // namespace nrb
+} // namespace nrb::closest

@@ -5,9 +5,9 @@
 
 #include <Eigen/Dense>
 
-namespace nrb {
+namespace nrb::closest {
 
 using SmallMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, max_axes, max_axes>;
 using SmallVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, max_axes, 1>;
 
-} // namespace nrb
+} // namespace nrb::closest

@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-namespace nrb {
+namespace nrb::closest {
 
 // Doubles that are given back in the reverse order, by Hold.
 class PatchMemory {
@@ -106,4 +106,4 @@ private:
     std::vector<T> rest_;
 };
 
-} // namespace nrb
+} // namespace nrb::closest

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace nrb {
+namespace nrb::closest {
 
 void PatchSearch::consider(const PatchItem &item, const AxisValues &at, double distance, bool strict) {
     Place place{item.piece, {}, sign_ * distance, item.moved};
@@ -105,9 +105,7 @@ std::vector<Foot> PatchSearch::all() {
         }
     }
     std::vector<Foot> result;
-    int32_t status = incomplete_               ? closest_budget
-                     : connected_ || doubtful_ ? 0
-                                               : closest_certified;
+    int32_t status = incomplete_ ? closest_budget : connected_ || doubtful_ ? 0 : closest_certified;
     status |= kept.size() > 1 || connected_ ? closest_not_unique : 0;
     for (const Place &place : kept) {
         result.push_back(foot(place));
@@ -117,4 +115,4 @@ std::vector<Foot> PatchSearch::all() {
     return result;
 }
 
-} // namespace nrb
+} // namespace nrb::closest

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-namespace nrb {
+namespace nrb::closest {
 
 namespace {
 
@@ -60,7 +60,7 @@ void PatchPieces::set_axes(const Spline &spline) {
     for (int k = 0; k < axes_; ++k) {
         const KnotVector &axis = spline.axis(k);
         const auto at = static_cast<size_t>(k);
-        breaks_[at] = breaks_of(axis);
+        breaks_[at] = refine::breaks_of(axis);
         periodic_[at] = axis.periodic();
         for (const double t : breaks_[at]) {
             jumps_[at].push_back(multiplicity(axis, t) > axis.degree() ? 1 : 0);
@@ -77,13 +77,13 @@ void PatchPieces::set_axes(const Spline &spline) {
 }
 
 void PatchPieces::copy(const Spline &spline) {
-    const CentredRecords records =
-        centred_records(spline, centre_, shape_.weighted, shape_.weighted ? weight_exponent(spline) : 0);
+    const pieces::CentredRecords records = pieces::centred_records(
+        spline, centre_, shape_.weighted, shape_.weighted ? pieces::weight_exponent(spline) : 0);
     std::array<int, max_axes> degrees{};
     for (int k = 0; k < axes_; ++k) {
         degrees[static_cast<size_t>(k)] = spline.axis(k).degree();
     }
-    const BernsteinNet net(spline, records, breaks_, degrees);
+    const pieces::BernsteinNet net(spline, records, breaks_, degrees);
     double largest = 0;
     for (const double size : records.sizes) {
         largest = std::max(largest, size);
@@ -194,4 +194,4 @@ double PatchPieces::magnitude(const double *x) const noexcept {
     return norm_of(shape_.dim, [&](int c) { return std::ldexp(x[c], -exponent_); });
 }
 
-} // namespace nrb
+} // namespace nrb::closest

@@ -10,7 +10,7 @@
 #include <memory>
 #include <vector>
 
-namespace nrb {
+namespace nrb::closest {
 
 class PatchPieces {
 public:
@@ -89,4 +89,4 @@ private:
     double value_error_ = 0, allowance_ = 0;
 };
 
-} // namespace nrb
+} // namespace nrb::closest

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace nrb {
+namespace nrb::closest {
 
 PatchBox box_in_range(const PatchPieces &pieces, int64_t piece, const Interval *range) noexcept {
     PatchBox result;
@@ -62,4 +62,4 @@ Foot foot_at(const PatchPieces &pieces, int64_t piece, const AxisValues &at, con
     return foot;
 }
 
-} // namespace nrb
+} // namespace nrb::closest

@@ -4,7 +4,7 @@
 #include "closest/foot.h"
 #include "closest/patch/patch_descent.h"
 
-namespace nrb {
+namespace nrb::closest {
 
 // The box in a piece, along the axes of the shape, that is in the range of a query.
 PatchBox box_in_range(const PatchPieces &pieces, int64_t piece, const Interval *range) noexcept;
@@ -14,4 +14,4 @@ Foot foot_at(const PatchPieces &pieces, int64_t piece, const AxisValues &at, con
 // closest_boundary or 0.
 int32_t boundary_bit(const PatchPieces &pieces, const Foot &foot, const Interval *range) noexcept;
 
-} // namespace nrb
+} // namespace nrb::closest

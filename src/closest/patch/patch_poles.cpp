@@ -1,10 +1,10 @@
-#include "numeric/norm.h"
 #include "closest/patch/patch_critical.h"
+#include "numeric/norm.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace nrb {
+namespace nrb::closest {
 
 namespace {
 
@@ -145,8 +145,7 @@ bool PatchCritical::proven(const std::vector<int64_t> &pieces, const Pole &pole)
     const PatchSquares squares(shape);
     const double length = norm(pole.point.data(), shape.dim);
     const bool upper = pole.at[static_cast<size_t>(pole.axis)] > 0;
-    return pole.kind != critical_saddle &&
-           std::all_of(pieces.begin(), pieces.end(), [&](int64_t piece) {
+    return pole.kind != critical_saddle && std::all_of(pieces.begin(), pieces.end(), [&](int64_t piece) {
                const PatchMemory::Hold hold(memory_);
                const PatchItem strip = items_.part(piece_in_range(piece), pole.axis,
                                                    upper ? 1 - pole.height : 0, upper ? 1 : pole.height);
@@ -208,4 +207,4 @@ void PatchCritical::open_pole(const double *point) {
     }
 }
 
-} // namespace nrb
+} // namespace nrb::closest

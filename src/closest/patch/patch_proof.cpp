@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace nrb {
+namespace nrb::closest {
 
 namespace {
 
@@ -320,4 +320,4 @@ int PatchProof::widest_axis() noexcept {
     return widest;
 }
 
-} // namespace nrb
+} // namespace nrb::closest

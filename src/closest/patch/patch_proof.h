@@ -9,7 +9,7 @@
 
 #include "closest/patch/patch_descent.h"
 
-namespace nrb {
+namespace nrb::closest {
 
 struct PatchGoal {
     double sign = 1;   // -1: farther
@@ -84,4 +84,4 @@ private:
     AxisValues at_{};
 };
 
-} // namespace nrb
+} // namespace nrb::closest

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace nrb {
+namespace nrb::closest {
 
 namespace {
 
@@ -181,4 +181,4 @@ Foot PatchQuery::local(const double *guess) {
     return result;
 }
 
-} // namespace nrb
+} // namespace nrb::closest

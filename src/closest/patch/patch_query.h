@@ -3,7 +3,7 @@
 
 #include "closest/patch/patch_place.h"
 
-namespace nrb {
+namespace nrb::closest {
 
 class PatchQuery {
 public:
@@ -53,4 +53,4 @@ protected:
     double floor_ = 0;
 };
 
-} // namespace nrb
+} // namespace nrb::closest

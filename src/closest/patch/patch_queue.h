@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-namespace nrb {
+namespace nrb::closest {
 
 class PatchQueue {
 public:
@@ -40,4 +40,4 @@ private:
     std::vector<Entry> entries_;
 };
 
-} // namespace nrb
+} // namespace nrb::closest

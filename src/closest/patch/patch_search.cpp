@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace nrb {
+namespace nrb::closest {
 
 namespace {
 
@@ -359,12 +359,10 @@ Foot PatchSearch::nearest() {
     Foot result = foot(best_);
     const double rounded = sign_ * pieces_.scaled(result.distance) - best_.value;
     const bool unproven = incomplete_ || !std::isfinite(best_.value);
-    result.status |= unproven                ? closest_budget
-                     : rounded <= noise_ / 8 ? closest_certified
-                                             : closest_coarse;
+    result.status |= unproven ? closest_budget : rounded <= noise_ / 8 ? closest_certified : closest_coarse;
     result.status |= several_ ? closest_not_unique : 0;
     result.looked = spent_;
     return result;
 }
 
-} // namespace nrb
+} // namespace nrb::closest

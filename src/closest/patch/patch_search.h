@@ -8,7 +8,7 @@
 
 #include <vector>
 
-namespace nrb {
+namespace nrb::closest {
 
 class PatchSearch : public PatchQuery {
 public:
@@ -68,4 +68,4 @@ private:
     std::vector<Place> others_;
 };
 
-} // namespace nrb
+} // namespace nrb::closest

@@ -7,7 +7,7 @@
 #include <array>
 #include <cstdint>
 
-namespace nrb {
+namespace nrb::closest {
 
 // Most coefficients of patches whose squares are worth their cost.
 inline constexpr int64_t most_squared = 1024;
@@ -43,4 +43,4 @@ struct PatchShape {
 // Numbers for each axis.
 using AxisValues = std::array<double, max_axes>;
 
-} // namespace nrb
+} // namespace nrb::closest

@@ -1,13 +1,13 @@
 #include "closest/patch/patch_slopes.h"
 
-#include "numeric/norm.h"
 #include "closest/patch/patch_matrix.h"
+#include "numeric/norm.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-namespace nrb {
+namespace nrb::closest {
 
 namespace {
 
@@ -232,4 +232,4 @@ PatchSlopes::Matrix PatchSlopes::matrix() noexcept {
     return rest < 1 ? Matrix::regular : Matrix::unknown;
 }
 
-} // namespace nrb
+} // namespace nrb::closest

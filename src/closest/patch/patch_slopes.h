@@ -3,7 +3,7 @@
 
 #include "closest/patch/patch_item.h"
 
-namespace nrb {
+namespace nrb::closest {
 
 // With phi = |Q|^2 / w^2: w^2 d_k phi = d_k |Q|^2 - phi d_k w^2, whose coefficients are differences, and
 // linear in phi.
@@ -63,4 +63,4 @@ private:
     int widest_ = 0;
 };
 
-} // namespace nrb
+} // namespace nrb::closest

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace nrb {
+namespace nrb::closest {
 
 // Factors and the quotient by binomials are rounded twice each, then there is a rounding for every term, of
 // which there are (coefficients + 2) / 2 at most, since each pair of them is taken once, and one for each
@@ -28,4 +28,4 @@ PatchSquares::PatchSquares(const PatchShape &shape) {
     error_ = std::numeric_limits<double>::epsilon() / 2 * (terms + shape.dim + 6);
 }
 
-} // namespace nrb
+} // namespace nrb::closest

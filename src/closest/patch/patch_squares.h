@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace nrb {
+namespace nrb::closest {
 
 class PatchSquares {
 public:
@@ -23,4 +23,4 @@ private:
     double error_ = 0;
 };
 
-} // namespace nrb
+} // namespace nrb::closest

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace nrb {
+namespace nrb::closest {
 
 namespace {
 
@@ -304,4 +304,4 @@ PatchTree::Place PatchTree::centre(int level, int64_t node) const noexcept {
     return {pieces_.piece(middle), {0.5, 0.5, 0.5}};
 }
 
-} // namespace nrb
+} // namespace nrb::closest

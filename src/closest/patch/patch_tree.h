@@ -9,7 +9,7 @@
 
 #include <vector>
 
-namespace nrb {
+namespace nrb::closest {
 
 class PatchTree {
 public:
@@ -75,4 +75,4 @@ private:
     std::vector<double> discs_;
 };
 
-} // namespace nrb
+} // namespace nrb::closest

@@ -7,7 +7,7 @@
 
 #include <limits>
 
-namespace nrb {
+namespace nrb::eval {
 
 namespace {
 
@@ -131,4 +131,4 @@ void surface_curvatures(const Spline &spline, const AxisRules &rules, ConstRecor
                             : curvatures_of_any_size(spline, rules, params, out);
 }
 
-} // namespace nrb
+} // namespace nrb::eval

@@ -3,7 +3,7 @@
 
 #include "eval/parameters.h"
 
-namespace nrb {
+namespace nrb::eval {
 
 // Arrays that are not wanted have data == nullptr; widths: 2 for principal, 6 for directions, 1 for mean and
 // Gaussian curvature.
@@ -19,4 +19,4 @@ struct SurfaceCurvatures {
 void surface_curvatures(const Spline &spline, const AxisRules &rules, ConstRecords params,
                         const SurfaceCurvatures &out);
 
-} // namespace nrb
+} // namespace nrb::eval

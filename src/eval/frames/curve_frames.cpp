@@ -1,12 +1,12 @@
 #include "eval/frames/curve_frames.h"
 
 #include "eval/blocks.h"
-#include "eval/frames/curve_limit.h"
 #include "eval/derivative_errors.h"
 #include "eval/evaluate.h"
+#include "eval/frames/curve_limit.h"
 #include "eval/frames/waiting_outputs.h"
 
-namespace nrb {
+namespace nrb::eval {
 
 namespace {
 
@@ -181,4 +181,4 @@ void curve_frames(const Spline &spline, const AxisRules &rules, ConstRecords par
                             : frames_of_any_size(spline, rules, params, out);
 }
 
-} // namespace nrb
+} // namespace nrb::eval

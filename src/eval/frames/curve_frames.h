@@ -3,7 +3,7 @@
 
 #include "eval/parameters.h"
 
-namespace nrb {
+namespace nrb::eval {
 
 // Arrays that are not wanted have data == nullptr; widths: dim for points, tangents and normals, 3 for
 // binormals, 1 for curvatures and torsions.
@@ -21,4 +21,4 @@ struct CurveFrames {
 // otherwise as evaluate_points().
 void curve_frames(const Spline &spline, const AxisRules &rules, ConstRecords params, const CurveFrames &out);
 
-} // namespace nrb
+} // namespace nrb::eval

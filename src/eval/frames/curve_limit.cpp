@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace nrb {
+namespace nrb::eval {
 
 namespace {
 
@@ -162,4 +162,4 @@ CurveFrame limit_frame(const Spline &spline, const AxisRules &rules, double t) n
     return frame;
 }
 
-} // namespace nrb
+} // namespace nrb::eval

@@ -1,10 +1,10 @@
 // Frames of curves where C' or C' x C'' may vanish.
 #pragma once
 
-#include "eval/frames/jet.h"
 #include "eval/frames/frame_outputs.h"
+#include "eval/frames/jet.h"
 
-namespace nrb {
+namespace nrb::eval {
 
 struct CurveFrame {
     Vector3 tangent;
@@ -30,4 +30,4 @@ CurveTangent curve_tangent(const Spline &spline, const AxisRules &rules, double 
 // exceed the bounds of their rounding errors. Precondition of both: Jet::prepare().
 CurveFrame limit_frame(const Spline &spline, const AxisRules &rules, double t) noexcept;
 
-} // namespace nrb
+} // namespace nrb::eval

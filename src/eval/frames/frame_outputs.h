@@ -7,7 +7,7 @@
 
 #include <array>
 
-namespace nrb {
+namespace nrb::eval {
 
 // Bits of a point's status.
 enum FrameBits : int32_t {
@@ -49,4 +49,4 @@ inline Vector3 row_vector(const double *rows, int dim, int64_t i) noexcept {
     return {rows[i], rows[block_size + i], dim == 3 ? rows[2 * block_size + i] : 0.0};
 }
 
-} // namespace nrb
+} // namespace nrb::eval

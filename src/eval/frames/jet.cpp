@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace nrb {
+namespace nrb::eval {
 
 namespace {
 
@@ -221,4 +221,4 @@ bool Jet::evaluate(const Spline &given, const AxisRules &rules, const double *pa
     return true;
 }
 
-} // namespace nrb
+} // namespace nrb::eval

@@ -2,13 +2,13 @@
 // tolerance, whether a vector that was computed may be zero, and gives the limits where it is.
 #pragma once
 
-#include "eval/parameters.h"
 #include "eval/kernels/slots.h"
+#include "eval/parameters.h"
 #include "numeric/vector3.h"
 
 #include <array>
 
-namespace nrb {
+namespace nrb::eval {
 
 inline constexpr int max_jet_order = 8;
 
@@ -44,4 +44,4 @@ private:
 // c(p) of the accuracy contract.
 double accuracy_factor(int degree) noexcept;
 
-} // namespace nrb
+} // namespace nrb::eval

@@ -8,7 +8,7 @@
 #include <limits>
 #include <numeric>
 
-namespace nrb {
+namespace nrb::eval {
 
 namespace {
 
@@ -332,4 +332,4 @@ std::vector<int64_t> for_each_magnitude(const Spline &spline, const AxisRules &r
     return Runs(spline, rules, params, body).run();
 }
 
-} // namespace nrb
+} // namespace nrb::eval

@@ -8,7 +8,7 @@
 #include <functional>
 #include <vector>
 
-namespace nrb {
+namespace nrb::eval {
 
 // Whether the largest number of the control points that are active together is 0 or within 2^-64 and 2^64 everywhere,
 // and every span too; found once for a spline, by reading all of it. Preconditions of all: 1 or 2 axes.
@@ -31,4 +31,4 @@ struct MagnitudeRun {
 std::vector<int64_t> for_each_magnitude(const Spline &spline, const AxisRules &rules, ConstRecords params,
                                         const std::function<void(const MagnitudeRun &)> &body);
 
-} // namespace nrb
+} // namespace nrb::eval

@@ -1,17 +1,17 @@
 #include "eval/frames/minimal_frames.h"
 
 #include "eval/blocks.h"
-#include "eval/frames/curve_limit.h"
 #include "eval/derivative_errors.h"
 #include "eval/evaluate.h"
-#include "eval/frames/magnitude.h"
+#include "eval/frames/curve_limit.h"
 #include "eval/frames/frame_outputs.h"
+#include "eval/frames/magnitude.h"
 
 #include <hwy/base.h>
 #include <limits>
 #include <optional>
 
-namespace nrb {
+namespace nrb::eval {
 
 namespace {
 
@@ -255,4 +255,4 @@ void minimal_frames(const Spline &spline, const AxisRules &rules, ConstRecords p
                             : frames_of_any_size(spline, rules, params, first_normal, out);
 }
 
-} // namespace nrb
+} // namespace nrb::eval

@@ -3,7 +3,7 @@
 
 #include "eval/parameters.h"
 
-namespace nrb {
+namespace nrb::eval {
 
 // Arrays that are not wanted have data == nullptr; the others have width 3.
 struct MinimalFrames {
@@ -21,4 +21,4 @@ struct MinimalFrames {
 void minimal_frames(const Spline &spline, const AxisRules &rules, ConstRecords params,
                     const double *first_normal, const MinimalFrames &out);
 
-} // namespace nrb
+} // namespace nrb::eval

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-namespace nrb {
+namespace nrb::eval {
 
 ShapeOperator::ShapeOperator(const SurfaceDerivatives &d) noexcept {
     const Vector3 product = cross(d.u, d.v);
@@ -69,4 +69,4 @@ bool regular(const SurfaceDerivatives &d, const DerivativeErrors &errors) noexce
     return length(cross(d.u, d.v)) > length(d.u) * errors.v + errors.u * (length(d.v) + errors.v);
 }
 
-} // namespace nrb
+} // namespace nrb::eval

@@ -4,7 +4,7 @@
 #include "eval/derivative_errors.h"
 #include "numeric/vector3.h"
 
-namespace nrb {
+namespace nrb::eval {
 
 struct SurfaceDerivatives {
     Vector3 u;
@@ -52,4 +52,4 @@ private:
 // Whether S_u x S_v exceeds the bound of its error.
 bool regular(const SurfaceDerivatives &d, const DerivativeErrors &errors) noexcept;
 
-} // namespace nrb
+} // namespace nrb::eval

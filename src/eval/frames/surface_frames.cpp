@@ -2,15 +2,15 @@
 
 #include "eval/blocks.h"
 #include "eval/derivative_errors.h"
-#include "eval/kernels/normal_kernel.h"
 #include "eval/frames/surface_limit.h"
-#include "eval/kernels/triple_stream.h"
 #include "eval/frames/waiting_outputs.h"
+#include "eval/kernels/normal_kernel.h"
+#include "eval/kernels/triple_stream.h"
 
 #include <bit>
 #include <limits>
 
-namespace nrb {
+namespace nrb::eval {
 
 namespace {
 
@@ -188,4 +188,4 @@ void surface_frames(const Spline &spline, const AxisRules &rules,
     frames_of_any_size(spline, rules, {list.data(), std::ssize(list) / 2, 2, 2, 1}, params, out);
 }
 
-} // namespace nrb
+} // namespace nrb::eval

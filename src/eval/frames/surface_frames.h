@@ -3,7 +3,7 @@
 
 #include "eval/parameters.h"
 
-namespace nrb {
+namespace nrb::eval {
 
 // Arrays that are not wanted have data == nullptr; the others have a record of width 3 for each point.
 struct SurfaceFrames {
@@ -20,4 +20,4 @@ void surface_frames(const Spline &spline, const AxisRules &rules, ConstRecords p
 void surface_frames(const Spline &spline, const AxisRules &rules,
                     const std::array<ConstRecords, max_axes> &params, const SurfaceFrames &out);
 
-} // namespace nrb
+} // namespace nrb::eval

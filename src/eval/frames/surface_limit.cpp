@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace nrb {
+namespace nrb::eval {
 
 namespace {
 
@@ -84,4 +84,4 @@ SurfaceNormal surface_normal(const Spline &spline, const AxisRules &rules, const
     return normal;
 }
 
-} // namespace nrb
+} // namespace nrb::eval

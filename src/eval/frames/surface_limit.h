@@ -3,7 +3,7 @@
 
 #include "eval/frames/jet.h"
 
-namespace nrb {
+namespace nrb::eval {
 
 enum class NormalKind { regular, limit, undefined };
 
@@ -18,4 +18,4 @@ struct SurfaceNormal {
 // microsecond where it vanishes. Precondition: Jet::prepare().
 SurfaceNormal surface_normal(const Spline &spline, const AxisRules &rules, const double *param) noexcept;
 
-} // namespace nrb
+} // namespace nrb::eval

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-namespace nrb {
+namespace nrb::eval {
 
 WaitingOutputs::WaitingOutputs(std::vector<Array> arrays, int32_t *status, int64_t count)
     : arrays_(std::move(arrays)), status_out_(status), status_(static_cast<size_t>(count)) {
@@ -41,4 +41,4 @@ void WaitingOutputs::write(const std::vector<int64_t> &order) const noexcept {
     }
 }
 
-} // namespace nrb
+} // namespace nrb::eval

@@ -1,12 +1,12 @@
 // Outputs that wait until nothing can fail any more, since a call that fails writes nothing.
 #pragma once
 
-#include "eval/frames/magnitude.h"
 #include "eval/frames/frame_outputs.h"
+#include "eval/frames/magnitude.h"
 
 #include <vector>
 
-namespace nrb {
+namespace nrb::eval {
 
 // Arrays with a record for each parameter of a list, and statuses, as for_each_magnitude() finds them run by run.
 class WaitingOutputs {
@@ -32,4 +32,4 @@ private:
     std::vector<int32_t> status_;
 };
 
-} // namespace nrb
+} // namespace nrb::eval

@@ -2,13 +2,13 @@
 
 #include "eval/blocks.h"
 #include "eval/evaluate.h"
-#include "eval/kernels/leibniz.h"
 #include "eval/functions/spread.h"
+#include "eval/kernels/leibniz.h"
 #include "spline/at_origin.h"
 
 #include <cmath>
 
-namespace nrb {
+namespace nrb::eval {
 
 namespace {
 
@@ -263,4 +263,4 @@ void evaluate_adjoint(const Spline &spline, const AxisRules &rules, int order, C
     Adjoint(spline, rules, order, params, cotangents, accumulate, gradients).run();
 }
 
-} // namespace nrb
+} // namespace nrb::eval

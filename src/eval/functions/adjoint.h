@@ -4,7 +4,7 @@
 
 #include "eval/parameters.h"
 
-namespace nrb {
+namespace nrb::eval {
 
 // Views without data are not wanted.
 struct Gradients {
@@ -19,4 +19,4 @@ struct Gradients {
 void evaluate_adjoint(const Spline &spline, const AxisRules &rules, int order, ConstRecords params,
                       ConstRecords cotangents, bool accumulate, const Gradients &gradients);
 
-} // namespace nrb
+} // namespace nrb::eval

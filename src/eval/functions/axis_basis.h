@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace nrb {
+namespace nrb::eval {
 
 struct AxisBasis {
     int64_t first = 0;        // index of the first active layer
@@ -53,4 +53,4 @@ private:
     int order_;
 };
 
-} // namespace nrb
+} // namespace nrb::eval

@@ -8,7 +8,7 @@
 #include <limits>
 #include <vector>
 
-namespace nrb {
+namespace nrb::eval {
 
 namespace {
 
@@ -48,8 +48,8 @@ void basis_functions(const KnotVector &axis, const AxisRule &rule, int order, Co
 void bernstein_polynomials(int degree, int order, ConstRecords params, Records values) {
     for (int64_t i = 0; i < params.count; ++i) {
         if (!std::isfinite(params(i, 0))) {
-            fail(Status::parameter_not_finite, "params[%lld] = %s is not finite",
-                 static_cast<long long>(i), Number(params(i, 0)).text);
+            fail(Status::parameter_not_finite, "params[%lld] = %s is not finite", static_cast<long long>(i),
+                 Number(params(i, 0)).text);
         }
     }
     std::vector<double> record(static_cast<size_t>(values.width));
@@ -59,4 +59,4 @@ void bernstein_polynomials(int degree, int order, ConstRecords params, Records v
     }
 }
 
-} // namespace nrb
+} // namespace nrb::eval

@@ -3,7 +3,7 @@
 
 #include "eval/parameters.h"
 
-namespace nrb {
+namespace nrb::eval {
 
 // All parameters must have been admitted by check_axis_parameters(). A parameter that gives NaN has span -1
 // and NaN values.
@@ -16,4 +16,4 @@ void basis_functions(const KnotVector &axis, const AxisRule &rule, int order, Co
 // values record: [order + 1][degree + 1]. Throws Status::parameter_not_finite before anything is written.
 void bernstein_polynomials(int degree, int order, ConstRecords params, Records values);
 
-} // namespace nrb
+} // namespace nrb::eval

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace nrb {
+namespace nrb::eval {
 
 namespace {
 
@@ -110,4 +110,4 @@ void rational_collocation(const Spline &spline, const AxisRules &rules, const Or
     }
 }
 
-} // namespace nrb
+} // namespace nrb::eval

@@ -3,7 +3,7 @@
 
 #include "eval/active_points.h"
 
-namespace nrb {
+namespace nrb::eval {
 
 // Number of entries in a row: the product of degree + 1 over the axes.
 int64_t row_length(const Spline::Axes &axes) noexcept;
@@ -25,4 +25,4 @@ void collocation(const Spline::Axes &axes, const AxisRules &rules, const Orders 
 void rational_collocation(const Spline &spline, const AxisRules &rules, const Orders &orders,
                           ConstRecords params, const SparseRows &rows);
 
-} // namespace nrb
+} // namespace nrb::eval

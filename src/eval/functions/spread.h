@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace nrb {
+namespace nrb::eval {
 
 // sum over the slots b of N_i^(b) g_b for every active point i, one axis after the other, the last one first:
 // the steps of evaluation in reverse.
@@ -79,4 +79,4 @@ private:
     std::array<std::vector<double>, max_axes> slabs_;
 };
 
-} // namespace nrb
+} // namespace nrb::eval

@@ -1,16 +1,16 @@
 // Basis functions of one axis at one parameter. Included once for every instruction set: see base/simd.h.
-#if defined(NURBS_EVAL_AXIS_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef NURBS_EVAL_AXIS_INL_H_
-#undef NURBS_EVAL_AXIS_INL_H_
+#if defined(NURBS_EVAL_KERNELS_AXIS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef NURBS_EVAL_KERNELS_AXIS_INL_H_
+#undef NURBS_EVAL_KERNELS_AXIS_INL_H_
 #else
-#define NURBS_EVAL_AXIS_INL_H_
+#define NURBS_EVAL_KERNELS_AXIS_INL_H_
 #endif
 
 #include "eval/kernels/axis_source.h"
 #include "eval/kernels/horner-inl.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace nrb {
+namespace nrb::eval {
 namespace HWY_NAMESPACE {
 
 // By the recurrence, whose rows have no padding.
@@ -122,7 +122,7 @@ HWY_INLINE bool axis_block(const AxisSource &source, int order, const double *pa
 }
 
 } // namespace HWY_NAMESPACE
-} // namespace nrb
+} // namespace nrb::eval
 HWY_AFTER_NAMESPACE();
 
 #endif

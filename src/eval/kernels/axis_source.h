@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-namespace nrb {
+namespace nrb::eval {
 
 // The first active layer of a parameter, and which of the active ones is alone: -1 if none.
 struct AxisPoint {
@@ -65,4 +65,4 @@ inline AxisSources axis_sources(const Spline &spline, const AxisRules &rules, in
     return sources;
 }
 
-} // namespace nrb
+} // namespace nrb::eval

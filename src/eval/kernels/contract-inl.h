@@ -1,15 +1,15 @@
 // Weighted sums of rows. Included once for every instruction set: see base/simd.h.
-#if defined(NURBS_EVAL_CONTRACT_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef NURBS_EVAL_CONTRACT_INL_H_
-#undef NURBS_EVAL_CONTRACT_INL_H_
+#if defined(NURBS_EVAL_KERNELS_CONTRACT_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef NURBS_EVAL_KERNELS_CONTRACT_INL_H_
+#undef NURBS_EVAL_KERNELS_CONTRACT_INL_H_
 #else
-#define NURBS_EVAL_CONTRACT_INL_H_
+#define NURBS_EVAL_KERNELS_CONTRACT_INL_H_
 #endif
 
 #include "eval/kernels/horner-inl.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace nrb {
+namespace nrb::eval {
 namespace HWY_NAMESPACE {
 
 // One vector of the sum; kDegree < 0 stands for any number n of rows, else that is kDegree + 1.
@@ -99,7 +99,7 @@ HWY_INLINE void contract_rows_of_orders(const double *coefficients, int lanes, i
 }
 
 } // namespace HWY_NAMESPACE
-} // namespace nrb
+} // namespace nrb::eval
 HWY_AFTER_NAMESPACE();
 
 #endif

@@ -7,7 +7,7 @@
 
 #include <array>
 
-namespace nrb {
+namespace nrb::eval {
 
 // Calls step(source, order, target) for every partial derivative kept after axis `level`: `source` is the
 // index of what was kept after the axes before, `target` its own, both in graded order of the axes seen so
@@ -40,4 +40,4 @@ struct Slabs {
     std::array<int64_t, max_axes> length{};
 };
 
-} // namespace nrb
+} // namespace nrb::eval

@@ -14,7 +14,7 @@
 #include <cmath>
 
 HWY_BEFORE_NAMESPACE();
-namespace nrb {
+namespace nrb::eval {
 namespace HWY_NAMESPACE {
 
 static_assert(curve_group == group_size);
@@ -384,11 +384,11 @@ void run_curve(const CurveJob &job, const ConstRecords &params, const Records &o
 }
 
 } // namespace HWY_NAMESPACE
-} // namespace nrb
+} // namespace nrb::eval
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace nrb {
+namespace nrb::eval {
 
 HWY_EXPORT(run_curve);
 
@@ -396,5 +396,5 @@ void run(const CurveJob &job, const ConstRecords &params, const Records &out) no
     HWY_DYNAMIC_DISPATCH(run_curve)(job, params, out);
 }
 
-} // namespace nrb
+} // namespace nrb::eval
 #endif

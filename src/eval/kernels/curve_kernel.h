@@ -4,7 +4,7 @@
 #include "eval/kernels/finish.h"
 #include "eval/parameters.h"
 
-namespace nrb {
+namespace nrb::eval {
 
 struct CurveJob {
     const Spline &spline;
@@ -26,4 +26,4 @@ inline constexpr int curve_block = 16; // parameters treated together, a multipl
 
 void run(const CurveJob &job, const ConstRecords &params, const Records &out) noexcept;
 
-} // namespace nrb
+} // namespace nrb::eval

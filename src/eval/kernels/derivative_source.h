@@ -3,7 +3,7 @@
 
 #include "spline/at_origin.h"
 
-namespace nrb {
+namespace nrb::eval {
 
 // The spline whose derivatives of orders 1, ..., `order` are those of another one: the same moved to the
 // origin, but for the curves whose kernel has nothing that cancels. These are the polynomial ones and, with
@@ -16,4 +16,4 @@ inline const Spline &derivative_source(const Spline &spline, int order) {
     return cancels ? at_origin(spline) : spline;
 }
 
-} // namespace nrb
+} // namespace nrb::eval

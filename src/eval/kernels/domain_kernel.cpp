@@ -9,7 +9,7 @@
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
-namespace nrb {
+namespace nrb::eval {
 namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
@@ -43,11 +43,11 @@ bool packed_inside(const double *params, int64_t count, int axes, const Interval
 }
 
 } // namespace HWY_NAMESPACE
-} // namespace nrb
+} // namespace nrb::eval
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace nrb {
+namespace nrb::eval {
 
 HWY_EXPORT(packed_inside);
 
@@ -55,5 +55,5 @@ bool all_inside(const double *params, int64_t count, int axes, const Interval *d
     return HWY_DYNAMIC_DISPATCH(packed_inside)(params, count, axes, domains);
 }
 
-} // namespace nrb
+} // namespace nrb::eval
 #endif

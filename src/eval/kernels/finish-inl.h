@@ -1,9 +1,9 @@
 // From contracted records to the caller's. Included once for every instruction set: see base/simd.h.
-#if defined(NURBS_EVAL_FINISH_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef NURBS_EVAL_FINISH_INL_H_
-#undef NURBS_EVAL_FINISH_INL_H_
+#if defined(NURBS_EVAL_KERNELS_FINISH_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef NURBS_EVAL_KERNELS_FINISH_INL_H_
+#undef NURBS_EVAL_KERNELS_FINISH_INL_H_
 #else
-#define NURBS_EVAL_FINISH_INL_H_
+#define NURBS_EVAL_KERNELS_FINISH_INL_H_
 #endif
 
 #include "eval/kernels/finish.h"
@@ -11,7 +11,7 @@
 #include "eval/kernels/quotient-inl.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace nrb {
+namespace nrb::eval {
 namespace HWY_NAMESPACE {
 
 // The quotient rule on one record, in place.
@@ -294,7 +294,7 @@ private:
 };
 
 } // namespace HWY_NAMESPACE
-} // namespace nrb
+} // namespace nrb::eval
 HWY_AFTER_NAMESPACE();
 
 #endif

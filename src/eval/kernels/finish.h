@@ -10,7 +10,7 @@
 
 #include <limits>
 
-namespace nrb {
+namespace nrb::eval {
 
 // A contracted record is [slots][lanes]: components 0, ..., dim - 1, then the weight if rational, then
 // padding. The caller's record is [slots][dim].
@@ -45,4 +45,4 @@ inline void write_nan(int64_t values, const Records &out, int64_t i) noexcept {
     }
 }
 
-} // namespace nrb
+} // namespace nrb::eval

@@ -10,7 +10,7 @@
 #include "eval/kernels/rows-inl.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace nrb {
+namespace nrb::eval {
 namespace HWY_NAMESPACE {
 
 static_assert(grid_group == group_size);
@@ -297,11 +297,11 @@ void run_grid(const GridJob &job) {
 }
 
 } // namespace HWY_NAMESPACE
-} // namespace nrb
+} // namespace nrb::eval
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace nrb {
+namespace nrb::eval {
 
 HWY_EXPORT(tabulate_axis);
 HWY_EXPORT(run_grid);
@@ -314,5 +314,5 @@ void run(const GridJob &job) noexcept {
     HWY_DYNAMIC_DISPATCH(run_grid)(job);
 }
 
-} // namespace nrb
+} // namespace nrb::eval
 #endif

@@ -1,15 +1,15 @@
 // The kernel of grids: row contraction.
 #pragma once
 
-#include "eval/kernels/axis_source.h"
 #include "eval/blocks.h"
+#include "eval/kernels/axis_source.h"
 #include "eval/kernels/contraction.h"
 #include "eval/kernels/finish.h"
 
 #include <memory>
 #include <vector>
 
-namespace nrb {
+namespace nrb::eval {
 
 inline constexpr int grid_group = 8;
 
@@ -63,4 +63,4 @@ struct GridJob {
 void tabulate(const AxisSource &source, int order, ConstRecords params, GridAxis &table) noexcept;
 void run(const GridJob &job) noexcept;
 
-} // namespace nrb
+} // namespace nrb::eval

@@ -1,9 +1,9 @@
 // Horner's rule on polynomial pieces. Included once for every instruction set: see base/simd.h.
-#if defined(NURBS_EVAL_HORNER_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef NURBS_EVAL_HORNER_INL_H_
-#undef NURBS_EVAL_HORNER_INL_H_
+#if defined(NURBS_EVAL_KERNELS_HORNER_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef NURBS_EVAL_KERNELS_HORNER_INL_H_
+#undef NURBS_EVAL_KERNELS_HORNER_INL_H_
 #else
-#define NURBS_EVAL_HORNER_INL_H_
+#define NURBS_EVAL_KERNELS_HORNER_INL_H_
 #endif
 
 #include "basis/power_spans.h"
@@ -13,7 +13,7 @@
 #include <algorithm>
 
 HWY_BEFORE_NAMESPACE();
-namespace nrb {
+namespace nrb::eval {
 namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
@@ -123,7 +123,7 @@ HWY_INLINE void horner(int order, const double *piece, int degree, int lanes, do
 }
 
 } // namespace HWY_NAMESPACE
-} // namespace nrb
+} // namespace nrb::eval
 HWY_AFTER_NAMESPACE();
 
 #endif

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace nrb {
+namespace nrb::eval {
 
 // Calls visit(b) for all b <= a, every one after those below it.
 template <class Visit>
@@ -83,4 +83,4 @@ private:
     std::vector<double> values_;
 };
 
-} // namespace nrb
+} // namespace nrb::eval

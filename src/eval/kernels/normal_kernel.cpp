@@ -10,7 +10,7 @@
 #include "numeric/vector3.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace nrb {
+namespace nrb::eval {
 namespace HWY_NAMESPACE {
 
 // Vectors across the points of a block.
@@ -87,11 +87,11 @@ void write_rows_of_block(const double *rows, int64_t first, int64_t count, const
 }
 
 } // namespace HWY_NAMESPACE
-} // namespace nrb
+} // namespace nrb::eval
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace nrb {
+namespace nrb::eval {
 
 static_assert(block_size == 64); // one bit each
 
@@ -109,5 +109,5 @@ void write_rows(const double *rows, int64_t first, int64_t count, const Records 
     }
 }
 
-} // namespace nrb
+} // namespace nrb::eval
 #endif

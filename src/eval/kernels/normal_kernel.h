@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-namespace nrb {
+namespace nrb::eval {
 
 // du and dv hold three rows of block_size doubles (x, y, z), of which the first `count` are used; so do
 // `normals`, which receives S_u x S_v / |S_u x S_v|. Bit i of the result is 1 unless |S_u x S_v| certainly
@@ -12,4 +12,4 @@ namespace nrb {
 uint64_t unit_normals(const double *du, const double *dv, int64_t count, double error_u, double error_v,
                       double *normals) noexcept;
 
-} // namespace nrb
+} // namespace nrb::eval

@@ -1,9 +1,9 @@
 // The quotient rule on vectors. Included once for every instruction set: see base/simd.h.
-#if defined(NURBS_EVAL_QUOTIENT_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef NURBS_EVAL_QUOTIENT_INL_H_
-#undef NURBS_EVAL_QUOTIENT_INL_H_
+#if defined(NURBS_EVAL_KERNELS_QUOTIENT_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef NURBS_EVAL_KERNELS_QUOTIENT_INL_H_
+#undef NURBS_EVAL_KERNELS_QUOTIENT_INL_H_
 #else
-#define NURBS_EVAL_QUOTIENT_INL_H_
+#define NURBS_EVAL_KERNELS_QUOTIENT_INL_H_
 #endif
 
 #include "eval/kernels/quotient.h"
@@ -11,7 +11,7 @@
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
-namespace nrb {
+namespace nrb::eval {
 namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
@@ -43,7 +43,7 @@ HWY_INLINE void divide(const V *HWY_RESTRICT w, V inverse, V *HWY_RESTRICT a) {
 }
 
 } // namespace HWY_NAMESPACE
-} // namespace nrb
+} // namespace nrb::eval
 HWY_AFTER_NAMESPACE();
 
 #endif

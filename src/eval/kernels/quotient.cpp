@@ -1,6 +1,6 @@
 #include "eval/kernels/quotient.h"
 
-namespace nrb {
+namespace nrb::eval {
 
 constexpr QuotientRule::List QuotientRule::list_terms(int axes) noexcept {
     List list{};
@@ -36,4 +36,4 @@ QuotientRule::QuotientRule(int axes, int order, Scratch &scratch) noexcept
     }
 }
 
-} // namespace nrb
+} // namespace nrb::eval

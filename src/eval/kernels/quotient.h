@@ -9,7 +9,7 @@
 #include <array>
 #include <cstdint>
 
-namespace nrb {
+namespace nrb::eval {
 
 // One product of the sum: binomial * (derivative `weight` of w) * (derivative `value` of C).
 struct QuotientTerm {
@@ -67,4 +67,4 @@ private:
     double *binomials_; // else Pascal's triangle, row n from n (n + 1) / 2 on
 };
 
-} // namespace nrb
+} // namespace nrb::eval

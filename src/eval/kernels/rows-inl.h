@@ -1,10 +1,10 @@
 // Groups of points side by side: one row of group_size doubles for each component, vectors across the points.
 // Included once for every instruction set: see base/simd.h.
-#if defined(NURBS_EVAL_ROWS_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef NURBS_EVAL_ROWS_INL_H_
-#undef NURBS_EVAL_ROWS_INL_H_
+#if defined(NURBS_EVAL_KERNELS_ROWS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef NURBS_EVAL_KERNELS_ROWS_INL_H_
+#undef NURBS_EVAL_KERNELS_ROWS_INL_H_
 #else
-#define NURBS_EVAL_ROWS_INL_H_
+#define NURBS_EVAL_KERNELS_ROWS_INL_H_
 #endif
 
 #include "eval/kernels/finish-inl.h"
@@ -12,7 +12,7 @@
 #include <utility>
 
 HWY_BEFORE_NAMESPACE();
-namespace nrb {
+namespace nrb::eval {
 namespace HWY_NAMESPACE {
 
 // Row r of a group is rows[r * group_size]; component c of slot s is row s * width + c.
@@ -195,7 +195,7 @@ private:
 };
 
 } // namespace HWY_NAMESPACE
-} // namespace nrb
+} // namespace nrb::eval
 HWY_AFTER_NAMESPACE();
 
 #endif

@@ -7,7 +7,7 @@
 #include <array>
 #include <cstdint>
 
-namespace nrb {
+namespace nrb::eval {
 
 // Number of partial derivatives of orders 0 to `order`: binomial(order + axes, axes).
 constexpr int64_t slot_count(int axes, int64_t order) noexcept {
@@ -46,4 +46,4 @@ constexpr void for_each_slot(int axes, int order, Visit &&visit) {
     }
 }
 
-} // namespace nrb
+} // namespace nrb::eval

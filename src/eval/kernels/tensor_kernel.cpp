@@ -10,7 +10,7 @@
 #include "eval/kernels/tensor_kernel.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace nrb {
+namespace nrb::eval {
 namespace HWY_NAMESPACE {
 
 class TensorKernel {
@@ -419,11 +419,11 @@ void run_tensor(const TensorJob &job, const ConstRecords &params, const Records 
 }
 
 } // namespace HWY_NAMESPACE
-} // namespace nrb
+} // namespace nrb::eval
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace nrb {
+namespace nrb::eval {
 
 HWY_EXPORT(run_tensor);
 
@@ -431,5 +431,5 @@ void run(const TensorJob &job, const ConstRecords &params, const Records &out) n
     HWY_DYNAMIC_DISPATCH(run_tensor)(job, params, out);
 }
 
-} // namespace nrb
+} // namespace nrb::eval
 #endif

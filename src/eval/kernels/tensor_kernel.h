@@ -7,7 +7,7 @@
 
 #include <vector>
 
-namespace nrb {
+namespace nrb::eval {
 
 // Points are treated in blocks, in passes: basis functions of every axis, contraction, division. One fused
 // loop would be slower, because the search for the spans of the next points would wait behind the sums.
@@ -28,4 +28,4 @@ struct TensorJob {
 
 void run(const TensorJob &job, const ConstRecords &params, const Records &out) noexcept;
 
-} // namespace nrb
+} // namespace nrb::eval

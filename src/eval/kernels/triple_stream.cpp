@@ -4,14 +4,14 @@
 
 #include <hwy/foreach_target.h>
 
-#include "eval/kernels/horner-inl.h"
 #include "eval/frames/frame_outputs.h"
+#include "eval/kernels/horner-inl.h"
 #include "eval/kernels/triple_stream.h"
 
 #include <hwy/cache_control.h>
 
 HWY_BEFORE_NAMESPACE();
-namespace nrb {
+namespace nrb::eval {
 namespace HWY_NAMESPACE {
 
 void interleave(const double *HWY_RESTRICT rows, int64_t count, double *HWY_RESTRICT triples) {
@@ -39,11 +39,11 @@ void stream(const double *HWY_RESTRICT from, int64_t count, double *HWY_RESTRICT
 }
 
 } // namespace HWY_NAMESPACE
-} // namespace nrb
+} // namespace nrb::eval
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace nrb {
+namespace nrb::eval {
 
 HWY_EXPORT(interleave);
 HWY_EXPORT(stream);
@@ -84,5 +84,5 @@ void TripleStream::finish() noexcept {
     }
 }
 
-} // namespace nrb
+} // namespace nrb::eval
 #endif

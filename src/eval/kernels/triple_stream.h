@@ -4,7 +4,7 @@
 #include "base/records.h"
 #include "eval/blocks.h"
 
-namespace nrb {
+namespace nrb::eval {
 
 // An ordinary store reads the line that it writes to; of results that no cache can hold, this is half of the
 // traffic, and it throws out what could be held. Lines of 64 bytes are put together here and written as a whole
@@ -41,4 +41,4 @@ private:
     alignas(64) double staged_[line + 3 * block_size];
 };
 
-} // namespace nrb
+} // namespace nrb::eval

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace nrb::iges {
+namespace nrb::io::iges {
 namespace {
 
 constexpr size_t field_columns = 8;
@@ -21,8 +21,7 @@ int64_t field_integer(std::string_view line, size_t field, const char *what) {
     const std::string_view text = field_text(line, field);
     int64_t value = 0;
     if (!text.empty() && !parse_integer(text, value)) {
-        fail(Status::syntax, "directory field %s is '%s', expected an integer", what,
-             excerpt(text).c_str());
+        fail(Status::syntax, "directory field %s is '%s', expected an integer", what, excerpt(text).c_str());
     }
     return value;
 }
@@ -37,8 +36,7 @@ void read_type(std::string_view first, std::string_view second, Entry &entry) {
     constexpr int64_t largest = 99'999;
     const int64_t type = field_integer(first, 1, "1 (entity type)");
     if (type < 0 || type > largest) {
-        fail(Status::syntax, "entity type %lld where 0 to 99999 was expected",
-             static_cast<long long>(type));
+        fail(Status::syntax, "entity type %lld where 0 to 99999 was expected", static_cast<long long>(type));
     }
     entry.type = static_cast<int>(type);
     const int64_t again = field_integer(second, 1, "11 (entity type)");
@@ -146,10 +144,9 @@ Record ParameterData::take(const Entry &entry) {
     Record record(std::move(text), delimiters_);
     const int64_t type = record.integer("entity type");
     if (type != entry.type) {
-        fail(Status::syntax, "the parameter data are those of an entity %lld",
-             static_cast<long long>(type));
+        fail(Status::syntax, "the parameter data are those of an entity %lld", static_cast<long long>(type));
     }
     return record;
 }
 
-} // namespace nrb::iges
+} // namespace nrb::io::iges

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace nrb::iges {
+namespace nrb::io::iges {
 
 // A directory entry: two lines of ten fields of eight columns.
 struct Entry {
@@ -57,4 +57,4 @@ private:
     std::vector<bool> taken_;
 };
 
-} // namespace nrb::iges
+} // namespace nrb::io::iges

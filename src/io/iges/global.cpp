@@ -8,7 +8,7 @@
 #include <cmath>
 #include <utility>
 
-namespace nrb::iges {
+namespace nrb::io::iges {
 namespace {
 
 // Units by flag, IGES 5.3 table 2; flag 3 leaves it to the name.
@@ -79,8 +79,7 @@ void expect_delimiter(std::string_view text, size_t &at, Delimiters delimiters) 
     const bool found =
         at < text.size() && (text[at] == delimiters.parameter || text[at] == delimiters.record);
     if (!found) {
-        fail(Status::syntax,
-             "global section, column %lld of its text: '%s' where a delimiter was expected",
+        fail(Status::syntax, "global section, column %lld of its text: '%s' where a delimiter was expected",
              static_cast<long long>(at + 1), excerpt(text.substr(at, 8)).c_str());
     }
 }
@@ -130,4 +129,4 @@ Global read_global(const Lines &lines) {
     return global;
 }
 
-} // namespace nrb::iges
+} // namespace nrb::io::iges

@@ -4,7 +4,7 @@
 #include "io/iges/lines.h"
 #include "io/iges/record.h"
 
-namespace nrb::iges {
+namespace nrb::io::iges {
 
 struct Global {
     Delimiters delimiters;
@@ -14,4 +14,4 @@ struct Global {
 // Throws Status::syntax.
 Global read_global(const Lines &lines);
 
-} // namespace nrb::iges
+} // namespace nrb::io::iges

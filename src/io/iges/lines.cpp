@@ -3,7 +3,7 @@
 #include "base/error.h"
 #include "io/iges/text.h"
 
-namespace nrb::iges {
+namespace nrb::io::iges {
 namespace {
 
 constexpr std::string_view section_letters = "SGDPT";
@@ -64,13 +64,11 @@ void check_first_line(std::string_view text) {
     if (text.empty()) {
         fail(Status::format, "the file is empty");
     }
-    fail(Status::format,
-         "line 1: no section letter S in column 73, so this is not fixed-length ASCII IGES");
+    fail(Status::format, "line 1: no section letter S in column 73, so this is not fixed-length ASCII IGES");
 }
 
 [[noreturn]] void fail_truncated(const FileLine &line) {
-    fail(Status::truncated, "line %lld: the file ends inside this line",
-         static_cast<long long>(line.number));
+    fail(Status::truncated, "line %lld: the file ends inside this line", static_cast<long long>(line.number));
 }
 
 // Index into section_letters.
@@ -129,8 +127,7 @@ void check_count(std::string_view stated, char letter, const Lines &lines) {
         return;
     }
     if (stated[0] != letter || !parse_integer(field, count)) {
-        fail(Status::syntax,
-             "terminate section: '%s' where the number of lines of section %c was expected",
+        fail(Status::syntax, "terminate section: '%s' where the number of lines of section %c was expected",
              excerpt(stated).c_str(), letter);
     }
     if (count != present % sequence_limit) {
@@ -193,4 +190,4 @@ Sections split_sections(std::span<const char> bytes) {
     return sections;
 }
 
-} // namespace nrb::iges
+} // namespace nrb::io::iges

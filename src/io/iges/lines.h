@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace nrb::iges {
+namespace nrb::io::iges {
 
 inline constexpr size_t data_columns = 72;      // free text of a line of the sections S, G and T
 inline constexpr size_t parameter_columns = 64; // free text of a line of section P
@@ -28,4 +28,4 @@ struct Sections {
 // 1.
 Sections split_sections(std::span<const char> bytes);
 
-} // namespace nrb::iges
+} // namespace nrb::io::iges

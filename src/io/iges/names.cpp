@@ -7,7 +7,7 @@
 #include <iterator>
 #include <utility>
 
-namespace nrb::iges {
+namespace nrb::io::iges {
 namespace {
 
 constexpr int property_type = 406;
@@ -126,4 +126,4 @@ std::string Names::name(const Entry &entry, Record &record) {
                                : label_name(entry);
 }
 
-} // namespace nrb::iges
+} // namespace nrb::io::iges

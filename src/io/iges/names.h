@@ -5,7 +5,7 @@
 
 #include <map>
 
-namespace nrb::iges {
+namespace nrb::io::iges {
 
 // "rational B-spline curve" for 126; "entity" for types that are not listed.
 const char *type_name(int type) noexcept;
@@ -30,4 +30,4 @@ private:
     std::map<size_t, std::string> properties_; // read already, by index of the directory entry
 };
 
-} // namespace nrb::iges
+} // namespace nrb::io::iges

@@ -11,12 +11,12 @@
 
 #include <cmath>
 
-namespace nrb {
+namespace nrb::io {
 namespace {
 
 using iges::Entry;
 
-void check_settings(std::span<const char> bytes, const ReadSettings &settings) {
+void check_settings(std::span<const char> bytes, const model::ReadSettings &settings) {
     if (!std::isfinite(settings.unit) || settings.unit < 0) {
         fail(Status::options, "unit = %s, expected metres > 0, or 0 for the unit of the file",
              Number(settings.unit).text);
@@ -28,7 +28,7 @@ void check_settings(std::span<const char> bytes, const ReadSettings &settings) {
 }
 
 // Factor from the unit of the file to the wanted one. A unit that the file does not tell cannot be converted.
-double unit_factor(double metres_per_unit, const ReadSettings &settings) {
+double unit_factor(double metres_per_unit, const model::ReadSettings &settings) {
     if (settings.unit == 0) {
         return 1;
     }
@@ -46,7 +46,7 @@ double unit_factor(double metres_per_unit, const ReadSettings &settings) {
 
 class Reader {
 public:
-    Reader(const iges::Sections &sections, const iges::Global &global, const ReadSettings &settings)
+    Reader(const iges::Sections &sections, const iges::Global &global, const model::ReadSettings &settings)
         : directory_(sections.directory), data_(sections.parameter, global.delimiters),
           parameter_plane_(iges::find_parameter_plane_curves(directory_, data_)),
           transforms_(directory_, data_), names_(directory_, data_),
@@ -54,7 +54,7 @@ public:
         document_.metres_per_unit = settings.unit > 0 ? settings.unit : global.metres_per_unit;
     }
 
-    Document run() {
+    model::Document run() {
         for (size_t i = 0; i < directory_.entries().size(); ++i) {
             const Entry &entry = directory_.entries()[i];
             try {
@@ -63,7 +63,7 @@ public:
                 add_note(entry, error.status(), error.what());
             }
         }
-        std::erase_if(document_.notes, [this](const Note &note) { return used(note); });
+        std::erase_if(document_.notes, [this](const model::Note &note) { return used(note); });
         return std::move(document_);
     }
 
@@ -80,7 +80,7 @@ private:
     }
 
     // Matrices and names that have gone into a spline are not lost. Which these are shows at the end only.
-    [[nodiscard]] bool used(const Note &note) const noexcept {
+    [[nodiscard]] bool used(const model::Note &note) const noexcept {
         const std::optional<size_t> index = directory_.find(note.line);
         return index && (transforms_.used(*index) || names_.used(*index));
     }
@@ -110,16 +110,16 @@ private:
     iges::Transforms transforms_;
     iges::Names names_;
     double factor_;
-    Document document_;
+    model::Document document_;
 };
 
 } // namespace
 
-Document read_iges(std::span<const char> bytes, const ReadSettings &settings) {
+model::Document read_iges(std::span<const char> bytes, const model::ReadSettings &settings) {
     check_settings(bytes, settings);
     const iges::Sections sections = iges::split_sections(bytes);
     const iges::Global global = iges::read_global(sections.global);
     return Reader(sections, global, settings).run();
 }
 
-} // namespace nrb
+} // namespace nrb::io

@@ -5,7 +5,7 @@
 
 #include <span>
 
-namespace nrb {
+namespace nrb::io {
 
 // Entities 126 and 128 become splines in the order of the directory, everything else becomes a note. Throws
 // Error: Status::too_large, format (not such a file), truncated (its end is missing), syntax (its
@@ -14,6 +14,6 @@ namespace nrb {
 // unit that cannot be known (flag 3 with a name that the standard does not list) leaves metres_per_unit 0 and
 // the coordinates as they stand. Cost: O(bytes) time and memory; a count stated in the file is believed only
 // if as many values are there.
-Document read_iges(std::span<const char> bytes, const ReadSettings &settings);
+model::Document read_iges(std::span<const char> bytes, const model::ReadSettings &settings);
 
-} // namespace nrb
+} // namespace nrb::io

@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace nrb::iges {
+namespace nrb::io::iges {
 
 // One pass counts the parameters, so that counts stated inside an entity can be checked before anything is
 // allocated.
@@ -130,4 +130,4 @@ bool Record::next_is_blank() const {
     return taken_ == count_ || scan(at).text.empty();
 }
 
-} // namespace nrb::iges
+} // namespace nrb::io::iges

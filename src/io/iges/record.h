@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace nrb::iges {
+namespace nrb::io::iges {
 
 // Set by the global section.
 struct Delimiters {
@@ -53,4 +53,4 @@ private:
     int64_t count_ = 0;
 };
 
-} // namespace nrb::iges
+} // namespace nrb::io::iges

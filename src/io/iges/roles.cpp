@@ -2,7 +2,7 @@
 
 #include "base/error.h"
 
-namespace nrb::iges {
+namespace nrb::io::iges {
 namespace {
 
 constexpr int composite_type = 102;
@@ -103,4 +103,4 @@ std::vector<bool> find_parameter_plane_curves(const Directory &directory, Parame
     return PlaneMarker(directory, data).run();
 }
 
-} // namespace nrb::iges
+} // namespace nrb::io::iges

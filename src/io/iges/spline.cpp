@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cstring>
 
-namespace nrb::iges {
+namespace nrb::io::iges {
 namespace {
 
 // One common weight cancels. Common zeros do not: they stay and are refused.
@@ -116,7 +116,7 @@ SplinePtr cut_to_ranges(SplinePtr spline, const std::vector<SplineData::Axis> &a
     for (size_t k = 0; k < axes.size(); ++k) {
         const Interval range = clipped_range(axes[k]);
         if (cuts(axes[k], range)) {
-            spline = restrict_axis(spline, static_cast<int>(k), range.lower, range.upper);
+            spline = refine::restrict_axis(spline, static_cast<int>(k), range.lower, range.upper);
         }
     }
     return spline;
@@ -137,4 +137,4 @@ SplinePtr build_spline(SplineData data, const Placement &placement) {
     return cut_to_ranges(std::move(whole), data.axes);
 }
 
-} // namespace nrb::iges
+} // namespace nrb::io::iges

@@ -5,7 +5,7 @@
 #include "io/iges/transform.h"
 #include "spline/spline.h"
 
-namespace nrb::iges {
+namespace nrb::io::iges {
 
 inline constexpr int curve_type = 126;
 inline constexpr int surface_type = 128;
@@ -45,4 +45,4 @@ struct Placement {
 // domain.
 SplinePtr build_spline(SplineData data, const Placement &placement);
 
-} // namespace nrb::iges
+} // namespace nrb::io::iges

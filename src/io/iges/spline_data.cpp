@@ -5,7 +5,7 @@
 
 #include <limits>
 
-namespace nrb::iges {
+namespace nrb::io::iges {
 namespace {
 
 SplineData::Axis make_axis(int64_t upper_index, int64_t degree, int axis, const Record &record) {
@@ -135,4 +135,4 @@ SplineData read_surface_data(Record &record) {
     return data;
 }
 
-} // namespace nrb::iges
+} // namespace nrb::io::iges

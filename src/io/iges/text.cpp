@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace nrb::iges {
+namespace nrb::io::iges {
 namespace {
 
 bool digit(char c) noexcept {
@@ -122,4 +122,4 @@ bool parse_real(std::string_view text, double &value) {
     return valid;
 }
 
-} // namespace nrb::iges
+} // namespace nrb::io::iges

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace nrb::iges {
+namespace nrb::io::iges {
 
 // Without blanks at both ends.
 std::string_view trim(std::string_view text) noexcept;
@@ -24,4 +24,4 @@ bool parse_integer(std::string_view text, int64_t &value) noexcept;
 // are refused.
 bool parse_real(std::string_view text, double &value);
 
-} // namespace nrb::iges
+} // namespace nrb::io::iges

@@ -4,7 +4,7 @@
 
 #include <set>
 
-namespace nrb::iges {
+namespace nrb::io::iges {
 namespace {
 
 constexpr int matrix_type = 124;
@@ -103,4 +103,4 @@ bool Transforms::used(size_t index) const noexcept {
     return found != resolved_.end() && found->second.damage.empty();
 }
 
-} // namespace nrb::iges
+} // namespace nrb::io::iges

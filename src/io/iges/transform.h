@@ -6,7 +6,7 @@
 #include <array>
 #include <map>
 
-namespace nrb::iges {
+namespace nrb::io::iges {
 
 // x -> R x + T.
 struct Transform {
@@ -45,4 +45,4 @@ private:
     std::map<size_t, Resolved> resolved_; // by index of the directory entry
 };
 
-} // namespace nrb::iges
+} // namespace nrb::io::iges

@@ -5,10 +5,10 @@
 
 #include <cmath>
 
-namespace nrb {
+namespace nrb::modify {
 
-Condition::Condition(int32_t kind, const Orders &orders, const double *param, const double *target, int axes,
-                     int dim)
+Condition::Condition(int32_t kind, const eval::Orders &orders, const double *param, const double *target,
+                     int axes, int dim)
     : kind_(kind), dim_(dim), param_(param), target_(target) {
     switch (kind) {
     case constrain_direction:
@@ -24,7 +24,7 @@ Condition::Condition(int32_t kind, const Orders &orders, const double *param, co
         equations_ = axes;
         break;
     case constrain_curvature:
-        derivatives_ = {Orders{1}, Orders{2}};
+        derivatives_ = {eval::Orders{1}, eval::Orders{2}};
         equations_ = dim;
         target_size_ = norm(target, dim);
         break;
@@ -98,4 +98,4 @@ void Condition::curvature(const double *values, double *residual, double *jacobi
     }
 }
 
-} // namespace nrb
+} // namespace nrb::modify

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-namespace nrb {
+namespace nrb::modify {
 
 enum ConstraintKind : int32_t {
     constrain_value = 0, // the derivative of the given orders is the target
@@ -19,13 +19,13 @@ enum ConstraintKind : int32_t {
 class Condition {
 public:
     // Kind, orders and target have been checked; `param` and `target` must outlive this.
-    Condition(int32_t kind, const Orders &orders, const double *param, const double *target, int axes,
+    Condition(int32_t kind, const eval::Orders &orders, const double *param, const double *target, int axes,
               int dim);
 
     [[nodiscard]] int32_t kind() const noexcept { return kind_; }
     [[nodiscard]] const double *param() const noexcept { return param_; }
     [[nodiscard]] const double *target() const noexcept { return target_; }
-    [[nodiscard]] std::span<const Orders> derivatives() const noexcept { return derivatives_; }
+    [[nodiscard]] std::span<const eval::Orders> derivatives() const noexcept { return derivatives_; }
     [[nodiscard]] int equations() const noexcept { return equations_; }
     // Whether every equation is linear in one derivative: its coefficients do not change.
     [[nodiscard]] bool linear() const noexcept;
@@ -45,8 +45,8 @@ private:
     const double *param_;
     const double *target_;
     double target_size_ = 0;
-    std::vector<Orders> derivatives_;
+    std::vector<eval::Orders> derivatives_;
     std::vector<double> rows_; // unit vectors along which derivatives vanish, [..][dim]
 };
 
-} // namespace nrb
+} // namespace nrb::modify

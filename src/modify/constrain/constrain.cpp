@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace nrb {
+namespace nrb::modify {
 
 namespace {
 
@@ -36,7 +36,7 @@ public:
     // Of the left sides.
     [[nodiscard]] int power(const Condition &condition) const noexcept {
         return condition.kind() == constrain_curvature ? -size_
-                                                             : size_ - knots_ * condition.derivatives()[0][0];
+                                                       : size_ - knots_ * condition.derivatives()[0][0];
     }
 
 private:
@@ -102,4 +102,4 @@ Constrained constrain(const Spline &spline, const std::vector<Condition> &condit
     return made;
 }
 
-} // namespace nrb
+} // namespace nrb::modify

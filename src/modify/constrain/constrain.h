@@ -3,7 +3,7 @@
 
 #include "modify/constrain/net_state.h"
 
-namespace nrb {
+namespace nrb::modify {
 
 struct Constrained {
     SplinePtr spline;
@@ -31,4 +31,4 @@ struct Constrained {
 Constrained constrain(const Spline &spline, const std::vector<Condition> &conditions, const ChangeRule &rule,
                       double tolerance);
 
-} // namespace nrb
+} // namespace nrb::modify

@@ -7,7 +7,7 @@
 #include <limits>
 #include <numeric>
 
-namespace nrb {
+namespace nrb::modify {
 
 namespace {
 
@@ -43,7 +43,7 @@ LocalEquations local_equations(const NetState &state, const Condition &condition
     LocalEquations local;
     local.points = basis.points();
     std::vector<double> values, sizes;
-    for (const Orders &a : condition.derivatives()) {
+    for (const eval::Orders &a : condition.derivatives()) {
         const std::vector<double> &functions = local.functions.emplace_back(basis.functions(a));
         const std::vector<double> value = basis.value(a, functions);
         values.insert(values.end(), value.begin(), value.end());
@@ -127,4 +127,4 @@ void fail_missed(Status status, const std::vector<LocalEquations> &all) {
          Number(local.length()).text, Number(local.limit).text);
 }
 
-} // namespace nrb
+} // namespace nrb::modify

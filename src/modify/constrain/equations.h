@@ -3,7 +3,7 @@
 
 #include "modify/constrain/net_state.h"
 
-namespace nrb {
+namespace nrb::modify {
 
 // Those of one condition.
 struct LocalEquations {
@@ -38,4 +38,4 @@ int64_t worst_missed(const std::vector<LocalEquations> &all) noexcept;
 // overflows.
 [[noreturn]] void fail_missed(Status status, const std::vector<LocalEquations> &all);
 
-} // namespace nrb
+} // namespace nrb::modify

@@ -1,15 +1,15 @@
 #include "modify/constrain/linear_constraints.h"
 
 #include "base/checked.h"
+#include "modify/constrain/scaling.h"
 #include "numeric/norm.h"
 #include "numeric/solvers/minimum_norm.h"
-#include "modify/constrain/scaling.h"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
 
-namespace nrb {
+namespace nrb::modify {
 
 namespace {
 
@@ -143,4 +143,4 @@ Constrained solve_linear(NetState &state, const std::vector<Condition> &conditio
             system.optimality(solution)};
 }
 
-} // namespace nrb
+} // namespace nrb::modify

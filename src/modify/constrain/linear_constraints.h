@@ -3,9 +3,9 @@
 
 #include "modify/constrain/constrain.h"
 
-namespace nrb {
+namespace nrb::modify {
 
 // See constrain(). Preconditions: all conditions are linear, the weights stay, some control point may move.
 Constrained solve_linear(NetState &state, const std::vector<Condition> &conditions, double tolerance);
 
-} // namespace nrb
+} // namespace nrb::modify

@@ -1,23 +1,23 @@
 #include "modify/constrain/net_state.h"
 
 #include "base/finite.h"
-#include "numeric/norm.h"
 #include "base/representable.h"
 #include "modify/edit/kept_layers.h"
 #include "modify/edit/net_editor.h"
+#include "numeric/norm.h"
 #include "refine/forms/homogeneous.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-namespace nrb {
+namespace nrb::modify {
 
 namespace {
 
-Orders highest_of(const Condition &condition) noexcept {
-    Orders highest{};
-    for (const Orders &a : condition.derivatives()) {
+eval::Orders highest_of(const Condition &condition) noexcept {
+    eval::Orders highest{};
+    for (const eval::Orders &a : condition.derivatives()) {
         for (size_t k = 0; k < highest.size(); ++k) {
             highest[k] = std::max(highest[k], a[k]);
         }
@@ -29,7 +29,7 @@ Orders highest_of(const Condition &condition) noexcept {
 std::vector<int64_t> acting_points(const Spline &spline, const std::vector<Condition> &conditions) {
     std::vector<int64_t> acting;
     for (const Condition &condition : conditions) {
-        ActivePoints active(spline.knot_vectors(), {});
+        eval::ActivePoints active(spline.knot_vectors(), {});
         static_cast<void>(active.locate({condition.param(), 1, spline.axes(), spline.axes(), 1}, 0));
         active.for_each([&](int64_t point, double) { acting.push_back(original_of(spline, point)); });
     }
@@ -73,7 +73,7 @@ Columns make_columns(const Spline &spline, const std::vector<Condition> &conditi
 }
 
 NetState::NetState(const Spline &spline, const Columns &columns)
-    : spline_(spline), columns_(columns), start_(cartesian_points(spline)) {
+    : spline_(spline), columns_(columns), start_(refine::cartesian_points(spline)) {
     const auto dim = static_cast<size_t>(spline.dim());
     for (int64_t i = 0; spline.form() == Form::homogeneous && i < spline.point_count(); ++i) {
         if (spline.weight(i) != 0) {
@@ -82,8 +82,7 @@ NetState::NetState(const Spline &spline, const Columns &columns)
         const size_t at = static_cast<size_t>(i) * dim;
         const double *record = spline.points().data() + i * spline.stored_width();
         if (largest_magnitude({record, dim}) > 0) {
-            fail(Status::point_not_finite, "g: control point %lld is at infinity",
-                 static_cast<long long>(i));
+            fail(Status::point_not_finite, "g: control point %lld is at infinity", static_cast<long long>(i));
         }
         std::fill_n(start_.begin() + static_cast<int64_t>(at), dim, 0.0); // without an effect
     }
@@ -135,9 +134,9 @@ LocalBasis::LocalBasis(const NetState &state, const Condition &condition)
     static_cast<void>(active_.locate({condition.param(), 1, axes, axes, 1}, 0));
     active_.for_each([&](int64_t point, double) { points_.push_back(point); });
     if (state.rational()) {
-        const Orders highest = highest_of(condition);
+        const eval::Orders highest = highest_of(condition);
         reciprocal_.emplace(axes, highest[0] + highest[1] + highest[2]);
-        for_each_lower(highest, [&](const Orders &b) {
+        eval::for_each_lower(highest, [&](const eval::Orders &b) {
             double weight = 0;
             active_.for_each(b, [&](int64_t point, double value) { weight += value * state.weight(point); });
             reciprocal_->add(b, weight);
@@ -145,14 +144,14 @@ LocalBasis::LocalBasis(const NetState &state, const Condition &condition)
     }
 }
 
-std::vector<double> LocalBasis::functions(const Orders &a) const {
+std::vector<double> LocalBasis::functions(const eval::Orders &a) const {
     std::vector<double> values(points_.size(), 0.0);
     if (!reciprocal_) {
         auto next = values.begin();
         active_.for_each(a, [&next](int64_t, double value) { *next++ = value; });
         return values;
     }
-    reciprocal_->leibniz().for_each(a, [&](const Orders &b, const Orders &rest, double binomial) {
+    reciprocal_->leibniz().for_each(a, [&](const eval::Orders &b, const eval::Orders &rest, double binomial) {
         const double factor = binomial * (*reciprocal_)[rest];
         auto next = values.begin();
         active_.for_each(
@@ -161,7 +160,7 @@ std::vector<double> LocalBasis::functions(const Orders &a) const {
     return values;
 }
 
-std::vector<double> LocalBasis::value(const Orders &a, const std::vector<double> &functions) const {
+std::vector<double> LocalBasis::value(const eval::Orders &a, const std::vector<double> &functions) const {
     const auto dim = static_cast<size_t>(state_.start().dim());
     const auto most = std::max_element(functions.begin(), functions.end(),
                                        [](double x, double y) { return std::abs(x) < std::abs(y); });
@@ -173,7 +172,7 @@ std::vector<double> LocalBasis::value(const Orders &a, const std::vector<double>
             sum[c] += functions[i] * (point[c] - from[c]);
         }
     }
-    for (size_t c = 0; c < dim && a == Orders{}; ++c) {
+    for (size_t c = 0; c < dim && a == eval::Orders{}; ++c) {
         sum[c] += from[c];
     }
     return sum;
@@ -187,16 +186,16 @@ double LocalBasis::magnitude(const std::vector<double> &functions) const noexcep
     return sum;
 }
 
-std::vector<double> LocalBasis::weight_slopes(const Orders &a) const {
+std::vector<double> LocalBasis::weight_slopes(const eval::Orders &a) const {
     const auto dim = static_cast<size_t>(state_.start().dim());
     std::vector<double> slopes(points_.size() * dim, 0.0);
-    reciprocal_->leibniz().for_each(a, [&](const Orders &b, const Orders &rest, double binomial) {
+    reciprocal_->leibniz().for_each(a, [&](const eval::Orders &b, const eval::Orders &rest, double binomial) {
         const std::vector<double> lower = functions(b);
         const std::vector<double> other = value(rest, functions(rest));
         for (size_t i = 0; i < points_.size(); ++i) {
             const double *const point = state_.point(points_[i]);
             for (size_t c = 0; c < dim; ++c) {
-                const double constant = rest == Orders{} ? point[c] : 0;
+                const double constant = rest == eval::Orders{} ? point[c] : 0;
                 slopes[i * dim + c] += binomial * lower[i] * (constant - other[c]);
             }
         }
@@ -211,4 +210,4 @@ std::vector<double> LocalBasis::weight_slopes(const Orders &a) const {
     return slopes;
 }
 
-} // namespace nrb
+} // namespace nrb::modify

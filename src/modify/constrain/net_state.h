@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-namespace nrb {
+namespace nrb::modify {
 
 // What may change, and at what cost; each null for its default.
 struct ChangeRule {
@@ -61,22 +61,23 @@ public:
 
     [[nodiscard]] const std::vector<int64_t> &points() const noexcept { return points_; }
     // R_i^(a) of the active control points; a is at most a derivative of the condition along each axis.
-    [[nodiscard]] std::vector<double> functions(const Orders &a) const;
+    [[nodiscard]] std::vector<double> functions(const eval::Orders &a) const;
     // sum R_i^(a) P_i, from differences to the control point that contributes most.
-    [[nodiscard]] std::vector<double> value(const Orders &a, const std::vector<double> &functions) const;
+    [[nodiscard]] std::vector<double> value(const eval::Orders &a,
+                                            const std::vector<double> &functions) const;
     // The same of magnitudes.
     [[nodiscard]] double magnitude(const std::vector<double> &functions) const noexcept;
     // What derivative a changes by for each relative change of a weight, w_i = w_i* (1 + r): [active][dim],
     // times the quotient of its weight at the start and now. With w_i S = sum w N P the derivative of (S
     // w)^(a) is
     //     R_i^(a) P_i - sum over b <= a of binomial(a, b) R_i^(b) S^(a-b).
-    [[nodiscard]] std::vector<double> weight_slopes(const Orders &a) const;
+    [[nodiscard]] std::vector<double> weight_slopes(const eval::Orders &a) const;
 
 private:
     const NetState &state_;
-    ActivePoints active_;
+    eval::ActivePoints active_;
     std::vector<int64_t> points_;
-    std::optional<Reciprocal> reciprocal_; // of w(t), if rational
+    std::optional<eval::Reciprocal> reciprocal_; // of w(t), if rational
 };
 
-} // namespace nrb
+} // namespace nrb::modify

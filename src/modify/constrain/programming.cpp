@@ -2,16 +2,16 @@
 
 #include "base/checked.h"
 #include "base/finite.h"
+#include "modify/constrain/scaling.h"
 #include "numeric/norm.h"
 #include "numeric/solvers/conjugate_gradients.h"
 #include "numeric/solvers/minimum_norm.h"
-#include "modify/constrain/scaling.h"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
 
-namespace nrb {
+namespace nrb::modify {
 
 namespace {
 
@@ -254,8 +254,7 @@ private:
 
     [[nodiscard]] Constrained finish() {
         if (worst_missed(all_) >= 0) {
-            fail_missed(rank_ < equation_count() ? Status::contradiction : Status::not_converged,
-                        all_);
+            fail_missed(rank_ < equation_count() ? Status::contradiction : Status::not_converged, all_);
         }
         if (!(optimality_ <= optimal)) {
             fail(Status::not_converged,
@@ -301,4 +300,4 @@ Constrained solve_by_programming(NetState &state, const std::vector<Condition> &
     return Programming(state, conditions, tolerance).run();
 }
 
-} // namespace nrb
+} // namespace nrb::modify

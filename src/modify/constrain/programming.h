@@ -3,9 +3,9 @@
 
 #include "modify/constrain/constrain.h"
 
-namespace nrb {
+namespace nrb::modify {
 
 // See constrain(). Precondition: something may change.
 Constrained solve_by_programming(NetState &state, const std::vector<Condition> &conditions, double tolerance);
 
-} // namespace nrb
+} // namespace nrb::modify

@@ -7,7 +7,7 @@
 #include <iterator>
 #include <limits>
 
-namespace nrb {
+namespace nrb::modify {
 
 // Pivots below this are rounding of the basis functions, which are within 3 p eps of themselves.
 double pivot_threshold(const Spline &spline, size_t equations, int64_t unknowns) noexcept {
@@ -44,4 +44,4 @@ std::vector<double> lengths(const std::vector<LocalEquations> &all) {
     return result;
 }
 
-} // namespace nrb
+} // namespace nrb::modify

@@ -3,7 +3,7 @@
 
 #include "modify/constrain/equations.h"
 
-namespace nrb {
+namespace nrb::modify {
 
 // Pivots of equations of length 1 below this part of the largest are rounding of the basis functions, which
 // are within 3 p eps of themselves.
@@ -20,4 +20,4 @@ double largest_move(const std::vector<double> &moves, int dim) noexcept;
 // Of the residuals, by conditions.
 std::vector<double> lengths(const std::vector<LocalEquations> &all);
 
-} // namespace nrb
+} // namespace nrb::modify

@@ -1,14 +1,14 @@
 #include "modify/deform/bend.h"
 
 #include "base/finite.h"
-#include "numeric/norm.h"
 #include "modify/deform/bend_bound.h"
+#include "numeric/norm.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-namespace nrb {
+namespace nrb::modify {
 
 namespace {
 
@@ -95,17 +95,18 @@ DeformedShape bend(const SplinePtr &spline, const Bend &bend, double tolerance) 
         return {spline, 0, true};
     }
     const size_t dim = bend.along.size();
-    const PointMap map = [&bend, dim](const std::vector<double> &points, std::vector<double> &images) {
+    const fit::PointMap map = [&bend, dim](const std::vector<double> &points, std::vector<double> &images) {
         for (size_t i = 0; i < points.size(); i += dim) {
             bend_point(bend, points.data() + i, images.data() + i);
         }
     };
-    const Judge judge = [&bend, tolerance](const SplinePtr &refined, const SplinePtr &candidate, Cuts &cuts) {
+    const fit::Judge judge = [&bend, tolerance](const SplinePtr &refined, const SplinePtr &candidate,
+                                                fit::Cuts &cuts) {
         return bend_bound(*refined, *candidate, bend, tolerance, cuts);
     };
     const bool positive = spline->all_weights().smallest > 0;
-    FittedImage image = fit_image(spline, map, tolerance, positive ? judge : nullptr);
+    fit::FittedImage image = fit::fit_image(spline, map, tolerance, positive ? judge : nullptr);
     return {std::move(image.spline), image.deviation, image.proven};
 }
 
-} // namespace nrb
+} // namespace nrb::modify

@@ -3,7 +3,7 @@
 
 #include "fit/fit_image.h"
 
-namespace nrb {
+namespace nrb::modify {
 
 // Unit vectors along and across, at right angles, and the part between lower and upper that is bent.
 struct Bend {
@@ -38,4 +38,4 @@ struct DeformedShape {
 // throws.
 DeformedShape bend(const SplinePtr &spline, const Bend &bend, double tolerance);
 
-} // namespace nrb
+} // namespace nrb::modify

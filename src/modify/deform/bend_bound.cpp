@@ -1,18 +1,18 @@
 #include "modify/deform/bend_bound.h"
 
-#include "numeric/norm.h"
-#include "numeric/binomial.h"
-#include "pieces/bernstein_net.h"
 #include "fit/span_samples.h"
-#include "refine/knots/bezier_rows.h"
+#include "numeric/binomial.h"
+#include "numeric/norm.h"
+#include "pieces/bernstein_net.h"
 #include "refine/forms/homogeneous.h"
+#include "refine/knots/bezier_rows.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
-namespace nrb {
+namespace nrb::modify {
 
 namespace {
 
@@ -122,21 +122,21 @@ class BendBound {
 public:
     BendBound(const Spline &g, const Spline &image, const Bend &bend)
         : g_(g), bend_(bend), dim_(static_cast<size_t>(g.dim())), width_(dim_ + (g.rational() ? 1 : 0)),
-          records_(centred_records(g, {bend.origin, bend.origin + dim_}, g.rational(), 0)) {
-        Places places;
+          records_(pieces::centred_records(g, {bend.origin, bend.origin + dim_}, g.rational(), 0)) {
+        fit::Places places;
         std::vector<int> degrees;
         for (int k = 0; k < g.axes(); ++k) {
             const auto at = static_cast<size_t>(k);
-            breaks_[at] = breaks_of(g.axis(k));
+            breaks_[at] = refine::breaks_of(g.axis(k));
             degrees.push_back(g.axis(k).degree());
-            places[at] = LocalNodes(degrees.back()).nodes();
+            places[at] = fit::LocalNodes(degrees.back()).nodes();
         }
-        net_ = std::make_unique<BernsteinNet>(g, records_, breaks_, degrees);
-        before_ = sampled(g.rational() ? *to_homogeneous(g) : g, places);
-        after_ = sampled(g.rational() ? *to_homogeneous(image) : image, places);
+        net_ = std::make_unique<pieces::BernsteinNet>(g, records_, breaks_, degrees);
+        before_ = fit::sampled(g.rational() ? *refine::to_homogeneous(g) : g, places);
+        after_ = fit::sampled(g.rational() ? *refine::to_homogeneous(image) : image, places);
     }
 
-    double run(double tolerance, Cuts &cuts) {
+    double run(double tolerance, fit::Cuts &cuts) {
         for (int k = 0; k < g_.axes(); ++k) {
             const auto at = static_cast<size_t>(k);
             cuts[at].assign(breaks_[at].size() - 1, 0);
@@ -176,7 +176,7 @@ private:
         bool crosses; // an end of the bent part
     };
 
-    void mark(int64_t piece, Cuts &cuts) const noexcept {
+    void mark(int64_t piece, fit::Cuts &cuts) const noexcept {
         for (int k = g_.axes(); k-- > 0;) {
             std::vector<char> &spans = cuts[static_cast<size_t>(k)];
             spans[static_cast<size_t>(piece % std::ssize(spans))] = 1;
@@ -276,9 +276,9 @@ private:
     const Bend &bend_;
     size_t dim_;
     size_t width_;
-    CentredRecords records_;
-    BernsteinNet::Breaks breaks_;
-    std::unique_ptr<BernsteinNet> net_;
+    pieces::CentredRecords records_;
+    pieces::BernsteinNet::Breaks breaks_;
+    std::unique_ptr<pieces::BernsteinNet> net_;
     std::vector<double> before_;
     std::vector<double> after_;
     double largest_ = 0;
@@ -286,8 +286,8 @@ private:
 
 } // namespace
 
-double bend_bound(const Spline &g, const Spline &image, const Bend &bend, double tolerance, Cuts &cuts) {
+double bend_bound(const Spline &g, const Spline &image, const Bend &bend, double tolerance, fit::Cuts &cuts) {
     return BendBound(g, image, bend).run(tolerance, cuts);
 }
 
-} // namespace nrb
+} // namespace nrb::modify

@@ -3,7 +3,7 @@
 
 #include "modify/deform/bend.h"
 
-namespace nrb {
+namespace nrb::modify {
 
 // A bound of |image(t) - F(g(t))| for an image over the knots and with the weights of g; infinite where the
 // weights are not shown to be positive. Spans of cells that cross an end of the bent part and have a bound
@@ -27,6 +27,6 @@ namespace nrb {
 // whole cell and their difference added, |k| d (|b| + d / 2) at most. For the rounding of all this 2^12 eps
 // of the largest distance from the origin of the bend is added. Cost: of the order of the evaluation at the
 // nodes.
-double bend_bound(const Spline &g, const Spline &image, const Bend &bend, double tolerance, Cuts &cuts);
+double bend_bound(const Spline &g, const Spline &image, const Bend &bend, double tolerance, fit::Cuts &cuts);
 
-} // namespace nrb
+} // namespace nrb::modify

@@ -1,13 +1,13 @@
 #include "modify/deform/energy.h"
 
-#include "numeric/binomial.h"
 #include "modify/edit/net_editor.h"
+#include "numeric/binomial.h"
 #include "refine/knots/extraction.h"
 
 #include <algorithm>
 #include <array>
 
-namespace nrb {
+namespace nrb::modify {
 
 namespace {
 
@@ -49,7 +49,7 @@ AxisMatrix axis_matrix(const KnotVector &axis, int order) {
     std::vector<double> functions(static_cast<size_t>(width * width));
     for (const int64_t span : axis.spans().indices()) {
         const double length = axis[span + 1] - axis[span];
-        bezier_extraction(axis.knots().data(), p, span, functions.data());
+        refine::bezier_extraction(axis.knots().data(), p, span, functions.data());
         for (int i = 0; i <= p; ++i) {
             differentiate(functions.data() + int64_t{i} * width, p, order, length);
         }
@@ -139,4 +139,4 @@ std::vector<Entry> energy_entries(const Spline &spline, int order) {
     return Assembly(spline, order).entries();
 }
 
-} // namespace nrb
+} // namespace nrb::modify

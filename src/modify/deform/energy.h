@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace nrb {
+namespace nrb::modify {
 
 // Sum over the axes of the integral over the domain of N_i^(order) N_j^(order), derivatives along that axis,
 // between the first copies of control points; axes of a lower degree contribute nothing. On a span N_i is a
@@ -15,4 +15,4 @@ namespace nrb {
 // Cost: for each control point the product of 2 degree + 1 over the axes.
 std::vector<Entry> energy_entries(const Spline &spline, int order);
 
-} // namespace nrb
+} // namespace nrb::modify

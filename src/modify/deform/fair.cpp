@@ -1,15 +1,15 @@
 #include "modify/deform/fair.h"
 
 #include "base/finite.h"
-#include "numeric/norm.h"
 #include "base/representable.h"
-#include "numeric/sum.h"
-#include "pieces/bernstein_net.h"
 #include "bounds/deviation.h"
-#include "numeric/solvers/sparse_system.h"
 #include "modify/deform/energy.h"
 #include "modify/edit/kept_layers.h"
 #include "modify/edit/net_editor.h"
+#include "numeric/norm.h"
+#include "numeric/solvers/sparse_system.h"
+#include "numeric/sum.h"
+#include "pieces/bernstein_net.h"
 #include "refine/forms/homogeneous.h"
 #include "spline/near_one.h"
 
@@ -17,7 +17,7 @@
 #include <cmath>
 #include <limits>
 
-namespace nrb {
+namespace nrb::modify {
 
 namespace {
 
@@ -68,7 +68,7 @@ class Fairing {
 public:
     Fairing(SplinePtr spline, int order, const int32_t *keep, double tolerance)
         : spline_(std::move(spline)), dim_(static_cast<size_t>(spline_->dim())), tolerance_(tolerance),
-          centre_(centre_of(*spline_)), entries_(energy_entries(*spline_, order)),
+          centre_(pieces::centre_of(*spline_)), entries_(energy_entries(*spline_, order)),
           unknowns_(unknowns_of(*spline_, keep)), best_(spline_) {
         const std::vector<double> x = centred(*spline_, centre_), force = times(entries_, x, spline_->dim());
         energy_ = compensated_dot(x, force);
@@ -145,14 +145,14 @@ private:
             return false;
         }
         const SplinePtr moved = moved_by(step, 1);
-        const double bound = moved == nullptr ? HUGE_VAL : deviation(*spline_, *moved).upper;
+        const double bound = moved == nullptr ? HUGE_VAL : bounds::deviation(*spline_, *moved).upper;
         if (bound <= tolerance_) {
             take(moved, bound);
             return true;
         }
         if (const SplinePtr part = moved_by(step, 0.99 * tolerance_ / bound);
             part != nullptr && std::isfinite(bound)) {
-            if (const double less = deviation(*spline_, *part).upper; less <= tolerance_) {
+            if (const double less = bounds::deviation(*spline_, *part).upper; less <= tolerance_) {
                 take(part, less);
             }
         }
@@ -236,4 +236,4 @@ Faired fair(const SplinePtr &spline, int order, const int32_t *keep, double tole
     return made;
 }
 
-} // namespace nrb
+} // namespace nrb::modify

@@ -3,7 +3,7 @@
 
 #include "spline/spline.h"
 
-namespace nrb {
+namespace nrb::modify {
 
 struct Faired {
     SplinePtr spline;
@@ -21,4 +21,4 @@ struct Faired {
 // deviations.
 Faired fair(const SplinePtr &spline, int order, const int32_t *keep, double tolerance);
 
-} // namespace nrb
+} // namespace nrb::modify

@@ -1,14 +1,14 @@
 #include "modify/deform/flatten.h"
 
-#include "numeric/norm.h"
 #include "base/representable.h"
+#include "numeric/norm.h"
 #include "spline/axis_view.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-namespace nrb {
+namespace nrb::modify {
 
 namespace {
 
@@ -97,4 +97,4 @@ Flattened flatten(const SplinePtr &spline, const Part &part, const double *point
             moved};
 }
 
-} // namespace nrb
+} // namespace nrb::modify

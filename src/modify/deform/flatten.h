@@ -3,7 +3,7 @@
 
 #include "modify/deform/region.h"
 
-namespace nrb {
+namespace nrb::modify {
 
 struct Flattened {
     SplinePtr spline;
@@ -18,4 +18,4 @@ struct Flattened {
 Flattened flatten(const SplinePtr &spline, const Part &part, const double *point, const double *normal,
                   const double *direction);
 
-} // namespace nrb
+} // namespace nrb::modify

@@ -11,7 +11,7 @@
 #include <cmath>
 #include <limits>
 
-namespace nrb {
+namespace nrb::modify {
 
 namespace {
 
@@ -34,9 +34,8 @@ public:
     [[nodiscard]] double parameter(size_t k, double x) const {
         const double rounding = 64 * eps * std::max(std::abs(lower_[k]), std::abs(upper_[k]));
         if (x < lower_[k] - rounding || x > upper_[k] + rounding) {
-            fail(Status::outside_domain,
-                 "coordinate %zu of a point of g is %s, outside [%s, %s], the box", k, Number(x).text,
-                 Number(lower_[k]).text, Number(upper_[k]).text);
+            fail(Status::outside_domain, "coordinate %zu of a point of g is %s, outside [%s, %s], the box", k,
+                 Number(x).text, Number(lower_[k]).text, Number(upper_[k]).text);
         }
         const auto [lower, upper] = domains_[k];
         return std::clamp(lower + (x - lower_[k]) * scale(k), lower, upper);
@@ -56,7 +55,7 @@ SplinePtr in_parameters(const Spline &curve, const Box &box) {
         offset.push_back(box.offset(k));
     }
     const auto dim = static_cast<int64_t>(box.dim());
-    return transform(curve, {dim, dim, matrix.data()}, offset.data());
+    return refine::transform(curve, {dim, dim, matrix.data()}, offset.data());
 }
 
 // 0 if it would be too high, or the curve is rational or moves on a line, where it may turn back.
@@ -75,27 +74,27 @@ int image_degree(const Spline &spline, const Spline &volume) noexcept {
 DeformedShape free_form_deform(const SplinePtr &spline, const SplinePtr &volume, const double *lower,
                                const double *upper, double tolerance) {
     const Box box(*volume, lower, upper);
-    const PointMap map = [&](const std::vector<double> &points, std::vector<double> &images) {
+    const fit::PointMap map = [&](const std::vector<double> &points, std::vector<double> &images) {
         const auto dim = static_cast<int64_t>(box.dim());
         std::vector<double> params(points.size());
         for (size_t i = 0; i < points.size(); ++i) {
             params[i] = box.parameter(i % box.dim(), points[i]);
         }
         const int64_t count = std::ssize(points) / dim;
-        evaluate_points(*volume, {}, 0, {params.data(), count, dim, dim, 1},
-                        {images.data(), count, dim, dim, 1});
+        eval::evaluate_points(*volume, {}, 0, {params.data(), count, dim, dim, 1},
+                              {images.data(), count, dim, dim, 1});
     };
     const int degree = image_degree(*spline, *volume);
-    Judge judge;
+    fit::Judge judge;
     if (degree > 0) {
-        const SplinePtr exact = compose(volume, in_parameters(*spline, box));
+        const SplinePtr exact = refine::compose(volume, in_parameters(*spline, box));
         const double rounding = 64 * eps * degree * largest_magnitude(volume->effective().points());
-        judge = [exact, rounding](const SplinePtr &, const SplinePtr &candidate, Cuts &) {
-            return deviation(*exact, *candidate).upper + rounding;
+        judge = [exact, rounding](const SplinePtr &, const SplinePtr &candidate, fit::Cuts &) {
+            return bounds::deviation(*exact, *candidate).upper + rounding;
         };
     }
-    FittedImage image = fit_image(spline, map, tolerance, judge);
+    fit::FittedImage image = fit::fit_image(spline, map, tolerance, judge);
     return {std::move(image.spline), image.deviation, image.proven};
 }
 
-} // namespace nrb
+} // namespace nrb::modify

@@ -4,7 +4,7 @@
 
 #include "modify/deform/bend.h"
 
-namespace nrb {
+namespace nrb::modify {
 
 // x -> V(A x), A the map of the box to the domain of the volume. Where g is a polynomial curve in the plane
 // or in space and the degree of the image at most max_degree, the image is composed (refine/algebra/compose.h)
@@ -15,4 +15,4 @@ namespace nrb {
 DeformedShape free_form_deform(const SplinePtr &spline, const SplinePtr &volume, const double *lower,
                                const double *upper, double tolerance);
 
-} // namespace nrb
+} // namespace nrb::modify

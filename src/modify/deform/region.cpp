@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace nrb {
+namespace nrb::modify {
 
 namespace {
 
@@ -41,9 +41,9 @@ SplinePtr refined_to(const SplinePtr &spline, const Part &part, int cells_per_de
     for (int k = 0; k < spline->axes(); ++k) {
         const Interval range = part[static_cast<size_t>(k)];
         if (!same(spline->axis(k).domain(), range)) {
-            result = refine(result, k, missing_ends(result->axis(k), range));
+            result = refine::refine(result, k, missing_ends(result->axis(k), range));
             const int cells = cells_per_degree * (result->axis(k).degree() + 1);
-            result = refine(result, k, filling(result->axis(k), range, cells));
+            result = refine::refine(result, k, filling(result->axis(k), range, cells));
         }
     }
     return result;
@@ -56,4 +56,4 @@ bool inside(const KnotVector &axis, int64_t layer, Interval range) noexcept {
            (axis[layer + axis.degree() + 1] <= range.upper || (open && range.upper == upper));
 }
 
-} // namespace nrb
+} // namespace nrb::modify

@@ -3,7 +3,7 @@
 
 #include "spline/part.h"
 
-namespace nrb {
+namespace nrb::modify {
 
 // The spline with the ends of the part as knots, and along each axis of which it is not the whole domain
 // with a knot in each of cells_per_degree (degree + 1) equal parts of it. Throws what refine() throws.
@@ -12,4 +12,4 @@ SplinePtr refined_to(const SplinePtr &spline, const Part &part, int cells_per_de
 // Whether the basis function of a layer vanishes outside the range, as far as the domain goes.
 bool inside(const KnotVector &axis, int64_t layer, Interval range) noexcept;
 
-} // namespace nrb
+} // namespace nrb::modify

@@ -1,16 +1,16 @@
 #include "modify/deform/snap_boundary.h"
 
-#include "numeric/norm.h"
 #include "base/representable.h"
 #include "bounds/deviation.h"
+#include "numeric/norm.h"
 #include "reduce/layers.h"
+#include "refine/algebra/common_knots.h"
+#include "refine/algebra/product.h"
+#include "refine/forms/homogeneous.h"
+#include "refine/forms/parametrization.h"
+#include "refine/forms/transform.h"
 #include "refine/knots/axis_table.h"
 #include "refine/parts/cut.h"
-#include "refine/forms/homogeneous.h"
-#include "refine/algebra/common_knots.h"
-#include "refine/forms/parametrization.h"
-#include "refine/algebra/product.h"
-#include "refine/forms/transform.h"
 #include "spline/axis_view.h"
 
 #include <algorithm>
@@ -18,18 +18,17 @@
 #include <cmath>
 #include <numeric>
 
-namespace nrb {
+namespace nrb::modify {
 
 namespace {
 
 void check_boundaries(const Spline &spline, Boundary boundary, const Spline &other, Boundary other_boundary) {
     if (spline.axes() > 2 || spline.axes() != other.axes()) {
-        fail(Status::axes, "g has %d axes and other %d, expected two curves or two surfaces",
-             spline.axes(), other.axes());
+        fail(Status::axes, "g has %d axes and other %d, expected two curves or two surfaces", spline.axes(),
+             other.axes());
     }
     if (spline.dim() != other.dim()) {
-        fail(Status::incompatible, "dimension %d of other, expected %d as of g", other.dim(),
-             spline.dim());
+        fail(Status::incompatible, "dimension %d of other, expected %d as of g", other.dim(), spline.dim());
     }
     if (spline.axis(boundary.axis).periodic() || other.axis(other_boundary.axis).periodic()) {
         fail(Status::periodic, "axis %d of %s is periodic: it has no boundary",
@@ -42,7 +41,7 @@ SplinePtr clamped_at(const SplinePtr &spline, Boundary boundary) {
     const KnotVector &axis = spline->axis(boundary.axis);
     return (boundary.upper ? axis.clamped_end() : axis.clamped_start())
                ? spline
-               : clamp_ends(spline, boundary.axis, {!boundary.upper, boundary.upper});
+               : refine::clamp_ends(spline, boundary.axis, {!boundary.upper, boundary.upper});
 }
 
 // Two surfaces with one degree and one knot vector along their boundaries.
@@ -52,17 +51,17 @@ struct Pair {
 };
 Pair compatible_along(const SplinePtr &g, int along, SplinePtr other, int other_along, bool reversed) {
     if (reversed) {
-        other = reverse(*other, other_along, true);
+        other = refine::reverse(*other, other_along, true);
     }
-    other = reparametrize(other, other_along, g->axis(along).domain());
+    other = refine::reparametrize(other, other_along, g->axis(along).domain());
     const KnotVector &a = g->axis(along), &b = other->axis(other_along);
-    const JointAxis joint(std::max(a.degree(), b.degree()), {&a, &b}, 0);
+    const refine::JointAxis joint(std::max(a.degree(), b.degree()), {&a, &b}, 0);
     const auto raised = [&joint](const SplinePtr &spline, int k, int member) {
         const KnotVector &old = spline->axis(k);
         const bool same = old.degree() == joint.axis()->degree() &&
                           old.periodic() == joint.axis()->periodic() &&
                           std::ranges::equal(old.knots(), joint.axis()->knots());
-        return same ? spline : with_axis(*spline, k, {joint.axis(), joint.raising(member)});
+        return same ? spline : refine::with_axis(*spline, k, {joint.axis(), joint.raising(member)});
     };
     SplinePtr fine = raised(g, along, 0);
     return {std::move(fine), raised(other, other_along, 1)};
@@ -73,7 +72,7 @@ Pair compatible_along(const SplinePtr &g, int along, SplinePtr other, int other_
 class Layers {
 public:
     Layers(const Spline &spline, Boundary boundary)
-        : width_(static_cast<size_t>(spline.dim()) + 1), records_(homogeneous_points(spline)),
+        : width_(static_cast<size_t>(spline.dim()) + 1), records_(refine::homogeneous_points(spline)),
           view_(axis_view(spline, boundary.axis, 1)), upper_(boundary.upper),
           slope_(end_slope(spline.axis(boundary.axis), boundary.upper)) {}
 
@@ -142,8 +141,7 @@ void check_orders(const Spline &g, const Spline &other, Boundary boundary, Bound
 void set_second_layer(Layers &own, Layers &other, double factor) {
     const double speed = own.speed(), other_speed = other.speed();
     if (!(speed > 0) || !(other_speed > 0)) {
-        fail(Status::tangent, "the derivative of %s across the boundary vanishes",
-             speed > 0 ? "other" : "g");
+        fail(Status::tangent, "the derivative of %s across the boundary vanishes", speed > 0 ? "other" : "g");
     }
     const double s = speed / other_speed * (other.slope() / own.slope());
     const double first = other.weight_sum(0), second = other.weight_sum(1);
@@ -218,8 +216,8 @@ SnappedBoundary snap_boundary(const SplinePtr &spline, Boundary boundary, const 
     }
     set_first_layer(own, from, factor);
     SplinePtr snapped = assembled(*pair.g, boundary, *pair.other, other_boundary, own.take(), order + 1);
-    const double bound = deviation(*spline, *snapped).upper;
+    const double bound = bounds::deviation(*spline, *snapped).upper;
     return {std::move(snapped), bound};
 }
 
-} // namespace nrb
+} // namespace nrb::modify

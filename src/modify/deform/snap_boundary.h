@@ -3,7 +3,7 @@
 
 #include "spline/spline.h"
 
-namespace nrb {
+namespace nrb::modify {
 
 struct Boundary {
     int axis;
@@ -29,4 +29,4 @@ struct SnappedBoundary {
 SnappedBoundary snap_boundary(const SplinePtr &spline, Boundary boundary, const SplinePtr &other,
                               Boundary other_boundary, int order, bool reversed);
 
-} // namespace nrb
+} // namespace nrb::modify

@@ -1,17 +1,17 @@
 #include "modify/deform/warp.h"
 
-#include "numeric/norm.h"
 #include "base/representable.h"
 #include "basis/bspline.h"
-#include "refine/algebra/polynomial.h"
 #include "modify/edit/net_editor.h"
-#include "refine/periodic/period.h"
+#include "numeric/norm.h"
+#include "refine/algebra/polynomial.h"
 #include "refine/algebra/sum.h"
+#include "refine/periodic/period.h"
 #include "spline/axis_view.h"
 
 #include <algorithm>
 
-namespace nrb {
+namespace nrb::modify {
 
 namespace {
 
@@ -74,7 +74,7 @@ Bump periodic_bump(const KnotVector &axis, const std::vector<double> &own) {
                  [lower, upper](double t) { return lower < t && t < upper; });
     const size_t period = knots.size() - degree;
     knots.resize(knots.size() + degree + 1, upper);
-    continue_knots(knots, degree, degree + period, period);
+    refine::continue_knots(knots, degree, degree + period, period);
     const auto first = std::upper_bound(knots.begin(), knots.end(), own.front()) - 1;
     const int64_t layer = (first - knots.begin()) % static_cast<int64_t>(period);
     return {make_knot_vector(static_cast<int>(degree), std::move(knots), true), layer, peak_of(own)};
@@ -103,8 +103,8 @@ SplinePtr bump_spline(const std::vector<Bump> &bumps, const std::vector<double> 
         count *= bump.axis->count();
     }
     const auto dim = static_cast<int>(step.size());
-    const SplinePtr zero =
-        polynomial_spline(std::move(axes), dim, std::vector<double>(static_cast<size_t>(count * dim)));
+    const SplinePtr zero = refine::polynomial_spline(std::move(axes), dim,
+                                                     std::vector<double>(static_cast<size_t>(count * dim)));
     NetEditor editor(*zero);
     editor.move(original_of(*zero, point), step.data(), 1);
     return editor.finish();
@@ -121,7 +121,7 @@ SplinePtr warp(const SplinePtr &spline, const Part &part, const double *directio
         bumps.push_back(axis.periodic() ? periodic_bump(axis, own) : open_bump(axis, own));
     }
     const std::vector<double> step = step_of(direction, spline->dim(), distance, bumps);
-    return sum(spline, 1, bump_spline(bumps, step), 1);
+    return refine::sum(spline, 1, bump_spline(bumps, step), 1);
 }
 
-} // namespace nrb
+} // namespace nrb::modify

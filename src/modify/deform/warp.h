@@ -3,7 +3,7 @@
 
 #include "modify/deform/region.h"
 
-namespace nrb {
+namespace nrb::modify {
 
 // See nurbs_warp(). The bump along an axis is the B-spline of degree order + 1 over order + 3 even knots of
 // the range, divided by its value in the middle, where it is largest: of all piecewise polynomials with that
@@ -14,4 +14,4 @@ namespace nrb {
 SplinePtr warp(const SplinePtr &spline, const Part &part, const double *direction, double distance,
                int order);
 
-} // namespace nrb
+} // namespace nrb::modify

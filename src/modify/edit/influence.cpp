@@ -1,21 +1,21 @@
 #include "modify/edit/influence.h"
 
-#include "numeric/norm.h"
 #include "eval/active_points.h"
 #include "modify/edit/net_editor.h"
+#include "numeric/norm.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 
-namespace nrb {
+namespace nrb::modify {
 
 namespace {
 
 // Those at a parameter that has been admitted.
-class ActiveAt : public ActivePoints {
+class ActiveAt : public eval::ActivePoints {
 public:
-    ActiveAt(const Spline &spline, const double *param) : ActivePoints(spline.knot_vectors(), {}) {
+    ActiveAt(const Spline &spline, const double *param) : eval::ActivePoints(spline.knot_vectors(), {}) {
         static_cast<void>(locate({param, 1, spline.axes(), spline.axes(), 1}, 0));
     }
 };
@@ -30,7 +30,7 @@ double scaled_weight(const Spline &spline, int64_t point) noexcept {
     return spline.records_exponent() == 0 ? weight : std::ldexp(weight, -spline.records_exponent());
 }
 
-void add_functions(const Spline &spline, const ActivePoints &active, std::span<const int64_t> originals,
+void add_functions(const Spline &spline, const eval::ActivePoints &active, std::span<const int64_t> originals,
                    Contribution &sums) noexcept {
     active.for_each([&](int64_t point, double value) {
         const double term = value * scaled_weight(spline, point);
@@ -44,7 +44,7 @@ void add_functions(const Spline &spline, const ActivePoints &active, std::span<c
 }
 
 // sum N_j w_j (P_j - Q), of those chosen or of the others; a point at infinity contributes N_j A_j.
-std::vector<double> weighted_offset(const Spline &spline, const ActivePoints &active,
+std::vector<double> weighted_offset(const Spline &spline, const eval::ActivePoints &active,
                                     std::span<const int64_t> originals, bool chosen,
                                     const std::vector<double> &centre) {
     std::vector<double> sum(centre.size(), 0.0);
@@ -71,7 +71,8 @@ std::vector<double> place_of(const Spline &spline, int64_t point) {
     return place;
 }
 
-Contribution started(const Spline &spline, const ActivePoints &active, std::span<const int64_t> originals) {
+Contribution started(const Spline &spline, const eval::ActivePoints &active,
+                     std::span<const int64_t> originals) {
     Contribution sums;
     sums.unit = std::ldexp(1.0, -spline.records_exponent());
     add_functions(spline, active, originals, sums);
@@ -79,7 +80,7 @@ Contribution started(const Spline &spline, const ActivePoints &active, std::span
 }
 
 // From the first of them that has a weight, so that places far from the origin lose nothing.
-std::vector<double> mean_place(const Spline &spline, const ActivePoints &active,
+std::vector<double> mean_place(const Spline &spline, const eval::ActivePoints &active,
                                std::span<const int64_t> originals, double weight) {
     const auto first = std::find_if(originals.begin(), originals.end(),
                                     [&](int64_t point) { return spline.weight(point) != 0; });
@@ -129,7 +130,7 @@ class Influences {
 public:
     Influences(const Spline &spline, size_t size) : spline_(spline), points_(size), values_(size) {}
 
-    void find(const ActivePoints &active) noexcept {
+    void find(const eval::ActivePoints &active) noexcept {
         double sum = 0;
         size_t at = 0;
         active.for_each([&](int64_t point, double value) {
@@ -223,7 +224,7 @@ Contribution contribution_about(const Spline &spline, int64_t original, const do
 }
 
 void most_influential(const Spline &spline, ConstRecords params, int64_t *indices, double *influences) {
-    ActivePoints active(spline.knot_vectors(), {});
+    eval::ActivePoints active(spline.knot_vectors(), {});
     Influences all(spline, static_cast<size_t>(active.size()));
     for (int64_t i = 0; i < params.count; ++i) {
         static_cast<void>(active.locate(params, i));
@@ -238,4 +239,4 @@ void most_influential(const Spline &spline, ConstRecords params, int64_t *indice
     }
 }
 
-} // namespace nrb
+} // namespace nrb::modify

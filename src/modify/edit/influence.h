@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-namespace nrb {
+namespace nrb::modify {
 
 // A point S of a spline as a mean of what some control points contribute to it and what the others do. With
 // the homogeneous control points (w_j P_j, w_j), the weights divided by a power of two,
@@ -46,4 +46,4 @@ Contribution contribution_about(const Spline &spline, int64_t original, const do
 // Precondition: the parameters have been admitted.
 void most_influential(const Spline &spline, ConstRecords params, int64_t *indices, double *influences);
 
-} // namespace nrb
+} // namespace nrb::modify

@@ -1,7 +1,7 @@
 #include "modify/edit/inverse_insertion.h"
 
-#include "numeric/norm.h"
 #include "basis/bspline.h"
+#include "numeric/norm.h"
 #include "refine/knots/insert.h"
 #include "spline/axis_view.h"
 
@@ -9,7 +9,7 @@
 #include <cmath>
 #include <limits>
 
-namespace nrb {
+namespace nrb::modify {
 
 namespace {
 
@@ -84,14 +84,13 @@ void check_period(const KnotVector &axis, int k) {
 void check_room(const KnotVector &axis, int k, double knot) {
     const int present = multiplicity(axis.knots(), knot);
     if (present > axis.degree()) {
-        fail(Status::multiplicity,
-             "knot = %s occurs %d times on axis %d already, degree %d allows no more", Number(knot).text,
-             present, k, axis.degree());
+        fail(Status::multiplicity, "knot = %s occurs %d times on axis %d already, degree %d allows no more",
+             Number(knot).text, present, k, axis.degree());
     }
 }
 
 // Boehm's means, t_span <= knot < t_(span + 1) outside the domain. New layer i counts from 1 below it.
-AxisTable table_outside(const KnotVector &axis, double knot) {
+refine::AxisTable table_outside(const KnotVector &axis, double knot) {
     const bool below = knot < axis.domain().lower;
     const int p = axis.degree();
     const auto behind = std::upper_bound(axis.knots().begin(), axis.knots().end(), knot);
@@ -137,9 +136,9 @@ LegInsertion insert_on_leg(const SplinePtr &spline, int axis, int64_t point, dou
     check_room(knots, axis, knot);
     const auto [lower, upper] = knots.domain();
     if (knot < lower || knot > upper) {
-        return {knot, with_axis(*spline, axis, table_outside(knots, knot))};
+        return {knot, refine::with_axis(*spline, axis, table_outside(knots, knot))};
     }
-    return {knot, insert_knot(spline, axis, knot, 1)};
+    return {knot, refine::insert_knot(spline, axis, knot, 1)};
 }
 
 namespace {
@@ -177,4 +176,4 @@ Leg nearest_leg(const Spline &spline, int axis, const double *point) {
     return nearest;
 }
 
-} // namespace nrb
+} // namespace nrb::modify

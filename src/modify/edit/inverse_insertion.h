@@ -4,7 +4,7 @@
 
 #include "spline/spline.h"
 
-namespace nrb {
+namespace nrb::modify {
 
 struct LegInsertion {
     double knot;
@@ -31,4 +31,4 @@ struct Leg {
 // finite.
 Leg nearest_leg(const Spline &spline, int axis, const double *point);
 
-} // namespace nrb
+} // namespace nrb::modify

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace nrb {
+namespace nrb::modify {
 
 namespace {
 
@@ -50,4 +50,4 @@ std::vector<char> kept_points(const Spline &spline, const int32_t *keep) {
     return stays;
 }
 
-} // namespace nrb
+} // namespace nrb::modify

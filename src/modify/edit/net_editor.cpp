@@ -2,7 +2,7 @@
 
 #include "base/representable.h"
 
-namespace nrb {
+namespace nrb::modify {
 
 namespace {
 
@@ -75,4 +75,4 @@ SplinePtr NetEditor::finish() {
     return make_result(spline_.knot_vectors(), spline_.dim(), form, std::move(points_), std::move(weights_));
 }
 
-} // namespace nrb
+} // namespace nrb::modify

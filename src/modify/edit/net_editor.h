@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace nrb {
+namespace nrb::modify {
 
 // The first of the copies that periodic axes make of a control point.
 int64_t original_of(const Spline &spline, int64_t point) noexcept;
@@ -33,4 +33,4 @@ private:
     std::vector<double> weights_;
 };
 
-} // namespace nrb
+} // namespace nrb::modify

@@ -1,12 +1,12 @@
 #include "modify/edit/pull_point.h"
 
-#include "numeric/direction.h"
 #include "modify/edit/influence.h"
 #include "modify/edit/net_editor.h"
+#include "numeric/direction.h"
 
 #include <cmath>
 
-namespace nrb {
+namespace nrb::modify {
 
 PointEdit pull_point(const Spline &spline, int64_t original, const double *param, const double *direction,
                      double distance) {
@@ -17,4 +17,4 @@ PointEdit pull_point(const Spline &spline, int64_t original, const double *param
     return {moved, editor.finish()};
 }
 
-} // namespace nrb
+} // namespace nrb::modify

@@ -3,7 +3,7 @@
 
 #include "spline/spline.h"
 
-namespace nrb {
+namespace nrb::modify {
 
 struct PointEdit {
     double moved; // how far, with the sign of the distance
@@ -16,4 +16,4 @@ struct PointEdit {
 PointEdit pull_point(const Spline &spline, int64_t original, const double *param, const double *direction,
                      double distance);
 
-} // namespace nrb
+} // namespace nrb::modify

@@ -1,16 +1,16 @@
 #include "modify/edit/weight_edit.h"
 
 #include "base/finite.h"
-#include "numeric/norm.h"
 #include "base/representable.h"
 #include "modify/edit/influence.h"
 #include "modify/edit/net_editor.h"
+#include "numeric/norm.h"
 
 #include <algorithm>
 #include <array>
 #include <limits>
 
-namespace nrb {
+namespace nrb::modify {
 
 namespace {
 
@@ -69,8 +69,7 @@ SplinePtr set_weights(const Spline &spline, std::span<const int64_t> originals, 
     for (int64_t i = 0; spline.form() == Form::homogeneous && i < spline.point_count(); ++i) {
         const double *record = spline.points().data() + i * spline.stored_width();
         if (spline.weight(i) == 0 && largest_magnitude({record, static_cast<size_t>(spline.dim())}) > 0) {
-            fail(Status::point_not_finite, "g: control point %lld is at infinity",
-                 static_cast<long long>(i));
+            fail(Status::point_not_finite, "g: control point %lld is at infinity", static_cast<long long>(i));
         }
     }
     NetEditor editor(spline);
@@ -209,4 +208,4 @@ WeightEdit weight_through(const Spline &spline, int64_t original, const double *
     return {weight, editor.finish()};
 }
 
-} // namespace nrb
+} // namespace nrb::modify

@@ -5,7 +5,7 @@
 
 #include <span>
 
-namespace nrb {
+namespace nrb::modify {
 
 // All parameters must have been admitted, and `originals` are first copies (net_editor.h).
 
@@ -42,4 +42,4 @@ double weight_cross_ratio(int dim, const double *control_point, const double *at
 WeightEdit weight_through(const Spline &spline, int64_t original, const double *param, const double *target,
                           double tolerance);
 
-} // namespace nrb
+} // namespace nrb::modify

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace nrb {
+namespace nrb::inline numeric {
 
 BandedLeastSquares::BandedLeastSquares(int64_t columns, int bandwidth, int border, int64_t width)
     : banded_(columns - border), bandwidth_(bandwidth), border_(border), width_(width),
@@ -94,4 +94,4 @@ bool BandedLeastSquares::solve(double *x) const {
     return true;
 }
 
-} // namespace nrb
+} // namespace nrb::inline numeric

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-namespace nrb {
+namespace nrb::inline numeric {
 
 // Minimises |A x - b| for many right-hand sides at once by Givens rotations, row by row (Lawson & Hanson,
 // "Solving Least Squares Problems", chapter 27), without normal equations, whose condition would be the
@@ -47,4 +47,4 @@ private:
     std::vector<double> entered_band_, entered_border_;
 };
 
-} // namespace nrb
+} // namespace nrb::inline numeric

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <vector>
 
-namespace nrb {
+namespace nrb::inline numeric {
 
 // z with A z = b to 1e-6 of b, or what `most` products bring it to: as many as A has distinct eigenvalues are
 // enough. 0 if there is a direction p with p.A p <= least p.p.
@@ -39,4 +39,4 @@ std::vector<double> conjugate_gradients(Product &&product, std::vector<double> b
     return z;
 }
 
-} // namespace nrb
+} // namespace nrb::inline numeric

@@ -1,11 +1,11 @@
 #include "numeric/solvers/minimum_norm.h"
 
-#include "numeric/norm.h"
 #include "base/representable.h"
+#include "numeric/norm.h"
 
 #include <Eigen/QR>
 
-namespace nrb {
+namespace nrb::inline numeric {
 
 namespace {
 
@@ -99,4 +99,4 @@ std::vector<double> RowSpace::expand(const std::vector<double> &y, int64_t width
     return values_of(x);
 }
 
-} // namespace nrb
+} // namespace nrb::inline numeric

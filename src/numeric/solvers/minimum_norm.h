@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-namespace nrb {
+namespace nrb::inline numeric {
 
 // A x = b for a wide matrix of few rows: with the pivoted triangular factorisation A^T P = Q R (Businger &
 // Golub 1965) of the transpose the rows that pivots above a threshold belong to are independent, and x = Q
@@ -59,4 +59,4 @@ private:
     std::unique_ptr<Factors> factors_;
 };
 
-} // namespace nrb
+} // namespace nrb::inline numeric

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace nrb {
+namespace nrb::inline numeric {
 
 namespace {
 
@@ -62,4 +62,4 @@ std::vector<double> principal_axes(const std::vector<double> &points, int dim) {
     return axes;
 }
 
-} // namespace nrb
+} // namespace nrb::inline numeric

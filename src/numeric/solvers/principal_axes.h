@@ -3,11 +3,11 @@
 
 #include <vector>
 
-namespace nrb {
+namespace nrb::inline numeric {
 
 // Unit vectors, row by row, orthonormal to rounding: the eigenvectors of the covariance of the points that
 // are finite, that of the largest eigenvalue first; in dimension 3 right-handed. Cost: linear in the number
 // of points, cubic in the dimension.
 std::vector<double> principal_axes(const std::vector<double> &points, int dim);
 
-} // namespace nrb
+} // namespace nrb::inline numeric

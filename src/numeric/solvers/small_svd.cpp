@@ -4,7 +4,7 @@
 #include <Eigen/SVD>
 #include <limits>
 
-namespace nrb {
+namespace nrb::inline numeric {
 
 namespace {
 
@@ -62,4 +62,4 @@ std::vector<double> SmallSvd::solution(double cutoff) const {
     return values_of(svd.solve(decomposition_->right));
 }
 
-} // namespace nrb
+} // namespace nrb::inline numeric

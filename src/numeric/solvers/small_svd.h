@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-namespace nrb {
+namespace nrb::inline numeric {
 
 class SmallSvd {
 public:
@@ -29,4 +29,4 @@ private:
     std::unique_ptr<Decomposition> decomposition_; // null: equations that are not finite
 };
 
-} // namespace nrb
+} // namespace nrb::inline numeric

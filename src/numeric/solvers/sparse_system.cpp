@@ -4,7 +4,7 @@
 
 #include <Eigen/SparseCholesky>
 
-namespace nrb {
+namespace nrb::inline numeric {
 
 namespace {
 
@@ -73,4 +73,4 @@ bool SparseSystem::solve(double rho, const std::vector<double> &right, int64_t w
     return all_finite(x);
 }
 
-} // namespace nrb
+} // namespace nrb::inline numeric

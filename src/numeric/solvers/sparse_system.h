@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-namespace nrb {
+namespace nrb::inline numeric {
 
 // Entry (i, j) of a symmetric matrix, each with its mirror image.
 struct Entry {
@@ -35,4 +35,4 @@ private:
     std::unique_ptr<Factors> factors_;
 };
 
-} // namespace nrb
+} // namespace nrb::inline numeric

@@ -2,12 +2,12 @@
 
 #include "base/checked.h"
 #include "base/representable.h"
-#include "numeric/sum.h"
 #include "basis/bspline.h"
+#include "numeric/sum.h"
 #include "refine/knots/axis_table.h"
 #include "spline/axis_view.h"
 
-namespace nrb {
+namespace nrb::refine {
 
 namespace {
 
@@ -94,4 +94,4 @@ SplinePtr antiderivative(const Spline &spline, int axis) {
                        std::move(points));
 }
 
-} // namespace nrb
+} // namespace nrb::refine

@@ -3,7 +3,7 @@
 
 #include "spline/spline.h"
 
-namespace nrb {
+namespace nrb::refine {
 
 // The integral of a polynomial spline along an axis from the lower end of its domain, of one degree more over the
 // same knots, the first and the last one once more; a periodic axis becomes plain. Its layers differ by S_i =
@@ -13,4 +13,4 @@ namespace nrb {
 // overflow. Cost: linear in the number of points.
 SplinePtr antiderivative(const Spline &spline, int axis);
 
-} // namespace nrb
+} // namespace nrb::refine

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <iterator>
 
-namespace nrb {
+namespace nrb::refine {
 
 namespace {
 
@@ -342,4 +342,4 @@ LayerTable JointAxis::raising(int member) const {
     return table;
 }
 
-} // namespace nrb
+} // namespace nrb::refine

@@ -10,15 +10,15 @@
 // control points with factors in [0, 1].
 #pragma once
 
-#include "numeric/binomial.h"
 #include "basis/bspline.h"
 #include "basis/knot_vector.h"
+#include "numeric/binomial.h"
 #include "spline/layer_table.h"
 
 #include <array>
 #include <vector>
 
-namespace nrb {
+namespace nrb::refine {
 
 // A value of a polar form: coefficients of consecutive layers; on a periodic axis of the endless sequence.
 struct PolarRow {
@@ -137,4 +137,4 @@ void for_each_choice(const JointAxis::Window &window, int total, Body &&body) {
     detail::choose(window, 0, total, all, 1.0, chosen, body);
 }
 
-} // namespace nrb
+} // namespace nrb::refine

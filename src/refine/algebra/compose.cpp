@@ -1,10 +1,10 @@
 #include "refine/algebra/compose.h"
 
 #include "numeric/sum.h"
-#include "refine/knots/blossom.h"
+#include "refine/algebra/product.h"
 #include "refine/algebra/span_cells.h"
 #include "refine/forms/homogeneous.h"
-#include "refine/algebra/product.h"
+#include "refine/knots/blossom.h"
 #include "refine/periodic/periods.h"
 #include "spline/contract.h"
 #include "spline/kind.h"
@@ -16,7 +16,7 @@
 #include <functional>
 #include <numeric>
 
-namespace nrb {
+namespace nrb::refine {
 
 namespace {
 
@@ -27,8 +27,7 @@ void check_operands(const Spline &g, const Spline &f) {
              Number(f.all_weights().smallest).text);
     }
     if (f.dim() != g.axes()) {
-        fail(Status::dimension, "dimension %d of f, expected %d, the number of axes of g", f.dim(),
-             g.axes());
+        fail(Status::dimension, "dimension %d of f, expected %d, the number of axes of g", f.dim(), g.axes());
     }
 }
 
@@ -39,8 +38,8 @@ int composed_degree(const Spline &g, const Spline &f) {
     }
     const int q = f.axis(0).degree();
     if (total * q > max_degree) {
-        fail(Status::degree, "degrees %d of f and %d of g give %d, which exceeds the limit of %d", q,
-             total, total * q, max_degree);
+        fail(Status::degree, "degrees %d of f and %d of g give %d, which exceeds the limit of %d", q, total,
+             total * q, max_degree);
     }
     return total * q;
 }
@@ -372,4 +371,4 @@ SplinePtr compose(const SplinePtr &g, const SplinePtr &f) {
     return Composer(*weighted, *f, degree).run();
 }
 
-} // namespace nrb
+} // namespace nrb::refine

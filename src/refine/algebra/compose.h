@@ -3,7 +3,7 @@
 
 #include "spline/spline.h"
 
-namespace nrb {
+namespace nrb::refine {
 
 // The curve g(f(t)) for a curve f in the parameter space of g, polynomial or with positive weights, of degree q *
 // (the sum of the degrees of g), clamped, with knots where f has some and where f crosses knots of g, as often as
@@ -39,4 +39,4 @@ namespace nrb {
 // binomial(p + q, q) values of G, and the knots of the periods that f runs over.
 SplinePtr compose(const SplinePtr &g, const SplinePtr &f);
 
-} // namespace nrb
+} // namespace nrb::refine

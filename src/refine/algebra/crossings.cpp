@@ -1,14 +1,14 @@
 #include "refine/algebra/crossings.h"
 
 #include "numeric/binomial.h"
-#include "refine/knots/blossom.h"
 #include "refine/algebra/derivative.h"
+#include "refine/knots/blossom.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-namespace nrb {
+namespace nrb::refine {
 
 namespace {
 
@@ -369,4 +369,4 @@ bool strictly_monotone(const SplinePtr &curve) {
     return below != above;
 }
 
-} // namespace nrb
+} // namespace nrb::refine

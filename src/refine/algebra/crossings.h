@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-namespace nrb {
+namespace nrb::refine {
 
 using Coefficients = std::array<double, max_basis>;
 
@@ -91,4 +91,4 @@ bool lies_above(const CurvePiece &piece, int k, double c, Interval part);
 // interval on which it is constant to rounding is not let pass, a point is.
 bool strictly_monotone(const SplinePtr &curve);
 
-} // namespace nrb
+} // namespace nrb::refine

@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-namespace nrb {
+namespace nrb::refine {
 
 namespace {
 
@@ -138,4 +138,4 @@ SplinePtr polynomial_derivative(const SplinePtr &spline, int axis, int order) {
     return result;
 }
 
-} // namespace nrb
+} // namespace nrb::refine

@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-namespace nrb {
+namespace nrb::refine {
 
 // The derivative of a polynomial spline along an axis: control points p (P_(i+1) - P_i) / (t_(i+p+1) - t_(i+1))
 // over the knots without the first and the last one (de Boor 1972; Piegl & Tiller 3.3), each within 2 eps of
@@ -14,4 +14,4 @@ namespace nrb {
 // Preconditions: polynomial, order >= 0. Cost: linear in the number of points, for each order.
 SplinePtr polynomial_derivative(const SplinePtr &spline, int axis, int order);
 
-} // namespace nrb
+} // namespace nrb::refine

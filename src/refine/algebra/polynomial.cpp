@@ -4,7 +4,7 @@
 
 #include <utility>
 
-namespace nrb {
+namespace nrb::refine {
 
 SplinePtr polynomial_spline(Spline::Axes axes, int dim, std::vector<double> points) {
     return std::make_shared<const Spline>(std::move(axes), dim, Form::polynomial, std::move(points),
@@ -15,4 +15,4 @@ SplinePtr times(const SplinePtr &a, const SplinePtr &factor) {
     return factor == nullptr ? a : a == nullptr ? factor : product(*a, *factor, ProductKind::components);
 }
 
-} // namespace nrb
+} // namespace nrb::refine

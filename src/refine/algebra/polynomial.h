@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace nrb {
+namespace nrb::refine {
 
 // Without the checks of make_result(). Precondition: the sizes agree and all values are finite.
 SplinePtr polynomial_spline(Spline::Axes axes, int dim, std::vector<double> points);
@@ -13,4 +13,4 @@ SplinePtr polynomial_spline(Spline::Axes axes, int dim, std::vector<double> poin
 // The product, by components; null stands for the function 1. Throws what product() throws.
 SplinePtr times(const SplinePtr &a, const SplinePtr &factor);
 
-} // namespace nrb
+} // namespace nrb::refine

@@ -10,7 +10,7 @@
 #include <cstddef>
 #include <numeric>
 
-namespace nrb {
+namespace nrb::refine {
 
 namespace {
 
@@ -291,4 +291,4 @@ SplinePtr product(const Spline &a, const Spline &b, ProductKind kind) {
                                         dim + (rational ? 1 : 0), rational ? whole : coordinates));
 }
 
-} // namespace nrb
+} // namespace nrb::refine

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-namespace nrb {
+namespace nrb::refine {
 
 // A map of two records that is linear in each of them: out = B(a, b).
 using Bilinear = std::function<void(const double *a, const double *b, double *out)>;
@@ -52,4 +52,4 @@ SplinePtr product(const Spline &a, const Spline &b, ProductKind kind);
 // make_result() throws.
 SplinePtr from_records(Spline::Axes axes, int dim, Form form, std::vector<double> records);
 
-} // namespace nrb
+} // namespace nrb::refine

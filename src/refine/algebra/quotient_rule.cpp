@@ -2,14 +2,14 @@
 
 #include "base/limits.h"
 #include "refine/algebra/derivative.h"
-#include "refine/degree/elevate.h"
 #include "refine/algebra/product.h"
+#include "refine/degree/elevate.h"
 #include "spline/at_origin.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace nrb {
+namespace nrb::refine {
 
 namespace {
 
@@ -118,4 +118,4 @@ SplinePtr rational_derivative(const Spline &given, int axis, int order) {
                         side_by_side(*numerator, *denominator));
 }
 
-} // namespace nrb
+} // namespace nrb::refine

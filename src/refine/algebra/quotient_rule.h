@@ -3,7 +3,7 @@
 
 #include "spline/spline.h"
 
-namespace nrb {
+namespace nrb::refine {
 
 // The derivative of order n = order of A / w along an axis is N_n / w^(n+1) with N_0 = A and
 //
@@ -14,4 +14,4 @@ namespace nrb {
 // Status::degree, periodic_knots, not_representable, overflow. Preconditions: rational, order >= 1.
 SplinePtr rational_derivative(const Spline &spline, int axis, int order);
 
-} // namespace nrb
+} // namespace nrb::refine

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace nrb {
+namespace nrb::refine {
 
 namespace {
 
@@ -111,4 +111,4 @@ double snapped(const KnotVector &axis, double value, double uncertainty) noexcep
     return std::fabs(nearest - value) <= uncertainty ? nearest : value;
 }
 
-} // namespace nrb
+} // namespace nrb::refine

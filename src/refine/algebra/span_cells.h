@@ -6,7 +6,7 @@
 #include <array>
 #include <vector>
 
-namespace nrb {
+namespace nrb::refine {
 
 // An interval, up to the start of the next one, on which a curve is a polynomial and its values lie in one span
 // of each axis. Spans that are shorter than the uncertainty of the values may be left out: there the values
@@ -24,4 +24,4 @@ std::vector<Cell> cells_of(const Spline::Axes &axes, const std::vector<CurvePiec
 // The knot of an axis that a value equals to within its uncertainty, or the value.
 double snapped(const KnotVector &axis, double value, double uncertainty) noexcept;
 
-} // namespace nrb
+} // namespace nrb::refine

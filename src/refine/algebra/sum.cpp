@@ -1,14 +1,14 @@
 #include "refine/algebra/sum.h"
 
 #include "base/representable.h"
-#include "refine/knots/axis_table.h"
-#include "refine/forms/homogeneous.h"
 #include "refine/algebra/product.h"
+#include "refine/forms/homogeneous.h"
 #include "refine/forms/weights.h"
+#include "refine/knots/axis_table.h"
 
 #include <algorithm>
 
-namespace nrb {
+namespace nrb::refine {
 
 namespace {
 
@@ -87,4 +87,4 @@ SplinePtr sum(const SplinePtr &a, double alpha, const SplinePtr &b, double beta)
     return over_product(*a, alpha, *b, beta);
 }
 
-} // namespace nrb
+} // namespace nrb::refine

@@ -3,7 +3,7 @@
 
 #include "spline/spline.h"
 
-namespace nrb {
+namespace nrb::refine {
 
 // alpha a(t) + beta b(t). Over common degrees and knots (joint_axis.h) where neither is rational, or both are
 // and their weights come out equal bit for bit; otherwise over the product of the denominators. Throws
@@ -11,4 +11,4 @@ namespace nrb {
 // beta are finite.
 SplinePtr sum(const SplinePtr &a, double alpha, const SplinePtr &b, double beta);
 
-} // namespace nrb
+} // namespace nrb::refine

@@ -4,7 +4,7 @@
 #include "refine/degree/elevation_table.h"
 #include "refine/periodic/period_rows.h"
 
-namespace nrb {
+namespace nrb::refine {
 
 namespace {
 
@@ -54,4 +54,4 @@ SplinePtr elevate(const SplinePtr &spline, int axis, int64_t times) {
                      [&](int64_t first, int64_t end) { return elevation.rows(first, end); });
 }
 
-} // namespace nrb
+} // namespace nrb::refine

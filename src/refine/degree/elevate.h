@@ -3,7 +3,7 @@
 
 #include "refine/knots/axis_table.h"
 
-namespace nrb {
+namespace nrb::refine {
 
 // The axis with its degree raised, and the table for all stored layers. Throws Status::periodic_knots,
 // not_representable. Precondition: 0 < times <= max_degree - degree.
@@ -14,4 +14,4 @@ AxisTable elevate_axis(const KnotVector &axis, int64_t times);
 // not_representable, weights_vanish, overflow. Cost: linear in the number of points.
 SplinePtr elevate(const SplinePtr &spline, int axis, int64_t times);
 
-} // namespace nrb
+} // namespace nrb::refine

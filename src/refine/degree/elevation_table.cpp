@@ -1,13 +1,13 @@
 #include "refine/degree/elevation_table.h"
 
 #include "base/error.h"
-#include "refine/periodic/period.h"
 #include "refine/knots/blossom_rows.h"
+#include "refine/periodic/period.h"
 
 #include <algorithm>
 #include <span>
 
-namespace nrb {
+namespace nrb::refine {
 
 namespace {
 
@@ -315,4 +315,4 @@ LayerTable Elevation::rows(int64_t first, int64_t end) const {
     return table;
 }
 
-} // namespace nrb
+} // namespace nrb::refine

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace nrb {
+namespace nrb::refine {
 
 // An axis of one degree more, and the rows that give its control points from the old ones.
 //
@@ -53,4 +53,4 @@ private:
     int64_t rows_;
 };
 
-} // namespace nrb
+} // namespace nrb::refine

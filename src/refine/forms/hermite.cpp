@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace nrb {
+namespace nrb::refine {
 
 namespace {
 
@@ -22,8 +22,7 @@ void check_cubic(const Spline &curve) {
 void check_smooth(const KnotVector &axis) {
     const std::vector<double> breaks = rough_knots(axis, 1);
     if (breaks.size() > 2) {
-        fail(Status::continuity,
-             "knot %s occurs %d times, expected at most %d times in a curve of degree %d",
+        fail(Status::continuity, "knot %s occurs %d times, expected at most %d times in a curve of degree %d",
              Number(breaks[1]).text, multiplicity(axis.knots(), breaks[1]), std::max(axis.degree() - 1, 0),
              axis.degree());
     }
@@ -65,4 +64,4 @@ HermiteData hermite_data(const SplinePtr &curve) {
     return data;
 }
 
-} // namespace nrb
+} // namespace nrb::refine

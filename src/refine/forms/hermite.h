@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace nrb {
+namespace nrb::refine {
 
 // Packed records of dim values at the breaks, which are the ends of the non-empty spans.
 struct HermiteData {
@@ -19,4 +19,4 @@ struct HermiteData {
 // themselves, over the longer one of the two spans. Cost: linear in the number of spans.
 HermiteData hermite_data(const SplinePtr &curve);
 
-} // namespace nrb
+} // namespace nrb::refine

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace nrb {
+namespace nrb::refine {
 
 std::vector<double> homogeneous_points(const Spline &spline) {
     if (spline.form() == Form::homogeneous) {
@@ -84,4 +84,4 @@ SplinePtr from_homogeneous(const Spline &spline) {
                        {spline.points().begin(), spline.points().end()});
 }
 
-} // namespace nrb
+} // namespace nrb::refine

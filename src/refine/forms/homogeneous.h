@@ -5,7 +5,7 @@
 
 #include <span>
 
-namespace nrb {
+namespace nrb::refine {
 
 // (w x, w y, ..., w) of every control point, unscaled; w = 1 in a polynomial spline.
 std::vector<double> homogeneous_points(const Spline &spline);
@@ -27,4 +27,4 @@ SplinePtr to_homogeneous(const Spline &spline);
 // Throws Status::rational, dimension, weights_vanish.
 SplinePtr from_homogeneous(const Spline &spline);
 
-} // namespace nrb
+} // namespace nrb::refine

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace nrb {
+namespace nrb::refine {
 
 void check_distinct(std::span<const double> before, std::span<const double> after, int axis) {
     if (!std::all_of(after.begin(), after.end(), [](double t) { return std::isfinite(t); }) ||
@@ -113,4 +113,4 @@ SplinePtr reparametrize(const SplinePtr &spline, int axis, Interval domain) {
         std::vector<double>(spline->weights().begin(), spline->weights().end()));
 }
 
-} // namespace nrb
+} // namespace nrb::refine

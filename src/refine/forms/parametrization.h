@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-namespace nrb {
+namespace nrb::refine {
 
 // Knots turned round: -t of each, from the last to the first.
 std::vector<double> negated(std::span<const double> knots);
@@ -23,4 +23,4 @@ SplinePtr reparametrize(const SplinePtr &spline, int axis, Interval domain);
 // Status::not_representable, knots_merge.
 void check_distinct(std::span<const double> before, std::span<const double> after, int axis);
 
-} // namespace nrb
+} // namespace nrb::refine

@@ -3,14 +3,14 @@
 #include "base/finite.h"
 #include "base/representable.h"
 #include "numeric/binomial.h"
-#include "refine/parts/cut.h"
 #include "refine/forms/homogeneous.h"
+#include "refine/parts/cut.h"
 #include "spline/axis_view.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace nrb {
+namespace nrb::refine {
 
 namespace {
 
@@ -200,4 +200,4 @@ SplinePtr from_power(PowerForm form, bool rational) {
                        rational ? Form::homogeneous : Form::polynomial, std::move(net));
 }
 
-} // namespace nrb
+} // namespace nrb::refine

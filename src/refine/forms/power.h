@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace nrb {
+namespace nrb::refine {
 
 // Pieces in the order of their parameters, last axis fastest; in each the coefficients of
 // (t_0 - a_0)^k_0 (t_1 - a_1)^k_1 ..., last axis fastest, of homogeneous records if `rational`.
@@ -27,4 +27,4 @@ PowerForm to_power(const SplinePtr &spline);
 // breaks are finite and rise. Throws what make_spline() throws, and Status::not_representable.
 SplinePtr from_power(PowerForm form, bool rational);
 
-} // namespace nrb
+} // namespace nrb::refine

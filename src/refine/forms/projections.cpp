@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace nrb {
+namespace nrb::refine {
 
 namespace {
 
@@ -53,8 +53,7 @@ SplinePtr shear(const Spline &spline, const double *point, const std::vector<dou
     const size_t dim = n.size();
     const Product along = product(n, d.data(), nullptr);
     if (vanishes(along, dim)) {
-        fail(Status::direction,
-             "direction is parallel to the plane: normal . direction is 0 to rounding");
+        fail(Status::direction, "direction is parallel to the plane: normal . direction is 0 to rounding");
     }
     const double height = product(n, point, nullptr).value;
     std::vector<double> matrix(dim * dim), translation(dim);
@@ -104,4 +103,4 @@ SplinePtr project_from(const Spline &spline, const double *eye, const double *po
     return transform_projective(spline, {size, size, matrix.data()});
 }
 
-} // namespace nrb
+} // namespace nrb::refine

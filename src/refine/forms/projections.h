@@ -3,7 +3,7 @@
 
 #include "spline/spline.h"
 
-namespace nrb {
+namespace nrb::refine {
 
 // All arrays have the dimension of the spline. Throws Status::direction for a normal of 0, a direction
 // parallel to the plane, or an eye in the plane, each to within rounding; and what transform() throws.
@@ -13,4 +13,4 @@ SplinePtr project_to_plane(const Spline &spline, const double *point, const doub
                            const double *direction);
 SplinePtr project_from(const Spline &spline, const double *eye, const double *point, const double *normal);
 
-} // namespace nrb
+} // namespace nrb::refine

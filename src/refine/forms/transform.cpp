@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace nrb {
+namespace nrb::refine {
 
 namespace {
 
@@ -106,4 +106,4 @@ SplinePtr transform_projective(const Spline &spline, const MatrixView &matrix) {
                        std::move(records));
 }
 
-} // namespace nrb
+} // namespace nrb::refine

@@ -3,7 +3,7 @@
 
 #include "spline/spline.h"
 
-namespace nrb {
+namespace nrb::refine {
 
 // Row by row.
 struct MatrixView {
@@ -20,4 +20,4 @@ SplinePtr transform(const Spline &spline, const MatrixView &matrix, const double
 // Preconditions: columns == dim + 1, entries are finite.
 SplinePtr transform_projective(const Spline &spline, const MatrixView &matrix);
 
-} // namespace nrb
+} // namespace nrb::refine

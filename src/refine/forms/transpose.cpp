@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-namespace nrb {
+namespace nrb::refine {
 
 namespace {
 
@@ -14,8 +14,7 @@ void check_permutation(int axes, const int32_t *permutation) {
         }
         for (int j = 0; j < k; ++j) {
             if (permutation[j] == permutation[k]) {
-                fail(Status::axis,
-                     "permutation[%d] = %d is also permutation[%d]; expected each axis once", k,
+                fail(Status::axis, "permutation[%d] = %d is also permutation[%d]; expected each axis once", k,
                      permutation[k], j);
             }
         }
@@ -72,4 +71,4 @@ SplinePtr transpose(const Spline &spline, const int32_t *permutation) {
                                           reordered(spline.weights(), 1, order));
 }
 
-} // namespace nrb
+} // namespace nrb::refine

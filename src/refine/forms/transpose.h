@@ -3,9 +3,9 @@
 
 #include "spline/spline.h"
 
-namespace nrb {
+namespace nrb::refine {
 
 // Axis k of the result is axis permutation[k] of the spline. Throws Status::axis.
 SplinePtr transpose(const Spline &spline, const int32_t *permutation);
 
-} // namespace nrb
+} // namespace nrb::refine

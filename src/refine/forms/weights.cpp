@@ -1,9 +1,9 @@
 #include "refine/forms/weights.h"
 
 #include "basis/bspline.h"
-#include "refine/knots/axis_table.h"
 #include "refine/forms/homogeneous.h"
 #include "refine/forms/parametrization.h"
+#include "refine/knots/axis_table.h"
 #include "spline/axis_view.h"
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 #include <limits>
 #include <numeric>
 
-namespace nrb {
+namespace nrb::refine {
 
 namespace {
 
@@ -204,4 +204,4 @@ SplinePtr equalize_end_weights(const SplinePtr &spline, int axis) {
     return reparametrize_moebius(spline, axis, ratio);
 }
 
-} // namespace nrb
+} // namespace nrb::refine

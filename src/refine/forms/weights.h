@@ -3,7 +3,7 @@
 
 #include "spline/spline.h"
 
-namespace nrb {
+namespace nrb::refine {
 
 // Whether all weights are one number.
 bool equal_weights(const Spline &spline) noexcept;
@@ -25,4 +25,4 @@ SplinePtr reparametrize_moebius(const SplinePtr &spline, int axis, double ratio)
 // Status::end_weights if there is none.
 SplinePtr equalize_end_weights(const SplinePtr &spline, int axis);
 
-} // namespace nrb
+} // namespace nrb::refine

@@ -1,12 +1,12 @@
 #include "refine/knots/axis_table.h"
 
-#include "refine/periodic/periodic.h"
 #include "refine/knots/batched_blossoms.h"
+#include "refine/periodic/periodic.h"
 
 #include <algorithm>
 #include <iterator>
 
-namespace nrb {
+namespace nrb::refine {
 
 LayerTable rows_of(const Refinement &refinement, int64_t first, int64_t end) {
     constexpr int64_t many = row_lanes / 2; // for which it pays that they are alike
@@ -85,4 +85,4 @@ SplinePtr with_axis(const Spline &spline, int k, KnotVectorPtr axis, int64_t uni
                        std::move(net.points), std::move(net.weights));
 }
 
-} // namespace nrb
+} // namespace nrb::refine

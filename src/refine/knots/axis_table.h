@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace nrb {
+namespace nrb::refine {
 
 struct AxisTable {
     KnotVectorPtr axis;
@@ -38,4 +38,4 @@ Spline::Axes with_axis(const Spline &spline, int k, KnotVectorPtr axis);
 using RowSource = std::function<LayerTable(int64_t first, int64_t end)>;
 SplinePtr with_axis(const Spline &spline, int k, KnotVectorPtr axis, int64_t unit, const RowSource &rows);
 
-} // namespace nrb
+} // namespace nrb::refine

@@ -1,6 +1,6 @@
 #include "refine/knots/batched_blossoms.h"
 
-namespace nrb {
+namespace nrb::refine {
 
 // Lanes that never get a row are divided too, so that they need sides that differ.
 void RowBatches::open(Batch &batch, int steps) {
@@ -33,4 +33,4 @@ void RowBatches::finish() {
     }
 }
 
-} // namespace nrb
+} // namespace nrb::refine

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace nrb {
+namespace nrb::refine {
 
 class RowBatches {
 public:
@@ -68,4 +68,4 @@ private:
     std::vector<Batch> batches_;
 };
 
-} // namespace nrb
+} // namespace nrb::refine

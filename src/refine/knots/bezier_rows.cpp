@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace nrb {
+namespace nrb::refine {
 
 namespace {
 
@@ -156,4 +156,4 @@ KnotVectorPtr bezier_knots(int degree, std::span<const double> breaks) {
     return std::make_shared<const KnotVector>(degree, std::move(knots));
 }
 
-} // namespace nrb
+} // namespace nrb::refine

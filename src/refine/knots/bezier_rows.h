@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace nrb {
+namespace nrb::refine {
 
 // Row e (p + 1) + i gives Bezier point i of non-empty span e of the domain: the polar form at p - i times the
 // start of the span and i times its end. Ends of the span that are knots so often already cost nothing, the
@@ -22,4 +22,4 @@ std::vector<double> breaks_of(const KnotVector &axis);
 // Every break degree + 1 times: the knots of that many pieces, less one, side by side.
 KnotVectorPtr bezier_knots(int degree, std::span<const double> breaks);
 
-} // namespace nrb
+} // namespace nrb::refine

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <array>
 
-namespace nrb {
+namespace nrb::refine {
 
 namespace {
 
@@ -104,4 +104,4 @@ void blossom(const Spline &spline, const int64_t *spans, std::span<const double>
     }
 }
 
-} // namespace nrb
+} // namespace nrb::refine

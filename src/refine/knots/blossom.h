@@ -6,7 +6,7 @@
 
 #include <span>
 
-namespace nrb {
+namespace nrb::refine {
 
 // The polar form of the piece on a non-empty span of an axis at degree arguments, as coefficients of its control
 // points. Arguments that are the knots next to the span, without a gap, fix as many parameters of the polar form;
@@ -20,4 +20,4 @@ PolarRow blossom_row(const KnotVector &axis, int64_t span, std::span<const doubl
 // divisions for each axis, and what a point costs.
 void blossom(const Spline &spline, const int64_t *spans, std::span<const double> arguments, double *out);
 
-} // namespace nrb
+} // namespace nrb::refine

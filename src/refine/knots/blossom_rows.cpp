@@ -10,7 +10,7 @@
 #include <algorithm>
 
 HWY_BEFORE_NAMESPACE();
-namespace nrb {
+namespace nrb::refine {
 namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
@@ -249,11 +249,11 @@ void make_rows_between(int steps, const double *left, const double *right, const
 }
 
 } // namespace HWY_NAMESPACE
-} // namespace nrb
+} // namespace nrb::refine
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace nrb {
+namespace nrb::refine {
 
 namespace {
 
@@ -294,5 +294,5 @@ void polar_rows(int steps, const double *left, const double *right, const double
     HWY_DYNAMIC_DISPATCH(make_rows_between)(steps, left, right, arguments, count, rows);
 }
 
-} // namespace nrb
+} // namespace nrb::refine
 #endif

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <span>
 
-namespace nrb {
+namespace nrb::refine {
 
 inline constexpr int row_lanes = 8;
 
@@ -43,4 +43,4 @@ void polar_rows(const PolarTerm &term, int64_t count, double *const *rows) noexc
 void polar_rows(int steps, const double *left, const double *right, const double *arguments, int64_t count,
                 double *rows) noexcept;
 
-} // namespace nrb
+} // namespace nrb::refine

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace nrb {
+namespace nrb::refine {
 
 void bezier_extraction(const double *knots, int degree, int64_t span, double *matrix) noexcept {
     double starts[max_basis] = {1}; // coefficients at `count` times the start of the span
@@ -40,4 +40,4 @@ void bezier_extraction(const KnotVector &axis, double *matrices, int64_t *firsts
     }
 }
 
-} // namespace nrb
+} // namespace nrb::refine

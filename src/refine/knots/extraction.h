@@ -5,7 +5,7 @@
 
 #include "basis/knot_vector.h"
 
-namespace nrb {
+namespace nrb::refine {
 
 // C[j][k], [degree + 1][degree + 1]: N_(span - degree + j) = sum_k C[j][k] B_k over [knots[span], knots[span
 // + 1]]. Column k is the polar form at degree - k times the start and k times the end of the span, as
@@ -18,4 +18,4 @@ void bezier_extraction(const double *knots, int degree, int64_t span, double *ma
 // may be null.
 void bezier_extraction(const KnotVector &axis, double *matrices, int64_t *firsts, double *domains);
 
-} // namespace nrb
+} // namespace nrb::refine

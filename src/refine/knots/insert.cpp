@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
-namespace nrb {
+namespace nrb::refine {
 
 namespace {
 
@@ -26,13 +26,12 @@ struct KnotName {
 
 void check_knot(const KnotVector &axis, int k, double knot, int64_t index) {
     if (!std::isfinite(knot)) {
-        fail(Status::parameter_not_finite, "%s = %s is not finite", KnotName(index).text,
-             Number(knot).text);
+        fail(Status::parameter_not_finite, "%s = %s is not finite", KnotName(index).text, Number(knot).text);
     }
     const auto [lower, upper] = axis.domain();
     if (knot < lower || knot > upper) {
-        fail(Status::outside_domain, "%s = %s outside [%s, %s], the domain of axis %d",
-             KnotName(index).text, Number(knot).text, Number(lower).text, Number(upper).text, k);
+        fail(Status::outside_domain, "%s = %s outside [%s, %s], the domain of axis %d", KnotName(index).text,
+             Number(knot).text, Number(lower).text, Number(upper).text, k);
     }
 }
 
@@ -183,4 +182,4 @@ SplinePtr refine(const SplinePtr &spline, int axis, std::span<const double> sort
                      [&](int64_t first, int64_t end) { return rows_of(refinement, first, end); });
 }
 
-} // namespace nrb
+} // namespace nrb::refine

@@ -3,7 +3,7 @@
 
 #include "refine/knots/axis_table.h"
 
-namespace nrb {
+namespace nrb::refine {
 
 // Inserts `knot` `times` times along an axis. Throws Error: Status::parameter_not_finite,
 // outside_domain, times, multiplicity, overflow, and what refine_axis() and with_axis() throw.
@@ -24,4 +24,4 @@ std::vector<double> uniform_new_knots(const KnotVector &axis, int k, int64_t par
 // Precondition: checked_new_knots() or uniform_new_knots() made the list.
 SplinePtr refine(const SplinePtr &spline, int axis, std::span<const double> sorted_knots);
 
-} // namespace nrb
+} // namespace nrb::refine

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace nrb {
+namespace nrb::refine {
 
 namespace {
 
@@ -42,4 +42,4 @@ Refinement::Refinement(int degree, std::span<const double> coarse, std::span<con
     std::fill(old_last_.get() + begin, old_last_.get() + rows + 1, old);
 }
 
-} // namespace nrb
+} // namespace nrb::refine

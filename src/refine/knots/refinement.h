@@ -6,7 +6,7 @@
 #include <memory>
 #include <span>
 
-namespace nrb {
+namespace nrb::refine {
 
 // New control point j over the knots `fine` is the polar form of the spline over `coarse` at the arguments
 // fine[j + 1], ..., fine[j + p]. Arguments that are old knots fix as many parameters of the polar form; the
@@ -83,4 +83,4 @@ private:
     std::unique_ptr<int64_t[]> old_last_;
 };
 
-} // namespace nrb
+} // namespace nrb::refine

@@ -1,16 +1,16 @@
 #include "refine/parts/continuation.h"
 
-#include "numeric/binomial.h"
 #include "basis/bspline.h"
+#include "numeric/binomial.h"
+#include "refine/forms/parametrization.h"
 #include "refine/parts/continued_layers.h"
 #include "refine/parts/cut.h"
-#include "refine/forms/parametrization.h"
 #include "refine/periodic/period.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace nrb {
+namespace nrb::refine {
 
 void add_continued_row(const KnotVector &axis, int64_t shared_first, int64_t shared_end,
                        std::span<const double> arguments, LayerTable &table) {
@@ -241,4 +241,4 @@ SplinePtr unclamp(const SplinePtr &spline, int axis, AxisEnds ends) {
     return result;
 }
 
-} // namespace nrb
+} // namespace nrb::refine

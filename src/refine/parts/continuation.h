@@ -4,7 +4,7 @@
 
 #include "refine/parts/cut.h"
 
-namespace nrb {
+namespace nrb::refine {
 
 // Control points that are values of the polar form of an end piece, at arguments of which some are old knots
 // shared_first, ..., shared_end - 1, the others are given. Rows are over the layers of `axis`. An entry is a
@@ -30,4 +30,4 @@ SplinePtr extend(const SplinePtr &spline, int axis, bool upper, double amount, i
 // as the period. Other ends stay. Throws as extend() does, and Status::knots_merge.
 SplinePtr unclamp(const SplinePtr &spline, int axis, AxisEnds ends);
 
-} // namespace nrb
+} // namespace nrb::refine

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace nrb {
+namespace nrb::refine {
 
 namespace {
 
@@ -144,4 +144,4 @@ ContinuedNet continued_along(const Spline &spline, int axis, const LayerTable &t
     return spline.form() == Form::homogeneous ? ContinuedNet{{records.take(), {}}, -1} : records.projected();
 }
 
-} // namespace nrb
+} // namespace nrb::refine

@@ -4,7 +4,7 @@
 
 #include "spline/layer_table.h"
 
-namespace nrb {
+namespace nrb::refine {
 
 struct ContinuedNet {
     Net net;
@@ -17,4 +17,4 @@ struct ContinuedNet {
 // stay equal bit for bit. Weights of Form::rational may come out below 0. Throws Status::not_representable.
 ContinuedNet continued_along(const Spline &spline, int axis, const LayerTable &table);
 
-} // namespace nrb
+} // namespace nrb::refine

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <array>
 
-namespace nrb {
+namespace nrb::refine {
 
 std::vector<double> saturated(const KnotVector &axis, std::span<const double> breaks) {
     const std::span<const double> knots = axis.knots();
@@ -196,4 +196,4 @@ PartedSpline bezier_pieces(const SplinePtr &spline) {
     return {std::move(whole), std::move(bounds)};
 }
 
-} // namespace nrb
+} // namespace nrb::refine

@@ -7,7 +7,7 @@
 #include <array>
 #include <vector>
 
-namespace nrb {
+namespace nrb::refine {
 
 // The knots of an axis with all breaks at multiplicity degree + 1. Precondition: the breaks are sorted and lie
 // in the domain.
@@ -67,4 +67,4 @@ std::vector<double> rough_knots(const KnotVector &axis, int order);
 // The polynomial pieces as Bezier splines over their own domains.
 PartedSpline bezier_pieces(const SplinePtr &spline);
 
-} // namespace nrb
+} // namespace nrb::refine

@@ -3,9 +3,9 @@
 #include "eval/functions/axis_basis.h"
 #include "spline/layer_table.h"
 
-namespace nrb {
+namespace nrb::refine {
 
-SplinePtr iso(const Spline &spline, int axis, double t, const AxisRule &rule) {
+SplinePtr iso(const Spline &spline, int axis, double t, const eval::AxisRule &rule) {
     if (spline.axes() == 1) {
         fail(Status::axes, "g has 1 axis: an iso-curve needs a surface or a volume");
     }
@@ -13,10 +13,10 @@ SplinePtr iso(const Spline &spline, int axis, double t, const AxisRule &rule) {
         fail(Status::flags, "flags: NURBS_NAN has no meaning for an iso-curve");
     }
     const KnotVector &fixed = spline.axis(axis);
-    check_parameter(t, rule, fixed.domain(), "param");
+    eval::check_parameter(t, rule, fixed.domain(), "param");
     double values[max_basis] = {};
-    AxisBasis basis{.values = values};
-    AxisEvaluator(fixed, rule, 0)(t, basis);
+    eval::AxisBasis basis{.values = values};
+    eval::AxisEvaluator(fixed, rule, 0)(t, basis);
     LayerTable table;
     table.add_row(basis.first, values, fixed.degree() + 1);
     Net net = apply_along(spline, axis, table);
@@ -26,4 +26,4 @@ SplinePtr iso(const Spline &spline, int axis, double t, const AxisRule &rule) {
                        std::move(net.weights));
 }
 
-} // namespace nrb
+} // namespace nrb::refine

@@ -3,11 +3,11 @@
 
 #include "eval/parameters.h"
 
-namespace nrb {
+namespace nrb::refine {
 
 // The spline over the other axes on which `axis` is fixed at a parameter. Throws Error: Status::axes for
 // a curve, Status::flags for a rule that gives NaN, parameter_not_finite, outside_domain,
 // not_representable, and the statuses of check_spline() when extrapolation leaves the positive weights.
-SplinePtr iso(const Spline &spline, int axis, double t, const AxisRule &rule);
+SplinePtr iso(const Spline &spline, int axis, double t, const eval::AxisRule &rule);
 
-} // namespace nrb
+} // namespace nrb::refine

@@ -1,16 +1,16 @@
 #include "refine/parts/join.h"
 
 #include "numeric/norm.h"
-#include "refine/parts/cut.h"
 #include "refine/degree/elevate.h"
 #include "refine/forms/homogeneous.h"
+#include "refine/parts/cut.h"
 #include "spline/axis_view.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-namespace nrb {
+namespace nrb::refine {
 
 namespace {
 
@@ -18,8 +18,8 @@ constexpr double eps = std::numeric_limits<double>::epsilon();
 
 void check_same(int64_t found, int64_t expected, size_t part, const char *what, int k) {
     if (found != expected) {
-        fail(Status::incompatible, "parts[%zu]: %s %lld on axis %d, expected %lld as in parts[0]", part,
-             what, static_cast<long long>(found), k, static_cast<long long>(expected));
+        fail(Status::incompatible, "parts[%zu]: %s %lld on axis %d, expected %lld as in parts[0]", part, what,
+             static_cast<long long>(found), k, static_cast<long long>(expected));
     }
 }
 
@@ -28,9 +28,8 @@ void check_same_knots(const KnotVector &found, const KnotVector &expected, size_
     check_same(found.periodic() ? 1 : 0, expected.periodic() ? 1 : 0, part, "periodicity", k);
     for (int64_t i = 0; i < std::ssize(found.knots()); ++i) {
         if (found[i] != expected[i]) {
-            fail(Status::incompatible,
-                 "parts[%zu]: knots[%lld] = %s on axis %d, expected %s as in parts[0]", part,
-                 static_cast<long long>(i), Number(found[i]).text, k, Number(expected[i]).text);
+            fail(Status::incompatible, "parts[%zu]: knots[%lld] = %s on axis %d, expected %s as in parts[0]",
+                 part, static_cast<long long>(i), Number(found[i]).text, k, Number(expected[i]).text);
         }
     }
 }
@@ -268,4 +267,4 @@ Joined join(std::span<const SplinePtr> given, int axis, JoinRule rule) {
             gap};
 }
 
-} // namespace nrb
+} // namespace nrb::refine

@@ -5,7 +5,7 @@
 
 #include <span>
 
-namespace nrb {
+namespace nrb::refine {
 
 struct JoinRule {
     double tolerance; // largest distance between ends that counts as none
@@ -25,4 +25,4 @@ struct Joined {
 // Precondition: at least one part, and all have the axis.
 Joined join(std::span<const SplinePtr> given, int axis, JoinRule rule);
 
-} // namespace nrb
+} // namespace nrb::refine

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace nrb {
+namespace nrb::refine {
 
 namespace {
 
@@ -46,4 +46,4 @@ std::vector<double> extended_knots(const KnotVector &axis, int64_t lead) {
     return knots;
 }
 
-} // namespace nrb
+} // namespace nrb::refine

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace nrb {
+namespace nrb::refine {
 
 // Overwrites the knots before knots[first] and behind knots[last], a period of `step` knots later, by copies
 // a period away from those that are known. Knots that are equal have equal copies, whatever the rounding.
@@ -16,4 +16,4 @@ void continue_knots(std::vector<double> &knots, size_t first, size_t last, size_
 // Status::not_representable when a knot overflows. Precondition: the axis is periodic.
 std::vector<double> extended_knots(const KnotVector &axis, int64_t lead);
 
-} // namespace nrb
+} // namespace nrb::refine

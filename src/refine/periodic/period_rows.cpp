@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace nrb {
+namespace nrb::refine {
 
 namespace {
 
@@ -60,4 +60,4 @@ LayerTable wrapped_rows(const LayerTable &rows, int64_t shift, int64_t wrapped, 
     return table;
 }
 
-} // namespace nrb
+} // namespace nrb::refine

@@ -3,7 +3,7 @@
 
 #include "spline/layer_table.h"
 
-namespace nrb {
+namespace nrb::refine {
 
 // The rows of `outer` over the layers of which `inner` gives one period, in terms of the layers of `inner`,
 // whose own period is `period` layers. Without a period no row of `outer` leaves those of `inner`.
@@ -13,4 +13,4 @@ LayerTable composed(const LayerTable &outer, const LayerTable &inner, int64_t pe
 // `period` layers, with `shift` added to the numbers of the layers.
 LayerTable wrapped_rows(const LayerTable &rows, int64_t shift, int64_t wrapped, int64_t period);
 
-} // namespace nrb
+} // namespace nrb::refine

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace nrb {
+namespace nrb::refine {
 
 namespace {
 
@@ -90,4 +90,4 @@ AxisTable refine_periodic(const KnotVector &axis, std::span<const double> knots)
         std::move(table)};
 }
 
-} // namespace nrb
+} // namespace nrb::refine

@@ -4,7 +4,7 @@
 
 #include "refine/knots/axis_table.h"
 
-namespace nrb {
+namespace nrb::refine {
 
 // Inserts knots and their copies in all periods; the result is periodic over the same domain, its wrapped
 // layers equal bit for bit. Preconditions: the axis is periodic, the knots are sorted, lie in [lower, upper)
@@ -12,4 +12,4 @@ namespace nrb {
 // cannot be told from their neighbours, not_representable if those of the next period overflow.
 AxisTable refine_periodic(const KnotVector &axis, std::span<const double> knots);
 
-} // namespace nrb
+} // namespace nrb::refine

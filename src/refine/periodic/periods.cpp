@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace nrb {
+namespace nrb::refine {
 
 namespace {
 
@@ -83,4 +83,4 @@ KnotVectorPtr unrolled(const KnotVector &axis, int64_t first, int64_t end) {
     return std::make_shared<const KnotVector>(axis.degree(), std::move(knots));
 }
 
-} // namespace nrb
+} // namespace nrb::refine

@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-namespace nrb {
+namespace nrb::refine {
 
 // The axis over its periods first, ..., end - 1, of which 0 is its domain, not clamped: layer i is layer i modulo
 // distinct_layers() of the periodic axis. Knots that are equal have equal copies, others are n periods away,
@@ -13,4 +13,4 @@ namespace nrb {
 // Status::periodic_knots if rounding makes too many knots equal, not_representable, overflow.
 KnotVectorPtr unrolled(const KnotVector &axis, int64_t first, int64_t end);
 
-} // namespace nrb
+} // namespace nrb::refine

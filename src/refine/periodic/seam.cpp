@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace nrb {
+namespace nrb::refine {
 
 namespace {
 
@@ -29,9 +29,8 @@ void check_moved(const KnotVector &axis, int64_t from, const std::vector<double>
         const bool equal = axis[old] == axis[old + 1];
         const double here = knots[static_cast<size_t>(i)], next = knots[static_cast<size_t>(i) + 1];
         if (equal ? here != next : !(here < next)) {
-            fail(Status::periodic_knots,
-                 "seam: moved by a period, knots %s and %s would round to %s and %s", Number(axis[old]).text,
-                 Number(axis[old + 1]).text, Number(here).text, Number(next).text);
+            fail(Status::periodic_knots, "seam: moved by a period, knots %s and %s would round to %s and %s",
+                 Number(axis[old]).text, Number(axis[old + 1]).text, Number(here).text, Number(next).text);
         }
     }
 }
@@ -74,4 +73,4 @@ SplinePtr move_seam(const SplinePtr &spline, int axis, double seam) {
     return with_axis(*cut, axis, moved);
 }
 
-} // namespace nrb
+} // namespace nrb::refine

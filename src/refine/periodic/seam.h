@@ -3,7 +3,7 @@
 
 #include "refine/knots/axis_table.h"
 
-namespace nrb {
+namespace nrb::refine {
 
 // The same knots and layers, no longer declared periodic.
 SplinePtr open_axis(const SplinePtr &spline, int axis);
@@ -13,4 +13,4 @@ SplinePtr open_axis(const SplinePtr &spline, int axis);
 // Status::periodic_knots if rounding would merge distinct knots, and what refine_axis() throws.
 SplinePtr move_seam(const SplinePtr &spline, int axis, double seam);
 
-} // namespace nrb
+} // namespace nrb::refine

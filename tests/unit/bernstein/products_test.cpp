@@ -99,16 +99,16 @@ TEST(Bernstein, HalvesAreTheWhole) {
 
 // 4 x (1 - x) / (1 + x) has its maximum 12 - 8 sqrt(2) at sqrt(2) - 1.
 TEST(LargestQuotient, IsEnclosedAsCloselyAsAskedFor) {
-    const PieceSource source = [](int64_t, QuotientPiece &piece) {
+    const pieces::PieceSource source = [](int64_t, pieces::QuotientPiece &piece) {
         piece.shape = {{0, 0, 2}, 1};
         piece.numerators = {0, 2, 0};
         piece.denominators = {1, 1.5, 2};
     };
     const double largest = 12 - 8 * std::sqrt(2.0);
-    const auto uppers = quotient_uppers(3, source);
+    const auto uppers = pieces::quotient_uppers(3, source);
     EXPECT_EQ(uppers.size(), 3U);
     for (const double ratio : {0.25, 1e-3, 1e-9}) {
-        const Enclosure found = largest_quotient(uppers, source, {ratio, 10000});
+        const pieces::Enclosure found = pieces::largest_quotient(uppers, source, {ratio, 10000});
         EXPECT_LE(found.lower, largest);
         EXPECT_GE(found.upper, largest);
         EXPECT_LE(found.upper, (1 + ratio) * found.lower);
@@ -116,7 +116,7 @@ TEST(LargestQuotient, IsEnclosedAsCloselyAsAskedFor) {
 }
 
 TEST(LargestQuotient, ADenominatorWithAZeroHasNoBound) {
-    const PieceSource source = [](int64_t, QuotientPiece &piece) {
+    const pieces::PieceSource source = [](int64_t, pieces::QuotientPiece &piece) {
         piece.shape = {{0, 0, 1}, 1};
         piece.numerators = {1, 1};
         piece.denominators = {1, -1};
@@ -125,12 +125,12 @@ TEST(LargestQuotient, ADenominatorWithAZeroHasNoBound) {
 }
 
 TEST(LargestQuotient, ANegativeDenominatorIsOne) {
-    const PieceSource source = [](int64_t, QuotientPiece &piece) {
+    const pieces::PieceSource source = [](int64_t, pieces::QuotientPiece &piece) {
         piece.shape = {{0, 0, 1}, 2};
         piece.numerators = {3, 4, 3, 4};
         piece.denominators = {-1, -2};
     };
-    const Enclosure found = largest_quotient(quotient_uppers(1, source), source);
+    const pieces::Enclosure found = pieces::largest_quotient(pieces::quotient_uppers(1, source), source);
     EXPECT_GE(found.upper, 5);
     EXPECT_LE(found.upper, 5 * (1 + 1e-14));
 }

@@ -1,6 +1,6 @@
 // Polynomials with bounds of their rounding errors against exact arithmetic.
-#include "pieces/derivative_pieces.h"
 #include "bernstein/rounded_polynomial.h"
+#include "pieces/derivative_pieces.h"
 #include "reference/quotients.h"
 #include "support/cases.h"
 

@@ -10,9 +10,9 @@
 #include <numbers>
 #include <random>
 
-using nrb::Angle;
-using nrb::Arc;
-using nrb::Direction;
+using nrb::build::Angle;
+using nrb::build::Arc;
+using nrb::build::Direction;
 
 namespace {
 
@@ -72,7 +72,7 @@ TEST(Angle, parts_add_up_to_the_whole) {
 
 nrb::Status refused(double start, double sweep) {
     try {
-        (void)nrb::make_turn(start, sweep);
+        (void)nrb::build::make_turn(start, sweep);
     } catch (const nrb::Error &error) {
         return error.status();
     }
@@ -104,7 +104,7 @@ Homogeneous point_of(const Arc &arc, size_t piece, const Rational &t) {
     const auto degree = static_cast<size_t>(arc.axis->degree());
     std::vector<Homogeneous> p;
     for (size_t i = 0; i <= degree; ++i) {
-        const nrb::ArcPoint &q = arc.points[piece * degree + i];
+        const nrb::build::ArcPoint &q = arc.points[piece * degree + i];
         const Rational w = exact(q.weight);
         p.push_back({exact(q.x) * w, exact(q.y) * w, w});
     }
@@ -139,11 +139,11 @@ TEST(Arc, every_form_is_on_the_circle) {
     for (int i = 0; i < 600; ++i) {
         const double sweep = i % 20 == 0 ? 2 * pi : uniform(random);
         const double start = i % 3 == 0 ? 0 : uniform(random);
-        const Arc arc = nrb::unit_arc(nrb::make_turn(start, sweep), i % 3);
+        const Arc arc = nrb::build::unit_arc(nrb::build::make_turn(start, sweep), i % 3);
         const double off = off_conic(arc, 1);
         ASSERT_LE(off, 5) << "start " << start << " sweep " << sweep; // twice the distance from the circle
         worst = std::max(worst, off);
-        for (const nrb::ArcPoint &p : arc.points) {
+        for (const nrb::build::ArcPoint &p : arc.points) {
             ASSERT_GT(p.weight, 0);
         }
     }
@@ -152,7 +152,7 @@ TEST(Arc, every_form_is_on_the_circle) {
 
 TEST(Arc, forms_have_their_degrees_and_pieces) {
     const auto points = [](double sweep, int form) {
-        return nrb::unit_arc(nrb::make_turn(0.3, sweep), form).points.size();
+        return nrb::build::unit_arc(nrb::build::make_turn(0.3, sweep), form).points.size();
     };
     EXPECT_EQ(points(pi / 2, nrb::arc_quarters), 3U);
     EXPECT_EQ(points(-pi / 2 * 1.001, nrb::arc_quarters), 5U);
@@ -168,7 +168,7 @@ TEST(Arc, hyperbolas_are_on_theirs) {
     double worst = 0;
     for (const double start : {-6.0, -1.0, 0.0, 3.0}) {
         for (const double length : {0.01, 1.9, 2.0, 7.5}) {
-            const double off = off_conic(nrb::unit_hyperbola(start, start + length), -1);
+            const double off = off_conic(nrb::build::unit_hyperbola(start, start + length), -1);
             ASSERT_LE(off, 8) << start << " " << length;
             worst = std::max(worst, off);
         }

@@ -8,8 +8,8 @@
 #include <cmath>
 
 using nrb::Form;
-using nrb::Orbits;
 using nrb::Wide;
+using nrb::build::Orbits;
 using reference::exact;
 using reference::Rational;
 using support::Random;
@@ -60,7 +60,7 @@ TEST_P(Orbiting, values_are_rounded_once) {
 // homogeneous records without weight, and weights stay.
 TEST_P(Orbiting, records_turn_about_a_line) {
     const Wide third = Wide(1) / square_root(Wide(3)), half_root = square_root(Wide(3)) / Wide(2);
-    const nrb::AxisLine diagonal{{10, 10, 10}, {third, third, third}};
+    const nrb::build::AxisLine diagonal{{10, 10, 10}, {third, third, third}};
     const auto axis = nrb::make_knot_vector(1, {0, 0, 0.25, 0.5, 1, 1});
     const std::vector<double> points = {11, 12, 13, 10, 10, 10, 13, 11, 12, 7, 8, 9};
     const auto plain = nrb::make_spline({axis}, 3, Form::polynomial, points);

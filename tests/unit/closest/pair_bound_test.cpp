@@ -43,12 +43,12 @@ SplinePtr random_piece(Random &random, int axes, double height, double size, boo
 }
 
 // The best of descents from all combinations of three places on each axis.
-PairPlace best_place(const PairPiece &a, const PairPiece &b) {
-    PairDescent descent;
-    PairPlace best;
+closest::PairPlace best_place(const closest::PairPiece &a, const closest::PairPiece &b) {
+    closest::PairDescent descent;
+    closest::PairPlace best;
     best.distance = std::numeric_limits<double>::infinity();
     for (int i = 0; i < 81; ++i) {
-        PairPlace at;
+        closest::PairPlace at;
         at.a = {i % 3 / 2.0, i / 3 % 3 / 2.0, 0};
         at.b = {i / 9 % 3 / 2.0, i / 27 / 2.0, 0};
         descent.run(a, b, at);
@@ -64,15 +64,16 @@ PairPlace best_place(const PairPiece &a, const PairPiece &b) {
 // Never above the distance, and for pieces that are nearly flat close to it.
 TEST(PairBound, IsBelowTheDistanceAndNearIt) {
     Random random(771);
-    PairBound bound;
+    closest::PairBound bound;
     for (int i = 0; i < 200; ++i) {
         const double size = i % 2 == 0 ? 1e-4 : 0.2;
         const SplinePtr f = random_piece(random, random.whole(1, 2), 0, size, random.chance(50));
         const SplinePtr g =
             random_piece(random, random.whole(1, 2), random.between(0.5, 1), size, random.chance(50));
-        const PairFrame frame = pair_frame(*f, *g);
-        const PairPiece a = pair_pieces(*f, frame)[0], b = pair_pieces(*g, frame)[0];
-        const PairPlace best = best_place(a, b);
+        const closest::PairFrame frame = closest::pair_frame(*f, *g);
+        const closest::PairPiece a = closest::pair_pieces(*f, frame)[0],
+                                 b = closest::pair_pieces(*g, frame)[0];
+        const closest::PairPlace best = best_place(a, b);
         const double lower = bound.lower(a, b, best, std::numeric_limits<double>::infinity());
         EXPECT_LE(lower, best.distance);
         EXPECT_GE(lower, best.distance - 8 * size);
@@ -83,16 +84,16 @@ TEST(PairBound, IsBelowTheDistanceAndNearIt) {
 // Halves are parts of the whole, as far as rounding allows that they say.
 TEST(PairPiece, HalvesHaveThePointsOfTheWhole) {
     Random random(772);
-    PieceJet whole_jet, half_jet;
+    closest::PieceJet whole_jet, half_jet;
     for (int i = 0; i < 50; ++i) {
         const SplinePtr f = random_piece(random, random.whole(1, 3), 0, 0.3, random.chance(50));
-        const PairPiece whole = pair_pieces(*f, pair_frame(*f, *f))[0];
-        PairPiece upper = whole;
+        const closest::PairPiece whole = closest::pair_pieces(*f, closest::pair_frame(*f, *f))[0];
+        closest::PairPiece upper = whole;
         for (int step = 0; step < 20; ++step) {
-            std::optional<PairPiece> lower = upper.halve();
+            std::optional<closest::PairPiece> lower = upper.halve();
             ASSERT_TRUE(lower.has_value());
-            const PairPiece &half = random.chance(50) ? *lower : upper;
-            const Place place{random.unit(), random.unit(), random.unit()};
+            const closest::PairPiece &half = random.chance(50) ? *lower : upper;
+            const closest::Place place{random.unit(), random.unit(), random.unit()};
             half_jet.evaluate(half, place, false);
             whole_jet.evaluate(whole, whole.place(half.parameter(place)), false);
             for (int c = 0; c < 3; ++c) {
@@ -108,15 +109,15 @@ TEST(PairPiece, HalvesHaveThePointsOfTheWhole) {
 // Central differences of values, and of first derivatives.
 TEST(PieceJet, DerivativesAreLimitsOfDifferences) {
     Random random(773);
-    PieceJet jet, more, less;
+    closest::PieceJet jet, more, less;
     for (int i = 0; i < 30; ++i) {
         const SplinePtr f = random_piece(random, random.whole(1, 3), 0, 0.4, random.chance(50));
-        const PairPiece piece = pair_pieces(*f, pair_frame(*f, *f))[0];
-        const Place at{random.between(0.1, 0.9), random.between(0.1, 0.9), random.between(0.1, 0.9)};
+        const closest::PairPiece piece = closest::pair_pieces(*f, closest::pair_frame(*f, *f))[0];
+        const closest::Place at{random.between(0.1, 0.9), random.between(0.1, 0.9), random.between(0.1, 0.9)};
         jet.evaluate(piece, at, true);
         constexpr double h = 1e-5;
         for (int k = 0; k < piece.axes(); ++k) {
-            Place high = at, low = at;
+            closest::Place high = at, low = at;
             high[static_cast<size_t>(k)] += h;
             low[static_cast<size_t>(k)] -= h;
             more.evaluate(piece, high, true);
@@ -135,19 +136,20 @@ TEST(PieceJet, DerivativesAreLimitsOfDifferences) {
 // No point of one piece is farther from the other one.
 TEST(MatchedBound, NoPointIsFarther) {
     Random random(774);
-    MatchedBound bound;
-    PieceJet jet;
-    PairDescent descent;
+    closest::MatchedBound bound;
+    closest::PieceJet jet;
+    closest::PairDescent descent;
     for (int i = 0; i < 60; ++i) {
         const SplinePtr f = random_piece(random, random.whole(1, 2), 0, 0.1, random.chance(50));
         const SplinePtr g = random_piece(random, random.whole(1, 2), 0, 0.1, random.chance(50));
-        const PairFrame frame = pair_frame(*f, *g);
-        const PairPiece a = pair_pieces(*f, frame)[0], b = pair_pieces(*g, frame)[0];
+        const closest::PairFrame frame = closest::pair_frame(*f, *g);
+        const closest::PairPiece a = closest::pair_pieces(*f, frame)[0],
+                                 b = closest::pair_pieces(*g, frame)[0];
         const double upper = bound.upper(a, b, {0.5, 0.5, 0.5}, 0);
         for (int k = 0; k < 20; ++k) {
             jet.evaluate(a, {random.unit(), random.unit(), 0}, false);
-            const PairPiece point(jet.value(), 3);
-            PairPlace at = best_place(point, b);
+            const closest::PairPiece point(jet.value(), 3);
+            closest::PairPlace at = best_place(point, b);
             EXPECT_LE(at.distance, upper);
         }
         EXPECT_LE(bound.upper(a, a, {0.5, 0.5, 0.5}, 0), 1e-11);

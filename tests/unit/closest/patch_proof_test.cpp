@@ -47,11 +47,12 @@ TEST_P(PatchKernel, squares_are_those_of_exact_arithmetic) {
     Random random(51);
     for (int round = 0; round < 30; ++round) {
         const SplinePtr spline = random_patch(random, 2, 5, true);
-        const PatchPieces pieces(*spline);
-        const PatchShape &shape = pieces.shape();
-        std::vector<double> work(static_cast<size_t>(product_work(shape)));
+        const closest::PatchPieces pieces(*spline);
+        const closest::PatchShape &shape = pieces.shape();
+        std::vector<double> work(static_cast<size_t>(closest::product_work(shape)));
         std::vector<double> squares(static_cast<size_t>(shape.products())), weights(squares);
-        square_patch(shape, pieces.tables(), pieces.patch(0), work.data(), squares.data(), weights.data());
+        closest::square_patch(shape, pieces.tables(), pieces.patch(0), work.data(), squares.data(),
+                              weights.data());
         const int m = shape.degree(0), n = shape.degree(1);
         const auto at = [&](int i, int j, int c) {
             return reference::exact(pieces.patch(0)[(i * (n + 1) + j) * shape.lanes + c]);
@@ -95,25 +96,27 @@ TEST_P(PatchKernel, discs_hold_their_patches) {
     Random random(52);
     for (int round = 0; round < 60; ++round) {
         const SplinePtr spline = random_patch(random, random.whole(2, 3), 4, random.chance(50));
-        const PatchPieces pieces(*spline);
-        const PatchTree tree(pieces);
+        const closest::PatchPieces pieces(*spline);
+        const closest::PatchTree tree(pieces);
         std::vector<double> x(static_cast<size_t>(pieces.shape().lanes), 0.0);
         for (size_t c = 0; c < 3; ++c) {
             x[c] = random.between(-3, 3);
         }
-        PatchMemory memory;
-        const PatchDescent descent(pieces.shape(), memory);
-        const PatchItems items(pieces, x.data(), memory);
-        const PatchItem whole = items.whole(0);
-        const PatchTree::Family &leaves = tree.family(tree.levels() - 2, 0);
-        double nearest[PatchTree::most_width], farthest[PatchTree::most_width],
-            centres[PatchTree::most_width];
-        bound_discs(tree.discs(leaves), leaves.width, 3, tree.normals(), x.data(), false, {nearest, centres});
-        bound_discs(tree.discs(leaves), leaves.width, 3, tree.normals(), x.data(), true, {farthest, centres});
+        closest::PatchMemory memory;
+        const closest::PatchDescent descent(pieces.shape(), memory);
+        const closest::PatchItems items(pieces, x.data(), memory);
+        const closest::PatchItem whole = items.whole(0);
+        const closest::PatchTree::Family &leaves = tree.family(tree.levels() - 2, 0);
+        double nearest[closest::PatchTree::most_width], farthest[closest::PatchTree::most_width],
+            centres[closest::PatchTree::most_width];
+        closest::bound_discs(tree.discs(leaves), leaves.width, 3, tree.normals(), x.data(), false,
+                             {nearest, centres});
+        closest::bound_discs(tree.discs(leaves), leaves.width, 3, tree.normals(), x.data(), true,
+                             {farthest, centres});
         for (int64_t i = 0; i < leaves.count; ++i) {
-            const PatchTree::Leaf leaf = tree.leaf(leaves.first + i);
+            const closest::PatchTree::Leaf leaf = tree.leaf(leaves.first + i);
             for (int sample = 0; sample < 10; ++sample) {
-                AxisValues at{};
+                closest::AxisValues at{};
                 for (size_t k = 0; k < at.size(); ++k) {
                     at[k] = (leaf.part[k] + random.between(0, 1)) / tree.parts();
                 }
@@ -130,22 +133,22 @@ TEST_P(PatchKernel, parts_are_parts) {
     Random random(53);
     for (int round = 0; round < 60; ++round) {
         const SplinePtr spline = random_patch(random, random.whole(2, 3), 4, random.chance(50));
-        const PatchPieces pieces(*spline);
+        const closest::PatchPieces pieces(*spline);
         const std::vector<double> x(static_cast<size_t>(pieces.shape().lanes), 0.0);
-        PatchMemory memory;
-        const PatchDescent descent(pieces.shape(), memory);
-        const PatchItems items(pieces, x.data(), memory);
-        const PatchItem whole = items.whole(0);
-        PatchItem part = whole;
+        closest::PatchMemory memory;
+        const closest::PatchDescent descent(pieces.shape(), memory);
+        const closest::PatchItems items(pieces, x.data(), memory);
+        const closest::PatchItem whole = items.whole(0);
+        closest::PatchItem part = whole;
         items.measure(part);
         for (int k = 0; k < pieces.shape().axes; ++k) {
             const double lower = random.between(0, 0.6);
             part = items.part(part, k, lower, lower + random.between(0.1, 0.4));
-            const PatchItem half = items.halve_item(part, k);
+            const closest::PatchItem half = items.halve_item(part, k);
             part = random.chance(50) ? half : part;
         }
         for (int sample = 0; sample < 10; ++sample) {
-            AxisValues at{}, place{};
+            closest::AxisValues at{}, place{};
             for (int k = 0; k < pieces.shape().axes; ++k) {
                 const auto i = static_cast<size_t>(k);
                 at[i] = random.between(0, 1);
@@ -162,21 +165,21 @@ TEST_P(PatchKernel, what_is_proved_holds) {
     int proved = 0, by_shape = 0;
     for (int round = 0; round < 3000; ++round) {
         const SplinePtr spline = random_patch(random, random.whole(2, 3), 3, random.chance(50));
-        const PatchPieces pieces(*spline);
-        const PatchShape &shape = pieces.shape();
+        const closest::PatchPieces pieces(*spline);
+        const closest::PatchShape &shape = pieces.shape();
         std::vector<double> x(static_cast<size_t>(shape.lanes), 0.0);
         const double reach = random.magnitude(0.3, 30);
         for (size_t c = 0; c < 3; ++c) {
             x[c] = reach * random.between(-1, 1);
         }
-        PatchMemory memory;
-        const PatchDescent descent(shape, memory);
-        const PatchItems items(pieces, x.data(), memory);
-        PatchItem item = items.whole(0);
+        closest::PatchMemory memory;
+        const closest::PatchDescent descent(shape, memory);
+        const closest::PatchItems items(pieces, x.data(), memory);
+        closest::PatchItem item = items.whole(0);
         items.measure(item);
         std::vector<double> samples;
         for (int sample = 0; sample < 200; ++sample) {
-            AxisValues at{random.between(0, 1), random.between(0, 1), random.between(0, 1)};
+            closest::AxisValues at{random.between(0, 1), random.between(0, 1), random.between(0, 1)};
             if (sample < 8) {
                 at = {static_cast<double>(sample & 1), static_cast<double>(sample >> 1 & 1),
                       static_cast<double>(sample >> 2)};
@@ -184,14 +187,15 @@ TEST_P(PatchKernel, what_is_proved_holds) {
             samples.push_back(descent.distance(item.values, at));
         }
         const auto [least, most] = std::minmax_element(samples.begin(), samples.end());
-        PatchGoal goal;
+        closest::PatchGoal goal;
         goal.sign = random.chance(50) ? 1 : -1;
         goal.rho = goal.sign > 0 ? *least * random.between(0.8, 1.01) : *most * random.between(0.99, 1.2);
-        std::vector<double> work(static_cast<size_t>(product_work(shape)));
+        std::vector<double> work(static_cast<size_t>(closest::product_work(shape)));
         std::vector<double> squares(static_cast<size_t>(shape.products())), weights(squares), values(squares);
-        square_patch(shape, pieces.tables(), item.values, work.data(), squares.data(), weights.data());
-        const PatchGap gap{squares.data(), shape.weighted ? weights.data() : nullptr, values.data()};
-        PatchProof proof(pieces, descent, item, goal, gap);
+        closest::square_patch(shape, pieces.tables(), item.values, work.data(), squares.data(),
+                              weights.data());
+        const closest::PatchGap gap{squares.data(), shape.weighted ? weights.data() : nullptr, values.data()};
+        closest::PatchProof proof(pieces, descent, item, goal, gap);
         const bool positive = proof.positive(), convex = proof.convex(nullptr);
         if (positive || convex) {
             ++proved;

@@ -10,9 +10,9 @@
 
 namespace {
 
-using nrb::AxisRules;
 using nrb::Form;
 using nrb::SplinePtr;
+using nrb::eval::AxisRules;
 
 nrb::KnotVectorPtr clamped_axis(int degree, int64_t count) {
     std::vector<double> knots(static_cast<size_t>(degree) + 1, 0.0);
@@ -50,11 +50,11 @@ std::vector<double> on_grid(const nrb::Spline &spline, const std::vector<std::ve
         views[k] = {params[k].data(), std::ssize(params[k]), 1, 1, 1};
         count *= std::ssize(params[k]);
     }
-    const int64_t width = nrb::slot_count(spline.axes(), order) * spline.dim();
+    const int64_t width = nrb::eval::slot_count(spline.axes(), order) * spline.dim();
     std::vector<double> result(static_cast<size_t>(count * width));
     AxisRules rules;
-    rules.fill({false, true, nrb::Outside::refuse});
-    nrb::evaluate_grid(spline, rules, order, views, {result.data(), count, width, width, 1});
+    rules.fill({false, true, nrb::eval::Outside::refuse});
+    nrb::eval::evaluate_grid(spline, rules, order, views, {result.data(), count, width, width, 1});
     return result;
 }
 
@@ -74,12 +74,12 @@ std::vector<double> one_by_one(const nrb::Spline &spline, const std::vector<std:
             index %= rest;
         }
     }
-    const int64_t width = nrb::slot_count(spline.axes(), order) * spline.dim();
+    const int64_t width = nrb::eval::slot_count(spline.axes(), order) * spline.dim();
     std::vector<double> result(static_cast<size_t>(count * width));
     AxisRules rules;
-    rules.fill({false, true, nrb::Outside::refuse});
-    nrb::evaluate_points(spline, rules, order, {tuples.data(), count, spline.axes(), spline.axes(), 1},
-                         {result.data(), count, width, width, 1});
+    rules.fill({false, true, nrb::eval::Outside::refuse});
+    nrb::eval::evaluate_points(spline, rules, order, {tuples.data(), count, spline.axes(), spline.axes(), 1},
+                               {result.data(), count, width, width, 1});
     return result;
 }
 

@@ -10,10 +10,10 @@
 
 namespace {
 
-using nrb::AxisRules;
-using nrb::DerivativeErrors;
-using nrb::Jet;
 using nrb::Vector3;
+using nrb::eval::AxisRules;
+using nrb::eval::DerivativeErrors;
+using nrb::eval::Jet;
 using support::Random;
 using support::SplineData;
 
@@ -86,7 +86,7 @@ TEST(Jet, bounds_that_hold_everywhere_hold_here) {
         Jet jet;
         Jet::prepare(*spline);
         ASSERT_TRUE(jet.evaluate(*spline, {}, params.data(), 2));
-        const DerivativeErrors all = nrb::derivative_errors(*spline, {}, 1 << 20);
+        const DerivativeErrors all = nrb::eval::derivative_errors(*spline, {}, 1 << 20);
         const double u = jet.unit(0);
         ASSERT_LE(jet.error(1), all.u * u) << support::where(seed, data);
         ASSERT_LE(2 * jet.error(2), all.uu * u * u) << support::where(seed, data);
@@ -103,7 +103,7 @@ TEST(Jet, bounds_that_hold_nowhere_are_infinite) {
     const SplineData data = {{1}, {2}, {{0, 0, 1, 1}}, 3, {0, 0, 0, 1, 1, 1}, {}, 0};
     const SplineData zero = {{2}, {3}, {{0, 0, 0, 1, 1, 1}}, 3, {0, 0, 0, 1, 1, 1, 2, 2, 2}, {1, 0, 1}, 0};
     AxisRules extrapolating;
-    extrapolating[0].outside = nrb::Outside::extrapolate;
+    extrapolating[0].outside = nrb::eval::Outside::extrapolate;
     EXPECT_LT(nrb::derivative_errors(*spline_of(data), {}, 1).u, infinity);
     EXPECT_EQ(nrb::derivative_errors(*spline_of(data), extrapolating, 1).u, infinity);
     EXPECT_EQ(nrb::derivative_errors(*spline_of(zero), {}, 1).u, infinity);

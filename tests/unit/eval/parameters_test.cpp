@@ -8,9 +8,9 @@
 
 namespace {
 
-using nrb::AxisRule;
-using nrb::Outside;
-using nrb::place;
+using nrb::eval::AxisRule;
+using nrb::eval::Outside;
+using nrb::eval::place;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan_value = std::numeric_limits<double>::quiet_NaN();
@@ -34,7 +34,7 @@ TEST(Place, WrapsOntoTheHalfOpenDomainOfItsSide) {
 }
 
 TEST(Place, WrapsDistancesThatOverflow) {
-    const double t = place(1.7e308, {false, false, Outside::wrap}, {-1.2e308, -1.1e308});
+    const double t = eval::place(1.7e308, {false, false, Outside::wrap}, {-1.2e308, -1.1e308});
     EXPECT_GE(t, -1.2e308);
     EXPECT_LT(t, -1.1e308);
 }

@@ -9,14 +9,14 @@ namespace {
 TEST(Slots, ForEachVisitsThemInOrder) {
     for (int axes = 1; axes <= 3; ++axes) {
         int64_t next = 0;
-        nrb::for_each_slot(axes, 6,
-                           [&](int i, int j, int k) { EXPECT_EQ(nrb::slot(axes, i, j, k), next++); });
+        nrb::eval::for_each_slot(axes, 6,
+                                 [&](int i, int j, int k) { EXPECT_EQ(nrb::slot(axes, i, j, k), next++); });
         EXPECT_EQ(next, nrb::slot_count(axes, 6));
     }
 }
 
 TEST(Slots, FollowTheFormulasOfTheHeader) {
-    nrb::for_each_slot(3, 5, [](int i, int j, int k) {
+    nrb::eval::for_each_slot(3, 5, [](int i, int j, int k) {
         const int s = i + j + k;
         const int r = j + k;
         EXPECT_EQ(nrb::slot(3, i, j, k), s * (s + 1) * (s + 2) / 6 + r * (r + 1) / 2 + k);
@@ -30,7 +30,7 @@ TEST(ContractionSteps, FillEverySlotOnce) {
     for (int axes = 1; axes <= 3; ++axes) {
         std::set<int64_t> targets;
         int64_t steps = 0;
-        nrb::for_each_step(axes - 1, 4, [&](int64_t, int, int64_t target) {
+        nrb::eval::for_each_step(axes - 1, 4, [&](int64_t, int, int64_t target) {
             targets.insert(target);
             ++steps;
         });

@@ -16,11 +16,11 @@ double component(int64_t point, int64_t c) {
     return static_cast<double>(3 * point + c);
 }
 
-std::array<double, 3 * block_size> rows_of(int64_t first, int64_t count) {
-    std::array<double, 3 * block_size> rows{};
+std::array<double, 3 * eval::block_size> rows_of(int64_t first, int64_t count) {
+    std::array<double, 3 * eval::block_size> rows{};
     for (int64_t i = 0; i < count; ++i) {
         for (int64_t c = 0; c < 3; ++c) {
-            rows[static_cast<size_t>(c * block_size + i)] = component(first + i, c);
+            rows[static_cast<size_t>(c * eval::block_size + i)] = component(first + i, c);
         }
     }
     return rows;
@@ -53,13 +53,13 @@ private:
 
 TEST(TripleStream, WritesBlocksThatFollowEachOtherAtAnyAlignment) {
     std::mt19937 random(1);
-    std::uniform_int_distribution<int64_t> length(1, block_size);
+    std::uniform_int_distribution<int64_t> length(1, eval::block_size);
     for (size_t shift = 0; shift < 8; ++shift) {
         Target target(1000, shift);
         const Records out = target.records();
         int64_t first = 0;
         {
-            TripleStream stream(out, true);
+            eval::TripleStream stream(out, true);
             while (first < 900) {
                 const int64_t count = length(random);
                 stream.write(rows_of(first, count).data(), first, count);
@@ -76,7 +76,7 @@ TEST(TripleStream, WritesBlocksShorterThanALineAtAnyAlignment) {
             Target target(100, shift);
             const Records out = target.records();
             {
-                TripleStream stream(out, true);
+                eval::TripleStream stream(out, true);
                 for (int64_t first = 40; first < 60; first += count) {
                     stream.write(rows_of(first, count).data(), first, count);
                 }
@@ -91,7 +91,7 @@ TEST(TripleStream, WritesBlocksInAnyOrder) {
         Target target(200, shift);
         const Records out = target.records();
         {
-            TripleStream stream(out, true);
+            eval::TripleStream stream(out, true);
             for (const int64_t first : {100, 1, 37, 73, 130, 64, 163}) {
                 const int64_t count = first == 1     ? 36
                                       : first == 37  ? 27
@@ -109,7 +109,7 @@ TEST(TripleStream, WritesBlocksInAnyOrder) {
 TEST(TripleStream, LeavesOtherLayoutsToOrdinaryStores) {
     std::vector<double> separate(3 * 100, untouched);
     const Records out{separate.data(), 100, 3, 1, 100};
-    TripleStream(out, true).write(rows_of(0, block_size).data(), 0, block_size);
+    eval::TripleStream(out, true).write(rows_of(0, eval::block_size).data(), 0, eval::block_size);
     for (int64_t i = 0; i < 100; ++i) {
         for (int64_t c = 0; c < 3; ++c) {
             EXPECT_EQ(out(i, c), i < block_size ? component(i, c) : untouched);

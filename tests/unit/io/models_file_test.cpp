@@ -12,8 +12,8 @@ namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
-const nrb::Document &models() {
-    static const nrb::Document document = [] {
+const nrb::model::Document &models() {
+    static const nrb::model::Document document = [] {
         const auto folder = std::filesystem::path(NURBS_SOURCE_DIR) / "capi/examples/models";
         std::ifstream file(folder / "models.igs", std::ios::binary);
         return iges_test::read(
@@ -23,7 +23,7 @@ const nrb::Document &models() {
 }
 
 const nrb::Spline &model(const std::string &name) {
-    for (const nrb::NamedSpline &named : models().splines) {
+    for (const nrb::model::NamedSpline &named : models().splines) {
         if (named.name == name) {
             return *named.spline;
         }
@@ -35,8 +35,8 @@ std::vector<double> evaluate(const nrb::Spline &spline, const std::vector<double
     const auto axes = static_cast<int64_t>(spline.axes());
     const auto count = static_cast<int64_t>(params.size()) / axes;
     std::vector<double> points(static_cast<size_t>(count * spline.dim()));
-    nrb::evaluate_points(spline, {}, 0, {params.data(), count, axes, axes, 1},
-                         {points.data(), count, spline.dim(), spline.dim(), 1});
+    nrb::eval::evaluate_points(spline, {}, 0, {params.data(), count, axes, axes, 1},
+                               {points.data(), count, spline.dim(), spline.dim(), 1});
     return points;
 }
 
@@ -108,7 +108,7 @@ TEST(ModelsFile, IsInMillimetres) {
 }
 
 TEST(ModelsFile, OnlyTheLoopIsPeriodic) {
-    for (const nrb::NamedSpline &named : models().splines) {
+    for (const nrb::model::NamedSpline &named : models().splines) {
         for (int k = 0; k < named.spline->axes(); ++k) {
             EXPECT_EQ(named.spline->axis(k).periodic(), named.name == "closed loop") << named.name;
         }

@@ -47,9 +47,9 @@ const std::map<std::string, Content> &expected_contents() {
     return table;
 }
 
-Content content_of(const nrb::Document &document) {
+Content content_of(const nrb::model::Document &document) {
     Content content;
-    for (const nrb::NamedSpline &named : document.splines) {
+    for (const nrb::model::NamedSpline &named : document.splines) {
         const nrb::Spline &spline = *named.spline;
         content.rational += spline.rational() ? 1 : 0;
         if (spline.axes() == 2) {
@@ -93,8 +93,8 @@ TEST(RealFiles, ContentsMatchTheTable) {
             continue;
         }
         SCOPED_TRACE(name);
-        const nrb::Document document = iges_test::read(bytes_of(entry.path()));
-        for (const nrb::Note &note : document.notes) {
+        const nrb::model::Document document = iges_test::read(bytes_of(entry.path()));
+        for (const nrb::model::Note &note : document.notes) {
             EXPECT_EQ(note.reason, nrb::Status::unsupported) << note.text;
         }
         const auto expected = expected_contents().find(name);
@@ -113,11 +113,11 @@ TEST(RealFiles, UnitAndNamesOfTheBlade) {
     if (folder == nullptr) {
         GTEST_SKIP() << "NURBS_TEST_DATA is not set: no real files to read";
     }
-    const nrb::Document document =
+    const nrb::model::Document document =
         iges_test::read(bytes_of(std::filesystem::path(folder) / "iea15mw_blade.igs"));
     EXPECT_EQ(document.metres_per_unit, 1.0);
     std::map<std::string, int> surfaces;
-    for (const nrb::NamedSpline &named : document.splines) {
+    for (const nrb::model::NamedSpline &named : document.splines) {
         surfaces[named.name] += named.spline->axes() == 2 ? 1 : 0;
     }
     EXPECT_EQ(surfaces["shell_1"], 1);

@@ -59,7 +59,7 @@ TEST(SpeedNet, WronskianIsWhatTheQuotientRuleSays) {
     for (int p = 1; p <= 12; ++p) {
         const std::vector<double> a = random_row(random, p + 1), w = random_row(random, p + 1, 0.5);
         std::vector<double> n(static_cast<size_t>(2 * p - 1));
-        wronskian(p, a.data(), w.data(), n.data());
+        measure::wronskian(p, a.data(), w.data(), n.data());
         for (int k = 0; k <= 2 * p; ++k) {
             const Rational t = Rational(k) / (2 * p);
             const Row ra = row_of(a.data(), p), rw = row_of(w.data(), p);
@@ -74,10 +74,10 @@ TEST(SpeedNet, HalvesAreTheSameCurveAtHalfTheSpeed) {
     for (int p = 1; p <= 9; ++p) {
         for (const bool rational : {false, true}) {
             const int degree = rational ? 2 * p - 2 : p - 1, weights = rational ? p : -1;
-            const SpeedForm form{2, degree, weights, nullptr, nullptr};
+            const measure::SpeedForm form{2, degree, weights, nullptr, nullptr};
             const std::vector<double> whole = random_row(random, form.size());
             std::vector<double> upper = whole, lower(whole.size());
-            halve_net(form, upper.data(), lower.data());
+            measure::halve_net(form, upper.data(), lower.data());
             for (int row = 0; row < (rational ? 3 : 2); ++row) {
                 const int at = row * (degree + 1), d = row < 2 ? degree : weights;
                 const Rational scale = row < 2 ? Rational(1) / 2 : Rational(1);
@@ -96,8 +96,10 @@ TEST(SpeedNet, HalvesAreTheSameCurveAtHalfTheSpeed) {
 
 // The limits of the directions and of the sizes, from both sides, and signs of weights.
 TEST(SpeedNet, ShapesAreEvenWithinTheirLimits) {
-    const SpeedForm polynomial{2, 2, -1, nullptr, nullptr}, rational{1, 1, 1, nullptr, nullptr};
-    const auto even = [&](const std::vector<double> &x) { return net_shape(polynomial, x.data()).even; };
+    const measure::SpeedForm polynomial{2, 2, -1, nullptr, nullptr}, rational{1, 1, 1, nullptr, nullptr};
+    const auto even = [&](const std::vector<double> &x) {
+        return measure::net_shape(polynomial, x.data()).even;
+    };
     const auto turned = [&](double degrees) {
         const double a = degrees * std::acos(-1) / 180;
         return even({std::cos(a), 1, std::cos(a), std::sin(a), 0, -std::sin(a)});
@@ -111,7 +113,7 @@ TEST(SpeedNet, ShapesAreEvenWithinTheirLimits) {
     EXPECT_TRUE(even({0, 0, 0, 0, 0, 0}));
     const auto shape = [&](double a, double b) {
         const std::vector<double> net = {3, 4, a, b};
-        return net_shape(rational, net.data());
+        return measure::net_shape(rational, net.data());
     };
     EXPECT_TRUE(shape(1, 64).even);
     EXPECT_TRUE(shape(-1, -64).even);

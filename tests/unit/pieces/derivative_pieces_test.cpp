@@ -52,7 +52,7 @@ Rational dot(const Vector &a, const Vector &b) {
 // The derivatives in the middle of a piece, with respect to its places and in its unit of length.
 class Middles {
 public:
-    Middles(const SplineData &data, const nrb::HomogeneousPiece &piece) : piece_(piece) {
+    Middles(const SplineData &data, const nrb::pieces::HomogeneousPiece &piece) : piece_(piece) {
         std::vector<double> at;
         for (int k = 0; k < data.axes(); ++k) {
             at.push_back(piece.parameter(k, 0.5));
@@ -101,7 +101,7 @@ public:
     static inline long double worst = 0;
 
 private:
-    const nrb::HomogeneousPiece &piece_;
+    const nrb::pieces::HomogeneousPiece &piece_;
     std::vector<std::vector<reference::Fraction>> derivatives_;
     bool exact_ = false;
 };
@@ -122,18 +122,18 @@ TEST(DerivativePieces, OfCurves) {
     for_each_case(9100, 120, [](Random &random, uint64_t seed) {
         const SplineData data = random_of(random, 1, random.whole(2, 3));
         const nrb::SplinePtr spline = spline_of(data);
-        const nrb::PieceMaker maker(*spline, nrb::whole_domain(*spline));
+        const nrb::pieces::PieceMaker maker(*spline, nrb::whole_domain(*spline));
         for (int64_t e = 0; e < maker.count(); ++e) {
-            const nrb::HomogeneousPiece piece = maker.piece(e);
+            const nrb::pieces::HomogeneousPiece piece = maker.piece(e);
             Middles middle(data, piece);
             if (!middle.usable()) {
                 continue;
             }
             const Vector d = middle.at({1}), dd = middle.at({2}), ddd = middle.at({3});
-            middle.check(tangent_numerator(piece, 0), d, 2, where(seed, data));
-            middle.check(bend_numerator(piece), cross(d, dd), 3, where(seed, data));
+            middle.check(pieces::tangent_numerator(piece, 0), d, 2, where(seed, data));
+            middle.check(pieces::bend_numerator(piece), cross(d, dd), 3, where(seed, data));
             if (data.dim == 3) {
-                middle.check(twist_numerator(piece), {dot(cross(d, dd), ddd)}, 4, where(seed, data));
+                middle.check(pieces::twist_numerator(piece), {dot(cross(d, dd), ddd)}, 4, where(seed, data));
             }
         }
     });
@@ -145,19 +145,20 @@ TEST(DerivativePieces, OfSurfacesAndVolumes) {
         const int axes = random.whole(2, 3), dim = axes == 3 ? 3 : random.whole(2, 3);
         const SplineData data = random_of(random, axes, dim);
         const nrb::SplinePtr spline = spline_of(data);
-        const nrb::PieceMaker maker(*spline, nrb::whole_domain(*spline));
-        const nrb::HomogeneousPiece piece = maker.piece(random.whole(0, static_cast<int>(maker.count()) - 1));
+        const nrb::pieces::PieceMaker maker(*spline, nrb::whole_domain(*spline));
+        const nrb::pieces::HomogeneousPiece piece =
+            maker.piece(random.whole(0, static_cast<int>(maker.count()) - 1));
         Middles middle(data, piece);
         if (!middle.usable()) {
             return;
         }
         if (axes == 2) {
             const Vector u = middle.at({1, 0}), v = middle.at({0, 1});
-            middle.check(normal_numerator(piece), cross(u, v), 3, where(seed, data));
-            middle.check(tangent_numerator(piece, 1), v, 2, where(seed, data));
+            middle.check(pieces::normal_numerator(piece), cross(u, v), 3, where(seed, data));
+            middle.check(pieces::tangent_numerator(piece, 1), v, 2, where(seed, data));
         } else {
             const Vector u = middle.at({1, 0, 0}), v = middle.at({0, 1, 0}), w = middle.at({0, 0, 1});
-            middle.check(volume_numerator(piece), {dot(cross(u, v), w)}, 4, where(seed, data));
+            middle.check(pieces::volume_numerator(piece), {dot(cross(u, v), w)}, 4, where(seed, data));
         }
     });
 }

@@ -3,9 +3,9 @@
 #include "refine/algebra/antiderivative.h"
 #include "refine/algebra/compose.h"
 #include "refine/algebra/derivative.h"
-#include "refine/forms/power.h"
 #include "refine/algebra/product.h"
 #include "refine/algebra/sum.h"
+#include "refine/forms/power.h"
 
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@ using Values = std::vector<double>;
 
 TEST(Derivative, OfAnIntegralIsTheCurve) {
     const SplinePtr g = curve(2, {0, 0, 0, 1, 3, 3, 3}, 1, {2, 4, 8, 16});
-    const SplinePtr whole = antiderivative(*polynomial_derivative(g, 0, 1), 0);
+    const SplinePtr whole = refine::antiderivative(*refine::polynomial_derivative(g, 0, 1), 0);
     EXPECT_EQ(vector_of(whole->points()), (Values{0, 2, 6, 14}));
     EXPECT_EQ(vector_of(whole->axis(0).knots()), vector_of(g->axis(0).knots()));
 }
@@ -28,44 +28,46 @@ TEST(Derivative, DropsTheLayerOfAJump) {
 }
 
 TEST(Product, OfLinesIsAParabola) {
-    const SplinePtr made = product(*bezier(1, {0, 1}), *bezier(1, {0, 1}), ProductKind::components);
+    const SplinePtr made =
+        refine::product(*bezier(1, {0, 1}), *bezier(1, {0, 1}), refine::ProductKind::components);
     EXPECT_EQ(vector_of(made->points()), (Values{0, 0, 1}));
 }
 
 TEST(Product, TakesAScalarTimesAllComponents) {
-    const SplinePtr made = product(*bezier(2, {1, 2, 3, 4}), *bezier(1, {2, 2}), ProductKind::components);
+    const SplinePtr made =
+        refine::product(*bezier(2, {1, 2, 3, 4}), *bezier(1, {2, 2}), refine::ProductKind::components);
     EXPECT_EQ(vector_of(made->points()), (Values{2, 4, 4, 6, 6, 8}));
 }
 
 TEST(Sum, RaisesTheLowerDegree) {
-    const SplinePtr made = sum(bezier(1, {0, 2}), 1, bezier(1, {0, 0, 1}), -1);
+    const SplinePtr made = refine::sum(bezier(1, {0, 2}), 1, bezier(1, {0, 0, 1}), -1);
     EXPECT_EQ(vector_of(made->points()), (Values{0, 1, 1}));
 }
 
 TEST(Power, BasisThereAndBack) {
     const SplinePtr g = curve(2, {0, 0, 0, 2, 4, 4, 4}, 1, {1, 3, 5, 13});
-    PowerForm form = to_power(g);
+    refine::PowerForm form = refine::to_power(g);
     EXPECT_EQ(form.coefficients, (Values{1, 2, -0.25, 4, 1, 1.75}));
-    const SplinePtr back = from_power(std::move(form), false);
+    const SplinePtr back = refine::from_power(std::move(form), false);
     EXPECT_EQ(vector_of(back->points()), (Values{1, 3, 4, 4, 5, 13}));
 }
 
 TEST(Compose, OfPowersMultipliesThem) {
     const SplinePtr square = bezier(1, {0, 0, 1});
-    const SplinePtr fourth = compose(square, square);
+    const SplinePtr fourth = refine::compose(square, square);
     EXPECT_EQ(vector_of(fourth->points()), (Values{0, 0, 0, 0, 1}));
 }
 
 TEST(Compose, DealsKnotsOutOverSeveralSpans) {
     const SplinePtr g = curve(2, {0, 0, 0, 1, 2, 3, 3, 3}, 1, {0, 1, 2, 4, 8});
-    const SplinePtr made = compose(g, bezier(1, {3, 0})); // backwards and three times as fast
+    const SplinePtr made = refine::compose(g, bezier(1, {3, 0})); // backwards and three times as fast
     EXPECT_EQ(vector_of(made->points()), (Values{8, 4, 2, 1, 0}));
 }
 
 TEST(Compose, MeetsACornerOfKnotLinesOnce) {
     const auto axis = make_knot_vector(1, {0, 0, 1, 2, 2});
     const SplinePtr tent = make_spline({axis, axis}, 1, Form::polynomial, {0, 0, 0, 0, 4, 0, 0, 0, 0});
-    const SplinePtr made = compose(tent, bezier(2, {0, 0, 2, 2}));
+    const SplinePtr made = refine::compose(tent, bezier(2, {0, 0, 2, 2}));
     EXPECT_EQ(vector_of(made->axis(0).knots()), (Values{0, 0, 0, 0.5, 0.5, 1, 1, 1}));
     EXPECT_EQ(vector_of(made->points()), (Values{0, 0, 4, 0, 0}));
 }

@@ -1,7 +1,7 @@
 // Knots of products and raised splines, and the choices among them.
 #include "curves.h"
-#include "refine/knots/blossom.h"
 #include "refine/algebra/common_knots.h"
+#include "refine/knots/blossom.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,18 +17,18 @@ constexpr double eps = std::numeric_limits<double>::epsilon();
 
 TEST(JointAxis, CountsCopiesByContinuity) {
     const KnotVector quadratic(2, {0, 0, 0, 1, 2, 2, 2}), linear(1, {0, 0, 1.5, 2, 2});
-    const JointAxis joint(3, {&quadratic, &linear}, 0);
+    const refine::JointAxis joint(3, {&quadratic, &linear}, 0);
     EXPECT_EQ(vector_of(joint.axis()->knots()),
               (std::vector<double>{0, 0, 0, 0, 1, 1, 1.5, 1.5, 1.5, 2, 2, 2, 2}));
 }
 
 TEST(JointAxis, ChoicesAreAllSubsets) {
-    JointAxis::Window window{};
+    refine::JointAxis::Window window{};
     window.size = 3;
     window.copies = {2, 1, 3};
     double ways = 0;
     int choices = 0;
-    for_each_choice(window, 3, [&](const int *chosen, double times) {
+    refine::for_each_choice(window, 3, [&](const int *chosen, double times) {
         EXPECT_EQ(chosen[0] + chosen[1] + chosen[2], 3);
         ways += times;
         ++choices;
@@ -40,7 +40,7 @@ TEST(JointAxis, ChoicesAreAllSubsets) {
 // Raising takes means: rows are >= 0 and add up to 1.
 TEST(JointAxis, RaisingIsConvex) {
     const KnotVector cubic(3, {-1, -0.5, -0.5, 0, 0.1, 0.1, 0.7, 1, 1, 1.5, 2});
-    const JointAxis joint(5, {&cubic}, 0);
+    const refine::JointAxis joint(5, {&cubic}, 0);
     const LayerTable table = joint.raising(0);
     ASSERT_EQ(table.rows(), joint.axis()->count());
     for (int64_t r = 0; r < table.rows(); ++r) {
@@ -54,7 +54,7 @@ TEST(JointAxis, RaisingIsConvex) {
 TEST(BlossomRow, OfKnotsIsAControlPoint) {
     const KnotVector axis(3, {0, 1, 2, 3, 4, 5, 6, 7});
     const double arguments[] = {3, 5, 4};
-    const PolarRow row = blossom_row(axis, 3, arguments);
+    const refine::PolarRow row = refine::blossom_row(axis, 3, arguments);
     EXPECT_EQ(row.size, 1);
     EXPECT_EQ(row.first, 2);
     EXPECT_EQ(row.coefficients[0], 1);
@@ -63,9 +63,10 @@ TEST(BlossomRow, OfKnotsIsAControlPoint) {
 TEST(BlossomRow, IsSymmetricAndAffine) {
     const KnotVector axis(2, {0, 0, 0, 1, 3, 3, 3});
     const double ab[] = {1.25, 2}, ba[] = {2, 1.25}, low[] = {1.25, 1}, high[] = {1.25, 3};
-    const PolarRow row = blossom_row(axis, 3, ab), turned = blossom_row(axis, 3, ba);
-    const PolarRow at_low = blossom_row(axis, 3, low), at_high = blossom_row(axis, 3, high);
-    const auto coefficient = [](const PolarRow &r, int64_t layer) {
+    const refine::PolarRow row = refine::blossom_row(axis, 3, ab), turned = refine::blossom_row(axis, 3, ba);
+    const refine::PolarRow at_low = refine::blossom_row(axis, 3, low),
+                           at_high = refine::blossom_row(axis, 3, high);
+    const auto coefficient = [](const refine::PolarRow &r, int64_t layer) {
         return layer < r.first || layer >= r.first + r.size ? 0 : r.coefficients[layer - r.first];
     };
     for (int64_t layer = 1; layer <= 3; ++layer) {

@@ -8,18 +8,18 @@ using namespace nrb;
 
 namespace {
 
-SignProfile profile_of(const SplinePtr &curve, double c, int k = 0) {
-    return sign_profile(CurvePiece(*curve, curve->axis(0).degree()), k, c);
+refine::SignProfile profile_of(const SplinePtr &curve, double c, int k = 0) {
+    return refine::sign_profile(refine::CurvePiece(*curve, curve->axis(0).degree()), k, c);
 }
 
 TEST(Crossings, OfALineIsOne) {
-    const SignProfile profile = profile_of(bezier(1, {0, 1}), 0.25);
+    const refine::SignProfile profile = profile_of(bezier(1, {0, 1}), 0.25);
     EXPECT_TRUE(profile.below && profile.above);
     EXPECT_EQ(profile.crossings, std::vector<double>{0.25});
 }
 
 TEST(Crossings, AtTheEndsAreNone) {
-    const SignProfile profile = profile_of(bezier(1, {0, 1}), 0);
+    const refine::SignProfile profile = profile_of(bezier(1, {0, 1}), 0);
     EXPECT_TRUE(!profile.below && profile.above && profile.crossings.empty());
 }
 
@@ -29,7 +29,7 @@ TEST(Crossings, OfACubicAreThree) {
     const SplinePtr cubic =
         bezier(1, {power[0], power[0] + power[1] / 3, power[0] + power[1] * 2 / 3 + power[2] / 3,
                    power[0] + power[1] + power[2] + power[3]});
-    const SignProfile profile = profile_of(cubic, 0);
+    const refine::SignProfile profile = profile_of(cubic, 0);
     ASSERT_EQ(profile.crossings.size(), 3U);
     EXPECT_NEAR(profile.crossings[0], 0.25, 1e-15);
     EXPECT_NEAR(profile.crossings[1], 0.5, 1e-15);
@@ -38,23 +38,23 @@ TEST(Crossings, OfACubicAreThree) {
 
 // (t - 0.3)^2 touches 0, (t - 0.3)^3 crosses it once.
 TEST(Crossings, OfTangentsAreNoneAndOfInflectionsOne) {
-    const SignProfile touching = profile_of(bezier(1, {0.09, -0.21, 0.49}), 0);
+    const refine::SignProfile touching = profile_of(bezier(1, {0.09, -0.21, 0.49}), 0);
     EXPECT_TRUE(touching.above && !touching.below && touching.crossings.empty());
-    const SignProfile inflection = profile_of(bezier(1, {-0.027, 0.063, -0.147, 0.343}), 0);
+    const refine::SignProfile inflection = profile_of(bezier(1, {-0.027, 0.063, -0.147, 0.343}), 0);
     ASSERT_EQ(inflection.crossings.size(), 1U);
     EXPECT_NEAR(inflection.crossings[0], 0.3, 1e-4); // known to the third root of eps
 }
 
 TEST(Crossings, OfAConstantAreNone) {
-    const SignProfile profile = profile_of(bezier(2, {0, 5, 1, 5}), 5, 1);
+    const refine::SignProfile profile = profile_of(bezier(2, {0, 5, 1, 5}), 5, 1);
     EXPECT_TRUE(!profile.below && !profile.above && profile.crossings.empty());
 }
 
 TEST(Crossings, PolarValuesOfAPieceAreItsCoefficients) {
     const SplinePtr f = curve(2, {0, 0, 0, 1, 2, 2, 2}, 1, {0, 2, 4, 6});
-    const CurvePiece piece(*f, 2);
+    const refine::CurvePiece piece(*f, 2);
     EXPECT_EQ(vector_of(piece.coefficients(0)), (std::vector<double>{0, 2, 3}));
-    const Coefficients half = piece.coefficients_between(0, 0, 0.5);
+    const refine::Coefficients half = piece.coefficients_between(0, 0, 0.5);
     EXPECT_EQ(half[0], 0);
     EXPECT_EQ(half[1], 1);
     EXPECT_EQ(half[2], 1.75);

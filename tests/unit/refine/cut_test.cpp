@@ -24,7 +24,7 @@ TEST(Cut, RoughKnotsAreThoseOfLessContinuity) {
 
 TEST(Cut, PiecesShareTheirEnds) {
     const SplinePtr whole = curve(2, {0, 1, 2, 3, 4, 5, 6}, 1, {0, 2, 4, 8});
-    const PartedSpline pieces = bezier_pieces(whole);
+    const refine::PartedSpline pieces = refine::bezier_pieces(whole);
     ASSERT_EQ(pieces.size(), 2);
     EXPECT_EQ(vector_of(pieces.part(0)->points()), (std::vector<double>{1, 2, 3}));
     EXPECT_EQ(vector_of(pieces.part(1)->points()), (std::vector<double>{3, 4, 6}));
@@ -33,8 +33,8 @@ TEST(Cut, PiecesShareTheirEnds) {
 
 TEST(Cut, APartOfAPartIsThatPart) {
     const SplinePtr whole = bezier(1, {0, 8, 8, 0});
-    const SplinePtr half = cut_axis(whole, 0, 0, 0.5, {false, false});
-    const SplinePtr quarter = cut_axis(half, 0, 0.25, 0.5, {false, false});
+    const SplinePtr half = refine::cut_axis(whole, 0, 0, 0.5, {false, false});
+    const SplinePtr quarter = refine::cut_axis(half, 0, 0.25, 0.5, {false, false});
     EXPECT_EQ(vector_of(quarter->points()),
               vector_of(cut_axis(whole, 0, 0.25, 0.5, {false, false})->points()));
 }

@@ -1,11 +1,11 @@
 // Changes of form that move no value.
 #include "curves.h"
-#include "refine/knots/axis_table.h"
 #include "refine/forms/homogeneous.h"
-#include "refine/parts/iso.h"
-#include "refine/parts/join.h"
 #include "refine/forms/parametrization.h"
 #include "refine/forms/transpose.h"
+#include "refine/knots/axis_table.h"
+#include "refine/parts/iso.h"
+#include "refine/parts/join.h"
 
 #include <gtest/gtest.h>
 
@@ -26,7 +26,7 @@ SplinePtr surface() { // 2 by 3 points
 
 TEST(Homogeneous, PointsCarryTheirWeights) {
     EXPECT_EQ(homogeneous_points(*rational()), (Values{1, 2, 1, 1.5, 2, 0.5}));
-    const SplinePtr there = to_homogeneous(*rational());
+    const SplinePtr there = refine::to_homogeneous(*rational());
     EXPECT_EQ(there->dim(), 3);
     EXPECT_EQ(from_homogeneous(*there)->coordinate(1, 1), 4);
 }
@@ -39,7 +39,7 @@ TEST(Homogeneous, TheCommonFormHoldsAll) {
 
 TEST(Transpose, ExchangesAxes) {
     const int32_t turn[] = {1, 0};
-    const SplinePtr made = transpose(*surface(), turn);
+    const SplinePtr made = refine::transpose(*surface(), turn);
     EXPECT_EQ(vector_of(made->points()), (Values{1, 4, 2, 5, 3, 6}));
     EXPECT_EQ(made->axis(0).degree(), 2);
 }
@@ -58,7 +58,7 @@ TEST(Reverse, NegatesKnotsOrKeepsTheDomain) {
 
 TEST(Join, OfPartsThatMeetSharesTheEnd) {
     const SplinePtr parts[] = {bezier(1, {0, 1, 4}), bezier(1, {4, 5, 6})};
-    const Joined joined = join(parts, 0, {0, false});
+    const refine::Joined joined = refine::join(parts, 0, {0, false});
     EXPECT_EQ(vector_of(joined.spline->points()), (Values{0, 1, 4, 5, 6}));
     EXPECT_EQ(vector_of(joined.spline->axis(0).knots()), (Values{0, 0, 0, 1, 1, 2, 2, 2}));
     EXPECT_EQ(joined.gap, 0);

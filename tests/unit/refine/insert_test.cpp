@@ -1,8 +1,8 @@
 #include "basis/bspline.h"
 #include "eval/evaluate.h"
 #include "refine/knots/axis_table.h"
-#include "refine/parts/cut.h"
 #include "refine/knots/insert.h"
+#include "refine/parts/cut.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,8 +24,9 @@ constexpr double eps = std::numeric_limits<double>::epsilon();
 std::vector<double> points_of(const nrb::Spline &spline, const std::vector<double> &params) {
     const auto n = static_cast<int64_t>(params.size()) / spline.axes();
     std::vector<double> result(static_cast<size_t>(n * spline.dim()));
-    nrb::evaluate_points(spline, nrb::AxisRules{}, 0, {params.data(), n, spline.axes(), spline.axes(), 1},
-                         {result.data(), n, spline.dim(), spline.dim(), 1});
+    nrb::eval::evaluate_points(spline, nrb::eval::AxisRules{}, 0,
+                               {params.data(), n, spline.axes(), spline.axes(), 1},
+                               {result.data(), n, spline.dim(), spline.dim(), 1});
     return result;
 }
 
@@ -49,9 +50,9 @@ TEST(Refinement, RowsAreConvexCombinations) {
             fine.insert(fine.end(), random() % (room + 1), knot);
         }
         std::sort(fine.begin(), fine.end());
-        const nrb::Refinement refinement(3, knots, fine);
+        const nrb::refine::Refinement refinement(3, knots, fine);
         ASSERT_EQ(refinement.rows(), static_cast<int64_t>(fine.size()) - 4);
-        const LayerTable table = nrb::rows_of(refinement, 0, refinement.rows());
+        const LayerTable table = nrb::refine::rows_of(refinement, 0, refinement.rows());
         for (const LayerTable::Row &row : table.all()) {
             const double copy = 1;
             const double *c = row.size == 0 ? &copy : table.coefficients(row);
@@ -69,7 +70,7 @@ TEST(RestrictAxis, KeepsTheShapeAndClampsTheNewEnds) {
          {std::pair{0.25, 0.75}, {0.0, 0.6}, {0.3, 1.0}, {0.5, 0.55}, {0.3, 0.5}}) {
         const SplinePtr curve =
             random_curve(random, 3, {-0.3, -0.2, -0.1, 0, 0.3, 0.3, 0.5, 0.5, 0.5, 0.5, 0.9, 1, 1.5, 1.5, 2});
-        const SplinePtr part = nrb::restrict_axis(curve, 0, lower, upper);
+        const SplinePtr part = nrb::refine::restrict_axis(curve, 0, lower, upper);
         EXPECT_EQ(part->axis(0).domain().lower, lower);
         EXPECT_EQ(part->axis(0).domain().upper, upper);
         EXPECT_EQ(part->axis(0).clamped_start(), lower != 0.0);
@@ -93,7 +94,7 @@ TEST(RestrictAxis, OpensAPeriodicAxis) {
     }
     const auto axis = make_knot_vector(3, {-3, -2, -1, 0, 1, 2, 3, 4, 5, 6, 7}, true);
     const SplinePtr closed = make_spline({axis}, 1, Form::polynomial, points);
-    const SplinePtr part = nrb::restrict_axis(closed, 0, 0.5, 4);
+    const SplinePtr part = nrb::refine::restrict_axis(closed, 0, 0.5, 4);
     EXPECT_FALSE(part->axis(0).periodic());
     EXPECT_NEAR(points_of(*part, {1.25})[0], points_of(*closed, {1.25})[0], 4 * eps);
 }
@@ -101,7 +102,7 @@ TEST(RestrictAxis, OpensAPeriodicAxis) {
 TEST(InsertKnot, LeavesPointsOutOfReachBitForBit) {
     std::mt19937_64 random(3);
     const SplinePtr curve = random_curve(random, 2, {0, 0, 0, 1, 2, 3, 4, 5, 5, 5});
-    const SplinePtr refined = nrb::insert_knot(curve, 0, 2.5, 1);
+    const SplinePtr refined = nrb::refine::insert_knot(curve, 0, 2.5, 1);
     EXPECT_TRUE(std::equal(curve->points().begin(), curve->points().begin() + 6, refined->points().begin()));
     EXPECT_TRUE(std::equal(curve->points().end() - 6, curve->points().end(), refined->points().end() - 6));
 }

@@ -1,10 +1,10 @@
 // Maps of control points, quotients and Hermite data of small whole numbers.
 #include "curves.h"
-#include "refine/forms/hermite.h"
-#include "refine/periodic/periodic.h"
-#include "refine/forms/projections.h"
 #include "refine/algebra/quotient_rule.h"
+#include "refine/forms/hermite.h"
+#include "refine/forms/projections.h"
 #include "refine/forms/transform.h"
+#include "refine/periodic/periodic.h"
 
 #include <gtest/gtest.h>
 
@@ -16,14 +16,14 @@ using Values = std::vector<double>;
 
 TEST(Transform, MayChangeTheDimension) {
     const double sum[] = {1, 1}, offset[] = {10};
-    const SplinePtr made = transform(*bezier(2, {1, 2, 3, 4}), {1, 2, sum}, offset);
+    const SplinePtr made = refine::transform(*bezier(2, {1, 2, 3, 4}), {1, 2, sum}, offset);
     EXPECT_EQ(made->dim(), 1);
     EXPECT_EQ(vector_of(made->points()), (Values{13, 17}));
 }
 
 TEST(Transform, ProjectivelyMakesWeights) {
     const double matrix[] = {1, 0, 1, 1}; // x / (x + 1)
-    const SplinePtr made = transform_projective(*bezier(1, {0, 1}), {2, 2, matrix});
+    const SplinePtr made = refine::transform_projective(*bezier(1, {0, 1}), {2, 2, matrix});
     EXPECT_TRUE(made->rational());
     EXPECT_EQ(made->coordinate(1, 0), 0.5);
     EXPECT_EQ(made->weight(1), 2);
@@ -32,7 +32,7 @@ TEST(Transform, ProjectivelyMakesWeights) {
 // (t) / (1 + t) has the derivative 1 / (1 + t)^2.
 TEST(QuotientRule, OfALinearFraction) {
     const SplinePtr g = make_spline({make_knot_vector(1, {0, 0, 1, 1})}, 1, Form::rational, {0, 0.5}, {1, 2});
-    const SplinePtr made = rational_derivative(*g, 0, 1);
+    const SplinePtr made = refine::rational_derivative(*g, 0, 1);
     EXPECT_EQ(made->axis(0).degree(), 2);
     EXPECT_EQ(made->coordinate(0, 0), 1);
     EXPECT_EQ(made->coordinate(2, 0), 0.25);
@@ -42,7 +42,7 @@ TEST(QuotientRule, OfALinearFraction) {
 TEST(RefinePeriodic, CopiesGoIntoAllPeriods) {
     const KnotVector axis(2, {0, 1, 2, 3, 4, 5, 6, 7, 8}, true); // domain [2, 6]
     const double knot[] = {2.5};
-    const AxisTable made = refine_periodic(axis, knot);
+    const refine::AxisTable made = refine::refine_periodic(axis, knot);
     EXPECT_TRUE(made.axis->periodic());
     EXPECT_EQ(vector_of(made.axis->knots()), (Values{0, 1, 2, 2.5, 3, 4, 5, 6, 6.5, 7}));
     EXPECT_EQ(made.table.rows(), 7);
@@ -50,7 +50,7 @@ TEST(RefinePeriodic, CopiesGoIntoAllPeriods) {
 
 // The parabola 4 t (1 - t) has its top at 1/2.
 TEST(Hermite, DataAreEndsOfSpans) {
-    const HermiteData data = hermite_data(curve(2, {0, 0, 0, 0.5, 1, 1, 1}, 1, {0, 1, 1, 0}));
+    const refine::HermiteData data = refine::hermite_data(curve(2, {0, 0, 0, 0.5, 1, 1, 1}, 1, {0, 1, 1, 0}));
     EXPECT_EQ(data.params, (Values{0, 0.5, 1}));
     EXPECT_EQ(data.points, (Values{0, 1, 0}));
     EXPECT_EQ(data.tangents, (Values{4, 0, -4}));

@@ -1,8 +1,8 @@
 // Knots and layers of periodic axes beyond one period.
 #include "curves.h"
 #include "refine/periodic/period.h"
-#include "refine/periodic/seam.h"
 #include "refine/periodic/periods.h"
+#include "refine/periodic/seam.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>
@@ -17,13 +17,13 @@ SplinePtr loop() {
 
 TEST(Period, ContinuesKnotsBothWays) {
     std::vector<double> knots{0, 0, 1, 1.5, 4, 0, 0};
-    continue_knots(knots, 1, 4, 3); // the period [0, 4)
+    refine::continue_knots(knots, 1, 4, 3); // the period [0, 4)
     EXPECT_EQ(knots, (std::vector<double>{-2.5, 0, 1, 1.5, 4, 5, 5.5}));
 }
 
 TEST(Period, KeepsEqualKnotsEqual) {
     const KnotVector axis(1, {-0.3, 0.1, 0.1, 0.4, 0.8, 0.8}, true);
-    const std::vector<double> knots = extended_knots(axis, 3);
+    const std::vector<double> knots = refine::extended_knots(axis, 3);
     ASSERT_EQ(knots.size(), 12U);
     EXPECT_EQ(knots[1], knots[2]);
     EXPECT_EQ(knots[7], knots[8]);
@@ -31,7 +31,7 @@ TEST(Period, KeepsEqualKnotsEqual) {
 }
 
 TEST(Unrolled, NumbersPeriodsFromTheDomain) {
-    const KnotVectorPtr made = unrolled(loop()->axis(0), -1, 2);
+    const KnotVectorPtr made = refine::unrolled(loop()->axis(0), -1, 2);
     EXPECT_FALSE(made->periodic());
     EXPECT_EQ(made->count(), 14);
     EXPECT_EQ(made->domain().lower, -2);
@@ -46,7 +46,7 @@ TEST(Unrolled, OnePeriodIsThatOfTheAxis) {
 }
 
 TEST(Unrolled, FarAwayTakesNoMoreThanItsPeriods) {
-    const KnotVectorPtr made = unrolled(loop()->axis(0), 1000000, 1000001);
+    const KnotVectorPtr made = refine::unrolled(loop()->axis(0), 1000000, 1000001);
     EXPECT_EQ(made->count(), 6);
     EXPECT_EQ(made->domain().lower, 4000002);
     EXPECT_EQ(made->domain().upper, 4000006);
@@ -55,7 +55,7 @@ TEST(Unrolled, FarAwayTakesNoMoreThanItsPeriods) {
 TEST(Unrolled, KeepsEqualKnotsEqualAndTheirOrder) {
     const KnotVector axis(1, {-0.3, 0.1, 0.1, 0.4, 0.8, 0.8}, true); // lengths that are rounded
     for (const int64_t first : {-12345, -3, -1, 0, 1, 7, 54321}) {
-        const KnotVectorPtr made = unrolled(axis, first, first + 4);
+        const KnotVectorPtr made = refine::unrolled(axis, first, first + 4);
         const std::span<const double> knots = made->knots();
         ASSERT_EQ(knots.size(), 15U);
         EXPECT_TRUE(std::ranges::is_sorted(knots));
@@ -72,7 +72,7 @@ TEST(Unrolled, RefusesKnotsThatRoundingMakesEqual) {
 }
 
 TEST(Seam, AtAKnotMovesLayersOnly) {
-    const SplinePtr moved = move_seam(loop(), 0, 3);
+    const SplinePtr moved = refine::move_seam(loop(), 0, 3);
     EXPECT_EQ(moved->axis(0).domain().lower, 3);
     EXPECT_EQ(vector_of(moved->points()), (std::vector<double>{2, 3, 4, 1, 2, 3}));
     EXPECT_FALSE(open_axis(loop(), 0)->axis(0).periodic());

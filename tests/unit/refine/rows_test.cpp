@@ -1,9 +1,9 @@
 // The tables of refinement, of Bezier pieces and of elevation, whose rows are made many at a time.
+#include "refine/degree/elevation_table.h"
 #include "refine/knots/axis_table.h"
 #include "refine/knots/bezier_rows.h"
-#include "refine/parts/cut.h"
-#include "refine/degree/elevation_table.h"
 #include "refine/knots/blossom_rows.h"
+#include "refine/parts/cut.h"
 
 #include <algorithm>
 #include <cmath>
@@ -83,12 +83,12 @@ TEST(Rows, of_refinement_are_right_and_each_as_if_alone) {
                 random_knots(random, -1, added + 1, 1 + static_cast<int>(random() % 2));
             fresh[0] = axis[degree + 3];
             std::sort(fresh.begin(), fresh.end());
-            const KnotVector fine(degree, nrb::merged(axis.knots(), fresh));
-            const nrb::Refinement refinement(degree, axis.knots(), fine.knots());
-            const LayerTable table = nrb::rows_of(refinement, 0, refinement.rows());
+            const KnotVector fine(degree, nrb::refine::merged(axis.knots(), fresh));
+            const nrb::refine::Refinement refinement(degree, axis.knots(), fine.knots());
+            const LayerTable table = nrb::refine::rows_of(refinement, 0, refinement.rows());
             expect_monomials(table, axis, fine);
             for (int64_t j = 0; j < table.rows(); ++j) {
-                const LayerTable alone = nrb::rows_of(refinement, j, j + 1);
+                const LayerTable alone = nrb::refine::rows_of(refinement, j, j + 1);
                 const LayerTable::Row &row = table.row(j), &only = alone.row(0);
                 ASSERT_TRUE(row.first == only.first && row.size == only.size);
                 ASSERT_TRUE(std::equal(alone.coefficients(only), alone.coefficients(only) + row.size,
@@ -106,12 +106,12 @@ TEST(Rows, of_bezier_pieces_are_those_of_refinement) {
             std::vector<double> knots = random_knots(random, degree, 30, multiplicity);
             knots.erase(knots.begin(), knots.begin() + random() % 2); // unclamped
             const KnotVector axis(degree, std::move(knots));
-            const std::vector<double> breaks = nrb::breaks_of(axis);
-            const std::vector<double> fine = nrb::saturated(axis, breaks);
-            const nrb::Refinement refinement(degree, axis.knots(), fine);
+            const std::vector<double> breaks = nrb::refine::breaks_of(axis);
+            const std::vector<double> fine = nrb::refine::saturated(axis, breaks);
+            const nrb::refine::Refinement refinement(degree, axis.knots(), fine);
             const int64_t first = std::lower_bound(fine.begin(), fine.end(), breaks[0]) - fine.begin();
-            const LayerTable table = nrb::bezier_rows(axis);
-            const LayerTable other = nrb::rows_of(refinement, first, first + table.rows());
+            const LayerTable table = nrb::refine::bezier_rows(axis);
+            const LayerTable other = nrb::refine::rows_of(refinement, first, first + table.rows());
             ASSERT_EQ(table.rows(), (std::ssize(breaks) - 1) * (degree + 1));
             for (int64_t r = 0; r < table.rows(); ++r) {
                 const LayerTable::Row &row = table.row(r), &wanted = other.row(r);
@@ -119,9 +119,9 @@ TEST(Rows, of_bezier_pieces_are_those_of_refinement) {
                 ASSERT_TRUE(std::equal(other.coefficients(wanted), other.coefficients(wanted) + row.size,
                                        table.coefficients(row)));
             }
-            expect_monomials(table, axis, *nrb::bezier_knots(degree, breaks));
+            expect_monomials(table, axis, *nrb::refine::bezier_knots(degree, breaks));
             const int64_t from = 1 + static_cast<int64_t>(random() % 10);
-            const LayerTable part = nrb::bezier_rows(axis, from, std::ssize(breaks) - 2);
+            const LayerTable part = nrb::refine::bezier_rows(axis, from, std::ssize(breaks) - 2);
             for (int64_t r = 0; r < part.rows(); ++r) {
                 const LayerTable::Row &row = part.row(r), &wanted = table.row(from * (degree + 1) + r);
                 ASSERT_TRUE(row.first == wanted.first && row.size == wanted.size) << r;
@@ -137,7 +137,7 @@ TEST(Rows, of_elevation_are_right_in_long_runs_of_one_multiplicity) {
     for (int degree = 0; degree <= 9; ++degree) {
         for (int multiplicity = 1; multiplicity <= degree + 1; ++multiplicity) {
             const KnotVector axis(degree, random_knots(random, degree, 100, multiplicity));
-            const nrb::Elevation raised(axis);
+            const nrb::refine::Elevation raised(axis);
             const LayerTable table = raised.rows(0, raised.rows());
             expect_monomials(table, axis, KnotVector(degree + 1, raised.knots()));
             const int64_t from = 1 + static_cast<int64_t>(random() % 30);

@@ -46,7 +46,7 @@ TEST(IgesGlobal, UnknownUnitsStayUnknownAndCannotBeConverted) {
              {"3", ""}, {"3", "5HCUBIT"}, {"12", "2HMM"}, {"-1", "2HMM"}, {"99999999999", ""}}) {
         IgesBuilder builder;
         builder.global(14, flag).global(15, name).add(126, line_126);
-        const nrb::Document document = read(builder);
+        const nrb::model::Document document = read(builder);
         EXPECT_EQ(document.metres_per_unit, 0.0) << flag << name;
         EXPECT_EQ(points_of(*only_spline(document)), (std::vector<double>{1, 2, 3, 4, 6, 8}));
         EXPECT_THROW(read(builder, {.unit = 0.001}), nrb::Error) << flag << name;
@@ -63,7 +63,7 @@ TEST(IgesGlobal, ModelScaleIsModelToWorld) {
 TEST(IgesGlobal, ScalesToTheWantedUnit) {
     IgesBuilder builder;
     builder.global(14, "6").global(15, "1HM").global(13, "0.5").add(126, line_126);
-    const nrb::Document document = read(builder, {.unit = 0.001});
+    const nrb::model::Document document = read(builder, {.unit = 0.001});
     EXPECT_EQ(document.metres_per_unit, 0.001);
     EXPECT_EQ(points_of(*only_spline(document)), (std::vector<double>{2000, 4000, 6000, 8000, 12000, 16000}));
 }
@@ -71,7 +71,7 @@ TEST(IgesGlobal, ScalesToTheWantedUnit) {
 TEST(IgesGlobal, KeepsTheUnitOfTheFile) {
     IgesBuilder builder;
     builder.global(14, "1").global(15, "2HIN").add(126, line_126);
-    const nrb::Document document = read(builder);
+    const nrb::model::Document document = read(builder);
     EXPECT_EQ(document.metres_per_unit, 0.0254);
     EXPECT_EQ(points_of(*only_spline(document)), (std::vector<double>{1, 2, 3, 4, 6, 8}));
 }

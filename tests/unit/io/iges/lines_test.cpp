@@ -54,7 +54,7 @@ TEST(IgesLines, SequenceNumbersPaddedByBlanksOrLeftOut) {
 }
 
 TEST(IgesLines, EmptyDirectoryIsAFileWithoutEntities) {
-    const nrb::Document document = read(IgesBuilder());
+    const nrb::model::Document document = read(IgesBuilder());
     EXPECT_TRUE(document.splines.empty());
     EXPECT_TRUE(document.notes.empty());
 }

@@ -24,7 +24,7 @@ std::string everything() {
 // Whatever happens is a document or an Error; the notes and splines are those of the entities.
 bool reads_or_throws(const std::string &text) {
     try {
-        const nrb::Document document = read(text, {.unit = 0.001});
+        const nrb::model::Document document = read(text, {.unit = 0.001});
         return document.splines.size() + document.notes.size() <= 8;
     } catch (const nrb::Error &error) {
         return error.status() >= nrb::Status::format && error.status() <= nrb::Status::syntax &&
@@ -33,7 +33,7 @@ bool reads_or_throws(const std::string &text) {
 }
 
 TEST(IgesMutation, TheFileItselfIsGood) {
-    const nrb::Document document = read(everything());
+    const nrb::model::Document document = read(everything());
     EXPECT_EQ(document.splines.size(), 3U);
     EXPECT_EQ(document.notes.size(), 3U); // the matrix and the name have been used
     EXPECT_EQ(document.splines[0].name, "name");

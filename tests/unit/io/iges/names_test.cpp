@@ -7,7 +7,7 @@ namespace {
 using namespace iges_test;
 
 std::string only_name(const IgesBuilder &builder) {
-    const nrb::Document document = read(builder);
+    const nrb::model::Document document = read(builder);
     EXPECT_EQ(document.splines.size(), 1U);
     return document.splines.empty() ? "" : document.splines.front().name;
 }
@@ -65,7 +65,7 @@ TEST(IgesNames, OnePropertyForMany) {
     builder.add(126, with_pointers("0,1,5"));
     builder.add(126, with_pointers("0,1,5"));
     builder.add(406, "1,4Hpair", {.form = 15});
-    const nrb::Document document = read(builder);
+    const nrb::model::Document document = read(builder);
     ASSERT_EQ(document.splines.size(), 2U);
     EXPECT_EQ(document.splines[0].name, "pair");
     EXPECT_EQ(document.splines[1].name, "pair");

@@ -13,7 +13,7 @@ TEST(IgesNotes, OtherEntitiesInTheOrderOfTheDirectory) {
     builder.add(126, line_126);
     builder.add(5001, "1,2,3");
     builder.add(124, "1,0,0,0,0,1,0,0,0,0,1,0");
-    const nrb::Document document = read(builder);
+    const nrb::model::Document document = read(builder);
     ASSERT_EQ(document.splines.size(), 1U);
     ASSERT_EQ(document.notes.size(), 3U);
     const int types[] = {110, 5001, 124};
@@ -32,14 +32,14 @@ TEST(IgesNotes, SplinesInTheOrderOfTheDirectory) {
     for (const char *label : {"C", "A", "B"}) {
         builder.add(126, line_126, {.label = label});
     }
-    const nrb::Document document = read(builder);
+    const nrb::model::Document document = read(builder);
     ASSERT_EQ(document.splines.size(), 3U);
     EXPECT_EQ(document.splines[0].name + document.splines[1].name + document.splines[2].name, "CAB");
 }
 
 // Three curves; eight columns (or more, if the text is longer) of a line of the file are replaced. Only the
 // middle curve may suffer.
-nrb::Note damaged(size_t line_in_section, char section, size_t column, const std::string &text) {
+nrb::model::Note damaged(size_t line_in_section, char section, size_t column, const std::string &text) {
     IgesBuilder builder;
     for (int i = 0; i < 3; ++i) {
         builder.add(126, line_126);
@@ -50,10 +50,10 @@ nrb::Note damaged(size_t line_in_section, char section, size_t column, const std
             line.replace(column, std::max<size_t>(text.size(), 8), IgesBuilder::padded(text, 8));
         }
     }
-    const nrb::Document document = read(IgesBuilder::join(lines));
+    const nrb::model::Document document = read(IgesBuilder::join(lines));
     EXPECT_EQ(document.splines.size(), 2U) << text;
     EXPECT_EQ(document.notes.size(), 1U) << text;
-    return document.notes.empty() ? nrb::Note{} : document.notes.front();
+    return document.notes.empty() ? nrb::model::Note{} : document.notes.front();
 }
 
 TEST(IgesNotes, DamagedDirectoryEntries) {
@@ -80,7 +80,7 @@ TEST(IgesNotes, DamagedDirectoryEntries) {
         {4, 64, "?", "directory field 19 (subscript)"},
     };
     for (const auto &[line, column, text, words] : cases) {
-        const nrb::Note note = damaged(line, 'D', column, text);
+        const nrb::model::Note note = damaged(line, 'D', column, text);
         EXPECT_EQ(note.reason, nrb::Status::syntax) << text;
         EXPECT_EQ(note.line, 3);
         EXPECT_NE(note.text.find(words), std::string::npos) << note.text;
@@ -122,7 +122,7 @@ TEST(IgesNotes, ParameterDataBelongToOneEntity) {
             line.replace(8, 8, IgesBuilder::padded(1, 8));
         }
     }
-    const nrb::Document document = read(IgesBuilder::join(lines));
+    const nrb::model::Document document = read(IgesBuilder::join(lines));
     EXPECT_EQ(document.splines.size(), 1U);
     ASSERT_EQ(document.notes.size(), 1U);
     EXPECT_NE(document.notes.front().text.find("belongs to another entity too"), std::string::npos);

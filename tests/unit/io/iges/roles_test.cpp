@@ -14,7 +14,7 @@ const std::vector<double> in_space = {1000, 2000, 3000, 4000, 6000, 8000};
 std::map<std::string, std::vector<double>> points_by_name(IgesBuilder builder) {
     builder.global(14, "6").global(15, "1HM");
     std::map<std::string, std::vector<double>> result;
-    for (const nrb::NamedSpline &named : read(builder, {.unit = 0.001}).splines) {
+    for (const nrb::model::NamedSpline &named : read(builder, {.unit = 0.001}).splines) {
         EXPECT_EQ(named.spline->points().size(), static_cast<size_t>(2 * named.spline->dim()));
         result[named.name] = points_of(*named.spline);
     }

@@ -246,7 +246,7 @@ TEST(IgesCurve, EachDefectHasItsStatus) {
         {"one,1,0,0,1,0,0.,0.,1.,1.", nrb::Status::syntax, "K (parameter 2) is 'one'"},
     };
     for (const Bad &bad : cases) {
-        const nrb::Note note = note_of(126, bad.data);
+        const nrb::model::Note note = note_of(126, bad.data);
         EXPECT_EQ(note.reason, bad.reason) << bad.data << "\n" << note.text;
         EXPECT_NE(note.text.find(bad.words), std::string::npos) << note.text;
         EXPECT_NE(note.text.find("(126) at directory line 1: "), std::string::npos) << note.text;
@@ -269,7 +269,7 @@ TEST(IgesSurface, EachDefectHasItsStatus) {
          nrb::Status::knots_decreasing, "axis 1"},
     };
     for (const Bad &bad : cases) {
-        const nrb::Note note = note_of(128, bad.data);
+        const nrb::model::Note note = note_of(128, bad.data);
         EXPECT_EQ(note.reason, bad.reason) << bad.data << "\n" << note.text;
         EXPECT_NE(note.text.find(bad.words), std::string::npos) << note.text;
         EXPECT_NE(note.text.find("(128) at directory line 1: "), std::string::npos) << note.text;
@@ -280,7 +280,7 @@ TEST(IgesSurface, EachDefectHasItsStatus) {
 TEST(IgesCurve, ConversionThatOverflows) {
     IgesBuilder builder;
     builder.global(14, "7").add(126, "1,1,0,0,1,0,0.,0.,1.,1.,1.,1.,1.,2.,3.,4.E307,6.,8.,0.,1.,0.,0.,1.");
-    const nrb::Document document = read(builder, {.unit = 0.001});
+    const nrb::model::Document document = read(builder, {.unit = 0.001});
     ASSERT_EQ(document.notes.size(), 1U);
     EXPECT_EQ(document.notes.front().reason, nrb::Status::point_not_finite);
 }

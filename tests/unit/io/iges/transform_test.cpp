@@ -48,7 +48,7 @@ TEST(IgesTransform, OneMatrixForMany) {
     for (int i = 0; i < 3; ++i) {
         builder.add(126, line_126, {.transform = matrix});
     }
-    const nrb::Document document = read(builder);
+    const nrb::model::Document document = read(builder);
     ASSERT_EQ(document.splines.size(), 3U);
     EXPECT_TRUE(document.notes.empty()); // a matrix that was used is not lost
     EXPECT_EQ(document.splines[2].spline->points()[0], 101.0);
@@ -67,12 +67,12 @@ TEST(IgesTransform, KeepsWeightsAndPeriodicity) {
 }
 
 // What a curve with pointer `transform` leaves in a file whose first entity is `type` with `data`.
-nrb::Note note_with(int type, const std::string &data, int64_t own_transform, int64_t transform) {
+nrb::model::Note note_with(int type, const std::string &data, int64_t own_transform, int64_t transform) {
     IgesBuilder builder;
     builder.add(type, data, {.transform = own_transform});
     builder.add(126, line_126, {.transform = transform});
     builder.add(126, line_126);
-    const nrb::Document document = read(builder);
+    const nrb::model::Document document = read(builder);
     EXPECT_EQ(document.splines.size(), 1U); // the untouched one
     EXPECT_EQ(document.notes.size(), 2U);
     return document.notes.back();
@@ -81,7 +81,7 @@ nrb::Note note_with(int type, const std::string &data, int64_t own_transform, in
 TEST(IgesTransform, BrokenOnesLoseOnlyTheirUsers) {
     const std::string bad_number = "1.,0.,0.,x,0.,1.,0.,0.,0.,0.,1.,0.";
     const struct {
-        nrb::Note note;
+        nrb::model::Note note;
         const char *words;
     } cases[] = {
         {note_with(124, shift, 0, 7), "directory line 7 is not a transformation matrix"},
@@ -108,7 +108,7 @@ TEST(IgesTransform, ACircleOfMatricesEnds) {
     }
     builder.add(126, line_126, {.transform = 1});
     builder.add(126, line_126, {.transform = 2001});
-    const nrb::Document document = read(builder);
+    const nrb::model::Document document = read(builder);
     EXPECT_TRUE(document.splines.empty());
     EXPECT_NE(document.notes.back().text.find("applies to itself"), std::string::npos)
         << document.notes.back().text;
