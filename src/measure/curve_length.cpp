@@ -195,7 +195,7 @@ double weight_ratio(const double *weights, int degree) noexcept {
 } // namespace
 
 SpeedPieces::SpeedPieces(const Spline &curve, Interval range) {
-    const ModelFrame frame = model_frame(curve);
+    const pieces::Frame frame = integral_frame(curve);
     const Elements elements(curve, frame, Part{range});
     const int p = curve.axis(0).degree();
     exponent_ = frame.exponent;

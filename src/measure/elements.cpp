@@ -9,28 +9,9 @@
 
 namespace nrb::measure {
 
-ModelFrame model_frame(const Spline *const *splines, int64_t count) {
-    const auto dim = static_cast<size_t>(splines[0]->dim());
-    std::vector<double> lower(dim, std::numeric_limits<double>::infinity()), upper(dim, -lower[0]);
-    for (int64_t s = 0; s < count; ++s) {
-        const Spline &spline = splines[s]->effective();
-        for (int64_t i = 0; i < spline.point_count(); ++i) {
-            for (size_t c = 0; c < dim && spline.weight(i) != 0; ++c) {
-                const double x = spline.coordinate(i, static_cast<int>(c));
-                lower[c] = std::min(lower[c], x);
-                upper[c] = std::max(upper[c], x);
-            }
-        }
-    }
-    ModelFrame frame;
-    double extent = 0; // half of it
-    for (size_t c = 0; c < dim; ++c) {
-        const bool any = std::isfinite(lower[c]) && std::isfinite(upper[c]);
-        frame.centre.push_back(any ? lower[c] / 2 + upper[c] / 2 : 0);
-        const double half = any ? upper[c] / 2 - lower[c] / 2 : 0;
-        extent = std::max(extent, any && half < 0x1p-1000 ? upper[c] - lower[c] : half);
-    }
-    frame.exponent = extent > 0 ? std::max(std::ilogb(extent) + 1, -1000) : 0;
+pieces::Frame integral_frame(std::span<const Spline *const> splines) {
+    pieces::Frame frame = pieces::frame_of(splines);
+    frame.exponent = std::max(frame.exponent, -1000);
     return frame;
 }
 
@@ -108,7 +89,7 @@ void cut_row(int degree, double lower, double upper, double *values) noexcept {
     }
 }
 
-Elements::Elements(const Spline &spline, const ModelFrame &frame, const Part &part)
+Elements::Elements(const Spline &spline, const pieces::Frame &frame, const Part &part)
     : spline_(spline.effective()), frame_(frame), scale_(std::ldexp(1.0, -frame.exponent)) {
     for (int k = 0; k < spline.axes(); ++k) {
         const KnotVector &axis = spline.axis(k);

@@ -2,23 +2,19 @@
 // the place of the model nor its size enters the rounding of derivatives.
 #pragma once
 
+#include "pieces/frame.h"
 #include "spline/part.h"
 
 #include <vector>
 
 namespace nrb::measure {
 
-// Where a model is and how large: coordinates become (x - centre) * scale, at most about 1, with a power of
-// two as scale. The ratio of a scaled content of some axes to the true one is scale^axes.
-struct ModelFrame {
-    std::vector<double> centre;
-    int exponent = 0; // scale = 2^-exponent
-};
-// Of the control points that are not at infinity.
-ModelFrame model_frame(const Spline *const *splines, int64_t count);
-inline ModelFrame model_frame(const Spline &spline) {
+// Of all control points, with a unit by whose inverse lengths can be multiplied. The ratio of a scaled content of some
+// axes to the true one is 2^-(exponent axes).
+pieces::Frame integral_frame(std::span<const Spline *const> splines);
+inline pieces::Frame integral_frame(const Spline &spline) {
     const Spline *one = &spline;
-    return model_frame(&one, 1);
+    return integral_frame({&one, 1});
 }
 
 // Component by component (coordinates, and the weight if rational), the Bernstein coefficients of
@@ -35,7 +31,7 @@ struct Element {
 // element. Preconditions: every interval of the part is inside the domain and not empty.
 class Elements {
 public:
-    Elements(const Spline &spline, const ModelFrame &frame, const Part &part);
+    Elements(const Spline &spline, const pieces::Frame &frame, const Part &part);
 
     [[nodiscard]] int64_t size() const noexcept;
     [[nodiscard]] int axes() const noexcept { return spline_.axes(); }
@@ -63,7 +59,7 @@ private:
     void for_each_active(const std::array<int64_t, max_axes> &first, Visit &&visit) const;
 
     const Spline &spline_;
-    const ModelFrame &frame_;
+    const pieces::Frame &frame_;
     double scale_;
     std::array<AxisElements, max_axes> axes_;
     int64_t coefficients_ = 1;

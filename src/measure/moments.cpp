@@ -129,7 +129,7 @@ struct Factors {
 };
 
 // Centroid and inertia from integrals in the frame of the model.
-void add_moments(const Integrals &sums, const Factors &factors, const ModelFrame &frame, MomentOrder order,
+void add_moments(const Integrals &sums, const Factors &factors, const pieces::Frame &frame, MomentOrder order,
                  Moments &out) {
     const int dim = static_cast<int>(frame.centre.size());
     const double content = sums.values[0] * factors.content;
@@ -174,7 +174,7 @@ void check_finite(const Moments &found) {
 }
 
 Moments moments_of(const std::vector<Elements> &splines, const Integrand &integrand, const Factors &factors,
-                   const ModelFrame &frame, MomentOrder order, double relative_tolerance) {
+                   const pieces::Frame &frame, MomentOrder order, double relative_tolerance) {
     const Integrals sums = integrate(splines, integrand, relative_tolerance);
     const int power = frame.exponent * factors.dimension;
     Moments result;
@@ -232,7 +232,7 @@ void add_ends(const Spline &curve, int64_t number, std::vector<CurveEnd> &starts
 } // namespace
 
 Moments moments(const Spline &spline, const Part &part, MomentOrder order, double relative_tolerance) {
-    const ModelFrame frame = model_frame(spline);
+    const pieces::Frame frame = integral_frame(spline);
     std::vector<Elements> elements;
     elements.emplace_back(spline, frame, part);
     return moments_of(elements, MomentIntegrand(spline.axes(), spline.dim(), order), {1, 1, 1, spline.axes()},
@@ -246,7 +246,7 @@ Moments enclosed_moments(const std::vector<SplinePtr> &boundary, MomentOrder ord
     for (const SplinePtr &part : boundary) {
         parts.push_back(part.get());
     }
-    const ModelFrame frame = model_frame(parts.data(), std::ssize(parts));
+    const pieces::Frame frame = integral_frame(parts);
     std::vector<Elements> elements;
     elements.reserve(parts.size());
     for (const Spline *one : parts) {

@@ -18,33 +18,33 @@ bool straight(int32_t kind) noexcept {
 
 // The largest distance of control points that a function of them gives; it is convex and homogeneous.
 template <class Distance>
-double hull_bound(const ShapePiece &piece, Distance distance) {
+double hull_bound(const pieces::BezierPiece &piece, Distance distance) {
     double largest = 0;
     for (int64_t i = 0; i < piece.coefficients(); ++i) {
-        if (piece.at(i)[3] != 0) {
-            largest = std::max(largest, distance(piece.point(i)));
+        if (piece.has_point(i)) {
+            largest = std::max(largest, distance(point_of(piece, i)));
         }
     }
     return largest * (1 + 8 * eps);
 }
 
-double smallest_coordinate(const ShapePiece &piece, double Vector3::*coordinate) noexcept {
+double smallest_coordinate(const pieces::BezierPiece &piece, double Vector3::*coordinate) noexcept {
     double least = std::numeric_limits<double>::infinity();
     for (int64_t i = 0; i < piece.coefficients(); ++i) {
-        if (piece.at(i)[3] != 0) {
-            least = std::min(least, piece.point(i).*coordinate);
+        if (piece.has_point(i)) {
+            least = std::min(least, point_of(piece, i).*coordinate);
         }
     }
     return least - 4 * eps * std::abs(least);
 }
 
 // The mean of the control points.
-Vector3 middle_of(const ShapePiece &piece) noexcept {
+Vector3 middle_of(const pieces::BezierPiece &piece) noexcept {
     Vector3 sum;
     double count = 0;
     for (int64_t i = 0; i < piece.coefficients(); ++i) {
-        if (piece.at(i)[3] != 0) {
-            sum = sum + piece.point(i);
+        if (piece.has_point(i)) {
+            sum = sum + point_of(piece, i);
             ++count;
         }
     }
@@ -68,7 +68,7 @@ PieceDistance::PieceDistance(const Shape &shape) : shape_(shape) {
     }
 }
 
-DistanceBound PieceDistance::upper(const ShapePiece &piece) const {
+DistanceBound PieceDistance::upper(const pieces::BezierPiece &piece) const {
     DistanceBound bound;
     if (straight(shape_.kind)) {
         bound.upper =
@@ -80,28 +80,28 @@ DistanceBound PieceDistance::upper(const ShapePiece &piece) const {
         const double height = hull_bound(piece, [](const Vector3 &p) { return std::abs(p.z); });
         bound.upper = std::hypot(bound.upper, height);
     }
-    bound.upper = bound.upper * (1 + 16 * eps) + piece.moved();
-    bound.noise += piece.moved() + 4 * eps * piece.size();
+    bound.upper = bound.upper * (1 + 16 * eps) + piece.records_moved();
+    bound.noise += piece.records_moved() + 4 * eps * piece.reach();
     return std::isnan(bound.upper) ? DistanceBound{} : bound;
 }
 
-double PieceDistance::lower(const ShapePiece &piece, double noise) const {
+double PieceDistance::lower(const pieces::BezierPiece &piece, double noise) const {
     double largest = 0;
-    const auto &degrees = piece.shape.degrees;
+    const auto &degrees = piece.shape().degrees;
     for (int corner = 0; corner < 8; ++corner) {
         int64_t i = 0;
         for (size_t k = 0; k < degrees.size(); ++k) {
             i = i * (degrees[k] + 1) + ((corner >> k & 1) != 0 ? degrees[k] : 0);
         }
-        if (piece.at(i)[3] != 0) {
-            largest = std::max(largest, least_distance(shape_, piece.point(i)));
+        if (piece.has_point(i)) {
+            largest = std::max(largest, least_distance(shape_, point_of(piece, i)));
         }
     }
-    return std::max(0.0, largest * (1 - 64 * eps) - 64 * eps * piece.size() - noise);
+    return std::max(0.0, largest * (1 - 64 * eps) - 64 * eps * piece.reach() - noise);
 }
 
 // In the plane of a circle or conic.
-DistanceBound PieceDistance::in_plane(const ShapePiece &piece) const {
+DistanceBound PieceDistance::in_plane(const pieces::BezierPiece &piece) const {
     if (quadric_.round()) {
         const FormRange range = ShapeForms(piece).quadratic(quadric_);
         return from_square(range.least, range.most, range.error, shape_.sizes[0]);
@@ -111,13 +111,13 @@ DistanceBound PieceDistance::in_plane(const ShapePiece &piece) const {
 }
 
 // Whether a zero of the equation so near may be one of the other half of a cone or branch of a hyperbola.
-bool PieceDistance::beyond(const ShapePiece &piece, double distance) const noexcept {
+bool PieceDistance::beyond(const pieces::BezierPiece &piece, double distance) const noexcept {
     return (shape_.kind == shape_cone && smallest_coordinate(piece, &Vector3::z) < distance) ||
            (shape_.kind == shape_hyperbola && smallest_coordinate(piece, &Vector3::x) < distance);
 }
 
 // As Quadric::curvature() has it.
-DistanceBound PieceDistance::by_gradient(const ShapePiece &piece) const {
+DistanceBound PieceDistance::by_gradient(const pieces::BezierPiece &piece) const {
     const ShapeForms forms(piece);
     const FormRange value = forms.quadratic(quadric_);
     const double f = std::max(std::abs(value.least), std::abs(value.most));
@@ -132,7 +132,7 @@ DistanceBound PieceDistance::by_gradient(const ShapePiece &piece) const {
 
 // With s the distance from the axis and G = s^2 + z^2 + R^2 - r^2, the product of (s - R)^2 + z^2 - r^2 = G -
 // 2 R s and (s + R)^2 + z^2 - r^2 = G + 2 R s is G^2 - 4 R^2 s^2.
-DistanceBound PieceDistance::from_torus(const ShapePiece &piece) const {
+DistanceBound PieceDistance::from_torus(const pieces::BezierPiece &piece) const {
     const double major = shape_.sizes[0], minor = shape_.sizes[1];
     const TorusForms torus = ShapeForms(piece).torus(major, minor);
     const double twice = 2 * major * std::sqrt(std::max(0.0, torus.squared_radius.least));
@@ -156,14 +156,14 @@ bool PieceDistance::across_axis(const TorusForms &torus, double distance) const 
 }
 
 // The distance of a point and the radius of a ball round it that holds all control points.
-double PieceDistance::by_extent(const ShapePiece &piece) const {
+double PieceDistance::by_extent(const pieces::BezierPiece &piece) const {
     const Vector3 middle = middle_of(piece);
     const bool plane = shape_.planar();
     const double radius = hull_bound(piece, [&](const Vector3 &p) {
         return plane ? std::hypot(p.x - middle.x, p.y - middle.y) : length(p - middle);
     });
     return most_distance(shape_, middle) + radius +
-           16 * eps * (piece.size() + shape_.sizes[0] + shape_.sizes[1]);
+           16 * eps * (piece.reach() + shape_.sizes[0] + shape_.sizes[1]);
 }
 
 } // namespace nrb::recognize

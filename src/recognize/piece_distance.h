@@ -21,18 +21,18 @@ class PieceDistance {
 public:
     explicit PieceDistance(const Shape &shape);
 
-    // Precondition: the piece is certified.
-    [[nodiscard]] DistanceBound upper(const ShapePiece &piece) const;
+    // Precondition: the piece is sound.
+    [[nodiscard]] DistanceBound upper(const pieces::BezierPiece &piece) const;
     // Of the corners, at most the true distance less the noise.
-    [[nodiscard]] double lower(const ShapePiece &piece, double noise) const;
+    [[nodiscard]] double lower(const pieces::BezierPiece &piece, double noise) const;
 
 private:
-    [[nodiscard]] DistanceBound in_plane(const ShapePiece &piece) const;
-    [[nodiscard]] DistanceBound by_gradient(const ShapePiece &piece) const;
-    [[nodiscard]] DistanceBound from_torus(const ShapePiece &piece) const;
-    [[nodiscard]] double by_extent(const ShapePiece &piece) const;
+    [[nodiscard]] DistanceBound in_plane(const pieces::BezierPiece &piece) const;
+    [[nodiscard]] DistanceBound by_gradient(const pieces::BezierPiece &piece) const;
+    [[nodiscard]] DistanceBound from_torus(const pieces::BezierPiece &piece) const;
+    [[nodiscard]] double by_extent(const pieces::BezierPiece &piece) const;
     [[nodiscard]] bool across_axis(const TorusForms &torus, double distance) const noexcept;
-    [[nodiscard]] bool beyond(const ShapePiece &piece, double distance) const noexcept;
+    [[nodiscard]] bool beyond(const pieces::BezierPiece &piece, double distance) const noexcept;
 
     Shape shape_;
     Quadric quadric_;

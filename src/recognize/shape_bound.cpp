@@ -15,7 +15,7 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 struct Candidate {
     DistanceBound bound;
     int depth = 0;
-    ShapePiece piece;
+    pieces::BezierPiece piece;
 
     [[nodiscard]] bool operator<(const Candidate &other) const noexcept {
         return bound.upper < other.bound.upper;
@@ -26,9 +26,9 @@ class Search {
 public:
     Search(const Shape &shape, double tolerance) : distance_(shape), tolerance_(tolerance) {}
 
-    pieces::Enclosure run(std::vector<ShapePiece> pieces) {
+    pieces::Enclosure run(std::vector<pieces::BezierPiece> pieces) {
         const auto steps = 400 + 60 * std::ssize(pieces);
-        for (ShapePiece &piece : pieces) {
+        for (pieces::BezierPiece &piece : pieces) {
             push(std::move(piece), infinite, 0);
         }
         for (int64_t step = 0; step < steps && !done(); ++step) {
@@ -44,9 +44,10 @@ private:
     // cures.
     [[nodiscard]] bool done() const noexcept {
         const Candidate &top = heap_.front();
-        const bool final = top.depth >= 6 || top.bound.noise <= 8 * top.piece.moved();
-        const double noise = final ? top.bound.noise : 8 * top.piece.moved();
-        const bool hopeless = lower_ > tolerance_ || top.piece.moved() > tolerance_; // rounding alone is more
+        const bool final = top.depth >= 6 || top.bound.noise <= 8 * top.piece.records_moved();
+        const double noise = final ? top.bound.noise : 8 * top.piece.records_moved();
+        const bool hopeless =
+            lower_ > tolerance_ || top.piece.records_moved() > tolerance_; // rounding alone is more
         return hopeless || top.bound.upper - noise <= 1.25 * (lower_ + noise);
     }
 
@@ -56,23 +57,22 @@ private:
         heap_.pop_back();
         const double whole = top.bound.upper;
         const int depth = top.depth + 1;
-        ShapePiece lower;
-        if (!top.piece.halve_into(lower)) {
+        const int axis = widest_axis(top.piece);
+        if (axis < 0) {
             heap_.push_back(std::move(top));
             std::push_heap(heap_.begin(), heap_.end());
             return false;
         }
-        push(std::move(lower), whole, depth);
+        push(top.piece.halve(axis), whole, depth);
         push(std::move(top.piece), whole, depth);
         return true;
     }
 
     // A part has no larger distances than the whole.
-    void push(ShapePiece &&piece, double whole, int depth) {
+    void push(pieces::BezierPiece &&piece, double whole, int depth) {
         Candidate candidate;
         candidate.depth = depth;
-        const bool certified = piece.certify();
-        if (certified) {
+        if (piece.sound()) {
             candidate.bound = distance_.upper(piece);
             lower_ = std::max(lower_, distance_.lower(piece, candidate.bound.noise));
         }

@@ -37,7 +37,7 @@ double largest_quotient(const std::vector<double> &numerators,
 
 } // namespace
 
-ShapeForms::ShapeForms(const ShapePiece &piece) : piece_(piece), single_(piece.shape) {
+ShapeForms::ShapeForms(const pieces::BezierPiece &piece) : piece_(piece), single_(piece.shape()) {
     single_.width = 1;
     double_ = product_shape(single_, single_);
     product_error_ = product_error(single_, single_);
@@ -46,7 +46,7 @@ ShapeForms::ShapeForms(const ShapePiece &piece) : piece_(piece), single_(piece.s
         values->reserve(factors.size());
     }
     for (size_t i = 0; i < factors.size(); ++i) {
-        const double *p = piece.at(static_cast<int64_t>(i));
+        const double *p = piece.record(static_cast<int64_t>(i));
         x_.push_back(p[0] * factors[i]);
         y_.push_back(p[1] * factors[i]);
         z_.push_back(p[2] * factors[i]);
@@ -71,8 +71,8 @@ void ShapeForms::add_product(Values &sum, double factor, const Values &a, const 
 double ShapeForms::largest(const Quadric &squares, double linear) const noexcept {
     double quadratic = 0, reach = 0;
     for (int64_t i = 0; i < piece_.coefficients(); ++i) {
-        if (piece_.at(i)[3] > 0) {
-            const Vector3 p = piece_.point(i);
+        if (piece_.has_point(i)) {
+            const Vector3 p = point_of(piece_, i);
             quadratic =
                 std::max(quadratic, std::abs(squares.k.x) * p.x * p.x + std::abs(squares.k.y) * p.y * p.y +
                                         std::abs(squares.k.z) * p.z * p.z);

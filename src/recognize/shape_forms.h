@@ -28,8 +28,8 @@ struct TorusForms {
 // axes) for the torus.
 class ShapeForms {
 public:
-    // Precondition: the piece is certified.
-    explicit ShapeForms(const ShapePiece &piece);
+    // Precondition: the piece is sound.
+    explicit ShapeForms(const pieces::BezierPiece &piece);
 
     [[nodiscard]] FormRange quadratic(const Quadric &quadric) const;
     // Of half the gradient.
@@ -54,7 +54,7 @@ private:
     [[nodiscard]] double largest(const Quadric &squares, double linear) const noexcept;
     [[nodiscard]] FormRange range(const Values &numerators, double error) const noexcept;
 
-    const ShapePiece &piece_;
+    const pieces::BezierPiece &piece_;
     BernsteinShape single_; // of the coordinates
     BernsteinShape double_; // of their products
     Values x_, y_, z_, w_;

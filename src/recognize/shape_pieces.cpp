@@ -1,8 +1,5 @@
 #include "recognize/shape_pieces.h"
 
-#include "pieces/bernstein_net.h"
-#include "refine/knots/bezier_rows.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -16,144 +13,85 @@ constexpr double eps = std::numeric_limits<double>::epsilon();
 // product; three products and sums add 3 eps.
 constexpr double frame_error = 16 * eps;
 
-double norm3(const double *p) noexcept {
-    return std::hypot(p[0], p[1], p[2]);
-}
-
-// The sum of the steps from coefficient to coefficient along an axis.
-double spread(const ShapePiece &piece, size_t axis) noexcept {
-    const auto &degrees = piece.shape.degrees;
+// The sum of the steps from control point to control point along an axis.
+double spread(const pieces::BezierPiece &piece, int axis) noexcept {
     int64_t step = 1;
-    for (size_t k = axis + 1; k < degrees.size(); ++k) {
-        step *= degrees[k] + 1;
+    for (int k = piece.axes(); k-- > axis + 1;) {
+        step *= piece.degree(k) + 1;
     }
     double sum = 0;
     for (int64_t i = 0; i < piece.coefficients(); ++i) {
-        const bool last = i / step % (degrees[axis] + 1) == degrees[axis];
-        if (!last && piece.at(i)[3] != 0 && piece.at(i + step)[3] != 0) {
-            sum += length(piece.point(i + step) - piece.point(i));
+        const bool last = i / step % (piece.degree(axis) + 1) == piece.degree(axis);
+        if (!last && piece.has_point(i) && piece.has_point(i + step)) {
+            sum += length(point_of(piece, i + step) - point_of(piece, i));
         }
     }
-    return sum / static_cast<double>(piece.coefficients()) * (degrees[axis] + 1);
+    return sum / static_cast<double>(piece.coefficients()) * (piece.degree(axis) + 1);
 }
 
-int widest_axis(const ShapePiece &piece) noexcept {
+// A Moebius map of the parameter of every axis, by which the weights at its ends come near each other, so that the
+// middle of the parameter is near that of the piece. Exact, since weights are multiplied by powers of two.
+void balance(const BernsteinShape &shape, std::vector<double> &values) noexcept {
+    int64_t step = 1;
+    for (size_t k = shape.degrees.size(); k-- > 0; step *= shape.degrees[k] + 1) {
+        const int degree = shape.degrees[k];
+        const double first = values[3], last = values[static_cast<size_t>(4 * degree * step + 3)];
+        if (degree == 0 || !(first > 0) || !(last > 0)) {
+            continue;
+        }
+        const int exponent = (std::ilogb(first) - std::ilogb(last)) / degree;
+        for (size_t i = 0; i < values.size() && exponent != 0; ++i) {
+            const auto layer = static_cast<int>(static_cast<int64_t>(i / 4) / step % (degree + 1));
+            values[i] = std::ldexp(values[i], exponent * layer);
+        }
+    }
+}
+
+// In the directions of the shape; `reach` becomes the largest length.
+std::vector<double> turned(const pieces::BezierPiece &piece, const Shape &shape, double &reach) {
+    std::vector<double> values;
+    for (int64_t i = 0; i < piece.coefficients(); ++i) {
+        const double *x = piece.record(i);
+        const Vector3 p{x[0], x[1], piece.dim() > 2 ? x[2] : 0.0};
+        values.insert(values.end(), {dot(shape.x, p), dot(shape.y, p), dot(shape.z, p), piece.weight(i)});
+        reach = std::max(reach, length(p));
+    }
+    return values;
+}
+
+} // namespace
+
+int widest_axis(const pieces::BezierPiece &piece) noexcept {
     int widest = -1;
     double most = -1;
-    for (size_t k = 0; k < piece.shape.degrees.size(); ++k) {
-        const double extent = piece.shape.degrees[k] > 0 ? spread(piece, k) : -2;
-        if (extent > most || (piece.shape.degrees[k] > 0 && widest < 0)) {
-            widest = static_cast<int>(k);
+    for (int k = 0; k < piece.axes(); ++k) {
+        const double extent = piece.degree(k) > 0 ? spread(piece, k) : -2;
+        if (extent > most || (piece.degree(k) > 0 && widest < 0)) {
+            widest = k;
             most = extent;
         }
     }
     return widest;
 }
 
-} // namespace
-
-bool ShapePiece::certify() noexcept {
-    if (values[3] < 0 || (values[3] == 0 && values[values.size() - 1] < 0)) {
-        std::for_each(values.begin(), values.end(), [](double &x) { x = -x; });
-    }
-    double least = std::numeric_limits<double>::infinity();
-    size_ = 0;
-    for (int64_t i = 0; i < coefficients(); ++i) {
-        const double *p = at(i);
-        if (p[3] == 0 && weight_error_ == 0 && p[0] == 0 && p[1] == 0 && p[2] == 0) {
-            continue;
-        }
-        if (!(p[3] > 64 * weight_error_)) {
-            return false;
-        }
-        least = std::min(least, p[3]);
-        size_ = std::max(size_, norm3(p) / p[3] * (1 + 8 * eps));
-    }
-    moved_ = apart_ + 1.05 * (record_error_ + size_ * weight_error_) / least;
-    return std::isfinite(moved_) && std::isfinite(least);
-}
-
-void ShapePiece::balance() noexcept {
-    int64_t step = 1;
-    for (size_t k = shape.degrees.size(); k-- > 0; step *= shape.degrees[k] + 1) {
-        const int degree = shape.degrees[k];
-        const double first = at(0)[3], last = at(degree * step)[3];
-        if (degree == 0 || !(first > 0) || !(last > 0)) {
-            continue;
-        }
-        const int exponent = (std::ilogb(first) - std::ilogb(last)) / degree;
-        for (int64_t i = 0; i < coefficients() && exponent != 0; ++i) {
-            const auto layer = static_cast<int>(i / step % (degree + 1));
-            for (int64_t c = 4 * i; c < 4 * i + 4; ++c) {
-                auto &value = values[static_cast<size_t>(c)];
-                value = std::ldexp(value, exponent * layer);
-            }
-        }
-    }
-}
-
-// Each value is a mean of `degree` steps, off by degree eps / 2 of the same means of magnitudes: of the
-// weight, and of the size times the weight.
-bool ShapePiece::halve_into(ShapePiece &lower) {
-    const int axis = widest_axis(*this);
-    if (axis < 0) {
-        return false;
-    }
-    const double share = shape.degrees[static_cast<size_t>(axis)] * eps;
-    if (weight_error_ == 0) {
-        apart_ += 1.01 * share * size_;
-    } else {
-        double record = 0, weight = 0;
-        for (int64_t i = 0; i < coefficients(); ++i) {
-            record = std::max(record, norm3(at(i)));
-            weight = std::max(weight, std::abs(at(i)[3]));
-        }
-        record_error_ += share * record;
-        weight_error_ += share * weight;
-    }
-    lower = *this;
-    halve(shape, axis, values.data(), lower.values.data());
-    return true;
-}
-
-std::vector<ShapePiece> shape_pieces(const Spline &spline, const Shape &shape) {
-    const auto dim = static_cast<size_t>(spline.dim());
+std::vector<pieces::BezierPiece> shape_pieces(const Spline &spline, const Shape &shape) {
     std::vector<double> centre{shape.origin.x, shape.origin.y, shape.origin.z};
-    centre.resize(dim);
-    pieces::BernsteinNet::Breaks breaks;
-    std::array<int, max_axes> degrees{};
-    for (int k = 0; k < spline.axes(); ++k) {
-        breaks[static_cast<size_t>(k)] = refine::breaks_of(spline.axis(k));
-        degrees[static_cast<size_t>(k)] = spline.axis(k).degree();
-    }
-    const pieces::CentredRecords records =
-        pieces::centred_records(spline, centre, spline.rational(), pieces::weight_exponent(spline));
-    const pieces::BernsteinNet net(spline, records, breaks, degrees);
-    const auto count = static_cast<size_t>(net.shape().coefficients());
-    std::vector<double> points(count * dim), weights(net.weighted() ? count : 0);
-    std::vector<ShapePiece> pieces(static_cast<size_t>(net.pieces()));
-    for (size_t e = 0; e < pieces.size(); ++e) {
-        ShapePiece &piece = pieces[e];
-        piece.shape = net.shape();
-        piece.shape.width = 4;
-        net.copy(static_cast<int64_t>(e), points.data(), weights.data());
+    centre.resize(static_cast<size_t>(spline.dim()));
+    pieces::BezierNet net(spline, {std::move(centre), 0});
+    std::vector<pieces::BezierPiece> result;
+    for (int64_t e = 0; e < net.count(); ++e) {
+        pieces::BezierPiece &piece = result.emplace_back(net, e, spline.axes());
         double reach = 0;
-        for (size_t i = 0; i < count; ++i) {
-            const double *x = points.data() + i * dim;
-            const Vector3 p{x[0], x[1], dim > 2 ? x[2] : 0.0};
-            piece.values.insert(piece.values.end(), {dot(shape.x, p), dot(shape.y, p), dot(shape.z, p),
-                                                     weights.empty() ? 1.0 : weights[i]});
-            reach = std::max(reach, length(p));
-        }
-        if (net.positive()) { // |A - A*| <= error H w, |w - w*| <= error w
-            piece.balance();
-            piece.apart_ = 1.01 * (2 * net.error() + frame_error) * net.size(static_cast<int64_t>(e));
+        std::vector<double> values = turned(piece, shape, reach);
+        pieces::Rounding rounding = net.rounding(e, frame_error);
+        if (rounding.relative()) {
+            balance(piece.shape(), values);
         } else {
-            piece.record_error_ = net.error() * net.largest_record() + frame_error * reach;
-            piece.weight_error_ = net.error() * net.largest_weight();
+            rounding.record += frame_error * reach;
         }
+        piece.replace(4, std::move(values), rounding);
     }
-    return pieces;
+    return result;
 }
 
 } // namespace nrb::recognize

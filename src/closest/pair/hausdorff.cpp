@@ -34,7 +34,7 @@ pieces::BernsteinNet::Breaks alike_breaks(const Spline &spline, const Spline &ot
     return breaks;
 }
 
-// Finds pair_pieces() of a spline by their parameters.
+// Finds pieces::bezier_pieces() of a spline by their parameters.
 class PieceIndex {
 public:
     explicit PieceIndex(const Spline &spline) {
@@ -44,7 +44,7 @@ public:
     }
 
     // Those that contain a place: two along an axis at a knot, none outside.
-    [[nodiscard]] std::vector<size_t> containing(const Place &place) const {
+    [[nodiscard]] std::vector<size_t> containing(const pieces::Place &place) const {
         std::vector<size_t> found{0};
         for (size_t k = 0; k < ends_.size(); ++k) {
             const std::vector<double> &ends = ends_[k];
@@ -71,7 +71,7 @@ private:
 
 struct FarPiece {
     double upper;
-    PairPiece piece;
+    pieces::BezierPiece piece;
     bool looked;
 
     [[nodiscard]] bool operator<(const FarPiece &other) const noexcept { return upper < other.upper; }
@@ -86,16 +86,18 @@ struct NearPoint {
 
 class FarthestSearch {
 public:
-    FarthestSearch(const Spline &from, const Spline &to, const PairFrame &frame, double tolerance,
+    FarthestSearch(const Spline &from, const Spline &to, const pieces::Frame &frame, double tolerance,
                    int64_t budget)
-        : to_(to), frame_(frame), locator_(locator_of(to)), index_(to), pieces_(pair_pieces(to, frame)),
-          dim_(from.dim()), tolerance_(tolerance), budget_(budget), query_(static_cast<size_t>(dim_)),
-          map_(matching_map(from, to, std::ldexp(rounding, frame.exponent),
-                            std::ldexp(tolerance, frame.exponent), std::min(budget, budget_of_a_match))) {
-        for (const PairPiece &piece : pieces_) {
+        : to_(to), frame_(frame), locator_(locator_of(to)), index_(to),
+          pieces_(pieces::bezier_pieces(to, frame)), dim_(from.dim()), tolerance_(tolerance), budget_(budget),
+          query_(static_cast<size_t>(dim_)),
+          map_(matching_map(from, to, frame.unscaled(rounding), frame.unscaled(tolerance),
+                            std::min(budget, budget_of_a_match))) {
+        for (const pieces::BezierPiece &piece : pieces_) {
             moved_ = std::max(moved_, piece.positive() ? piece.moved() : 0);
         }
-        for (PairPiece &piece : pair_pieces(from, frame, alike_breaks(from, to, map_ ? &*map_ : nullptr))) {
+        for (pieces::BezierPiece &piece :
+             pieces::bezier_pieces(from, frame, alike_breaks(from, to, map_ ? &*map_ : nullptr))) {
             noise_ = std::max(noise_, piece.positive() ? piece.moved() : 0);
             push(infinity, std::move(piece), false);
         }
@@ -121,12 +123,12 @@ public:
     [[nodiscard]] double at_least() const noexcept { return std::max(lower_, 0.0); }
     [[nodiscard]] double at_most() const noexcept { return std::max(ceiling_, at_least()); }
     [[nodiscard]] double noise() const noexcept { return noise_; }
-    [[nodiscard]] const Place &best() const noexcept { return best_; }
+    [[nodiscard]] const pieces::Place &best() const noexcept { return best_; }
 
 private:
     [[nodiscard]] double limit() const noexcept { return std::max(lower_, 0.0) + tolerance_ + noise_; }
 
-    void push(double upper, PairPiece piece, bool looked) {
+    void push(double upper, pieces::BezierPiece piece, bool looked) {
         if (upper <= limit()) {
             ceiling_ = std::max(ceiling_, upper);
             return;
@@ -138,10 +140,10 @@ private:
     // The foot of a point of the frame.
     NearPoint nearest(const double *x) {
         for (size_t c = 0; c < query_.size(); ++c) {
-            query_[c] = frame_.centre[c] + std::ldexp(x[c], frame_.exponent);
+            query_[c] = frame_.original(c, x[c]);
         }
         NearPoint near;
-        near.foot = locator_.nearest({query_.data(), nullptr, std::ldexp(tolerance_ / 4, frame_.exponent),
+        near.foot = locator_.nearest({query_.data(), nullptr, frame_.unscaled(tolerance_ / 4),
                                       std::clamp<int64_t>(budget_, 1, budget_of_a_foot)});
         budget_ -= near.foot.looked;
         eval::AxisRules rules{};
@@ -151,15 +153,15 @@ private:
         near.point.resize(query_.size());
         eval::evaluate_points(to_, rules, 0, {near.foot.params.data(), 1, to_.axes(), to_.axes()},
                               {near.point.data(), 1, dim_, dim_});
-        near.distance = std::ldexp(near.foot.distance, -frame_.exponent);
+        near.distance = frame_.scaled(near.foot.distance);
         for (size_t c = 0; c < query_.size(); ++c) {
-            near.point[c] = std::ldexp(near.point[c] - frame_.centre[c], -frame_.exponent);
+            near.point[c] = frame_.coordinate(c, near.point[c]);
         }
         return near;
     }
 
     void look(FarPiece top) {
-        const PairPiece &piece = top.piece;
+        const pieces::BezierPiece &piece = top.piece;
         if (map_) {
             top.upper = std::min(top.upper, mapped(piece));
             if (top.upper <= limit()) {
@@ -167,10 +169,10 @@ private:
                 return;
             }
         }
-        const Place middle{0.5, 0.5, 0.5};
+        const pieces::Place middle{0.5, 0.5, 0.5};
         jet_.evaluate(piece, middle, false);
         const NearPoint near = nearest(jet_.value());
-        const double noise = std::ldexp(near.foot.noise, -frame_.exponent) + 8 * (dim_ + 2) * eps;
+        const double noise = frame_.scaled(near.foot.noise) + 8 * (dim_ + 2) * eps;
         if ((near.foot.status & (closest_certified | closest_coarse)) != 0) {
             const double lower = near.distance - tolerance_ / 4 - noise - piece.moved();
             if (lower > lower_) {
@@ -186,13 +188,13 @@ private:
     }
 
     // By the map, with any piece of the other spline that the middle is mapped to.
-    double mapped(const PairPiece &piece) {
+    double mapped(const pieces::BezierPiece &piece) {
         double best = infinity;
-        const Place middle = (*map_)(piece.parameter({0.5, 0.5, 0.5}));
+        const pieces::Place middle = (*map_)(piece.parameter({0.5, 0.5, 0.5}));
         for (const size_t i : index_.containing(middle)) {
-            const PairPiece &other = pieces_[i];
-            std::vector<Place> corners = MatchedBound::corners_of(piece);
-            for (Place &corner : corners) {
+            const pieces::BezierPiece &other = pieces_[i];
+            std::vector<pieces::Place> corners = MatchedBound::corners_of(piece);
+            for (pieces::Place &corner : corners) {
                 corner = other.place((*map_)(piece.parameter(corner)));
             }
             best = std::min(best, MatchedBound::upper(piece, other, corners, limit()));
@@ -201,7 +203,8 @@ private:
     }
 
     // The distance of a point of the hull from one point is at most that of a control point.
-    [[nodiscard]] double from_point(const PairPiece &piece, const std::vector<double> &point) const noexcept {
+    [[nodiscard]] double from_point(const pieces::BezierPiece &piece,
+                                    const std::vector<double> &point) const noexcept {
         double most = 0;
         for (int64_t i = 0; i < piece.coefficients(); ++i) {
             most = std::max(most, distance(piece.point(i), point.data(), dim_));
@@ -210,7 +213,7 @@ private:
     }
 
     // Both pieces beside a knot may match.
-    double matched(const PairPiece &piece, const Foot &foot) {
+    double matched(const pieces::BezierPiece &piece, const Foot &foot) {
         double best = infinity;
         for (const size_t i : index_.containing(foot.params)) {
             best = std::min(best, bound_.upper(piece, pieces_[i], pieces_[i].place(foot.params), limit()));
@@ -219,7 +222,7 @@ private:
     }
 
     void divide(FarPiece top) {
-        std::optional<PairPiece> half = top.piece.halve();
+        std::optional<pieces::BezierPiece> half = top.piece.halve();
         if (!half) {
             ceiling_ = std::max(ceiling_, top.upper);
             return;
@@ -229,10 +232,10 @@ private:
     }
 
     const Spline &to_;
-    const PairFrame &frame_;
+    const pieces::Frame &frame_;
     const Locator &locator_;
     PieceIndex index_;
-    std::vector<PairPiece> pieces_; // of the other spline
+    std::vector<pieces::BezierPiece> pieces_; // of the other spline
     int dim_;
     double tolerance_;
     int64_t budget_;
@@ -241,7 +244,7 @@ private:
     double moved_ = 0, noise_ = 0;
     double lower_ = -infinity;
     double ceiling_ = 0; // no point of the pieces that were left out is farther
-    Place best_{};
+    pieces::Place best_{};
     std::vector<FarPiece> heap_;
     PieceJet jet_;
     MatchedBound bound_;
@@ -264,13 +267,13 @@ FarthestPoint one_sided_distance(const Spline &from, const Spline &to, double to
     if (same_numbers(from, to)) {
         return nowhere_else(from);
     }
-    const PairFrame frame = pair_frame(from, to);
-    const double asked = std::ldexp(tolerance, -frame.exponent);
+    const pieces::Frame frame = pieces::frame_of({{&from, &to}});
+    const double asked = frame.scaled(tolerance);
     FarthestSearch search(from, to, frame, asked, budget);
     search.run();
     FarthestPoint result;
-    result.at_least = std::ldexp(search.at_least(), frame.exponent);
-    result.at_most = std::ldexp(search.at_most(), frame.exponent);
+    result.at_least = frame.unscaled(search.at_least());
+    result.at_most = frame.unscaled(search.at_most());
     if (!std::isfinite(result.at_least)) {
         fail(Status::not_representable, "the distance overflows double precision");
     }

@@ -22,7 +22,7 @@ RoundedPolynomial exact_polynomial(const BernsteinShape &shape, std::vector<doub
 }
 
 // Components [first, first + count) of the records of a piece.
-RoundedPolynomial part_of(const PairPiece &piece, int first, int count) {
+RoundedPolynomial part_of(const pieces::BezierPiece &piece, int first, int count) {
     BernsteinShape shape = piece.shape();
     shape.width = count;
     std::vector<double> values;
@@ -61,7 +61,8 @@ void drop_constant_axes(BernsteinShape &shape, std::vector<double> &values) {
     }
 }
 
-Map map_of(const PairPiece &x, const PairPiece &y, const std::vector<Place> &corners) {
+Map map_of(const pieces::BezierPiece &x, const pieces::BezierPiece &y,
+           const std::vector<pieces::Place> &corners) {
     BernsteinShape cube;
     for (int k = 0; k < x.axes(); ++k) {
         cube.degrees[static_cast<size_t>(max_axes - x.axes() + k)] = x.degree(k) > 0 ? 1 : 0;
@@ -70,7 +71,7 @@ Map map_of(const PairPiece &x, const PairPiece &y, const std::vector<Place> &cor
     for (size_t k = 0; k < static_cast<size_t>(y.axes()); ++k) {
         BernsteinShape shape = cube;
         std::vector<double> u, rest;
-        for (const Place &corner : corners) {
+        for (const pieces::Place &corner : corners) {
             u.push_back(corner[k]);
         }
         drop_constant_axes(shape, u);
@@ -86,7 +87,7 @@ Map map_of(const PairPiece &x, const PairPiece &y, const std::vector<Place> &cor
 }
 
 // de Casteljau's algorithm with polynomials as parameters, from the last axis to the first.
-RoundedPolynomial composition(const PairPiece &y, const Map &map) {
+RoundedPolynomial composition(const pieces::BezierPiece &y, const Map &map) {
     std::vector<RoundedPolynomial> net;
     BernsteinShape point;
     point.width = y.dim() + 1;
@@ -153,8 +154,8 @@ double largest_norm_of(const RoundedPolynomial &numerator, const RoundedPolynomi
     return std::sqrt(largest) * (1 + 1e-15);
 }
 
-std::vector<Place> MatchedBound::corners_of(const PairPiece &x) {
-    std::vector<Place> corners;
+std::vector<pieces::Place> MatchedBound::corners_of(const pieces::BezierPiece &x) {
+    std::vector<pieces::Place> corners;
     std::array<int, max_axes> ends{0, 0, 0};
     for (int k = 0; k < x.axes(); ++k) {
         ends[static_cast<size_t>(k)] = x.degree(k) > 0 ? 1 : 0;
@@ -169,23 +170,24 @@ std::vector<Place> MatchedBound::corners_of(const PairPiece &x) {
     return corners;
 }
 
-double MatchedBound::upper(const PairPiece &x, const PairPiece &y, const Place &guess, double enough) {
+double MatchedBound::upper(const pieces::BezierPiece &x, const pieces::BezierPiece &y,
+                           const pieces::Place &guess, double enough) {
     if (!x.positive() || !y.positive()) {
         return infinity;
     }
-    std::vector<Place> corners = corners_of(x);
-    for (Place &corner : corners) {
+    std::vector<pieces::Place> corners = corners_of(x);
+    for (pieces::Place &corner : corners) {
         jet_.evaluate(x, corner, false);
         PairPlace at;
         at.b = guess;
-        descent_.run(PairPiece(jet_.value(), x.dim()), y, at);
+        descent_.run(pieces::BezierPiece(jet_.value(), x.dim()), y, at);
         corner = at.b;
     }
     return upper(x, y, corners, enough);
 }
 
-double MatchedBound::upper(const PairPiece &x, const PairPiece &y, const std::vector<Place> &corners,
-                           double enough) {
+double MatchedBound::upper(const pieces::BezierPiece &x, const pieces::BezierPiece &y,
+                           const std::vector<pieces::Place> &corners, double enough) {
     if (!x.positive() || !y.positive()) {
         return infinity;
     }

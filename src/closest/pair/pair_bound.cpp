@@ -30,7 +30,7 @@ double box_distance(const double *a, const double *b, int dim) noexcept {
 }
 
 // |n| = 1 to rounding.
-double PairBound::plane(const PairPiece &a, const PairPiece &b) const noexcept {
+double PairBound::plane(const pieces::BezierPiece &a, const pieces::BezierPiece &b) const noexcept {
     double most = -infinity, least = infinity;
     for (int64_t i = 0; i < a.coefficients(); ++i) {
         most = std::max(most, dot(normal_.data(), a.point(i), a.dim()));
@@ -52,7 +52,7 @@ void PairBound::project(double *v) const noexcept {
 }
 
 // Places 0, 1/2, 1 on every axis.
-void PairBound::sample(const PairPiece &piece, std::vector<double> &out) {
+void PairBound::sample(const pieces::BezierPiece &piece, std::vector<double> &out) {
     out.clear();
     std::array<int, max_axes> at{};
     for (bool more = true; more;) {
@@ -69,7 +69,7 @@ void PairBound::sample(const PairPiece &piece, std::vector<double> &out) {
 // Extreme quotients of the coefficients of |P (A - c w)|^2 and w^2, whose binomials cancel. Each coefficient
 // is a sum of at most coefficients() terms for each coordinate; relative to the weights the magnitudes are at
 // most the square of the largest distance of a control point.
-PairBound::Extremes PairBound::distances(const PairPiece &piece, const double *centre) {
+PairBound::Extremes PairBound::distances(const pieces::BezierPiece &piece, const double *centre) {
     const int dim = piece.dim();
     const int64_t count = piece.coefficients();
     BernsteinShape shape = piece.shape();
@@ -111,8 +111,8 @@ PairBound::Extremes PairBound::distances(const PairPiece &piece, const double *c
 }
 
 // The centre is at `radius` from the foot of the inner piece, against the normal times `sign`.
-double PairBound::sphere(const PairPiece &inside, const PairPiece &outside, const double *foot, double sign,
-                         double radius) {
+double PairBound::sphere(const pieces::BezierPiece &inside, const pieces::BezierPiece &outside,
+                         const double *foot, double sign, double radius) {
     const int dim = inside.dim();
     centre_.resize(static_cast<size_t>(dim));
     for (int c = 0; c < dim; ++c) {
@@ -124,7 +124,8 @@ double PairBound::sphere(const PairPiece &inside, const PairPiece &outside, cons
 
 // Radii R about the foot p of one piece: its samples x lie within R of the centre if 2 R n (p - x) >= |x -
 // p|^2, those of the other piece, y, at least R + d away if 2 (R + d) n (q - y) <= |y - q|^2.
-double PairBound::spheres(const PairPiece &a, const PairPiece &b, const PairPlace &at, double enough) {
+double PairBound::spheres(const pieces::BezierPiece &a, const pieces::BezierPiece &b, const PairPlace &at,
+                          double enough) {
     const int dim = a.dim();
     const double gap = at.distance;
     double best = -infinity;
@@ -154,7 +155,7 @@ double PairBound::spheres(const PairPiece &a, const PairPiece &b, const PairPlac
         const Extremes inner = range(a_inside ? samples_a_ : samples_b_, a_inside ? at.from : at.to, sign);
         const Extremes outer = range(a_inside ? samples_b_ : samples_a_, a_inside ? at.to : at.from, sign);
         const double low = inner.most, high = outer.least - gap;
-        const PairPiece &inside = a_inside ? a : b, &outside = a_inside ? b : a;
+        const pieces::BezierPiece &inside = a_inside ? a : b, &outside = a_inside ? b : a;
         const double *foot = (a_inside ? at.from : at.to).data();
         for (const double radius :
              {low < high ? std::min(2 * low, low / 2 + high / 2) : low / 2 + high / 2, low, high}) {
@@ -167,7 +168,7 @@ double PairBound::spheres(const PairPiece &a, const PairPiece &b, const PairPlac
 }
 
 // The sum of the legs along an axis, across the normal.
-void PairBound::leg_direction(const PairPiece &piece, int axis) {
+void PairBound::leg_direction(const pieces::BezierPiece &piece, int axis) {
     const int dim = piece.dim();
     int64_t step = 1;
     for (int k = piece.axes(); k-- > axis + 1;) {
@@ -192,7 +193,8 @@ void PairBound::leg_direction(const PairPiece &piece, int axis) {
     }
 }
 
-double PairBound::lower(const PairPiece &a, const PairPiece &b, const PairPlace &at, double enough) {
+double PairBound::lower(const pieces::BezierPiece &a, const pieces::BezierPiece &b, const PairPlace &at,
+                        double enough) {
     const int dim = a.dim();
     const double moved = a.moved() + b.moved();
     double best = box_distance(a.lower(), b.lower(), dim);
@@ -211,7 +213,7 @@ double PairBound::lower(const PairPiece &a, const PairPiece &b, const PairPlace 
     sample(b, samples_b_);
     projected_ = false;
     best = std::max(best, spheres(a, b, at, enough + moved));
-    for (const PairPiece *piece : {&a, &b}) {
+    for (const pieces::BezierPiece *piece : {&a, &b}) {
         for (int k = 0; k < piece->axes() && piece->axes() > 1 && best - moved < enough; ++k) {
             leg_direction(*piece, k);
             if (projected_) {

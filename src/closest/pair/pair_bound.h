@@ -19,20 +19,22 @@ class PairBound {
 public:
     // Not above the distance of any two points, moved() of both included; `at` a local minimum. `enough`: no
     // more is wanted. Precondition: both are positive().
-    double lower(const PairPiece &a, const PairPiece &b, const PairPlace &at, double enough);
+    double lower(const pieces::BezierPiece &a, const pieces::BezierPiece &b, const PairPlace &at,
+                 double enough);
 
 private:
     struct Extremes {
         double least, most;
     };
-    double plane(const PairPiece &a, const PairPiece &b) const noexcept;
-    double spheres(const PairPiece &a, const PairPiece &b, const PairPlace &at, double enough);
-    double sphere(const PairPiece &inside, const PairPiece &outside, const double *foot, double sign,
-                  double radius);
-    void sample(const PairPiece &piece, std::vector<double> &out);
-    Extremes distances(const PairPiece &piece, const double *centre);
+    double plane(const pieces::BezierPiece &a, const pieces::BezierPiece &b) const noexcept;
+    double spheres(const pieces::BezierPiece &a, const pieces::BezierPiece &b, const PairPlace &at,
+                   double enough);
+    double sphere(const pieces::BezierPiece &inside, const pieces::BezierPiece &outside, const double *foot,
+                  double sign, double radius);
+    void sample(const pieces::BezierPiece &piece, std::vector<double> &out);
+    Extremes distances(const pieces::BezierPiece &piece, const double *centre);
     void project(double *v) const noexcept;
-    void leg_direction(const PairPiece &piece, int axis);
+    void leg_direction(const pieces::BezierPiece &piece, int axis);
 
     PieceJet jet_;
     std::vector<double> normal_, direction_, centre_, samples_a_, samples_b_;

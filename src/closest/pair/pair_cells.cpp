@@ -10,7 +10,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-std::unique_ptr<PairCell> cell_of(PairPiece piece) {
+std::unique_ptr<PairCell> cell_of(pieces::BezierPiece piece) {
     auto cell = std::make_unique<PairCell>();
     const auto dim = static_cast<size_t>(piece.dim());
     if (piece.positive()) {
@@ -69,8 +69,8 @@ bool PairCell::split() {
     if (children[0]) {
         return true;
     }
-    PairPiece upper = *piece;
-    std::optional<PairPiece> lower = upper.halve();
+    pieces::BezierPiece upper = *piece;
+    std::optional<pieces::BezierPiece> lower = upper.halve();
     if (!lower) {
         return false;
     }
@@ -78,10 +78,10 @@ bool PairCell::split() {
     return true;
 }
 
-std::unique_ptr<PairCell> pair_cells(std::vector<PairPiece> pieces) {
+std::unique_ptr<PairCell> pair_cells(std::vector<pieces::BezierPiece> pieces) {
     std::vector<std::unique_ptr<PairCell>> cells;
     cells.reserve(pieces.size());
-    for (PairPiece &piece : pieces) {
+    for (pieces::BezierPiece &piece : pieces) {
         cells.push_back(cell_of(std::move(piece)));
     }
     return tree_of(cells);

@@ -1,16 +1,16 @@
 // The pieces of a spline in a tree of boxes, each halved when it is first asked for.
 #pragma once
 
-#include "closest/pair/pair_piece.h"
+#include "pieces/bezier_piece.h"
 
 #include <memory>
 
 namespace nrb::closest {
 
 struct PairCell {
-    std::optional<PairPiece> piece; // none: a group
-    std::vector<double> box;        // [2][dim]; infinite where weights are not positive
-    double moved = 0;               // of all pieces in it, at most
+    std::optional<pieces::BezierPiece> piece; // none: a group
+    std::vector<double> box;                  // [2][dim]; infinite where weights are not positive
+    double moved = 0;                         // of all pieces in it, at most
     double size = 0;
     std::array<std::unique_ptr<PairCell>, 2> children;
 
@@ -19,6 +19,6 @@ struct PairCell {
 };
 
 // Precondition: there is a piece.
-std::unique_ptr<PairCell> pair_cells(std::vector<PairPiece> pieces);
+std::unique_ptr<PairCell> pair_cells(std::vector<pieces::BezierPiece> pieces);
 
 } // namespace nrb::closest

@@ -100,7 +100,7 @@ const double *PieceJet::second(int k, int l) const noexcept {
 }
 
 // The homogeneous derivatives by contracting with rows of all axes, then the quotient rule.
-void PieceJet::evaluate(const PairPiece &piece, const Place &place, bool derivatives) {
+void PieceJet::evaluate(const pieces::BezierPiece &piece, const pieces::Place &place, bool derivatives) {
     axes_ = piece.axes();
     dim_ = piece.dim();
     const int width = dim_ + 1, slots = derivatives ? 1 + axes_ + axes_ * (axes_ + 1) / 2 : 1;
@@ -162,7 +162,8 @@ void PieceJet::evaluate(const PairPiece &piece, const Place &place, bool derivat
 
 // Half the square of the distance; with derivatives also its gradient, the matrix of second derivatives and
 // the part of it that holds for a distance of 0.
-double PairDescent::evaluate(const PairPiece &a, const PairPiece &b, const PairPlace &at, bool derivatives) {
+double PairDescent::evaluate(const pieces::BezierPiece &a, const pieces::BezierPiece &b, const PairPlace &at,
+                             bool derivatives) {
     a_.evaluate(a, at.a, derivatives);
     b_.evaluate(b, at.b, derivatives);
     const int dim = a.dim(), p = a.axes(), n = p + b.axes();
@@ -192,7 +193,8 @@ double PairDescent::evaluate(const PairPiece &a, const PairPiece &b, const PairP
     return dot(d, d, dim) / 2;
 }
 
-bool PairDescent::step(const PairPiece &a, const PairPiece &b, PairPlace &at, double &square) {
+bool PairDescent::step(const pieces::BezierPiece &a, const pieces::BezierPiece &b, PairPlace &at,
+                       double &square) {
     const int p = a.axes(), n = p + b.axes();
     const auto place = [p](PairPlace &of, int i) -> double & {
         return i < p ? of.a[static_cast<size_t>(i)] : of.b[static_cast<size_t>(i - p)];
@@ -234,7 +236,7 @@ bool PairDescent::step(const PairPiece &a, const PairPiece &b, PairPlace &at, do
     return false;
 }
 
-void PairDescent::run(const PairPiece &a, const PairPiece &b, PairPlace &at) {
+void PairDescent::run(const pieces::BezierPiece &a, const pieces::BezierPiece &b, PairPlace &at) {
     double square = evaluate(a, b, at, true);
     for (int i = 0; i < most_steps && square > 0 && step(a, b, at, square); ++i) {
         evaluate(a, b, at, true);

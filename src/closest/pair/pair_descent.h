@@ -1,13 +1,13 @@
 // Nearest points of two pieces: Newton's method in a box.
 #pragma once
 
-#include "closest/pair/pair_piece.h"
+#include "pieces/bezier_piece.h"
 
 namespace nrb::closest {
 
 // A place on a piece of each of two splines.
 struct PairPlace {
-    Place a{}, b{};
+    pieces::Place a{}, b{};
     double distance = 0;
     std::vector<double> from, to; // the points
 };
@@ -15,7 +15,7 @@ struct PairPlace {
 // A point of a piece, and its first and second derivatives with respect to places.
 class PieceJet {
 public:
-    void evaluate(const PairPiece &piece, const Place &place, bool derivatives);
+    void evaluate(const pieces::BezierPiece &piece, const pieces::Place &place, bool derivatives);
     [[nodiscard]] const double *value() const noexcept { return values_.data(); }
     [[nodiscard]] const double *first(int k) const noexcept { return values_.data() + (1 + k) * dim_; }
     [[nodiscard]] const double *second(int k, int l) const noexcept; // k <= l
@@ -29,11 +29,12 @@ private:
 // derivatives are not positive definite they are damped by the first ones (Levenberg and Marquardt).
 class PairDescent {
 public:
-    void run(const PairPiece &a, const PairPiece &b, PairPlace &at);
+    void run(const pieces::BezierPiece &a, const pieces::BezierPiece &b, PairPlace &at);
 
 private:
-    double evaluate(const PairPiece &a, const PairPiece &b, const PairPlace &at, bool derivatives);
-    bool step(const PairPiece &a, const PairPiece &b, PairPlace &at, double &square);
+    double evaluate(const pieces::BezierPiece &a, const pieces::BezierPiece &b, const PairPlace &at,
+                    bool derivatives);
+    bool step(const pieces::BezierPiece &a, const pieces::BezierPiece &b, PairPlace &at, double &square);
 
     PieceJet a_, b_;
     std::vector<double> difference_;

@@ -38,9 +38,9 @@ int highest_degree(const Spline &spline) noexcept {
 class PairSearch {
 public:
     // tolerance: in the frame.
-    PairSearch(const Spline &a, const Spline &b, const PairFrame &frame, double tolerance, int64_t budget)
-        : a_(pair_cells(pair_pieces(a, frame))), b_(pair_cells(pair_pieces(b, frame))), dim_(a.dim()),
-          noise_(noise_of(a, b)), allowed_(tolerance + noise_), budget_(budget) {}
+    PairSearch(const Spline &a, const Spline &b, const pieces::Frame &frame, double tolerance, int64_t budget)
+        : a_(pair_cells(pieces::bezier_pieces(a, frame))), b_(pair_cells(pieces::bezier_pieces(b, frame))),
+          dim_(a.dim()), noise_(noise_of(a, b)), allowed_(tolerance + noise_), budget_(budget) {}
 
     // What rounding leaves open.
     [[nodiscard]] double noise() const noexcept { return noise_; }
@@ -67,7 +67,7 @@ public:
     [[nodiscard]] double at_most() const noexcept { return upper_; }
     // The best places, with whether they are upper ends.
     struct Best {
-        Place a{}, b{};
+        pieces::Place a{}, b{};
         std::array<bool, max_axes> left_a{}, left_b{};
     };
     [[nodiscard]] const Best &best() const noexcept { return best_; }
@@ -94,7 +94,7 @@ private:
     }
 
     void look(const CellPair &pair) {
-        const PairPiece &a = *pair.a->piece, &b = *pair.b->piece;
+        const pieces::BezierPiece &a = *pair.a->piece, &b = *pair.b->piece;
         PairPlace place;
         place.a.fill(0.5);
         place.b.fill(0.5);
@@ -151,7 +151,7 @@ private:
     PairBound bound_;
 };
 
-std::vector<double> point_of(const Spline &spline, const Place &params,
+std::vector<double> point_of(const Spline &spline, const pieces::Place &params,
                              const std::array<bool, max_axes> &left) {
     std::vector<double> x(static_cast<size_t>(spline.dim()));
     eval::AxisRules rules{};
@@ -167,8 +167,8 @@ std::vector<double> point_of(const Spline &spline, const Place &params,
 
 PairDistance pair_distance(const Spline &a, const Spline &b, double tolerance, int64_t budget) {
     check_same_dimension(a, b);
-    const PairFrame frame = pair_frame(a, b);
-    PairSearch search(a, b, frame, std::ldexp(tolerance, -frame.exponent), budget);
+    const pieces::Frame frame = pieces::frame_of({{&a, &b}});
+    PairSearch search(a, b, frame, frame.scaled(tolerance), budget);
     search.run();
     PairDistance result;
     PairSearch::Best best = search.best();
@@ -187,9 +187,9 @@ PairDistance pair_distance(const Spline &a, const Spline &b, double tolerance, i
     if (!std::isfinite(result.at_most)) {
         fail(Status::not_representable, "the distance overflows double precision");
     }
-    const double least = std::ldexp(search.at_least(), frame.exponent) - underflow_noise;
+    const double least = frame.unscaled(search.at_least()) - underflow_noise;
     result.at_least = std::max(0.0, std::min(least, result.at_most));
-    const double rounding = std::ldexp(2 * search.noise(), frame.exponent) + 2 * underflow_noise;
+    const double rounding = frame.unscaled(2 * search.noise()) + 2 * underflow_noise;
     result.certified = std::isfinite(rounding) && result.at_most - result.at_least <= tolerance + rounding;
     return result;
 }

@@ -26,8 +26,8 @@ double moved(double t, Interval from, Interval to) noexcept {
 
 } // namespace
 
-Place ParameterMap::operator()(const Place &params) const noexcept {
-    Place image{};
+pieces::Place ParameterMap::operator()(const pieces::Place &params) const noexcept {
+    pieces::Place image{};
     for (int k = 0; k < to_.axes(); ++k) {
         const auto at = static_cast<size_t>(k);
         const auto &[axis, range] = followers_[at];
@@ -119,7 +119,7 @@ public:
 
     // Onto a part.
     void try_part(int64_t budget) {
-        std::array<Place, max_axes + 1> feet; // of a point, and of the next ones along each axis
+        std::array<pieces::Place, max_axes + 1> feet; // of a point, and of the next ones along each axis
         for (int k = -1; k < from_.axes(); ++k) {
             std::array<double, max_axes> shares{nearer, nearer, nearer};
             if (k >= 0) {
@@ -137,13 +137,13 @@ private:
     // What counts as rounding in a parameter found, as a part of the domain.
     static constexpr double standstill = 0x1p-30;
 
-    static void evaluate(const Spline &spline, const Place &params, std::vector<double> &point) {
+    static void evaluate(const Spline &spline, const pieces::Place &params, std::vector<double> &point) {
         eval::evaluate_points(spline, {}, 0, {params.data(), 1, spline.axes(), spline.axes()},
                               {point.data(), 1, spline.dim(), spline.dim()});
     }
 
-    [[nodiscard]] Place at_shares(const double *shares) const noexcept {
-        Place params{};
+    [[nodiscard]] pieces::Place at_shares(const double *shares) const noexcept {
+        pieces::Place params{};
         for (int k = 0; k < from_.axes(); ++k) {
             const auto [lower, upper] = from_.axis(k).domain();
             params[static_cast<size_t>(k)] = std::clamp(lower + shares[k] * (upper - lower), lower, upper);
@@ -179,7 +179,7 @@ private:
     }
 
     // The nearest point, as well as it can be found; false if it is not near.
-    [[nodiscard]] bool find_foot(const Place &params, int64_t budget, Place &found) {
+    [[nodiscard]] bool find_foot(const pieces::Place &params, int64_t budget, pieces::Place &found) {
         std::vector<double> point(static_cast<size_t>(from_.dim()));
         evaluate(from_, params, point);
         if (!std::all_of(point.begin(), point.end(), [](double x) { return std::isfinite(x); })) {
@@ -192,7 +192,8 @@ private:
     }
 
     // Each axis follows the one along which it changes most.
-    [[nodiscard]] Followers part_followers(const std::array<Place, max_axes + 1> &feet) const noexcept {
+    [[nodiscard]] Followers
+    part_followers(const std::array<pieces::Place, max_axes + 1> &feet) const noexcept {
         Followers followers;
         for (size_t a = 0; a < static_cast<size_t>(to_.axes()); ++a) {
             const auto [lower, upper] = to_.axis(static_cast<int>(a)).domain();
@@ -221,7 +222,7 @@ private:
     double rounding_;
     double misfit_; // of the best map
     std::optional<Followers> best_;
-    std::array<Place, samples> params_{};
+    std::array<pieces::Place, samples> params_{};
     std::array<std::vector<double>, samples> points_;
     std::vector<double> image_;
 };

@@ -1,7 +1,7 @@
 // Maps between the parameters of two splines under which their points may be the same.
 #pragma once
 
-#include "closest/pair/pair_piece.h"
+#include "pieces/bezier_piece.h"
 
 namespace nrb::closest {
 
@@ -17,7 +17,7 @@ public:
     ParameterMap(const Spline &from, const Spline &to, const std::array<Follower, max_axes> &followers)
         : from_(from), to_(to), followers_(followers) {}
 
-    [[nodiscard]] Place operator()(const Place &params) const noexcept;
+    [[nodiscard]] pieces::Place operator()(const pieces::Place &params) const noexcept;
     // The breaks of the image that are inside the domain of axis k of the origin, moved there.
     [[nodiscard]] std::vector<double> breaks(int k) const;
 

@@ -99,10 +99,10 @@ void PatchItems::measure(PatchItem &item) const noexcept {
     item.least_weight = least;
     item.most_weight = most;
     if (!pieces_.positive()) { // errors of records and weights, and of halving, count by the smallest weight
+        const pieces::Rounding &rounding = pieces_.rounding();
         const double distance = item.reach + norm(x_, shape.dim);
-        const double records =
-            (pieces_.record_error() + distance * pieces_.weight_error()) * (8 + item.depth);
-        item.sound = least > 64 * pieces_.weight_error();
+        const double records = (rounding.record + distance * rounding.weight) * (8 + item.depth);
+        item.sound = rounding.positive(least);
         item.moved = std::max(item.moved, 1.05 * records / least);
     }
 }

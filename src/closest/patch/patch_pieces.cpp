@@ -1,7 +1,7 @@
 #include "closest/patch/patch_pieces.h"
 
+#include "base/finite.h"
 #include "numeric/norm.h"
-#include "pieces/bernstein_net.h"
 #include "refine/knots/bezier_rows.h"
 
 #include <algorithm>
@@ -21,31 +21,13 @@ int64_t multiplicity(const KnotVector &axis, double t) noexcept {
     return last - first;
 }
 
-// The middle of the box of the control points that have influence, but for those at infinity.
-std::vector<double> middle_of(const Spline &given) {
-    const Spline &spline = given.effective();
-    std::vector<double> centre;
-    for (int c = 0; c < spline.dim(); ++c) {
-        double low = infinite, high = -infinite;
-        for (int64_t i = 0; i < spline.point_count(); ++i) {
-            const double x = spline.coordinate(i, c);
-            if (spline.weight(i) != 0 && std::isfinite(x)) {
-                low = std::min(low, x);
-                high = std::max(high, x);
-            }
-        }
-        centre.push_back(low <= high ? low / 2 + high / 2 : 0.0);
-    }
-    return centre;
-}
-
 int exponent_of(double x) noexcept {
     return x > 0 && std::isfinite(x) ? std::ilogb(x) : 0;
 }
 
 } // namespace
 
-PatchPieces::PatchPieces(const Spline &spline) : axes_(spline.axes()), centre_(middle_of(spline)) {
+PatchPieces::PatchPieces(const Spline &spline) : axes_(spline.axes()), frame_(pieces::frame_of(spline)) {
     set_axes(spline);
     squares_ = std::make_unique<PatchSquares>(shape_);
     copy(spline);
@@ -77,47 +59,23 @@ void PatchPieces::set_axes(const Spline &spline) {
 }
 
 void PatchPieces::copy(const Spline &spline) {
-    const pieces::CentredRecords records = pieces::centred_records(
-        spline, centre_, shape_.weighted, shape_.weighted ? pieces::weight_exponent(spline) : 0);
-    std::array<int, max_axes> degrees{};
-    for (int k = 0; k < axes_; ++k) {
-        degrees[static_cast<size_t>(k)] = spline.axis(k).degree();
-    }
-    const pieces::BernsteinNet net(spline, records, breaks_, degrees);
-    double largest = 0;
-    for (const double size : records.sizes) {
-        largest = std::max(largest, size);
-    }
+    pieces::BezierNet net(spline, {frame_.centre, 0});
+    const double largest = largest_magnitude(net.sizes());
     const bool overflows =
         !std::isfinite(largest) && spline.form() != Form::homogeneous; // norms, no coordinates
-    exponent_ = overflows ? std::numeric_limits<double>::max_exponent : exponent_of(largest);
-    const auto count = static_cast<size_t>(shape_.coefficients()), dim = static_cast<size_t>(shape_.dim);
-    const auto lanes = static_cast<size_t>(shape_.lanes);
-    std::vector<double> points(count * dim), weights(net.weighted() ? count : 0);
-    values_.assign(static_cast<size_t>(count_) * count * lanes, 0.0);
+    frame_.exponent = overflows ? std::numeric_limits<double>::max_exponent : exponent_of(largest);
+    net.rescale(frame_.exponent);
+    values_.assign(static_cast<size_t>(count_ * shape_.values()), 0.0);
     double *out = values_.data();
-    for (int64_t e = 0; e < count_; ++e) {
-        net.copy(e, points.data(), weights.data());
-        if (!weights.empty() && weights.front() < 0) { // of one sign they may be > 0 as well
-            const auto negate = [](double &x) { x = -x; };
-            std::for_each(points.begin(), points.end(), negate);
-            std::for_each(weights.begin(), weights.end(), negate);
-        }
-        for (size_t i = 0; i < count; ++i, out += lanes) {
-            for (size_t c = 0; c < dim; ++c) {
-                out[c] = std::ldexp(points[i * dim + c], -exponent_);
-            }
-            out[dim] = weights.empty() ? 1.0 : weights[i];
+    for (int64_t e = 0; e < count_; ++e, out += shape_.values()) {
+        net.copy(e, out, shape_.lanes);
+        if (out[shape_.dim] < 0) { // of one sign they may be > 0 as well
+            std::for_each_n(out, shape_.values(), [](double &x) { x = 0.0 - x; });
         }
     }
     positive_ = net.positive();
-    set_sizes(spline.effective(), records.sizes);
-    if (positive_) { // |A - A*| <= error H w and |w - w*| <= error w
-        moved_ = (net.weighted() ? 2.02 : 1.01) * net.error() * radius_;
-    } else {
-        record_error_ = net.error() * std::ldexp(net.largest_record(), -exponent_);
-        weight_error_ = net.error() * net.largest_weight();
-    }
+    set_sizes(spline.effective(), net.sizes());
+    rounding_ = net.rounding_of_all(radius_);
 }
 
 // The radius is that of the control points, to whose magnitudes the net's errors are relative.
@@ -128,17 +86,17 @@ void PatchPieces::set_sizes(const Spline &spline, const std::vector<double> &siz
         smallest = std::min(smallest, w > 0 ? w : infinite);
         largest = std::max(largest, std::abs(w));
         const double point = norm_of(spline.dim(), [&](int c) {
-            return std::ldexp(spline.coordinate(i, c) - centre_[static_cast<size_t>(c)], -exponent_);
+            return frame_.coordinate(static_cast<size_t>(c), spline.coordinate(i, c));
         });
         const double whole =
-            norm_of(spline.dim(), [&](int c) { return std::ldexp(spline.coordinate(i, c), -exponent_); });
+            norm_of(spline.dim(), [&](int c) { return frame_.scaled(spline.coordinate(i, c)); });
         if (w != 0 && std::isfinite(point) && std::isfinite(whole)) {
             radius_ = std::max(radius_, point * (1 + 8 * eps));
             size_ = std::max(size_, whole);
         }
     }
     if (!positive_) {
-        radius_ = std::ldexp(*std::max_element(sizes.begin(), sizes.end()), -exponent_);
+        radius_ = frame_.scaled(*std::max_element(sizes.begin(), sizes.end()));
     }
     ratio_ = positive_ ? 1 : largest / smallest;
 }
@@ -178,20 +136,20 @@ int64_t PatchPieces::find(int axis, double t) const noexcept {
 void PatchPieces::place(const double *x, double *out) const noexcept {
     std::fill_n(out, shape_.lanes, 0.0);
     for (int c = 0; c < shape_.dim; ++c) {
-        out[c] = std::ldexp(x[c], -exponent_) - std::ldexp(centre_[static_cast<size_t>(c)], -exponent_);
+        out[c] = frame_.scaled(x[c]) - frame_.scaled(frame_.centre[static_cast<size_t>(c)]);
     }
 }
 
 double PatchPieces::scaled(double length) const noexcept {
-    return std::ldexp(length, -exponent_);
+    return frame_.scaled(length);
 }
 
 double PatchPieces::unscaled(double length) const noexcept {
-    return std::ldexp(length, exponent_);
+    return frame_.unscaled(length);
 }
 
 double PatchPieces::magnitude(const double *x) const noexcept {
-    return norm_of(shape_.dim, [&](int c) { return std::ldexp(x[c], -exponent_); });
+    return norm_of(shape_.dim, [&](int c) { return frame_.scaled(x[c]); });
 }
 
 } // namespace nrb::closest

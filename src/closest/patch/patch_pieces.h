@@ -5,7 +5,7 @@
 #pragma once
 
 #include "closest/patch/patch_squares.h"
-#include "spline/spline.h"
+#include "pieces/bezier_net.h"
 
 #include <memory>
 #include <vector>
@@ -57,9 +57,8 @@ public:
     // Whether all weights are >= 0 and every coefficient has, by its own weight, a point within moved() of
     // the exact one. Otherwise records and weights have errors of their own.
     [[nodiscard]] bool positive() const noexcept { return positive_; }
-    [[nodiscard]] double moved() const noexcept { return moved_; }
-    [[nodiscard]] double record_error() const noexcept { return record_error_; }
-    [[nodiscard]] double weight_error() const noexcept { return weight_error_; }
+    [[nodiscard]] double moved() const noexcept { return rounding_.apart; }
+    [[nodiscard]] const pieces::Rounding &rounding() const noexcept { return rounding_; }
     // Relative to the sum of the magnitudes: of coefficients of squares, and of values at a place, where
     // Bernstein functions take three roundings for each degree and sums one for each term.
     [[nodiscard]] double product_error() const noexcept { return squares_->error(); }
@@ -79,13 +78,12 @@ private:
     std::array<std::vector<char>, max_axes> jumps_; // at each break
     std::array<bool, max_axes> periodic_{};
     int64_t count_ = 1;
-    std::vector<double> centre_;
-    int exponent_ = 0;
+    pieces::Frame frame_;
     std::vector<double> values_;
     std::unique_ptr<const PatchSquares> squares_;
     double size_ = 0, radius_ = 0, ratio_ = 1;
     bool positive_ = true;
-    double moved_ = 0, record_error_ = 0, weight_error_ = 0;
+    pieces::Rounding rounding_;
     double value_error_ = 0, allowance_ = 0;
 };
 

@@ -43,7 +43,7 @@ SplinePtr random_piece(Random &random, int axes, double height, double size, boo
 }
 
 // The best of descents from all combinations of three places on each axis.
-closest::PairPlace best_place(const closest::PairPiece &a, const closest::PairPiece &b) {
+closest::PairPlace best_place(const pieces::BezierPiece &a, const pieces::BezierPiece &b) {
     closest::PairDescent descent;
     closest::PairPlace best;
     best.distance = std::numeric_limits<double>::infinity();
@@ -70,30 +70,30 @@ TEST(PairBound, IsBelowTheDistanceAndNearIt) {
         const SplinePtr f = random_piece(random, random.whole(1, 2), 0, size, random.chance(50));
         const SplinePtr g =
             random_piece(random, random.whole(1, 2), random.between(0.5, 1), size, random.chance(50));
-        const closest::PairFrame frame = closest::pair_frame(*f, *g);
-        const closest::PairPiece a = closest::pair_pieces(*f, frame)[0],
-                                 b = closest::pair_pieces(*g, frame)[0];
+        const pieces::Frame frame = pieces::frame_of({{f.get(), g.get()}});
+        const pieces::BezierPiece a = pieces::bezier_pieces(*f, frame)[0],
+                                  b = pieces::bezier_pieces(*g, frame)[0];
         const closest::PairPlace best = best_place(a, b);
         const double lower = bound.lower(a, b, best, std::numeric_limits<double>::infinity());
         EXPECT_LE(lower, best.distance);
         EXPECT_GE(lower, best.distance - 8 * size);
-        EXPECT_LE(box_distance(a.lower(), b.lower(), 3), best.distance);
+        EXPECT_LE(closest::box_distance(a.lower(), b.lower(), 3), best.distance);
     }
 }
 
 // Halves are parts of the whole, as far as rounding allows that they say.
-TEST(PairPiece, HalvesHaveThePointsOfTheWhole) {
+TEST(BezierPiece, HalvesHaveThePointsOfTheWhole) {
     Random random(772);
     closest::PieceJet whole_jet, half_jet;
     for (int i = 0; i < 50; ++i) {
         const SplinePtr f = random_piece(random, random.whole(1, 3), 0, 0.3, random.chance(50));
-        const closest::PairPiece whole = closest::pair_pieces(*f, closest::pair_frame(*f, *f))[0];
-        closest::PairPiece upper = whole;
+        const pieces::BezierPiece whole = pieces::bezier_pieces(*f, pieces::frame_of(*f))[0];
+        pieces::BezierPiece upper = whole;
         for (int step = 0; step < 20; ++step) {
-            std::optional<closest::PairPiece> lower = upper.halve();
+            std::optional<pieces::BezierPiece> lower = upper.halve();
             ASSERT_TRUE(lower.has_value());
-            const closest::PairPiece &half = random.chance(50) ? *lower : upper;
-            const closest::Place place{random.unit(), random.unit(), random.unit()};
+            const pieces::BezierPiece &half = random.chance(50) ? *lower : upper;
+            const pieces::Place place{random.unit(), random.unit(), random.unit()};
             half_jet.evaluate(half, place, false);
             whole_jet.evaluate(whole, whole.place(half.parameter(place)), false);
             for (int c = 0; c < 3; ++c) {
@@ -112,12 +112,12 @@ TEST(PieceJet, DerivativesAreLimitsOfDifferences) {
     closest::PieceJet jet, more, less;
     for (int i = 0; i < 30; ++i) {
         const SplinePtr f = random_piece(random, random.whole(1, 3), 0, 0.4, random.chance(50));
-        const closest::PairPiece piece = closest::pair_pieces(*f, closest::pair_frame(*f, *f))[0];
-        const closest::Place at{random.between(0.1, 0.9), random.between(0.1, 0.9), random.between(0.1, 0.9)};
+        const pieces::BezierPiece piece = pieces::bezier_pieces(*f, pieces::frame_of(*f))[0];
+        const pieces::Place at{random.between(0.1, 0.9), random.between(0.1, 0.9), random.between(0.1, 0.9)};
         jet.evaluate(piece, at, true);
         constexpr double h = 1e-5;
         for (int k = 0; k < piece.axes(); ++k) {
-            closest::Place high = at, low = at;
+            pieces::Place high = at, low = at;
             high[static_cast<size_t>(k)] += h;
             low[static_cast<size_t>(k)] -= h;
             more.evaluate(piece, high, true);
@@ -142,13 +142,13 @@ TEST(MatchedBound, NoPointIsFarther) {
     for (int i = 0; i < 60; ++i) {
         const SplinePtr f = random_piece(random, random.whole(1, 2), 0, 0.1, random.chance(50));
         const SplinePtr g = random_piece(random, random.whole(1, 2), 0, 0.1, random.chance(50));
-        const closest::PairFrame frame = closest::pair_frame(*f, *g);
-        const closest::PairPiece a = closest::pair_pieces(*f, frame)[0],
-                                 b = closest::pair_pieces(*g, frame)[0];
+        const pieces::Frame frame = pieces::frame_of({{f.get(), g.get()}});
+        const pieces::BezierPiece a = pieces::bezier_pieces(*f, frame)[0],
+                                  b = pieces::bezier_pieces(*g, frame)[0];
         const double upper = bound.upper(a, b, {0.5, 0.5, 0.5}, 0);
         for (int k = 0; k < 20; ++k) {
             jet.evaluate(a, {random.unit(), random.unit(), 0}, false);
-            const closest::PairPiece point(jet.value(), 3);
+            const pieces::BezierPiece point(jet.value(), 3);
             closest::PairPlace at = best_place(point, b);
             EXPECT_LE(at.distance, upper);
         }

@@ -1,0 +1,191 @@
+#include "pieces/bezier_piece.h"
+
+#include "numeric/norm.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace nrb::pieces {
+
+namespace {
+
+constexpr double eps = std::numeric_limits<double>::epsilon();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+} // namespace
+
+BezierPiece::BezierPiece(const double *point, int dim) : values_(point, point + dim) {
+    shape_.width = dim + 1;
+    values_.push_back(1);
+    update();
+}
+
+BezierPiece::BezierPiece(BezierNet &net, int64_t index, int axes)
+    : axes_(axes), index_(index), shape_(net.shape()), values_(static_cast<size_t>(shape_.values())),
+      part_(net.part(index)), rounding_(net.rounding(index)) {
+    net.copy(index, values_.data(), shape_.width);
+    update();
+}
+
+void BezierPiece::replace(int width, std::vector<double> values, const Rounding &rounding) {
+    shape_.width = width;
+    values_ = std::move(values);
+    rounding_ = rounding;
+    update();
+}
+
+Place BezierPiece::parameter(const Place &place) const noexcept {
+    Place result{};
+    for (size_t k = 0; k < static_cast<size_t>(axes_); ++k) {
+        const auto [lower, upper] = part_[k];
+        const double t = lower * (1 - place[k]) + upper * place[k];
+        result[k] = std::clamp(place[k] >= 1 ? upper : t, lower, upper);
+    }
+    return result;
+}
+
+Place BezierPiece::place(const Place &parameter) const noexcept {
+    Place result{};
+    for (size_t k = 0; k < static_cast<size_t>(axes_); ++k) {
+        const auto [lower, upper] = part_[k];
+        result[k] = std::clamp((parameter[k] - lower) / (upper - lower), 0.0, 1.0);
+    }
+    return result;
+}
+
+void BezierPiece::update() {
+    if (weight(0) < 0 || (weight(0) == 0 && values_.back() < 0)) {
+        std::for_each(values_.begin(), values_.end(), [](double &x) { x = -x; });
+    }
+    points_.resize(static_cast<size_t>(coefficients() * dim()));
+    sound_ = set_points();
+    box_.resize(static_cast<size_t>(2 * dim()));
+    set_box();
+    moved_ = records_moved() + 4 * eps * reach_;
+    sound_ = sound_ && std::isfinite(moved_) && std::isfinite(reach_);
+    positive_ = positive_ && sound_;
+}
+
+// Whether the weights are positive, or 0 with the whole coefficient; positive_ is whether none is 0.
+bool BezierPiece::set_points() noexcept {
+    bool all = true;
+    positive_ = true;
+    least_weight_ = infinity;
+    reach_ = 0;
+    for (int64_t i = 0; i < coefficients(); ++i) {
+        const double *from = record(i), w = weight(i);
+        const bool nothing = rounding_.relative() &&
+                             std::all_of(from, from + shape_.width, [](double value) { return value == 0; });
+        positive_ = positive_ && !nothing;
+        if (nothing) {
+            continue;
+        }
+        all = all && rounding_.positive(w);
+        least_weight_ = std::min(least_weight_, w);
+        double *x = points_.data() + i * dim();
+        std::transform(from, from + dim(), x, [w](double value) { return value / w; });
+        reach_ = std::max(reach_, norm(x, dim()));
+    }
+    return all && std::isfinite(least_weight_);
+}
+
+void BezierPiece::set_box() noexcept {
+    double *low = box_.data(), *high = low + dim();
+    std::fill_n(low, dim(), infinity);
+    std::fill_n(high, dim(), -infinity);
+    for (int64_t i = 0; i < coefficients(); ++i) {
+        for (int c = 0; c < dim() && has_point(i); ++c) {
+            low[c] = std::min(low[c], point(i)[c]);
+            high[c] = std::max(high[c], point(i)[c]);
+        }
+    }
+    size_ = 0;
+    for (int c = 0; c < dim(); ++c) {
+        size_ = std::max(size_, high[c] - low[c]);
+    }
+}
+
+// The longest sum of distances between neighbours along an axis.
+double BezierPiece::legs(int axis) const noexcept {
+    int64_t step = 1;
+    for (int k = axes_; k-- > axis + 1;) {
+        step *= degree(k) + 1;
+    }
+    double longest = 0;
+    for (int64_t first = 0; first < coefficients(); ++first) {
+        if (first / step % (degree(axis) + 1) != 0) {
+            continue;
+        }
+        double sum = 0;
+        for (int i = 0; i < degree(axis); ++i) {
+            sum += distance(point(first + i * step), point(first + (i + 1) * step), dim());
+        }
+        longest = std::max(longest, sum);
+    }
+    return longest;
+}
+
+// Of a step in which every coefficient becomes a mean of others, off by `share` of the same mean of magnitudes.
+void BezierPiece::add_rounding(double share) noexcept {
+    if (rounding_.relative()) {
+        rounding_.apart += 1.01 * share * reach_;
+        return;
+    }
+    double most = 0, heaviest = 0;
+    for (int64_t i = 0; i < coefficients(); ++i) {
+        most = std::max(most, norm(record(i), dim()));
+        heaviest = std::max(heaviest, std::abs(weight(i)));
+    }
+    rounding_.record += share * most;
+    rounding_.weight += share * heaviest;
+}
+
+double BezierPiece::middle(int axis) const noexcept {
+    const auto [lower, upper] = part_[static_cast<size_t>(axis)];
+    return lower / 2 + upper / 2;
+}
+
+// Each value is a mean of `degree` steps, off by degree eps / 2 of the same means of magnitudes.
+BezierPiece BezierPiece::halve(int axis) {
+    add_rounding(degree(axis) * eps);
+    BezierPiece lower = *this;
+    nrb::halve(shape_, max_axes - axes_ + axis, values_.data(), lower.values_.data());
+    const auto at = static_cast<size_t>(axis);
+    lower.part_[at].upper = part_[at].lower = middle(axis);
+    update();
+    lower.update();
+    return lower;
+}
+
+std::optional<BezierPiece> BezierPiece::halve() {
+    int axis = -1;
+    double longest = -1;
+    for (int k = 0; k < axes_; ++k) {
+        const auto [lower, upper] = part_[static_cast<size_t>(k)];
+        if (degree(k) > 0 && middle(k) > lower && middle(k) < upper) {
+            const double found = positive_ ? legs(k) : (upper - lower) / std::max(std::abs(upper), 1.0);
+            if (!(found <= longest)) {
+                longest = found;
+                axis = k;
+            }
+        }
+    }
+    if (axis < 0) {
+        return std::nullopt;
+    }
+    return halve(axis);
+}
+
+std::vector<BezierPiece> bezier_pieces(const Spline &spline, const Frame &frame,
+                                       const BernsteinNet::Breaks &more) {
+    BezierNet net(spline, frame, more);
+    std::vector<BezierPiece> pieces;
+    pieces.reserve(static_cast<size_t>(net.count()));
+    for (int64_t i = 0; i < net.count(); ++i) {
+        pieces.emplace_back(net, i, spline.axes());
+    }
+    return pieces;
+}
+
+} // namespace nrb::pieces

@@ -1,0 +1,33 @@
+// What splines are seen from: a centre, and a power of two as unit, that bring them near 1 in size.
+#pragma once
+
+#include "spline/spline.h"
+
+#include <cmath>
+#include <span>
+#include <vector>
+
+namespace nrb::pieces {
+
+// A point x is (x - centre) 2^-exponent in the frame, and a distance d is d 2^-exponent. Not by a factor, which would
+// overflow for the smallest models.
+struct Frame {
+    std::vector<double> centre;
+    int exponent = 0;
+
+    [[nodiscard]] double scaled(double length) const noexcept { return std::ldexp(length, -exponent); }
+    [[nodiscard]] double unscaled(double length) const noexcept { return std::ldexp(length, exponent); }
+    // Coordinate c of a point.
+    [[nodiscard]] double coordinate(size_t c, double x) const noexcept { return scaled(x - centre[c]); }
+    [[nodiscard]] double original(size_t c, double x) const noexcept { return centre[c] + unscaled(x); }
+};
+
+// About the middle of the box of all control points that have influence and are not at infinity, which are within 1
+// of it along every axis. Precondition: one or more splines of one dimension.
+Frame frame_of(std::span<const Spline *const> splines);
+inline Frame frame_of(const Spline &spline) {
+    const Spline *one = &spline;
+    return frame_of({&one, 1});
+}
+
+} // namespace nrb::pieces
