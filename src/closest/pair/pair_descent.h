@@ -1,7 +1,8 @@
-// Nearest points of two pieces: Newton's method in a box.
+// Nearest points of two pieces.
 #pragma once
 
 #include "pieces/bezier_piece.h"
+#include "pieces/damped_descent.h"
 
 namespace nrb::closest {
 
@@ -21,25 +22,38 @@ public:
     [[nodiscard]] const double *second(int k, int l) const noexcept; // k <= l
 
 private:
+    void set_rows(const pieces::BezierPiece &piece, const pieces::Place &place);
+    void contract(const pieces::BezierPiece &piece, bool derivatives);
+    void divide(bool derivatives);
+    // Of a coefficient: the product of functions of all axes, derived by two of them or -1.
+    [[nodiscard]] double factor(const pieces::BezierPiece &piece, const std::array<int, max_axes> &at,
+                                int first, int second) const noexcept;
+
     int axes_ = 1, dim_ = 1;
-    std::vector<double> values_, records_, rows_, work_;
+    std::vector<double> values_, records_, rows_;
 };
 
-// A local minimum of the distance from places to begin with. Steps decrease the distance; where the second
-// derivatives are not positive definite they are damped by the first ones (Levenberg and Marquardt).
+// A local minimum of the distance from places to begin with.
 class PairDescent {
 public:
     void run(const pieces::BezierPiece &a, const pieces::BezierPiece &b, PairPlace &at);
 
 private:
-    double evaluate(const pieces::BezierPiece &a, const pieces::BezierPiece &b, const PairPlace &at,
-                    bool derivatives);
-    bool step(const pieces::BezierPiece &a, const pieces::BezierPiece &b, PairPlace &at, double &square);
+    using Jet = pieces::SquareJet<2 * max_axes>;
+    // An axis with a degree, of the one piece or the other.
+    struct Axis {
+        bool of_a;
+        size_t k;
+    };
+    void set_axes(const pieces::BezierPiece &a, const pieces::BezierPiece &b);
+    // Of the difference of the points, over axes_.
+    Jet jet(const pieces::BezierPiece &a, const pieces::BezierPiece &b, const PairPlace &at);
+    [[nodiscard]] const double *first(const Axis &axis) const noexcept;
+    [[nodiscard]] double bend(const double *difference, const Axis &i, const Axis &j) const noexcept;
 
     PieceJet a_, b_;
+    std::vector<Axis> axes_;
     std::vector<double> difference_;
-    std::array<std::array<double, 2 * max_axes>, 2 * max_axes> curvature_{}, metric_{};
-    std::array<double, 2 * max_axes> gradient_{};
 };
 
 } // namespace nrb::closest

@@ -1,5 +1,7 @@
 #include "closest/patch/patch_proof.h"
 
+#include "numeric/norm.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -169,36 +171,26 @@ AxisValues PatchProof::lowest() const noexcept {
 }
 
 double PatchProof::loss(const AxisValues &gradient, double more) const noexcept {
-    double a[max_axes][max_axes] = {}, sum = 0;
-    AxisValues x{};
-    size_t n = 0;
     std::array<size_t, max_axes> axes{};
+    AxisValues x{};
+    SmallCholesky<max_axes>::Matrix matrix{};
+    size_t n = 0;
     for (size_t k = 0; k < static_cast<size_t>(shape_.axes); ++k) {
         if (face_[k] < 0) {
-            axes[n++] = k;
+            axes[n] = k;
+            x[n] = gradient[k];
+            for (size_t j = 0; j <= n; ++j) {
+                matrix[n][j] = matrix_[k][axes[j]] + (j == n ? more : 0);
+            }
+            ++n;
         }
     }
-    for (size_t i = 0; i < n; ++i) {
-        x[i] = gradient[axes[i]];
-        for (size_t j = 0; j <= i; ++j) {
-            a[i][j] = matrix_[axes[i]][axes[j]] + (i == j ? more : 0);
-            for (size_t m = 0; m < j; ++m) {
-                a[i][j] -= a[i][m] * a[j][m];
-            }
-            if (j < i) {
-                a[i][j] /= a[j][j];
-                x[i] -= a[i][j] * x[j];
-            }
-        }
-        const double whole = matrix_[axes[i]][axes[i]] + more;
-        if (!(a[i][i] > 64 * eps * whole) || !(whole > 0)) {
-            return -1;
-        }
-        a[i][i] = std::sqrt(a[i][i]);
-        x[i] /= a[i][i];
-        sum += x[i] * x[i];
+    SmallCholesky<max_axes> factor;
+    if (!factor.factorise(matrix, static_cast<int>(n), 64 * eps)) {
+        return -1;
     }
-    return 0.55 * sum;
+    factor.solve_lower(x);
+    return 0.55 * dot(x.data(), x.data(), static_cast<int>(n));
 }
 
 // At the ends of an axis its functions are exact.
