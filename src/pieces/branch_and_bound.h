@@ -1,6 +1,8 @@
 // The largest value of a function over pieces that can be halved, enclosed by branch and bound.
 #pragma once
 
+#include "pieces/best_first.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -33,74 +35,68 @@ public:
     // Upper bounds of all pieces of the source, infinite where they are no numbers; `least` is a lower bound that
     // needs no piece.
     BranchAndBound(Problem &problem, std::span<const double> uppers, double least)
-        : problem_(problem), lower_(least), least_(least) {
-        heap_.reserve(uppers.size());
-        for (size_t i = 0; i < uppers.size(); ++i) {
-            const double upper = std::isnan(uppers[i]) ? std::numeric_limits<double>::infinity() : uppers[i];
-            heap_.push_back({upper, 0, static_cast<int64_t>(i), std::nullopt});
-        }
-        std::make_heap(heap_.begin(), heap_.end());
-    }
+        : problem_(problem), queue_(unloaded(uppers)), lower_(least), least_(least) {}
 
     // At most `steps` pieces are loaded or halved beyond the first look at each that matters.
-    Enclosure run(int steps) {
-        for (int step = 0; step < steps && !done(); ++step) {
-            if (!refine()) {
-                break;
-            }
-        }
-        return {lower_, heap_.empty() ? lower_ : std::max(lower_, heap_.front().upper)};
+    Enclosure run(int64_t steps) {
+        bool halved = true;
+        const auto counts = [&](const Entry &top) {
+            return halved && !problem_.reached(lower_, top.bound, top.item.noise);
+        };
+        queue_.run(steps, counts, [&](Entry top) { halved = refine(std::move(top)); });
+        return {lower_, std::max(lower_, queue_.bound())};
     }
 
 private:
     struct Candidate {
-        double upper;
         double noise;
         int64_t index;
         std::optional<Piece> piece; // none: that of the source, not looked at yet
-
-        [[nodiscard]] bool operator<(const Candidate &other) const noexcept { return upper < other.upper; }
     };
+    using Queue = BestFirst<Candidate>;
+    using Entry = typename Queue::Entry;
 
-    [[nodiscard]] bool done() const {
-        return heap_.empty() || problem_.reached(lower_, heap_.front().upper, heap_.front().noise);
+    static std::vector<Entry> unloaded(std::span<const double> uppers) {
+        std::vector<Entry> entries;
+        entries.reserve(uppers.size());
+        for (const double upper : uppers) {
+            const double bound = std::isnan(upper) ? std::numeric_limits<double>::infinity() : upper;
+            entries.push_back({bound, {0, std::ssize(entries), std::nullopt}});
+        }
+        return entries;
     }
 
     // Looks at the piece with the largest upper bound, or halves it; false if it cannot be halved.
-    bool refine() {
-        std::pop_heap(heap_.begin(), heap_.end());
-        Candidate top = std::move(heap_.back());
-        heap_.pop_back();
-        if (!top.piece) {
-            push(problem_.load(top.index), top);
+    bool refine(Entry top) {
+        Candidate &whole = top.item;
+        if (!whole.piece) {
+            push(problem_.load(whole.index), top);
             return true;
         }
-        std::optional<Piece> half = problem_.split(*top.piece);
-        const bool halved = half.has_value();
-        if (halved) {
+        std::optional<Piece> half = problem_.split(*whole.piece);
+        if (half) {
             push(std::move(*half), top);
         }
-        push(std::move(*top.piece), top);
-        return halved;
+        push(std::move(*whole.piece), top);
+        return half.has_value();
     }
 
     // A part has no larger values than the whole, and no other bound where its own is not a number. What cannot
     // exceed the lower bound is not kept.
-    void push(Piece &&piece, const Candidate &whole) {
+    void push(Piece &&piece, const Entry &whole) {
         const Enclosure bounds = problem_.bounds(piece);
         if (bounds.lower > lower_) {
             lower_ = bounds.lower;
-            problem_.found(whole.index, piece);
+            problem_.found(whole.item.index, piece);
         }
-        const double upper = bounds.upper < whole.upper ? bounds.upper : whole.upper;
+        const double upper = bounds.upper < whole.bound ? bounds.upper : whole.bound;
         if (upper > lower_ || lower_ == least_) {
-            heap_.push_back({upper, problem_.noise(piece), whole.index, std::move(piece)});
-            std::push_heap(heap_.begin(), heap_.end());
+            queue_.push(upper, {problem_.noise(piece), whole.item.index, std::move(piece)});
         }
     }
 
     Problem &problem_;
-    std::vector<Candidate> heap_;
+    Queue queue_;
     double lower_;
     double least_;
 };

@@ -1,5 +1,6 @@
 #include "recognize/shape_bound.h"
 
+#include "pieces/best_first.h"
 #include "recognize/piece_distance.h"
 
 #include <algorithm>
@@ -13,78 +14,63 @@ namespace {
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 struct Candidate {
-    DistanceBound bound;
-    int depth = 0;
+    double noise;
+    int depth;
     pieces::BezierPiece piece;
-
-    [[nodiscard]] bool operator<(const Candidate &other) const noexcept {
-        return bound.upper < other.bound.upper;
-    }
 };
+using Queue = pieces::BestFirst<Candidate>;
 
 class Search {
 public:
     Search(const Shape &shape, double tolerance) : distance_(shape), tolerance_(tolerance) {}
 
     pieces::Enclosure run(std::vector<pieces::BezierPiece> pieces) {
-        const auto steps = 400 + 60 * std::ssize(pieces);
+        int64_t steps = 400 + 60 * std::ssize(pieces);
         for (pieces::BezierPiece &piece : pieces) {
             push(std::move(piece), infinite, 0);
         }
-        for (int64_t step = 0; step < steps && !done(); ++step) {
-            if (!refine()) {
-                break;
-            }
-        }
-        return {lower_, heap_.front().bound.upper};
+        bool halved = true;
+        queue_.run(
+            steps, [&](const Queue::Entry &top) { return halved && !done(top); },
+            [&](Queue::Entry top) { halved = halve(std::move(top)); });
+        return {lower_, queue_.bound()};
     }
 
 private:
     // Rounding much above that of the points comes from a gradient that is bounded badly, which halving
     // cures.
-    [[nodiscard]] bool done() const noexcept {
-        const Candidate &top = heap_.front();
-        const bool final = top.depth >= 6 || top.bound.noise <= 8 * top.piece.records_moved();
-        const double noise = final ? top.bound.noise : 8 * top.piece.records_moved();
-        const bool hopeless =
-            lower_ > tolerance_ || top.piece.records_moved() > tolerance_; // rounding alone is more
-        return hopeless || top.bound.upper - noise <= 1.25 * (lower_ + noise);
+    [[nodiscard]] bool done(const Queue::Entry &top) const noexcept {
+        const double moved = top.item.piece.records_moved();
+        const bool final = top.item.depth >= 6 || top.item.noise <= 8 * moved;
+        const double noise = final ? top.item.noise : 8 * moved;
+        const bool hopeless = lower_ > tolerance_ || moved > tolerance_; // rounding alone is more
+        return hopeless || top.bound - noise <= 1.25 * (lower_ + noise);
     }
 
-    bool refine() {
-        std::pop_heap(heap_.begin(), heap_.end());
-        Candidate top = std::move(heap_.back());
-        heap_.pop_back();
-        const double whole = top.bound.upper;
-        const int depth = top.depth + 1;
-        const int axis = widest_axis(top.piece);
+    bool halve(Queue::Entry top) {
+        const int axis = widest_axis(top.item.piece), depth = top.item.depth + 1;
         if (axis < 0) {
-            heap_.push_back(std::move(top));
-            std::push_heap(heap_.begin(), heap_.end());
+            queue_.push(top.bound, std::move(top.item));
             return false;
         }
-        push(top.piece.halve(axis), whole, depth);
-        push(std::move(top.piece), whole, depth);
+        push(top.item.piece.halve(axis), top.bound, depth);
+        push(std::move(top.item.piece), top.bound, depth);
         return true;
     }
 
     // A part has no larger distances than the whole.
     void push(pieces::BezierPiece &&piece, double whole, int depth) {
-        Candidate candidate;
-        candidate.depth = depth;
+        DistanceBound bound;
         if (piece.sound()) {
-            candidate.bound = distance_.upper(piece);
-            lower_ = std::max(lower_, distance_.lower(piece, candidate.bound.noise));
+            bound = distance_.upper(piece);
+            lower_ = std::max(lower_, distance_.lower(piece, bound.noise));
         }
-        candidate.bound.upper = std::min(candidate.bound.upper, whole);
-        candidate.piece = std::move(piece);
-        heap_.push_back(std::move(candidate));
-        std::push_heap(heap_.begin(), heap_.end());
+        queue_.push(std::min(bound.upper, whole), {bound.noise, depth, std::move(piece)});
     }
 
     PieceDistance distance_;
     double tolerance_;
-    std::vector<Candidate> heap_;
+    Queue queue_;
     double lower_ = 0;
 };
 

@@ -6,6 +6,7 @@
 #include "closest/pair/parameter_map.h"
 #include "eval/evaluate.h"
 #include "numeric/norm.h"
+#include "pieces/best_first.h"
 #include "refine/knots/bezier_rows.h"
 #include "spline/kind.h"
 
@@ -19,7 +20,6 @@ namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr int64_t budget_of_a_foot = 20000;
 constexpr int64_t budget_of_a_match = 500; // of which nothing is taken from the caller's budget
 constexpr double rounding = 0x1p-40;       // of points that may be the same, before anything is proven
 
@@ -70,12 +70,10 @@ private:
 };
 
 struct FarPiece {
-    double upper;
     pieces::BezierPiece piece;
-    bool looked;
-
-    [[nodiscard]] bool operator<(const FarPiece &other) const noexcept { return upper < other.upper; }
+    bool bounded; // by a nearest point
 };
+using Entry = pieces::BestFirst<FarPiece>::Entry;
 
 // The nearest point of the other spline, in the frame.
 struct NearPoint {
@@ -105,36 +103,28 @@ public:
     }
 
     void run() {
-        while (!heap_.empty() && heap_.front().upper > limit() && budget_-- > 0) {
-            std::pop_heap(heap_.begin(), heap_.end());
-            FarPiece top = std::move(heap_.back());
-            heap_.pop_back();
-            if (!top.looked && top.piece.positive()) {
-                look(std::move(top));
-            } else {
-                divide(std::move(top));
-            }
-        }
-        if (!heap_.empty()) {
-            ceiling_ = std::max(ceiling_, heap_.front().upper);
-        }
+        queue_.run(
+            budget_, [&](const Entry &top) { return top.bound > limit(); },
+            [&](Entry top) {
+                const bool bounds = !top.item.bounded && top.item.piece.positive();
+                bounds ? bound(std::move(top)) : divide(std::move(top));
+            });
     }
 
     [[nodiscard]] double at_least() const noexcept { return std::max(lower_, 0.0); }
-    [[nodiscard]] double at_most() const noexcept { return std::max(ceiling_, at_least()); }
+    [[nodiscard]] double at_most() const noexcept { return std::max(queue_.bound(), at_least()); }
     [[nodiscard]] double noise() const noexcept { return noise_; }
     [[nodiscard]] const pieces::Place &best() const noexcept { return best_; }
 
 private:
     [[nodiscard]] double limit() const noexcept { return std::max(lower_, 0.0) + tolerance_ + noise_; }
 
-    void push(double upper, pieces::BezierPiece piece, bool looked) {
+    void push(double upper, pieces::BezierPiece piece, bool bounded) {
         if (upper <= limit()) {
-            ceiling_ = std::max(ceiling_, upper);
-            return;
+            queue_.leave_out(upper);
+        } else {
+            queue_.push(upper, {std::move(piece), bounded});
         }
-        heap_.push_back({upper, std::move(piece), looked});
-        std::push_heap(heap_.begin(), heap_.end());
     }
 
     // The foot of a point of the frame.
@@ -144,7 +134,7 @@ private:
         }
         NearPoint near;
         near.foot = locator_.nearest({query_.data(), nullptr, frame_.unscaled(tolerance_ / 4),
-                                      std::clamp<int64_t>(budget_, 1, budget_of_a_foot)});
+                                      std::clamp<int64_t>(budget_, 1, pieces::default_budget)});
         budget_ -= near.foot.looked;
         eval::AxisRules rules{};
         for (size_t k = 0; k < max_axes; ++k) {
@@ -160,14 +150,11 @@ private:
         return near;
     }
 
-    void look(FarPiece top) {
-        const pieces::BezierPiece &piece = top.piece;
-        if (map_) {
-            top.upper = std::min(top.upper, mapped(piece));
-            if (top.upper <= limit()) {
-                ceiling_ = std::max(ceiling_, top.upper);
-                return;
-            }
+    void bound(Entry top) {
+        const pieces::BezierPiece &piece = top.item.piece;
+        double upper = map_ ? std::min(top.bound, mapped(piece)) : top.bound;
+        if (upper <= limit()) {
+            return queue_.leave_out(upper);
         }
         const pieces::Place middle{0.5, 0.5, 0.5};
         jet_.evaluate(piece, middle, false);
@@ -180,11 +167,11 @@ private:
                 best_ = piece.parameter(middle);
             }
         }
-        double upper = std::min(top.upper, from_point(piece, near.point) + noise + moved_ + piece.moved());
+        upper = std::min(upper, from_point(piece, near.point) + noise + moved_ + piece.moved());
         if (upper > limit()) {
             upper = std::min(upper, matched(piece, near.foot));
         }
-        push(upper, std::move(top.piece), true);
+        push(upper, std::move(top.item.piece), true);
     }
 
     // By the map, with any piece of the other spline that the middle is mapped to.
@@ -221,14 +208,13 @@ private:
         return best;
     }
 
-    void divide(FarPiece top) {
-        std::optional<pieces::BezierPiece> half = top.piece.halve();
+    void divide(Entry top) {
+        std::optional<pieces::BezierPiece> half = top.item.piece.halve();
         if (!half) {
-            ceiling_ = std::max(ceiling_, top.upper);
-            return;
+            return queue_.leave_out(top.bound);
         }
-        push(top.upper, std::move(*half), false);
-        push(top.upper, std::move(top.piece), false);
+        push(top.bound, std::move(*half), false);
+        push(top.bound, std::move(top.item.piece), false);
     }
 
     const Spline &to_;
@@ -243,9 +229,8 @@ private:
     std::optional<ParameterMap> map_;
     double moved_ = 0, noise_ = 0;
     double lower_ = -infinity;
-    double ceiling_ = 0; // no point of the pieces that were left out is farther
     pieces::Place best_{};
-    std::vector<FarPiece> heap_;
+    pieces::BestFirst<FarPiece> queue_;
     PieceJet jet_;
     MatchedBound bound_;
 };

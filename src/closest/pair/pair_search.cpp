@@ -6,6 +6,7 @@
 #include "closest/pair/pair_cells.h"
 #include "eval/evaluate.h"
 #include "numeric/norm.h"
+#include "pieces/best_first.h"
 #include "spline/kind.h"
 
 #include <algorithm>
@@ -20,11 +21,8 @@ constexpr double eps = std::numeric_limits<double>::epsilon();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 struct CellPair {
-    double lower;
     PairCell *a, *b;
-    bool looked; // a descent has been made
-
-    [[nodiscard]] bool operator<(const CellPair &other) const noexcept { return lower > other.lower; }
+    bool bounded; // by a descent and what separates the pieces
 };
 
 int highest_degree(const Spline &spline) noexcept {
@@ -34,6 +32,8 @@ int highest_degree(const Spline &spline) noexcept {
     }
     return degree;
 }
+
+using Entry = pieces::BestFirst<CellPair>::Entry;
 
 class PairSearch {
 public:
@@ -47,23 +47,16 @@ public:
 
     void run() {
         push(a_.get(), b_.get(), 0);
-        while (!heap_.empty() && heap_.front().lower < limit() && budget_-- > 0) {
-            std::pop_heap(heap_.begin(), heap_.end());
-            const CellPair pair = heap_.back();
-            heap_.pop_back();
-            if (pair.a->piece && pair.b->piece && pair.a->piece->positive() && pair.b->piece->positive() &&
-                !pair.looked) {
-                look(pair);
-            } else {
-                divide(pair);
-            }
-        }
-        if (!heap_.empty()) {
-            floor_ = std::min(floor_, heap_.front().lower);
-        }
+        queue_.run(
+            budget_, [&](const Entry &top) { return -top.bound < limit(); },
+            [&](const Entry &top) {
+                bounds(top.item) ? bound(top.item, -top.bound) : divide(top.item, -top.bound);
+            });
     }
 
-    [[nodiscard]] double at_least() const noexcept { return std::max(0.0, std::min(floor_, upper_)); }
+    [[nodiscard]] double at_least() const noexcept {
+        return std::max(0.0, std::min(-queue_.bound(), upper_));
+    }
     [[nodiscard]] double at_most() const noexcept { return upper_; }
     // The best places, with whether they are upper ends.
     struct Best {
@@ -79,21 +72,25 @@ private:
     }
     [[nodiscard]] double limit() const noexcept { return upper_ - allowed_; }
 
-    void push(PairCell *a, PairCell *b, double least, bool looked = false) {
-        double lower = least;
-        if (!looked) {
-            lower = std::max(lower, box_distance(a->box.data(), b->box.data(), dim_) - a->moved - b->moved -
-                                        16 * eps);
-        }
-        if (lower >= limit()) {
-            floor_ = std::min(floor_, lower);
-            return;
-        }
-        heap_.push_back({lower, a, b, looked});
-        std::push_heap(heap_.begin(), heap_.end());
+    // Whether there are bounds of the pair that it does not have yet.
+    static bool bounds(const CellPair &pair) noexcept {
+        return pair.a->piece && pair.b->piece && pair.a->piece->positive() && pair.b->piece->positive() &&
+               !pair.bounded;
     }
 
-    void look(const CellPair &pair) {
+    void push(PairCell *a, PairCell *b, double least) {
+        const double apart = box_distance(a->box.data(), b->box.data(), dim_) - a->moved - b->moved;
+        push({a, b, false}, std::max(least, apart - 16 * eps));
+    }
+    void push(const CellPair &pair, double lower) {
+        if (lower >= limit()) {
+            queue_.leave_out(-lower);
+        } else {
+            queue_.push(-lower, pair);
+        }
+    }
+
+    void bound(const CellPair &pair, double lower) {
         const pieces::BezierPiece &a = *pair.a->piece, &b = *pair.b->piece;
         PairPlace place;
         place.a.fill(0.5);
@@ -109,17 +106,14 @@ private:
                 best_.left_b[k] = place.b[k] >= 1;
             }
         }
-        if (std::isfinite(place.distance)) {
-            push(pair.a, pair.b, std::max(pair.lower, bound_.lower(a, b, place, limit())), true);
-        } else {
-            push(pair.a, pair.b, pair.lower, true);
-        }
+        const double found = std::isfinite(place.distance) ? bound_.lower(a, b, place, limit()) : lower;
+        push({pair.a, pair.b, true}, std::max(lower, found));
     }
 
-    void divide(const CellPair &pair) {
+    void divide(const CellPair &pair, double lower) {
         const bool first = rank(*pair.a) >= rank(*pair.b);
-        if (!split(pair, first) && !split(pair, !first)) {
-            floor_ = std::min(floor_, pair.lower); // two points
+        if (!split(pair, lower, first) && !split(pair, lower, !first)) {
+            queue_.leave_out(-lower); // two points
         }
     }
     // Groups go before pieces, pieces without bounds before all.
@@ -127,13 +121,13 @@ private:
         return cell.piece ? cell.size : cell.size + 1e3;
     }
 
-    bool split(const CellPair &pair, bool first) {
+    bool split(const CellPair &pair, double lower, bool first) {
         PairCell *cell = first ? pair.a : pair.b;
         if (!cell->split()) {
             return false;
         }
         for (const auto &child : cell->children) {
-            push(first ? child.get() : pair.a, first ? pair.b : child.get(), pair.lower);
+            push(first ? child.get() : pair.a, first ? pair.b : child.get(), lower);
         }
         return true;
     }
@@ -144,9 +138,8 @@ private:
     double allowed_; // between both bounds
     int64_t budget_;
     double upper_ = infinity; // proven
-    double floor_ = infinity; // no pair that was left out is nearer
     Best best_;
-    std::vector<CellPair> heap_;
+    pieces::BestFirst<CellPair> queue_; // by lower bounds, negated
     PairDescent descent_;
     PairBound bound_;
 };

@@ -3,6 +3,7 @@
 #include "closest/patch/patch_matrix.h"
 #include "closest/patch/patch_place.h"
 #include "numeric/norm.h"
+#include "pieces/best_first.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +21,7 @@ constexpr int shallow = 8;  // before a singular matrix is looked at
 
 PatchCritical::PatchCritical(const PatchPieces &pieces, const Query &query)
     : pieces_(pieces), query_(query), x_(memory_.take(pieces.shape().lanes)), items_(pieces, x_, memory_),
-      descent_(pieces.shape(), memory_), budget_(query.budget > 0 ? query.budget : 20000) {
+      descent_(pieces.shape(), memory_), budget_(query.budget > 0 ? query.budget : pieces::default_budget) {
     pieces.place(query.point, x_);
     noise_ = pieces.allowance() * pieces.weight_ratio() * (pieces.size() + pieces.magnitude(query.point));
     near_ = pieces.scaled(query.tolerance) + 64 * noise_;

@@ -74,7 +74,7 @@ void PatchSearch::search_minima() {
     }
     Query rest = query_;
     rest.tolerance = 0;
-    rest.budget = std::max<int64_t>(1, (query_.budget > 0 ? query_.budget : default_budget) - spent_);
+    rest.budget = std::max<int64_t>(1, (query_.budget > 0 ? query_.budget : pieces::default_budget) - spent_);
     const PatchCritical::Spots found = PatchCritical(pieces_, rest).minima(pieces, upper());
     for (const PatchCritical::Spot &spot : found.spots) {
         others_.push_back({spot.piece, spot.at, spot.distance, 0, spot.certain});

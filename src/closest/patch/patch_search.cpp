@@ -88,7 +88,7 @@ void PatchSearch::search_later() {
     const int64_t size = pieces_.shape().values();
     while (!later_.empty() && !spent()) {
         const PatchMemory::Hold hold(memory_);
-        PatchQueue::Entry entry = later_.take();
+        PutOff entry = later_.pop().item;
         double *values = memory_.take(size);
         std::copy_n(entry.values.data(), size, values);
         entry.item.values = values;
@@ -183,7 +183,7 @@ void PatchSearch::examine(PatchItem &item, bool fresh) {
         return;
     }
     axis = axis >= 0 ? axis : longest_axis(item);
-    if (spent_ >= pause_ && !later_.full()) {
+    if (spent_ >= pause_ && later_.size() < most_put_off) {
         put_off(item, axis);
     } else {
         split(item, axis);
@@ -192,7 +192,7 @@ void PatchSearch::examine(PatchItem &item, bool fresh) {
 
 void PatchSearch::put_off(const PatchItem &item, int axis) {
     const double *values = item.values;
-    later_.put({order(item), best_.value, item, axis, {values, values + pieces_.shape().values()}});
+    later_.push(-order(item), {best_.value, item, axis, {values, values + pieces_.shape().values()}});
 }
 
 // How good the points of an item may be, by a ball about its middle: no proof, rounding is not in it.

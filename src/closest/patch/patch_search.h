@@ -4,7 +4,7 @@
 #include "closest/patch/patch_candidates.h"
 #include "closest/patch/patch_proof.h"
 #include "closest/patch/patch_query.h"
-#include "closest/patch/patch_queue.h"
+#include "pieces/best_first.h"
 
 #include <vector>
 
@@ -19,8 +19,15 @@ public:
     std::vector<Foot> all();
 
 private:
-    static constexpr int64_t default_budget = 20000;
+    // So that memory stays bounded; with more put off, the search goes into depth.
+    static constexpr size_t most_put_off = 4096;
     using Candidate = PatchCandidates::Candidate;
+    struct PutOff {
+        double best;                // value found when it was put off
+        PatchItem item;             // without values
+        int axis;                   // to halve it along
+        std::vector<double> values; // of the item
+    };
 
     void start(const PatchTree::Place &centre);
     void search();
@@ -36,7 +43,7 @@ private:
     void put_off(const PatchItem &item, int axis);
     [[nodiscard]] double order(const PatchItem &item) const;
     [[nodiscard]] bool spent() const noexcept {
-        return spent_ + cost_ > (query_.budget > 0 ? query_.budget : default_budget);
+        return spent_ + cost_ > (query_.budget > 0 ? query_.budget : pieces::default_budget);
     }
     [[nodiscard]] int longest_axis(const PatchItem &item) const noexcept;
     bool improve(const PatchItem &item, AxisValues at);
@@ -61,8 +68,8 @@ private:
     bool incomplete_ = false;
     int64_t cost_ = 1; // of an item
     int64_t spent_ = 0;
-    int64_t pause_ = 0; // what may be spent before parts are put off
-    PatchQueue later_;
+    int64_t pause_ = 0;               // what may be spent before parts are put off
+    pieces::BestFirst<PutOff> later_; // by order(), negated
     int unpaid_ = 16; // leaves from whose middles descents start even so when the budget has ended
     int extra_ = 0;   // items looked at only because there may be others
     std::vector<Place> others_;
