@@ -1,8 +1,8 @@
 #include "pieces/bernstein_net.h"
 
+#include "pieces/extraction.h"
 #include "refine/knots/axis_table.h"
 #include "refine/knots/bezier_rows.h"
-#include "refine/parts/cut.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,14 +20,6 @@ double length(const double *x, int n) noexcept {
         largest = std::max(largest, std::abs(x[c]));
     }
     return largest * std::sqrt(n); // at least the Euclidean norm
-}
-
-// Rows [e * (p + 1), ...) give the Bernstein points of the piece behind break e.
-LayerTable piece_rows(const KnotVector &axis, const std::vector<double> &breaks) {
-    const std::vector<double> fine = refine::saturated(axis, breaks);
-    const refine::Refinement refinement(axis.degree(), axis.knots(), fine);
-    const int64_t first = std::lower_bound(fine.begin(), fine.end(), breaks.front()) - fine.begin();
-    return refine::rows_of(refinement, first, first + (std::ssize(breaks) - 1) * (axis.degree() + 1));
 }
 
 LayerTable elevation_rows(int low, int high, int64_t pieces) {
@@ -57,14 +49,12 @@ std::vector<double> active_maxima(const std::vector<double> &sizes, const AxisVi
                                   const KnotVector &axis, const std::vector<double> &breaks) {
     const int64_t pieces = std::ssize(breaks) - 1;
     std::vector<double> result(static_cast<size_t>(view.outer * pieces * view.inner), 0.0);
-    int64_t span = axis.degree();
+    const std::vector<int64_t> first = first_layers(axis, breaks);
     for (int64_t e = 0; e < pieces; ++e) {
-        while (span + 1 < axis.count() && axis[span + 1] <= breaks[static_cast<size_t>(e)]) {
-            ++span;
-        }
+        const int64_t low = first[static_cast<size_t>(e)], high = low + axis.degree();
         for (int64_t o = 0; o < view.outer; ++o) {
             double *target = result.data() + (o * pieces + e) * view.inner;
-            for (int64_t layer = span - axis.degree(); layer <= span; ++layer) {
+            for (int64_t layer = low; layer <= high; ++layer) {
                 const double *from = sizes.data() + (o * view.count + layer) * view.inner;
                 std::transform(from, from + view.inner, target, target,
                                [](double a, double b) { return std::max(a, b); });

@@ -39,6 +39,8 @@ public:
     // Largest magnitudes |x - c| of control points, and of one that is active on a piece; not scaled.
     [[nodiscard]] const std::vector<double> &sizes() const noexcept { return records_.sizes; }
     [[nodiscard]] double size(int64_t piece) const noexcept { return net_.size(piece); }
+    // The control points as they enter a net, not scaled.
+    [[nodiscard]] const CentredRecords &records() const noexcept { return records_; }
     // The ends of a piece along each axis of the spline.
     [[nodiscard]] std::array<Interval, max_axes> part(int64_t piece) const noexcept;
 

@@ -45,10 +45,9 @@ bool PatchCandidates::holds_centre(int level, int64_t node) const noexcept {
 }
 
 void PatchCandidates::visit_children(int level, const Candidate &parent, Candidates &next) {
-    const PatchTree::Family &family = tree_.family(level, parent.node);
+    const PatchTree::Family family = tree_.family(level, parent.node);
     double bounds[PatchTree::most_width], centres[PatchTree::most_width];
-    bound_discs(tree_.discs(family), family.width, pieces_.shape().dim, tree_.normals(), x_, query_.farthest,
-                {bounds, centres});
+    tree_.bound(level, parent.node, x_, query_.farthest, {bounds, centres});
     const bool leaves = level + 2 == tree_.levels();
     for (int64_t i = 0; i < family.count; ++i) {
         if (!(bounds[i] <= reached_ + margin_)) {

@@ -18,9 +18,17 @@ constexpr double smallest_weight = 0x1p-200; // beyond it squares come near unde
 // w x and the difference are rounded, and x - c was: eps / 2 of |x - c| each, and of the result.
 PatchItem PatchItems::whole(int64_t piece) const {
     PatchItem item;
-    item.values = memory_.take(pieces_.shape().values());
+    const int64_t size = pieces_.shape().values();
+    if (piece != last_) {
+        const PatchMemory::Hold hold(memory_);
+        double *work = memory_.take(size), *patch = memory_.take(size);
+        pieces_.patch(piece, work, patch);
+        shift_patch(pieces_.shape(), patch, x_, last_values_);
+        last_ = piece;
+    }
+    item.values = memory_.take(size);
+    std::copy_n(last_values_, size, item.values);
     item.piece = piece;
-    shift_patch(pieces_.shape(), pieces_.patch(piece), x_, item.values);
     item.moved = pieces_.moved() + 2 * eps * (norm(x_, pieces_.shape().dim) + pieces_.radius());
     return item;
 }

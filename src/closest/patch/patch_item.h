@@ -29,7 +29,7 @@ class PatchItems {
 public:
     // x: as placed by the pieces.
     PatchItems(const PatchPieces &pieces, const double *x, PatchMemory &memory)
-        : pieces_(pieces), x_(x), memory_(memory) {}
+        : pieces_(pieces), x_(x), memory_(memory), last_values_(memory.take(pieces.shape().values())) {}
 
     // The whole piece.
     [[nodiscard]] PatchItem whole(int64_t piece) const;
@@ -46,6 +46,8 @@ private:
     const PatchPieces &pieces_;
     const double *x_;
     PatchMemory &memory_;
+    mutable int64_t last_ = -1; // piece that was made, which a query mostly asks for again
+    double *last_values_;
 };
 
 } // namespace nrb::closest

@@ -220,31 +220,39 @@ double gap(int64_t count, const double *HWY_RESTRICT squares, const double *HWY_
     return result;
 }
 
+HWY_INLINE auto load(Eight d, const double *from) {
+    return hn::LoadU(d, from);
+}
+
+HWY_INLINE auto load(Eight d, const float *from) {
+    return hn::PromoteTo(d, hn::LoadU(hn::Rebind<float, Eight>(), from));
+}
+
 // The distance of x from all points p of a disc: |n (p - x)| >= the distance of the heights, and across n it
 // is at least |x - c| across n less the radius. The root of a difference that cancels is taken of less than
 // it.
-template <bool kNormals, bool kFarthest>
-HWY_INLINE void bound_all(const double *HWY_RESTRICT family, int64_t width, int dim,
-                          const double *HWY_RESTRICT x, const DiscBounds &out) {
+template <bool kNormals, bool kFarthest, class T>
+HWY_INLINE void bound_all(const T *HWY_RESTRICT family, int64_t width, int dim, const double *HWY_RESTRICT x,
+                          const DiscBounds &out) {
     const Eight d;
     const auto zero = hn::Zero(d);
     const auto slack = hn::Set(d, (dim + 8) * std::numeric_limits<double>::epsilon());
-    const double *radii = family + dim * width, *normals = radii + width;
+    const T *radii = family + dim * width, *normals = radii + width;
     for (int64_t i = 0; i < width; i += eight_lanes) {
         auto square = zero, height = zero;
         for (int c = 0; c < dim; ++c) {
-            const auto delta = hn::Sub(hn::Set(d, x[c]), hn::LoadU(d, family + c * width + i));
+            const auto delta = hn::Sub(hn::Set(d, x[c]), load(d, family + c * width + i));
             square = hn::MulAdd(delta, delta, square);
             if (kNormals) {
-                height = hn::MulAdd(delta, hn::LoadU(d, normals + c * width + i), height);
+                height = hn::MulAdd(delta, load(d, normals + c * width + i), height);
             }
         }
-        const auto radius = hn::LoadU(d, radii + i);
+        const auto radius = load(d, radii + i);
         const auto centre = hn::Sqrt(square);
         auto bound = zero;
         if (kNormals) {
-            const auto low = hn::LoadU(d, normals + dim * width + i);
-            const auto high = hn::LoadU(d, normals + (dim + 1) * width + i);
+            const auto low = load(d, normals + dim * width + i);
+            const auto high = load(d, normals + (dim + 1) * width + i);
             const auto rest = hn::NegMulAdd(height, height, square);
             const auto off = hn::Mul(slack, square);
             if (kFarthest) {
@@ -265,8 +273,9 @@ HWY_INLINE void bound_all(const double *HWY_RESTRICT family, int64_t width, int 
     }
 }
 
-void bounds(const double *family, int64_t width, int dim, bool normals, const double *x, bool farthest,
-            const DiscBounds &out) {
+template <class T>
+HWY_INLINE void bounds_of(const T *family, int64_t width, int dim, bool normals, const double *x,
+                          bool farthest, const DiscBounds &out) {
     if (normals) {
         farthest ? bound_all<true, true>(family, width, dim, x, out)
                  : bound_all<true, false>(family, width, dim, x, out);
@@ -274,6 +283,16 @@ void bounds(const double *family, int64_t width, int dim, bool normals, const do
         farthest ? bound_all<false, true>(family, width, dim, x, out)
                  : bound_all<false, false>(family, width, dim, x, out);
     }
+}
+
+void bounds(const double *family, int64_t width, int dim, bool normals, const double *x, bool farthest,
+            const DiscBounds &out) {
+    bounds_of(family, width, dim, normals, x, farthest, out);
+}
+
+void float_bounds(const float *family, int64_t width, int dim, bool normals, const double *x, bool farthest,
+                  const DiscBounds &out) {
+    bounds_of(family, width, dim, normals, x, farthest, out);
 }
 
 } // namespace HWY_NAMESPACE
@@ -289,6 +308,7 @@ HWY_EXPORT(apply);
 HWY_EXPORT(square);
 HWY_EXPORT(gap);
 HWY_EXPORT(bounds);
+HWY_EXPORT(float_bounds);
 
 void shift_patch(const PatchShape &shape, const double *patch, const double *x, double *out) noexcept {
     HWY_DYNAMIC_DISPATCH(shift)(shape, patch, x, out);
@@ -352,6 +372,11 @@ int64_t disc_columns(int dim, bool normals) noexcept {
 void bound_discs(const double *family, int64_t width, int dim, bool normals, const double *x, bool farthest,
                  const DiscBounds &out) noexcept {
     HWY_DYNAMIC_DISPATCH(bounds)(family, width, dim, normals, x, farthest, out);
+}
+
+void bound_discs(const float *family, int64_t width, int dim, bool normals, const double *x, bool farthest,
+                 const DiscBounds &out) noexcept {
+    HWY_DYNAMIC_DISPATCH(float_bounds)(family, width, dim, normals, x, farthest, out);
 }
 
 } // namespace nrb::closest

@@ -34,7 +34,7 @@ void square_patch(const PatchShape &shape, const SquareTables &tables, const dou
 double gap_coefficients(int64_t count, const double *squares, const double *weights, double sign, double rho2,
                         double margin, double *out) noexcept;
 
-// Discs: a family of `width` (a multiple of 8) of them is an array of columns [width]: the coordinates of the
+// Discs: a family of `width` of them is an array of columns [width]: the coordinates of the
 // centres, the radii, and, with normals, the three coordinates of the unit normals and the least and the
 // largest height over the plane through the centre.
 struct DiscBounds {
@@ -42,6 +42,9 @@ struct DiscBounds {
     double *centres; // sign * distance of the centre
 };
 int64_t disc_columns(int dim, bool normals) noexcept;
+// Up to 7 more than `width` are read and written, whatever stands there.
+void bound_discs(const float *family, int64_t width, int dim, bool normals, const double *x, bool farthest,
+                 const DiscBounds &out) noexcept;
 void bound_discs(const double *family, int64_t width, int dim, bool normals, const double *x, bool farthest,
                  const DiscBounds &out) noexcept;
 

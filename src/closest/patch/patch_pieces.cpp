@@ -2,6 +2,7 @@
 
 #include "base/finite.h"
 #include "numeric/norm.h"
+#include "pieces/extraction.h"
 #include "refine/knots/bezier_rows.h"
 
 #include <algorithm>
@@ -30,6 +31,7 @@ int exponent_of(double x) noexcept {
 PatchPieces::PatchPieces(const Spline &spline) : axes_(spline.axes()), frame_(pieces::frame_of(spline)) {
     set_axes(spline);
     squares_ = std::make_unique<PatchSquares>(shape_);
+    set_extraction(spline);
     copy(spline);
 }
 
@@ -58,6 +60,55 @@ void PatchPieces::set_axes(const Spline &spline) {
     allowance_ = 64 * steps * eps;
 }
 
+void PatchPieces::set_extraction(const Spline &spline) {
+    for (int k = 0; k < axes_; ++k) {
+        const KnotVector &axis = spline.axis(k);
+        const auto at = static_cast<size_t>(k);
+        const int n = axis.degree() + 1;
+        layers_[at] = n;
+        counts_[at] = axis.count();
+        first_[at] = pieces::first_layers(axis, breaks_[at]);
+        const LayerTable rows = pieces::piece_rows(axis, breaks_[at]);
+        extraction_[at].assign(static_cast<size_t>(rows.rows() * n), 0.0);
+        for (int64_t r = 0; r < rows.rows(); ++r) {
+            const LayerTable::Row &row = rows.row(r);
+            double *out = extraction_[at].data() + r * n + row.first - first_[at][static_cast<size_t>(r / n)];
+            *out = 1; // of a copy
+            std::copy_n(rows.coefficients(row), row.size, out);
+        }
+    }
+}
+
+void PatchPieces::gather(int64_t piece, double *out) const noexcept {
+    Index first{};
+    for (auto k = static_cast<size_t>(axes_); k-- > 0; piece /= count(static_cast<int>(k))) {
+        first[k] = first_[k][static_cast<size_t>(piece % count(static_cast<int>(k)))];
+    }
+    const int64_t run = layers_[2] * shape_.lanes;
+    for (int64_t i = first[0]; i < first[0] + layers_[0]; ++i) {
+        for (int64_t j = first[1]; j < first[1] + layers_[1]; ++j) {
+            const int64_t record = (i * counts_[1] + j) * counts_[2] + first[2];
+            out = std::copy_n(records_.data() + record * shape_.lanes, run, out);
+        }
+    }
+}
+
+// The same sums as in a BernsteinNet, with no more roundings.
+void PatchPieces::patch(int64_t i, double *work, double *out) const noexcept {
+    double *from = shape_.axes % 2 == 0 ? out : work, *to = shape_.axes % 2 == 0 ? work : out;
+    gather(i, from);
+    const Index spans = index(i);
+    for (int k = 0; k < shape_.axes; ++k) {
+        const auto axis = static_cast<size_t>(spline_axis(k));
+        const int64_t n = shape_.degree(k) + 1;
+        apply_matrix(shape_, k, extraction_[axis].data() + spans[axis] * n * n, from, to);
+        std::swap(from, to);
+    }
+    if (out[shape_.dim] < 0) { // of one sign they may be > 0 as well
+        std::for_each_n(out, shape_.values(), [](double &x) { x = 0.0 - x; });
+    }
+}
+
 void PatchPieces::copy(const Spline &spline) {
     pieces::BezierNet net(spline, {frame_.centre, 0});
     const double largest = largest_magnitude(net.sizes());
@@ -65,13 +116,15 @@ void PatchPieces::copy(const Spline &spline) {
         !std::isfinite(largest) && spline.form() != Form::homogeneous; // norms, no coordinates
     frame_.exponent = overflows ? std::numeric_limits<double>::max_exponent : exponent_of(largest);
     net.rescale(frame_.exponent);
-    values_.assign(static_cast<size_t>(count_ * shape_.values()), 0.0);
-    double *out = values_.data();
-    for (int64_t e = 0; e < count_; ++e, out += shape_.values()) {
-        net.copy(e, out, shape_.lanes);
-        if (out[shape_.dim] < 0) { // of one sign they may be > 0 as well
-            std::for_each_n(out, shape_.values(), [](double &x) { x = 0.0 - x; });
+    const pieces::CentredRecords &records = net.records();
+    const auto width = static_cast<size_t>(records.width), dim = static_cast<size_t>(shape_.dim);
+    records_.assign(records.sizes.size() * static_cast<size_t>(shape_.lanes), 0.0);
+    double *out = records_.data();
+    for (size_t i = 0; i < records.values.size(); i += width, out += shape_.lanes) {
+        for (size_t c = 0; c < dim; ++c) {
+            out[c] = frame_.scaled(records.values[i + c]);
         }
+        out[dim] = records.weighted ? records.values[i + dim] : 1.0;
     }
     positive_ = net.positive();
     set_sizes(spline.effective(), net.sizes());

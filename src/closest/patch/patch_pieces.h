@@ -27,9 +27,9 @@ public:
     [[nodiscard]] int64_t count(int axis) const noexcept {
         return std::ssize(breaks_[static_cast<size_t>(axis)]) - 1;
     }
-    [[nodiscard]] const double *patch(int64_t i) const noexcept {
-        return values_.data() + i * shape_.values();
-    }
+    // The coefficients of piece i. They are computed from the control points each time, because all of them would
+    // take (p + 1)(q + 1) times the memory of these; work: as much as out.
+    void patch(int64_t i, double *work, double *out) const noexcept;
     [[nodiscard]] Index index(int64_t piece) const noexcept;
     [[nodiscard]] int64_t piece(const Index &index) const noexcept;
     [[nodiscard]] double break_at(int axis, int64_t i) const noexcept {
@@ -68,7 +68,9 @@ public:
 
 private:
     void set_axes(const Spline &spline);
+    void set_extraction(const Spline &spline);
     void copy(const Spline &spline);
+    void gather(int64_t piece, double *out) const noexcept;
     void set_sizes(const Spline &spline, const std::vector<double> &sizes);
 
     PatchShape shape_;
@@ -79,7 +81,11 @@ private:
     std::array<bool, max_axes> periodic_{};
     int64_t count_ = 1;
     pieces::Frame frame_;
-    std::vector<double> values_;
+    std::array<int, max_axes> layers_{1, 1, 1};            // active on a piece along each axis of the spline
+    std::array<int64_t, max_axes> counts_{1, 1, 1};        // of control points
+    std::array<std::vector<int64_t>, max_axes> first_;     // active layer of each span
+    std::array<std::vector<double>, max_axes> extraction_; // of each span [degree + 1][degree + 1]
+    std::vector<double> records_;                          // [counts][lanes]
     std::unique_ptr<const PatchSquares> squares_;
     double size_ = 0, radius_ = 0, ratio_ = 1;
     bool positive_ = true;

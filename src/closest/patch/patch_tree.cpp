@@ -9,8 +9,18 @@ namespace nrb::closest {
 namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
-constexpr double far_away = 1e150;    // of the discs that fill up a family
+constexpr double far_away = 1e150; // of the discs that fill up a family
+constexpr double far_away_float = 1e30;
 constexpr double unbounded = 0x1p200; // of patches without bounds
+
+float below(double x) noexcept {
+    const auto rounded = static_cast<float>(x);
+    return rounded > x ? std::nextafter(rounded, -std::numeric_limits<float>::infinity()) : rounded;
+}
+
+float above(double x) noexcept {
+    return -below(-x);
+}
 
 void cross_product(const double *a, const double *b, double *out) noexcept {
     out[0] = a[1] * b[2] - a[2] * b[1];
@@ -26,36 +36,44 @@ struct PatchTree::Disc {
     std::array<double, 3> normal{};
     double radius = 0, low = 0, high = 0;
 
-    // About the middle of a patch.
-    Disc(const PatchShape &shape, const double *patch, bool with_normal);
+    // About the middle of a patch; of floats if `rounded`.
+    Disc(const PatchShape &shape, const double *patch, bool with_normal, bool rounded);
     void add(const PatchShape &shape, const double *patch, bool positive) noexcept;
+    void set_normal(const PatchShape &shape, const double *jet, bool rounded) noexcept;
     void add_point(int dim, const double *point, double weight) noexcept;
 };
 
-PatchTree::Disc::Disc(const PatchShape &shape, const double *patch, bool with_normal) {
+PatchTree::Disc::Disc(const PatchShape &shape, const double *patch, bool with_normal, bool rounded) {
     std::vector<double> work(static_cast<size_t>(evaluation_work(shape)) + 1),
         jet(static_cast<size_t>(4 * shape.lanes));
     evaluate_patch(shape, patch, {0.5, 0.5, 0.5}, with_normal ? 1 : 0, work.data(), jet.data());
-    const double w = jet[static_cast<size_t>(shape.dim)];
+    const double w = jet[static_cast<size_t>(shape.dim)], most = rounded ? far_away_float : far_away;
     for (int c = 0; c < shape.dim; ++c) {
         const double x = jet[static_cast<size_t>(c)] / w;
-        centre.push_back(std::isfinite(x) ? std::clamp(x, -far_away, far_away) : 0.0);
+        const double moderate = std::isfinite(x) ? std::clamp(x, -most, most) : 0.0;
+        centre.push_back(rounded ? static_cast<float>(moderate) : moderate);
     }
-    if (!with_normal) {
-        return;
+    if (with_normal) {
+        set_normal(shape, jet.data(), rounded);
     }
+}
+
+// Any direction will do that is no longer than 1, which floats may be by 2^-24 of it.
+void PatchTree::Disc::set_normal(const PatchShape &shape, const double *jet, bool rounded) noexcept {
     double tangents[2][3];
     for (int k = 0; k < 2; ++k) {
-        const double *d = jet.data() + static_cast<ptrdiff_t>((k + 1) * shape.lanes);
+        const double *d = jet + static_cast<ptrdiff_t>((k + 1) * shape.lanes);
         for (int c = 0; c < 3; ++c) {
             tangents[k][c] = d[c] - d[3] * centre[static_cast<size_t>(c)];
         }
     }
     double n[3];
     cross_product(tangents[0], tangents[1], n);
-    const double length = std::hypot(n[0], n[1], n[2]) * (1 + 4 * eps);
+    const double length = std::hypot(n[0], n[1], n[2]) * (1 + (rounded ? 0x1p-22 : 4 * eps));
     if (length > 0x1p-400 && std::isfinite(length)) {
-        normal = {n[0] / length, n[1] / length, n[2] / length};
+        for (size_t c = 0; c < 3; ++c) {
+            normal[c] = rounded ? static_cast<float>(n[c] / length) : n[c] / length;
+        }
     }
 }
 
@@ -97,16 +115,14 @@ public:
 
     void build() {
         set_parts();
-        std::vector<PatchPieces::Index> grids;
-        set_grids(grids);
-        std::vector<PatchPieces::Index> nodes{PatchPieces::Index{}};
-        tree_.nodes_.push_back(nodes);
-        for (size_t level = 1; level < grids.size(); ++level) {
-            nodes = children(grids[level], level, nodes);
-            tree_.nodes_.push_back(nodes);
+        set_grids();
+        tree_.nodes_.push_back({0});
+        for (size_t level = 1; level < tree_.grids_.size(); ++level) {
+            tree_.nodes_.push_back(children(level));
         }
+        tree_.discs_.shrink_to_fit();
         if (tree_.parts_ > 1) {
-            add_leaves(nodes);
+            add_leaves();
         }
     }
 
@@ -129,7 +145,8 @@ private:
     }
 
     // The number of nodes along each axis, and of the pieces in each of them; root first.
-    void set_grids(std::vector<PatchPieces::Index> &grids) {
+    void set_grids() {
+        std::vector<PatchPieces::Index> &grids = tree_.grids_;
         PatchPieces::Index grid{1, 1, 1}, block{1, 1, 1};
         for (int k = 0; k < pieces_.spline_axes(); ++k) {
             grid[static_cast<size_t>(k)] = pieces_.count(k);
@@ -150,34 +167,44 @@ private:
         std::reverse(tree_.blocks_.begin(), tree_.blocks_.end());
     }
 
-    std::vector<PatchPieces::Index> children(const PatchPieces::Index &grid, size_t level,
-                                             const std::vector<PatchPieces::Index> &parents) {
-        const PatchPieces::Index &coarse = tree_.blocks_[level - 1], &fine = tree_.blocks_[level];
-        std::vector<PatchPieces::Index> nodes;
+    std::vector<int64_t> children(size_t level) {
+        const PatchPieces::Index &grid = tree_.grids_[level], &coarse = tree_.blocks_[level - 1],
+                                 &fine = tree_.blocks_[level];
+        std::vector<int64_t> nodes;
         std::vector<Family> families;
-        for (const PatchPieces::Index &parent : parents) {
-            PatchPieces::Index low{}, high{};
-            for (size_t k = 0; k < low.size(); ++k) {
+        nodes.reserve(static_cast<size_t>(grid[0] * grid[1] * grid[2]));
+        families.reserve(tree_.nodes_.back().size());
+        for (size_t parent = 0; parent < tree_.nodes_.back().size(); ++parent) {
+            const auto at = tree_.place_in_grid(static_cast<int>(level) - 1, static_cast<int64_t>(parent));
+            Extent block{};
+            for (size_t k = 0; k < at.size(); ++k) {
                 const int64_t side = coarse[k] / fine[k];
-                low[k] = parent[k] * side;
-                high[k] = std::min(low[k] + side, grid[k]);
+                block.lower[k] = at[k] * side;
+                block.upper[k] = std::min(block.lower[k] + side, grid[k]);
             }
             const auto first = std::ssize(nodes);
-            PatchPieces::Index i{};
-            for (i[0] = low[0]; i[0] < high[0]; ++i[0]) {
-                for (i[1] = low[1]; i[1] < high[1]; ++i[1]) {
-                    for (i[2] = low[2]; i[2] < high[2]; ++i[2]) {
-                        nodes.push_back(i);
-                    }
-                }
-            }
+            for_each(block, [&](const PatchPieces::Index &i) {
+                nodes.push_back((i[0] * grid[1] + i[1]) * grid[2] + i[2]);
+            });
             families.push_back(family(first, std::ssize(nodes) - first));
-            for (int64_t j = first; j < std::ssize(nodes); ++j) {
-                write(families.back(), j - first, group(nodes[static_cast<size_t>(j)], fine));
-            }
+            int64_t column = 0;
+            for_each(block,
+                     [&](const PatchPieces::Index &i) { write(families.back(), column++, group(i, fine)); });
         }
         tree_.families_.push_back(std::move(families));
         return nodes;
+    }
+
+    template <class Visit>
+    static void for_each(const Extent &block, Visit &&visit) {
+        PatchPieces::Index i{};
+        for (i[0] = block.lower[0]; i[0] < block.upper[0]; ++i[0]) {
+            for (i[1] = block.lower[1]; i[1] < block.upper[1]; ++i[1]) {
+                for (i[2] = block.lower[2]; i[2] < block.upper[2]; ++i[2]) {
+                    visit(i);
+                }
+            }
+        }
     }
 
     Family family(int64_t first, int64_t count) {
@@ -191,74 +218,118 @@ private:
     }
 
     // All coefficients of the pieces in a node, about the middle of one in its midst.
-    Disc group(const PatchPieces::Index &node, const PatchPieces::Index &block) const {
-        PatchPieces::Index low{}, high{1, 1, 1}, middle{};
+    Disc group(const PatchPieces::Index &node, const PatchPieces::Index &block) {
+        Extent inside{{}, {1, 1, 1}};
+        PatchPieces::Index middle{};
         for (int k = 0; k < pieces_.spline_axes(); ++k) {
             const auto at = static_cast<size_t>(k);
-            low[at] = node[at] * block[at];
-            high[at] = std::min(low[at] + block[at], pieces_.count(k));
-            middle[at] = (low[at] + high[at]) / 2;
+            inside.lower[at] = node[at] * block[at];
+            inside.upper[at] = std::min(inside.lower[at] + block[at], pieces_.count(k));
+            middle[at] = (inside.lower[at] + inside.upper[at]) / 2;
         }
-        Disc disc(pieces_.shape(), pieces_.patch(pieces_.piece(middle)), tree_.normals_);
-        PatchPieces::Index i{};
-        for (i[0] = low[0]; i[0] < high[0]; ++i[0]) {
-            for (i[1] = low[1]; i[1] < high[1]; ++i[1]) {
-                for (i[2] = low[2]; i[2] < high[2]; ++i[2]) {
-                    disc.add(pieces_.shape(), pieces_.patch(pieces_.piece(i)), pieces_.positive());
-                }
-            }
-        }
+        Disc disc(pieces_.shape(), load(pieces_.piece(middle)), tree_.normals_, false);
+        for_each(inside, [&](const PatchPieces::Index &i) {
+            disc.add(pieces_.shape(), load(pieces_.piece(i)), pieces_.positive());
+        });
         return disc;
     }
 
-    void add_leaves(const std::vector<PatchPieces::Index> &nodes) {
-        const PatchShape &shape = pieces_.shape();
-        std::vector<double> patch(static_cast<size_t>(shape.values())), other(patch);
-        std::vector<Family> families;
-        for (size_t node = 0; node < nodes.size(); ++node) {
-            const double *whole = pieces_.patch(pieces_.piece(nodes[node]));
-            families.push_back(family(static_cast<int64_t>(node) * tree_.leaves_, tree_.leaves_));
+    const double *load(int64_t piece) {
+        pieces_.patch(piece, work_.data(), patch_.data());
+        return patch_.data();
+    }
+
+    void add_leaves() {
+        tree_.leaf_size_ = tree_.leaves_ * disc_columns(pieces_.shape().dim, tree_.normals_);
+        const int64_t over = 7; // that are read after the last family
+        tree_.leaf_discs_.resize(static_cast<size_t>(pieces_.count() * tree_.leaf_size_ + over));
+        for (int64_t node = 0; node < pieces_.count(); ++node) {
+            load(tree_.nodes_.back()[static_cast<size_t>(node)]);
+            const std::vector<double> whole = patch_;
             for (int64_t i = 0; i < tree_.leaves_; ++i) {
-                int64_t rest = i;
-                std::copy_n(whole, patch.size(), patch.data());
-                for (int k = shape.axes; k-- > 0; rest /= tree_.parts_) {
-                    const auto part = static_cast<int>(rest % tree_.parts_);
-                    apply_matrix(shape, k, tree_.matrix(k, part), patch.data(), other.data());
-                    std::swap(patch, other);
-                }
-                Disc disc(shape, patch.data(), tree_.normals_);
-                disc.add(shape, patch.data(), pieces_.positive());
-                write(families.back(), i, disc);
+                write_leaf(node, i, leaf(whole, i));
             }
         }
-        tree_.families_.push_back(std::move(families));
+    }
+
+    Disc leaf(const std::vector<double> &whole, int64_t i) {
+        const PatchShape &shape = pieces_.shape();
+        std::copy(whole.begin(), whole.end(), patch_.begin());
+        for (int k = shape.axes; k-- > 0; i /= tree_.parts_) {
+            const auto part = static_cast<int>(i % tree_.parts_);
+            apply_matrix(shape, k, tree_.matrix(k, part), patch_.data(), work_.data());
+            std::swap(patch_, work_);
+        }
+        Disc disc(shape, patch_.data(), tree_.normals_, true);
+        disc.add(shape, patch_.data(), pieces_.positive());
+        return disc;
     }
 
     // Rounding of the pieces, of their parts and of the bounds is in the discs.
+    [[nodiscard]] double rounding() const noexcept {
+        return pieces_.moved() + 4 * pieces_.value_error() * pieces_.radius();
+    }
+
     void write(const Family &family, int64_t i, const Disc &disc) {
-        const int dim = pieces_.shape().dim;
-        const double more = pieces_.moved() + 4 * pieces_.value_error() * pieces_.radius();
         double *column = tree_.discs_.data() + family.offset + i;
         const auto put = [&](double value) {
             *column = value;
             column += family.width;
         };
-        std::for_each_n(disc.centre.begin(), dim, put);
-        put(disc.radius + more);
+        std::for_each_n(disc.centre.begin(), pieces_.shape().dim, put);
+        put(disc.radius + rounding());
         if (tree_.normals_) {
             std::for_each(disc.normal.begin(), disc.normal.end(), put);
-            put(disc.low - more);
-            put(disc.high + more);
+            put(disc.low - rounding());
+            put(disc.high + rounding());
+        }
+    }
+
+    void write_leaf(int64_t node, int64_t i, const Disc &disc) {
+        float *column = tree_.leaf_discs_.data() + node * tree_.leaf_size_ + i;
+        const auto put = [&](float value) {
+            *column = value;
+            column += tree_.leaves_;
+        };
+        const auto put_exact = [&](double value) { put(static_cast<float>(value)); };
+        std::for_each_n(disc.centre.begin(), pieces_.shape().dim, put_exact);
+        put(above(disc.radius + rounding()));
+        if (tree_.normals_) {
+            std::for_each(disc.normal.begin(), disc.normal.end(), put_exact);
+            put(below(disc.low - rounding()));
+            put(above(disc.high + rounding()));
         }
     }
 
     PatchTree &tree_;
     const PatchPieces &pieces_;
+    std::vector<double> patch_ = std::vector<double>(static_cast<size_t>(pieces_.shape().values()));
+    std::vector<double> work_ = patch_;
 };
 
 PatchTree::PatchTree(const PatchPieces &pieces)
     : pieces_(pieces), normals_(pieces.shape().dim == 3 && pieces.shape().axes == 2) {
     Builder(*this).build();
+}
+
+// Centres that are floats are not on the surface, but nearly so.
+void PatchTree::bound(int level, int64_t node, const double *x, bool farthest,
+                      const DiscBounds &out) const noexcept {
+    const Family children = family(level, node);
+    const int dim = pieces_.shape().dim;
+    if (level < static_cast<int>(families_.size())) {
+        bound_discs(discs_.data() + children.offset, children.width, dim, normals_, x, farthest, out);
+        return;
+    }
+    bound_discs(leaf_discs_.data() + children.offset, children.width, dim, normals_, x, farthest, out);
+    const double off = 0x1p-23 * pieces_.radius();
+    std::for_each_n(out.centres, children.count, [off](double &centre) { centre += off; });
+}
+
+PatchPieces::Index PatchTree::place_in_grid(int level, int64_t node) const noexcept {
+    const PatchPieces::Index &grid = grids_[static_cast<size_t>(level)];
+    const int64_t place = nodes_[static_cast<size_t>(level)][static_cast<size_t>(node)];
+    return {place / grid[2] / grid[1], place / grid[2] % grid[1], place % grid[2]};
 }
 
 PatchTree::Extent PatchTree::extent(int level, int64_t node) const noexcept {
@@ -267,7 +338,7 @@ PatchTree::Extent PatchTree::extent(int level, int64_t node) const noexcept {
         node /= leaves_;
     }
     const PatchPieces::Index &block = blocks_[static_cast<size_t>(level)];
-    const PatchPieces::Index &at = nodes_[static_cast<size_t>(level)][static_cast<size_t>(node)];
+    const PatchPieces::Index at = place_in_grid(level, node);
     Extent result{};
     for (int k = 0; k < pieces_.spline_axes(); ++k) {
         const auto i = static_cast<size_t>(k);
@@ -278,12 +349,11 @@ PatchTree::Extent PatchTree::extent(int level, int64_t node) const noexcept {
 }
 
 PatchTree::Leaf PatchTree::leaf(int64_t node) const noexcept {
-    Leaf result{0, {}};
+    Leaf result{nodes_.back()[static_cast<size_t>(node / leaves_)], {}};
     int64_t rest = node % leaves_;
     for (int k = pieces_.shape().axes; k-- > 0; rest /= parts_) {
         result.part[static_cast<size_t>(k)] = static_cast<int>(rest % parts_);
     }
-    result.piece = pieces_.piece(nodes_.back()[static_cast<size_t>(node / leaves_)]);
     return result;
 }
 

@@ -3,6 +3,9 @@
 // A disc is the set of points across a unit normal n that are within a radius of the line through the centre,
 // and whose heights over the centre are in an interval; without normal, a ball. Centres are points of the
 // spline, so that each distance of a centre bounds the smallest one from above.
+//
+// Of a bicubic surface with more than 4096 pieces the tree takes less than 12 times the memory of its control points,
+// the pieces included, which are computed when they are looked at.
 #pragma once
 
 #include "closest/patch/patch_pieces.h"
@@ -19,7 +22,7 @@ public:
     struct Family {
         int64_t first;  // child
         int64_t count;  // of children
-        int64_t width;  // count rounded up for vectors
+        int64_t width;  // of the columns of discs: count, of inner nodes rounded up for vectors
         int64_t offset; // of the discs
     };
     // The pieces in a node, [lower, upper) along each axis of the spline.
@@ -28,14 +31,17 @@ public:
     };
 
     // Level 0 is the root, the last level holds the leaves. Node i of a level but the last has family i.
-    [[nodiscard]] int levels() const noexcept { return static_cast<int>(families_.size()) + 1; }
-    [[nodiscard]] const Family &family(int level, int64_t node) const noexcept {
-        return families_[static_cast<size_t>(level)][static_cast<size_t>(node)];
+    [[nodiscard]] int levels() const noexcept {
+        return static_cast<int>(families_.size()) + (parts_ > 1 ? 2 : 1);
     }
-    [[nodiscard]] const double *discs(const Family &family) const noexcept {
-        return discs_.data() + family.offset;
+    [[nodiscard]] Family family(int level, int64_t node) const noexcept {
+        if (level < static_cast<int>(families_.size())) {
+            return families_[static_cast<size_t>(level)][static_cast<size_t>(node)];
+        }
+        return {node * leaves_, leaves_, leaves_, node * leaf_size_};
     }
-    [[nodiscard]] bool normals() const noexcept { return normals_; }
+    // Bounds of all children of a node; [most_width] each.
+    void bound(int level, int64_t node, const double *x, bool farthest, const DiscBounds &out) const noexcept;
     [[nodiscard]] Extent extent(int level, int64_t node) const noexcept;
 
     // The parts that a leaf is of its piece: part index [k] of parts() along each axis of the shape.
@@ -60,6 +66,7 @@ public:
 private:
     struct Disc;
     class Builder;
+    [[nodiscard]] PatchPieces::Index place_in_grid(int level, int64_t node) const noexcept;
     [[nodiscard]] int64_t matrix_size(int axis) const noexcept {
         return int64_t{pieces_.shape().degree(axis) + 1} * (pieces_.shape().degree(axis) + 1);
     }
@@ -70,9 +77,12 @@ private:
     int64_t leaves_ = 1; // of a piece
     std::array<std::vector<double>, max_axes> matrices_;
     std::vector<std::vector<Family>> families_;
-    std::vector<std::vector<PatchPieces::Index>> nodes_; // of the levels of pieces and their groups
-    std::vector<PatchPieces::Index> blocks_;             // pieces in a node of such a level, along each axis
+    std::vector<std::vector<int64_t>> nodes_; // in the grids of the levels of pieces and their groups
+    std::vector<PatchPieces::Index> grids_;   // nodes of such a level along each axis
+    std::vector<PatchPieces::Index> blocks_;  // pieces in a node of it
     std::vector<double> discs_;
+    std::vector<float> leaf_discs_; // of parts of pieces, by far the most: rounded outwards
+    int64_t leaf_size_ = 0;         // of the columns of a family
 };
 
 } // namespace nrb::closest

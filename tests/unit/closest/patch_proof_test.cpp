@@ -51,11 +51,13 @@ TEST_P(PatchKernel, squares_are_those_of_exact_arithmetic) {
         const closest::PatchShape &shape = pieces.shape();
         std::vector<double> work(static_cast<size_t>(closest::product_work(shape)));
         std::vector<double> squares(static_cast<size_t>(shape.products())), weights(squares);
-        closest::square_patch(shape, pieces.tables(), pieces.patch(0), work.data(), squares.data(),
+        std::vector<double> patch(static_cast<size_t>(shape.values())), other(patch);
+        pieces.patch(0, other.data(), patch.data());
+        closest::square_patch(shape, pieces.tables(), patch.data(), work.data(), squares.data(),
                               weights.data());
         const int m = shape.degree(0), n = shape.degree(1);
         const auto at = [&](int i, int j, int c) {
-            return reference::exact(pieces.patch(0)[(i * (n + 1) + j) * shape.lanes + c]);
+            return reference::exact(patch.data()[(i * (n + 1) + j) * shape.lanes + c]);
         };
         const auto binomial = [](int a, int b) {
             reference::Rational result = 1;
@@ -106,13 +108,11 @@ TEST_P(PatchKernel, discs_hold_their_patches) {
         const closest::PatchDescent descent(pieces.shape(), memory);
         const closest::PatchItems items(pieces, x.data(), memory);
         const closest::PatchItem whole = items.whole(0);
-        const closest::PatchTree::Family &leaves = tree.family(tree.levels() - 2, 0);
+        const closest::PatchTree::Family leaves = tree.family(tree.levels() - 2, 0);
         double nearest[closest::PatchTree::most_width], farthest[closest::PatchTree::most_width],
             centres[closest::PatchTree::most_width];
-        closest::bound_discs(tree.discs(leaves), leaves.width, 3, tree.normals(), x.data(), false,
-                             {nearest, centres});
-        closest::bound_discs(tree.discs(leaves), leaves.width, 3, tree.normals(), x.data(), true,
-                             {farthest, centres});
+        tree.bound(tree.levels() - 2, 0, x.data(), false, {nearest, centres});
+        tree.bound(tree.levels() - 2, 0, x.data(), true, {farthest, centres});
         for (int64_t i = 0; i < leaves.count; ++i) {
             const closest::PatchTree::Leaf leaf = tree.leaf(leaves.first + i);
             for (int sample = 0; sample < 10; ++sample) {
