@@ -249,16 +249,20 @@ bool PatchSearch::settled_by_plane(const PatchItem &item) {
     return true;
 }
 
+bool PatchSearch::settled_without_squares(const PatchItem &item, bool &fresh) {
+    if (settled_by_plane(item)) {
+        return true;
+    }
+    const bool better = fresh && improve(item, {0.5, 0.5, 0.5});
+    fresh = false;
+    return better && settled_by_plane(item);
+}
+
 // Whether no point of the item counts any more, after what it may have shown has been kept.
-bool PatchSearch::settled(PatchItem &item, bool &fresh, int &axis) {
+bool PatchSearch::settled(const PatchItem &item, bool &fresh, int &axis) {
     const PatchShape &shape = pieces_.shape();
     if (shape.coefficients() > most_squared) {
-        if (!settled_by_plane(item)) {
-            const bool better = fresh && improve(item, {0.5, 0.5, 0.5});
-            fresh = false;
-            return better && settled_by_plane(item);
-        }
-        return true;
+        return settled_without_squares(item, fresh);
     }
     const PatchMemory::Hold hold(memory_);
     const int64_t products = shape.products();
@@ -267,52 +271,67 @@ bool PatchSearch::settled(PatchItem &item, bool &fresh, int &axis) {
     double *weights = shape.weighted ? memory_.take(products) : nullptr;
     square_patch(shape, pieces_.tables(), item.values, work, squares, weights);
     const PatchGap gap{squares, weights, values};
-    for (int round = 0; round < most_rounds; ++round) {
-        const PatchGoal other = goal(upper(), item);
-        if (other.rho >= 0 ? PatchProof(pieces_, descent_, item, other, gap).positive() : sign_ > 0) {
-            return true;
-        }
-        PatchGoal least = goal(lower(), item);
-        const bool beyond = least.rho <= 0 && sign_ > 0;
-        least.rho = std::max(0.0, least.rho);
-        PatchProof proof(pieces_, descent_, item, least, gap);
-        const bool not_nearer = proof.positive() || beyond;
-        if (not_nearer && !asks_for_others()) {
-            return true;
-        }
-        extra_ += not_nearer ? 1 : 0;
-        if (not_nearer && proof.flat(4 * noise_)) {
-            const AxisValues middle{0.5, 0.5, 0.5};
-            consider(item, middle, descent_.distance(item.values, middle), false);
-            return true;
-        }
-        AxisValues guess{};
-        bool known = best_.piece == item.piece;
-        for (int k = 0; known && k < shape.axes; ++k) {
-            const auto i = static_cast<size_t>(k);
-            guess[i] = (best_.at[i] - item.lower[i]) / item.length[i];
-            known = guess[i] >= 0 && guess[i] <= 1;
-        }
-        const bool convex = proof.convex(known ? &guess : nullptr);
-        if (proof.found() && improve_to(item, proof.at(), proof.distance())) {
-            continue;
-        }
-        if (convex && (!all_ || is_least(item, gap, proof))) {
-            consider(item, proof.at(), proof.distance(), proof.strict());
-            return true;
-        }
-        if (fresh && !not_nearer) {
-            fresh = false;
-            if (improve(item, {0.5, 0.5, 0.5})) {
-                continue;
-            }
-        }
-        // Rounding counts by the reach, so that now and then all axes have their turn.
-        const bool wide = item.depth % 3 == 2 && item.reach > 1.25 * least.rho;
-        axis = wide ? longest_axis(item) : proof.widest_axis();
-        return not_nearer && item.depth > deepest;
+    Verdict verdict = Verdict::improved;
+    for (int round = 0; round < most_rounds && verdict == Verdict::improved; ++round) {
+        verdict = prove(item, gap, fresh, axis);
     }
-    return false;
+    return verdict == Verdict::settled;
+}
+
+// Whether all points are worse than the best one by more than what counts.
+bool PatchSearch::is_worse(const PatchItem &item, const PatchGap &gap) {
+    const PatchGoal goal_of_others = goal(upper(), item);
+    return goal_of_others.rho >= 0 ? PatchProof(pieces_, descent_, item, goal_of_others, gap).positive()
+                                   : sign_ > 0;
+}
+
+// The best point as a place in the item; false if it is elsewhere.
+bool PatchSearch::best_in(const PatchItem &item, AxisValues &at) const noexcept {
+    bool inside = best_.piece == item.piece;
+    for (size_t k = 0; inside && k < static_cast<size_t>(pieces_.shape().axes); ++k) {
+        at[k] = (best_.at[k] - item.lower[k]) / item.length[k];
+        inside = at[k] >= 0 && at[k] <= 1;
+    }
+    return inside;
+}
+
+PatchSearch::Verdict PatchSearch::prove(const PatchItem &item, const PatchGap &gap, bool &fresh, int &axis) {
+    constexpr AxisValues middle{0.5, 0.5, 0.5};
+    if (is_worse(item, gap)) {
+        return Verdict::settled;
+    }
+    PatchGoal least = goal(lower(), item);
+    const bool beyond = least.rho <= 0 && sign_ > 0;
+    least.rho = std::max(0.0, least.rho);
+    PatchProof proof(pieces_, descent_, item, least, gap);
+    const bool not_nearer = proof.positive() || beyond;
+    if (not_nearer && !asks_for_others()) {
+        return Verdict::settled;
+    }
+    extra_ += not_nearer ? 1 : 0;
+    if (not_nearer && proof.flat(4 * noise_)) {
+        consider(item, middle, descent_.distance(item.values, middle), false);
+        return Verdict::settled;
+    }
+    AxisValues guess{};
+    const bool convex = proof.convex(best_in(item, guess) ? &guess : nullptr);
+    if (proof.found() && improve_to(item, proof.at(), proof.distance())) {
+        return Verdict::improved;
+    }
+    if (convex && (!all_ || is_least(item, gap, proof))) {
+        consider(item, proof.at(), proof.distance(), proof.strict());
+        return Verdict::settled;
+    }
+    if (fresh && !not_nearer) {
+        fresh = false;
+        if (improve(item, middle)) {
+            return Verdict::improved;
+        }
+    }
+    // Rounding counts by the reach, so that now and then all axes have their turn.
+    const bool wide = item.depth % 3 == 2 && item.reach > 1.25 * least.rho;
+    axis = wide ? longest_axis(item) : proof.widest_axis();
+    return not_nearer && item.depth > deepest ? Verdict::settled : Verdict::open;
 }
 
 // Weights move the minimum of F away from that of the distance where it is not near 0: whether what was found

@@ -36,7 +36,16 @@ private:
     void search_leaf(const PatchItem &whole, const PatchBox &part, const PatchTree::Leaf &leaf);
     // A part of a piece is proved not to matter, or its halves are searched.
     void examine(PatchItem &item, bool fresh);
-    bool settled(PatchItem &item, bool &fresh, int &axis);
+    bool settled(const PatchItem &item, bool &fresh, int &axis);
+    bool settled_without_squares(const PatchItem &item, bool &fresh);
+    enum class Verdict {
+        open,
+        improved,
+        settled
+    }; // improved: by a point of it, so that it is to be proved again
+    Verdict prove(const PatchItem &item, const PatchGap &gap, bool &fresh, int &axis);
+    bool is_worse(const PatchItem &item, const PatchGap &gap);
+    bool best_in(const PatchItem &item, AxisValues &at) const noexcept;
     bool is_least(const PatchItem &item, const PatchGap &gap, const PatchProof &found);
     bool settled_by_plane(const PatchItem &item);
     void split(PatchItem &item, int axis);
