@@ -10,6 +10,8 @@ namespace nrb::capi {
 // A list of splines named by their places.
 void give_list(std::vector<SplinePtr> splines, nurbs_list **out);
 
+void give_list(NamedSplines splines, nurbs_list **out);
+
 // The splines behind an array of at least one handle; `name` is the array's.
 std::vector<SplinePtr> splines_of(int64_t count, const nurbs *const *handles, const char *name);
 

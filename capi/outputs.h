@@ -4,6 +4,7 @@
 #include "checks.h"
 
 #include <algorithm>
+#include <array>
 
 namespace nrb::capi {
 
@@ -37,5 +38,42 @@ inline int64_t checked_cap(int64_t cap, int64_t needed) {
     }
     return cap == 0 ? 0 : needed;
 }
+
+// An output as the caller describes it: records of `width` values.
+struct Wanted {
+    const char *name;
+    double *data;
+    int64_t width;
+    int64_t stride;
+    int64_t component_stride;
+};
+
+// The strided outputs of a batch, and its array `status`: none may touch another one or an input. Those that are NULL are
+// not wanted, and their strides are ignored.
+class Outputs {
+public:
+    Outputs(int64_t count, const int32_t *status);
+
+    // The output as a view, after a check against those before. Precondition: at most 6 are added.
+    Records add(const Wanted &wanted);
+    // Checks all against an input.
+    void check(const char *name, const ConstRecords &input) const;
+    void check(const Memory &input) const;
+
+private:
+    struct Named {
+        const char *name;
+        Records records;
+
+        [[nodiscard]] Memory memory() const noexcept {
+            return capi::memory(name, records.data, records.extent());
+        }
+    };
+
+    int64_t count_;
+    Memory status_;
+    size_t size_ = 0;
+    std::array<Named, 6> outputs_{};
+};
 
 } // namespace nrb::capi

@@ -4,13 +4,11 @@
 
 #include "base/error.h"
 #include "io/file.h"
-#include "io/iges/read_iges.h"
+#include "io/formats.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-
-#include <memory>
 
 using namespace nrb;
 using namespace nrb::capi;
@@ -42,7 +40,7 @@ void check_unknown_fields(const nurbs_read_options &options) {
     }
 }
 
-model::ReadSettings settings_of(const nurbs_read_options *options) {
+io::ReadSettings settings_of(const nurbs_read_options *options) {
     if (options == nullptr) {
         return {};
     }
@@ -55,7 +53,7 @@ model::ReadSettings settings_of(const nurbs_read_options *options) {
         fail(Status::options, "options: max_bytes = %lld, expected >= 0",
              static_cast<long long>(options->max_bytes));
     }
-    const int64_t limit = options->max_bytes == 0 ? model::ReadSettings().max_bytes : options->max_bytes;
+    const int64_t limit = options->max_bytes == 0 ? io::ReadSettings().max_bytes : options->max_bytes;
     return {options->unit, limit};
 }
 
@@ -65,7 +63,7 @@ nurbs_status nurbs_read_options_init(nurbs_read_options *options, int64_t struct
     return guard([&] {
         require(options, "options");
         check_options_size(struct_size);
-        const model::ReadSettings defaults;
+        const io::ReadSettings defaults;
         // Fields of a newer header too: zero asks for nothing new.
         std::fill_n(reinterpret_cast<unsigned char *>(options), struct_size, static_cast<unsigned char>(0));
         options->struct_size = struct_size;
@@ -83,7 +81,7 @@ nurbs_status nurbs_read(const void *bytes, int64_t size, const nurbs_read_option
             require(bytes, "bytes");
         }
         const std::span<const char> text(static_cast<const char *>(bytes), static_cast<size_t>(size));
-        *out = new nurbs_list{io::read_iges(text, settings_of(options))};
+        *out = new nurbs_list{io::read(text, settings_of(options))};
     });
 }
 
@@ -91,8 +89,8 @@ nurbs_status nurbs_read_file(const char *path, const nurbs_read_options *options
     return guard([&] {
         require_out(out);
         require(path, "path");
-        const model::ReadSettings settings = settings_of(options);
+        const io::ReadSettings settings = settings_of(options);
         const std::vector<char> bytes = io::read_whole_file(path, settings.max_bytes);
-        *out = new nurbs_list{io::read_iges(bytes, settings)};
+        *out = new nurbs_list{io::read(bytes, settings)};
     });
 }

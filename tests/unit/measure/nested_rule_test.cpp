@@ -28,7 +28,7 @@ std::vector<double> values_of(double (*f)(double)) {
 
 } // namespace
 
-TEST(NestedRule, IntegratesPolynomialsUpToItsExactness) {
+TEST(NestedRule, integrates_polynomials_up_to_its_exactness) {
     for (int level = 0; level < measure::rule_levels; ++level) {
         for (int power = 0; power <= measure::rule_exactness(level); ++power) {
             std::vector<double> low, high;
@@ -48,7 +48,7 @@ TEST(NestedRule, IntegratesPolynomialsUpToItsExactness) {
     }
 }
 
-TEST(NestedRule, WeightsArePositiveOrOfOtherLevels) {
+TEST(NestedRule, weights_are_positive_or_of_other_levels) {
     for (int level = 0; level < measure::rule_levels; ++level) {
         int nodes = 0;
         for (int i = 0; i < measure::rule_size(level); ++i) {
@@ -60,7 +60,7 @@ TEST(NestedRule, WeightsArePositiveOrOfOtherLevels) {
     }
 }
 
-TEST(NestedRule, BasisIsAPartitionOfUnity) {
+TEST(NestedRule, basis_is_a_partition_of_unity) {
     for (const int degree : {0, 1, 2, 5, 31, 60}) {
         std::vector<double> values(static_cast<size_t>((degree + 1) * measure::rule_capacity)),
             slopes = values;
@@ -83,7 +83,7 @@ TEST(NestedRule, BasisIsAPartitionOfUnity) {
 }
 
 // Errors are neither missed nor far overestimated, where functions are analytic and where they are not.
-TEST(NestedRule, ErrorsOfAnalyticFunctionsAndOfKinks) {
+TEST(NestedRule, errors_of_analytic_functions_and_of_kinks) {
     const auto near_pole = values_of([](double x) { return 1 / (x + 0.3); });
     const auto kink = values_of([](double x) { return std::fabs(x - 0.37); });
     const double smooth = std::log(1.3 / 0.3), bent = (0.37 * 0.37 + 0.63 * 0.63) / 2;

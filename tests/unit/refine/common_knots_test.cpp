@@ -15,14 +15,14 @@ namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
-TEST(JointAxis, CountsCopiesByContinuity) {
+TEST(JointAxis, counts_copies_by_continuity) {
     const KnotVector quadratic(2, {0, 0, 0, 1, 2, 2, 2}), linear(1, {0, 0, 1.5, 2, 2});
     const refine::JointAxis joint(3, {&quadratic, &linear}, 0);
     EXPECT_EQ(vector_of(joint.axis()->knots()),
               (std::vector<double>{0, 0, 0, 0, 1, 1, 1.5, 1.5, 1.5, 2, 2, 2, 2}));
 }
 
-TEST(JointAxis, ChoicesAreAllSubsets) {
+TEST(JointAxis, choices_are_all_subsets) {
     refine::JointAxis::Window window{};
     window.size = 3;
     window.copies = {2, 1, 3};
@@ -38,7 +38,7 @@ TEST(JointAxis, ChoicesAreAllSubsets) {
 }
 
 // Raising takes means: rows are >= 0 and add up to 1.
-TEST(JointAxis, RaisingIsConvex) {
+TEST(JointAxis, raising_is_convex) {
     const KnotVector cubic(3, {-1, -0.5, -0.5, 0, 0.1, 0.1, 0.7, 1, 1, 1.5, 2});
     const refine::JointAxis joint(5, {&cubic}, 0);
     const LayerTable table = joint.raising(0);
@@ -51,7 +51,7 @@ TEST(JointAxis, RaisingIsConvex) {
     }
 }
 
-TEST(BlossomRow, OfKnotsIsAControlPoint) {
+TEST(BlossomRow, of_knots_is_a_control_point) {
     const KnotVector axis(3, {0, 1, 2, 3, 4, 5, 6, 7});
     const double arguments[] = {3, 5, 4};
     const refine::PolarRow row = refine::blossom_row(axis, 3, arguments);
@@ -60,7 +60,7 @@ TEST(BlossomRow, OfKnotsIsAControlPoint) {
     EXPECT_EQ(row.coefficients[0], 1);
 }
 
-TEST(BlossomRow, IsSymmetricAndAffine) {
+TEST(BlossomRow, is_symmetric_and_affine) {
     const KnotVector axis(2, {0, 0, 0, 1, 3, 3, 3});
     const double ab[] = {1.25, 2}, ba[] = {2, 1.25}, low[] = {1.25, 1}, high[] = {1.25, 3};
     const refine::PolarRow row = refine::blossom_row(axis, 3, ab), turned = refine::blossom_row(axis, 3, ba);

@@ -1,0 +1,13 @@
+// What is asked of the readers of all formats.
+#pragma once
+
+#include <cstdint>
+
+namespace nrb::io {
+
+struct ReadSettings {
+    double unit = 0; // wanted unit in metres, 0: the file's own
+    int64_t max_bytes = int64_t{1} << 30;
+};
+
+} // namespace nrb::io
