@@ -193,11 +193,8 @@
 
 #include <stdint.h>
 
-/** \brief Marks the exported functions. On Windows a program that links the static library defines
- * NURBS_STATIC. */
-#if defined(_WIN32) && !defined(NURBS_STATIC)
-#define NURBS_API __declspec(dllimport)
-#elif defined(__GNUC__)
+/** \brief Marks the exported functions. */
+#if defined(__GNUC__)
 #define NURBS_API __attribute__((visibility("default")))
 #else
 #define NURBS_API
