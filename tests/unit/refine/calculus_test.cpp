@@ -1,15 +1,16 @@
 // Derivatives, integrals, sums, products and compositions of curves of small whole numbers, which come out exactly.
-#include "curves.h"
 #include "refine/algebra/antiderivative.h"
 #include "refine/algebra/compose.h"
 #include "refine/algebra/derivative.h"
 #include "refine/algebra/product.h"
 #include "refine/algebra/sum.h"
 #include "refine/forms/power.h"
+#include "unit/shapes.h"
 
 #include <gtest/gtest.h>
 
 using namespace nrb;
+using namespace shapes;
 
 namespace {
 

@@ -1,7 +1,7 @@
 // Knots of products and raised splines, and the choices among them.
-#include "curves.h"
 #include "refine/algebra/common_knots.h"
 #include "refine/knots/blossom.h"
+#include "unit/shapes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +10,7 @@
 #include <numeric>
 
 using namespace nrb;
+using namespace shapes;
 
 namespace {
 

@@ -1,10 +1,11 @@
 // Signs of coordinates of curves, where they change, and monotony.
-#include "curves.h"
 #include "refine/algebra/crossings.h"
+#include "unit/shapes.h"
 
 #include <gtest/gtest.h>
 
 using namespace nrb;
+using namespace shapes;
 
 namespace {
 

@@ -1,10 +1,11 @@
 // Cutting axes: breaks, saturated knots, pieces.
-#include "curves.h"
 #include "refine/parts/cut.h"
+#include "unit/shapes.h"
 
 #include <gtest/gtest.h>
 
 using namespace nrb;
+using namespace shapes;
 
 namespace {
 

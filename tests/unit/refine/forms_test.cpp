@@ -1,15 +1,16 @@
 // Changes of form that move no value.
-#include "curves.h"
 #include "refine/forms/homogeneous.h"
 #include "refine/forms/parametrization.h"
 #include "refine/forms/transpose.h"
 #include "refine/knots/axis_table.h"
 #include "refine/parts/iso.h"
 #include "refine/parts/join.h"
+#include "unit/shapes.h"
 
 #include <gtest/gtest.h>
 
 using namespace nrb;
+using namespace shapes;
 
 namespace {
 

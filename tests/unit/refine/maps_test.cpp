@@ -1,14 +1,15 @@
 // Maps of control points, quotients and Hermite data of small whole numbers.
-#include "curves.h"
 #include "refine/algebra/quotient_rule.h"
 #include "refine/forms/hermite.h"
 #include "refine/forms/projections.h"
 #include "refine/forms/transform.h"
 #include "refine/periodic/periodic.h"
+#include "unit/shapes.h"
 
 #include <gtest/gtest.h>
 
 using namespace nrb;
+using namespace shapes;
 
 namespace {
 

@@ -1,13 +1,14 @@
 // Knots and layers of periodic axes beyond one period.
-#include "curves.h"
 #include "refine/periodic/period.h"
 #include "refine/periodic/periods.h"
 #include "refine/periodic/seam.h"
+#include "unit/shapes.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>
 
 using namespace nrb;
+using namespace shapes;
 
 namespace {
 
