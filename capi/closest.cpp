@@ -73,7 +73,7 @@ PointBatch point_batch(const nurbs *g, int64_t n, const double *points, int64_t 
 struct FeetArrays {
     FeetArrays(const PointBatch &batch, const Wanted &params, const Wanted &wanted_feet,
                const Wanted &distances, int32_t *status)
-        : outputs(batch.points.count, status), feet{outputs.add(params), outputs.add(feet),
+        : outputs(batch.points.count, status), feet{outputs.add(params), outputs.add(wanted_feet),
                                                     outputs.add(distances), status} {
         outputs.check("points", batch.points);
     }
