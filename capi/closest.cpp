@@ -52,10 +52,10 @@ void check_guesses(const Spline &spline, const ConstRecords &guesses) {
 struct PointBatch {
     const Spline &spline;
     ConstRecords points;
-    bool admit_nan;
+    bool allow_nan;
 
-    void admit() const {
-        if (!admit_nan) {
+    void check_values() const {
+        if (!allow_nan) {
             check_finite("points", points);
         }
     }
@@ -64,9 +64,9 @@ struct PointBatch {
 PointBatch point_batch(const nurbs *g, int64_t n, const double *points, int64_t stride,
                        int64_t component_stride, uint32_t flags) {
     const Spline &spline = spline_of(g);
-    const bool admit_nan = check_flag(flags);
+    const bool allow_nan = check_flag(flags);
     check_length(n, "n");
-    return {spline, input("points", points, n, spline.dim(), stride, component_stride), admit_nan};
+    return {spline, input("points", points, n, spline.dim(), stride, component_stride), allow_nan};
 }
 
 // Where the answers of a batch go.
@@ -89,7 +89,7 @@ void extremal_points(const PointBatch &batch, const double *range, double tolera
     const closest::Query query{nullptr, range == nullptr ? nullptr : part.data(), tolerance,
                                checked_budget(budget, default_budget), farthest};
     arrays.outputs.check(memory("range", range, 2 * int64_t{batch.spline.axes()}));
-    batch.admit();
+    batch.check_values();
     closest::closest_points(batch.spline, batch.points, query, arrays.feet);
 }
 
@@ -201,7 +201,7 @@ nurbs_status nurbs_closest_local(const nurbs *g, int64_t n, const double *points
                                 {"distances", distances, 1, distance_stride, 0}, status);
         arrays.outputs.check("guesses", starts);
         check_guesses(batch.spline, starts);
-        batch.admit();
+        batch.check_values();
         closest::closest_local(batch.spline, batch.points, starts, arrays.feet);
     });
 }
@@ -243,7 +243,7 @@ nurbs_status nurbs_curve_signed_distances(const nurbs *g, int64_t n, const doubl
                                 {"distances", distances, 1, distance_stride, 0}, status);
         check_tolerance(tolerance);
         const closest::Query query{nullptr, nullptr, tolerance, checked_budget(budget, default_budget)};
-        batch.admit();
+        batch.check_values();
         closest::signed_distances(batch.spline, batch.points, query, arrays.feet);
     });
 }

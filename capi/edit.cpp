@@ -196,7 +196,7 @@ nurbs_status nurbs_most_influential(const nurbs *g, int64_t n, const double *par
         const SplineBatch batch = spline_batch(g, n, params, param_stride, param_component_stride, 0);
         check_apart({memory("indices", indices, n), memory("influences", influences, n)},
                     {memory("params", params, batch.params.extent())});
-        admit(batch);
+        check_values(batch);
         modify::most_influential(batch.spline, batch.params, indices, influences);
     });
 }

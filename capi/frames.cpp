@@ -54,7 +54,7 @@ nurbs_status nurbs_surface_eval_frames(const nurbs *g, int64_t n, const double *
             outputs.add({"dv", dv, 3, dv_stride, dv_component_stride}),
             outputs.add({"normals", normals, 3, normal_stride, normal_component_stride}), status};
         outputs.check("params", batch.params);
-        admit(batch);
+        check_values(batch);
         eval::surface_frames(spline, batch.rules, batch.params, out);
     });
 }
@@ -78,7 +78,7 @@ nurbs_status nurbs_surface_eval_grid_frames(const nurbs *g, const int64_t *count
             outputs.add({"normals", normals, 3, normal_stride, normal_component_stride}), status};
         outputs.check("params", input("params", grid.params[0].data, grid.param_count, 0));
         outputs.check(memory("counts", grid.counts, grid.axes));
-        admit(spline, rules, grid);
+        check_values(spline, rules, grid);
         eval::surface_frames(spline, rules, grid.params, out);
     });
 }
@@ -100,7 +100,7 @@ nurbs_status nurbs_surface_eval_curvatures(const nurbs *g, int64_t n, const doub
             outputs.add({"mean", mean, 1, mean_stride, 0}),
             outputs.add({"gaussian", gaussian, 1, gaussian_stride, 0}), status};
         outputs.check("params", batch.params);
-        admit(batch);
+        check_values(batch);
         eval::surface_curvatures(spline, batch.rules, batch.params, out);
     });
 }
@@ -130,7 +130,7 @@ nurbs_status nurbs_curve_eval_frames(const nurbs *g, int64_t n, const double *pa
             outputs.add({"torsions", torsions, 1, torsion_stride, 0}),
             status};
         outputs.check("params", batch.params);
-        admit(batch);
+        check_values(batch);
         eval::curve_frames(spline, batch.rules, batch.params, out);
     });
 }
@@ -156,7 +156,7 @@ nurbs_status nurbs_curve_rotation_minimizing_frames(
             outputs.check(memory("first_normal", first_normal, 3));
             check_finite(first_normal, "first_normal");
         }
-        admit(batch);
+        check_values(batch);
         eval::minimal_frames(spline, batch.rules, batch.params, first_normal, out);
     });
 }

@@ -166,7 +166,7 @@ nurbs_status nurbs_hull_size(const nurbs *g, int64_t n, const double *params, in
         const SplineBatch batch = spline_batch(g, n, params, param_stride, param_component_stride, flags);
         const Records out = output("sizes", sizes, n, 1, size_stride, 0);
         check_overlap("sizes", out, "params", batch.params);
-        admit(batch);
+        check_values(batch);
         eval::hull_sizes(batch.spline, batch.rules, batch.params, out);
     });
 }

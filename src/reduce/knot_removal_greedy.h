@@ -14,11 +14,11 @@ namespace nrb::reduce {
 // moved there: a removal moves it by at most the gap of its step, and the moves add up. Where weights move
 // too, the gap is counted in Cartesian space about the points of the window, which is an estimate; certify
 // the result.
-class Thinning {
+class GreedyKnotRemoval {
 public:
     // Gaps of rational splines that may be no more than the rounding of their control points can count as
     // none.
-    Thinning(const Spline &spline, int axis, bool forgive_rounding);
+    GreedyKnotRemoval(const Spline &spline, int axis, bool forgive_rounding);
 
     // Removes knots as long as the errors of their spans stay within the tolerance; how many. Ends of the
     // domain stay.
@@ -87,7 +87,7 @@ private:
     void for_each_span(const Window &window, Body &&body);
     bool remove(int64_t knot, double tolerance);
     bool solve(const Window &window);
-    bool settle_layer(const Window &window, double *layer) const noexcept;
+    bool clear_rounded_weights(const Window &window, double *layer) const noexcept;
     void unlink(int64_t knot, const Window &window) noexcept;
     void queue_all();
     [[nodiscard]] KnotVectorPtr remaining_axis() const;

@@ -39,17 +39,17 @@ struct Certified {
 // moved; the last that kept it. The removal itself is held to `aim`.
 Certified thin(const SplinePtr &spline, int axis, double tolerance, double aim, bool forgive_rounding) {
     Certified best{spline, {}, {}};
-    Thinning thinning(*spline, axis, forgive_rounding);
-    for (int round = 0; round < max_rounds && thinning.run(aim) > 0; ++round) {
-        const SplinePtr next = thinning.result();
+    GreedyKnotRemoval removal(*spline, axis, forgive_rounding);
+    for (int round = 0; round < max_rounds && removal.run(aim) > 0; ++round) {
+        const SplinePtr next = removal.result();
         bounds::DeviationPieces pieces(*spline, *next);
         std::vector<double> uppers = pieces.uppers();
         const double largest = *std::max_element(uppers.begin(), uppers.end());
         if (!(largest <= tolerance) || !std::isfinite(largest)) {
             break;
         }
-        thinning.set_errors(pieces.breaks()[static_cast<size_t>(axis)],
-                            span_errors(pieces, uppers, spline->axes(), axis));
+        removal.set_errors(pieces.breaks()[static_cast<size_t>(axis)],
+                           span_errors(pieces, uppers, spline->axes(), axis));
         best = {next, std::move(pieces), std::move(uppers)};
     }
     return best;

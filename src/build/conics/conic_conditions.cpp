@@ -14,9 +14,7 @@ namespace nrb::build {
 
 namespace {
 
-using Vector = std::vector<double>;
-
-Vector copy(Coordinates x) {
+std::vector<double> copy(Coordinates x) {
     return {x.begin(), x.end()};
 }
 
@@ -190,12 +188,12 @@ Crossing closest(Coordinates a, Coordinates s, Coordinates b, Coordinates t) {
 }
 
 // A direction times a power of two that brings it to about 1.
-Vector scaled_direction(Coordinates v) {
+std::vector<double> scaled_direction(Coordinates v) {
     double size = 0;
     for (const double x : v) {
         size = std::max(size, std::fabs(x));
     }
-    Vector out = copy(v);
+    std::vector<double> out = copy(v);
     for (double &x : out) {
         x = std::ldexp(x, -std::ilogb(size));
     }
@@ -225,8 +223,8 @@ SplinePtr arc_through(Coordinates a, Coordinates b, Coordinates c, int32_t form)
 
 SplinePtr arc_tangent(Coordinates a, Coordinates tangent, Coordinates b, int32_t form) {
     check_arc_form(form);
-    const Vector direction = scaled_direction(tangent);
-    Vector beside = copy(a);
+    const std::vector<double> direction = scaled_direction(tangent);
+    std::vector<double> beside = copy(a);
     double length = 0;
     for (size_t i = 0; i < a.size(); ++i) {
         length = std::hypot(length, b[i] - a[i]);
@@ -244,7 +242,7 @@ SplinePtr conic_shoulder(Coordinates a, Coordinates tangent_a, Coordinates b, Co
     if (!(rho >= 0 && rho < 1)) {
         fail(Status::factor, "rho = %s, expected 0 <= rho < 1", Number(rho).text);
     }
-    const Vector s = scaled_direction(tangent_a), t = scaled_direction(tangent_b);
+    const std::vector<double> s = scaled_direction(tangent_a), t = scaled_direction(tangent_b);
     const Crossing crossing = closest(a, s, b, t);
     if (!(crossing.sine > 8 * 0x1p-52)) {
         fail(Status::conic, "the tangents are parallel to within rounding: the sine of their angle is %s",
@@ -259,7 +257,7 @@ SplinePtr conic_shoulder(Coordinates a, Coordinates tangent_a, Coordinates b, Co
     if (crossing.miss > 16 * 0x1p-52 * (largest_coordinate(a, b) + crossing.reach)) {
         fail(Status::conic, "the tangents pass each other at a distance of %s", Number(crossing.miss).text);
     }
-    Vector corner = copy(a);
+    std::vector<double> corner = copy(a);
     for (size_t i = 0; i < corner.size(); ++i) {
         corner[i] += crossing.alpha * s[i];
     }

@@ -133,7 +133,7 @@ std::vector<std::vector<double>> parted(const std::vector<double> &points, size_
     return parts;
 }
 
-bool share_axis(const std::vector<SplinePtr> &functions) {
+bool have_one_axis(const std::vector<SplinePtr> &functions) {
     const KnotVector &first = functions[0]->axis(0);
     return std::ranges::all_of(functions, [&](const SplinePtr &function) {
         const KnotVector &axis = function->axis(0);
@@ -143,8 +143,8 @@ bool share_axis(const std::vector<SplinePtr> &functions) {
 }
 
 std::vector<SplinePtr> over_common_axis(std::vector<SplinePtr> functions) {
-    return share_axis(functions) ? std::move(functions)
-                                 : reduce::make_compatible(functions, 0, false).splines;
+    return have_one_axis(functions) ? std::move(functions)
+                                    : reduce::make_compatible(functions, 0, false).splines;
 }
 
 // 1 - t and t: their control points are their values at the Greville abscissae. Precondition: the degree is

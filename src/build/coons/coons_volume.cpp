@@ -45,7 +45,7 @@ public:
                 {domains[static_cast<size_t>(axes.first)], domains[static_cast<size_t>(axes.second)]}, i));
         }
         for (int k = 0; k < 3; ++k) {
-            share_axis(k);
+            unify_axis(k);
         }
         agree_on_edges(tolerance);
     }
@@ -85,7 +85,7 @@ private:
     }
 
     // Brings the four faces that run along an axis to common knots there.
-    void share_axis(int k) {
+    void unify_axis(int k) {
         std::vector<Quotient> functions;
         for (size_t i = 0; i < face_count; ++i) {
             if (FaceAxes(i).has(k)) {

@@ -25,7 +25,8 @@ HWY_INLINE Number loaded(const double *parts, int64_t stride, int64_t which) {
 }
 
 // The sums carry their rounding errors along, as numeric/sum.h does.
-void orbit_values(const double *parts, int64_t stride, int64_t size, double at_x, double at_y, double *out) {
+void rotated_values(const double *parts, int64_t stride, int64_t size, double at_x, double at_y,
+                    double *out) {
     const Lanes d;
     const auto lanes = static_cast<int64_t>(hn::Lanes(d));
     const Vector x = hn::Set(d, at_x), y = hn::Set(d, at_y);
@@ -116,7 +117,7 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace nrb::build {
 
-HWY_EXPORT(orbit_values);
+HWY_EXPORT(rotated_values);
 HWY_EXPORT(radii);
 
 namespace {
@@ -129,10 +130,10 @@ int64_t whole_vectors(int64_t n) noexcept {
 
 } // namespace
 
-Orbits::Orbits(int64_t coordinates)
+PointsInRotation::PointsInRotation(int64_t coordinates)
     : size_(coordinates), stride_(whole_vectors(coordinates)), data_(static_cast<size_t>(parts * stride_)) {}
 
-Orbits::Orbits(const Spline &spline, const AxisLine &axis)
+PointsInRotation::PointsInRotation(const Spline &spline, const AxisLine &axis)
     : size_(std::ssize(spline.points())),
       stride_(whole_vectors(spline.point_count()) * spline.stored_width()),
       data_(static_cast<size_t>(parts * stride_)) {
@@ -142,7 +143,7 @@ Orbits::Orbits(const Spline &spline, const AxisLine &axis)
     (points.data(), spline.point_count(), spline.stored_width(), axis, arrays().data());
 }
 
-std::array<double *, Orbits::parts> Orbits::arrays() noexcept {
+std::array<double *, PointsInRotation::parts> PointsInRotation::arrays() noexcept {
     std::array<double *, parts> result{};
     for (int64_t k = 0; k < parts; ++k) {
         result[static_cast<size_t>(k)] = data_.data() + k * stride_;
@@ -150,15 +151,15 @@ std::array<double *, Orbits::parts> Orbits::arrays() noexcept {
     return result;
 }
 
-void Orbits::set(int64_t coordinate, const Wide &foot, const Wide &d, const Wide &e) noexcept {
+void PointsInRotation::set(int64_t coordinate, const Wide &foot, const Wide &d, const Wide &e) noexcept {
     const double values[] = {foot.high, foot.low, d.high, d.low, e.high, e.low};
     for (int64_t k = 0; k < parts; ++k) {
         data_[static_cast<size_t>(k * stride_ + coordinate)] = values[k];
     }
 }
 
-void Orbits::values(double x, double y, double *out) const noexcept {
-    HWY_DYNAMIC_DISPATCH(orbit_values)(data_.data(), stride_, size_, x, y, out);
+void PointsInRotation::values(double x, double y, double *out) const noexcept {
+    HWY_DYNAMIC_DISPATCH(rotated_values)(data_.data(), stride_, size_, x, y, out);
 }
 
 } // namespace nrb::build

@@ -19,13 +19,13 @@ struct AxisLine {
 
 // For many coordinates the values foot + x d + y e, each rounded once: foot, d and e are held in twice the
 // precision. Where the processor has no fused multiplication, coordinates above 2^990 come out as NaN.
-class Orbits {
+class PointsInRotation {
 public:
-    explicit Orbits(int64_t coordinates);
+    explicit PointsInRotation(int64_t coordinates);
     // Those of the stored points of a spline of dimension 3: with foot the nearest point on the axis Z, d and
     // e = Z x d are the ways from there. Weights of homogeneous records stay, and their feet are multiplied
     // by them.
-    Orbits(const Spline &spline, const AxisLine &axis);
+    PointsInRotation(const Spline &spline, const AxisLine &axis);
 
     void set(int64_t coordinate, const Wide &foot, const Wide &d, const Wide &e) noexcept;
     // All coordinates, in their order.

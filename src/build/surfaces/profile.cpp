@@ -79,14 +79,14 @@ Profile hyperbola_profile(double size, double bottom, double top, bool two_sheet
 SplinePtr turned(const Placement &place, const Arc &arc, const Profile &profile, double scale_x,
                  double scale_y) {
     const size_t width = profile.points.size() * 3;
-    Orbits orbits(static_cast<int64_t>(width));
+    PointsInRotation rotating(static_cast<int64_t>(width));
     for (size_t i = 0; i < profile.points.size(); ++i) {
         const ProfilePoint &point = profile.points[i];
         const Wide along = scale_x * point.radius, across = scale_y * point.radius;
         for (int c = 0; c < 3; ++c) {
             const auto frame = place.component(c);
-            orbits.set(static_cast<int64_t>(3 * i) + c, frame.origin + point.height * frame.z,
-                       along * frame.x, across * frame.y);
+            rotating.set(static_cast<int64_t>(3 * i) + c, frame.origin + point.height * frame.z,
+                         along * frame.x, across * frame.y);
         }
     }
     std::vector<double> points, weights;
@@ -95,7 +95,7 @@ SplinePtr turned(const Placement &place, const Arc &arc, const Profile &profile,
     weights.reserve(arc.points.size() * profile.points.size());
     double *out = points.data();
     for (const ArcPoint &at : arc.points) {
-        orbits.values(at.x, at.y, out);
+        rotating.values(at.x, at.y, out);
         out += width;
         for (const ProfilePoint &point : profile.points) {
             weights.push_back(at.weight * point.weight);

@@ -53,13 +53,13 @@ std::vector<double> turned_points(const Spline &spline, const AxisLine &line, co
                                        int64_t{Spline::padding}));
     points.assign(start.begin(), start.end());
     points.resize(size * layers);
-    const Orbits orbits(spline, line);
+    const PointsInRotation rotating(spline, line);
     for (size_t j = 1; j < layers; ++j) {
         const std::span<double> layer = std::span(points).subspan(j * size, size);
         if (closed && j + 1 == layers) {
             std::ranges::copy(start, layer.begin());
         } else {
-            orbits.values(arc.points[j].x, arc.points[j].y, layer.data());
+            rotating.values(arc.points[j].x, arc.points[j].y, layer.data());
             multiply(spline.form() == Form::homogeneous ? arc.points[j].weight : 1, layer);
         }
     }

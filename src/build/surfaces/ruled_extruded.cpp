@@ -47,7 +47,7 @@ SplinePtr ruled_over_product(const SplinePtr &a, SplinePtr b) {
         const Interval domain = a->axis(k).domain();
         b = refine::reparametrize(b, k, domain);
     }
-    return stacked(refine::sum(a, 1, b, 0), refine::sum(a, 0, b, 1));
+    return ruled_homogeneous(refine::sum(a, 1, b, 0), refine::sum(a, 0, b, 1));
 }
 
 } // namespace
@@ -58,7 +58,7 @@ void check_room_for_axis(const Spline &spline, const char *name) {
     }
 }
 
-SplinePtr stacked(const SplinePtr &a, const SplinePtr &b) {
+SplinePtr ruled_homogeneous(const SplinePtr &a, const SplinePtr &b) {
     const std::array<SplinePtr, 2> both = {a, b};
     const Form form = refine::common_form(both);
     const SplinePtr lower = refine::in_form(a, form), upper = refine::in_form(b, form);
@@ -87,9 +87,9 @@ void check_way(const double *vector, int dim) {
 SplinePtr extrude(const SplinePtr &spline, const double *vector) {
     check_room_for_axis(*spline, "g");
     check_way(vector, spline->dim());
-    return stacked(spline, make_result(spline->knot_vectors(), spline->dim(), spline->form(),
-                                       moved_points(*spline, vector),
-                                       {spline->weights().begin(), spline->weights().end()}));
+    return ruled_homogeneous(spline, make_result(spline->knot_vectors(), spline->dim(), spline->form(),
+                                                 moved_points(*spline, vector),
+                                                 {spline->weights().begin(), spline->weights().end()}));
 }
 
 SplinePtr ruled(const SplinePtr &a, const SplinePtr &b, bool cartesian) {
@@ -105,7 +105,7 @@ SplinePtr ruled(const SplinePtr &a, const SplinePtr &b, bool cartesian) {
                                            cartesian ? refine::normalize_weights(b) : b};
     const std::vector<SplinePtr> same = reduce::make_compatible(both, 0, true).splines;
     return cartesian && !refine::same_weights(*same[0], *same[1]) ? ruled_over_product(both[0], both[1])
-                                                                  : stacked(same[0], same[1]);
+                                                                  : ruled_homogeneous(same[0], same[1]);
 }
 
 } // namespace nrb::build

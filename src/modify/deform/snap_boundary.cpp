@@ -55,7 +55,7 @@ Pair compatible_along(const SplinePtr &g, int along, SplinePtr other, int other_
     }
     other = refine::reparametrize(other, other_along, g->axis(along).domain());
     const KnotVector &a = g->axis(along), &b = other->axis(other_along);
-    const refine::JointAxis joint(std::max(a.degree(), b.degree()), {&a, &b}, 0);
+    const refine::CommonKnots joint(std::max(a.degree(), b.degree()), {&a, &b}, 0);
     const auto raised = [&joint](const SplinePtr &spline, int k, int member) {
         const KnotVector &old = spline->axis(k);
         const bool same = old.degree() == joint.axis()->degree() &&

@@ -47,7 +47,7 @@ double copy_of(double knot, int64_t periods, Interval domain) noexcept {
 
 } // namespace
 
-JointAxis::JointAxis(int degree, const std::vector<const KnotVector *> &members, int extra)
+CommonKnots::CommonKnots(int degree, const std::vector<const KnotVector *> &members, int extra)
     : degree_(degree) {
     const bool periodic = std::all_of(members.begin(), members.end(),
                                       [](const KnotVector *member) { return member->periodic(); });
@@ -65,7 +65,7 @@ JointAxis::JointAxis(int degree, const std::vector<const KnotVector *> &members,
 }
 
 // The knots of all members, each with its multiplicities.
-std::vector<JointAxis::Group> JointAxis::merged(const std::vector<std::vector<KnotGroup>> &own) {
+std::vector<CommonKnots::Group> CommonKnots::merged(const std::vector<std::vector<KnotGroup>> &own) {
     std::vector<double> all;
     for (const std::vector<KnotGroup> &groups : own) {
         std::transform(groups.begin(), groups.end(), std::back_inserter(all),
@@ -86,7 +86,7 @@ std::vector<JointAxis::Group> JointAxis::merged(const std::vector<std::vector<Kn
     return result;
 }
 
-void JointAxis::append(Group group) {
+void CommonKnots::append(Group group) {
     for (size_t i = 0; i < members_.size(); ++i) {
         std::vector<double> &knots = members_[i].knots;
         group.place[i] = std::ssize(knots);
@@ -95,7 +95,7 @@ void JointAxis::append(Group group) {
     groups_.push_back(group);
 }
 
-void JointAxis::add_open(const std::vector<const KnotVector *> &members) {
+void CommonKnots::add_open(const std::vector<const KnotVector *> &members) {
     std::vector<std::vector<KnotGroup>> own;
     for (const KnotVector *member : members) {
         members_.push_back({member->degree(), {}, 0, 0});
@@ -108,7 +108,7 @@ void JointAxis::add_open(const std::vector<const KnotVector *> &members) {
 
 // So many periods that each member has 2 r + 2 knots on either side of the domain: r + 1 of them can be
 // arguments, the others stand around these.
-void JointAxis::add_periodic(const std::vector<const KnotVector *> &members) {
+void CommonKnots::add_periodic(const std::vector<const KnotVector *> &members) {
     const Interval domain = members.front()->domain();
     std::vector<std::vector<KnotGroup>> own;
     int64_t fewest = members.front()->distinct_layers();
@@ -133,7 +133,7 @@ void JointAxis::add_periodic(const std::vector<const KnotVector *> &members) {
     }
 }
 
-void JointAxis::check_rising(double knot) const {
+void CommonKnots::check_rising(double knot) const {
     if (!groups_.empty() && !(groups_.back().knot < knot)) {
         fail(Status::periodic_knots,
              "knots: copies a multiple of the period away meet at %s, where rounding makes knots equal that "
@@ -142,7 +142,7 @@ void JointAxis::check_rising(double knot) const {
     }
 }
 
-void JointAxis::count_copies(int extra) {
+void CommonKnots::count_copies(int extra) {
     int64_t first = 0;
     for (Group &group : groups_) {
         int copies = 0;
@@ -157,7 +157,7 @@ void JointAxis::count_copies(int extra) {
 }
 
 // As many copies of each end of the domain stand on its other side as the member needs that needs the most.
-void JointAxis::choose_open(const std::vector<const KnotVector *> &members, int extra) {
+void CommonKnots::choose_open(const std::vector<const KnotVector *> &members, int extra) {
     Beside most{0, 0};
     for (const KnotVector *member : members) {
         const int raise = degree_ - member->degree() + extra;
@@ -172,7 +172,7 @@ void JointAxis::choose_open(const std::vector<const KnotVector *> &members, int 
 }
 
 // The period begins at the same copy of its first knot as that of a member.
-void JointAxis::choose_periodic(const std::vector<const KnotVector *> &members) {
+void CommonKnots::choose_periodic(const std::vector<const KnotVector *> &members) {
     int before = 0;
     for (const KnotVector *member : members) {
         before = std::max(before, beside(member->knots(), member->degree()).before);
@@ -184,21 +184,21 @@ void JointAxis::choose_periodic(const std::vector<const KnotVector *> &members) 
     axis_ = make_knot_vector(degree_, knots_between(first_, end.first + before + degree_ + 1), true);
 }
 
-size_t JointAxis::group_of(double knot) const noexcept {
+size_t CommonKnots::group_of(double knot) const noexcept {
     return static_cast<size_t>(
         std::lower_bound(groups_.begin(), groups_.end(), knot,
                          [](const Group &group, double value) { return group.knot < value; }) -
         groups_.begin());
 }
 
-size_t JointAxis::group_at(int64_t index) const noexcept {
+size_t CommonKnots::group_at(int64_t index) const noexcept {
     return static_cast<size_t>(
         std::upper_bound(groups_.begin(), groups_.end(), index,
                          [](int64_t i, const Group &group) { return i < group.first; }) -
         groups_.begin() - 1);
 }
 
-std::vector<double> JointAxis::knots_between(int64_t first, int64_t end) const {
+std::vector<double> CommonKnots::knots_between(int64_t first, int64_t end) const {
     std::vector<double> knots;
     knots.reserve(static_cast<size_t>(end - first));
     for (size_t g = group_at(first); std::ssize(knots) < end - first; ++g) {
@@ -210,7 +210,7 @@ std::vector<double> JointAxis::knots_between(int64_t first, int64_t end) const {
 }
 
 // The wrapped layers of a periodic axis are those of the first ones.
-JointAxis::Window JointAxis::window(int64_t layer) const noexcept {
+CommonKnots::Window CommonKnots::window(int64_t layer) const noexcept {
     const int64_t before = first_ + layer % axis_->distinct_layers();
     const Group &start = groups_[group_at(before)];
     Window window{};
@@ -230,8 +230,8 @@ JointAxis::Window JointAxis::window(int64_t layer) const noexcept {
 }
 
 // With no argument at all, at degree 0, those are none behind the last knot that is not above the support.
-JointAxis::Run JointAxis::own_arguments(size_t member, const Group *groups, const int *chosen, int low,
-                                        int high, double start) const noexcept {
+CommonKnots::Run CommonKnots::own_arguments(size_t member, const Group *groups, const int *chosen, int low,
+                                            int high, double start) const noexcept {
     if (low > high) {
         const Group &last = groups_[group_of(start)];
         return {last.place[member] + last.times[member], 0};
@@ -245,7 +245,8 @@ JointAxis::Run JointAxis::own_arguments(size_t member, const Group *groups, cons
     return {first, groups[high].place[member] + std::min(groups[high].times[member], chosen[high]) - first};
 }
 
-void JointAxis::polar_row(int member, const Window &window, const int *chosen, PolarRow &row) const noexcept {
+void CommonKnots::blossom_row(int member, const Window &window, const int *chosen,
+                              BlossomRow &row) const noexcept {
     const auto m = static_cast<size_t>(member);
     const Group *groups = groups_.data() + window.group;
     int low = 0, high = window.size - 1;
@@ -267,7 +268,7 @@ void JointAxis::polar_row(int member, const Window &window, const int *chosen, P
     row.first = run.first - row.size - members_[m].shift;
 }
 
-int64_t JointAxis::stored_layer(int member, int64_t layer) const noexcept {
+int64_t CommonKnots::stored_layer(int member, int64_t layer) const noexcept {
     const int64_t period = members_[static_cast<size_t>(member)].period;
     return period == 0 ? layer : (layer % period + period) % period;
 }
@@ -278,7 +279,7 @@ namespace {
 class Mean {
 public:
     void clear() noexcept { rows_.clear(); }
-    void add(const PolarRow &row, double times) {
+    void add(const BlossomRow &row, double times) {
         rows_.push_back(row);
         times_.resize(rows_.size());
         times_.back() = times;
@@ -286,7 +287,7 @@ public:
     // Without the zeros before the first coefficient; the result is its layer.
     int64_t write(double total, std::vector<double> &mean) const {
         int64_t first = rows_.front().first, end = first;
-        for (const PolarRow &row : rows_) {
+        for (const BlossomRow &row : rows_) {
             first = std::min(first, row.first);
             end = std::max(end, row.first + row.size);
         }
@@ -313,7 +314,7 @@ private:
         return sum.value();
     }
 
-    std::vector<PolarRow> rows_;
+    std::vector<BlossomRow> rows_;
     std::vector<double> times_;
 };
 
@@ -321,7 +322,7 @@ private:
 
 // Only layers whose functions hold the support of a new one have a part in it: at most p + 1, which are stored in
 // a row.
-LayerTable JointAxis::raising(int member) const {
+LayerTable CommonKnots::raising(int member) const {
     const int p = members_[static_cast<size_t>(member)].degree;
     LayerTable table;
     table.reserve(axis_->count(), axis_->degree() + 1);
@@ -331,8 +332,8 @@ LayerTable JointAxis::raising(int member) const {
         const Window window = this->window(layer);
         mean.clear();
         for_each_choice(window, p, [&](const int *chosen, double times) {
-            PolarRow row;
-            polar_row(member, window, chosen, row);
+            BlossomRow row;
+            blossom_row(member, window, chosen, row);
             mean.add(row, times);
         });
         const int64_t first = mean.write(binomial(degree_, p), coefficients);

@@ -21,20 +21,20 @@
 namespace nrb::refine {
 
 // A value of a polar form: coefficients of consecutive layers; on a periodic axis of the endless sequence.
-struct PolarRow {
+struct BlossomRow {
     int64_t first;
     int size;
     double coefficients[max_basis];
 };
 
-class JointAxis {
+class CommonKnots {
 public:
     static constexpr int max_members = 2;
 
     // The axis of degree r, not less than those of the members, which have the same domain bit for bit; every
     // knot has `extra` more copies than it needs, up to r + 1. It is periodic if all members are. Throws Status::periodic_knots if copies a period away cannot be told apart, and what
     // make_knot_vector() throws.
-    JointAxis(int degree, const std::vector<const KnotVector *> &members, int extra);
+    CommonKnots(int degree, const std::vector<const KnotVector *> &members, int extra);
 
     [[nodiscard]] const KnotVectorPtr &axis() const noexcept { return axis_; }
 
@@ -50,7 +50,7 @@ public:
     // The value of the polar form of a member at as many knots of each group of the window as `chosen` says,
     // its degree in all. Where the member jumps, that of the piece to which the window's control point belongs.
     // Every coefficient is accurate to 3 d eps of itself, d < size the arguments that are none of its knots.
-    void polar_row(int member, const Window &window, const int *chosen, PolarRow &row) const noexcept;
+    void blossom_row(int member, const Window &window, const int *chosen, BlossomRow &row) const noexcept;
     // The stored layer from which at most degree + 1 layers that begin at `layer` can be read.
     [[nodiscard]] int64_t stored_layer(int member, int64_t layer) const noexcept;
 
@@ -106,12 +106,12 @@ private:
 // Calls body(chosen, times) for every way to choose `total` knots of a window, equal ones taken together: the
 // number of copies of each group, and in how many ways they can be picked.
 template <class Body>
-void for_each_choice(const JointAxis::Window &window, int total, Body &&body);
+void for_each_choice(const CommonKnots::Window &window, int total, Body &&body);
 
 namespace detail {
 
 template <class Body>
-void choose(const JointAxis::Window &window, int at, int left, int behind, double times, int *chosen,
+void choose(const CommonKnots::Window &window, int at, int left, int behind, double times, int *chosen,
             Body &body) {
     if (at == window.size) {
         body(static_cast<const int *>(chosen), times);
@@ -128,7 +128,7 @@ void choose(const JointAxis::Window &window, int at, int left, int behind, doubl
 } // namespace detail
 
 template <class Body>
-void for_each_choice(const JointAxis::Window &window, int total, Body &&body) {
+void for_each_choice(const CommonKnots::Window &window, int total, Body &&body) {
     int all = 0;
     for (int i = 0; i < window.size; ++i) {
         all += window.copies[static_cast<size_t>(i)];

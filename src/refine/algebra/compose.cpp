@@ -79,7 +79,7 @@ KnotVectorPtr with_periods(const KnotVector &axis, int k, Interval range) {
              far ? "more than 2^52 periods from" : "over more than 65536 periods of", Number(lower).text,
              Number(upper).text);
     }
-    return unrolled(axis, static_cast<int64_t>(first), static_cast<int64_t>(end));
+    return over_periods(axis, static_cast<int64_t>(first), static_cast<int64_t>(end));
 }
 
 Spline::Axes axes_under(const Spline &g, const std::vector<CurvePiece> &pieces) {
@@ -97,7 +97,7 @@ Spline::Axes axes_under(const Spline &g, const std::vector<CurvePiece> &pieces) 
 
 // What the continuity of f and g between two cells leaves of that of a spline of degree `degree`.
 int copies_between(const Spline &g, const Spline &f, int degree, const std::vector<CurvePiece> &pieces,
-                   const Cell &a, const Cell &b) noexcept {
+                   const SpanCell &a, const SpanCell &b) noexcept {
     int smooth = degree;
     if (a.piece != b.piece) {
         const int64_t times = pieces[b.piece].span() - pieces[a.piece].span();
@@ -113,13 +113,13 @@ int copies_between(const Spline &g, const Spline &f, int degree, const std::vect
     return degree - std::max(smooth, -1);
 }
 
-using Window = JointAxis::Window;
+using Window = CommonKnots::Window;
 
 class Composer {
 public:
     Composer(const Spline &g, const Spline &f, int degree)
         : g_(g), f_(f), degree_(degree), pieces_(pieces_of(f)), axes_(axes_under(g, pieces_)),
-          cells_(cells_of(axes_, pieces_)) {
+          cells_(span_cells(axes_, pieces_)) {
         const auto [lower, upper] = f.axis(0).domain();
         append_knots(lower, degree + 1, 0);
         for (size_t i = 1; i < cells_.size(); ++i) {
@@ -166,7 +166,7 @@ private:
     // The cell of the longest span in the support of a layer, of the first of these. All spans give the same
     // control point, as far as crossings are known: beside a piece so short that they are not, those outside
     // it count.
-    [[nodiscard]] const Cell &cell_for(int64_t layer) const noexcept {
+    [[nodiscard]] const SpanCell &cell_for(int64_t layer) const noexcept {
         const auto length = [&](int64_t span) {
             return knots_[static_cast<size_t>(span) + 1] - knots_[static_cast<size_t>(span)];
         };
@@ -328,7 +328,7 @@ private:
         const auto at = static_cast<size_t>(k);
         const int p = g_.axis(k).degree();
         const int64_t span = cell_->spans[at], length = lengths_[at];
-        const PolarRow row =
+        const BlossomRow row =
             blossom_row(*axes_[at], span, std::span(arguments_[at]).first(static_cast<size_t>(p)));
         contract(row.coefficients, row.size, points + (row.first - span + p) * length, length, length,
                  parts_[at].data());
@@ -340,12 +340,12 @@ private:
     bool weighted_ = f_.rational();
     std::vector<CurvePiece> pieces_;
     Spline::Axes axes_; // of g, with the periods that f runs through
-    std::vector<Cell> cells_;
+    std::vector<SpanCell> cells_;
     std::vector<double> knots_;       // of the result
     std::vector<size_t> cell_behind_; // of each knot
 
     // Of the layer that is being made.
-    const Cell *cell_ = nullptr;
+    const SpanCell *cell_ = nullptr;
     std::array<double, max_basis> window_knots_{};
     std::vector<double> block_;
     std::array<std::array<double, max_basis>, max_axes> arguments_{};

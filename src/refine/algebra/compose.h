@@ -14,7 +14,7 @@ namespace nrb::refine {
 // Hagen, S. Mann, "Functional composition algorithms via blossoming", ACM Trans. Graphics 12 (1993)). A knot of f
 // of multiplicity m inside the window occurs d - q + m times in it, so that each choice of q has m of its copies;
 // where f crosses a knot of g of multiplicity m on an axis of degree p it occurs d - p + m times, so that m of
-// the p choices consist of it alone. Hence (as K. Morken shows for products, joint_axis.h) arguments of both
+// the p choices consist of it alone. Hence (as K. Morken shows for products, common_knots.h) arguments of both
 // polar forms contain the knots between them, and all values are combinations of control points with factors in
 // [0, 1], as far as polar values of f stay between the knots of g around them.
 //

@@ -65,7 +65,7 @@ double CurvePiece::polar_weight(std::span<const double> arguments) const noexcep
     if (!curve_->rational()) {
         return 1;
     }
-    const PolarRow row = blossom_row(curve_->axis(0), span_, arguments);
+    const BlossomRow row = blossom_row(curve_->axis(0), span_, arguments);
     double sum = 0;
     for (int i = 0; i < row.size; ++i) {
         sum += row.coefficients[i] * weight(row.first + i);
@@ -73,7 +73,7 @@ double CurvePiece::polar_weight(std::span<const double> arguments) const noexcep
     return sum;
 }
 
-double CurvePiece::quotient(const PolarRow &row, int k) const noexcept {
+double CurvePiece::quotient(const BlossomRow &row, int k) const noexcept {
     if (row.size == 1) {
         return curve_->coordinate(row.first, k);
     }
@@ -87,7 +87,7 @@ double CurvePiece::quotient(const PolarRow &row, int k) const noexcept {
 }
 
 double CurvePiece::polar_value(int k, std::span<const double> arguments) const noexcept {
-    const PolarRow row = blossom_row(curve_->axis(0), span_, arguments);
+    const BlossomRow row = blossom_row(curve_->axis(0), span_, arguments);
     if (curve_->rational()) {
         return quotient(row, k);
     }

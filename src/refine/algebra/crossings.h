@@ -59,7 +59,7 @@ private:
     [[nodiscard]] double eps_times_slope(int k, double even) const noexcept;
     [[nodiscard]] double weight(int64_t i) const noexcept;
     // Coordinate k of the sum of control points times coefficients and weights, divided by that of the weights.
-    [[nodiscard]] double quotient(const PolarRow &row, int k) const noexcept;
+    [[nodiscard]] double quotient(const BlossomRow &row, int k) const noexcept;
 
     const Spline *curve_;
     int64_t span_;

@@ -43,7 +43,7 @@ SplinePtr components(const Spline &spline, int first, int size) {
 SplinePtr scaled(const Spline &spline, const Spline &factor, int axis, int extra) {
     std::array<int, 3> copies{};
     copies[static_cast<size_t>(axis)] = extra;
-    const std::vector<JointAxis> joint = product_axes(spline.knot_vectors(), factor.knot_vectors(), copies);
+    const std::vector<CommonKnots> joint = product_axes(spline.knot_vectors(), factor.knot_vectors(), copies);
     const int dim = spline.dim();
     const Bilinear form = [dim](const double *a, const double *b, double *out) {
         std::transform(a, a + dim, out, [b](double x) { return x * *b; });

@@ -76,8 +76,9 @@ int64_t span_of(const KnotVector &axis, const CurvePiece &piece, int k, Interval
     return axis.find_span(next[-1], false);
 }
 
-Cell cell_of(const Spline::Axes &axes, const std::vector<CurvePiece> &pieces, size_t piece, Interval part) {
-    Cell cell{part.lower, piece, {}};
+SpanCell cell_of(const Spline::Axes &axes, const std::vector<CurvePiece> &pieces, size_t piece,
+                 Interval part) {
+    SpanCell cell{part.lower, piece, {}};
     for (size_t k = 0; k < axes.size(); ++k) {
         cell.spans[k] = span_of(*axes[k], pieces[piece], static_cast<int>(k), part);
     }
@@ -86,8 +87,8 @@ Cell cell_of(const Spline::Axes &axes, const std::vector<CurvePiece> &pieces, si
 
 } // namespace
 
-std::vector<Cell> cells_of(const Spline::Axes &axes, const std::vector<CurvePiece> &pieces) {
-    std::vector<Cell> cells;
+std::vector<SpanCell> span_cells(const Spline::Axes &axes, const std::vector<CurvePiece> &pieces) {
+    std::vector<SpanCell> cells;
     for (size_t i = 0; i < pieces.size(); ++i) {
         for (size_t k = 0; k < axes.size(); ++k) {
             check_inside(pieces[i], static_cast<int>(k), axes[k]->domain());

@@ -5,7 +5,7 @@
 
 namespace nrb::refine {
 
-// alpha a(t) + beta b(t). Over common degrees and knots (joint_axis.h) where neither is rational, or both are
+// alpha a(t) + beta b(t). Over common degrees and knots (common_knots.h) where neither is rational, or both are
 // and their weights come out equal bit for bit; otherwise over the product of the denominators. Throws
 // Status::incompatible, dimension, degree, periodic_knots, not_representable. Precondition: alpha and
 // beta are finite.

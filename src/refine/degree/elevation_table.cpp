@@ -39,19 +39,19 @@ struct RowShape {
     int64_t first;
     int width;
     int terms;
-    PolarTerm term[max_basis];
+    BlossomTerm term[max_basis];
 
-    // Whether all the shares go to one control point.
+    // Whether all the terms go to one control point.
     [[nodiscard]] bool copies() const noexcept { return width == 1; }
-    [[nodiscard]] std::span<const PolarTerm> all() const noexcept {
+    [[nodiscard]] std::span<const BlossomTerm> all() const noexcept {
         return {term, static_cast<size_t>(terms)};
     }
 };
 
 // The degree + 1 consecutive raised knots that belong to a control point, by groups.
-class Window {
+class RaisedKnots {
 public:
-    Window(int degree, std::span<const double> knots, const std::vector<Group> &groups)
+    RaisedKnots(int degree, std::span<const double> knots, const std::vector<Group> &groups)
         : degree_(degree), knots_(knots), groups_(groups) {}
 
     // Precondition: raised index `at` is in group `group`.
@@ -126,11 +126,11 @@ private:
     // With d further arguments a polar form is a combination of d + 1 control points: Cox-de Boor steps over
     // the knots around those that it has (T. Lyche, K. Morken, "Making the Oslo algorithm more efficient",
     // SIAM J. Numer. Anal. 23 (1986)). Returns the first control point.
-    int64_t make_term(int dropped, PolarTerm &term) const noexcept {
+    int64_t make_term(int dropped, BlossomTerm &term) const noexcept {
         Arguments arguments;
         drop(dropped, arguments);
         term.steps = arguments.added;
-        term.share = copies_[dropped] / static_cast<double>(degree_ + 1);
+        term.factor = copies_[dropped] / static_cast<double>(degree_ + 1);
         term.left = knots_.data() + arguments.first;
         term.right = knots_.data() + arguments.end;
         term.pitch = 1;
@@ -155,15 +155,15 @@ public:
     RowMaker(const KnotVector &axis, std::span<const double> knots, const std::vector<Group> &groups,
              int64_t shift, LayerTable &table)
         : degree_(axis.degree()), groups_(groups), shift_(shift), table_(table),
-          window_(degree_, knots, groups) {}
+          raised_(degree_, knots, groups) {}
 
     // Rows that begin at raised knots `at`, ..., end - 1.
     void make(int64_t at, int64_t end) {
         for (int64_t group = first_group(at); at < end;) {
-            while (group + 1 < std::ssize(groups_) && window_.raised_first(group + 1) <= at) {
+            while (group + 1 < std::ssize(groups_) && raised_.raised_first(group + 1) <= at) {
                 ++group;
             }
-            const int64_t blocks = at == window_.raised_first(group) ? alike(at, group, end) : 0;
+            const int64_t blocks = at == raised_.raised_first(group) ? alike(at, group, end) : 0;
             at += blocks > 0 ? make_rows(at, group, blocks) : make_row(at, group);
         }
     }
@@ -178,8 +178,8 @@ private:
         int64_t low = 0, high = std::ssize(groups_) - 1;
         while (low < high) {
             const int64_t middle = (low + high + 1) / 2;
-            (window_.raised_first(middle) <= at ? low : high) =
-                window_.raised_first(middle) <= at ? middle : middle - 1;
+            (raised_.raised_first(middle) <= at ? low : high) =
+                raised_.raised_first(middle) <= at ? middle : middle - 1;
         }
         return low;
     }
@@ -203,13 +203,13 @@ private:
 
     int64_t make_row(int64_t at, int64_t group) {
         RowShape shape;
-        window_.place(at, group);
-        window_.shape(shape);
+        raised_.place(at, group);
+        raised_.shape(shape);
         if (shape.copies()) {
             table_.add_copy(shape.first - shift_);
         } else {
             double row[max_basis];
-            polar_row(shape.all(), shape.width, row);
+            blossom_row_sum(shape.all(), shape.width, row);
             table_.add_row(shape.first - shift_, row, shape.width);
         }
         return 1;
@@ -222,18 +222,18 @@ private:
         RowShape shape;
         int64_t pitch = 0;
         for (int place = 0; place <= m; ++place) {
-            window_.place(at + place, group);
-            window_.shape(shape);
+            raised_.place(at + place, group);
+            raised_.shape(shape);
             pattern[place] = {shape.first - shift_, shape.copies() ? 0 : shape.width,
                               static_cast<size_t>(pitch)};
             pitch += pattern[place].size;
         }
         double *rows = table_.room(count * pitch);
         for (int place = 0; place <= m; ++place) {
-            window_.place(at + place, group);
-            window_.shape(shape);
+            raised_.place(at + place, group);
+            raised_.shape(shape);
             if (!shape.copies()) {
-                polar_rows(shape.all(), m, count, shape.width, pitch, rows + pattern[place].offset);
+                blossom_row_sums(shape.all(), m, count, shape.width, pitch, rows + pattern[place].offset);
             }
         }
         table_.add_pattern({pattern, static_cast<size_t>(m) + 1}, count, m, pitch);
@@ -244,7 +244,7 @@ private:
     const std::vector<Group> &groups_;
     int64_t shift_;
     LayerTable &table_;
-    Window window_;
+    RaisedKnots raised_;
     int64_t run_first_ = 0; // the groups of one multiplicity around the present one
     int64_t run_end_ = 0;
 };

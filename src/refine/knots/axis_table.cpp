@@ -13,21 +13,21 @@ LayerTable rows_of(const Refinement &refinement, int64_t first, int64_t end) {
     const int degree = refinement.width() - 1;
     LayerTable table;
     table.reserve(end - first, refinement.width(), row_lanes);
-    RowBatches batches(degree);
+    BatchedBlossoms batches(degree);
     double room[max_basis];
     for (int64_t j = first; j < end; ++j) {
         if (j > first && refinement.repeats(j)) {
             table.repeat_row();
             continue;
         }
-        const auto [layer, steps, left, right, arguments] = refinement.polar(j, room);
+        const auto [layer, steps, left, right, arguments] = refinement.blossom(j, room);
         if (steps == 0) {
             table.add_copy(layer);
             continue;
         }
         const int64_t alike = steps == degree ? refinement.alike(j, end) : 1;
         if (alike >= many) {
-            polar_rows(degree, left, right, arguments, alike, table.room(0));
+            sliding_blossom_rows(degree, left, right, arguments, alike, table.room(0));
             const LayerTable::Row row{layer, degree + 1, 0};
             table.add_pattern({&row, 1}, alike, 0, degree + 1);
             j += alike - 1;

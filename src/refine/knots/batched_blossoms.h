@@ -8,12 +8,12 @@
 
 namespace nrb::refine {
 
-class RowBatches {
+class BatchedBlossoms {
 public:
     static constexpr int64_t batch_rows = int64_t{8} * row_lanes;
 
     // For up to `steps` steps.
-    explicit RowBatches(int steps) : batches_(static_cast<size_t>(steps) + 1) {}
+    explicit BatchedBlossoms(int steps) : batches_(static_cast<size_t>(steps) + 1) {}
 
     // The steps + 1 coefficients of a row with `steps` > 0 arguments, see append_argument(); they stand at `row`
     // when finish() returns. The knots are read at once.

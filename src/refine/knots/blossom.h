@@ -12,7 +12,7 @@ namespace nrb::refine {
 // points. Arguments that are the knots next to the span, without a gap, fix as many parameters of the polar form;
 // the others follow by de Boor's algorithm with the knots around those. So control points come out bit for bit,
 // and factors lie in [0, 1] for arguments between these knots.
-PolarRow blossom_row(const KnotVector &axis, int64_t span, std::span<const double> values) noexcept;
+BlossomRow blossom_row(const KnotVector &axis, int64_t span, std::span<const double> values) noexcept;
 
 // The polar form of the piece on the non-empty spans `spans`, one for each axis, at degree arguments for each
 // axis, one axis after the other: `width()` components of an unscaled homogeneous record, (w x, ..., w) or

@@ -16,7 +16,7 @@ class Refinement {
 public:
     // What makes a row: de Boor's steps with the arguments that are not old knots, over the old knots around
     // those that are; see append_argument(). The coefficients belong to old layers first, ..., first + steps.
-    struct Polar {
+    struct Blossom {
         int64_t first;
         int steps;
         const double *left;
@@ -41,7 +41,7 @@ public:
     // With n arguments that are not old knots new layer j has n + 1 coefficients, each accurate to 3 n eps
     // relative to itself; without any it is an old layer. Arguments that are not all of a row's are copied to
     // `room`, for up to `degree` of them.
-    Polar polar(int64_t j, double *room) const noexcept {
+    Blossom blossom(int64_t j, double *room) const noexcept {
         const double *arguments = fine_.data() + j + 1;
         const int64_t shared = old_last_[static_cast<size_t>(j + 1)];
         const int64_t shared_end = old_first_[static_cast<size_t>(j + degree_ + 1)];

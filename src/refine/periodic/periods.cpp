@@ -71,7 +71,7 @@ void check_copies(const std::vector<double> &knots, int degree) {
 
 } // namespace
 
-KnotVectorPtr unrolled(const KnotVector &axis, int64_t first, int64_t end) {
+KnotVectorPtr over_periods(const KnotVector &axis, int64_t first, int64_t end) {
     const EndlessKnots endless(axis);
     const int64_t layers = checked_product(endless.step(), end - first, "knots");
     const int64_t size = checked_sum(layers, 2 * int64_t{axis.degree()} + 1, "knots");

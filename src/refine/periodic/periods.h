@@ -11,6 +11,6 @@ namespace nrb::refine {
 // distinct_layers() of the periodic axis. Knots that are equal have equal copies, others are n periods away,
 // rounded once. Preconditions: the axis is periodic, first < end, both of at most 2^52. Throws
 // Status::periodic_knots if rounding makes too many knots equal, not_representable, overflow.
-KnotVectorPtr unrolled(const KnotVector &axis, int64_t first, int64_t end);
+KnotVectorPtr over_periods(const KnotVector &axis, int64_t first, int64_t end);
 
 } // namespace nrb::refine

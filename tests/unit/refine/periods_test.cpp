@@ -31,8 +31,8 @@ TEST(Period, keeps_equal_knots_equal) {
     EXPECT_EQ(knots[10], knots[11]);
 }
 
-TEST(Unrolled, numbers_periods_from_the_domain) {
-    const KnotVectorPtr made = refine::unrolled(loop()->axis(0), -1, 2);
+TEST(OverPeriods, numbers_periods_from_the_domain) {
+    const KnotVectorPtr made = refine::over_periods(loop()->axis(0), -1, 2);
     EXPECT_FALSE(made->periodic());
     EXPECT_EQ(made->count(), 14);
     EXPECT_EQ(made->domain().lower, -2);
@@ -41,22 +41,22 @@ TEST(Unrolled, numbers_periods_from_the_domain) {
     EXPECT_EQ(made->knots().back(), 12);
 }
 
-TEST(Unrolled, one_period_is_that_of_the_axis) {
+TEST(OverPeriods, one_period_is_that_of_the_axis) {
     const SplinePtr curve = loop();
-    EXPECT_EQ(vector_of(unrolled(curve->axis(0), 0, 1)->knots()), vector_of(curve->axis(0).knots()));
+    EXPECT_EQ(vector_of(over_periods(curve->axis(0), 0, 1)->knots()), vector_of(curve->axis(0).knots()));
 }
 
-TEST(Unrolled, far_away_takes_no_more_than_its_periods) {
-    const KnotVectorPtr made = refine::unrolled(loop()->axis(0), 1000000, 1000001);
+TEST(OverPeriods, far_away_takes_no_more_than_its_periods) {
+    const KnotVectorPtr made = refine::over_periods(loop()->axis(0), 1000000, 1000001);
     EXPECT_EQ(made->count(), 6);
     EXPECT_EQ(made->domain().lower, 4000002);
     EXPECT_EQ(made->domain().upper, 4000006);
 }
 
-TEST(Unrolled, keeps_equal_knots_equal_and_their_order) {
+TEST(OverPeriods, keeps_equal_knots_equal_and_their_order) {
     const KnotVector axis(1, {-0.3, 0.1, 0.1, 0.4, 0.8, 0.8}, true); // lengths that are rounded
     for (const int64_t first : {-12345, -3, -1, 0, 1, 7, 54321}) {
-        const KnotVectorPtr made = refine::unrolled(axis, first, first + 4);
+        const KnotVectorPtr made = refine::over_periods(axis, first, first + 4);
         const std::span<const double> knots = made->knots();
         ASSERT_EQ(knots.size(), 15U);
         EXPECT_TRUE(std::ranges::is_sorted(knots));
@@ -66,10 +66,10 @@ TEST(Unrolled, keeps_equal_knots_equal_and_their_order) {
     }
 }
 
-TEST(Unrolled, refuses_knots_that_rounding_makes_equal) {
+TEST(OverPeriods, refuses_knots_that_rounding_makes_equal) {
     const KnotVector axis(1, {-0.25, 0, 0.25, 0.5, 0.75, 1, 1.25}, true); // where doubles are whole numbers
     const int64_t far = int64_t{1} << 52;
-    EXPECT_THROW(unrolled(axis, far, far + 1), Error);
+    EXPECT_THROW(over_periods(axis, far, far + 1), Error);
 }
 
 TEST(Seam, at_a_knot_moves_layers_only) {
