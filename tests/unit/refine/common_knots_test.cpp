@@ -64,9 +64,10 @@ TEST(BlossomRow, of_knots_is_a_control_point) {
 TEST(BlossomRow, is_symmetric_and_affine) {
     const KnotVector axis(2, {0, 0, 0, 1, 3, 3, 3});
     const double ab[] = {1.25, 2}, ba[] = {2, 1.25}, low[] = {1.25, 1}, high[] = {1.25, 3};
-    const refine::BlossomRow row = refine::blossom_row(axis, 3, ab), turned = refine::blossom_row(axis, 3, ba);
+    const refine::BlossomRow row = refine::blossom_row(axis, 3, ab),
+                             turned = refine::blossom_row(axis, 3, ba);
     const refine::BlossomRow at_low = refine::blossom_row(axis, 3, low),
-                           at_high = refine::blossom_row(axis, 3, high);
+                             at_high = refine::blossom_row(axis, 3, high);
     const auto coefficient = [](const refine::BlossomRow &r, int64_t layer) {
         return layer < r.first || layer >= r.first + r.size ? 0 : r.coefficients[layer - r.first];
     };
