@@ -1,4 +1,4 @@
-// Refusal of results that overflow.
+// Refuses results that overflow.
 #pragma once
 
 #include "base/error.h"

@@ -1,4 +1,4 @@
-// Changes of basis of one polynomial segment over [0, 1], without error but the last rounding.
+// Changes of basis of one polynomial segment over [0, 1], with no error except the last rounding.
 #pragma once
 
 #include <cstdint>

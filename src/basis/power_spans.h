@@ -2,8 +2,8 @@
 // evaluated.
 //
 // On a span the parameter becomes x = (t - middle) * scale with a power of two as scale, |x| <= 1. Powers of
-// an x that starts at the span's end would lose 3^p eps; centred ones amplify rounding by 2.5 at degree 3 and
-// 19 at degree 9, so that Horner's rule is as accurate as the recurrences and several times cheaper.
+// an x that starts at the span's end would lose 3^p eps. Centred powers amplify rounding by 2.5 at degree 3
+// and 19 at degree 9, so that Horner's rule is as accurate as the recurrences and several times cheaper.
 #pragma once
 
 #include <cstdint>
@@ -13,8 +13,8 @@ namespace nrb::inline basis {
 
 class KnotVector;
 
-// Up to this degree spans are evaluated from pieces, above it by the Cox-de Boor recurrence. Degree 0 copies
-// control points.
+// Up to this degree spans are evaluated from pieces, above it by the Cox-de Boor recurrence. At degree 0
+// control points are copied.
 inline constexpr int max_piece_degree = 9;
 constexpr bool piece_degree(int degree) noexcept {
     return degree >= 1 && degree <= max_piece_degree;
@@ -35,7 +35,7 @@ struct Piece {
 // Largest size of the piece of a basis: powers 0 to 9 of 10 functions.
 inline constexpr int64_t max_basis_piece = Piece::size(max_piece_degree, max_piece_degree + 1);
 
-// Most pieces that are made together, and how many this processor makes at once.
+// The most pieces that are made together, and how many of them this processor makes at once.
 inline constexpr int most_pieces_together = 8;
 int pieces_together() noexcept;
 

@@ -115,7 +115,7 @@ private:
     static constexpr double anchor = std::numeric_limits<double>::epsilon(); // changes no image by more
     static constexpr double pin = 0x1p30; // the square of which is beyond the others' rounding
 
-    // Behind the layers that act on the span of row r, or before it; all at the last row.
+    // The layers after those that act on the span of row r, or before them; all layers at the last row.
     [[nodiscard]] int64_t reached(int64_t r) const {
         const int64_t span = axis_.spans().indices()[static_cast<size_t>(r / nodes_)];
         return r + 1 == table_.rows() ? columns_ : std::min(span + 1, columns_);

@@ -8,15 +8,15 @@
 
 namespace nrb::fit {
 
-// Places in a span, from 0 to 1, where polynomials of a degree are interpolated: Chebyshev's with the ends,
-// so that splines meet at knots; the middle for degree 0.
+// Places in a span, from 0 to 1, at which polynomials of a degree are interpolated: Chebyshev's points with
+// the ends, so that splines meet at knots; the middle for degree 0.
 class LocalNodes {
 public:
     explicit LocalNodes(int degree);
 
     [[nodiscard]] const std::vector<double> &nodes() const noexcept { return nodes_; }
-    // Nodes, and between them as many places less one at which interpolation errs most, in rising order: node
-    // i is number 2 i.
+    // The nodes, and between them, one fewer, the places at which interpolation errs most. All are in rising
+    // order: node i is number 2 i.
     [[nodiscard]] const std::vector<double> &with_checks() const noexcept { return all_; }
 
 private:
@@ -45,7 +45,7 @@ std::vector<double> control_points(const Spline &spline, const std::vector<Local
                                    std::vector<double> samples, int width);
 
 // The same along axis k alone, from values [..][width] at the places of with_checks() on that axis and at the
-// nodes of the others: what the projected spline is there.
+// nodes of the others: the values of the projected spline there.
 std::vector<double> projected_along(const Spline &spline, int k, const std::vector<LocalNodes> &nodes,
                                     std::vector<double> samples, int width);
 

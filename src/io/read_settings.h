@@ -1,4 +1,4 @@
-// What is asked of the readers of all formats.
+// Settings for the readers of all formats.
 #pragma once
 
 #include <cstdint>

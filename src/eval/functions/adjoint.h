@@ -14,7 +14,7 @@ struct Gradients {
 };
 
 // cotangents: [count][slots][dim]. With `accumulate` the sums start from what the outputs hold. All
-// parameters must have been admitted; outputs overlap nothing. May throw only std::bad_alloc, before anything
+// parameters must have been checked; outputs overlap nothing. May throw only std::bad_alloc, before anything
 // is written.
 void evaluate_adjoint(const Spline &spline, const AxisRules &rules, int order, ConstRecords params,
                       ConstRecords cotangents, bool accumulate, const Gradients &gradients);

@@ -59,7 +59,7 @@ private:
         }
     }
 
-    // out[r][l] = N_r^(order) row[l], or that much more.
+    // out[r][l] = N_r^(order) row[l], or adds that to it.
     template <bool add>
     void products(size_t k, int order, int64_t length, const double *row, double *out) const noexcept {
         const double *functions = active_.functions(k, order);

@@ -12,7 +12,7 @@ HWY_BEFORE_NAMESPACE();
 namespace nrb::eval {
 namespace HWY_NAMESPACE {
 
-// One vector of the sum; kDegree < 0 stands for any number n of rows, else that is kDegree + 1.
+// One vector of the sum. kDegree < 0 stands for any number n of rows; otherwise n is kDegree + 1.
 template <int kDegree, class D>
 HWY_INLINE hn::Vec<D> contracted(D d, const double *HWY_RESTRICT coefficients, int n,
                                  const double *HWY_RESTRICT rows, int64_t stride) {
@@ -42,8 +42,8 @@ HWY_INLINE void contract_degree(const double *HWY_RESTRICT coefficients, int n,
     }
 }
 
-// out[l] = coefficients[0] * rows[l], then fused + coefficients[i] * rows[i * stride + l] in rising order,
-// l < length, whatever the length and its vectors. Precondition: n >= 1; out overlaps nothing.
+// out[l] = coefficients[0] * rows[l], then fused + coefficients[i] * rows[i * stride + l] in rising order, l
+// < length, whatever the length and its vectors. Precondition: n >= 1; out overlaps nothing.
 HWY_INLINE void contract_rows(const double *coefficients, int n, const double *rows, int64_t stride,
                               int64_t length, double *out) {
     if (n == 4) {

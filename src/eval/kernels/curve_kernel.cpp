@@ -19,15 +19,15 @@ namespace HWY_NAMESPACE {
 
 static_assert(curve_group == group_size);
 
-// What the loops over ordinary parameters read, kept in registers.
+// Read by the loops over ordinary parameters; kept in registers.
 struct CurveTables {
     explicit CurveTables(const CurveJob &job)
         : domain(job.spline.axis(0).domain()), find(job.spans->finder()), pieces((*job.pieces)[0]),
           piece_size(job.pieces->size()), degree(job.spline.axis(0).degree()), lanes(job.shape.lanes),
           dim(job.shape.dim) {}
 
-    // The pieces of `count` parameters inside the domain; false unless each lies strictly inside its span,
-    // and the span has a piece.
+    // The pieces of `count` parameters inside the domain; false unless each parameter lies strictly inside
+    // its span, and the span has a piece.
     [[nodiscard]] HWY_INLINE bool locate(const double *HWY_RESTRICT params, int count,
                                          const double **HWY_RESTRICT found) const {
         bool all = true;
@@ -92,7 +92,7 @@ public:
     }
 
 private:
-    // The shapes that are evaluated a million times have loops of their own; what they compute is the same.
+    // The most frequent shapes have loops of their own; what they compute is the same.
     template <int kOrders>
     void run_order() {
         if (job_.shape.lanes == 4) {
@@ -108,8 +108,8 @@ private:
         }
     }
 
-    // Blocks in one span go by vectors across the parameters, others by vectors across the components, in two
-    // passes: the searches of a block do not wait for its divisions.
+    // Blocks in one span are computed by vectors across the parameters, others by vectors across the
+    // components, in two passes, so that the searches of a block do not wait for its divisions.
     template <int kOrders, int kDegree, int kLanes>
     HWY_NOINLINE void run_params() {
         const CurveTables tables(job_);
@@ -257,10 +257,10 @@ private:
         int64_t stride;
     };
 
-    // The functions of degrees p, p - 1, ... with the control points and those of the derivatives. Derivatives
-    // of the functions, whose sum is 0, would leave the rounding of the points' common part behind. For the
-    // same reason the quotient rule is applied to the curve seen from its own point at t, which is written
-    // after it.
+    // The functions of degrees p, p - 1, ... with the control points of the curve and of its derivatives.
+    // With derivatives of the functions instead, whose sum is 0, the rounding of the part that all points
+    // have in common would remain. For the same reason the quotient rule is applied to the curve relative to
+    // its own point at t, which is written afterwards.
     void write_by_recurrence(int64_t span, double t, int64_t i) {
         const int order = job_.shape.order;
         basis_values_of_lower_degrees(axis_.knots().data(), degree(), span, t, order, job_.values);
@@ -298,7 +298,7 @@ private:
         return {job_.window, lanes};
     }
 
-    // The rows as seen from a point: from stored points, whose difference is rounded once; homogeneous records
+    // The rows relative to a point. From stored points the difference is rounded once; homogeneous records
     // have a product and a difference that are rounded once.
     ActiveRows rows_from(const double *point, int64_t span, const ActiveRows &rows) {
         const Quad d;
@@ -315,15 +315,16 @@ private:
             for (int l = 0; spline.form() == Form::rational && l < dim; l += quad_lanes) {
                 const auto step = hn::Sub(hn::LoadU(d, stored + l), hn::LoadU(d, point + l));
                 const auto product = hn::Mul(hn::Set(d, weight), step);
-                hn::StoreU(weight == 0 ? hn::Zero(d) : product, d, record + l); // however far the point is
+                hn::StoreU(weight == 0 ? hn::Zero(d) : product, d,
+                           record + l); // however far away the point is
             }
             record[dim] = weight;
         }
         return {job_.window, lanes};
     }
 
-    // The sum for derivative k of the first rows, with the functions of degree p - k. Lanes behind a record
-    // hold anything.
+    // The sum for derivative k of the first rows, with the functions of degree p - k. Lanes after a record
+    // may hold anything.
     void contract(int k, const ActiveRows &rows) {
         contract_rows(job_.values + static_cast<int64_t>(k) * (degree() + 1), degree() + 1 - k, rows.data,
                       rows.stride, job_.shape.lanes,

@@ -1,4 +1,4 @@
-// From contracted records to the caller's. Included once for every instruction set: see base/simd.h.
+// From contracted records to the caller's records. Included once for every instruction set: see base/simd.h.
 #if defined(NURBS_EVAL_KERNELS_FINISH_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef NURBS_EVAL_KERNELS_FINISH_INL_H_
 #undef NURBS_EVAL_KERNELS_FINISH_INL_H_
@@ -38,8 +38,8 @@ HWY_INLINE void divide_record(const RecordShape &shape, double *HWY_RESTRICT rec
     }
 }
 
-// A record of kLanes lanes in registers. The constructor is written out, because one that a compiler adds is not
-// compiled for the instruction set.
+// A record of kLanes lanes in registers. The constructor is written out, because a constructor added by the
+// compiler is not compiled for the instruction set.
 template <int kSlots, int kLanes = 4>
 struct QuadRecord {
     static constexpr int parts = kLanes / quad_lanes;
@@ -102,8 +102,8 @@ static HWY_NOINLINE void divide_record(const RecordShape &shape, const QuotientR
     });
 }
 
-// The first `count` lanes of a vector; what lies behind them may be another thread's and is not touched. Where
-// vectors have no masked stores, Highway's blended one reads it and writes it back.
+// The first `count` lanes of a vector. What lies after them may belong to another thread and is not touched.
+// If vectors have no masked stores, Highway's blended one reads it and writes it back.
 HWY_INLINE void store_some(hn::Vec<Wide> values, int count, double *target) {
     const Wide d;
     if (count >= wide_lanes) {
@@ -118,10 +118,10 @@ HWY_INLINE void store_some(hn::Vec<Wide> values, int count, double *target) {
 #endif
 }
 
-// Writes records from registers, in rising order. Packed ones are written with their padding and weight, which
-// fall on the next slots and points, which are written later; behind the last record nothing is touched. Where
-// components have rows of their own, records wait until there are enough for whole vectors of a row: finish()
-// must follow, and a record that is not there must be skipped; its place is overwritten with anything.
+// Writes records from registers, in rising order. Packed records are written with their padding and weight;
+// these fall on the next slots and points, which are written later. Nothing after the last record is touched.
+// If components have rows of their own, records wait until there are enough for whole vectors of a row:
+// finish() must follow, and a missing record must be skipped; its place may be overwritten with anything.
 class QuadWriter {
 public:
     QuadWriter(const RecordShape &shape, const Records &out)
@@ -153,7 +153,7 @@ public:
         }
     }
 
-    // After the last record, written or skipped, which was number `last`.
+    // Call after the last record, written or skipped, which was number `last`.
     template <int kSlots, int kLanes = 4>
     HWY_INLINE void finish(int64_t last) {
         if (waiting_) {
@@ -231,7 +231,7 @@ HWY_INLINE void write_record(const RecordShape &shape, const double *record, con
 }
 
 // Three coordinates written by stores of four: the fourth falls on the next slot or point, which is written
-// after it. `last` takes care of what lies behind the record.
+// after it. `last` takes care of what lies after the record.
 HWY_INLINE void write_three(const RecordShape &shape, const double *record, double *target, bool last) {
     const Quad d;
     const int64_t whole = last ? shape.slots - 1 : shape.slots;

@@ -80,7 +80,7 @@ private:
         }
     }
 
-    // The shapes that grids are made of have loops of their own; what they compute is the same.
+    // The usual shapes of grids have loops of their own; what they compute is the same.
     void write_groups(int64_t first) const {
         const bool rational = job_.quotient != nullptr && job_.shape.width == 4;
         const bool polynomial = job_.quotient == nullptr && job_.shape.width == 3;
@@ -129,7 +129,7 @@ private:
         for (const GridGroup &group : job_.groups) {
             const double *slab = job_.slabs.data[0] + group.first * kWidth;
             const int64_t start = first + group.position[0];
-            // What a group that is not full writes beyond its own points is written again later.
+            // What an incomplete group writes beyond its own points is overwritten later.
             const bool whole =
                 group.count == group_size || (job_.rising && start + group_size <= job_.out.count);
             const bool direct = group.consecutive && (separate || (packed && whole));
@@ -262,7 +262,7 @@ private:
         }
     }
 
-    // NaN where the parameter gives it, the stored control point where one is alone on every axis.
+    // NaN if the parameter gives it; the stored control point if one is alone on every axis.
     void mend(int64_t position, int64_t first) const {
         const AxisPoint &own = job_.tables[static_cast<size_t>(last_)]->points[static_cast<size_t>(position)];
         if (!own.valid()) {

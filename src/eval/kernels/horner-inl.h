@@ -18,8 +18,8 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Vectors across the components of one record, and across parameters. A lane's arithmetic does not depend on
-// the width of the vector, nor on whether lanes are components or parameters: this is what makes all ways to
+// Vectors across the components of one record, and across parameters. The arithmetic of a lane does not
+// depend on the width of the vector, nor on whether lanes are components or parameters. Therefore all ways to
 // evaluate a point agree in every bit.
 using Quad = hn::CappedTag<double, 4>;
 using Wide = hn::CappedTag<double, 8>;
@@ -74,7 +74,7 @@ HWY_INLINE void horner_vector(D d, Load load, const double *HWY_RESTRICT powers,
     }
 }
 
-// Number of orders that a kernel for `order` computes; those above the degree are 0.
+// Number of orders that a kernel for `order` computes; derivatives above the degree are 0.
 inline constexpr int most_orders = max_piece_degree + 1;
 
 // Components l, l + 1, ... of a piece at x, as many as a vector holds.

@@ -41,8 +41,8 @@ HWY_INLINE Vectors cross_product(const Vectors &a, const Vectors &b) {
             hn::Sub(hn::Mul(a.x, b.y), hn::Mul(a.y, b.x))};
 }
 
-// Fused products would make the scalar formulas of the points that are looked at singly disagree.
-// (a + b)^2 <= 2 (a^2 + b^2) spares the roots of |S_u| and |S_v|. A bit of the result for each point of the
+// Fused products would disagree with the scalar formulas of the points that are examined one by one. (a +
+// b)^2 <= 2 (a^2 + b^2) makes the roots of |S_u| and |S_v| unnecessary. Returns a bit for each point of the
 // block.
 uint64_t unit_normals_of_rows(const double *du, const double *dv, int64_t count, double error_u,
                               double error_v, double *HWY_RESTRICT normals) {

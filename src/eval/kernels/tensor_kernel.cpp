@@ -39,7 +39,7 @@ public:
     }
 
 private:
-    // The shapes that are evaluated a million times have loops of their own; what they compute is the same.
+    // The most frequent shapes have loops of their own; what they compute is the same.
     template <int kOrders>
     void run_order() {
         bool cubic = true;
@@ -282,7 +282,7 @@ private:
         }
     }
 
-    // The columns of a volume that share their place on the last axis.
+    // The columns of a volume that have the same place on the last axis.
     template <int kOrders>
     HWY_INLINE void contract_plane(const QuadWindow &from, const double *const *values, const double *records,
                                    int part, hn::Vec<Quad> *HWY_RESTRICT planes) const {
@@ -309,7 +309,7 @@ private:
         return all;
     }
 
-    // Rows of axis 0 that are active at a point: a window of the net, contiguous along the last axis only.
+    // Rows of axis 0 that are active at a point: a window of the net, contiguous only along the last axis.
     struct Window {
         const double *rows;
         int64_t stride;   // between rows of axis 0

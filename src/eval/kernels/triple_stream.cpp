@@ -61,7 +61,7 @@ void TripleStream::write(const double *rows, int64_t first, int64_t count) noexc
     if (whole == 0) {
         return;
     }
-    const int64_t part = begin_ == 0 ? 0 : line; // of a line that is not all ours
+    const int64_t part = begin_ == 0 ? 0 : line; // of a line that is not entirely ours
     std::copy(staged_ + begin_, staged_ + part, target_);
     HWY_DYNAMIC_DISPATCH(stream)(staged_ + part, whole - part, target_ + (part - begin_));
     std::copy(staged_ + whole, staged_ + end_, staged_);

@@ -28,13 +28,13 @@ FileLine take_line(std::string_view &rest, int64_t number) noexcept {
     return {text, number, terminated};
 }
 
-// Programs for DOS ended text files with a Control-Z, others fill up a block with zeros.
+// Programs for DOS ended text files with a Control-Z; others fill up a block with zeros.
 bool blank(std::string_view text) noexcept {
     constexpr std::string_view nothing(" \t\r\n\x1a\0", 6);
     return text.find_first_not_of(nothing) == std::string_view::npos;
 }
 
-// Takes off what editors and mail programs put before the first line, and returns how many lines that were.
+// Takes off what editors and mail programs put before the first line; returns how many lines that were.
 int64_t take_preamble(std::string_view &rest) noexcept {
     constexpr std::string_view byte_order_mark("\xef\xbb\xbf");
     if (rest.starts_with(byte_order_mark)) {

@@ -16,7 +16,8 @@ namespace {
 
 using iges::Entry;
 
-// Factor from the unit of the file to the wanted one. A unit that the file does not tell cannot be converted.
+// The factor from the unit of the file to the wanted one. A unit that the file does not state cannot be
+// converted.
 double unit_factor(double metres_per_unit, const ReadSettings &settings) {
     if (settings.unit == 0) {
         return 1;
@@ -68,7 +69,8 @@ private:
         }
     }
 
-    // Matrices and names that have gone into a spline are not lost. Which these are shows at the end only.
+    // Matrices and names that became part of a spline are not lost. Which ones these are is known only at the
+    // end.
     [[nodiscard]] bool used(const model::Note &note) const noexcept {
         const std::optional<size_t> index = directory_.find(note.line);
         return index && (transforms_.used(*index) || names_.used(*index));
