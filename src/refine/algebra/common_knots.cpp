@@ -10,7 +10,7 @@ namespace nrb::refine {
 
 namespace {
 
-// Copies of a knot before place `index`, itself one of them, and those behind.
+// How many copies of the knot at place `index` stand before that place, and how many after it.
 struct Beside {
     int before;
     int behind;
@@ -37,7 +37,7 @@ std::vector<KnotGroup> one_period(const KnotVector &axis) {
         axis.knots().subspan(static_cast<size_t>(first), static_cast<size_t>(axis.distinct_layers())));
 }
 
-// A knot `periods` periods on; the ends of the domain are copies of each other.
+// A knot moved by `periods` periods; the ends of the domain are copies of each other.
 double copy_of(double knot, int64_t periods, Interval domain) noexcept {
     if (periods == 0 || (periods == 1 && knot == domain.lower)) {
         return periods == 0 ? knot : domain.upper;
@@ -106,8 +106,8 @@ void CommonKnots::add_open(const std::vector<const KnotVector *> &members) {
     }
 }
 
-// So many periods that each member has 2 r + 2 knots on either side of the domain: r + 1 of them can be
-// arguments, the others stand around these.
+// Enough periods that each member has 2 r + 2 knots on either side of the domain: r + 1 of them can be
+// arguments, the others surround these.
 void CommonKnots::add_periodic(const std::vector<const KnotVector *> &members) {
     const Interval domain = members.front()->domain();
     std::vector<std::vector<KnotGroup>> own;
@@ -156,7 +156,7 @@ void CommonKnots::count_copies(int extra) {
     }
 }
 
-// As many copies of each end of the domain stand on its other side as the member needs that needs the most.
+// Each end of the domain has as many copies on its other side as the member needs that needs the most.
 void CommonKnots::choose_open(const std::vector<const KnotVector *> &members, int extra) {
     Beside most{0, 0};
     for (const KnotVector *member : members) {
@@ -209,7 +209,7 @@ std::vector<double> CommonKnots::knots_between(int64_t first, int64_t end) const
     return knots;
 }
 
-// The wrapped layers of a periodic axis are those of the first ones.
+// The wrapped layers of a periodic axis are copies of the first ones.
 CommonKnots::Window CommonKnots::window(int64_t layer) const noexcept {
     const int64_t before = first_ + layer % axis_->distinct_layers();
     const Group &start = groups_[group_at(before)];
@@ -229,7 +229,8 @@ CommonKnots::Window CommonKnots::window(int64_t layer) const noexcept {
     return window;
 }
 
-// With no argument at all, at degree 0, those are none behind the last knot that is not above the support.
+// At degree 0 there are no arguments at all. The run is then empty; it stands after the last knot that is not
+// above the start of the support.
 CommonKnots::Run CommonKnots::own_arguments(size_t member, const Group *groups, const int *chosen, int low,
                                             int high, double start) const noexcept {
     if (low > high) {
@@ -284,7 +285,7 @@ public:
         times_.resize(rows_.size());
         times_.back() = times;
     }
-    // Without the zeros before the first coefficient; the result is its layer.
+    // Drops the zeros before the first coefficient; returns its layer.
     int64_t write(double total, std::vector<double> &mean) const {
         int64_t first = rows_.front().first, end = first;
         for (const BlossomRow &row : rows_) {
@@ -320,7 +321,7 @@ private:
 
 } // namespace
 
-// Only layers whose functions hold the support of a new one have a part in it: at most p + 1, which are stored in
+// A new layer depends only on layers whose functions contain its support: at most p + 1, which are stored in
 // a row.
 LayerTable CommonKnots::raising(int member) const {
     const int p = members_[static_cast<size_t>(member)].degree;

@@ -20,7 +20,7 @@
 
 namespace nrb::refine {
 
-// A value of a polar form: coefficients of consecutive layers; on a periodic axis of the endless sequence.
+// A value of a polar form: coefficients of consecutive layers; on a periodic axis, of the endless sequence.
 struct BlossomRow {
     int64_t first;
     int size;
@@ -47,15 +47,16 @@ public:
     };
     [[nodiscard]] Window window(int64_t layer) const noexcept;
 
-    // The value of the polar form of a member at as many knots of each group of the window as `chosen` says,
-    // its degree in all. Where the member jumps, that of the piece to which the window's control point belongs.
-    // Every coefficient is accurate to 3 d eps of itself, d < size the arguments that are none of its knots.
+    // The value of the polar form of a member, at as many knots of each group of the window as `chosen` says;
+    // they are as many as its degree. Where the member jumps, it is the value of the piece to which the
+    // window's control point belongs. Every coefficient is accurate to 3 d eps of itself, where d < size is
+    // the number of arguments that are not knots of the member.
     void blossom_row(int member, const Window &window, const int *chosen, BlossomRow &row) const noexcept;
     // The stored layer from which at most degree + 1 layers that begin at `layer` can be read.
     [[nodiscard]] int64_t stored_layer(int member, int64_t layer) const noexcept;
 
-    // The table that gives the layers of the axis from those of a member: its degree raised to r, and its knots
-    // refined.
+    // The table that gives the layers of the axis from those of a member, with its degree raised to r and its
+    // knots refined.
     [[nodiscard]] LayerTable raising(int member) const;
 
 private:
@@ -76,7 +77,8 @@ private:
     };
 
     // The knots of a member that are among its arguments: the last copies of the lowest argument, all knots
-    // between, the first copies of the highest one; where it jumps at its only argument, those of one side.
+    // between, and the first copies of the highest one. Where the member jumps at its only argument, the
+    // knots of one side.
     struct Run {
         int64_t first;
         int64_t size;
@@ -103,8 +105,8 @@ private:
     KnotVectorPtr axis_;
 };
 
-// Calls body(chosen, times) for every way to choose `total` knots of a window, equal ones taken together: the
-// number of copies of each group, and in how many ways they can be picked.
+// Calls body(chosen, times) for every way to choose `total` knots of a window, equal knots taken together.
+// `chosen` is the number of copies of each group, `times` in how many ways they can be picked.
 template <class Body>
 void for_each_choice(const CommonKnots::Window &window, int total, Body &&body);
 

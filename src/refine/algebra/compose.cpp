@@ -52,7 +52,7 @@ std::vector<CurvePiece> pieces_of(const Spline &f) {
     return pieces;
 }
 
-// The polar values of a coordinate of f over its pieces, between which all its values lie.
+// The polar values of a coordinate of f over its pieces; all its values lie between them.
 Interval hull_of(const std::vector<CurvePiece> &pieces, int k) noexcept {
     Interval hull{pieces.front().coefficients(k).front(), pieces.front().coefficients(k).front()};
     for (const CurvePiece &piece : pieces) {
@@ -62,9 +62,9 @@ Interval hull_of(const std::vector<CurvePiece> &pieces, int k) noexcept {
     return hull;
 }
 
-// More would be a slip rather than a curve: f in degrees on a circle in radians.
+// More would be a mistake rather than a curve: f in degrees on a circle in radians.
 constexpr double most_periods = 65536;
-// From there on neighbouring doubles are a period apart.
+// Beyond this neighbouring doubles are a period apart.
 constexpr double farthest_period = 0x1p52;
 
 // A periodic axis over all periods that f runs through.
@@ -95,7 +95,7 @@ Spline::Axes axes_under(const Spline &g, const std::vector<CurvePiece> &pieces) 
     return axes;
 }
 
-// What the continuity of f and g between two cells leaves of that of a spline of degree `degree`.
+// The order of continuity that f and g leave to a spline of degree `degree` between two cells.
 int copies_between(const Spline &g, const Spline &f, int degree, const std::vector<CurvePiece> &pieces,
                    const SpanCell &a, const SpanCell &b) noexcept {
     int smooth = degree;
@@ -153,7 +153,7 @@ private:
         cell_behind_.insert(cell_behind_.end(), static_cast<size_t>(copies), cell);
     }
 
-    // Where polar values of f overshoot its values, weights of the result may do so below 0.
+    // If polar values of f overshoot its values, weights of the result may overshoot to below 0.
     [[nodiscard]] bool has_negative_weight(const std::vector<double> &records) const noexcept {
         const auto width = static_cast<size_t>(g_.width());
         bool negative = false;
@@ -163,9 +163,9 @@ private:
         return negative;
     }
 
-    // The cell of the longest span in the support of a layer, of the first of these. All spans give the same
-    // control point, as far as crossings are known: beside a piece so short that they are not, those outside
-    // it count.
+    // The cell of the longest span in the support of a layer; the first one if there are several. All spans
+    // give the same control point, as far as crossings are known. Next to a piece so short that they are not,
+    // the spans outside it count.
     [[nodiscard]] const SpanCell &cell_for(int64_t layer) const noexcept {
         const auto length = [&](int64_t span) {
             return knots_[static_cast<size_t>(span) + 1] - knots_[static_cast<size_t>(span)];
@@ -219,7 +219,7 @@ private:
         return out;
     }
 
-    // Adds the values of G for all ways to deal out the knots that are left, from axis k on.
+    // Adds the values of G for all ways to distribute the remaining knots, from axis k on.
     void next_axis(int k, const Window &left, const double *points, double times) {
         if (k < g_.axes()) {
             next_argument(k, 0, left, nullptr, 0, points, times);
@@ -238,7 +238,7 @@ private:
         ++terms_;
     }
 
-    // Of all arguments.
+    // The same for all arguments.
     [[nodiscard]] double product_of_weights() const noexcept {
         double product = 1;
         for (int k = 0; k < g_.axes(); ++k) {
@@ -248,8 +248,8 @@ private:
         return product;
     }
 
-    // The arguments of an axis in any order are the same, so only orders that do not fall are gone through; a
-    // choice that comes n times does so in 1 / n! as many orders as n different ones.
+    // The order of the arguments of an axis does not matter, so only orders that do not fall are visited. A
+    // choice that occurs n times has 1 / n! as many orders as n different choices.
     void next_argument(int k, int number, const Window &left, const int *previous, int run,
                        const double *points, double times) {
         const auto at = static_cast<size_t>(k);
@@ -262,7 +262,7 @@ private:
         for_each_choice(left, f_.axis(0).degree(), [&](const int *chosen, double ways) {
             const auto order = against(previous, chosen, left.size);
             if (order < 0 || chosen[0] * missing > left.copies[0]) {
-                return; // the choices that follow have no fewer copies of the first knot
+                return; // the choices after this one have no fewer copies of the first knot
             }
             const int again = order == 0 ? run + 1 : 1;
             double *argument = arguments_[at].data() + number;
@@ -291,8 +291,8 @@ private:
         return arguments_[axis][place - 1];
     }
 
-    // Coordinate k of the polar form of f; where that is a value of f, the knot it stands for. Its weight goes to
-    // weights_[k][number].
+    // Coordinate k of the polar form of f. If that is a value of f, the knot it stands for. Its weight goes
+    // to weights_[k][number].
     [[nodiscard]] double argument_of(int k, int number, int size, const int *chosen) noexcept {
         std::array<double, max_basis> knots{};
         int count = 0, distinct = 0;
@@ -311,7 +311,8 @@ private:
                             : snapped(*axes_[static_cast<size_t>(k)], value, uncertainty_at(k, knots[0]));
     }
 
-    // Of the value of f there, to which the pieces on both sides belong: one of them may be much steeper.
+    // The uncertainty of the value of f there. The pieces on both sides count: one of them may be much
+    // steeper.
     [[nodiscard]] double uncertainty_at(int k, double t) const noexcept {
         const size_t i = cell_->piece;
         double least = pieces_[i].uncertainty_at(k, t);
@@ -349,7 +350,7 @@ private:
     std::array<double, max_basis> window_knots_{};
     std::vector<double> block_;
     std::array<std::array<double, max_basis>, max_axes> arguments_{};
-    std::array<std::array<double, max_basis>, max_axes> weights_{}; // of the arguments, where f has some
+    std::array<std::array<double, max_basis>, max_axes> weights_{}; // of the arguments, if f has weights
     std::array<int64_t, max_axes> lengths_{};
     std::array<std::vector<double>, max_axes> parts_;
     std::vector<CompensatedSum> sums_;

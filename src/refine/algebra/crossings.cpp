@@ -30,7 +30,7 @@ CurvePiece::CurvePiece(const Spline &curve, int64_t span) : curve_(&curve), span
 
 namespace {
 
-// Values of a polar form at `from` and `to`, the latter 0, ..., degree times.
+// Values of a polar form: at `to` 0, ..., degree times, at `from` the other times.
 template <class Polar>
 Coefficients bernstein(int degree, double from, double to, Polar polar) noexcept {
     Coefficients arguments{}, values{};
@@ -136,9 +136,10 @@ Interval CurvePiece::eps_times_range(int k) const noexcept {
     return range;
 }
 
-// Bound of eps t |F'|, of which each control point counts by its steps to the next one. With weights F' is the sum of
-// q N_i (w_(i+1) (F_(i+1) - F) - w_i (F_i - F)) / (t_(i+q+1) - t_(i+1)), N_i those of degree q - 1, divided by the
-// weight, and F lies among the F_i; equal weights have the ratios 1 + 1, of which `even` are left out.
+// Bound of eps t |F'|, to which each control point contributes its steps to the next one. With weights F' is
+// the sum of q N_i (w_(i+1) (F_(i+1) - F) - w_i (F_i - F)) / (t_(i+q+1) - t_(i+1)), N_i being those of degree
+// q - 1, divided by the weight, and F lies among the F_i; equal weights have the ratios 1 + 1, of which
+// `even` are left out.
 double CurvePiece::eps_times_slope(int k, double even) const noexcept {
     const KnotVector &axis = curve_->axis(0);
     const int q = axis.degree();
@@ -169,7 +170,7 @@ double CurvePiece::uncertainty_at(int k, double t) const noexcept {
 
 namespace {
 
-// Bernstein coefficients whose signs count, and what their uncertainty is multiplied by.
+// Bernstein coefficients whose signs are counted, and the factor of their uncertainty.
 template <size_t kSize>
 struct SignNet {
     std::array<double, kSize> values{};
@@ -226,11 +227,11 @@ private:
                 const auto at = static_cast<size_t>(j);
                 values[at] = values[at] / 2 + values[at + 1] / 2;
             }
-            // The upper half stays behind, from its end backwards.
+            // The upper half remains afterwards, stored from its end backwards.
         }
     }
 
-    // A part that begins with one sign and ends with another one, or the same.
+    // A part that begins and ends with known signs, which differ or agree.
     void add(int first, int last, double lower, double upper) {
         if (before_ * first < 0) {
             profile_.crossings.push_back(lower);
@@ -258,7 +259,7 @@ private:
     double uncertainty_;
     int degree_;
     bool weighted_;
-    int before_ = 0; // the last sign met
+    int before_ = 0; // the last sign found
     SignProfile profile_;
 };
 
@@ -278,7 +279,7 @@ SignProfile profile_of(const CurvePiece &piece, int k, double c, double uncertai
         .walk(net, part);
 }
 
-// Whether no jump leads back.
+// Whether no jump goes back.
 bool continues(const CurvePiece &before, const CurvePiece &piece, bool rising) noexcept {
     const double from = before.coefficients(0).back(), to = piece.coefficients(0).front();
     const double slack = std::max(before.uncertainty(0), piece.uncertainty(0));
@@ -332,12 +333,12 @@ SignProfile quotient_slope(const CurvePiece &piece) {
             net.weights[k] += size_of_term;
         }
     }
-    const auto middle = [](double) { return 0.0; }; // zeros are not asked for
+    const auto middle = [](double) { return 0.0; }; // no zeros are wanted
     return SignWalk<size, decltype(middle)>(degree, true, 2 * piece.rounding(0), middle)
         .walk(net, {piece.lower(), piece.upper()});
 }
 
-// check(signs of the derivative) on all pieces, until it says false.
+// Calls check(signs of the derivative) on all pieces, until it returns false.
 template <class Check>
 bool all_slopes(const SplinePtr &curve, Check check) {
     const SplinePtr slope = curve->rational() ? curve : polynomial_derivative(curve, 0, 1);

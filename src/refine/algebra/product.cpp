@@ -21,7 +21,7 @@ struct Term {
     int64_t first_b;
     int size_a;
     int size_b;
-    size_t offset; // of the coefficients of the first, those of the second behind them
+    size_t offset; // coefficients of the first value, then those of the second
 };
 
 // The terms of layers of an axis.
@@ -64,7 +64,7 @@ private:
     std::vector<size_t> ends_;
 };
 
-// What is left of a factor at each axis: the length of a layer there.
+// What remains of a factor at each axis: the length of a layer there.
 std::vector<int64_t> layer_lengths(const Spline::Axes &axes, int64_t width) {
     std::vector<int64_t> lengths(axes.size());
     for (size_t k = axes.size(); k-- > 0; width *= axes[k]->count()) {

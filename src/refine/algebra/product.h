@@ -14,7 +14,7 @@ namespace nrb::refine {
 // A map of two records that is linear in each of them: out = B(a, b).
 using Bilinear = std::function<void(const double *a, const double *b, double *out)>;
 
-// A factor: its axes, and records of any meaning for its control points.
+// A factor: its axes, and records, whatever they mean, for its control points.
 struct Factor {
     const Spline::Axes &axes;
     std::span<const double> records;
@@ -47,9 +47,9 @@ enum class ProductKind { components, dot, cross };
 // The spline a(t) b(t). Throws Status::dimension, and what the functions above and make_result() throw.
 SplinePtr product(const Spline &a, const Spline &b, ProductKind kind);
 
-// A spline of homogeneous records. With Form::rational points of weight 0 stand at the origin; if there are some
-// at infinity, which weights of 0 in a denominator can bring about, the form is the homogeneous one. Throws what
-// make_result() throws.
+// A spline of homogeneous records. With Form::rational points of weight 0 stand at the origin. Weights of 0
+// in a denominator can bring about points at infinity; if there are some, the form is the homogeneous one.
+// Throws what make_result() throws.
 SplinePtr from_records(Spline::Axes axes, int dim, Form form, std::vector<double> records);
 
 } // namespace nrb::refine

@@ -44,7 +44,7 @@ std::vector<Crossing> crossings(const Spline::Axes &axes, const CurvePiece &piec
     return found;
 }
 
-// Whether f is at the knot all the way from a place to the crossing, as far as can be told.
+// Whether f is at the knot all the way from a place to the crossing, as far as its values are known.
 bool stays(const CurvePiece &piece, double t, const Crossing &crossing) noexcept {
     const double uncertainty = piece.uncertainty(crossing.axis);
     const Coefficients values = piece.coefficients_between(crossing.axis, t, crossing.t);
@@ -52,7 +52,7 @@ bool stays(const CurvePiece &piece, double t, const Crossing &crossing) noexcept
                        [&](double value) { return std::fabs(value - crossing.knot) <= uncertainty; });
 }
 
-// The start of the piece and crossings inside it, apart from its ends and from each other.
+// The start of the piece and the crossings inside it that can be told from its ends and from each other.
 std::vector<double> starts_of(const Spline::Axes &axes, const CurvePiece &piece) {
     std::vector<double> starts{piece.lower()};
     for (const Crossing &crossing : crossings(axes, piece)) {
@@ -63,8 +63,8 @@ std::vector<double> starts_of(const Spline::Axes &axes, const CurvePiece &piece)
     return starts;
 }
 
-// The span of an axis in which the piece lies on a part between crossings: that of the last knot which it lies
-// above, of those that may be meant.
+// The span of an axis in which the piece lies on a part between crossings: that of the last knot above which
+// it lies, among those that may be meant.
 int64_t span_of(const KnotVector &axis, const CurvePiece &piece, int k, Interval part) {
     const double value = piece.value(k, part.lower + (part.upper - part.lower) / 2);
     const std::span<const double> breaks = axis.spans().breaks();

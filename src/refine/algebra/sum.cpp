@@ -40,7 +40,7 @@ Common common(SplinePtr a, SplinePtr b) {
     return {std::move(a), std::move(b)};
 }
 
-// Stored points are combined; where the last component of a record is the weight it stays.
+// Stored points are combined; if the last component of a record is the weight, it stays.
 SplinePtr combined(const Spline &a, double alpha, const Spline &b, double beta) {
     std::vector<double> points(a.points().begin(), a.points().end());
     const auto width = static_cast<size_t>(a.stored_width()), dim = static_cast<size_t>(a.dim());

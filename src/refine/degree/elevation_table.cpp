@@ -25,8 +25,8 @@ std::vector<Group> groups_of(std::span<const double> knots) {
     return groups;
 }
 
-// Old knots first, ..., end - 1, all of which a polar form has among its arguments, and the ones it has
-// beside them, as places of old knots.
+// Old knots first, ..., end - 1, all of which are arguments of a polar form, and its other arguments, as
+// places of old knots.
 struct Arguments {
     int64_t first;
     int64_t end;
@@ -41,7 +41,7 @@ struct RowShape {
     int terms;
     BlossomTerm term[max_basis];
 
-    // Whether all the terms go to one control point.
+    // Whether all terms belong to one control point.
     [[nodiscard]] bool copies() const noexcept { return width == 1; }
     [[nodiscard]] std::span<const BlossomTerm> all() const noexcept {
         return {term, static_cast<size_t>(terms)};
@@ -70,8 +70,8 @@ public:
         return this->group(group).first + group; // one more of each group before
     }
 
-    // The average over the windows without one of the knots: one term for each group, as often as there are
-    // copies to drop.
+    // The average over the windows without one of the knots: one term for each group, weighted by the number
+    // of copies that can be dropped.
     void shape(RowShape &shape) const noexcept {
         shape.terms = size_;
         int64_t layers[max_basis];
@@ -103,7 +103,7 @@ private:
     }
 
     // The window without one copy of its group `dropped`. Old knots strictly inside it are among the
-    // arguments as often as they occur; those at its ends are the ones beside them.
+    // arguments as often as they occur; the knots at its ends are the other arguments.
     void drop(int dropped, Arguments &arguments) const noexcept {
         const auto copies = [&](int i) { return copies_[i] - (i == dropped ? 1 : 0); };
         const int low = copies(0) == 0 ? 1 : 0;
@@ -124,8 +124,8 @@ private:
     }
 
     // With d further arguments a polar form is a combination of d + 1 control points: Cox-de Boor steps over
-    // the knots around those that it has (T. Lyche, K. Morken, "Making the Oslo algorithm more efficient",
-    // SIAM J. Numer. Anal. 23 (1986)). Returns the first control point.
+    // the knots around the arguments that it has (T. Lyche, K. Morken, "Making the Oslo algorithm more
+    // efficient", SIAM J. Numer. Anal. 23 (1986)). Returns the first control point.
     int64_t make_term(int dropped, BlossomTerm &term) const noexcept {
         Arguments arguments;
         drop(dropped, arguments);
@@ -184,8 +184,9 @@ private:
         return low;
     }
 
-    // How many of the next groups, a multiple of row_lanes, have windows that see knots of one multiplicity
-    // only: none reaches further than degree + 1 groups before the first and twice as many behind the last.
+    // How many of the next groups, a multiple of row_lanes, have windows that see only knots of one
+    // multiplicity. No window reaches further than degree + 1 groups before the first, and twice as many
+    // after the last.
     int64_t alike(int64_t at, int64_t group, int64_t end) {
         const int64_t reach = degree_ + 1;
         const int64_t wanted = (end - at) / (multiplicity(group) + 1);
@@ -262,7 +263,7 @@ struct Range {
 };
 
 // `lead` extended knots stand before the stored ones. On a periodic axis the new copy of an end of the domain
-// stands behind it on either side, on any other one it stands outside.
+// stands after it at both ends; on any other axis it stands outside.
 Range kept_knots(const KnotVector &axis, const std::vector<Group> &groups, int64_t lead) noexcept {
     const int64_t p = axis.degree();
     const int64_t lower = p + lead + group_at(groups, p + lead) + (axis.periodic() ? 0 : 1);

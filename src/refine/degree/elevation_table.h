@@ -39,7 +39,7 @@ public:
     [[nodiscard]] LayerTable rows(int64_t first, int64_t end) const;
 
 private:
-    // On a periodic axis the knots of periods before and behind, too.
+    // On a periodic axis also the knots of the periods before and after.
     [[nodiscard]] std::span<const double> old_knots() const noexcept {
         return axis_.periodic() ? std::span<const double>(extended_) : axis_.knots();
     }

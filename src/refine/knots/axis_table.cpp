@@ -9,7 +9,7 @@
 namespace nrb::refine {
 
 LayerTable rows_of(const Refinement &refinement, int64_t first, int64_t end) {
-    constexpr int64_t many = row_lanes / 2; // for which it pays that they are alike
+    constexpr int64_t many = row_lanes / 2; // from this many on it pays that they are alike
     const int degree = refinement.width() - 1;
     LayerTable table;
     table.reserve(end - first, refinement.width(), row_lanes);
@@ -73,7 +73,7 @@ SplinePtr with_axis(const Spline &spline, int k, const AxisTable &made) {
 }
 
 SplinePtr with_axis(const Spline &spline, int k, KnotVectorPtr axis, int64_t unit, const RowSource &rows) {
-    constexpr int64_t few = 4096; // rows, whose table stays in the cache
+    constexpr int64_t few = 4096; // rows whose table stays in the cache
     const int64_t count = axis->count();
     LayerMaker maker(spline, k, count);
     const int64_t part = maker.in_parts() ? std::max(few / unit, int64_t{1}) * unit : count;

@@ -2,7 +2,7 @@
 
 namespace nrb::refine {
 
-// Lanes that never get a row are divided too, so that they need sides that differ.
+// Lanes that never get a row are divided too, so they need sides that differ.
 void BatchedBlossoms::open(Batch &batch, int steps) {
     const int64_t side = steps * batch_rows;
     batch.knots.assign(static_cast<size_t>(3 * side), 0);

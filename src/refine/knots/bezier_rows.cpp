@@ -50,7 +50,7 @@ private:
         return copies;
     }
 
-    // How many spans from e on, inner ones, have as many knots at either end.
+    // How many spans from e on, inner ones, have equally many knots at either end.
     [[nodiscard]] int64_t run(int64_t e, int64_t limit) const noexcept {
         if (e == first_) {
             return 0;
@@ -77,8 +77,8 @@ private:
         }
         return degree_ + 1 - first;
     }
-    // Whether span e begins with the last point of the span before, which is made too: unless the spline is
-    // cut there.
+    // Whether span e begins with the last point of the span before, which is made too; it does not if the
+    // spline is cut there.
     [[nodiscard]] bool shared(int64_t e) const noexcept {
         return e > first_ && span(e) - span(e - 1) <= degree_;
     }
@@ -128,7 +128,7 @@ private:
     int degree_;
     std::span<const double> knots_;
     std::span<const int64_t> spans_;
-    int64_t first_ = 0; // span that is made
+    int64_t first_ = 0; // the span that is made
     LayerTable table_;
 };
 

@@ -21,7 +21,7 @@ public:
     [[nodiscard]] std::span<const double> values() const noexcept {
         return std::span(values_).first(static_cast<size_t>(size_));
     }
-    // Whether a knot was among them; it is used up.
+    // Whether a knot was among them; if so, it is used up.
     bool take(double knot) noexcept {
         double *const end = values_.data() + size_;
         double *const found = std::find(values_.data(), end, knot);

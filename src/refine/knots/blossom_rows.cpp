@@ -54,7 +54,7 @@ struct Halves {
     Vector carried; // to the next one
 };
 
-// As in split(), whose comments say why.
+// As in split(); see the comments there.
 template <class Load>
 HWY_INLINE Halves split_value(const BlossomTerm &term, const Load &load, int step, int r, Vector t,
                               Vector value) {
@@ -234,7 +234,7 @@ void make_rows_between(int steps, const double *left, const double *right, const
     term.left = left;
     term.right = right;
     term.pitch = 1;
-    double last[lanes + max_basis]; // behind the arguments there may be nothing to read
+    double last[lanes + max_basis]; // after the arguments there may be nothing to read
     for (int64_t first = 0; first < count; first += lanes) {
         const double *from = arguments + first;
         if (first + lanes > count) {

@@ -13,10 +13,10 @@ inline constexpr int row_lanes = 8;
 // A knot of each row: that of row l is at[l * stride].
 using KnotLanes = const double *;
 
-// One polar form as combination of steps + 1 control points, times `factor`: de Boor's steps with one argument
-// after another, see append_argument(). The knots at its sides are left[-pitch], left[-2 pitch], ... and
-// right[0], right[pitch], ...; its coefficients belong to control points target, ..., target + steps of the
-// row.
+// One polar form as a combination of steps + 1 control points, times `factor`: de Boor's steps with one
+// argument after another, see append_argument(). The knots at its sides are left[-pitch], left[-2 pitch], ...
+// and right[0], right[pitch], .... Its coefficients belong to control points target, ..., target + steps of
+// the row.
 struct BlossomTerm {
     int steps;
     int target;
@@ -35,11 +35,12 @@ void blossom_row_sum(std::span<const BlossomTerm> terms, int width, double *row)
 void blossom_row_sums(std::span<const BlossomTerm> terms, int64_t stride, int64_t count, int width,
                       int64_t pitch, double *rows) noexcept;
 
-// One term a row, of at least one step, and row l at rows[l]; the stride is 1.
+// One term for each row, of at least one step; row l goes to rows[l]; the stride is 1.
 void blossom_rows(const BlossomTerm &term, int64_t count, double *const *rows) noexcept;
 
-// Row l of steps + 1 coefficients, l < count, has arguments[l], ..., arguments[l + steps - 1]; the knots at the
-// sides are the same for all. There must be room for row_lanes rows more.
+// Rows whose arguments slide along a list: row l of steps + 1 coefficients, l < count, has the arguments
+// arguments[l], ..., arguments[l + steps - 1]; the knots at the sides are the same for all. There must be
+// room for row_lanes more rows.
 void sliding_blossom_rows(int steps, const double *left, const double *right, const double *arguments,
                           int64_t count, double *rows) noexcept;
 
