@@ -56,9 +56,9 @@ WideVector least_direction(const WideVector &a) noexcept {
     return direction;
 }
 
-// Adds a product, its rounding error and what the rests give.
+// Adds a product, its rounding error, and the products of the remainders.
 void add_product(const Wide &a, const Wide &b, CompensatedSum &sum) noexcept {
-    if (a.high == 0 || b.high == 0) { // most of them, in planes and along the axes
+    if (a.high == 0 || b.high == 0) { // most of them are, in planes and along the axes
         return;
     }
     const double product = a.high * b.high;

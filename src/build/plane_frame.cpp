@@ -25,7 +25,8 @@ std::vector<double> scaled(std::vector<double> v, double factor) {
     return v;
 }
 
-// The part of v across a unit vector; twice, since cancellation leaves some of it.
+// The part of v across a unit vector. It is computed twice, because cancellation leaves some of the other
+// part.
 std::vector<double> across(std::vector<double> v, std::span<const double> unit) {
     for (int pass = 0; pass < 2; ++pass) {
         const double part = numeric::dot(v, unit);
@@ -36,7 +37,7 @@ std::vector<double> across(std::vector<double> v, std::span<const double> unit) 
     return v;
 }
 
-// That brings a size to about 1, as far as it is a number itself.
+// The power of two that brings a size to about 1, if it is itself a number.
 double power_of_two(double size) noexcept {
     return size > 0 ? std::ldexp(1.0, std::min(-std::ilogb(size), 1000)) : 1;
 }

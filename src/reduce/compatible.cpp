@@ -22,7 +22,7 @@ namespace nrb::reduce {
 
 namespace {
 
-// Orders axes by what they are.
+// Orders axes by their contents.
 struct AxisLess {
     bool operator()(const KnotVectorPtr &a, const KnotVectorPtr &b) const noexcept {
         if (a == b) {
@@ -76,8 +76,8 @@ void check_axis_counts(std::span<const SplinePtr> splines) {
     }
 }
 
-// Maps domains to the first one: any, or those whose ends are within a part `tolerance` of its length. Returns
-// how far points at a parameter may have moved in those.
+// Maps domains to the first one: all of them, or those whose ends are within a part `tolerance` of its
+// length. Returns how far points at a parameter may have moved in the latter case.
 double unify_domain(Set &set, int k, bool any, double tolerance) {
     const auto [lower, upper] = set.splines()[0]->axis(k).domain();
     const double width = tolerance * (upper - lower);
@@ -102,7 +102,7 @@ double unify_domain(Set &set, int k, bool any, double tolerance) {
     return largest;
 }
 
-// Plain and periodic axes become plain ones.
+// A mixture of plain and periodic axes becomes plain axes.
 void unify_periodicity(Set &set, int k) {
     const auto periodic = [k](const SplinePtr &spline) { return spline->axis(k).periodic(); };
     std::vector<SplinePtr> &splines = set.splines();
@@ -123,7 +123,7 @@ void unify_degree(Set &set, int k) {
     }
 }
 
-// Knots outside the domain that differ are replaced by clamped ends.
+// Replaces knots outside the domain by clamped ends if they differ.
 void unify_ends(Set &set, int k) {
     const Groups groups = set.groups(k);
     const std::span<const double> first = groups.begin()->first->knots();
@@ -154,15 +154,15 @@ LayerTable rotated(const LayerTable &table, int64_t shift, int64_t period) {
     return result;
 }
 
-// How many copies of the lower end stand behind that which begins the domain.
+// How many copies of the lower end stand after the copy that begins the domain.
 int64_t copies_behind(const KnotVector &axis) {
     const auto knots = axis.knots();
     return std::upper_bound(knots.begin(), knots.end(), axis.domain().lower) - knots.begin() - 1 -
            axis.degree();
 }
 
-// A periodic axis from one period of its knots: those behind its lower end, which stands at index degree, up
-// to the copies of that at the upper end.
+// A periodic axis from one period of its knots: those after its lower end, which stands at index degree, up
+// to the copies of that end at the upper end.
 KnotVectorPtr periodic_axis(int degree, Interval domain, std::span<const double> period, int k) {
     const auto p = static_cast<size_t>(degree);
     std::vector<double> knots(period.size() + 2 * p + 1, domain.upper);
@@ -261,8 +261,8 @@ void unify_plain_knots(Set &set, int k) {
     }
 }
 
-// As for plain axes, but the seam of all has to stand at the same one of its copies, and knots outside the
-// domain may differ by rounding, whose effect is bounded then.
+// As for plain axes, but the seam of all axes has to stand at the same one of its copies. Knots outside the
+// domain may differ by rounding, whose effect is then bounded.
 double unify_periodic_knots(Set &set, int k) {
     const Groups groups = set.groups(k);
     const KnotVector &first = *groups.begin()->first;

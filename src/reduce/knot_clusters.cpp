@@ -21,7 +21,7 @@ std::vector<KnotCount> counted(std::span<const double> sorted) {
 }
 
 KnotClusters::KnotClusters(std::span<const KnotCount> knots, Interval domain, double width) {
-    // A part of a subnormal length may round to all of it.
+    // A part of a subnormal length may be rounded to the whole length.
     width = std::min(width, std::nextafter(domain.upper - domain.lower, 0.0));
     int64_t most = 0;
     bool open = false; // whether the last cluster takes more knots
@@ -72,7 +72,7 @@ struct Kept {
     std::vector<int64_t> layers;
 };
 
-// Takes the copies of an end beyond degree + 1 away, and as many layers.
+// Removes the copies of an end beyond degree + 1, and as many layers.
 void drop_excess(int degree, double end, Kept &kept) {
     const auto [first, last] = std::equal_range(kept.knots.begin(), kept.knots.end(), end);
     const int64_t excess = (last - first) - (degree + 1);

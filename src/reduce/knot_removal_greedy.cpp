@@ -30,7 +30,7 @@ public:
     [[nodiscard]] double weight(int i) const noexcept { return record(i)[dim_]; }
     // The point of the largest weight.
     [[nodiscard]] double centre(int c) const noexcept { return record(heaviest_)[c] / weight(heaviest_); }
-    // From there to any other that has a place.
+    // The distance from there to any other point that has a place.
     [[nodiscard]] double radius() const noexcept {
         const double quick = largest_square();
         if (quick > 1e-280 && quick < 1e300) {
@@ -45,7 +45,7 @@ public:
         }
         return largest;
     }
-    // What the denominator is at the least: where a weight is 0, about the mean with both its neighbours.
+    // The least value of the denominator: where a weight is 0, about the mean with both its neighbours.
     [[nodiscard]] double least_weight() const noexcept {
         double least = infinite, mean = infinite;
         for (int i = 0; i < size_; ++i) {
@@ -57,7 +57,7 @@ public:
     }
 
 private:
-    // Of the radius, with one division for each point.
+    // The square of the radius, with one division for each point.
     [[nodiscard]] double largest_square() const noexcept {
         const double *middle = record(heaviest_);
         const double shrink = 1 / weight(heaviest_);
@@ -98,7 +98,8 @@ GreedyKnotRemoval::GreedyKnotRemoval(const Spline &spline, int axis, bool forgiv
     queue_all();
 }
 
-// On a periodic axis the ring of one period, which begins with the first copy of the seam: that never goes.
+// On a periodic axis the ring of one period, which begins with the first copy of the seam; that copy is never
+// removed.
 void GreedyKnotRemoval::link_knots() {
     const auto [lower, upper] = axis_.domain();
     const int64_t seam =
@@ -210,7 +211,7 @@ void GreedyKnotRemoval::find_gap(const Window &window) noexcept {
                    [](double a, double b) { return a / 2 - b / 2; });
 }
 
-// What the gap of weights may be by their rounding alone.
+// How large the gap of weights may be from their rounding alone.
 double GreedyKnotRemoval::gap_rounding(const Window &window, const Column &column) const noexcept {
     double sum = 0;
     for (int i = 0; i < window.size; ++i) {
@@ -382,8 +383,8 @@ bool GreedyKnotRemoval::solve(const Window &window) {
     return true;
 }
 
-// A layer's support begins at its knot: with the knot at the end of the window and a layer inside it gone,
-// the knots between belong to the layers one further on.
+// The support of a layer begins at its knot. When the knot at the end of the window and a layer inside it are
+// removed, the knots between belong to the next layers.
 void GreedyKnotRemoval::unlink(int64_t knot, const Window &window) noexcept {
     const bool jump = window.multiplicity > degree_;
     const int skipped = jump ? 0 : window.step.skipped;

@@ -45,7 +45,7 @@ int64_t seam_copies_before(const KnotVector &axis) noexcept {
     return axis.degree() + 1 - (first - axis.knots().begin());
 }
 
-// nurbs_elevate() puts new copies of the seam behind the one that starts the domain; those go first.
+// nurbs_elevate() puts new copies of the seam after the one that starts the domain; those are removed first.
 KnotVectorPtr lowered_periodic_axis(const KnotVector &axis, int times) {
     const auto [lower, upper] = axis.domain();
     const auto q = static_cast<size_t>(axis.degree() - times);
@@ -166,8 +166,8 @@ RecordRounding largest_around(const std::vector<double> &layers, int64_t length,
     return largest;
 }
 
-// Weights of Form::rational that are 0 to the rounding of the solution, 32 (degree + 1) eps of those near by,
-// become 0. Whether one is left at a point at infinity.
+// Weights of Form::rational that are 0 to the rounding of the solution, 32 (degree + 1) eps of the weights
+// nearby, become 0. Returns whether a point at infinity remains.
 bool clear_rounded_weights(const Spline &spline, int degree, int64_t length, std::vector<double> &layers) {
     const double rounding = rounding_of_zero * (degree + 1);
     const int64_t count = std::ssize(layers) / length;

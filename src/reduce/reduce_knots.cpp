@@ -35,8 +35,8 @@ struct Certified {
     std::vector<double> uppers;
 };
 
-// Rounds of removal until one removes nothing or fails to keep the tolerance, by rounding or because weights
-// moved; the last that kept it. The removal itself is held to `aim`.
+// Rounds of removal until one removes nothing, or does not keep the tolerance because of rounding or because
+// weights moved; returns the last result that kept it. The removal itself keeps to `aim`.
 Certified thin(const SplinePtr &spline, int axis, double tolerance, double aim, bool forgive_rounding) {
     Certified best{spline, {}, {}};
     GreedyKnotRemoval removal(*spline, axis, forgive_rounding);
@@ -55,8 +55,8 @@ Certified thin(const SplinePtr &spline, int axis, double tolerance, double aim, 
     return best;
 }
 
-// Weights that differ much make rounding larger than it is in any place: it is forgiven at first. Then half
-// the tolerance and less, where certificates fail.
+// Weights that differ much make the computed rounding larger than it is anywhere, so it is ignored at first.
+// If certificates fail, half the tolerance and less is tried.
 Reduced reduce_axis(const SplinePtr &spline, int axis, double tolerance) {
     double aim = tolerance;
     bool forgive = spline->rational();

@@ -25,8 +25,8 @@ struct RemovalStep {
 };
 
 // `last` points to t_r; last[-p], ..., last[p - s + 1] are read. Precondition: 1 <= multiplicity <= degree.
-// The alphas fall with i, which makes every divisor of the solution at least 1/2 but for one, the larger of
-// two. Cost: O(degree).
+// The alphas fall with i, which makes every divisor of the solution at least 1/2, except for one, which is
+// the larger of two. Cost: O(degree).
 RemovalStep removal_step(const double *last, int degree, int multiplicity) noexcept;
 
 // Layers r - p - 1, ..., r - s + 1 of the spline, `width` values each.
@@ -34,8 +34,8 @@ using RemovalWindow = double *const *;
 
 void removal_gap(const RemovalStep &step, RemovalWindow window, int64_t width, double *gap) noexcept;
 
-// Makes the layers those of the result, in place and in order, of which window[skipped + 1] is none. Rounding
-// is multiplied by up to 2 in each equation.
+// Replaces the layers by those of the result, in place and in order; window[skipped + 1] is not among them.
+// Rounding is multiplied by up to 2 in each equation.
 void remove_layer(const RemovalStep &step, RemovalWindow window, int64_t width, const double *gap) noexcept;
 
 } // namespace nrb::reduce

@@ -21,9 +21,9 @@ struct WindowRows {
     double entries[max_basis][max_basis + 2];
 };
 
-// The rows are what the removal makes of the unit vectors.
+// The rows are the result of the removal on the unit vectors.
 WindowRows window_rows(const double *last, int degree, int multiplicity) noexcept {
-    if (multiplicity > degree) { // the layers on both sides of the jump become their mean
+    if (multiplicity > degree) { // the layers on both sides of the jump are replaced by their mean
         return {2, 1, {{0.5, 0.5}}};
     }
     const RemovalStep step = removal_step(last, degree, multiplicity);

@@ -5,7 +5,7 @@
 
 namespace nrb::reduce {
 
-// Weights first, then the degree of each axis, then knots. Throws as reduce_knots().
+// Reduces weights first, then the degree of each axis, then knots. Throws as reduce_knots().
 Reduced simplify(const SplinePtr &spline, double tolerance);
 
 } // namespace nrb::reduce

@@ -14,7 +14,7 @@ namespace nrb::build {
 
 namespace {
 
-// Control points of one degree with weights, ends of neighbours taken together.
+// Control points of one degree with weights; neighbouring pieces have their common end once.
 struct Net {
     std::vector<double> points;
     std::vector<double> weights;
@@ -61,7 +61,7 @@ KnotVectorPtr append_ellipse(Net &net, const ConicArc &conic, int32_t form) {
 
 // The homogeneous point a^2 (A, 1) + 2 a b (h, w) + b^2 (B, 1) has the weight 1 for a = sinh(d - u / 2) /
 // sinh d and b = sinh(u / 2) / sinh d, w = cosh d; polar values of two such pairs are the control points
-// between. All coefficients are positive: nothing cancels however sharp the hyperbola is.
+// between them. All coefficients are positive, so that nothing cancels however sharp the hyperbola is.
 KnotVectorPtr append_hyperbola(Net &net, const ConicArc &conic) {
     const double d = 2 * std::asinh(std::sqrt(-conic.below / 2)), whole = std::sinh(d);
     const auto pieces = std::max<int64_t>(1, static_cast<int64_t>(std::ceil(d)));

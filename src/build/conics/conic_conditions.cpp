@@ -39,8 +39,8 @@ ConicArc arc_in(const PlaneFrame &plane, Coordinates a, Coordinates b, const Poi
                           [&plane](const Point2 &v) { return plane.vector(v); });
 }
 
-// The circle that leaves the origin in a direction: the arc's half angle is that between the tangent and the
-// chord.
+// The circle that leaves the origin in a direction: the half angle of the arc is the angle between the
+// tangent and the chord.
 ConicArc circle_over(Coordinates a, Coordinates b, const PlaneFrame &plane, const Point2 &tangent) {
     const Point2 chord = plane.point(b);
     const Wide width = norm(chord), size = norm(tangent);
@@ -165,8 +165,8 @@ Wide wide_dot(std::span<const Wide> a, std::span<const Wide> b) noexcept {
     return sum;
 }
 
-// a + alpha s and b - beta t where they come closest. The directions are units, to rounding. In twice the
-// precision, so that lines at small angles meet as well as others do.
+// a + alpha s and b - beta t at the place where they come closest. The directions are unit vectors, to
+// rounding. Twice the precision lets lines at small angles meet as accurately as others.
 Crossing closest(Coordinates a, Coordinates s, Coordinates b, Coordinates t) {
     const std::vector<Wide> u(s.begin(), s.end()), v(t.begin(), t.end());
     std::vector<Wide> chord;
@@ -213,7 +213,7 @@ double largest_coordinate(Coordinates a, Coordinates b) noexcept {
 SplinePtr arc_through(Coordinates a, Coordinates b, Coordinates c, int32_t form) {
     check_arc_form(form);
     const PlaneFrame plane(a, c, b, "a, b and c");
-    // The angle at b is half a turn less the one between the tangent and the chord.
+    // The angle at b is half a turn minus the angle between the tangent and the chord.
     const Point2 p = plane.point(b), chord = plane.point(c);
     const Wide cosine = dot(p, chord - p), sine = cross(p, chord);
     const Point2 tangent{cosine * chord.x + sine * chord.y, cosine * chord.y - sine * chord.x};

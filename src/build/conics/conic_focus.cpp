@@ -54,8 +54,8 @@ ConicArc focal_arc(const Placement &place, double parameter, double e, const std
                           weight, [&place](const Point2 &v) { return vector_in(place, v); });
 }
 
-// With e >= 1 the curve goes to infinity where cos a = -1 / e: on the way, if half a turn is, and otherwise
-// at an end.
+// With e >= 1 the curve goes to infinity where cos a = -1 / e. It does so on the way if half a turn is on the
+// way, and otherwise at an end.
 void check_finite(const Turn &turn, double e) {
     constexpr double full = 2 * std::numbers::pi;
     const double sweep = turn.sweep.radians(), sign = sweep < 0 ? -1 : 1;
@@ -106,7 +106,8 @@ SplinePtr conic_focus(const FocalFrame &frame, double eccentricity, const Turn &
              Number(eccentricity).text);
     }
     check_finite(turn, eccentricity);
-    const int64_t arcs = std::fabs(turn.sweep.radians()) > 3 ? 2 : 1; // less than half a turn, or just that
+    const int64_t arcs =
+        std::fabs(turn.sweep.radians()) > 3 ? 2 : 1; // less than half a turn, or exactly half a turn
     const double half_cosine = turn.sweep.part(1, 2 * arcs).direction().cos;
     std::vector<ConicArc> pieces;
     for (int64_t i = 0; i < arcs; ++i) {

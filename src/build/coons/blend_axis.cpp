@@ -41,7 +41,7 @@ public:
             owner_.push_back(function.denominator == nullptr ? none : place(function.denominator));
         }
     }
-    // Of all, and of all but that of a function; null: 1.
+    // The product of all, or of all except that of a function; null: 1.
     [[nodiscard]] SplinePtr product_of_all() const { return product_without(none); }
     [[nodiscard]] SplinePtr product_of_others(size_t function) const {
         return product_without(owner_[function]);
@@ -82,7 +82,7 @@ SplinePtr blending_functions(Interval domain, int degree) {
                                      degree + 1, degree == 1 ? linear : cubic);
 }
 
-// The length of parameter after which a unit of derivative has moved control point 1 by 1, and back from the
+// The length of parameter over which a unit of derivative moves control point 1 by 1; then the same for the
 // other end.
 double first_step(const KnotVector &axis) noexcept {
     const int r = axis.degree();
@@ -95,7 +95,7 @@ double last_step(const KnotVector &axis) noexcept {
     return (axis[n + r - 1] - axis[n - 1]) / r;
 }
 
-// Values at the ends, and for Hermite's functions derivatives: the layers of the margin in terms of those of
+// Values at the ends and, for Hermite's functions, derivatives: the layers of the margin in terms of those of
 // D.
 void set_ends(BlendAxis &made) {
     const auto n = static_cast<size_t>(made.count());

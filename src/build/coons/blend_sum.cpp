@@ -62,12 +62,12 @@ HomogeneousNet homogeneous_net(const Spline &spline) {
     return part;
 }
 
-// Where the axes of the volume stand in a term: free, or at an end.
+// How each axis of the volume stands in a term: free, or at an end.
 enum class Stand { free, start, end };
 using Stands = std::array<Stand, 3>;
 
-// The records of a part at its place among the layers of a volume, which has `fixed` layers along axes that
-// are not free; 0 where these do not stand at their ends.
+// The records of a boundary at its place among the layers of a volume, which has `fixed` layers along axes
+// that are not free; 0 if these do not stand at their ends.
 std::vector<double> spread(const std::vector<double> &records, int width,
                            const std::array<int64_t, 3> &counts, const Stands &stands, double factor) {
     std::vector<double> result;
@@ -95,7 +95,7 @@ class BlendSum {
 public:
     BlendSum(int dim, const std::array<Interval, 3> &domains) : dim_(dim), domains_(domains) {}
 
-    // Adds factor times the part, times the linear blending functions of the axes that are not free.
+    // Adds factor times the boundary, times the linear blending functions of the axes that are not free.
     void add(const HomogeneousNet &part, const Stands &stands, double factor) {
         const SplinePtr term = over_volume(part, part.numerators, dim_, stands, 1, factor);
         const SplinePtr denominator =
@@ -118,7 +118,7 @@ public:
             numerators = plus(numerators, refine::times(group.sum, product_without(&group)));
         }
         const SplinePtr denominator =
-            product_without(nullptr); // none where all weights of each part are equal
+            product_without(nullptr); // none if the weights of each boundary are equal
         std::vector<SplinePtr> both{numerators};
         if (denominator != nullptr) {
             both = made_compatible(numerators, denominator);
@@ -139,7 +139,7 @@ private:
         SplinePtr sum;
     };
 
-    // A function of the free axes as one of all, of the given degree along the others.
+    // A function of the free axes as a function of all axes, of the given degree along the others.
     [[nodiscard]] SplinePtr over_volume(const HomogeneousNet &part, const std::vector<double> &records,
                                         int width, const Stands &stands, int degree, double factor) const {
         Spline::Axes axes;
@@ -157,7 +157,7 @@ private:
         }
         return checked_terms(std::move(axes), width, spread(records, width, counts, stands, factor));
     }
-    // The product of all denominators, or of all but that of a group.
+    // The product of all denominators, or of all except that of a group.
     [[nodiscard]] SplinePtr product_without(const Group *left_out) const {
         SplinePtr result;
         for (const Group &group : groups_) {

@@ -48,7 +48,8 @@ void rotated_values(const double *parts, int64_t stride, int64_t size, double at
     }
 }
 
-// The constructor is written out, because one that a compiler adds is not compiled for the instruction set.
+// The constructor is written out, because a constructor added by the compiler is not compiled for the
+// instruction set.
 struct Point {
     Vector high[3];
     Vector low[3];
@@ -77,7 +78,7 @@ HWY_INLINE Number broadcast(const Wide &x) {
     return {hn::Set(d, x.high), hn::Set(d, x.low)};
 }
 
-// From whole vectors of records, of width 3 or 4.
+// Computed from whole vectors of records, of width 3 or 4.
 void radii(const double *points, int64_t records, int width, const AxisLine &axis, double *const *out) {
     const Lanes d;
     const Vector zero = hn::Zero(d);
@@ -122,7 +123,7 @@ HWY_EXPORT(radii);
 
 namespace {
 
-constexpr int64_t lanes = 8; // the most that a vector has
+constexpr int64_t lanes = 8; // the most lanes that a vector has
 
 int64_t whole_vectors(int64_t n) noexcept {
     return (n + lanes - 1) / lanes * lanes;

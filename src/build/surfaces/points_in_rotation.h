@@ -1,4 +1,4 @@
-// Coordinates that go round an axis.
+// Points that rotate about an axis.
 #pragma once
 
 #include "numeric/double_double.h"
@@ -17,14 +17,14 @@ struct AxisLine {
     std::array<Wide, 3> along;
 };
 
-// For many coordinates the values foot + x d + y e, each rounded once: foot, d and e are held in twice the
-// precision. Where the processor has no fused multiplication, coordinates above 2^990 come out as NaN.
+// For many coordinates the values foot + x d + y e, each rounded once; foot, d and e are kept in twice the
+// precision. Without fused multiplication in the processor, coordinates above 2^990 become NaN.
 class PointsInRotation {
 public:
     explicit PointsInRotation(int64_t coordinates);
-    // Those of the stored points of a spline of dimension 3: with foot the nearest point on the axis Z, d and
-    // e = Z x d are the ways from there. Weights of homogeneous records stay, and their feet are multiplied
-    // by them.
+    // The coordinates of the stored points of a spline of dimension 3. The foot is the nearest point on the
+    // axis Z, d is the vector from the foot to the point, and e = Z x d. Weights of homogeneous records stay,
+    // and their feet are multiplied by them.
     PointsInRotation(const Spline &spline, const AxisLine &axis);
 
     void set(int64_t coordinate, const Wide &foot, const Wide &d, const Wide &e) noexcept;
@@ -32,7 +32,7 @@ public:
     void values(double x, double y, double *out) const noexcept;
 
 private:
-    static constexpr int parts = 6; // foot, d and e, each with its rest
+    static constexpr int parts = 6; // foot, d and e, each with its remainder
     [[nodiscard]] std::array<double *, parts> arrays() noexcept;
 
     int64_t size_;

@@ -12,7 +12,7 @@ namespace nrb::build {
 
 namespace {
 
-// The place on a hyperbola at a height, without cancellation beside the vertex.
+// The place on a hyperbola at a height, without cancellation near the vertex.
 double radius_at(double height, double size, bool two_sheets) noexcept {
     const double far = std::fabs(height);
     return two_sheets ? std::sqrt((far - size) / size) * std::sqrt(far / size + 1)

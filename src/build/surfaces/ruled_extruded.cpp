@@ -17,7 +17,7 @@ namespace nrb::build {
 
 namespace {
 
-// Records of two arrays by turns.
+// Alternating records of two arrays.
 std::vector<double> interleaved(std::span<const double> a, std::span<const double> b, int64_t width) {
     std::vector<double> both;
     both.reserve(static_cast<size_t>(checked_product(std::ssize(a), 2, "points")) + Spline::padding);
@@ -28,7 +28,7 @@ std::vector<double> interleaved(std::span<const double> a, std::span<const doubl
     return both;
 }
 
-// A copy of the points, each moved by a vector; homogeneous ones by their weight times it.
+// A copy of the points, each moved by a vector; homogeneous points are moved by their weight times it.
 std::vector<double> moved_points(const Spline &spline, const double *vector) {
     std::vector<double> points(spline.points().begin(), spline.points().end());
     const int dim = spline.dim(), width = spline.stored_width();
@@ -71,7 +71,7 @@ SplinePtr ruled_homogeneous(const SplinePtr &a, const SplinePtr &b) {
 
 namespace {
 
-// A way out of the plane, (0, 0, 1), is read as (0, 0) where g lies in the plane.
+// The direction out of the plane, (0, 0, 1), is read as (0, 0) if g lies in the plane.
 void check_way(const double *vector, int dim) {
     if (dim < 3 && std::all_of(vector, vector + dim, [](double x) { return x == 0; })) {
         fail(Status::direction,
@@ -100,7 +100,7 @@ SplinePtr ruled(const SplinePtr &a, const SplinePtr &b, bool cartesian) {
     if (a->dim() != b->dim()) {
         fail(Status::dimension, "dimension %d of b, expected %d as of a", b->dim(), a->dim());
     }
-    // Weights that differ by a factor make no difference to Cartesian points.
+    // Weights that differ only by a factor make no difference to Cartesian points.
     const std::array<SplinePtr, 2> both = {cartesian ? refine::normalize_weights(a) : a,
                                            cartesian ? refine::normalize_weights(b) : b};
     const std::vector<SplinePtr> same = reduce::make_compatible(both, 0, true).splines;

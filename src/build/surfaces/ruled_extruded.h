@@ -1,4 +1,4 @@
-// Splines laid on one another: what extruded and ruled shapes are.
+// Splines between two splines: what extruded and ruled shapes are.
 #pragma once
 
 #include "spline/spline.h"
