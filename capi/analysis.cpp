@@ -37,7 +37,7 @@ uint32_t checked_kinds(uint32_t kinds, int dim) {
     return kinds;
 }
 
-// A direction is for surfaces in space.
+// A direction is for surfaces in space only.
 const double *checked_reference(const Spline &spline, const double *reference) {
     if (reference == nullptr) {
         return nullptr;

@@ -15,7 +15,8 @@ struct SplineBatch {
     ConstRecords params;
 };
 
-// Checks handle, flags and layout; the values are left to check_values(), which comes when nothing else can fail.
+// Checks handle, flags and layout. The values are left to check_values(), which is called when nothing else
+// can fail.
 inline SplineBatch spline_batch(const ::nurbs *g, int64_t n, const double *params, int64_t stride,
                                 int64_t component_stride, uint32_t flags) {
     const Spline &spline = spline_of(g);

@@ -20,7 +20,7 @@ using namespace nrb::capi;
 
 namespace {
 
-// The first copy of a control point; `place` is that in a list of them.
+// The first copy of a control point; `place` is its place in a list of control points.
 int64_t checked_point(const Spline &spline, int64_t index, int64_t place = -1) {
     if (index < 0 || index >= spline.point_count()) {
         const auto last = static_cast<long long>(spline.point_count() - 1);

@@ -1,4 +1,4 @@
-// Evaluation, and what is made by evaluating along one axis.
+// Evaluation, and splines made by evaluating along one axis.
 #include "batch.h"
 #include "guard.h"
 

@@ -17,10 +17,10 @@ namespace nrb::capi {
 
 using NamedSplines = std::vector<model::NamedSpline>;
 
-// The parts of one spline, which are made when they are taken.
+// The parts of one spline; a part is made when the caller takes it.
 struct Parts {
     refine::PartedSpline spline;
-    bool named_by_axes; // by their place on every axis, not by their index
+    bool named_by_axes; // by their places on the axes, not by their index
 };
 
 } // namespace nrb::capi
@@ -31,7 +31,7 @@ struct nurbs_list {
 
 namespace nrb::capi {
 
-// Hands a spline to the caller in a handle of its own.
+// Gives a spline to the caller, in a handle of its own.
 inline void give(SplinePtr spline, ::nurbs **out) {
     *out = new ::nurbs{std::move(spline)};
 }

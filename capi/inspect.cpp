@@ -1,4 +1,4 @@
-// Getters: all copy out.
+// Getters: all of them copy their results.
 #include "batch.h"
 #include "guard.h"
 #include "outputs.h"

@@ -46,7 +46,7 @@ using namespace nrb::capi;
 
 namespace {
 
-// Of a part: "2" for a curve, "2,0" for a surface.
+// The name of a part: "2" for a curve, "2,0" for a surface.
 std::string name_by_axes(const refine::PartedSpline &parts, int64_t index) {
     std::string name;
     for (int k = parts.axes(); k-- > 0; index /= parts.parts(k)) {
@@ -55,7 +55,7 @@ std::string name_by_axes(const refine::PartedSpline &parts, int64_t index) {
     return name;
 }
 
-// The same questions to each kind of contents.
+// The same questions for each kind of contents.
 
 int64_t size_of(const NamedSplines &splines) noexcept {
     return std::ssize(splines);
@@ -96,7 +96,7 @@ int64_t checked_size(const nurbs_list *list) {
     return std::visit([](const auto &contents) { return size_of(contents); }, checked(list).contents);
 }
 
-// What a file holds; an empty one for a list that does not come from a file.
+// The contents of a file; empty for a list that does not come from a file.
 const model::Model &model_of(const nurbs_list *list) {
     static const model::Model nothing;
     const auto *const model = std::get_if<model::Model>(&checked(list).contents);

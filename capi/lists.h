@@ -12,7 +12,7 @@ void give_list(std::vector<SplinePtr> splines, nurbs_list **out);
 
 void give_list(NamedSplines splines, nurbs_list **out);
 
-// The splines behind an array of at least one handle; `name` is the array's.
+// The splines of an array of at least one handle; `name` is the name of the array.
 std::vector<SplinePtr> splines_of(int64_t count, const nurbs *const *handles, const char *name);
 
 } // namespace nrb::capi

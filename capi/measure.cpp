@@ -24,7 +24,7 @@ measure::MomentOrder order_of(const double *centroid, const double *inertia) noe
                                  : measure::MomentOrder::content;
 }
 
-// All that moments are written to.
+// All outputs of moments.
 struct MomentOutputs {
     double *content;
     double *centroid;

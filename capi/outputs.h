@@ -1,4 +1,4 @@
-// Outputs, of which those that are NULL are not wanted.
+// Outputs. Those that are NULL are not wanted.
 #pragma once
 
 #include "checks.h"
@@ -20,7 +20,7 @@ void put(T *out, size_t i, T value) noexcept {
         out[i] = value;
     }
 }
-// All of a range.
+// The whole of a range.
 template <class T, class Range>
 void put_all(T *out, const Range &values) noexcept {
     if (out != nullptr) {
@@ -28,8 +28,8 @@ void put_all(T *out, const Range &values) noexcept {
     }
 }
 
-// How many values go into arrays of a stated length: none if it is 0, which asks for the number, else all that there
-// are. Throws NURBS_ERROR_SIZE if they do not fit.
+// How many values go into arrays of a stated length: none if the length is 0, which asks for the number,
+// otherwise all. Throws NURBS_ERROR_SIZE if they do not fit.
 inline int64_t checked_cap(int64_t cap, int64_t needed) {
     check_length(cap, "cap");
     if (cap != 0 && cap < needed) {
@@ -48,15 +48,15 @@ struct Wanted {
     int64_t component_stride;
 };
 
-// The strided outputs of a batch, and its array `status`: none may touch another one or an input. Those that are NULL are
-// not wanted, and their strides are ignored.
+// The strided outputs of a batch, and its array `status`: none may overlap another one or an input. Outputs
+// that are NULL are not wanted, and their strides are ignored.
 class Outputs {
 public:
     Outputs(int64_t count, const int32_t *status);
 
-    // The output as a view, after a check against those before. Precondition: at most 6 are added.
+    // The output as a view, after a check against the outputs before it. Precondition: at most 6 are added.
     Records add(const Wanted &wanted);
-    // Checks all against an input.
+    // Checks all outputs against an input.
     void check(const char *name, const ConstRecords &input) const;
     void check(const Memory &input) const;
 

@@ -1,4 +1,4 @@
-// Reading files, and the lists that come of it.
+// Reading files, and the lists that result.
 #include "checks.h"
 #include "guard.h"
 
@@ -15,10 +15,10 @@ using namespace nrb::capi;
 
 namespace {
 
-// Size of the struct in the first release: a caller never knows less.
+// Size of the struct in the first release; no caller has a smaller one.
 constexpr int64_t smallest_options = offsetof(nurbs_read_options, max_bytes) + sizeof(int64_t);
 
-// No release will have a larger one; a size beyond is garbage rather than a newer header.
+// No release will have a larger one: a larger size is garbage rather than a newer header.
 constexpr int64_t largest_options = 4096;
 
 void check_options_size(int64_t size) {
@@ -64,7 +64,7 @@ nurbs_status nurbs_read_options_init(nurbs_read_options *options, int64_t struct
         require(options, "options");
         check_options_size(struct_size);
         const io::ReadSettings defaults;
-        // Fields of a newer header too: zero asks for nothing new.
+        // Checks the fields of a newer header too: zero means that nothing new is wanted.
         std::fill_n(reinterpret_cast<unsigned char *>(options), struct_size, static_cast<unsigned char>(0));
         options->struct_size = struct_size;
         options->unit = defaults.unit;

@@ -1,4 +1,4 @@
-// Knots inserted, and the matrices that do it.
+// Inserting knots, and the matrices that do it.
 #include "checks.h"
 #include "guard.h"
 #include "sparse.h"

@@ -1,4 +1,4 @@
-// Weights changed, the shape kept.
+// Changes of the weights that keep the shape.
 #include "refine/forms/weights.h"
 
 #include "checks.h"

@@ -14,8 +14,8 @@ namespace {
 
 using Vector = std::array<double, 3>;
 
-// The mean of S_u x S_v over a piece, whose parameters run over a unit square: of polynomials that of the
-// coefficients, otherwise of N / w^3 at the middles of squares.
+// The mean of S_u x S_v over a piece whose parameters run over a unit square: for polynomials the mean of the
+// coefficients, otherwise the mean of N / w^3 at the middles of squares.
 Vector mean_normal(const pieces::HomogeneousPiece &piece) {
     const RoundedPolynomial n = pieces::normal_numerator(piece);
     Vector sum{};

@@ -43,7 +43,7 @@ MonotonePieces monotone_pieces(const Spline &curve, const double *direction) {
         bool fresh = e == 0 || pieces.jump(e) > 0;
         double from = piece.parameter(0, 0);
         for (const SignRun &run : signs.runs) {
-            if (run.sign == 0 && !signs.nothing) { // what is beside it meets in the middle
+            if (run.sign == 0 && !signs.nothing) { // its two neighbours meet in the middle
                 result.complete = result.complete && run.simple;
                 from = piece.parameter(0, run.zero >= 0 ? run.zero : run.from / 2 + run.to / 2);
                 continue;

@@ -1,4 +1,4 @@
-// Distances from a curve in the plane that tell its sides apart.
+// Distances from a plane curve, with a sign for its sides.
 #pragma once
 
 #include "closest/closest.h"

@@ -1,5 +1,5 @@
-// A piece of a curve as seen from a point: what is asked of it by searches for closest points. Included once
-// for every instruction set: see base/simd.h.
+// A piece of a curve relative to a point, with the operations that searches for closest points need. Included
+// once for every instruction set: see base/simd.h.
 #if defined(NURBS_CLOSEST_CURVE_SEGMENT_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef NURBS_CLOSEST_CURVE_SEGMENT_INL_H_
 #undef NURBS_CLOSEST_CURVE_SEGMENT_INL_H_
@@ -28,9 +28,9 @@ struct SegmentShape {
     [[nodiscard]] HWY_INLINE int size() const noexcept { return (degree() + 1) * lanes(); }
 };
 
-// What a segment D, w, the homogeneous piece with the query point as its origin, has at a place: the square
-// of the distance f = |D|^2 / w^2, and g = (D D') w - (D D) w', h = g', with f' = 2 g / w^3. Weights are
-// positive.
+// The values of a segment D, w, the homogeneous piece with the query point as its origin, at a place: the
+// square of the distance f = |D|^2 / w^2, and g = (D D') w - (D D) w', h = g', with f' = 2 g / w^3. Weights
+// are positive.
 struct Slope {
     double square;
     double first;
@@ -98,10 +98,11 @@ public:
         std::copy_n(upper, lanes, lower + p * lanes);
     }
 
-    // Whether sign (|D|^2 - R^2 w^2) >= 0 on the whole segment for certain: all its Bernstein coefficients
-    // are, after the rounding of their computation. binomials[i] = binomial(p, i), inverses[k] = 1 /
-    // binomial(2 p, k). Each coefficient is a mean of products of p + 1 pairs at most, so that with dim + 1
-    // terms each, 2 (p + lanes + 8) units of rounding of the mean of their magnitudes hold all errors.
+    // Whether sign (|D|^2 - R^2 w^2) >= 0 certainly holds on the whole segment: all its Bernstein
+    // coefficients are >= 0, after the rounding of their computation. binomials[i] = binomial(p, i),
+    // inverses[k] = 1 / binomial(2 p, k). Each coefficient is a mean of products of at most p + 1 pairs, so
+    // that with dim + 1 terms each, 2 (p + lanes + 8) units of rounding of the mean of their magnitudes bound
+    // all errors.
     [[nodiscard]] HWY_INLINE bool beyond(const double *HWY_RESTRICT segment, double square, double sign,
                                          const double *binomials, double *HWY_RESTRICT norms) const noexcept {
         const int p = shape_.degree(), lanes = shape_.lanes();

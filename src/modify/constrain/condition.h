@@ -1,4 +1,4 @@
-// What constraints ask of a point and its derivatives: equations, and how they change with them.
+// The equations that constraints impose on a point and its derivatives, and their Jacobian.
 #pragma once
 
 #include "eval/kernels/slots.h"

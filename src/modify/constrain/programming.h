@@ -1,4 +1,4 @@
-// Constraints that are no linear equations, by sequential quadratic programming.
+// Constraints that are not linear equations, by sequential quadratic programming.
 #pragma once
 
 #include "modify/constrain/constrain.h"

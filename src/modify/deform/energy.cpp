@@ -70,7 +70,7 @@ AxisMatrix axis_matrix(const KnotVector &axis, int order) {
     return matrix;
 }
 
-// Layers of an axis whose functions meet those of a layer.
+// Layers of an axis whose functions overlap those of a layer.
 struct Band {
     int64_t first;
     int64_t end;

@@ -91,8 +91,7 @@ public:
         }
         return sum;
     }
-    // What a difference of the first two layers is multiplied by in the derivative across, degree / knot
-    // difference.
+    // The factor of a difference of the first two layers in the derivative across: degree / knot difference.
     [[nodiscard]] double slope() const noexcept { return slope_; }
     // The sum over the control points of slope |w_1 / w_0 (P_1 - P_0)|.
     [[nodiscard]] double speed() {
@@ -167,8 +166,8 @@ void set_first_layer(Layers &own, Layers &other, double factor) {
     }
 }
 
-// Cartesian coordinates of layers that did not change stay as they are, those of the boundary are the other
-// one's.
+// Cartesian coordinates of layers that did not change are kept; those of the boundary are the coordinates of
+// the other one.
 SplinePtr assembled(const Spline &g, Boundary boundary, const Spline &other, Boundary other_boundary,
                     std::vector<double> records, int64_t changed) {
     const Form form = std::max(g.form(), other.form());
