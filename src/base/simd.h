@@ -3,8 +3,8 @@
 //
 // Some instruction sets are left out. Vectors whose size is known only at run time (SVE, RISC-V) cannot hold
 // four coordinates by name. NEON without double precision is left out, too. SSSE3 is no faster for this work
-// than the portable code. SSE4 is faster, 1.2 times for curves and 1.8 times for surfaces, but only processors
-// without AVX2 would run it, and it would be a twelfth of the library.
+// than the portable code. SSE4 is faster, 1.2 times for curves and 1.8 times for surfaces, but only
+// processors without AVX2 would run it, and it would be a twelfth of the library.
 #pragma once
 
 #define NURBS_UNUSED_TARGETS                                                                                 \

@@ -58,7 +58,8 @@ void hermite_to_bernstein(int p, Fractions &m) noexcept {
     }
 }
 
-// Row i is the polar form at p - i times 0 and i times 1. In step d of de Boor's algorithm all denominators are d.
+// Row i is the polar form at p - i times 0 and i times 1. In step d of de Boor's algorithm all denominators
+// are d.
 void bspline_to_bernstein(int p, Fractions &m) noexcept {
     for (int i = 0; i <= p; ++i) {
         Integer row[size] = {1};

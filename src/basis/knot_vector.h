@@ -76,8 +76,8 @@ void check_count(int degree, int64_t count, int axis);
 // knot_count == count + degree + 1, else Status::size. Precondition: degree and count have been checked.
 void check_knot_total(int64_t knot_count, int degree, int64_t count);
 void check_knots(int degree, std::span<const double> knots, int axis, int64_t offset);
-// The first knot whose copy a period later is not where it should be, or -1. Precondition: check_knots() accepts
-// the vector.
+// The first knot whose copy a period later is not where it should be, or -1. Precondition: check_knots()
+// accepts the vector.
 int64_t first_not_repeated(int degree, std::span<const double> knots) noexcept;
 // Throws Status::periodic_knots if there is such a knot.
 void check_periodic_knots(int degree, std::span<const double> knots, int axis, int64_t offset);

@@ -38,8 +38,8 @@ SplinePtr declared_periodic(const Spline &spline, int k) {
                        {spline.weights().begin(), spline.weights().end()});
 }
 
-// The knots of the periodic axis with p - order copies of the seam, the last of them at index degree; `axis` is
-// clamped.
+// The knots of the periodic axis with p - order copies of the seam, the last of them at index degree; `axis`
+// is clamped.
 std::vector<double> periodic_knots(const KnotVector &axis, int order) {
     const auto p = static_cast<size_t>(axis.degree()), n = static_cast<size_t>(axis.count());
     const auto [lower, upper] = axis.domain();

@@ -330,7 +330,8 @@ TEST(Hausdorff, the_same_set_is_told_at_once) {
     }
 }
 
-// A part, in its own words, of a shape that has knots elsewhere: all of it is near at once, and what is left out is far.
+// A part, in its own words, of a shape that has knots elsewhere: all of it is near at once, and what is left
+// out is far.
 TEST(Hausdorff, a_part_is_told_at_once) {
     Random random(6607);
     for (int i = 0; i < 16; ++i) {

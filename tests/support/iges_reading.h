@@ -37,7 +37,8 @@ inline nrb::SplinePtr read_one(int type, const std::string &data, const Fields &
     return only_spline(read(builder));
 }
 
-// The note that a file with one entity leaves; one with reason nrb::Status::ok, and a failed test, if there is none.
+// The note that a file with one entity leaves; one with reason nrb::Status::ok, and a failed test, if there
+// is none.
 inline nrb::model::Note note_of(int type, const std::string &data, const Fields &fields = {}) {
     IgesBuilder builder;
     builder.add(type, data, fields);

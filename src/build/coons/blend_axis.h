@@ -13,7 +13,8 @@
 
 namespace nrb::build {
 
-// Whether two polynomial splines have the same control points over common knots, bit for bit. Precondition: neither is null.
+// Whether two polynomial splines have the same control points over common knots, bit for bit. Precondition:
+// neither is null.
 bool same_function(const SplinePtr &a, const SplinePtr &b);
 
 // A function of one parameter, numerators / denominator, both polynomial splines with clamped ends.

@@ -123,8 +123,8 @@ private:
         write.template finish<slots>(first + count - 1);
     }
 
-    // Cubic nets of at most four components, in registers from the net to the caller's array: the same sums as
-    // contract(), a column of the last axis at a time.
+    // Cubic nets of at most four components, in registers from the net to the caller's array: the same sums
+    // as contract(), a column of the last axis at a time.
     template <int kOrders, int kWidth>
     HWY_NOINLINE void contract_quads(int64_t first, int64_t count, bool special) {
         QuadWriter write(job_.shape, out_);

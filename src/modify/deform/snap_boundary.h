@@ -16,8 +16,8 @@ struct SnappedBoundary {
 };
 
 // See nurbs_snap_boundary(). Both axes across are clamped at the boundaries, those along them brought to one
-// degree and one knot vector (refine/algebra/common_knots.h). With the layers B_0 at the other boundary and B_1 next to
-// it, in homogeneous coordinates, the new layers are
+// degree and one knot vector (refine/algebra/common_knots.h). With the layers B_0 at the other boundary and
+// B_1 next to it, in homogeneous coordinates, the new layers are
 //
 //     A_0 = f B_0,   A_1 = f ((1 + c) B_0 + s (B_0 - B_1)),
 //

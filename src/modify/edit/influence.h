@@ -11,7 +11,8 @@ namespace nrb::modify {
 // A point S of a spline as a mean of what some control points contribute to it and what the others do. With
 // the homogeneous control points (w_j P_j, w_j), the weights divided by a power of two,
 //
-//     S = Q + offset / (weight + rest),   B = Q + offset / rest,   offset = sum over the others of N_j w_j (P_j - Q),
+//     S = Q + offset / (weight + rest),   B = Q + offset / rest,
+//     offset = sum over the others of N_j w_j (P_j - Q),
 //
 // where B is the point that the others make alone. Nothing is subtracted that is not a difference of control
 // points, so that the offset is accurate to a few eps of the sum of the magnitudes of its terms.

@@ -1,13 +1,13 @@
 // Knots over which one or two splines, their sums and their products are splines of a higher degree, and how
 // control points there follow from polar forms.
 //
-// A polynomial of degree p has at degree r the polar form that is the mean of its own over all choices of p of
-// the r arguments, and the product of two of degrees p and r - p is the mean of the products of theirs, the
-// second at the arguments left over (L. Ramshaw 1989; K. Morken, "Some identities for products and degree
-// raising of splines", Constr. Approx. 7 (1991)). A knot that occurs m times in a spline of degree p occurs at
-// least r - p + m times here, so that whatever the choice, a knot of the spline strictly inside the window of a
-// control point is among its arguments as often as it is in its knots: its values are combinations of its
-// control points with factors in [0, 1].
+// A polynomial of degree p has at degree r the polar form that is the mean of its own over all choices of p
+// of the r arguments, and the product of two of degrees p and r - p is the mean of the products of theirs,
+// the second at the arguments left over (L. Ramshaw 1989; K. Morken, "Some identities for products and degree
+// raising of splines", Constr. Approx. 7 (1991)). A knot that occurs m times in a spline of degree p occurs
+// at least r - p + m times here, so that whatever the choice, a knot of the spline strictly inside the window
+// of a control point is among its arguments as often as it is in its knots: its values are combinations of
+// its control points with factors in [0, 1].
 #pragma once
 
 #include "basis/bspline.h"
@@ -32,8 +32,9 @@ public:
     static constexpr int max_members = 2;
 
     // The axis of degree r, not less than those of the members, which have the same domain bit for bit; every
-    // knot has `extra` more copies than it needs, up to r + 1. It is periodic if all members are. Throws Status::periodic_knots if copies a period away cannot be told apart, and what
-    // make_knot_vector() throws.
+    // knot has `extra` more copies than it needs, up to r + 1. It is periodic if all members are. Throws
+    // Status::periodic_knots if copies a period away cannot be told apart, and what make_knot_vector()
+    // throws.
     CommonKnots(int degree, const std::vector<const KnotVector *> &members, int extra);
 
     [[nodiscard]] const KnotVectorPtr &axis() const noexcept { return axis_; }

@@ -5,21 +5,21 @@
 
 namespace nrb::refine {
 
-// The curve g(f(t)) for a curve f in the parameter space of g, polynomial or with positive weights, of degree q *
-// (the sum of the degrees of g), clamped, with knots where f has some and where f crosses knots of g, as often as
-// the continuity asks.
+// The curve g(f(t)) for a curve f in the parameter space of g, polynomial or with positive weights, of degree
+// q * (the sum of the degrees of g), clamped, with knots where f has some and where f crosses knots of g, as
+// often as the continuity asks.
 //
 // With the polar forms G of g and F of f a control point is the mean, over all ways to deal the knots that
 // belong to it out to the arguments of G, q to each, of G(F(t_I1), F(t_I2), ...) (T. DeRose, R. Goldman, H.
-// Hagen, S. Mann, "Functional composition algorithms via blossoming", ACM Trans. Graphics 12 (1993)). A knot of f
-// of multiplicity m inside the window occurs d - q + m times in it, so that each choice of q has m of its copies;
-// where f crosses a knot of g of multiplicity m on an axis of degree p it occurs d - p + m times, so that m of
-// the p choices consist of it alone. Hence (as K. Morken shows for products, common_knots.h) arguments of both
-// polar forms contain the knots between them, and all values are combinations of control points with factors in
-// [0, 1], as far as polar values of f stay between the knots of g around them.
+// Hagen, S. Mann, "Functional composition algorithms via blossoming", ACM Trans. Graphics 12 (1993)). A knot
+// of f of multiplicity m inside the window occurs d - q + m times in it, so that each choice of q has m of
+// its copies; where f crosses a knot of g of multiplicity m on an axis of degree p it occurs d - p + m times,
+// so that m of the p choices consist of it alone. Hence (as K. Morken shows for products, common_knots.h)
+// arguments of both polar forms contain the knots between them, and all values are combinations of control
+// points with factors in [0, 1], as far as polar values of f stay between the knots of g around them.
 //
-// A polar value of a rational f is a point and a weight; G at points with weights is G at the points times the product
-// of the weights, and the result a rational curve.
+// A polar value of a rational f is a point and a weight; G at points with weights is G at the points times
+// the product of the weights, and the result a rational curve.
 //
 // A preimage of a knot c is rounded, and f there is c to CurvePiece::uncertainty(); F of that knot alone
 // counts as c bit for bit, at a knot of f if it is so to the smaller CurvePiece::uncertainty_at() of the

@@ -316,9 +316,10 @@ bool lies_above(const CurvePiece &piece, int k, double c, Interval part) {
 
 namespace {
 
-// Signs of the derivative of a curve of dimension 1 with weights. From B_i' B_j - B_i B_j' = (i - j) B_i B_j / (t (1 -
-// t)) its numerator has the Bernstein coefficients sum over i + j = k + 1, i < j of (j - i) binomial(q, i) binomial(q,
-// j) / binomial(2 q - 2, k) w_i w_j (F_j - F_i), which no translation of the F_i changes.
+// Signs of the derivative of a curve of dimension 1 with weights. From B_i' B_j - B_i B_j' = (i - j) B_i B_j
+// / (t (1 - t)) its numerator has the Bernstein coefficients sum over i + j = k + 1, i < j of (j - i)
+// binomial(q, i) binomial(q, j) / binomial(2 q - 2, k) w_i w_j (F_j - F_i), which no translation of the F_i
+// changes.
 SignProfile quotient_slope(const CurvePiece &piece) {
     constexpr size_t size = 2 * max_basis;
     const std::span<const double> points = piece.coefficients(0), weights = piece.weights();

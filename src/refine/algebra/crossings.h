@@ -1,5 +1,5 @@
-// Where a coordinate of a curve passes given values, and whether it rises or falls, from the signs of Bernstein
-// coefficients.
+// Where a coordinate of a curve passes given values, and whether it rises or falls, from the signs of
+// Bernstein coefficients.
 #pragma once
 
 #include "basis/bspline.h"
@@ -59,7 +59,8 @@ private:
     [[nodiscard]] Interval eps_times_range(int k) const noexcept;
     [[nodiscard]] double eps_times_slope(int k, double even) const noexcept;
     [[nodiscard]] double weight(int64_t i) const noexcept;
-    // Coordinate k of the sum of control points times coefficients and weights, divided by that of the weights.
+    // Coordinate k of the sum of control points times coefficients and weights, divided by that of the
+    // weights.
     [[nodiscard]] double quotient(const BlossomRow &row, int k) const noexcept;
 
     const Spline *curve_;

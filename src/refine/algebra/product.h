@@ -31,12 +31,12 @@ std::vector<CommonKnots> product_axes(const Spline::Axes &a, const Spline::Axes 
                                       const std::array<int, 3> &extra = {});
 
 // The records B(a, b) of the product, `width` values each: on each axis control point j is the mean, over all
-// choices I of p of the p + q knots that belong to it, of B(f[t_I], g[t_rest]) (common_knots.h), equal choices
-// taken together. Rows of the polar forms have relative errors of 3 p and 3 q eps, a contraction (p + 2) eps / 2,
-// the mean is a compensated sum: every component is within 4 (p + q + 1) eps, summed over the axes, of max|f|
-// max|g| among the control points that it depends on, for every product of components in B. Memory: the
-// result twice, and the rows of all axes but the first. Throws Status::not_representable, overflow. Cost:
-// for each control point, the number of choices on each axis times (p + q + 2).
+// choices I of p of the p + q knots that belong to it, of B(f[t_I], g[t_rest]) (common_knots.h), equal
+// choices taken together. Rows of the polar forms have relative errors of 3 p and 3 q eps, a contraction (p +
+// 2) eps / 2, the mean is a compensated sum: every component is within 4 (p + q + 1) eps, summed over the
+// axes, of max|f| max|g| among the control points that it depends on, for every product of components in B.
+// Memory: the result twice, and the rows of all axes but the first. Throws Status::not_representable,
+// overflow. Cost: for each control point, the number of choices on each axis times (p + q + 2).
 std::vector<double> product_records(const Factor &a, const Factor &b, const std::vector<CommonKnots> &axes,
                                     int width, const Bilinear &form);
 

@@ -1,5 +1,5 @@
-// The power basis: monomial coefficients of every polynomial piece of a spline, in the distances from the lower
-// ends of its spans.
+// The power basis: monomial coefficients of every polynomial piece of a spline, in the distances from the
+// lower ends of its spans.
 #pragma once
 
 #include "spline/spline.h"
@@ -23,8 +23,8 @@ struct PowerForm {
 PowerForm to_power(const SplinePtr &spline);
 
 // The spline over breaks that all have multiplicity degree + 1. Its points are the sums of C(i, k) a_k h^k /
-// C(p, k), within (3 p + 1) / 2 eps of the sum of the terms' magnitudes on each axis. Preconditions: sizes agree;
-// breaks are finite and rise. Throws what make_spline() throws, and Status::not_representable.
+// C(p, k), within (3 p + 1) / 2 eps of the sum of the terms' magnitudes on each axis. Preconditions: sizes
+// agree; breaks are finite and rise. Throws what make_spline() throws, and Status::not_representable.
 SplinePtr from_power(PowerForm form, bool rational);
 
 } // namespace nrb::refine

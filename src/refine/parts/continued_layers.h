@@ -1,5 +1,5 @@
-// Layers of control points continued beyond those of a spline, by tables whose coefficients add up to 1 but are
-// large and of both signs.
+// Layers of control points continued beyond those of a spline, by tables whose coefficients add up to 1 but
+// are large and of both signs.
 #pragma once
 
 #include "spline/layer_table.h"

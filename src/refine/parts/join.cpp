@@ -57,7 +57,8 @@ void raise(std::vector<SplinePtr> &parts, int k) {
     }
 }
 
-// The parts in one form, of one degree on each axis, with the same knots on all but `axis`, clamped at inner ends.
+// The parts in one form, of one degree on each axis, with the same knots on all but `axis`, clamped at inner
+// ends.
 std::vector<SplinePtr> prepared(std::span<const SplinePtr> given, int axis) {
     check_spaces(given);
     std::vector<SplinePtr> parts(given.begin(), given.end());

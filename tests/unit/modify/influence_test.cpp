@@ -61,7 +61,8 @@ TEST(MostInfluential, is_the_first_of_several_and_counts_copies_together) {
     nrb::modify::most_influential(*line, {params.data(), 2, 1, 1, 1}, indices.data(), influences.data());
     EXPECT_EQ(indices, (std::array<int64_t, 2>{0, 1}));
     EXPECT_EQ(influences, (std::array<double, 2>{0.5, 0.75}));
-    // The middle of the last span: its functions are 1/8, 3/4, 1/8, the middle one belongs to layer 3, a copy of 0.
+    // The middle of the last span: its functions are 1/8, 3/4, 1/8, the middle one belongs to layer 3, a copy
+    // of 0.
     const double last = 2.5;
     nrb::modify::most_influential(*closed, {&last, 1, 1, 1, 1}, indices.data(), influences.data());
     EXPECT_EQ(indices[0], 0);

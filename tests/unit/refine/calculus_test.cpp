@@ -1,4 +1,5 @@
-// Derivatives, integrals, sums, products and compositions of curves of small whole numbers, which come out exactly.
+// Derivatives, integrals, sums, products and compositions of curves of small whole numbers, which come out
+// exactly.
 #include "refine/algebra/antiderivative.h"
 #include "refine/algebra/compose.h"
 #include "refine/algebra/derivative.h"
