@@ -9,13 +9,13 @@
 namespace nrb::reduce {
 
 // Putting knot u = t_r, the last of s copies, back into the result gives
-//     Q_i = alpha_i P_i + (1 - alpha_i) P_(i-1),   alpha_i = (u - t_i) / (t_(i+p+1) - t_i),   r - p <= i <=
-//     r - s:
-// rows = p - s + 1 equations for one unknown layer less, the neighbours P_(r-p-1) = Q_(r-p-1) and P_(r-s) =
-// Q_(r-s+1) being fixed. With the left null vector n of the system rho = sum n_i (Q_i - what is fixed in it)
-// has to vanish. If it does not, residuals of alternating sign and the one size |rho| / sum |n_i| are the
-// smallest: moved by them the system is consistent, and the result is g - sum_i +-gap N_i, so that it is
-// within |gap| of g everywhere.
+//     Q_i = alpha_i P_i + (1 - alpha_i) P_(i-1),   alpha_i = (u - t_i) / (t_(i+p+1) - t_i),
+//     r - p <= i <= r - s.
+// These are rows = p - s + 1 equations for one unknown layer less; the neighbours P_(r-p-1) = Q_(r-p-1) and
+// P_(r-s) = Q_(r-s+1) are fixed. With the left null vector n of the system, rho = sum n_i (Q_i - what is
+// fixed in it) has to vanish. If it does not, the smallest residuals have alternating signs and the one size
+// |rho| / sum |n_i|. Moved by them the system is consistent, and the result is g - sum_i +-gap N_i, so that
+// it is within |gap| of g everywhere.
 struct RemovalStep {
     int rows;
     int skipped; // the row that the solution does not use

@@ -1,13 +1,14 @@
 // Knots over which one or two splines, their sums and their products are splines of a higher degree, and how
 // control points there follow from polar forms.
 //
-// A polynomial of degree p has at degree r the polar form that is the mean of its own over all choices of p
-// of the r arguments, and the product of two of degrees p and r - p is the mean of the products of theirs,
-// the second at the arguments left over (L. Ramshaw 1989; K. Morken, "Some identities for products and degree
-// raising of splines", Constr. Approx. 7 (1991)). A knot that occurs m times in a spline of degree p occurs
-// at least r - p + m times here, so that whatever the choice, a knot of the spline strictly inside the window
-// of a control point is among its arguments as often as it is in its knots: its values are combinations of
-// its control points with factors in [0, 1].
+// The polar form of a polynomial of degree p, taken at a higher degree r, is the mean of its own polar form
+// over all choices of p of the r arguments. The polar form of the product of two polynomials of degrees p and
+// r - p is the mean of the products of their polar forms, the second one at the remaining arguments (L.
+// Ramshaw 1989; K. Morken, "Some identities for products and degree raising of splines", Constr. Approx. 7
+// (1991)). A knot that occurs m times in a spline of degree p occurs at least r - p + m times here. So,
+// whatever the choice, a knot of the spline strictly inside the window of a control point is among the
+// arguments as often as among the knots of the spline, and the values are combinations of control points of
+// the spline with factors in [0, 1].
 #pragma once
 
 #include "basis/bspline.h"
