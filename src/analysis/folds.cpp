@@ -75,7 +75,7 @@ Vector area_direction(const pieces::PieceMaker &maker) {
     return area;
 }
 
-// Of magnitude near 1.
+// The direction scaled to a magnitude near 1.
 Vector unit_of(const double *reference) {
     Vector unit{reference[0], reference[1], reference[2]};
     const double size = norm(unit.data(), 3);

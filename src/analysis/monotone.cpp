@@ -10,7 +10,7 @@ namespace nrb::analysis {
 
 namespace {
 
-// Of at most 1 in every component.
+// The direction scaled to at most 1 in every component.
 std::vector<double> scaled_direction(const double *direction, int dim) {
     std::vector<double> d(direction, direction + dim);
     double largest = 0;

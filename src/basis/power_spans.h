@@ -39,12 +39,12 @@ inline constexpr int64_t max_basis_piece = Piece::size(max_piece_degree, max_pie
 inline constexpr int most_pieces_together = 8;
 int pieces_together() noexcept;
 
-// Writes the pieces of the functions N_(s-p), ..., N_s of `count` spans s: coefficient k of N_j is its k-th
-// derivative with respect to x at x = 0, divided by k!, to about 2^-100 of the terms that it is the sum of
-// and so, but for rare ties and sums that cancel, correctly rounded: the recurrences of basis_values() and
-// basis_derivs() in twice the precision. What the rounding left over goes to `rests`, records like the
-// pieces, or null. A piece has the same bits whatever is made together with it. Preconditions:
-// piece_degree(degree), count <= pieces_together(), and those of basis_values().
+// Writes the pieces of the functions N_(s-p), ..., N_s of `count` spans s. Coefficient k of N_j is its k-th
+// derivative with respect to x at x = 0, divided by k!. It is accurate to about 2^-100 of the terms that it
+// is the sum of, and so correctly rounded except for rare ties and sums that cancel: the recurrences of
+// basis_values() and basis_derivs() are computed in twice the precision. The rounding errors go to `rests`,
+// records like the pieces, or null. A piece has the same bits whatever is made together with it.
+// Preconditions: piece_degree(degree), count <= pieces_together(), and those of basis_values().
 void basis_pieces(const double *knots, int degree, const int64_t *spans, int count, double *const *pieces,
                   double *const *rests) noexcept;
 

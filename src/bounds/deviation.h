@@ -16,14 +16,14 @@ public:
     // Throws Status::incompatible unless axes, dimensions and domains agree, overflow,
     // not_representable.
     DeviationPieces(const Spline &f, const Spline &g);
-    // Of the pieces in [lower, upper] of one axis only.
+    // The same for the pieces in [lower, upper] of one axis only.
     DeviationPieces(const Spline &f, const Spline &g, int axis, Interval part);
 
     [[nodiscard]] int64_t pieces() const noexcept { return f_.pieces(); }
     [[nodiscard]] const pieces::BernsteinNet::Breaks &breaks() const noexcept { return breaks_; }
     // A bound for each piece.
     [[nodiscard]] std::vector<double> uppers() const;
-    // Of the largest distance.
+    // Bounds of the largest distance.
     [[nodiscard]] pieces::Enclosure enclosure(std::span<const double> uppers,
                                               const pieces::SearchLimits &limits = {}) const;
 

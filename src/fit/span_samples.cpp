@@ -83,7 +83,7 @@ namespace {
 // The control points of an axis from samples of it, by least squares.
 class AxisFit {
 public:
-    // Samples of `length` values each, `places` on a span, of which node j is number stride * j.
+    // Samples of `length` values each, `places` on a span; node j is number stride * j.
     AxisFit(const KnotVector &axis, const LocalNodes &nodes, size_t places, size_t stride, int64_t length)
         : axis_(axis), nodes_(std::ssize(nodes.nodes())), places_(static_cast<int64_t>(places)),
           stride_(static_cast<int64_t>(stride)), length_(length), columns_(axis.distinct_layers()),

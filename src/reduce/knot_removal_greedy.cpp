@@ -334,7 +334,7 @@ bool GreedyKnotRemoval::remove(int64_t knot, double tolerance) {
     return true;
 }
 
-// Whether all weights of a new layer are positive; those that are 0 but for rounding become 0.
+// Whether all weights of a new layer are positive; weights that are 0 apart from rounding become 0.
 bool GreedyKnotRemoval::clear_rounded_weights(const Window &window, double *layer) const noexcept {
     for (int64_t at = 0; at < length_; at += width_) {
         RecordRounding largest{0, 0};

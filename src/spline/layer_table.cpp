@@ -48,7 +48,7 @@ std::vector<double> finished(std::vector<double> layers) {
     return layers;
 }
 
-// Writes the layers of a table, of which `total` belong to each outer index.
+// Writes the layers of a table; `total` layers belong to each outer index.
 void combine_all(const LayerTable &table, const Layers &layers, int64_t total, double *out) {
     const int64_t inner = layers.view.inner;
     for (int64_t o = 0; o < layers.view.outer; ++o, out += total * inner) {

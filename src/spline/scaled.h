@@ -13,7 +13,7 @@ struct Powers {
     std::array<int, max_axes> knots{};
 
     bool operator==(const Powers &) const = default;
-    // Of lengths.
+    // The exponent of lengths.
     [[nodiscard]] int size(const Spline &spline) const noexcept {
         return spline.form() == Form::homogeneous ? coordinates - weights : coordinates;
     }

@@ -44,7 +44,7 @@ int64_t nearest_quarter(int64_t steps) noexcept {
     return shifted >= 0 ? shifted / 6 : -((5 - shifted) / 6);
 }
 
-// Of -2, ..., 3 steps.
+// The direction of -2, ..., 3 steps.
 Direction exact_direction(int64_t steps) noexcept {
     const Direction d = first_steps[static_cast<size_t>(steps < 0 ? -steps : steps)];
     return steps < 0 ? Direction{d.cos, -d.sin} : d;

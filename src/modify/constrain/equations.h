@@ -5,7 +5,7 @@
 
 namespace nrb::modify {
 
-// Those of one condition.
+// The equations of one condition.
 struct LocalEquations {
     std::vector<int64_t> points;                // active
     std::vector<std::vector<double>> functions; // R^(a) for each derivative

@@ -80,7 +80,7 @@ struct CellPieces {
     std::vector<double> weights;
 
     [[nodiscard]] double least_weight() const { return *std::min_element(weights.begin(), weights.end()); }
-    // Of a, whose values are means of these quotients.
+    // The range of a, whose values are means of these quotients.
     [[nodiscard]] Interval range() const {
         Interval range{infinite, -infinite};
         for (size_t i = 0; i < along.size(); ++i) {

@@ -345,7 +345,7 @@ private:
     std::vector<double> knots_;       // of the result
     std::vector<size_t> cell_behind_; // of each knot
 
-    // Of the layer that is being made.
+    // Data of the layer that is being made.
     const SpanCell *cell_ = nullptr;
     std::array<double, max_basis> window_knots_{};
     std::vector<double> block_;

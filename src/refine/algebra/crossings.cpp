@@ -126,7 +126,7 @@ CurvePiece::Known CurvePiece::known_of(int k) const {
     return known;
 }
 
-// Of the active control points.
+// eps times the range of the active control points.
 Interval CurvePiece::eps_times_range(int k) const noexcept {
     Interval range{HUGE_VAL, -HUGE_VAL};
     for (int64_t i = span_ - degree(); i <= span_; ++i) {
@@ -263,7 +263,7 @@ private:
     SignProfile profile_;
 };
 
-// Of coordinate k minus c over a part of the piece, of which these are the coefficients and weights.
+// The signs of coordinate k minus c over a part of the piece, which has these coefficients and weights.
 SignProfile profile_of(const CurvePiece &piece, int k, double c, double uncertainty,
                        std::span<const double> values, std::span<const double> weights, Interval part) {
     SignNet<max_basis> net;

@@ -31,7 +31,7 @@ public:
     }
     // The weights of the coefficients; none of a polynomial curve.
     [[nodiscard]] std::span<const double> weights() const noexcept { return weights_; }
-    // Those over another interval, the first degree + 1.
+    // The coefficients over another interval; the first degree + 1 are used.
     [[nodiscard]] Coefficients coefficients_between(int k, double from, double to) const noexcept;
     [[nodiscard]] Coefficients weights_between(double from, double to) const noexcept;
     // How accurately a control point of coordinate k is known. With the active control points F_i that is the

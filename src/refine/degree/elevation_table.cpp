@@ -216,7 +216,7 @@ private:
         return 1;
     }
 
-    // The windows that begin in `count` groups, of which those with the same place in their group are alike.
+    // The windows that begin in `count` groups. Windows with the same place in their group are alike.
     int64_t make_rows(int64_t at, int64_t group, int64_t count) {
         const int m = multiplicity(group);
         LayerTable::Row pattern[max_basis + 1];

@@ -110,7 +110,7 @@ private:
     }
 
     [[nodiscard]] double *record(int64_t i) noexcept { return sums_.data() + i * (dim_ + 1); }
-    // Of a row over values of records of `width`.
+    // The terms of a row over values of records of `width`.
     [[nodiscard]] Terms terms(const LayerTable::Row &row, const double *first, int width) const noexcept {
         return {table_.coefficients(row), row.size, first, view_.inner * width};
     }
