@@ -1045,23 +1045,22 @@ NURBS_API nurbs_status nurbs_iso(const nurbs *g, int32_t axis, double param, uin
  * nurbs_surface_eval_frames(surface, 1, params, 0, 0, point, 0, 0, NULL, 0, 0, NULL, 0, 0, normal, 0, 0,
  *                           NULL, 0);
  * \endcode
- * What is computed from derivatives, in one pass. Every output may be NULL, which means not wanted; its
- * strides are then ignored.
+ * Points, directions and curvatures computed from derivatives, in one pass. Every output may be NULL, which
+ * means not wanted; its strides are then ignored.
  *
  * `status` receives for each point a sum of the NURBS_FRAME_ bits, 0 where nothing is special.
  *
- * A vector is taken for zero where its exact value may be zero: where its length is at most the bound of its
- * rounding error. For a derivative of order k that is 2 (c + 2 k) eps |E_a|, as in the preamble, but with
- * sums of |P - O| in the first step of a curve too, E_a taken as a vector; for a product of two it is each
- * factor's length times the other's bound, summed. No other tolerance enters: where points or knots are
- * multiplied by powers of two no bit of a direction changes, and curvatures are multiplied by a power of two.
- * That holds at every size (since 1.1), also where derivatives or their products leave double precision,
- * unless the result does.
- * One parameter gives the same bits alone, in a batch and on a grid.
+ * A vector counts as zero if its exact value may be zero: if its length is at most the bound of its rounding
+ * error. For a derivative of order k that bound is 2 (c + 2 k) eps |E_a|, as in the preamble, but with sums
+ * of |P - O| in the first step of a curve too, E_a being taken as a vector. For a product of two it is each
+ * factor's length times the other's bound, summed. No other tolerance enters: if points or knots are
+ * multiplied by powers of two, no bit of a direction changes, and curvatures are multiplied by a power of
+ * two. That holds at every size (since 1.1), even if derivatives or their products leave double precision,
+ * unless the result does. One parameter gives the same bits alone, in a batch and on a grid.
  *
  * Limits are taken from the side that the flags name (from above, or from below with NURBS_LEFT), at the ends
- * of the domain from within, outside it from the domain's side. They use derivatives of orders up to 8; what
- * would need higher ones counts as not existing. Where nothing exists NaN is written and
+ * of the domain from within, outside it from the domain's side. They use derivatives of orders up to 8; a
+ * limit that would need higher ones counts as not existing. If a result does not exist, NaN is written and
  * NURBS_FRAME_UNDEFINED is set, also for parameters that give NaN.
  * @{ */
 
@@ -1243,10 +1242,10 @@ NURBS_API nurbs_status nurbs_curve_rotation_minimizing_frames(
  * nurbs_destroy(lower);
  * nurbs_destroy(upper);
  * \endcode
- * Exact operations: the shape and its parameters stay, the accuracy is that of inserting knots (see above).
- * Those along an axis make each new layer of control points from at most degree + 1 old ones by factors in
- * [0, 1], of homogeneous points when rational; layers that no knot reaches keep their bits. Costs grow
- * linearly with the number of control points.
+ * Exact operations: the shape and its parameters stay, and the accuracy is that of inserting knots (see
+ * above). Operations along an axis make each new layer of control points from at most degree + 1 old ones, by
+ * factors in [0, 1], of homogeneous points when rational. Layers that no knot reaches keep their bits. Costs
+ * grow linearly with the number of control points.
  * @{ */
 
 /** \brief Inserts a knot without changing the shape (Boehm 1980).
@@ -1687,10 +1686,10 @@ NURBS_API nurbs_status nurbs_equalize_end_weights(const nurbs *g, int32_t axis, 
  * nurbs_derivative(curve, 0, 1, &hodograph); // C'(t) as a spline
  * nurbs_destroy(hodograph);
  * \endcode
- * Derivatives, integrals, sums and products of splines are splines. Where bounds speak of control points
- * they mean their homogeneous components, before a division by the weight that adds eps / 2; the weights of
+ * Derivatives, integrals, sums and products of splines are splines. Where bounds speak of control points they
+ * mean their homogeneous components, before a division by the weight that adds eps / 2. The weights of
  * rational operands count up to one power of two for each (which keeps weights that are all beyond 2^256 or
- * below 2^-256 in range). Where the knots of a periodic axis repeat to rounding only, that rounding moves
+ * below 2^-256 in range). If the knots of a periodic axis repeat only to rounding, that rounding moves
  * control points as well.
  * @{ */
 
@@ -1960,16 +1959,18 @@ NURBS_API nurbs_status nurbs_basis_matrix(int32_t from, int32_t to, int32_t degr
  * nurbs_continuity(curve, 0, 1e-6, 1e-6, 1e-6, 0, NULL, NULL, NULL, NULL, NULL, NULL, NULL, &count);
  * \endcode
  * The parametric order k of a place says that the derivatives of orders 0 to k are the same on both sides: -1
- * is a jump, 0 a kink; it is at most the degree. It holds within tolerances: points may differ by
+ * is a jump, 0 a kink. It is at most the degree. It holds within tolerances: points may differ by
  * position_tolerance, the derivatives of order 1 and more by derivative_tolerance times the length of the
- * longer one, and all of them by the rounding that their computation may have, so that tolerances of 0 ask
- * for what double precision can tell. The geometric order is 0 where the points agree so, 1 where in addition
- * the angle between the tangents is at most angle_tolerance, and 2 where their curvature vectors (C'' - (C''
- * T) T) / |C'|^2 differ by at most derivative_tolerance times the longer one, or times 1 / l, l the length
- * |C'| h of the longer one of the two spans [t, t + h]: along l a gap d turns the tangent by d l, so that no
+ * longer one, and all of them by the rounding that their computation may have. So tolerances of 0 ask for as
+ * much as double precision can decide.
+ *
+ * The geometric order is 0 if the points agree in this way. It is 1 if in addition the angle between the
+ * tangents is at most angle_tolerance. It is 2 if their curvature vectors (C'' - (C'' T) T) / |C'|^2 also
+ * differ by at most derivative_tolerance times the longer one, or times 1 / l, where l is the length |C'| h
+ * of the longer one of the two spans [t, t + h]: along l a gap d turns the tangent by d l, so that no
  * rounding breaks a straight line. Where the first derivative vanishes the tangent is the limit, given by the
- * first derivative that does not, and the geometric order is at most 1; where all vanish it is at most 0, and
- * the angle NaN.
+ * first derivative that does not, and the geometric order is at most 1. Where all vanish it is at most 0, and
+ * the angle is NaN.
  * @{ */
 
 /** \brief Continuity at the knots of an axis: one row for each distinct knot inside the domain, and one more,
@@ -2031,11 +2032,11 @@ NURBS_API nurbs_status nurbs_continuity_between(const nurbs *a, int32_t end_a, c
  * nurbs_reduce_knots(curve, 0, 1e-3, &bound, &fewer);
  * nurbs_destroy(fewer);
  * \endcode
- * Operations that move the shape. Each returns a bound of the distance to what it was given, in the space of
- * the points (Cartesian, also when rational), that is proven: it holds at every parameter and includes the
+ * Operations that move the shape. Each returns a proven bound of the distance to the given spline, in the
+ * space of the points (Cartesian, also when rational). The bound holds at every parameter and includes the
  * rounding of its own computation, some 30 (degree + 1) eps times the size of the model. A tolerance below
  * that changes nothing. Distances are taken at equal parameters. Bounds come from Bernstein pieces of the
- * difference, whose numerators and denominators enclose it, by subdividing the worst one until the largest
+ * difference, whose numerators and denominators enclose it. The worst piece is subdivided until the largest
  * distance is known to a factor of 5/4.
  * @{ */
 
@@ -2596,15 +2597,15 @@ NURBS_API nurbs_status nurbs_curve_helix(int32_t dim, const double *origin, cons
  * nurbs_extrude(curve, up, &wall);
  * nurbs_destroy(wall);
  * \endcode
- * Exact constructions. Domains of what is given are kept, new axes run over [0, 1]. Placements, angles and
- * forms of arcs are those of the curves; shapes of revolution have the angle as axis 0 and a normal S_u x
+ * Exact constructions. Domains of given splines are kept, new axes run over [0, 1]. Placements, angles and
+ * forms of arcs are those of the curves. Shapes of revolution have the angle as axis 0, and a normal S_u x
  * S_v that points outwards where the sweep is positive.
  *
- * With size the largest coordinate among the control points, evaluated points lie within 4 eps * size of
- * the true sphere, cylinder, cone or torus, and within 5 eps * size of the other quadrics (tested). What is
- * made of splines has the weights and Cartesian control points of its formula, of which each product and
- * sum is rounded once, those of revolved shapes once in all; ruled shapes also what makes their splines
- * compatible.
+ * With size the largest coordinate among the control points, evaluated points lie within 4 eps * size of the
+ * true sphere, cylinder, cone or torus, and within 5 eps * size of the other quadrics (tested). A shape made
+ * of splines has the weights and Cartesian control points of its formula. Each product and sum of the formula
+ * is rounded once; revolved shapes are rounded once in all; ruled shapes are also moved by what makes their
+ * splines compatible.
  * @{ */
 
 /** \name Flags of constructions
@@ -3112,22 +3113,21 @@ NURBS_API nurbs_status nurbs_recognize(const nurbs *g, double tolerance, int32_t
  *                      &status, 0);
  * \endcode
  * All distances are Euclidean, in the Cartesian space of the points. The first query of a handle builds a
- * locator, the Bezier pieces with bounds, which the handle keeps; batches are what is fast.
+ * locator, the Bezier pieces with bounds, which the handle keeps. Use batches.
  *
- * A result is certified where it is proven that no point of g is nearer (of the farthest: farther) by more
- * than the tolerance and rounding, which is at most (64 n + 2 dim) eps (sqrt(dim) s + |x|): n is the sum of
- * degree + 1 over the axes, s the largest coordinate of g, x the query point. The proof is by polynomials:
- * with the homogeneous form A / w of a piece, |A - x w|^2 - r^2 w^2 >= 0 says that the piece is not nearer
- * than r, and holds if all Bernstein coefficients are >= 0; curves are divided at their minima, and about
- * those of surfaces and volumes the polynomial is shown to be convex. Pieces that give no answer are
- * halved, at most `budget` of them for a point: then the best point found is returned with
- * NURBS_CLOSEST_BUDGET instead of NURBS_CLOSEST_CERTIFIED; pieces of more than 256 control points count
- * more than once. Of those with more than 1024, of volumes of high degrees, hulls alone are looked at,
- * which seldom is proof enough. Where parameters are so large, or spans so short, that the point of the
- * rounded parameter is worse than what was proven, or where its distance overflows, NURBS_CLOSEST_COARSE
- * takes the place of NURBS_CLOSEST_CERTIFIED. Weights have to be > 0;
- * splines with others are searched in the same way, and certified where the Bezier pieces have positive
- * weights all the same.
+ * A result is certified if it is proven that no point of g is nearer (of the farthest: farther) by more than
+ * the tolerance and rounding, which is at most (64 n + 2 dim) eps (sqrt(dim) s + |x|): n is the sum of degree
+ * + 1 over the axes, s the largest coordinate of g, x the query point. The proof is by polynomials: with the
+ * homogeneous form A / w of a piece, |A - x w|^2 - r^2 w^2 >= 0 says that the piece is not nearer than r, and
+ * holds if all Bernstein coefficients are >= 0. Curves are divided at their minima; around the minima of
+ * surfaces and volumes the polynomial is shown to be convex. Pieces that give no answer are halved, at most
+ * `budget` of them for a point: then the best point found is returned with NURBS_CLOSEST_BUDGET instead of
+ * NURBS_CLOSEST_CERTIFIED. Pieces of more than 256 control points count more than once. Of pieces with more
+ * than 1024, of volumes of high degrees, only hulls are examined, which is seldom enough for a proof. If
+ * parameters are so large, or spans so short, that the point of the rounded parameter is worse than what was
+ * proven, or if its distance overflows, NURBS_CLOSEST_COARSE replaces NURBS_CLOSEST_CERTIFIED. Weights have
+ * to be > 0; splines with other weights are searched in the same way, and certified if the Bezier pieces have
+ * positive weights all the same.
  *
  * At a jump both limits belong to g, and a foot may be the one that nurbs_eval() gives with NURBS_LEFT, which
  * NURBS_CLOSEST_LEFT reports. A seam, a pole or a collapsed edge has several parameters for one point; any of
@@ -3361,20 +3361,21 @@ NURBS_API nurbs_status nurbs_hausdorff_distance(const nurbs *a, const nurbs *b, 
  * nurbs_curve_length(curve, NULL, 1e-12, &length, &error);
  * \endcode
  * Integrals over splines, by nested Gauss rules (Patterson 1968) of 15 to 63 nodes on each span between
- * knots, never across one, halved where the Legendre coefficients of the integrand do not fall fast enough,
- * where weights differ by a factor of more than 64, and where lengths and areas turn so sharply that a
- * feature may be narrower than the nodes are apart. `relative_tolerance` is asked of the result (of a
- * centroid and of moments: relative to the size of the shape); 0, and whatever is below rounding, asks for
+ * knots, never across a knot. A span is halved if the Legendre coefficients of the integrand do not fall fast
+ * enough, if weights differ by a factor of more than 64, and if lengths and areas turn so sharply that a
+ * feature may be narrower than the distance of the nodes. `relative_tolerance` is that of the result (of a
+ * centroid and of moments: relative to the size of the shape). 0, and any tolerance below rounding, asks for
  * the best that double precision and a limit of work give: rounding, or else about nine or three digits, as
  * along a fold inside a surface, where |S_u x S_v| has a kink. A tolerance above rounding that is not reached
  * is NURBS_ERROR_NOT_CONVERGED, and so is 0 where no `error` could show it (nurbs_curve_lengths() and what
  * shares its table). `error` receives an estimate of the absolute error, rounding included; it follows from
  * how the coefficients fall and is not a proof. Cusps, poles and other places where the speed vanishes are
- * found by the halving and cost more, not accuracy. Where the weights vanish an integral may be infinite:
- * NURBS_ERROR_NOT_CONVERGED.
+ * found by the halving; they cost more time, not accuracy. Where the weights vanish an integral may be
+ * infinite: NURBS_ERROR_NOT_CONVERGED.
  *
- * Inertia is the tensor about the centroid, integral of |y|^2 E - y y^T with y = x - centroid and the unit
- * matrix E, for the density 1, symmetric, rows one after the other; of a negative content it has that sign.
+ * Inertia is the tensor about the centroid, the integral of |y|^2 E - y y^T with y = x - centroid and the
+ * unit matrix E, for the density 1. It is symmetric, with rows one after the other; for a negative content it
+ * has that sign.
  * @{ */
 
 /** \brief Length of a curve or of a part of it.
@@ -3516,12 +3517,12 @@ NURBS_API nurbs_status nurbs_enclosed_volume(int64_t count, const nurbs *const *
  * double lower[3], upper[3], gap = 0;
  * nurbs_box(surface, NULL, 1e-3, lower, upper, &gap); // each face at most 1e-3 from the surface
  * \endcode
- * What contains a spline, proven: bounds come from Bernstein coefficients, which are halved where a tighter
- * one is asked for, and are rounded outwards. Weights have to be > 0 on every Bezier piece after some
- * halvings; where they never are, boxes are infinite and cones may be the whole space. Where a search has a
- * limit of 20000 halvings, it is a lower one for pieces of more than 3000 coefficients, so that memory does
- * not run out. A derivative that is zero to its rounding at an end of a piece counts as zero there, and the
- * limit as its direction.
+ * Proven bounds that contain a spline. They come from Bernstein coefficients; pieces are halved where a
+ * tighter bound is wanted, and bounds are rounded outwards. Weights have to be > 0 on every Bezier piece
+ * after some halvings; if they never are, boxes are infinite and cones may be the whole space. Where a search
+ * has a limit of 20000 halvings, the limit is lower for pieces of more than 3000 coefficients, so that memory
+ * does not run out. A derivative that is zero to its rounding at an end of a piece counts as zero there, and
+ * has the limit as its direction.
  * @{ */
 
 /** \brief An axis-aligned box that contains a spline, and all points that evaluation gives of it (except
@@ -3606,13 +3607,13 @@ NURBS_API nurbs_status nurbs_extreme_point(const nurbs *g, const double *directi
  * int32_t complete = 0; // 1: proven that there are no others
  * nurbs_curve_features(curve, NURBS_FEATURE_CUSP, 0, NULL, NULL, NULL, &count, &complete);
  * \endcode
- * Where something happens on a curve or surface. Features are the zeros of polynomials, and the signs of
- * their Bernstein coefficients say how many there are: `complete` receives 1 where it is proven that nothing
- * was missed and each was seen once, 0 where zeros lie so close together, or are so flat, that double
- * precision cannot decide: along an arc of a circle, whose curvature is constant, for its extrema, and
- * along a straight line for inflections, unless it is one of degree 1. Polynomials that vanish to rounding
- * at a knot count as 0 there: zeros within rounding of a knot are at it. Vectors, such as C' at a cusp,
- * count as 0 where all components vanish to rounding at the zero of one of them.
+ * Places where something happens on a curve or surface. Features are the zeros of polynomials, and the signs
+ * of their Bernstein coefficients say how many there are. `complete` receives 1 if it is proven that no
+ * feature was missed and each was seen once. It receives 0 if zeros lie so close together, or are so flat,
+ * that double precision cannot decide: extrema along an arc of a circle, whose curvature is constant, and
+ * inflections along a straight line, unless it is one of degree 1. Polynomials that vanish to rounding at a
+ * knot count as 0 there: zeros within rounding of a knot are at it. Vectors, such as C' at a cusp, count as 0
+ * if all components vanish to rounding at the zero of one of them.
  * @{ */
 
 /** \name Features of curves
@@ -3771,16 +3772,16 @@ NURBS_API nurbs_status nurbs_fold_test(const nurbs *g, const double *reference, 
  * nurbs_pull_point(curve, 1, params, up, 0.1, &moved, &lifted);
  * nurbs_destroy(lifted);
  * \endcode
- * Changes of one or a few control points or weights that bring a point of the shape where it is wanted;
+ * Changes of one or a few control points or weights that bring a point of the shape to where it is wanted;
  * Piegl & Tiller, "The NURBS Book", chapter 11. R_i(t) is the rational basis function of control point i, a
  * flat index, last axis fastest. Where R_i(t) is 0 the control point cannot move that point:
- * NURBS_ERROR_INFLUENCE, and the message names those that can. On a periodic axis the copies of a layer
- * change with it, and R_i is the sum of theirs. A control point at infinity has no weight that could change:
- * its R_i is 0.
+ * NURBS_ERROR_INFLUENCE, and the message names the control points that can. On a periodic axis the copies of
+ * a layer change with it, and R_i is the sum of the copies' functions. A control point at infinity has no
+ * weight that could change: its R_i is 0.
  *
- * A point that is moved by weights comes to lie within (3 sum p + n + 8) eps of its place, times the distance
- * from the centre to the farthest of the n active control points; one that is moved by its control point,
- * times the distance and R_i |P_i*|. Tests find at most 0.05 of that.
+ * A point that is moved by weights ends within (3 sum p + n + 8) eps of its place, times the distance from
+ * the centre to the farthest of the n active control points. A point that is moved by its control point ends
+ * within the same multiple of the distance and R_i |P_i*|. Tests find at most 0.05 of that.
  * @{ */
 
 /** \brief Changes a weight so that the point at a parameter moves by a distance towards the control point,
@@ -4020,8 +4021,8 @@ NURBS_API nurbs_status nurbs_constrain(const nurbs *g, int64_t count, const int3
  * nurbs_warp(surface, range[0], up, 0.1, 1, &bump); // raised by 0.1 in the middle of the region
  * nurbs_destroy(bump);
  * \endcode
- * Changes of a whole shape or of a region of it. `range` is a box of parameters; its ends become knots, so
- * that what is outside stays the same shape, and control points whose basis functions reach outside stay.
+ * Changes of a whole shape or of a region of it. `range` is a box of parameters. Its ends become knots, so
+ * that the shape outside stays the same, and control points whose basis functions reach outside stay.
  * @{ */
 
 /** \brief Raises a region along a direction: adds distance * b(t) * direction / |direction|, where b is 1 in
@@ -4165,11 +4166,11 @@ NURBS_API nurbs_status nurbs_snap_boundary(const nurbs *g, int32_t axis, int32_t
  * int64_t columns[9], rows[4]; // the matrix N_j(t_i), 3 x 4, compressed
  * nurbs_collocation(1, &degree, &count, knots, 7, NULL, 3, params, 0, 0, 9, values, columns, rows, NULL, 0);
  * \endcode
- * A point is linear in the control points, and so is every derivative of it: C = A P. Here are the matrix A,
- * products with its transpose, and the operators that turn spans into Bezier pieces. On a periodic axis all
- * of them refer to the stored N control points, the last `degree` layers along the axis included, as if these
- * were not copies. With m = count - degree distinct layers, columns and gradients of layer l + m are to be
- * added to those of layer l, l < degree, to refer to the m distinct ones.
+ * A point is linear in the control points, and so is every derivative of it: C = A P. This group has the
+ * matrix A, products with its transpose, and the operators that turn spans into Bezier pieces. On a periodic
+ * axis all of them refer to the stored N control points, including the last `degree` layers along the axis,
+ * as if these were not copies. With m = count - degree distinct layers, add the columns and gradients of
+ * layer l + m to those of layer l, l < degree, to refer to the m distinct ones.
  * @{ */
 
 /** \brief Collocation matrix of B-spline basis functions, or of one of their partial derivatives, as
