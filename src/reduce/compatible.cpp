@@ -102,7 +102,7 @@ double unify_domain(Set &set, int k, bool any, double tolerance) {
     return largest;
 }
 
-// A mixture of plain and periodic axes becomes plain axes.
+// Makes all axes plain, unless all of them are periodic.
 void unify_periodicity(Set &set, int k) {
     const auto periodic = [k](const SplinePtr &spline) { return spline->axis(k).periodic(); };
     std::vector<SplinePtr> &splines = set.splines();

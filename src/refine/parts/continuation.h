@@ -7,9 +7,9 @@
 namespace nrb::refine {
 
 // Adds a row for a control point that is a value of the polar form of an end piece. Of its arguments, some
-// are the old knots shared_first, ..., shared_end - 1; the others are `given`. Rows are over the layers of
-// `axis`. An entry is a product of factors that leave [0, 1] with the arguments beyond the end: the rounding
-// is that many eps of the sum of |coefficient * point|. Cost: O(number^2) for each row.
+// are the old knots shared_first, ..., shared_end - 1; the others are `arguments`. Rows are over the layers
+// of `axis`. An entry is a product of factors that leave [0, 1] with the arguments beyond the end: the
+// rounding is that many eps of the sum of |coefficient * point|. Cost: O(number^2) for each row.
 void add_continued_row(const KnotVector &axis, int64_t shared_first, int64_t shared_end,
                        std::span<const double> arguments, LayerTable &table);
 
