@@ -1,6 +1,7 @@
 #include "numeric/solvers/small_systems.h"
 
 #include <Eigen/Dense>
+#include <algorithm>
 
 namespace nrb::inline numeric {
 
