@@ -1,5 +1,5 @@
 // de Casteljau's algorithm on plain arrays: [degree + 1][inner] coefficients of a polynomial of one variable over
-// [0, 1], `inner` values each; and the Bernstein functions, which the same recurrence gives the other way round. Each
+// [0, 1], `inner` values each, which may be those of other variables; and the Bernstein functions, which the same recurrence gives the other way round. Each
 // step takes means, so that a value is within 3 / 2 degree eps of itself, relative to the same means of magnitudes,
 // and in the middle within degree eps / 2. Inline, because loops compiled for an instruction set or for one degree
 // use it.
@@ -32,6 +32,25 @@ namespace nrb::inline bernstein {
     for (int r = 0; r <= degree; ++r) {
         std::copy_n(values, inner, lower + r * inner);
         casteljau_step((degree - r) * inner, inner, t, values);
+    }
+}
+
+// A net as seen along one of its axes.
+struct AxisLayers {
+    int64_t outer = 1;
+    int degree = 0;
+    int64_t inner = 1;
+
+    [[nodiscard]] int64_t at(int64_t o, int layer, int64_t i) const noexcept {
+        return (o * (degree + 1) + layer) * inner + i;
+    }
+};
+
+// The same for all of [outer][degree + 1][inner].
+inline void subdivide(const AxisLayers &layers, double t, double *values, double *lower) noexcept {
+    for (int64_t o = 0; o < layers.outer; ++o) {
+        const int64_t first = layers.at(o, 0, 0);
+        subdivide(layers.degree, layers.inner, t, values + first, lower + first);
     }
 }
 

@@ -27,6 +27,14 @@ void add_scaled(const BernsteinShape &a, const double *from, double factor, doub
 
 } // namespace
 
+AxisLayers BernsteinShape::along(int axis) const noexcept {
+    AxisLayers layers{1, degrees[static_cast<size_t>(axis)], width};
+    for (int k = 0; k < max_axes; ++k) {
+        (k < axis ? layers.outer : layers.inner) *= k == axis ? 1 : degrees[static_cast<size_t>(k)] + 1;
+    }
+    return layers;
+}
+
 double elevation_coefficient(int low, int high, int i, int j) noexcept {
     return binomial(low, j) * binomial(high - low, i - j) / binomial(high, i);
 }
@@ -71,21 +79,6 @@ void add_convolution(const BernsteinShape &a, const double *left, const Bernstei
             for (int k = 0; k <= b.degrees[2]; ++k, target += a.width) {
                 add_scaled(a, left, *right++, target, row, plane);
             }
-        }
-    }
-}
-
-void halve(const BernsteinShape &shape, int axis, double *values, double *lower) noexcept {
-    int64_t outer = 1, inner = shape.width;
-    for (int k = 0; k < max_axes; ++k) {
-        (k < axis ? outer : inner) *= k == axis ? 1 : shape.degrees[static_cast<size_t>(k)] + 1;
-    }
-    const int n = shape.degrees[static_cast<size_t>(axis)];
-    for (int64_t o = 0; o < outer; ++o, values += (n + 1) * inner, lower += (n + 1) * inner) {
-        for (int r = 0; r <= n; ++r) {
-            std::copy_n(values, inner, lower + r * inner);
-            std::transform(values, values + (n - r) * inner, values + inner, values,
-                           [](double x, double y) { return x / 2 + y / 2; });
         }
     }
 }

@@ -1,5 +1,6 @@
 #include "refine/algebra/crossings.h"
 
+#include "bernstein/de_casteljau.h"
 #include "numeric/binomial.h"
 #include "refine/algebra/derivative.h"
 #include "refine/knots/blossom.h"
@@ -207,26 +208,14 @@ private:
         const double middle = lower + (upper - lower) / 2;
         if (changes > 1 && lower < middle && middle < upper) {
             Net left = net;
-            halve(left.values, net.values);
+            subdivide(degree_, 1, 0.5, net.values.data(), left.values.data());
             if (weighted_) {
-                halve(left.weights, net.weights);
+                subdivide(degree_, 1, 0.5, net.weights.data(), left.weights.data());
             }
             visit(left, lower, middle);
             visit(net, middle, upper);
         } else if (first != 0) {
             add(first, last, lower, upper);
-        }
-    }
-
-    // de Casteljau in the middle: `left` becomes the lower half, `values` the upper one.
-    void halve(std::array<double, kSize> &left, std::array<double, kSize> &values) const noexcept {
-        for (int r = 0; r <= degree_; ++r) {
-            left[static_cast<size_t>(r)] = values[0];
-            for (int j = 0; j < degree_ - r; ++j) {
-                const auto at = static_cast<size_t>(j);
-                values[at] = values[at] / 2 + values[at + 1] / 2;
-            }
-            // The upper half stays behind, from its end backwards.
         }
     }
 
