@@ -3,6 +3,7 @@
 #pragma once
 
 #include "basis/bspline.h"
+#include "bernstein/sign_profile.h"
 #include "refine/algebra/common_knots.h"
 #include "spline/spline.h"
 
@@ -70,16 +71,6 @@ private:
 
 // What is known of the sign of a coordinate minus a value c inside a piece. A coefficient that is no farther from
 // 0 than the uncertainty, times its weight, has no sign.
-struct SignProfile {
-    bool below = false;
-    bool above = false;
-    std::vector<double> crossings; // parameters at which the sign changes, rising
-};
-
-// By halving until coefficients change their sign at most once on each part (Lane & Riesenfeld, "Bounds on a
-// polynomial", BIT 21 (1981)), then bisection to neighbouring doubles. Of places where the coordinate touches c
-// without crossing it nothing is reported but the side. Cost: q^2 for each halving, at most some 50 q of them,
-// and an evaluation for each bit of a crossing.
 SignProfile sign_profile(const CurvePiece &piece, int k, double c);
 
 // Whether the coordinate is above c on a part of the piece between crossings. Where its values differ from c by
