@@ -11,35 +11,7 @@ namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
-// C(n, 0), ..., C(n, n) of any degree, each within n eps of itself.
-std::vector<double> binomial_row(int n) {
-    if (n <= max_product_degree) {
-        return {binomials(n), binomials(n) + n + 1};
-    }
-    std::vector<double> row(static_cast<size_t>(n) + 1, 1.0);
-    for (int k = 1; 2 * k <= n; ++k) {
-        const auto at = static_cast<size_t>(k);
-        row[at] = row[static_cast<size_t>(n - k)] = row[at - 1] * (n - k + 1) / k;
-    }
-    return row;
-}
-
-std::vector<double> binomials_of(const BernsteinShape &shape) {
-    const auto first = binomial_row(shape.degrees[0]), second = binomial_row(shape.degrees[1]),
-               third = binomial_row(shape.degrees[2]);
-    std::vector<double> factors;
-    factors.reserve(static_cast<size_t>(shape.values()));
-    for (const double a : first) {
-        for (const double b : second) {
-            for (const double c : third) {
-                factors.insert(factors.end(), static_cast<size_t>(shape.width), a * b * c);
-            }
-        }
-    }
-    return factors;
-}
-
-// Roundings of binomials_of(): of the rows and of their products.
+// Roundings of binomial_factors(): of the rows and of their products.
 double binomial_steps(const BernsteinShape &shape) noexcept {
     double steps = 1;
     for (const int n : shape.degrees) {
@@ -123,7 +95,8 @@ RoundedPolynomial side_by_side(const std::vector<RoundedPolynomial> &components)
 // eps each.
 RoundedPolynomial operator*(const RoundedPolynomial &a, const RoundedPolynomial &b) {
     RoundedPolynomial result{product_shape(a.shape, b.shape), {}, {}};
-    const auto left = binomials_of(a.shape), right = binomials_of(b.shape), over = binomials_of(result.shape);
+    const auto left = binomial_factors(a.shape), right = binomial_factors(b.shape),
+               over = binomial_factors(result.shape);
     const auto times_binomials = [&](const std::vector<double> &x, const std::vector<double> &y) {
         return convolved(a.shape, times(x, left), b.shape, times(y, right), over);
     };
