@@ -28,17 +28,11 @@ Vector mean_normal(const pieces::HomogeneousPiece &piece) {
     constexpr int places = 16;
     for (int i = 0; i < places; ++i) {
         const double u = (i + 0.5) / places;
-        RoundedPolynomial row = n, row_w = piece.weight;
-        split(row, 1, u);
-        split(row_w, 1, u);
-        row = end_value(row, 1, false);
-        row_w = end_value(row_w, 1, false);
+        const RoundedPolynomial row = value_at(n, 1, u), row_w = value_at(piece.weight, 1, u);
         for (int j = 0; j < places; ++j) {
             const double v = (j + 0.5) / places;
-            RoundedPolynomial at = row, at_w = row_w;
-            split(at, 2, v);
-            split(at_w, 2, v);
-            const double w = at_w.values[0];
+            const RoundedPolynomial at = value_at(row, 2, v);
+            const double w = value_at(row_w, 2, v).values[0];
             for (size_t c = 0; c < 3; ++c) {
                 sum[c] += at.values[c] / (w * w * w) / (places * places);
             }

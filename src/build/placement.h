@@ -20,14 +20,15 @@ struct Placement {
     Vector3 z_rest = {};
 
     // origin + a x + b y + c z, `dim` coordinates, each rounded as if computed in twice the precision.
-    void point(const Wide &a, const Wide &b, const Wide &c, double *out) const noexcept;
+    void point(const DoubleDouble &a, const DoubleDouble &b, const DoubleDouble &c,
+               double *out) const noexcept;
 
     // Coordinate c of the origin and of the frame.
     struct Component {
         double origin;
-        Wide x;
-        Wide y;
-        Wide z;
+        DoubleDouble x;
+        DoubleDouble y;
+        DoubleDouble z;
     };
     [[nodiscard]] Component component(int c) const noexcept;
 };

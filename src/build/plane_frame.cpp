@@ -83,8 +83,8 @@ double PlaneFrame::distance(std::span<const double> v) const {
 Point2 PlaneFrame::point(Coordinates x) const {
     Point2 p;
     for (size_t i = 0; i < x.size(); ++i) {
-        const Wide way = Wide::sum(x[i], -origin_[i]) * Wide(scale_);
-        p = {p.x + way * Wide(u_[i]), p.y + way * Wide(v_[i])};
+        const DoubleDouble way = DoubleDouble::sum(x[i], -origin_[i]) * DoubleDouble(scale_);
+        p = {p.x + way * DoubleDouble(u_[i]), p.y + way * DoubleDouble(v_[i])};
     }
     return p;
 }
@@ -93,8 +93,8 @@ Point2 PlaneFrame::direction(Coordinates v) const {
     const double scale = power_of_two(largest_magnitude(v));
     Point2 p;
     for (size_t i = 0; i < v.size(); ++i) {
-        const Wide part = v[i] * scale;
-        p = {p.x + part * Wide(u_[i]), p.y + part * Wide(v_[i])};
+        const DoubleDouble part = v[i] * scale;
+        p = {p.x + part * DoubleDouble(u_[i]), p.y + part * DoubleDouble(v_[i])};
     }
     return p;
 }
@@ -121,7 +121,7 @@ void PlaneFrame::check_direction(Coordinates v, const char *name) const {
 std::vector<double> PlaneFrame::vector(const Point2 &v) const {
     std::vector<double> out(origin_.size());
     for (size_t i = 0; i < out.size(); ++i) {
-        out[i] = (v.x * Wide(u_[i]) + v.y * Wide(v_[i])).value() / scale_;
+        out[i] = (v.x * DoubleDouble(u_[i]) + v.y * DoubleDouble(v_[i])).value() / scale_;
     }
     return out;
 }

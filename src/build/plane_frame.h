@@ -11,20 +11,20 @@ namespace nrb::build {
 
 // A point or vector of a plane, in twice the precision.
 struct Point2 {
-    Wide x;
-    Wide y;
+    DoubleDouble x;
+    DoubleDouble y;
 };
 
-inline Wide cross(const Point2 &a, const Point2 &b) noexcept {
+inline DoubleDouble cross(const Point2 &a, const Point2 &b) noexcept {
     return a.x * b.y - a.y * b.x;
 }
-inline Wide dot(const Point2 &a, const Point2 &b) noexcept {
+inline DoubleDouble dot(const Point2 &a, const Point2 &b) noexcept {
     return a.x * b.x + a.y * b.y;
 }
 inline Point2 operator-(const Point2 &a, const Point2 &b) noexcept {
     return {a.x - b.x, a.y - b.y};
 }
-inline Point2 operator*(const Wide &s, const Point2 &a) noexcept {
+inline Point2 operator*(const DoubleDouble &s, const Point2 &a) noexcept {
     return {s * a.x, s * a.y};
 }
 inline double length(const Point2 &a) noexcept {

@@ -16,6 +16,7 @@
 #include <cstdio>
 #include <functional>
 #include <iterator>
+#include <limits>
 #include <map>
 
 namespace nrb::reduce {
@@ -190,12 +191,13 @@ KnotClusters clusters_of(const Groups &groups, double tolerance) {
             pool[knot] += std::ssize(members);
         }
     }
-    std::vector<KnotCount> counts;
-    counts.reserve(pool.size());
+    constexpr int64_t most = std::numeric_limits<int>::max(); // so that no list of splines overflows
+    std::vector<KnotGroup> knots;
+    knots.reserve(pool.size());
     for (const auto &[knot, times] : pool) {
-        counts.push_back({knot, times});
+        knots.push_back({knot, static_cast<int>(std::min(times, most))});
     }
-    return {counts, domain, tolerance * (domain.upper - domain.lower)};
+    return {knots, domain, tolerance * (domain.upper - domain.lower)};
 }
 
 // Moves near-equal knots of different splines together. Returns the splines that changed.

@@ -5,14 +5,6 @@
 
 namespace nrb::reduce {
 
-struct KnotCount {
-    double knot;
-    int64_t times;
-};
-
-// The values of a sorted list, and how often each occurs.
-std::vector<KnotCount> counted(std::span<const double> sorted);
-
 // Knots of a domain in groups that become one knot each. A group contains the lowest knot that is in no group
 // yet, and all knots that are at most `width` above it. Only the two ends of the domain come first, each with
 // the knots at most `width` away on either side (the lower end first). A chain of close knots is therefore
@@ -22,7 +14,7 @@ class KnotClusters {
 public:
     // `knots` are sorted and distinct; knots outside the domain join only an end. A width that is not below
     // the domain's length counts as the next number below it, so that the ends stay apart.
-    KnotClusters(std::span<const KnotCount> knots, Interval domain, double width);
+    KnotClusters(std::span<const KnotGroup> knots, Interval domain, double width);
 
     // The new value of a knot of the list.
     [[nodiscard]] double operator()(double knot) const noexcept;

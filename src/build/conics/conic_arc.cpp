@@ -93,8 +93,8 @@ KnotVectorPtr append_hyperbola(Net &net, const ConicArc &conic) {
 } // namespace
 
 ConicArc make_conic_arc(std::vector<double> start, std::vector<double> end, const Point2 &chord,
-                        const Point2 &middle, const Wide &weight, const PlaneMap &to_space) {
-    const Wide below = Wide(1) - weight, above = Wide(1) + weight;
+                        const Point2 &middle, const DoubleDouble &weight, const PlaneMap &to_space) {
+    const DoubleDouble below = DoubleDouble(1) - weight, above = DoubleDouble(1) + weight;
     if (!(above.value() > 0)) {
         fail(Status::conic,
              "the arc would pass through infinity: its middle weight would be %s, expected more "
@@ -110,9 +110,9 @@ ConicArc make_conic_arc(std::vector<double> start, std::vector<double> end, cons
                  {},
                  {}};
     if (arc.below > 0) {
-        const Wide squared = below * above, sine = square_root(squared);
-        arc.u = to_space({(weight * middle.x - chord.x * Wide(0.5)) / squared,
-                          (weight * middle.y - chord.y * Wide(0.5)) / squared});
+        const DoubleDouble squared = below * above, sine = square_root(squared);
+        arc.u = to_space({(weight * middle.x - chord.x * DoubleDouble(0.5)) / squared,
+                          (weight * middle.y - chord.y * DoubleDouble(0.5)) / squared});
         arc.v = to_space({middle.x / sine, middle.y / sine});
     }
     return arc;

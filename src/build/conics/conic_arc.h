@@ -31,7 +31,7 @@ struct ConicArc {
 // is -1 or less, because the curve then passes through infinity.
 using PlaneMap = std::function<std::vector<double>(Point2)>;
 ConicArc make_conic_arc(std::vector<double> start, std::vector<double> end, const Point2 &chord,
-                        const Point2 &middle, const Wide &weight, const PlaneMap &to_space);
+                        const Point2 &middle, const DoubleDouble &weight, const PlaneMap &to_space);
 
 // Arcs one after the other, with knots evenly spaced, in pieces of equal angles as the form says, or of equal
 // lengths of at most 2; their ends are exact bit for bit. A single arc may have arc_smooth. Throws what

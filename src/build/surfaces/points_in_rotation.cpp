@@ -17,7 +17,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 using namespace numeric::HWY_NAMESPACE;
 using Lanes = hn::CappedTag<double, 8>;
 using Vector = hn::Vec<Lanes>;
-using Number = Twin<Vector>;
+using Number = DoubleDoubleLanes<Vector>;
 
 HWY_INLINE Number loaded(const double *parts, int64_t stride, int64_t which) {
     const Lanes d;
@@ -73,7 +73,7 @@ HWY_INLINE void store(const Point &point, const Vector *weight, double *high, do
     }
 }
 
-HWY_INLINE Number broadcast(const Wide &x) {
+HWY_INLINE Number broadcast(const DoubleDouble &x) {
     const Lanes d;
     return {hn::Set(d, x.high), hn::Set(d, x.low)};
 }
@@ -152,7 +152,8 @@ std::array<double *, PointsInRotation::parts> PointsInRotation::arrays() noexcep
     return result;
 }
 
-void PointsInRotation::set(int64_t coordinate, const Wide &foot, const Wide &d, const Wide &e) noexcept {
+void PointsInRotation::set(int64_t coordinate, const DoubleDouble &foot, const DoubleDouble &d,
+                           const DoubleDouble &e) noexcept {
     const double values[] = {foot.high, foot.low, d.high, d.low, e.high, e.low};
     for (int64_t k = 0; k < parts; ++k) {
         data_[static_cast<size_t>(k * stride_ + coordinate)] = values[k];

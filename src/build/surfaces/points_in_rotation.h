@@ -14,7 +14,7 @@ namespace nrb::build {
 // An axis of revolution: a point on it, and its direction as a unit vector.
 struct AxisLine {
     std::array<double, 3> origin;
-    std::array<Wide, 3> along;
+    std::array<DoubleDouble, 3> along;
 };
 
 // For many coordinates the values foot + x d + y e, each rounded once; foot, d and e are kept in twice the
@@ -27,7 +27,8 @@ public:
     // and their feet are multiplied by them.
     PointsInRotation(const Spline &spline, const AxisLine &axis);
 
-    void set(int64_t coordinate, const Wide &foot, const Wide &d, const Wide &e) noexcept;
+    void set(int64_t coordinate, const DoubleDouble &foot, const DoubleDouble &d,
+             const DoubleDouble &e) noexcept;
     // All coordinates, in their order.
     void values(double x, double y, double *out) const noexcept;
 

@@ -55,8 +55,8 @@ Profile arc_profile(const Turn &turn, int32_t form, double offset, double radius
     const Arc arc = unit_arc(turn, form);
     Profile profile{arc.axis, {}};
     for (const ArcPoint &at : arc.points) {
-        profile.points.push_back(
-            {Wide(offset) + Wide::product(radius, at.x), Wide::product(radius, at.y), at.weight});
+        profile.points.push_back({DoubleDouble(offset) + DoubleDouble::product(radius, at.x),
+                                  DoubleDouble::product(radius, at.y), at.weight});
     }
     return profile;
 }
@@ -82,7 +82,7 @@ SplinePtr turned(const Placement &place, const Arc &arc, const Profile &profile,
     PointsInRotation rotating(static_cast<int64_t>(width));
     for (size_t i = 0; i < profile.points.size(); ++i) {
         const ProfilePoint &point = profile.points[i];
-        const Wide along = scale_x * point.radius, across = scale_y * point.radius;
+        const DoubleDouble along = scale_x * point.radius, across = scale_y * point.radius;
         for (int c = 0; c < 3; ++c) {
             const auto frame = place.component(c);
             rotating.set(static_cast<int64_t>(3 * i) + c, frame.origin + point.height * frame.z,

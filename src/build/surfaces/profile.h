@@ -11,8 +11,8 @@
 namespace nrb::build {
 
 struct ProfilePoint {
-    Wide radius;
-    Wide height;
+    DoubleDouble radius;
+    DoubleDouble height;
     double weight = 1;
 };
 

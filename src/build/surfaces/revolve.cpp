@@ -21,8 +21,8 @@ AxisLine make_line(const double *point, const double *axis) {
         std::copy_n(point, 3, line.origin.begin());
     }
     const Placement place = make_placement(3, nullptr, axis, nullptr, "point");
-    line.along = {Wide(place.z.x, place.z_rest.x), Wide(place.z.y, place.z_rest.y),
-                  Wide(place.z.z, place.z_rest.z)};
+    line.along = {DoubleDouble(place.z.x, place.z_rest.x), DoubleDouble(place.z.y, place.z_rest.y),
+                  DoubleDouble(place.z.z, place.z_rest.z)};
     return line;
 }
 

@@ -85,8 +85,8 @@ using Orientation = std::array<int, 3>;
 constexpr std::array<Orientation, 6> faces = {
     {{3, 1, 2}, {-1, 3, 2}, {-3, -1, 2}, {1, -3, 2}, {1, 2, 3}, {1, -2, -3}}};
 
-Wide coordinate(const double *point, int which, double radius) noexcept {
-    return Wide::product(which < 0 ? -radius : radius, point[std::abs(which) - 1]);
+DoubleDouble coordinate(const double *point, int which, double radius) noexcept {
+    return DoubleDouble::product(which < 0 ? -radius : radius, point[std::abs(which) - 1]);
 }
 
 SplinePtr placed(const Spline &face, const Orientation &turn, const Placement &place, double radius) {

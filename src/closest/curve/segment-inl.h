@@ -13,6 +13,8 @@
 
 #include <hwy/highway.h>
 
+#include "bernstein/de_casteljau.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace nrb::closest {
 namespace HWY_NAMESPACE {
@@ -50,7 +52,7 @@ public:
         std::copy_n(segment, shape_.size(), b);
         const double r = 1 - s;
         for (int level = p; level > 2; --level) {
-            step(b, level, r, s);
+            casteljau_step(int64_t{level} * lanes, lanes, s, b);
         }
         double dd = 0, dd1 = 0, d1d1 = 0, dd2 = 0, w = 0, w1 = 0, w2 = 0;
         for (int c = 0; c < lanes; ++c) {
@@ -85,17 +87,10 @@ public:
         return sum / (w * w);
     }
 
-    // The lower part up to s, and the upper one.
-    // Either may be the segment itself.
+    // The lower part up to s, and the upper one; either may be the segment itself.
     HWY_INLINE void split(const double *segment, double s, double *lower, double *upper) const noexcept {
-        const int p = shape_.degree(), lanes = shape_.lanes();
-        const double r = 1 - s;
         std::copy(segment, segment + (segment == upper ? 0 : shape_.size()), upper);
-        for (int level = p; level > 0; --level) {
-            std::copy_n(upper, lanes, lower + (p - level) * lanes);
-            step(upper, level, r, s);
-        }
-        std::copy_n(upper, lanes, lower + p * lanes);
+        subdivide(shape_.degree(), shape_.lanes(), s, upper, lower);
     }
 
     // Whether sign (|D|^2 - R^2 w^2) >= 0 certainly holds on the whole segment: all its Bernstein
@@ -138,13 +133,6 @@ public:
     }
 
 private:
-    HWY_INLINE void step(double *HWY_RESTRICT b, int level, double r, double s) const noexcept {
-        const int end = level * shape_.lanes(), lanes = shape_.lanes();
-        for (int c = 0; c < end; ++c) {
-            b[c] = r * b[c] + s * b[lanes + c];
-        }
-    }
-
     Shape shape_;
     double *work_;
 };

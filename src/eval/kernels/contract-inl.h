@@ -30,11 +30,11 @@ HWY_INLINE void contract_degree(const double *HWY_RESTRICT coefficients, int n,
                                 const double *HWY_RESTRICT rows, int64_t stride, int64_t length,
                                 double *HWY_RESTRICT out) {
     int64_t l = 0;
-    for (; l + wide_lanes <= length; l += wide_lanes) {
-        hn::StoreU(contracted<kDegree>(Wide(), coefficients, n, rows + l, stride), Wide(), out + l);
+    for (; l + vec8_lanes <= length; l += vec8_lanes) {
+        hn::StoreU(contracted<kDegree>(Vec8(), coefficients, n, rows + l, stride), Vec8(), out + l);
     }
-    for (; l + quad_lanes <= length; l += quad_lanes) {
-        hn::StoreU(contracted<kDegree>(Quad(), coefficients, n, rows + l, stride), Quad(), out + l);
+    for (; l + vec4_lanes <= length; l += vec4_lanes) {
+        hn::StoreU(contracted<kDegree>(Vec4(), coefficients, n, rows + l, stride), Vec4(), out + l);
     }
     for (; l < length; ++l) {
         hn::StoreU(contracted<kDegree>(hn::CappedTag<double, 1>(), coefficients, n, rows + l, stride),
@@ -87,14 +87,14 @@ template <int kOrders>
 HWY_INLINE void contract_rows_of_orders(const double *coefficients, int lanes, int n, const double *rows,
                                         int64_t stride, int64_t length, double *out) {
     int64_t l = 0;
-    for (; l + 3 * wide_lanes <= length; l += 3 * wide_lanes) {
-        contract_orders<kOrders, 3>(Wide(), coefficients, lanes, n, rows + l, stride, length, out + l);
+    for (; l + 3 * vec8_lanes <= length; l += 3 * vec8_lanes) {
+        contract_orders<kOrders, 3>(Vec8(), coefficients, lanes, n, rows + l, stride, length, out + l);
     }
-    for (; l + wide_lanes <= length; l += wide_lanes) {
-        contract_orders<kOrders, 1>(Wide(), coefficients, lanes, n, rows + l, stride, length, out + l);
+    for (; l + vec8_lanes <= length; l += vec8_lanes) {
+        contract_orders<kOrders, 1>(Vec8(), coefficients, lanes, n, rows + l, stride, length, out + l);
     }
-    for (; l < length; l += quad_lanes) {
-        contract_orders<kOrders, 1>(Quad(), coefficients, lanes, n, rows + l, stride, length, out + l);
+    for (; l < length; l += vec4_lanes) {
+        contract_orders<kOrders, 1>(Vec4(), coefficients, lanes, n, rows + l, stride, length, out + l);
     }
 }
 

@@ -57,11 +57,11 @@ HWY_INLINE bool between(const double *block, int count, double lower_bound, doub
         }
         return all;
     }
-    const Wide d;
+    const Vec8 d;
     const auto lower = hn::Set(d, lower_bound);
     const auto upper = hn::Set(d, upper_bound);
     auto all = hn::And(hn::Lt(lower, hn::LoadU(d, block)), hn::Lt(hn::LoadU(d, block), upper));
-    for (int i = wide_lanes; i < curve_block; i += wide_lanes) {
+    for (int i = vec8_lanes; i < curve_block; i += vec8_lanes) {
         const auto t = hn::LoadU(d, block + i);
         all = hn::And(all, hn::And(hn::Lt(lower, t), hn::Lt(t, upper)));
     }
@@ -176,13 +176,13 @@ private:
 
     template <int kOrders, int kDegree>
     HWY_INLINE void horner_rows(const double *HWY_RESTRICT params, const double *HWY_RESTRICT piece) {
-        using V = hn::Vec<Wide>;
-        const Wide d;
+        using V = hn::Vec<Vec8>;
+        const Vec8 d;
         const int width = job_.shape.width;
         const int64_t slot_size = static_cast<int64_t>(width) * group_size;
         double *rows = job_.records;
         const double scale = piece[Piece::scale];
-        for (int i = 0; i < group_size; i += wide_lanes) {
+        for (int i = 0; i < group_size; i += vec8_lanes) {
             const V x = hn::Mul(hn::Sub(hn::LoadU(d, params + i), hn::Set(d, piece[Piece::middle])),
                                 hn::Set(d, scale));
             for (int c = 0; c < width; ++c) {
@@ -205,7 +205,7 @@ private:
     template <int kOrders, int kDegree, int kLanes>
     HWY_INLINE void run_quads(const CurveTables &tables, const double *block, const double *const *pieces,
                               int count, int64_t first) {
-        const Quad d;
+        const Vec4 d;
         QuadWriter write(job_.shape, out_);
         const int degree = tables.degree;
         const int dim = tables.dim;
@@ -216,7 +216,7 @@ private:
             const double scale = piece[Piece::scale];
             const auto x = hn::Set(d, (block[i] - piece[Piece::middle]) * scale);
             for (int part = 0; part < record.parts; ++part) {
-                horner_vector<kOrders, kDegree>(d, Components(), piece + Piece::head_size + part * quad_lanes,
+                horner_vector<kOrders, kDegree>(d, Components(), piece + Piece::head_size + part * vec4_lanes,
                                                 degree, kLanes, x, scale, record.values[part]);
             }
             if (rational) {
@@ -301,7 +301,7 @@ private:
     // The rows relative to a point. From stored points the difference is rounded once; homogeneous records
     // have a product and a difference that are rounded once.
     ActiveRows rows_from(const double *point, int64_t span, const ActiveRows &rows) {
-        const Quad d;
+        const Vec4 d;
         const Spline &spline = job_.spline;
         const int lanes = job_.shape.lanes;
         const int dim = job_.shape.dim;
@@ -312,7 +312,7 @@ private:
             for (int c = 0; spline.form() == Form::homogeneous && c < dim; ++c) {
                 record[c] = std::fma(-point[c], weight, stored[c]);
             }
-            for (int l = 0; spline.form() == Form::rational && l < dim; l += quad_lanes) {
+            for (int l = 0; spline.form() == Form::rational && l < dim; l += vec4_lanes) {
                 const auto step = hn::Sub(hn::LoadU(d, stored + l), hn::LoadU(d, point + l));
                 const auto product = hn::Mul(hn::Set(d, weight), step);
                 hn::StoreU(weight == 0 ? hn::Zero(d) : product, d,
@@ -343,7 +343,7 @@ private:
 
     // From the control points of derivative k - 1 to those of derivative k, one fewer (Piegl & Tiller 3.4).
     ActiveRows differences(int64_t span, int k, const ActiveRows &rows) {
-        const Quad d;
+        const Vec4 d;
         const int lanes = job_.shape.lanes;
         const double *left = axis_.knots().data() + span - degree() + k;
         const double *right = axis_.knots().data() + span + 1;
@@ -352,7 +352,7 @@ private:
             const auto length = hn::Set(d, right[j] - left[j]);
             const double *row = rows.data + j * rows.stride;
             double *record = job_.window + static_cast<int64_t>(j) * lanes;
-            for (int l = 0; l < lanes; l += quad_lanes) {
+            for (int l = 0; l < lanes; l += vec4_lanes) {
                 const auto step = hn::Sub(hn::LoadU(d, row + rows.stride + l), hn::LoadU(d, row + l));
                 hn::StoreU(hn::Mul(factor, hn::Div(step, length)), d, record + l);
             }

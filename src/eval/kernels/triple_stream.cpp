@@ -15,11 +15,11 @@ namespace nrb::eval {
 namespace HWY_NAMESPACE {
 
 void interleave(const double *HWY_RESTRICT rows, int64_t count, double *HWY_RESTRICT triples) {
-    const Wide d;
+    const Vec8 d;
     const double *y = rows + block_size;
     const double *z = y + block_size;
     int64_t i = 0;
-    for (; i + wide_lanes <= count; i += wide_lanes) {
+    for (; i + vec8_lanes <= count; i += vec8_lanes) {
         hn::StoreInterleaved3(hn::LoadU(d, rows + i), hn::LoadU(d, y + i), hn::LoadU(d, z + i), d,
                               triples + 3 * i);
     }
@@ -32,8 +32,8 @@ void interleave(const double *HWY_RESTRICT rows, int64_t count, double *HWY_REST
 
 // Both at the start of a line, `count` a multiple of 8.
 void stream(const double *HWY_RESTRICT from, int64_t count, double *HWY_RESTRICT to) {
-    const Wide d;
-    for (int64_t i = 0; i < count; i += wide_lanes) {
+    const Vec8 d;
+    for (int64_t i = 0; i < count; i += vec8_lanes) {
         hn::Stream(hn::Load(d, from + i), d, to + i);
     }
 }

@@ -170,103 +170,10 @@ double CurvePiece::uncertainty_at(int k, double t) const noexcept {
 
 namespace {
 
-// Bernstein coefficients whose signs are counted, and the factor of their uncertainty.
-template <size_t kSize>
-struct SignNet {
-    std::array<double, kSize> values{};
-    std::array<double, kSize> weights{};
-};
-
-// Walks through the parts of a piece in the order of their parameters. `value` is the function itself.
-template <size_t kSize, class Value>
-class SignWalk {
-public:
-    SignWalk(int degree, bool weighted, double uncertainty, Value value)
-        : value_(value), uncertainty_(uncertainty), degree_(degree), weighted_(weighted) {}
-
-    SignProfile walk(SignNet<kSize> &net, Interval part) && {
-        visit(net, part.lower, part.upper);
-        return std::move(profile_);
-    }
-
-private:
-    using Net = SignNet<kSize>;
-
-    [[nodiscard]] int sign(const Net &net, size_t j) const noexcept {
-        const double x = net.values[j], known = weighted_ ? uncertainty_ * net.weights[j] : uncertainty_;
-        return std::fabs(x) <= known ? 0 : x > 0 ? 1 : -1;
-    }
-
-    void visit(Net &net, double lower, double upper) {
-        int first = 0, last = 0, changes = 0;
-        for (int j = 0; j <= degree_; ++j) {
-            const int own = sign(net, static_cast<size_t>(j));
-            changes += own * last < 0 ? 1 : 0;
-            last = own != 0 ? own : last;
-            first = first != 0 ? first : own;
-        }
-        const double middle = lower + (upper - lower) / 2;
-        if (changes > 1 && lower < middle && middle < upper) {
-            Net left = net;
-            halve(left.values, net.values);
-            if (weighted_) {
-                halve(left.weights, net.weights);
-            }
-            visit(left, lower, middle);
-            visit(net, middle, upper);
-        } else if (first != 0) {
-            add(first, last, lower, upper);
-        }
-    }
-
-    // de Casteljau in the middle: `left` becomes the lower half, `values` the upper one.
-    void halve(std::array<double, kSize> &left, std::array<double, kSize> &values) const noexcept {
-        for (int r = 0; r <= degree_; ++r) {
-            left[static_cast<size_t>(r)] = values[0];
-            for (int j = 0; j < degree_ - r; ++j) {
-                const auto at = static_cast<size_t>(j);
-                values[at] = values[at] / 2 + values[at + 1] / 2;
-            }
-            // The upper half remains afterwards, stored from its end backwards.
-        }
-    }
-
-    // A part that begins and ends with known signs, which differ or agree.
-    void add(int first, int last, double lower, double upper) {
-        if (before_ * first < 0) {
-            profile_.crossings.push_back(lower);
-        }
-        if (first != last) {
-            profile_.crossings.push_back(root(lower, upper, last));
-        }
-        before_ = last;
-        profile_.below = profile_.below || first < 0 || last < 0;
-        profile_.above = profile_.above || first > 0 || last > 0;
-    }
-
-    [[nodiscard]] double root(double lower, double upper, int last) const noexcept {
-        for (;;) {
-            const double middle = lower + (upper - lower) / 2;
-            const double value = value_(middle);
-            if (value == 0 || middle == lower || middle == upper) {
-                return middle;
-            }
-            ((value > 0) == (last > 0) ? upper : lower) = middle;
-        }
-    }
-
-    Value value_;
-    double uncertainty_;
-    int degree_;
-    bool weighted_;
-    int before_ = 0; // the last sign found
-    SignProfile profile_;
-};
-
 // The signs of coordinate k minus c over a part of the piece, which has these coefficients and weights.
 SignProfile profile_of(const CurvePiece &piece, int k, double c, double uncertainty,
                        std::span<const double> values, std::span<const double> weights, Interval part) {
-    SignNet<max_basis> net;
+    UncertainNet<max_basis> net{piece.degree(), uncertainty, !weights.empty()};
     for (size_t j = 0; j < values.size(); ++j) {
         net.values[j] = values[j] - c;
         if (!weights.empty()) {
@@ -274,9 +181,8 @@ SignProfile profile_of(const CurvePiece &piece, int k, double c, double uncertai
             net.weights[j] = weights[j];
         }
     }
-    const auto value = [&piece, k, c](double t) { return piece.value(k, t) - c; };
-    return SignWalk<max_basis, decltype(value)>(piece.degree(), !weights.empty(), uncertainty, value)
-        .walk(net, part);
+    return signs_between(part.lower, part.upper, net,
+                         [&piece, k, c](double t) { return piece.value(k, t) - c; });
 }
 
 // Whether no jump goes back.
@@ -324,7 +230,7 @@ SignProfile quotient_slope(const CurvePiece &piece) {
     constexpr size_t size = 2 * max_basis;
     const std::span<const double> points = piece.coefficients(0), weights = piece.weights();
     const int q = piece.degree(), degree = std::max(2 * q - 2, 0);
-    SignNet<size> net;
+    UncertainNet<size> net{degree, 2 * piece.rounding(0), true};
     for (int i = 0; i <= q; ++i) {
         for (int j = i + 1; j <= q; ++j) {
             const auto a = static_cast<size_t>(i), b = static_cast<size_t>(j), k = a + b - 1;
@@ -334,9 +240,8 @@ SignProfile quotient_slope(const CurvePiece &piece) {
             net.weights[k] += size_of_term;
         }
     }
-    const auto middle = [](double) { return 0.0; }; // no zeros are wanted
-    return SignWalk<size, decltype(middle)>(degree, true, 2 * piece.rounding(0), middle)
-        .walk(net, {piece.lower(), piece.upper()});
+    const auto any = [](double) { return 0.0; }; // zeros are not asked for
+    return signs_between(piece.lower(), piece.upper(), net, any);
 }
 
 // Calls check(signs of the derivative) on all pieces, until it returns false.

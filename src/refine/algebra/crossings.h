@@ -3,6 +3,7 @@
 #pragma once
 
 #include "basis/bspline.h"
+#include "bernstein/sign_profile.h"
 #include "refine/algebra/common_knots.h"
 #include "spline/spline.h"
 
@@ -70,15 +71,7 @@ private:
     std::vector<Known> known_;
 };
 
-// What is known of the sign of a coordinate minus a value c inside a piece. A coefficient whose distance from
-// 0 is at most the uncertainty, times its weight, has no sign.
-struct SignProfile {
-    bool below = false;
-    bool above = false;
-    std::vector<double> crossings; // parameters at which the sign changes, rising
-};
-
-// Halves until coefficients change their sign at most once on each part (Lane & Riesenfeld, "Bounds on a
+// What is known of the sign of a coordinate minus a value c inside a piece. Halves until coefficients change their sign at most once on each part (Lane & Riesenfeld, "Bounds on a
 // polynomial", BIT 21 (1981)), then bisects to neighbouring doubles. Where the coordinate touches c without
 // crossing it, only the side is reported. Cost: q^2 for each halving, at most some 50 q of them, and an
 // evaluation for each bit of a crossing.

@@ -122,6 +122,19 @@ TEST(RoundedPolynomial, parts_are_within_their_bounds) {
 }
 
 // x^2 (1 - x) q over x^2 (1 - x) is q.
+TEST(RoundedPolynomial, values_are_where_parts_meet) {
+    const RoundedPolynomial whole{
+        {{2, 0, 1}, 2}, {1, 2, 3, 5, 8, 13, -1, 0, 2, 7, 1, 4}, std::vector<double>(12, 1e-9)};
+    for (const int axis : {0, 2}) {
+        RoundedPolynomial upper = whole;
+        split(upper, axis, 0.375);
+        const RoundedPolynomial want = end_value(upper, axis, false), found = value_at(whole, axis, 0.375);
+        EXPECT_EQ(found.shape.degrees, want.shape.degrees);
+        EXPECT_EQ(found.values, want.values);
+        EXPECT_EQ(found.errors, want.errors);
+    }
+}
+
 TEST(RoundedPolynomial, zeros_at_ends_are_divided_out) {
     support::for_each_case(6900, 40, [&](support::Random &random, uint64_t) {
         RoundedPolynomial q = random_polynomial(random, random.whole(0, 12));

@@ -7,8 +7,8 @@
 
 #include <cmath>
 
+using nrb::DoubleDouble;
 using nrb::Form;
-using nrb::Wide;
 using nrb::build::PointsInRotation;
 using reference::exact;
 using reference::Rational;
@@ -18,13 +18,13 @@ namespace {
 
 using RotatingPoints = targets::Targets;
 
-Rational value_of(const Wide &x) {
+Rational value_of(const DoubleDouble &x) {
     return exact(x.high) + exact(x.low);
 }
 
-Wide random_wide(Random &random) {
+DoubleDouble random_wide(Random &random) {
     const double high = random.between(-1, 1) * random.magnitude(1e-6, 1e6);
-    return Wide::sum(high, high * 0x1p-54 * random.unit());
+    return DoubleDouble::sum(high, high * 0x1p-54 * random.unit());
 }
 
 // Half a unit of rounding of the value, and 2^-100 of what was added.
@@ -37,7 +37,7 @@ TEST_P(RotatingPoints, values_are_rounded_once) {
     Random random(751000);
     for (int64_t size : {1, 2, 3, 7, 8, 9, 15, 30}) {
         PointsInRotation rotating(size);
-        std::vector<Wide> foot, d, e;
+        std::vector<DoubleDouble> foot, d, e;
         for (int64_t i = 0; i < size; ++i) {
             foot.push_back(random_wide(random));
             d.push_back(random_wide(random));
@@ -59,7 +59,8 @@ TEST_P(RotatingPoints, values_are_rounded_once) {
 // A third of a turn about the main diagonal moves the coordinates on by one; so do the directions of
 // homogeneous records without weight, and weights stay.
 TEST_P(RotatingPoints, records_turn_about_a_line) {
-    const Wide third = Wide(1) / square_root(Wide(3)), half_root = square_root(Wide(3)) / Wide(2);
+    const DoubleDouble third = DoubleDouble(1) / square_root(DoubleDouble(3)),
+                       half_root = square_root(DoubleDouble(3)) / DoubleDouble(2);
     const nrb::build::AxisLine diagonal{{10, 10, 10}, {third, third, third}};
     const auto axis = nrb::make_knot_vector(1, {0, 0, 0.25, 0.5, 1, 1});
     const std::vector<double> points = {11, 12, 13, 10, 10, 10, 13, 11, 12, 7, 8, 9};

@@ -6,21 +6,22 @@
 
 using namespace nrb;
 using namespace shapes;
+using refine::strictly_monotone;
 
 namespace {
 
-refine::SignProfile profile_of(const SplinePtr &curve, double c, int k = 0) {
+SignProfile profile_of(const SplinePtr &curve, double c, int k = 0) {
     return refine::sign_profile(refine::CurvePiece(*curve, curve->axis(0).degree()), k, c);
 }
 
 TEST(Crossings, of_a_line_is_one) {
-    const refine::SignProfile profile = profile_of(bezier(1, {0, 1}), 0.25);
+    const SignProfile profile = profile_of(bezier(1, {0, 1}), 0.25);
     EXPECT_TRUE(profile.below && profile.above);
     EXPECT_EQ(profile.crossings, std::vector<double>{0.25});
 }
 
 TEST(Crossings, at_the_ends_are_none) {
-    const refine::SignProfile profile = profile_of(bezier(1, {0, 1}), 0);
+    const SignProfile profile = profile_of(bezier(1, {0, 1}), 0);
     EXPECT_TRUE(!profile.below && profile.above && profile.crossings.empty());
 }
 
@@ -30,7 +31,7 @@ TEST(Crossings, of_a_cubic_are_three) {
     const SplinePtr cubic =
         bezier(1, {power[0], power[0] + power[1] / 3, power[0] + power[1] * 2 / 3 + power[2] / 3,
                    power[0] + power[1] + power[2] + power[3]});
-    const refine::SignProfile profile = profile_of(cubic, 0);
+    const SignProfile profile = profile_of(cubic, 0);
     ASSERT_EQ(profile.crossings.size(), 3U);
     EXPECT_NEAR(profile.crossings[0], 0.25, 1e-15);
     EXPECT_NEAR(profile.crossings[1], 0.5, 1e-15);
@@ -39,15 +40,15 @@ TEST(Crossings, of_a_cubic_are_three) {
 
 // (t - 0.3)^2 touches 0, (t - 0.3)^3 crosses it once.
 TEST(Crossings, of_tangents_are_none_and_of_inflections_one) {
-    const refine::SignProfile touching = profile_of(bezier(1, {0.09, -0.21, 0.49}), 0);
+    const SignProfile touching = profile_of(bezier(1, {0.09, -0.21, 0.49}), 0);
     EXPECT_TRUE(touching.above && !touching.below && touching.crossings.empty());
-    const refine::SignProfile inflection = profile_of(bezier(1, {-0.027, 0.063, -0.147, 0.343}), 0);
+    const SignProfile inflection = profile_of(bezier(1, {-0.027, 0.063, -0.147, 0.343}), 0);
     ASSERT_EQ(inflection.crossings.size(), 1U);
     EXPECT_NEAR(inflection.crossings[0], 0.3, 1e-4); // known to the third root of eps
 }
 
 TEST(Crossings, of_a_constant_are_none) {
-    const refine::SignProfile profile = profile_of(bezier(2, {0, 5, 1, 5}), 5, 1);
+    const SignProfile profile = profile_of(bezier(2, {0, 5, 1, 5}), 5, 1);
     EXPECT_TRUE(!profile.below && !profile.above && profile.crossings.empty());
 }
 
