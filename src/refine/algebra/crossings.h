@@ -71,10 +71,11 @@ private:
     std::vector<Known> known_;
 };
 
-// What is known of the sign of a coordinate minus a value c inside a piece. Halves until coefficients change their sign at most once on each part (Lane & Riesenfeld, "Bounds on a
-// polynomial", BIT 21 (1981)), then bisects to neighbouring doubles. Where the coordinate touches c without
-// crossing it, only the side is reported. Cost: q^2 for each halving, at most some 50 q of them, and an
-// evaluation for each bit of a crossing.
+// What is known of the sign of a coordinate minus a value c inside a piece. Halves until coefficients change
+// their sign at most once on each part (Lane & Riesenfeld, "Bounds on a polynomial", BIT 21 (1981)), then
+// bisects to neighbouring doubles. Where the coordinate touches c without crossing it, only the side is
+// reported. Cost: q^2 for each halving, at most some 50 q of them, and an evaluation for each bit of a
+// crossing.
 SignProfile sign_profile(const CurvePiece &piece, int k, double c);
 
 // Whether the coordinate is above c on a part of the piece between crossings. Where its values differ from c
