@@ -22,7 +22,8 @@ Snapped snap_knots(const SplinePtr &spline, int axis, double tolerance) {
     check_relative_tolerance(tolerance);
     const KnotVectorPtr &old = spline->knot_vectors()[static_cast<size_t>(axis)];
     const Interval domain = old->domain();
-    const KnotClusters clusters(distinct_knots(old->knots()), domain, tolerance * (domain.upper - domain.lower));
+    const KnotClusters clusters(distinct_knots(old->knots()), domain,
+                                tolerance * (domain.upper - domain.lower));
     const refine::AxisTable moved = moved_axis(old, clusters, axis, "");
     if (moved.axis == old) {
         return {spline, 0};
