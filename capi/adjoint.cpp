@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Evaluation transposed.
 #include "batch.h"
 #include "guard.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Features of a shape.
 #include "checks.h"
 #include "guard.h"

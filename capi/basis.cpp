@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Bases: spans, Bernstein polynomials, B-spline and rational basis functions.
 #include "batch.h"
 #include "guard.h"

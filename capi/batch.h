@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The arguments that all batch functions share.
 #pragma once
 

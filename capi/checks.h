@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Checks of arguments at the border, all to be called inside guard().
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Closest and farthest points.
 #include "checks.h"
 #include "guard.h"

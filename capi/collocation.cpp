@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Matrices: collocation in compressed sparse rows, and Bezier extraction.
 #include "batch.h"
 #include "guard.h"

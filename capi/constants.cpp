@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Checks that the constants of the core, which does not include the public interface, are those of that
 // interface.
 #include "analysis/convexity.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Constraints.
 #include "batch.h"
 #include "guard.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Surfaces and volumes from their boundaries.
 #include "checks.h"
 #include "guard.h"

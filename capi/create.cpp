@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Construction of handles.
 #include "checks.h"
 #include "guard.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Weights and control points.
 #include "batch.h"
 #include "guard.h"

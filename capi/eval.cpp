@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Evaluation, and splines made by evaluating along one axis.
 #include "batch.h"
 #include "guard.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Frames and curvature.
 #include "batch.h"
 #include "guard.h"

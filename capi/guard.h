@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The only guard of the border: nothing thrown inside leaves the library; everything becomes a status and a
 // message.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The two opaque types of the C API.
 #pragma once
 

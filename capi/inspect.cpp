@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Getters: all of them copy their results.
 #include "batch.h"
 #include "guard.h"

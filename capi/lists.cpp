@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Lists of splines: what a file held, or the parts of a spline.
 #include "lists.h"
 

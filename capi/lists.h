@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Lists of splines as arguments and as results.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Lengths, areas and moments.
 #include "checks.h"
 #include "guard.h"

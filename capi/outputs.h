@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Outputs. Those that are NULL are not wanted.
 #pragma once
 

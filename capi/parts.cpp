@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Splines cut into parts, and the ends and seams of their axes.
 #include "checks.h"
 #include "guard.h"

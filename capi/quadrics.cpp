@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Spheres, quadrics and the torus.
 #include "guard.h"
 #include "lists.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Reading files, and the lists that result.
 #include "checks.h"
 #include "guard.h"

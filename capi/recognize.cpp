@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Conics by their equation and their weights, and the recognition of shapes.
 #include "checks.h"
 #include "guard.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Inserting knots, and the matrices that do it.
 #include "checks.h"
 #include "guard.h"

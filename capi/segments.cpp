@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Segments in other bases: Hermite data, and the matrices between bases.
 #include "base/checked.h"
 #include "basis/basis_matrix.h"

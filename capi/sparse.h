@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Arrays for matrices. A first call may ask for their length, a second call fills them.
 #pragma once
 

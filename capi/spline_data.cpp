@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "spline_data.h"
 
 #include "base/checked.h"

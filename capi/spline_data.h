@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The caller's description of a spline: axes in one of several knot conventions, and control points with
 // optional weights.
 #pragma once

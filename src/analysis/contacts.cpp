@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "analysis/contacts.h"
 
 #include "analysis/flatness.h"

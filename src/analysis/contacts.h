@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Boundaries that meet, and boundaries that shrink to points.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "analysis/continuity.h"
 
 #include "eval/frames/jet.h"

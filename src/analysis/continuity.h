@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How smooth a spline is at its knots, and how smoothly two curves meet.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "analysis/convexity.h"
 
 #include "analysis/curve_turns.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Whether a plane curve is convex.
 #pragma once
 

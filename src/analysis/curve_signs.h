@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Signs along a whole curve, piece by piece.
 #pragma once
 

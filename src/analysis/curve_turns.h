@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What happens at the knots of a curve.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "analysis/features.h"
 
 #include "analysis/curve_signs.h"

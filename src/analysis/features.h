@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Inflections, extrema of curvature, cusps, kinks, jumps and changes of torsion along a curve.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "analysis/flatness.h"
 
 #include "eval/evaluate.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How far a spline is from a straight line and from a plane, and balls that contain points.
 #pragma once
 

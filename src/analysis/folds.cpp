@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "analysis/folds.h"
 
 #include "analysis/curve_signs.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Whether a surface or volume folds over.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Parts of the pieces of a spline on which a determinant of first derivatives is examined.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "analysis/monotone.h"
 
 #include "analysis/curve_signs.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "analysis/singular.h"
 
 #include "analysis/jacobian_parts.h"

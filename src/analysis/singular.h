@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Places where a curve or surface is singular.
 #pragma once
 

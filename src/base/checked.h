@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Sizes that cannot overflow silently.
 #pragma once
 

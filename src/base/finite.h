@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Whether many numbers are finite, and how large they are.
 #pragma once
 

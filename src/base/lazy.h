@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Slots for tables that are derived from an immutable object: built when needed, by any thread, then shared.
 #pragma once
 

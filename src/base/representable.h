@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Refuses results that overflow.
 #pragma once
 

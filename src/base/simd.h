@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How the kernels use Google Highway. A file of kernels is compiled once for every instruction set, and the
 // best one that the processor has is chosen at run time; see Highway's documentation on dynamic dispatch.
 //

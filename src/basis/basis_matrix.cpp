@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "basis/basis_matrix.h"
 
 #include <cmath>

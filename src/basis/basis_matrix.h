@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Changes of basis of one polynomial segment over [0, 1], with no error except the last rounding.
 #pragma once
 

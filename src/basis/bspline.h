@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // B-spline and Bernstein basis functions at one parameter: the kernels below every evaluation.
 #pragma once
 

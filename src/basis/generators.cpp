@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "basis/generators.h"
 
 #include "base/checked.h"

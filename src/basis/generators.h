@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Knot vectors by rule. All functions fill the whole vector and throw Error when an argument does not allow a
 // knot vector.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "basis/knot_vector.h"
 
 #include "base/error.h"

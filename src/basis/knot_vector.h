@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Knot vectors: the immutable value that every axis of a spline shares, its validation and its simple
 // queries.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Polynomial pieces in powers of a centred local parameter: the form in which spans of low degree are
 // evaluated.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "basis/span_table.h"
 
 #include <algorithm>

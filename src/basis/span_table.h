@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Span search in constant expected time: uniform buckets over the domain, each naming the few spans that it
 // can meet.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "bounds/box.h"
 
 #include "base/finite.h"

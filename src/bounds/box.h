@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Boxes that contain a spline, and its extreme points.
 #pragma once
 

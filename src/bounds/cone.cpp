@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "bounds/cone.h"
 
 #include "numeric/norm.h"

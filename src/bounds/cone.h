@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Cones that contain the directions of derivatives and of normals.
 #pragma once
 

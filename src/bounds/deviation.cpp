@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "bounds/deviation.h"
 
 #include "base/finite.h"

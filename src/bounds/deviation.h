@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How far two splines of the same domain are apart, with proof.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "build/helix.h"
 
 #include "base/checked.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Helices and spirals to a tolerance.
 #pragma once
 

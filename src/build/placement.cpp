@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "build/placement.h"
 
 #include "base/error.h"

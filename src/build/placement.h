@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The position of a shape: an origin and a frame of unit vectors.
 #pragma once
 

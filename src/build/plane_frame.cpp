@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "build/plane_frame.h"
 
 #include "base/error.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The plane of three points in any dimension, with coordinates in it.
 #pragma once
 

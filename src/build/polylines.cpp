@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "build/polylines.h"
 
 #include "base/checked.h"

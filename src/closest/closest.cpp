@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "closest/closest.h"
 
 #include "closest/curve/curve_locator.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Batches of queries for closest points.
 #pragma once
 

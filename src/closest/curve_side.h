@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The derivatives of a curve on one side of a parameter, with bounds of their rounding.
 #pragma once
 

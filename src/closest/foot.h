@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Queries for closest points, and their answers.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Finds closest points of one spline, which keeps it.
 #pragma once
 

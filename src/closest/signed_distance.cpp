@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "closest/signed_distance.h"
 
 #include "eval/evaluate.h"

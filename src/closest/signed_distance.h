@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Distances from a plane curve, with a sign for its sides.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "eval/active.h"
 
 #include "eval/active_points.h"

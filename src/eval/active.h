@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The control points that are active at a parameter: their rational basis functions, and their size.
 #pragma once
 

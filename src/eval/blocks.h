@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Evaluation in blocks, for results that are computed from points and derivatives (frames, curvature, other
 // number formats): no array of all derivatives is ever made.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "eval/derivative_errors.h"
 
 #include "eval/frames/jet.h"

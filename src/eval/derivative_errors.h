@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Bounds of the rounding errors of derivatives that hold everywhere on a spline. They are a cheap first test:
 // nearly every point passes it and needs no bounds of its own.
 #pragma once

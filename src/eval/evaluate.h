@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Batch evaluation into the caller's arrays.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How the parameters of a grid are laid out for its kernel.
 #pragma once
 

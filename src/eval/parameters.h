@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The meaning of a caller's parameter: which side of a knot, and what happens outside the domain.
 #pragma once
 

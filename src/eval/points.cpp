@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "base/checked.h"
 #include "eval/blocks.h"
 #include "eval/evaluate.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Points in single precision.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fit/fit_image.h"
 
 #include "base/representable.h"

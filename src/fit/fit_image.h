@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Images of splines under maps of points, as splines over refined knots.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fit/span_samples.h"
 
 #include "basis/bspline.h"

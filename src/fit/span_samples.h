@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Splines sampled at the same places of every span, and control points from samples.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The formats of files. Which one a file has is found by its first bytes.
 #pragma once
 

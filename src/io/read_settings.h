@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Settings for the readers of all formats.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "reduce/knot_clusters.h"
 
 #include "base/error.h"

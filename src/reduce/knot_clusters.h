@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Near-equal knots made equal.
 #pragma once
 

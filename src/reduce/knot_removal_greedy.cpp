@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "reduce/knot_removal_greedy.h"
 
 #include "base/finite.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Greedy knot removal along an axis: always the knot whose removal moves the spline least (T. Lyche, K.
 // Morken, "A data-reduction strategy for splines", IMA J. Numer. Anal. 8 (1988); Piegl & Tiller A9.8).
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "reduce/layer_deviation.h"
 
 #include "bounds/deviation.h"

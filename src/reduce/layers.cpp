@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "reduce/layers.h"
 
 #include "base/checked.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Control points layer by layer along an axis, in and out.
 #pragma once
 

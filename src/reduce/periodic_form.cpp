@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "reduce/periodic_form.h"
 
 #include "base/tolerance.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Closed splines made periodic.
 #pragma once
 

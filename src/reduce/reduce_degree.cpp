@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "reduce/reduce_degree.h"
 
 #include "base/checked.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Degree reduction by least squares on control points: D. Lutterkort, J. Peters, U. Reif, "Polynomial degree
 // reduction in the L2-norm equals best Euclidean approximation of Bezier coefficients", CAGD 16 (1999).
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "reduce/reduce_knots.h"
 
 #include "base/tolerance.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Data reduction: as few knots as a tolerance allows.
 #pragma once
 

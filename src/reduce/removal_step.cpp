@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "reduce/removal_step.h"
 
 #include <algorithm>

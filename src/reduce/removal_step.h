@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // One copy of a knot taken out: the local system, its residual and its solution (W. Tiller, "Knot-removal
 // algorithms for NURBS curves and surfaces", CAD 24 (1992); Piegl & Tiller 5.4).
 #pragma once

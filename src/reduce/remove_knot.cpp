@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "reduce/remove_knot.h"
 
 #include "base/tolerance.h"

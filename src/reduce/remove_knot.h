@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Knot removal within a tolerance.
 #pragma once
 

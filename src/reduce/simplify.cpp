@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "reduce/simplify.h"
 
 #include "base/finite.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Lowest degrees and fewest knots within a tolerance.
 #pragma once
 

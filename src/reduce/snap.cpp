@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "reduce/snap.h"
 
 #include "reduce/knot_clusters.h"

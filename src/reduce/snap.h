@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Near-equal knots of one spline snapped together.
 #pragma once
 

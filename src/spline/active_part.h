@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a spline is over one span of each axis.
 #pragma once
 

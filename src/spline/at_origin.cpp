@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "spline/at_origin.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A shape that lies far from the origin, moved there. Results that do not depend on where the shape lies,
 // such as its derivatives, are then computed without the rounding of coordinates that are all nearly the
 // same.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Conditions on a spline's points and weights.
 #include "base/checked.h"
 #include "base/finite.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Which spans have polynomial pieces, and the pieces of a curve.
 #include "base/finite.h"
 #include "spline/spline.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Control points that do not act on any parameter of the domain.
 #include "spline/spline.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "spline/layer_table.h"
 
 #include "base/checked.h"

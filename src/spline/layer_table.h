@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Banded tables of coefficients, and their one application along an axis. Refinement, iso-surfaces, and every
 // other operation that makes new layers of control points from old ones, use such a table.
 #pragma once

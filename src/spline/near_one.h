@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Splines brought near 1 in size, and back, for methods whose squares would overflow or vanish.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Splines multiplied by powers of two.
 #pragma once
 

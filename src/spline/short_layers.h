@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Layers of one short record each, along the only axis of a curve or the last axis of a surface or volume, in
 // vectors of four. Most splines have such layers.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "spline/spline.h"
 
 #include "base/finite.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The spline: an immutable tensor-product value of 1 to 3 axes.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "build/conics/angle.h"
 
 #include "base/error.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Angles whose multiples of 15 degrees are exact.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "build/conics/arc.h"
 
 #include "base/error.h"

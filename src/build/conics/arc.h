@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Arcs of the unit circle as control points: the basis of every conic and of every shape of revolution.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Arcs of any conic in any dimension, from their ends and a homogeneous control point between them.
 #pragma once
 

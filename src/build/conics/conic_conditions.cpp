@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "build/conics/conic_conditions.h"
 
 #include "base/error.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Arcs of circles and conics from the points and tangents that they must have.
 #pragma once
 

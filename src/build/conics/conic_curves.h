@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Conics in their principal axes.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "build/coons/blend_axis.h"
 
 #include "base/representable.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Functions of one parameter over common knots and one denominator: the components of a blended spline along
 // each of its axes.
 //

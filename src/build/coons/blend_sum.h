@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Blended volumes whose denominators are functions of more than one parameter.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Control nets that are sums of products of values blended along the axes.
 #pragma once
 

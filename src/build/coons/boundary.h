@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The boundaries of surfaces and volumes: one axis stands at an end of its domain.
 #pragma once
 

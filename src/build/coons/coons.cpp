@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "build/coons/coons.h"
 
 #include "build/coons/coons_patch.h"

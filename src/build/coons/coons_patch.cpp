@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "build/coons/coons_patch.h"
 
 #include "build/coons/blended_net.h"

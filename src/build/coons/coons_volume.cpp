@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "build/coons/coons_volume.h"
 
 #include "bounds/deviation.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "build/coons/corner.h"
 
 #include "numeric/norm.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Data at the corners of a surface that is made from its boundaries: positions, tangents and twists, each
 // known from two curves.
 #pragma once

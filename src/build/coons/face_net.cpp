@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "build/coons/face_net.h"
 
 #include "base/checked.h"

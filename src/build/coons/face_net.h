@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The faces of a volume while they are brought to common knots: numerators, over denominators that are
 // products of one function for each axis.
 #pragma once

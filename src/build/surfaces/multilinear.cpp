@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "build/surfaces/multilinear.h"
 
 #include "base/representable.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Patches that are straight along every axis.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "build/surfaces/points_in_rotation.cpp"
 #include "base/simd.h"

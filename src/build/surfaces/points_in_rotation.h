@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Points that rotate about an axis.
 #pragma once
 

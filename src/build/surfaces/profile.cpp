@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "build/surfaces/profile.h"
 
 #include "base/representable.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Shapes of revolution, and those scaled from them, by their profiles.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "build/surfaces/quadrics.h"
 
 #include "base/error.h"

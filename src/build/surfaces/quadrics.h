@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Quadrics and the torus.
 #pragma once
 

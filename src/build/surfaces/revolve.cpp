@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "build/surfaces/revolve.h"
 
 #include "base/checked.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "build/surfaces/ruled_extruded.h"
 
 #include "base/checked.h"

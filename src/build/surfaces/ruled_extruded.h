@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Splines between two splines: what extruded and ruled shapes are.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "build/surfaces/sphere_patches.h"
 
 #include "base/representable.h"

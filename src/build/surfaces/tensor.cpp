@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "build/surfaces/tensor.h"
 
 #include "base/checked.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Surfaces and volumes made of two splines over the axes of both.
 #pragma once
 

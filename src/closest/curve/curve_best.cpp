@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "closest/curve/curve_best.h"
 
 #include "bernstein/de_casteljau.h"

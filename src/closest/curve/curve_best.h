@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The best place of a search and its rivals.
 #pragma once
 

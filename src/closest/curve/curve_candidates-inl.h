@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The leaves of a curve tree that may hold the nearest point. Included once for every instruction set: see
 // base/simd.h.
 #if defined(NURBS_CLOSEST_CURVE_CURVE_CANDIDATES_INL_H_) == defined(HWY_TARGET_TOGGLE)

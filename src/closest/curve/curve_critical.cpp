@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "closest/curve/curve_critical.h"
 
 #include "bernstein/sign_runs.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // All critical points of the distance from a curve.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Bounds of the distances from a point of eight leaves, or eight boxes, of a curve tree at once. Included
 // once for every instruction set: see base/simd.h.
 #if defined(NURBS_CLOSEST_CURVE_CURVE_KEYS_INL_H_) == defined(HWY_TARGET_TOGGLE)

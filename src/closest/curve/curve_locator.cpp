@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "closest/curve/curve_locator.h"
 
 #include "closest/curve/curve_critical.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Searches a tree of curve pieces for the point nearest to a given one.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "closest/curve/curve_tree.h"
 
 #include "base/finite.h"

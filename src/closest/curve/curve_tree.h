@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Bezier pieces of a curve, halved until they are nearly straight, and a tree of bounds over them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A piece of a curve relative to a point, with the operations that searches for closest points need. Included
 // once for every instruction set: see base/simd.h.
 #if defined(NURBS_CLOSEST_CURVE_SEGMENT_INL_H_) == defined(HWY_TARGET_TOGGLE)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "eval/frames/curvature.h"
 
 #include "eval/blocks.h"

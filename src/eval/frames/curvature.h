@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Principal curvatures and directions of surfaces in space.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "eval/frames/curve_frames.h"
 
 #include "eval/blocks.h"

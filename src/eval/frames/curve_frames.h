@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Frenet frames, curvature and torsion of curves in the plane and in space.
 #pragma once
 

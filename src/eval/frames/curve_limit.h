@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Frames of curves where C' or C' x C'' may vanish.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The caller's optional output arrays, filled from the rows of a block.
 #pragma once
 

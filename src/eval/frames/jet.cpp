@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "eval/frames/jet.h"
 
 #include "basis/bspline.h"

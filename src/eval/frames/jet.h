@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Taylor coefficients at one parameter with bounds of their rounding errors. They decide, without any
 // tolerance, whether a computed vector may be zero, and give the limits if it is.
 #pragma once

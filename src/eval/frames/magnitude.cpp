@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "eval/frames/magnitude.h"
 
 #include "spline/active_part.h"

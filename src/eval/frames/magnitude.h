@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Models and knots so large or so small that products of derivatives leave the range of double precision:
 // they are brought near 1 by powers of two, which changes no bit of what is then computed.
 #pragma once

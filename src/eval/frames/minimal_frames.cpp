@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "eval/frames/minimal_frames.h"
 
 #include "eval/blocks.h"

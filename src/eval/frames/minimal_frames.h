@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Rotation-minimizing frames along a sequence of points of a curve in space.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "eval/frames/shape_operator.h"
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The shape operator of a surface at one point.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Frames of surfaces in space: points, first derivatives and unit normals.
 #pragma once
 

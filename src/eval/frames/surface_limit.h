@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Unit normals where S_u x S_v may vanish.
 #pragma once
 

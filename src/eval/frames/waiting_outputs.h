@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Outputs that wait until nothing can fail any more, because a failing call writes nothing.
 #pragma once
 

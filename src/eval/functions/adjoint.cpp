@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "eval/functions/adjoint.h"
 
 #include "eval/blocks.h"

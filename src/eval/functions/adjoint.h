@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Evaluation transposed: from the gradient of a function of points and derivatives to its gradients with
 // respect to control points, weights and parameters.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The basis functions of one axis at one placed parameter.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Batches of basis functions of one knot vector.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "eval/functions/collocation.h"
 
 #include "eval/kernels/leibniz.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Collocation matrices as sparse rows: the factors of the control points in a point or a derivative.
 #pragma once
 

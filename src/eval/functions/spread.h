@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The tensor product transposed: from cotangents of derivatives to those of the active control points.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Basis functions of one axis at one parameter. Included once for every instruction set: see base/simd.h.
 #if defined(NURBS_EVAL_KERNELS_AXIS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef NURBS_EVAL_KERNELS_AXIS_INL_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Where the basis functions of one axis come from: tables while they exist, the same code without them, or
 // the recurrence if there are no pieces.
 #pragma once

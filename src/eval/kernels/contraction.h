@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The tensor product: one axis after the other is contracted with its basis functions, axis 0 first, and
 // every order of derivative that is still needed is kept. Points and grids share these steps and hence every
 // bit of their results.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The kernel of curves: from parameters to points and derivatives.
 #pragma once
 

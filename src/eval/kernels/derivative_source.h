@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The spline from which derivatives are evaluated.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What the last step of every evaluation needs: the shape of contracted records and of the caller's records.
 #pragma once
 

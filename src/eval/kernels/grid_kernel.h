@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The kernel of grids: row contraction.
 #pragma once
 

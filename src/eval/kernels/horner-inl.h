@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Horner's rule on polynomial pieces. Included once for every instruction set: see base/simd.h.
 #if defined(NURBS_EVAL_KERNELS_HORNER_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef NURBS_EVAL_KERNELS_HORNER_INL_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Leibniz' rule for products of functions of several variables.
 #pragma once
 

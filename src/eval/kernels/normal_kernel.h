@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Unit normals of a block of surface points: the part of the frames that every point needs.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The quotient rule on vectors. Included once for every instruction set: see base/simd.h.
 #if defined(NURBS_EVAL_KERNELS_QUOTIENT_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef NURBS_EVAL_KERNELS_QUOTIENT_INL_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // From homogeneous derivatives to Cartesian ones: the quotient rule in several variables (Leibniz; Piegl &
 // Tiller 4.3, 4.5). With A = w C,
 //   C^a = (A^a - sum over 0 < b <= a of binomial(a, b) w^b C^(a-b)) / w.

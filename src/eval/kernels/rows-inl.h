@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Groups of points side by side: one row of group_size doubles for each component, vectors across the points.
 // Included once for every instruction set: see base/simd.h.
 #if defined(NURBS_EVAL_KERNELS_ROWS_INL_H_) == defined(HWY_TARGET_TOGGLE)

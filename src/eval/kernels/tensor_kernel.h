@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The kernel of surfaces and volumes at scattered parameters.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Packed triples of large results, written past the caches.
 #pragma once
 

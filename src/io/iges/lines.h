@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The 80-column lines of an IGES file, sorted into its sections.
 #pragma once
 

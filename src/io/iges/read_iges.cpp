@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "io/iges/read_iges.h"
 
 #include "base/error.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Reading IGES: the curves and surfaces of a file in the fixed-length ASCII form of IGES 5.x.
 #pragma once
 

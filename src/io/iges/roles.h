@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Which curves live in the parameter plane of a surface.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "io/iges/spline.h"
 
 #include "base/error.h"

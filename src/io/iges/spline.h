@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Rational B-spline curves (entity 126) and surfaces (entity 128).
 #pragma once
 

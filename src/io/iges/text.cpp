@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "io/iges/text.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Transformation matrices (entity 124).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "modify/constrain/condition.h"
 
 #include "numeric/direction.h"

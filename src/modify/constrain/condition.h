@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The equations that constraints impose on a point and its derivatives, and their Jacobian.
 #pragma once
 

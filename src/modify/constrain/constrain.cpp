@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "modify/constrain/constrain.h"
 
 #include "modify/constrain/equations.h"

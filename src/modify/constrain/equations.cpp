@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "modify/constrain/equations.h"
 
 #include "numeric/norm.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The equations of conditions at a state of the control points and weights.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "modify/constrain/linear_constraints.h"
 
 #include "base/checked.h"

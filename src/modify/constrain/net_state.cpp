@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "modify/constrain/net_state.h"
 
 #include "base/finite.h"

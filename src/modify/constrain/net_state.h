@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The control points and weights that constraints change, and how derivatives depend on them.
 #pragma once
 

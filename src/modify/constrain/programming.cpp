@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "modify/constrain/programming.h"
 
 #include "base/checked.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Constraints that are not linear equations, by sequential quadratic programming.
 #pragma once
 

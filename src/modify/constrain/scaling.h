@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Scaled unknowns x = sqrt(cost) e, and the reported sizes of a change.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "modify/deform/bend.h"
 
 #include "base/finite.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Shapes bent about an axis (A. Barr, "Global and local deformations of solid primitives", SIGGRAPH 1984).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "modify/deform/bend_bound.h"
 
 #include "fit/span_samples.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "modify/deform/energy.h"
 
 #include "modify/edit/net_editor.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "modify/deform/fair.h"
 
 #include "base/finite.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Shapes made smooth within a tolerance.
 #pragma once
 

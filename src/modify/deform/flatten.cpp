@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "modify/deform/flatten.h"
 
 #include "base/representable.h"

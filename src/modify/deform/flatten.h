@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A part projected to a plane.
 #pragma once
 

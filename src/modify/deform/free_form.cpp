@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "modify/deform/free_form.h"
 
 #include "base/finite.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Free-form deformation (T. Sederberg, S. Parry, "Free-form deformation of solid geometric models", SIGGRAPH
 // 1986).
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "modify/deform/region.h"
 
 #include "refine/knots/insert.h"

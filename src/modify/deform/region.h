@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Parts of the domain in which a shape is changed.
 #pragma once
 

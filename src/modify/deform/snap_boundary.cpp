@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "modify/deform/snap_boundary.h"
 
 #include "base/representable.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A boundary moved onto that of another spline.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "modify/deform/warp.h"
 
 #include "base/representable.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A part raised along a direction.
 #pragma once
 

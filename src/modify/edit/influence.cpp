@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "modify/edit/influence.h"
 
 #include "eval/active_points.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What control points contribute to a point of a spline.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "modify/edit/inverse_insertion.h"
 
 #include "basis/bspline.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Inverse knot insertion: the knot that makes a point of a leg of the control polygon a control point (L.
 // Piegl, "Modifying the shape of rational B-splines", CAD 21 (1989); Piegl & Tiller 11.4).
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Control points on which values and derivatives at the ends of axes depend.
 #pragma once
 

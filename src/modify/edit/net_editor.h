@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Control points and weights of a spline replaced one by one; copies on periodic axes are replaced with them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Control points moved so that a point of the shape moves (Piegl & Tiller 11.2).
 #pragma once
 

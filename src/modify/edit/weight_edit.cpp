@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "modify/edit/weight_edit.h"
 
 #include "base/finite.h"

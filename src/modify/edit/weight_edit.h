@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Weights changed so that a point of the shape moves to a wanted place (Piegl & Tiller 11.3).
 #pragma once
 

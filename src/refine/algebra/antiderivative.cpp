@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "refine/algebra/antiderivative.h"
 
 #include "base/checked.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Antiderivatives of polynomial splines.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "refine/algebra/common_knots.h"
 
 #include "base/error.h"

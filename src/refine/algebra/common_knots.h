@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Knots over which one or two splines, their sums and their products are splines of a higher degree, and how
 // control points there follow from polar forms.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "refine/algebra/compose.h"
 
 #include "numeric/sum.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Splines of splines: a curve over another parameter, and curves that lie on surfaces and in volumes.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "refine/algebra/crossings.h"
 
 #include "numeric/binomial.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Where a coordinate of a curve passes given values, and whether it rises or falls, from the signs of
 // Bernstein coefficients.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Derivatives of splines as splines.
 #pragma once
 

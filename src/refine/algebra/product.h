@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Pointwise products of splines.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "refine/algebra/quotient_rule.h"
 
 #include "base/limits.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "refine/algebra/span_cells.h"
 
 #include "base/error.h"

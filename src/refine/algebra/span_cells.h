@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The pieces of a curve between the knots of the axes that it runs over.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "refine/algebra/sum.h"
 
 #include "base/representable.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Linear combinations of splines.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "refine/degree/elevation_table.h"
 
 #include "base/error.h"

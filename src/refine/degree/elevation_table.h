@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Degree elevation as a table: H. Prautzsch, "Degree elevation of B-spline curves", Computer Aided Geometric
 // Design 1 (1984).
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Points and derivatives of a C^1 piecewise cubic: the data that it was made of.
 #pragma once
 

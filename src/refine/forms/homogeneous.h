@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Conversions between a rational spline and the polynomial spline of its homogeneous points.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "refine/forms/parametrization.h"
 
 #include "refine/periodic/period.h"

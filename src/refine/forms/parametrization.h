@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Changes of the parameter that keep the shape: reversal and affine maps of the domain.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The power basis: monomial coefficients of every polynomial piece of a spline, in the distances from the
 // lower ends of its spans.
 #pragma once

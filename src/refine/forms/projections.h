@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Reflections and projections, as affine and projective maps.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "refine/forms/transform.h"
 
 #include "base/checked.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "refine/forms/weights.h"
 
 #include "basis/bspline.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Changes of the weights that keep the shape.
 #pragma once
 

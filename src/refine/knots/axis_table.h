@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The result of refinement on one axis: its knots, and the table that gives the new layers from the old ones.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "refine/knots/batched_blossoms.h"
 
 namespace nrb::refine {

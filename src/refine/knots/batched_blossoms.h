@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Rows of one polar form each, collected until many rows with equally many steps can be made side by side.
 #pragma once
 

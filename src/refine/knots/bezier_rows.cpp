@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "refine/knots/bezier_rows.h"
 
 #include "refine/knots/blossom_rows.h"

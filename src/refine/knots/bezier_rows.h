@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The Bezier points of every piece of an axis as rows of coefficients.
 #pragma once
 

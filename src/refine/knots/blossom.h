@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Values of polar forms.
 #pragma once
 

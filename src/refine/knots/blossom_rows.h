@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Coefficients of polar forms for many rows of one shape, eight side by side.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Bezier extraction: M. J. Borden, M. A. Scott, J. A. Evans, T. J. R. Hughes, "Isogeometric finite element
 // data structures based on Bezier extraction of NURBS", International Journal for Numerical Methods in
 // Engineering 87 (2011).

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "refine/knots/insert.h"
 
 #include "base/checked.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Knot insertion: one knot, a list of knots, or all spans in equal parts.
 #pragma once
 

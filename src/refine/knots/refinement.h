@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Knot refinement as rows of coefficients: E. Cohen, T. Lyche, R. Riesenfeld, "Discrete B-splines and
 // subdivision techniques" (1980); T. Lyche, K. Morken, "Making the Oslo algorithm more efficient" (1986).
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "refine/parts/continuation.h"
 
 #include "basis/bspline.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Polynomial pieces continued beyond the ends of the domain: extension, unclamping, and periodic forms of
 // closed splines.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "refine/parts/continued_layers.h"
 
 #include "base/representable.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Layers of control points continued beyond those of a spline, by tables whose coefficients add up to 1 but
 // are large and of both signs.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "refine/parts/cut.h"
 
 #include "base/checked.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Parts of splines: every cut raises a knot to multiplicity degree + 1, after which layers and knots separate
 // without further arithmetic (de Casteljau's subdivision, for a single Bezier piece).
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "refine/parts/join.h"
 
 #include "numeric/norm.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Splines joined end to end along an axis: the inverse of cutting.
 #pragma once
 

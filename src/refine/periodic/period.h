@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The knots of a periodic axis beyond one period.
 #pragma once
 

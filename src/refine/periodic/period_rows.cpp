@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "refine/periodic/period_rows.h"
 
 #include <algorithm>

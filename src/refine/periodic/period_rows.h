@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Rows of periodic axes, whose layers continue without end.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "refine/periodic/periodic.h"
 
 #include "basis/bspline.h"

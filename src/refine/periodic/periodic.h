@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Refinement of periodic axes: the layers and knots of a period continue without end, and an operation on one
 // period acts on all of them.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "refine/periodic/periods.h"
 
 #include "base/checked.h"

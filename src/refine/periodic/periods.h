@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Several periods of a periodic axis as a plain one.
 #pragma once
 

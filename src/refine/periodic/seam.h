@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The seam of a periodic axis: where it lies, and whether the axis has one.
 #pragma once
 
