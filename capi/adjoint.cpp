@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Evaluation transposed.
 #include "batch.h"
 #include "guard.h"
@@ -62,7 +63,7 @@ nurbs_status nurbs_eval_adjoint(const nurbs *g, int32_t order, int64_t n, const 
             optional_output("grad_params", grad_params, n, spline.axes(), grad_param_stride,
                             grad_param_component_stride)};
         check_gradients(out, batch.params, in);
-        admit(batch);
+        check_values(batch);
         eval::evaluate_adjoint(spline, batch.rules, order, batch.params, in, (flags & NURBS_ACCUMULATE) != 0,
                                out);
     });

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Features of a shape.
 #include "checks.h"
 #include "guard.h"
@@ -37,7 +38,7 @@ uint32_t checked_kinds(uint32_t kinds, int dim) {
     return kinds;
 }
 
-// A direction is for surfaces in space.
+// A direction is for surfaces in space only.
 const double *checked_reference(const Spline &spline, const double *reference) {
     if (reference == nullptr) {
         return nullptr;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Bases: spans, Bernstein polynomials, B-spline and rational basis functions.
 #include "batch.h"
 #include "guard.h"
@@ -40,7 +41,7 @@ nurbs_status nurbs_find_spans(int32_t degree, int64_t count, const double *knots
         }
         check_spans_overlap(spans, n, "params", batch.params);
         check_spans_overlap(spans, n, "knots", input("knots", knots, knot_count, 0));
-        admit(batch);
+        check_values(batch);
         eval::find_spans(*batch.axis, batch.rule, batch.params, spans);
     });
 }
@@ -77,7 +78,7 @@ nurbs_status nurbs_basis(int32_t degree, int64_t count, const double *knots, int
             check_spans_overlap(spans, n, "knots", knot_view);
             check_spans_overlap(spans, n, "values", read_only(out));
         }
-        admit(batch);
+        check_values(batch);
         eval::basis_functions(*batch.axis, batch.rule, order, batch.params, spans, out);
     });
 }
@@ -94,7 +95,7 @@ nurbs_status nurbs_rational_basis(const nurbs *g, int64_t n, const double *param
             check_spans_overlap(spans, n * batch.spline.axes(), "params", batch.params);
             check_spans_overlap(spans, n * batch.spline.axes(), "values", read_only(out));
         }
-        admit(batch);
+        check_values(batch);
         eval::rational_basis(batch.spline, batch.rules, batch.params, spans, out);
     });
 }

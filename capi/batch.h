@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The arguments that all batch functions share.
 #pragma once
 
@@ -15,7 +16,8 @@ struct SplineBatch {
     ConstRecords params;
 };
 
-// Checks handle, flags and layout; the values are left to admit(), which comes when nothing else can fail.
+// Checks handle, flags and layout. The values are left to check_values(), which is called when nothing else
+// can fail.
 inline SplineBatch spline_batch(const ::nurbs *g, int64_t n, const double *params, int64_t stride,
                                 int64_t component_stride, uint32_t flags) {
     const Spline &spline = spline_of(g);
@@ -24,7 +26,7 @@ inline SplineBatch spline_batch(const ::nurbs *g, int64_t n, const double *param
     return {spline, rules, input("params", params, n, spline.axes(), stride, component_stride)};
 }
 
-inline void admit(const SplineBatch &batch) {
+inline void check_values(const SplineBatch &batch) {
     eval::check_parameters(batch.spline, batch.rules, batch.params);
 }
 
@@ -65,7 +67,7 @@ void check_overlap(const char *name, RecordView<Value> out, const Grid &grid) {
                   grid.axes * static_cast<int64_t>(sizeof *grid.counts));
 }
 
-inline void admit(const Spline &spline, const eval::AxisRules &rules, const Grid &grid) {
+inline void check_values(const Spline &spline, const eval::AxisRules &rules, const Grid &grid) {
     int64_t first = 0;
     for (int k = 0; k < spline.axes(); ++k) {
         const auto at = static_cast<size_t>(k);
@@ -93,7 +95,7 @@ inline KnotBatch knot_batch(int32_t degree, int64_t count, const double *knots, 
     return {std::move(axis), rule, input("params", params, n, stride)};
 }
 
-inline void admit(const KnotBatch &batch) {
+inline void check_values(const KnotBatch &batch) {
     eval::check_axis_parameters(*batch.axis, batch.rule, batch.params, 0);
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Boxes, cones and extreme points.
 #include "checks.h"
 #include "guard.h"

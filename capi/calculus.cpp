@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Calculus: polar forms, derivatives, integrals, products and sums.
 #include "checks.h"
 #include "evaluation_flags.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Checks of arguments at the border, all to be called inside guard().
 #pragma once
 
@@ -12,14 +13,14 @@ namespace nrb::capi {
 [[noreturn]] void fail_null(const char *name);
 [[noreturn]] void fail_length(int64_t n, const char *name);
 
-// Checks of the shortest calls are inline, their messages are not.
-// Throws NURBS_ERROR_NULL naming the argument.
+// Checks that even the shortest calls make are inline; their messages are not. Throws NURBS_ERROR_NULL naming
+// the argument.
 inline void require(const void *pointer, const char *name) {
     if (pointer == nullptr) {
         fail_null(name);
     }
 }
-// As require(), and sets *out to NULL, so that it is NULL whatever fails later.
+// The same as require(); also sets *out to NULL, so that it is NULL whatever fails later.
 template <class Handle>
 void require_out(Handle **out) {
     require(out, "out");
@@ -36,14 +37,14 @@ const Spline &surface_of(const ::nurbs *g);
 void check_axes(int32_t axes);
 void check_axis(const Spline &spline, int32_t axis);
 void check_order(int32_t order);
-// Finite, else NURBS_ERROR_FACTOR.
+// Throws NURBS_ERROR_FACTOR unless it is finite.
 void check_factor(double factor, const char *name);
-// A parameter of an axis: finite, and inside its domain.
+// Checks a parameter of an axis: finite, and inside its domain.
 void check_place(double t, Interval domain, const char *name, int axis);
-// The ends that NURBS_FORM_CLAMPED_START and NURBS_FORM_CLAMPED_END name; throws NURBS_ERROR_FLAGS for flags that are
-// neither these nor `others`, which the message calls `name`.
+// The ends that NURBS_FORM_CLAMPED_START and NURBS_FORM_CLAMPED_END name. Throws NURBS_ERROR_FLAGS for flags
+// that are neither these nor `others`; the message calls the flags `name`.
 refine::AxisEnds decode_ends(uint32_t flags, uint32_t others = 0, const char *name = "");
-// Whether an end is the upper one; throws NURBS_ERROR_END for a value that is none.
+// Whether an end is the upper one; throws NURBS_ERROR_END for a value that is not an end.
 bool upper_end(int32_t end, const char *name);
 // n >= 0, else NURBS_ERROR_COUNT.
 inline void check_length(int64_t n, const char *name) {
@@ -53,9 +54,9 @@ inline void check_length(int64_t n, const char *name) {
 }
 // n >= least, else NURBS_ERROR_COUNT.
 void check_at_least(int64_t n, int64_t least, const char *name);
-// How many pieces a search may look at: `usual` if the caller leaves it open with 0.
+// How many pieces a search may examine: `usual` if the caller leaves it open with 0.
 int64_t checked_budget(int64_t budget, int64_t usual);
-// Orders of derivatives at the ends, [axes][2], -1 for none; NULL is none at all.
+// Checks the orders of derivatives at the ends, [axes][2], -1 for none; NULL means none at all.
 void check_keep(const Spline &spline, const int32_t *keep);
 // n == expected, else NURBS_ERROR_SIZE.
 void check_size(int64_t n, int64_t expected, const char *name);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Closest and farthest points.
 #include "checks.h"
 #include "guard.h"
@@ -52,10 +53,10 @@ void check_guesses(const Spline &spline, const ConstRecords &guesses) {
 struct PointBatch {
     const Spline &spline;
     ConstRecords points;
-    bool admit_nan;
+    bool allow_nan;
 
-    void admit() const {
-        if (!admit_nan) {
+    void check_values() const {
+        if (!allow_nan) {
             check_finite("points", points);
         }
     }
@@ -64,64 +65,22 @@ struct PointBatch {
 PointBatch point_batch(const nurbs *g, int64_t n, const double *points, int64_t stride,
                        int64_t component_stride, uint32_t flags) {
     const Spline &spline = spline_of(g);
-    const bool admit_nan = check_flag(flags);
+    const bool allow_nan = check_flag(flags);
     check_length(n, "n");
-    return {spline, input("points", points, n, spline.dim(), stride, component_stride), admit_nan};
+    return {spline, input("points", points, n, spline.dim(), stride, component_stride), allow_nan};
 }
 
-// The caller's arrays, of which those that are NULL are not wanted.
-class FeetArrays {
-public:
-    explicit FeetArrays(const PointBatch &batch) noexcept : batch_(batch) {}
-
-    void params(double *data, int64_t stride, int64_t component_stride) {
-        out_.params = optional("params", data, batch_.spline.axes(), stride, component_stride);
-    }
-    void feet(double *data, int64_t stride, int64_t component_stride) {
-        out_.feet = optional("feet", data, batch_.spline.dim(), stride, component_stride);
-    }
-    void distances(double *data, int64_t stride) {
-        out_.distances = optional("distances", data, 1, stride, 0);
-    }
-    void status(int32_t *data) noexcept { out_.status = data; }
-
-    // No output touches another one, the points, the guesses if there are any, or one more input.
-    const closest::FeetOutputs &checked(const Memory &more, const ConstRecords &guesses = {}) const {
-        const Named<Records> outputs[] = {
-            {"params", out_.params}, {"feet", out_.feet}, {"distances", out_.distances}};
-        const Named<ConstRecords> inputs[] = {{"points", batch_.points}, {"guesses", guesses}};
-        const Memory status = memory("status", out_.status, batch_.points.count);
-        for (const Named<Records> &out : outputs) {
-            for (const Named<ConstRecords> &in : inputs) {
-                check_overlap(out.name, out.records, in.name, in.records);
-            }
-            for (const Named<Records> *other = outputs; other != &out; ++other) {
-                check_overlap(out.name, out.records, other->name, read_only(other->records));
-            }
-            check_apart({out.memory()}, {more, status});
-        }
-        check_apart({status}, {inputs[0].memory(), inputs[1].memory(), more});
-        return out_;
+// Where the answers of a batch go.
+struct FeetArrays {
+    FeetArrays(const PointBatch &batch, const Wanted &params, const Wanted &wanted_feet,
+               const Wanted &distances, int32_t *status)
+        : outputs(batch.points.count, status), feet{outputs.add(params), outputs.add(wanted_feet),
+                                                    outputs.add(distances), status} {
+        outputs.check("points", batch.points);
     }
 
-private:
-    template <class View>
-    struct Named {
-        const char *name;
-        const View &records;
-
-        [[nodiscard]] Memory memory() const noexcept {
-            return capi::memory(name, records.data, records.data == nullptr ? 0 : records.extent());
-        }
-    };
-    [[nodiscard]] Records optional(const char *name, double *data, int64_t width, int64_t stride,
-                                   int64_t component_stride) const {
-        return data == nullptr ? Records{nullptr, 0, width, width, 1}
-                               : output(name, data, batch_.points.count, width, stride, component_stride);
-    }
-
-    const PointBatch &batch_;
-    closest::FeetOutputs out_;
+    Outputs outputs;
+    closest::FeetOutputs feet;
 };
 
 void extremal_points(const PointBatch &batch, const double *range, double tolerance, int64_t budget,
@@ -130,10 +89,9 @@ void extremal_points(const PointBatch &batch, const double *range, double tolera
     const Part part = checked_part(batch.spline, range);
     const closest::Query query{nullptr, range == nullptr ? nullptr : part.data(), tolerance,
                                checked_budget(budget, default_budget), farthest};
-    const closest::FeetOutputs &out =
-        arrays.checked(memory("range", range, 2 * int64_t{batch.spline.axes()}));
-    batch.admit();
-    closest::closest_points(batch.spline, batch.points, query, out);
+    arrays.outputs.check(memory("range", range, 2 * int64_t{batch.spline.axes()}));
+    batch.check_values();
+    closest::closest_points(batch.spline, batch.points, query, arrays.feet);
 }
 
 // A query at one point.
@@ -196,11 +154,10 @@ nurbs_status extremal_points(bool farthest, const nurbs *g, int64_t n, const dou
                              int32_t *status, uint32_t flags) {
     return guard([&] {
         const PointBatch batch = point_batch(g, n, points, point_stride, point_component_stride, flags);
-        FeetArrays arrays(batch);
-        arrays.params(params, param_stride, param_component_stride);
-        arrays.feet(feet, foot_stride, foot_component_stride);
-        arrays.distances(distances, distance_stride);
-        arrays.status(status);
+        const FeetArrays arrays(batch,
+                                {"params", params, batch.spline.axes(), param_stride, param_component_stride},
+                                {"feet", feet, batch.spline.dim(), foot_stride, foot_component_stride},
+                                {"distances", distances, 1, distance_stride, 0}, status);
         extremal_points(batch, range, tolerance, budget, farthest, arrays);
     });
 }
@@ -239,15 +196,14 @@ nurbs_status nurbs_closest_local(const nurbs *g, int64_t n, const double *points
         const PointBatch batch = point_batch(g, n, points, point_stride, point_component_stride, flags);
         const ConstRecords starts =
             input("guesses", guesses, n, batch.spline.axes(), guess_stride, guess_component_stride);
-        FeetArrays arrays(batch);
-        arrays.params(params, param_stride, param_component_stride);
-        arrays.feet(feet, foot_stride, foot_component_stride);
-        arrays.distances(distances, distance_stride);
-        arrays.status(status);
-        const closest::FeetOutputs &out = arrays.checked(memory("guesses", guesses, 0), starts);
+        const FeetArrays arrays(batch,
+                                {"params", params, batch.spline.axes(), param_stride, param_component_stride},
+                                {"feet", feet, batch.spline.dim(), foot_stride, foot_component_stride},
+                                {"distances", distances, 1, distance_stride, 0}, status);
+        arrays.outputs.check("guesses", starts);
         check_guesses(batch.spline, starts);
-        batch.admit();
-        closest::closest_local(batch.spline, batch.points, starts, out);
+        batch.check_values();
+        closest::closest_local(batch.spline, batch.points, starts, arrays.feet);
     });
 }
 
@@ -284,14 +240,11 @@ nurbs_status nurbs_curve_signed_distances(const nurbs *g, int64_t n, const doubl
         if (n > 0) {
             require(distances, "distances");
         }
-        FeetArrays arrays(batch);
-        arrays.params(params, param_stride, 0);
-        arrays.distances(distances, distance_stride);
-        arrays.status(status);
+        const FeetArrays arrays(batch, {"params", params, 1, param_stride, 0}, {"feet", nullptr, 2, 0, 0},
+                                {"distances", distances, 1, distance_stride, 0}, status);
         check_tolerance(tolerance);
         const closest::Query query{nullptr, nullptr, tolerance, checked_budget(budget, default_budget)};
-        const closest::FeetOutputs &out = arrays.checked(memory("points", points, 0));
-        batch.admit();
-        closest::signed_distances(batch.spline, batch.points, query, out);
+        batch.check_values();
+        closest::signed_distances(batch.spline, batch.points, query, arrays.feet);
     });
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Matrices: collocation in compressed sparse rows, and Bezier extraction.
 #include "batch.h"
 #include "guard.h"
@@ -84,7 +85,7 @@ nurbs_status nurbs_rational_collocation(const nurbs *g, const int32_t *orders, i
         const eval::SparseRows rows = arrays.check(
             n, total,
             {memory("params", params, batch.params.extent()), memory("orders", orders, spline.axes())});
-        admit(batch);
+        check_values(batch);
         eval::rational_collocation(spline, batch.rules, derivative, batch.params, rows);
         arrays.finish(total);
     });

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Knots brought together: of one spline, and of a set of splines.
 #include "checks.h"
 #include "guard.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Arcs of circles and conics by points, tangents and equations.
 #include "build/conics/conic_conditions.h"
 #include "build/conics/conic_curves.h"

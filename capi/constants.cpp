@@ -1,4 +1,6 @@
-// The constants of the core are those of the public interface, which it does not include.
+// SPDX-License-Identifier: MIT
+// Checks that the constants of the core, which does not include the public interface, are those of that
+// interface.
 #include "analysis/convexity.h"
 #include "analysis/features.h"
 #include "analysis/folds.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Constraints.
 #include "batch.h"
 #include "guard.h"
@@ -28,7 +29,7 @@ struct GivenConstraints {
     }
 };
 
-// One that the spline's axes or its dimension do not suit is refused.
+// A constraint that does not suit the spline's axes or dimension is refused.
 void check_kind(const GivenConstraints &given, int64_t i) {
     const int32_t kind = given.kind(i);
     const int axes = given.spline.axes(), dim = given.spline.dim();

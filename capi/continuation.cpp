@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Splines beyond their ends: extension, unclamped and periodic forms.
 #include "checks.h"
 #include "guard.h"

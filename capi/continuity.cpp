@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Continuity at knots and between ends.
 #include "checks.h"
 #include "guard.h"

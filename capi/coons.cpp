@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Surfaces and volumes from their boundaries.
 #include "checks.h"
 #include "guard.h"
@@ -54,12 +55,11 @@ nurbs_status nurbs_boundaries(const nurbs *g, nurbs_list **out) {
     return guard([&] {
         require_out(out);
         std::vector<SplinePtr> boundaries = build::boundaries_of(spline_of(g));
-        model::Document document;
+        NamedSplines named;
         for (size_t i = 0; i < boundaries.size(); ++i) {
-            document.splines.push_back(
-                {std::to_string(i / 2) + (i % 2 == 0 ? "-" : "+"), std::move(boundaries[i])});
+            named.push_back({std::to_string(i / 2) + (i % 2 == 0 ? "-" : "+"), std::move(boundaries[i])});
         }
-        *out = new nurbs_list{std::move(document)};
+        give_list(std::move(named), out);
     });
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Construction of handles.
 #include "checks.h"
 #include "guard.h"
@@ -22,8 +23,8 @@ void check_short_degrees(const AxesData &axes) {
     }
 }
 
-// Doubling an end knot that already occurs degree + 1 times, or is not finite, is refused in terms of the
-// short vector.
+// The end knots of a short vector are going to be doubled. One that already occurs degree + 1 times, or is
+// not finite, is refused here, so that the message names the short vector.
 void check_short_end(const double *given, int64_t end, int64_t inner, int degree, int64_t offset) {
     const long long at = offset + end;
     if (!std::isfinite(given[end])) {
@@ -38,7 +39,7 @@ void check_short_end(const double *given, int64_t end, int64_t inner, int degree
     }
 }
 
-// The short convention drops the first and the last knot, which shape nothing inside the domain.
+// The short convention drops the first and the last knot, which influence nothing inside the domain.
 std::vector<double> complete_knots(const AxisData &axis, const double *given, int64_t offset) {
     const int64_t last = axis.count + axis.degree - 2;
     std::vector<double> knots(static_cast<size_t>(last) + 3);
@@ -51,7 +52,8 @@ std::vector<double> complete_knots(const AxisData &axis, const double *given, in
         const double period = knots[count] - knots[p];
         knots.front() = std::min(knots.front(), knots[count - p] - period);
         knots.back() = std::max(knots.back(), knots[2 * p] + period);
-    } else if (given[axis.degree - 1] != given[axis.count - 1]) { // else the domain is empty, as will be said
+    } else if (given[axis.degree - 1] !=
+               given[axis.count - 1]) { // otherwise the domain is empty, which is reported later
         check_short_end(given, 0, axis.degree, axis.degree, offset);
         check_short_end(given, last, last - axis.degree, axis.degree, offset);
     }

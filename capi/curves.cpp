@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Lines, arcs and conics in their axes, helices.
 #include "build/conics/conic_curves.h"
 #include "build/helix.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Deformations.
 #include "checks.h"
 #include "guard.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Distances of two splines.
 #include "checks.h"
 #include "guard.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Weights and control points.
 #include "batch.h"
 #include "guard.h"
@@ -20,7 +21,7 @@ using namespace nrb::capi;
 
 namespace {
 
-// The first copy of a control point; `place` is that in a list of them.
+// The first copy of a control point; `place` is its place in a list of control points.
 int64_t checked_point(const Spline &spline, int64_t index, int64_t place = -1) {
     if (index < 0 || index >= spline.point_count()) {
         const auto last = static_cast<long long>(spline.point_count() - 1);
@@ -196,7 +197,7 @@ nurbs_status nurbs_most_influential(const nurbs *g, int64_t n, const double *par
         const SplineBatch batch = spline_batch(g, n, params, param_stride, param_component_stride, 0);
         check_apart({memory("indices", indices, n), memory("influences", influences, n)},
                     {memory("params", params, batch.params.extent())});
-        admit(batch);
+        check_values(batch);
         modify::most_influential(batch.spline, batch.params, indices, influences);
     });
 }

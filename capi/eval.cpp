@@ -1,4 +1,5 @@
-// Evaluation, and what is made by evaluating along one axis.
+// SPDX-License-Identifier: MIT
+// Evaluation, and splines made by evaluating along one axis.
 #include "batch.h"
 #include "guard.h"
 
@@ -20,7 +21,7 @@ void evaluate(const SplineBatch &batch, int32_t order, double *values, int64_t s
     const int64_t width = checked_product(eval::slot_count(spline.axes(), order), spline.dim(), name);
     const Records out = output(name, values, batch.params.count, width, stride, component_stride);
     check_overlap(name, out, "params", batch.params);
-    admit(batch);
+    check_values(batch);
     eval::evaluate_points(spline, batch.rules, order, batch.params, out);
 }
 
@@ -28,7 +29,7 @@ void evaluate(const SplineBatch &batch, float *points, int64_t stride, int64_t c
     const int dim = batch.spline.dim();
     const FloatRecords out = output("points", points, batch.params.count, dim, stride, component_stride);
     check_overlap("points", out, "params", batch.params);
-    admit(batch);
+    check_values(batch);
     eval::evaluate_points(batch.spline, batch.rules, batch.params, out);
 }
 
@@ -41,7 +42,7 @@ void evaluate_on_grid(const nurbs *g, int32_t order, const int64_t *counts, cons
     const int64_t width = checked_product(eval::slot_count(spline.axes(), order), spline.dim(), name);
     const Records out = output(name, values, grid.point_count, width, stride, component_stride);
     check_overlap(name, out, grid);
-    admit(spline, rules, grid);
+    check_values(spline, rules, grid);
     eval::evaluate_grid(spline, rules, order, grid.params, out);
 }
 
@@ -53,7 +54,7 @@ void evaluate_on_grid(const nurbs *g, const int64_t *counts, const double *param
     const FloatRecords out =
         output("points", points, grid.point_count, spline.dim(), stride, component_stride);
     check_overlap("points", out, grid);
-    admit(spline, rules, grid);
+    check_values(spline, rules, grid);
     eval::evaluate_grid(spline, rules, grid.params, out);
 }
 

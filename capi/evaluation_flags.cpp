@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "evaluation_flags.h"
 
 #include <nurbs/nurbs.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The flags of evaluation, decoded.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Patches of degree 1 over their corners.
 #include "checks.h"
 #include "guard.h"

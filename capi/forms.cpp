@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Degree and form.
 #include "refine/degree/elevate.h"
 #include "refine/forms/homogeneous.h"

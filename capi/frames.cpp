@@ -1,6 +1,8 @@
+// SPDX-License-Identifier: MIT
 // Frames and curvature.
 #include "batch.h"
 #include "guard.h"
+#include "outputs.h"
 
 #include "eval/frames/curvature.h"
 #include "eval/frames/curve_frames.h"
@@ -14,70 +16,6 @@ using namespace nrb;
 using namespace nrb::capi;
 
 namespace {
-
-// An output as the caller describes it. One that is not wanted has data == nullptr, and its strides are
-// ignored.
-struct Wanted {
-    const char *name;
-    double *data;
-    int64_t width;
-    int64_t stride;
-    int64_t component_stride;
-};
-
-// All outputs of a call, checked against each other as they are added; inputs are checked by the caller.
-class Outputs {
-public:
-    Outputs(int64_t count, int32_t *status) : count_(count), status_(status) {
-        checked_array(count, "status");
-    }
-
-    Records add(const Wanted &wanted) {
-        if (wanted.data == nullptr) {
-            return {nullptr, count_, wanted.width, 0, 0};
-        }
-        const Records out =
-            output(wanted.name, wanted.data, count_, wanted.width, wanted.stride, wanted.component_stride);
-        for (size_t i = 0; i < size_; ++i) {
-            check_overlap(wanted.name, out, names_[i], constant(views_[i]));
-        }
-        check_overlap("status", status_, status_bytes(), wanted.name, out.data, bytes(out.extent()));
-        names_[size_] = wanted.name;
-        views_[size_++] = out;
-        return out;
-    }
-
-    void check_inputs(const char *name, ConstRecords input) const {
-        for (size_t i = 0; i < size_; ++i) {
-            check_overlap(names_[i], views_[i], name, input);
-        }
-        check_overlap("status", status_, status_bytes(), name, input.data, bytes(input.extent()));
-    }
-
-    void check_inputs(const Grid &grid) const {
-        check_inputs("params", input("params", grid.params[0].data, grid.param_count, 0));
-        for (size_t i = 0; i < size_; ++i) {
-            check_overlap(names_[i], views_[i], grid);
-        }
-        check_overlap("status", status_, status_bytes(), "counts", grid.counts, bytes(grid.axes));
-    }
-
-private:
-    static constexpr size_t most = 6;
-    static int64_t bytes(int64_t doubles) noexcept { return doubles * static_cast<int64_t>(sizeof(double)); }
-    static ConstRecords constant(const Records &out) noexcept {
-        return {out.data, out.count, out.width, out.stride, out.component_stride};
-    }
-    [[nodiscard]] int64_t status_bytes() const noexcept {
-        return status_ == nullptr ? 0 : count_ * static_cast<int64_t>(sizeof(int32_t));
-    }
-
-    int64_t count_;
-    int32_t *status_;
-    size_t size_ = 0;
-    std::array<const char *, most> names_{};
-    std::array<Records, most> views_{};
-};
 
 const Spline &surface_in_space(const ::nurbs *g) {
     const Spline &spline = surface_of(g);
@@ -116,8 +54,8 @@ nurbs_status nurbs_surface_eval_frames(const nurbs *g, int64_t n, const double *
             outputs.add({"du", du, 3, du_stride, du_component_stride}),
             outputs.add({"dv", dv, 3, dv_stride, dv_component_stride}),
             outputs.add({"normals", normals, 3, normal_stride, normal_component_stride}), status};
-        outputs.check_inputs("params", batch.params);
-        admit(batch);
+        outputs.check("params", batch.params);
+        check_values(batch);
         eval::surface_frames(spline, batch.rules, batch.params, out);
     });
 }
@@ -139,8 +77,9 @@ nurbs_status nurbs_surface_eval_grid_frames(const nurbs *g, const int64_t *count
             outputs.add({"du", du, 3, du_stride, du_component_stride}),
             outputs.add({"dv", dv, 3, dv_stride, dv_component_stride}),
             outputs.add({"normals", normals, 3, normal_stride, normal_component_stride}), status};
-        outputs.check_inputs(grid);
-        admit(spline, rules, grid);
+        outputs.check("params", input("params", grid.params[0].data, grid.param_count, 0));
+        outputs.check(memory("counts", grid.counts, grid.axes));
+        check_values(spline, rules, grid);
         eval::surface_frames(spline, rules, grid.params, out);
     });
 }
@@ -161,8 +100,8 @@ nurbs_status nurbs_surface_eval_curvatures(const nurbs *g, int64_t n, const doub
             outputs.add({"directions", directions, 6, direction_stride, direction_component_stride}),
             outputs.add({"mean", mean, 1, mean_stride, 0}),
             outputs.add({"gaussian", gaussian, 1, gaussian_stride, 0}), status};
-        outputs.check_inputs("params", batch.params);
-        admit(batch);
+        outputs.check("params", batch.params);
+        check_values(batch);
         eval::surface_curvatures(spline, batch.rules, batch.params, out);
     });
 }
@@ -191,8 +130,8 @@ nurbs_status nurbs_curve_eval_frames(const nurbs *g, int64_t n, const double *pa
             outputs.add({"curvatures", curvatures, 1, curvature_stride, 0}),
             outputs.add({"torsions", torsions, 1, torsion_stride, 0}),
             status};
-        outputs.check_inputs("params", batch.params);
-        admit(batch);
+        outputs.check("params", batch.params);
+        check_values(batch);
         eval::curve_frames(spline, batch.rules, batch.params, out);
     });
 }
@@ -213,12 +152,12 @@ nurbs_status nurbs_curve_rotation_minimizing_frames(
             outputs.add({"tangents", tangents, 3, tangent_stride, tangent_component_stride}),
             outputs.add({"normals", normals, 3, normal_stride, normal_component_stride}),
             outputs.add({"binormals", binormals, 3, binormal_stride, binormal_component_stride}), status};
-        outputs.check_inputs("params", batch.params);
+        outputs.check("params", batch.params);
         if (first_normal != nullptr) {
-            outputs.check_inputs("first_normal", {first_normal, 1, 3, 3, 1});
+            outputs.check(memory("first_normal", first_normal, 3));
             check_finite(first_normal, "first_normal");
         }
-        admit(batch);
+        check_values(batch);
         eval::minimal_frames(spline, batch.rules, batch.params, first_normal, out);
     });
 }

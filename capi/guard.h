@@ -1,4 +1,5 @@
-// The border's one guard: nothing thrown inside leaves the library, everything becomes a status and a
+// SPDX-License-Identifier: MIT
+// The only guard of the border: nothing thrown inside leaves the library; everything becomes a status and a
 // message.
 #pragma once
 
@@ -6,8 +7,8 @@
 
 namespace nrb::capi {
 
-// Translates the exception being handled; stores its message for nurbs_last_error(). Call inside a catch
-// block only.
+// Translates the exception being handled, and stores its message for nurbs_last_error(). Call only inside a
+// catch block.
 nurbs_status translate_exception() noexcept;
 
 template <class Body>

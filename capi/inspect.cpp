@@ -1,4 +1,5 @@
-// Getters: all copy out.
+// SPDX-License-Identifier: MIT
+// Getters: all of them copy their results.
 #include "batch.h"
 #include "guard.h"
 #include "outputs.h"
@@ -166,7 +167,7 @@ nurbs_status nurbs_hull_size(const nurbs *g, int64_t n, const double *params, in
         const SplineBatch batch = spline_batch(g, n, params, param_stride, param_component_stride, flags);
         const Records out = output("sizes", sizes, n, 1, size_stride, 0);
         check_overlap("sizes", out, "params", batch.params);
-        admit(batch);
+        check_values(batch);
         eval::hull_sizes(batch.spline, batch.rules, batch.params, out);
     });
 }

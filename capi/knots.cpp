@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Knot generators.
 #include "checks.h"
 #include "guard.h"

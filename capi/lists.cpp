@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Lists of splines: what a file held, or the parts of a spline.
 #include "lists.h"
 
@@ -6,17 +7,23 @@
 
 #include "base/checked.h"
 
+#include <algorithm>
 #include <cstring>
+#include <string>
 
 namespace nrb::capi {
 
 void give_list(std::vector<SplinePtr> splines, nurbs_list **out) {
-    model::Document document;
-    document.splines.reserve(splines.size());
+    NamedSplines named;
+    named.reserve(splines.size());
     for (SplinePtr &spline : splines) {
-        document.splines.push_back({std::to_string(document.splines.size()), std::move(spline)});
+        named.push_back({std::to_string(named.size()), std::move(spline)});
     }
-    *out = new nurbs_list{std::move(document)};
+    give_list(std::move(named), out);
+}
+
+void give_list(NamedSplines splines, nurbs_list **out) {
+    *out = new nurbs_list{std::move(splines)};
 }
 
 std::vector<SplinePtr> splines_of(int64_t count, const nurbs *const *handles, const char *name) {
@@ -38,34 +45,63 @@ std::vector<SplinePtr> splines_of(int64_t count, const nurbs *const *handles, co
 using namespace nrb;
 using namespace nrb::capi;
 
-int64_t nurbs_list::size() const noexcept {
-    return parts ? parts->size() : std::ssize(document.splines);
-}
+namespace {
 
-SplinePtr nurbs_list::spline(int64_t index) const {
-    return parts ? parts->part(index) : document.splines[static_cast<size_t>(index)].spline;
-}
-
-// Of a part: "2" for a curve, "2,0" for a surface.
-std::string nurbs_list::name(int64_t index) const {
-    if (!parts) {
-        return document.splines[static_cast<size_t>(index)].name;
-    }
-    if (!named_by_axes) {
-        return std::to_string(index);
-    }
+// The name of a part: "2" for a curve, "2,0" for a surface.
+std::string name_by_axes(const refine::PartedSpline &parts, int64_t index) {
     std::string name;
-    for (int k = parts->axes(); k-- > 0; index /= parts->parts(k)) {
-        name.insert(0, std::to_string(index % parts->parts(k)) + (name.empty() ? "" : ","));
+    for (int k = parts.axes(); k-- > 0; index /= parts.parts(k)) {
+        name.insert(0, std::to_string(index % parts.parts(k)) + (name.empty() ? "" : ","));
     }
     return name;
 }
 
-namespace {
+// The same questions for each kind of contents.
+
+int64_t size_of(const NamedSplines &splines) noexcept {
+    return std::ssize(splines);
+}
+int64_t size_of(const Parts &parts) noexcept {
+    return parts.spline.size();
+}
+int64_t size_of(const model::Model &model) noexcept {
+    return size_of(model.splines);
+}
+
+SplinePtr spline_at(const NamedSplines &splines, int64_t index) {
+    return splines[static_cast<size_t>(index)].spline;
+}
+SplinePtr spline_at(const Parts &parts, int64_t index) {
+    return parts.spline.part(index);
+}
+SplinePtr spline_at(const model::Model &model, int64_t index) {
+    return spline_at(model.splines, index);
+}
+
+std::string name_at(const NamedSplines &splines, int64_t index) {
+    return splines[static_cast<size_t>(index)].name;
+}
+std::string name_at(const Parts &parts, int64_t index) {
+    return parts.named_by_axes ? name_by_axes(parts.spline, index) : std::to_string(index);
+}
+std::string name_at(const model::Model &model, int64_t index) {
+    return name_at(model.splines, index);
+}
 
 const nurbs_list &checked(const nurbs_list *list) {
     require(list, "list");
     return *list;
+}
+
+int64_t checked_size(const nurbs_list *list) {
+    return std::visit([](const auto &contents) { return size_of(contents); }, checked(list).contents);
+}
+
+// The contents of a file; empty for a list that does not come from a file.
+const model::Model &model_of(const nurbs_list *list) {
+    static const model::Model nothing;
+    const auto *const model = std::get_if<model::Model>(&checked(list).contents);
+    return model == nullptr ? nothing : *model;
 }
 
 void check_index(int64_t index, int64_t size) {
@@ -97,7 +133,7 @@ void copy_text(const std::string &text, char *buf, int64_t cap, int64_t *length)
 
 nurbs_status nurbs_list_count(const nurbs_list *list, int64_t *count) {
     return guard([&] {
-        const int64_t size = checked(list).size();
+        const int64_t size = checked_size(list);
         require(count, "count");
         *count = size;
     });
@@ -106,31 +142,34 @@ nurbs_status nurbs_list_count(const nurbs_list *list, int64_t *count) {
 nurbs_status nurbs_list_get(const nurbs_list *list, int64_t index, nurbs **out) {
     return guard([&] {
         require_out(out);
-        check_index(index, checked(list).size());
-        give(list->spline(index), out);
+        check_index(index, checked_size(list));
+        give(std::visit([&](const auto &contents) { return spline_at(contents, index); }, list->contents),
+             out);
     });
 }
 
 nurbs_status nurbs_list_name(const nurbs_list *list, int64_t index, char *buf, int64_t cap, int64_t *length) {
     return guard([&] {
-        check_index(index, checked(list).size());
+        check_index(index, checked_size(list));
         check_buffer(buf, cap);
-        copy_text(list->name(index), buf, cap, length);
+        const std::string name =
+            std::visit([&](const auto &contents) { return name_at(contents, index); }, list->contents);
+        copy_text(name, buf, cap, length);
     });
 }
 
 nurbs_status nurbs_list_note_count(const nurbs_list *list, int64_t *count) {
     return guard([&] {
-        const model::Document &document = checked(list).document;
+        const model::Model &model = model_of(list);
         require(count, "count");
-        *count = static_cast<int64_t>(document.notes.size());
+        *count = static_cast<int64_t>(model.notes.size());
     });
 }
 
 nurbs_status nurbs_list_note(const nurbs_list *list, int64_t index, int32_t *entity_type, int64_t *line,
                              nurbs_status *reason, char *buf, int64_t cap, int64_t *length) {
     return guard([&] {
-        const std::vector<model::Note> &notes = checked(list).document.notes;
+        const std::vector<model::Note> &notes = model_of(list).notes;
         check_index(index, std::ssize(notes));
         const model::Note &note = notes[static_cast<size_t>(index)];
         check_buffer(buf, cap);
@@ -143,9 +182,9 @@ nurbs_status nurbs_list_note(const nurbs_list *list, int64_t index, int32_t *ent
 
 nurbs_status nurbs_list_unit(const nurbs_list *list, double *metres) {
     return guard([&] {
-        const model::Document &document = checked(list).document;
+        const model::Model &model = model_of(list);
         require(metres, "metres");
-        *metres = document.metres_per_unit;
+        *metres = model.metres_per_unit;
     });
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Lists of splines as arguments and as results.
 #pragma once
 
@@ -10,7 +11,9 @@ namespace nrb::capi {
 // A list of splines named by their places.
 void give_list(std::vector<SplinePtr> splines, nurbs_list **out);
 
-// The splines behind an array of at least one handle; `name` is the array's.
+void give_list(NamedSplines splines, nurbs_list **out);
+
+// The splines of an array of at least one handle; `name` is the name of the array.
 std::vector<SplinePtr> splines_of(int64_t count, const nurbs *const *handles, const char *name);
 
 } // namespace nrb::capi

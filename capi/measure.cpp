@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Lengths, areas and moments.
 #include "checks.h"
 #include "guard.h"
@@ -24,7 +25,7 @@ measure::MomentOrder order_of(const double *centroid, const double *inertia) noe
                                  : measure::MomentOrder::content;
 }
 
-// All that moments are written to.
+// All outputs of moments.
 struct MomentOutputs {
     double *content;
     double *centroid;

@@ -1,9 +1,11 @@
-// Outputs, of which those that are NULL are not wanted.
+// SPDX-License-Identifier: MIT
+// Outputs. Those that are NULL are not wanted.
 #pragma once
 
 #include "checks.h"
 
 #include <algorithm>
+#include <array>
 
 namespace nrb::capi {
 
@@ -19,7 +21,7 @@ void put(T *out, size_t i, T value) noexcept {
         out[i] = value;
     }
 }
-// All of a range.
+// The whole of a range.
 template <class T, class Range>
 void put_all(T *out, const Range &values) noexcept {
     if (out != nullptr) {
@@ -27,8 +29,8 @@ void put_all(T *out, const Range &values) noexcept {
     }
 }
 
-// How many values go into arrays of a stated length: none if it is 0, which asks for the number, else all that there
-// are. Throws NURBS_ERROR_SIZE if they do not fit.
+// How many values go into arrays of a stated length: none if the length is 0, which asks for the number,
+// otherwise all. Throws NURBS_ERROR_SIZE if they do not fit.
 inline int64_t checked_cap(int64_t cap, int64_t needed) {
     check_length(cap, "cap");
     if (cap != 0 && cap < needed) {
@@ -37,5 +39,42 @@ inline int64_t checked_cap(int64_t cap, int64_t needed) {
     }
     return cap == 0 ? 0 : needed;
 }
+
+// An output as the caller describes it: records of `width` values.
+struct Wanted {
+    const char *name;
+    double *data;
+    int64_t width;
+    int64_t stride;
+    int64_t component_stride;
+};
+
+// The strided outputs of a batch, and its array `status`: none may overlap another one or an input. Outputs
+// that are NULL are not wanted, and their strides are ignored.
+class Outputs {
+public:
+    Outputs(int64_t count, const int32_t *status);
+
+    // The output as a view, after a check against the outputs before it. Precondition: at most 6 are added.
+    Records add(const Wanted &wanted);
+    // Checks all outputs against an input.
+    void check(const char *name, const ConstRecords &input) const;
+    void check(const Memory &input) const;
+
+private:
+    struct Named {
+        const char *name;
+        Records records;
+
+        [[nodiscard]] Memory memory() const noexcept {
+            return capi::memory(name, records.data, records.extent());
+        }
+    };
+
+    int64_t count_;
+    Memory status_;
+    size_t size_ = 0;
+    std::array<Named, 6> outputs_{};
+};
 
 } // namespace nrb::capi

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A part of the domain as an argument.
 #pragma once
 

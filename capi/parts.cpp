@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Splines cut into parts, and the ends and seams of their axes.
 #include "checks.h"
 #include "guard.h"
@@ -75,7 +76,7 @@ nurbs_status nurbs_decompose(const nurbs *g, nurbs_list **out) {
     return guard([&] {
         require_out(out);
         require(g, "g");
-        *out = new nurbs_list{{}, refine::bezier_pieces(g->spline), true};
+        *out = new nurbs_list{Parts{refine::bezier_pieces(g->spline), true}};
     });
 }
 
@@ -85,7 +86,7 @@ nurbs_status nurbs_split_at_knots(const nurbs *g, int32_t axis, int32_t order, n
         check_axis(spline_of(g), axis);
         check_order(order);
         const std::vector<double> breaks = refine::rough_knots(g->spline->axis(axis), order);
-        *out = new nurbs_list{{}, refine::split_axis(g->spline, axis, breaks)};
+        *out = new nurbs_list{Parts{refine::split_axis(g->spline, axis, breaks), false}};
     });
 }
 

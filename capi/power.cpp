@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The power basis of the pieces, out and in.
 #include "guard.h"
 #include "sparse.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Reflections and projections.
 #include "checks.h"
 #include "guard.h"

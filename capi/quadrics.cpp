@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Spheres, quadrics and the torus.
 #include "guard.h"
 #include "lists.h"
@@ -21,11 +22,11 @@ build::Turn tube_turn(double start, double sweep) {
 
 void give_faces(std::vector<SplinePtr> faces, nurbs_list **out) {
     constexpr const char *names[] = {"+X", "+Y", "-X", "-Y", "+Z", "-Z"};
-    model::Document document;
+    NamedSplines named;
     for (SplinePtr &face : faces) {
-        document.splines.push_back({names[document.splines.size()], std::move(face)});
+        named.push_back({names[named.size()], std::move(face)});
     }
-    *out = new nurbs_list{std::move(document)};
+    give_list(std::move(named), out);
 }
 
 } // namespace

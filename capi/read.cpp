@@ -1,26 +1,25 @@
-// Reading files, and the lists that come of it.
+// SPDX-License-Identifier: MIT
+// Reading files, and the lists that result.
 #include "checks.h"
 #include "guard.h"
 
 #include "base/error.h"
 #include "io/file.h"
-#include "io/iges/read_iges.h"
+#include "io/formats.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-
-#include <memory>
 
 using namespace nrb;
 using namespace nrb::capi;
 
 namespace {
 
-// Size of the struct in the first release: a caller never knows less.
+// Size of the struct in the first release; no caller has a smaller one.
 constexpr int64_t smallest_options = offsetof(nurbs_read_options, max_bytes) + sizeof(int64_t);
 
-// No release will have a larger one; a size beyond is garbage rather than a newer header.
+// No release will have a larger one: a larger size is garbage rather than a newer header.
 constexpr int64_t largest_options = 4096;
 
 void check_options_size(int64_t size) {
@@ -42,7 +41,7 @@ void check_unknown_fields(const nurbs_read_options &options) {
     }
 }
 
-model::ReadSettings settings_of(const nurbs_read_options *options) {
+io::ReadSettings settings_of(const nurbs_read_options *options) {
     if (options == nullptr) {
         return {};
     }
@@ -55,7 +54,7 @@ model::ReadSettings settings_of(const nurbs_read_options *options) {
         fail(Status::options, "options: max_bytes = %lld, expected >= 0",
              static_cast<long long>(options->max_bytes));
     }
-    const int64_t limit = options->max_bytes == 0 ? model::ReadSettings().max_bytes : options->max_bytes;
+    const int64_t limit = options->max_bytes == 0 ? io::ReadSettings().max_bytes : options->max_bytes;
     return {options->unit, limit};
 }
 
@@ -65,8 +64,8 @@ nurbs_status nurbs_read_options_init(nurbs_read_options *options, int64_t struct
     return guard([&] {
         require(options, "options");
         check_options_size(struct_size);
-        const model::ReadSettings defaults;
-        // Fields of a newer header too: zero asks for nothing new.
+        const io::ReadSettings defaults;
+        // Checks the fields of a newer header too: zero means that nothing new is wanted.
         std::fill_n(reinterpret_cast<unsigned char *>(options), struct_size, static_cast<unsigned char>(0));
         options->struct_size = struct_size;
         options->unit = defaults.unit;
@@ -83,7 +82,7 @@ nurbs_status nurbs_read(const void *bytes, int64_t size, const nurbs_read_option
             require(bytes, "bytes");
         }
         const std::span<const char> text(static_cast<const char *>(bytes), static_cast<size_t>(size));
-        *out = new nurbs_list{io::read_iges(text, settings_of(options))};
+        *out = new nurbs_list{io::read(text, settings_of(options))};
     });
 }
 
@@ -91,8 +90,8 @@ nurbs_status nurbs_read_file(const char *path, const nurbs_read_options *options
     return guard([&] {
         require_out(out);
         require(path, "path");
-        const model::ReadSettings settings = settings_of(options);
+        const io::ReadSettings settings = settings_of(options);
         const std::vector<char> bytes = io::read_whole_file(path, settings.max_bytes);
-        *out = new nurbs_list{io::read_iges(bytes, settings)};
+        *out = new nurbs_list{io::read(bytes, settings)};
     });
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Conics by their equation and their weights, and the recognition of shapes.
 #include "checks.h"
 #include "guard.h"
@@ -23,7 +24,7 @@ void copy(const Vector3 &v, double *out) noexcept {
     out[2] = v.z + 0.0;
 }
 
-// Numbers that have no meaning for a shape are 0.
+// Numbers without a meaning for a shape are 0.
 void copy_placement(const recognize::Shape &shape, double *out) noexcept {
     const bool axis = shape.kind > NURBS_SHAPE_POINT && shape.kind != NURBS_SHAPE_SPHERE;
     copy(shape.origin, out);

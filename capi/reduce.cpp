@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Operations that move the shape by no more than a proven bound.
 #include "checks.h"
 #include "guard.h"

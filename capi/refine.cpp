@@ -1,4 +1,5 @@
-// Knots inserted, and the matrices that do it.
+// SPDX-License-Identifier: MIT
+// Inserting knots, and the matrices that do it.
 #include "checks.h"
 #include "guard.h"
 #include "sparse.h"

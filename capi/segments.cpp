@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Segments in other bases: Hermite data, and the matrices between bases.
 #include "base/checked.h"
 #include "basis/basis_matrix.h"
@@ -79,7 +80,7 @@ double beside(const ConstRecords &points, const ConstRecords &tangents, int64_t 
     return result;
 }
 
-// The Bezier points beside each point, and the two ends.
+// The Bezier points next to each point, and the two ends.
 std::vector<double> hermite_points(const double *params, const ConstRecords &points,
                                    const ConstRecords &tangents) {
     const int64_t n = points.count, dim = points.width;
@@ -133,7 +134,7 @@ nurbs_status nurbs_to_hermite(const nurbs *g, int64_t cap, double *params, doubl
                      memory("tangents", tangents, values), memory("count", count, 1)},
                     {});
         const refine::HermiteData data =
-            refine::hermite_data(g->spline); // refuses what has none, whatever is asked for
+            refine::hermite_data(g->spline); // refuses a degree without a matrix, whatever else is wanted
         if (cap != 0) {
             put_all(params, data.params);
             put_all(points, data.points);

@@ -1,4 +1,5 @@
-// Arrays in which matrices are handed out, filled in a second call or asked for their length first.
+// SPDX-License-Identifier: MIT
+// Arrays for matrices. A first call may ask for their length, a second call fills them.
 #pragma once
 
 #include "outputs.h"
@@ -13,7 +14,7 @@ public:
     SparseArrays(int64_t cap, double *values, int64_t *columns, int64_t *row_pointers, int64_t *entries)
         : cap_(cap), values_(values), columns_(columns), row_pointers_(row_pointers), entries_(entries) {}
 
-    // Checks lengths and overlap, and returns what is to be filled.
+    // Checks lengths and overlap; returns the arrays to be filled.
     [[nodiscard]] eval::SparseRows check(int64_t n, int64_t total,
                                          std::initializer_list<Memory> inputs) const {
         const int64_t filled = checked_cap(cap_, total);

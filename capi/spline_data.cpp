@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "spline_data.h"
 
 #include "base/checked.h"
@@ -21,7 +22,7 @@ bool decode_periodic(uint32_t flags, int32_t axes, int k) {
 std::vector<double> packed(ConstRecords view) {
     const auto size = static_cast<size_t>(checked_product(view.count, view.width, "points"));
     std::vector<double> values;
-    values.reserve(size + Spline::padding); // a spline will not have to move them
+    values.reserve(size + Spline::padding); // so that a spline need not move them
     values.resize(size);
     auto next = values.begin();
     for (int64_t i = 0; i < view.count; ++i) {
@@ -69,7 +70,7 @@ int64_t AxesData::point_count() const {
     return count;
 }
 
-// Whether an array can have that length is for check_size() to say, where the caller agrees with it.
+// Whether an array can have that length is left to check_size(), which compares it with the caller's length.
 int64_t AxesData::knot_total(int extra) const {
     constexpr int64_t most = std::numeric_limits<int64_t>::max() / 8; // the sum of three does not overflow
     int64_t total = 0;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The caller's description of a spline: axes in one of several knot conventions, and control points with
 // optional weights.
 #pragma once
@@ -26,7 +27,7 @@ public:
     [[nodiscard]] int size() const noexcept { return size_; }
     [[nodiscard]] const AxisData &operator[](int k) const noexcept { return axes_[static_cast<size_t>(k)]; }
     [[nodiscard]] int64_t point_count() const;
-    // Sum of counts[k] + degrees[k] + extra.
+    // The sum of counts[k] + degrees[k] + extra.
     [[nodiscard]] int64_t knot_total(int extra) const;
 
     // knots_of(axis, index, offset) returns the full knots of an axis and the place in the caller's array
@@ -50,9 +51,9 @@ private:
     std::array<AxisData, max_axes> axes_{};
 };
 
-// The records one after the other, with room behind them for the padding of a spline.
+// The records one after the other, with memory after them for the padding of a spline.
 std::vector<double> packed(ConstRecords view);
-// 1 <= dim, and a homogeneous record still has a width; else NURBS_ERROR_DIMENSION.
+// 1 <= dim, and a homogeneous record still has a width; otherwise NURBS_ERROR_DIMENSION.
 void check_dimension(int32_t dim);
 
 struct PointsData {
@@ -63,7 +64,7 @@ struct PointsData {
     const double *weights;
     int64_t weight_stride;
 
-    // `kept` stands in for weights that the caller did not give; both absent: polynomial.
+    // `kept` replaces weights that the caller did not give. Without either the spline is polynomial.
     [[nodiscard]] SplinePtr make(Spline::Axes axes, int64_t count, std::vector<double> kept = {}) const;
     [[nodiscard]] SplinePtr make_homogeneous(Spline::Axes axes, int64_t count) const;
 };

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Version, statuses and the calling thread's last message.
 #include "guard.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Surfaces and volumes from curves and surfaces.
 #include "checks.h"
 #include "guard.h"

@@ -1,4 +1,5 @@
-// Weights changed, the shape kept.
+// SPDX-License-Identifier: MIT
+// Changes of the weights that keep the shape.
 #include "refine/forms/weights.h"
 
 #include "checks.h"

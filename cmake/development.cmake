@@ -1,4 +1,4 @@
-# What holds only when this project is built by itself.
+# Settings that apply only when this project is built by itself.
 
 if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
     set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
@@ -15,7 +15,7 @@ if(NURBS_CCACHE)
     endforeach()
 endif()
 
-# libFuzzer counts coverage in every object, and finds little without the two sanitizers.
+# libFuzzer needs coverage counted in every object, and finds little without the two sanitizers.
 if(NURBS_FUZZ)
     if(NOT CMAKE_CXX_COMPILER_ID MATCHES "Clang")
         message(FATAL_ERROR "NURBS_FUZZ needs clang; other compilers replay the corpus instead")
@@ -31,7 +31,7 @@ if(NURBS_SANITIZE)
 endif()
 
 # The library's objects count; every program that is linked with them writes the counts.
-# Of a kernel that is compiled for several instruction sets clang counts one: so there is one.
+# If a kernel is compiled for several instruction sets, clang counts only one; so it is compiled for one.
 if(NURBS_COVERAGE)
     add_compile_definitions(HWY_COMPILE_ONLY_STATIC)
     add_link_options(-fprofile-instr-generate)

@@ -1,5 +1,5 @@
-# What is installed, and how other builds find it: CMake package and pkg-config file. Both are relocatable, but
-# for nurbs.pc below /usr.
+# The installed files, and how other builds find them: CMake package and pkg-config file. Both are relocatable, except for
+# nurbs.pc below /usr.
 include(CMakePackageConfigHelpers)
 
 install(TARGETS nurbs nurbs_static EXPORT nurbs-targets
@@ -26,8 +26,8 @@ write_basic_package_version_file("${PROJECT_BINARY_DIR}/nurbs-config-version.cma
 install(FILES "${PROJECT_BINARY_DIR}/nurbs-config.cmake" "${PROJECT_BINARY_DIR}/nurbs-config-version.cmake"
     DESTINATION "${package_dir}")
 
-# pkg-config: directories relative to the .pc file, except where the installer asked for absolute ones, and in the system's
-# own, which pkg-config leaves out of its answers only where it knows them by their names.
+# pkg-config: directories are relative to the .pc file, unless the installer asked for absolute ones. The system's own
+# directories are absolute, too: pkg-config leaves them out of its answers only if it knows them by their names.
 foreach(kind LIB INCLUDE)
     string(TOLOWER "${kind}" name)
     if(IS_ABSOLUTE "${CMAKE_INSTALL_${kind}DIR}")

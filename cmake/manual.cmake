@@ -1,7 +1,7 @@
-# The manual, which is the comments of the header: HTML by doxygen (target manual), and pages for man(1) (target man).
+# The manual consists of the comments of the header: HTML by doxygen (target manual), and pages for man(1) (target man).
 # Both depend on the header only: no dates, no paths.
 find_program(NURBS_DOXYGEN doxygen)
-# The interpreter of the distribution, whose packages the tests ask for, before any other on the PATH.
+# The interpreter of the distribution comes before any other on the PATH, because the tests need its packages.
 find_program(NURBS_PYTHON python3 PATHS /usr/bin NO_DEFAULT_PATH)
 find_program(NURBS_PYTHON python3)
 

@@ -1,4 +1,4 @@
-# The version stands once, as macros in the public header.
+# The version is written in one place, as macros in the public header.
 function(nurbs_read_version header result)
     set(parts "")
     foreach(part MAJOR MINOR PATCH)
@@ -10,6 +10,6 @@ function(nurbs_read_version header result)
     endforeach()
     list(JOIN parts "." version)
     set(${result} "${version}" PARENT_SCOPE)
-    # A new version must configure again.
+    # A new version requires a new configuration.
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${header}")
 endfunction()

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* A circle is a rational curve: its points and tangents, a knot more, the point that is closest to another, its
- * length, and what a bad call says. A call returns 0 or what is wrong, so that || stops at the first failure.
+/* A circle is a rational curve: its points and tangents, a knot more, the point that is closest to another,
+ * its length, and what a bad call says. A call returns 0 or what is wrong, so that || stops at the first
+ * failure.
  *     cc circle.c $(pkg-config --cflags --libs nurbs) -lm -o circle && ./circle */
 #include <math.h>
 #include <nurbs/nurbs.h>

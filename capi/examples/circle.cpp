@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A circle is a rational curve: its points and tangents, a knot more, the point that is closest to another, its
-// length, and what a bad call says.
+// A circle is a rational curve: its points and tangents, a knot more, the point that is closest to another,
+// its length, and what a bad call says.
 //     c++ -std=c++20 circle.cpp $(pkg-config --cflags --libs nurbs) -o circle && ./circle
 #include <cmath>
 #include <cstdio>

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Every construction of a shape that is one call, drawn into one picture: gallery.svg, or the file that is named.
+/* Every construction of a shape that is one call, drawn into one picture: gallery.svg, or the file that is
+ * named.
  * Compile: cc -std=c99 gallery.c $(pkg-config --cflags --libs nurbs) -lm -o gallery */
 #include "gallery/boundaries.h"
 #include "gallery/curves.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Pulls one side of a ship's hull through three given points, with the smallest change of its control points that
- * leaves the edges where they are, and draws it before and after: hull.svg, or the file that is named.
+/* Pulls one side of a ship's hull through three given points, with the smallest change of its control points
+ * that leaves the edges where they are, and draws it before and after: hull.svg, or the file that is named.
  * Compile: cc -std=c99 hull.c $(pkg-config --cflags --libs nurbs) -lm -o hull */
 #include "gallery/draw.h"
 
@@ -30,8 +30,8 @@ static nurbs *make_hull(void) {
     return hull;
 }
 
-/* Where on the hull, and what shall be there: room for a sonar in the bow, for a hold amidships, and a narrower
- * stern. */
+/* Where on the hull, and what shall be there: room for a sonar in the bow, for a hold amidships, and a
+ * narrower stern. */
 static const double params[2 * POINTS] = {0.15, 0.35, 0.5, 0.4, 0.85, 0.45};
 static const double targets[3 * POINTS] = {0.75, 2.9, -0.8, 1.6, 0, -0.7, 0.45, -3.0, -0.45};
 

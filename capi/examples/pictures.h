@@ -193,7 +193,8 @@ static void grid_normal(const double *derivs, int i, int j, int rows, int column
     }
 }
 
-/* An object of rows * columns vertices; derivs has point, d/du and d/dv of each. Indices count back from the end. */
+/* An object of rows * columns vertices; derivs has point, d/du and d/dv of each. Indices count back from the
+ * end. */
 static void obj_grid(FILE *file, const char *name, const double *derivs, int rows, int columns) {
     int i, j;
     fprintf(file, "o %s\n", name);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Reads a CAD file and shows what the library does with it: prints what the file holds, evaluates points and
- * derivatives, inserts knots and measures that the shape stayed where it was, draws a curve (SVG) and a mesh (OBJ).
+ * derivatives, inserts knots and measures that the shape stayed where it was, draws a curve (SVG) and a mesh
+ * (OBJ).
  * Compile: cc -std=c99 quickstart.c $(pkg-config --cflags --libs nurbs) -lm -o quickstart */
 #include "pictures.h"
 
@@ -178,7 +179,8 @@ static shape refined(const shape *s) {
     return finer;
 }
 
-/* The largest distance between two splines, in units of eps * hull, in which the library states its accuracy. */
+/* The largest distance between two splines, in units of eps * hull, in which the library states its
+ * accuracy. */
 static double difference(const shape *a, const shape *b) {
     static double params[2 * SAMPLES], p[3 * SAMPLES], q[3 * SAMPLES], hull[SAMPLES];
     double largest = 0;
@@ -260,7 +262,8 @@ static const shape *choose(const shape *shapes, int64_t count, int32_t axes) {
     return best;
 }
 
-/* What the header allows: twice the error of a point, and 2 for each inserted knot, in units of eps * hull. */
+/* What the header allows: twice the error of a point, and 2 for each inserted knot, in units of eps *
+ * hull. */
 static double allowance(const shape *before, const shape *after) {
     double units = 1;
     int32_t axis;

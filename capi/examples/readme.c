@@ -1,7 +1,7 @@
 #include <nurbs/nurbs.h>
 #include <stdio.h>
 
-/* A quarter of the unit circle: points and tangents, the same points after a knot is inserted, and a mistake. */
+/* A quarter of the unit circle: points, tangents, the same points after inserting a knot, and a mistake. */
 int main(void) {
     const int32_t degree = 2;
     const int64_t count = 3;

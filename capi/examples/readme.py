@@ -1,6 +1,6 @@
 import nurbs
 
-# A quarter of the unit circle: points and tangents, the same points after a knot is inserted, and a mistake.
+# A quarter of the unit circle: points, tangents, the same points after inserting a knot, and a mistake.
 arc = nurbs.Spline(degrees=2, knots=[0, 0, 0, 1, 1, 1], points=[[1, 0], [1, 1], [0, 1]], weights=[1, 0.5**0.5, 1])
 params = [0, 0.25, 0.5, 0.75, 1]
 derivs = arc.eval_derivs(params, order=1)  # an array of shape (5, 2, 2)

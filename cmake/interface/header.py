@@ -29,7 +29,7 @@ class Parameter:
     direction: str = ""  # "in", "out" or "in,out"; empty without a description
     shape: str = ""  # "[n][dim]", empty for single values
     nullable: bool = False
-    null: str = ""  # what NULL means, as it goes on behind "or NULL": " for all of it", ", which ..."
+    null: str = ""  # what NULL means, as it goes on after "or NULL": " for all of it", ", which ..."
     text: str = ""  # the rest
 
     @property
@@ -186,7 +186,7 @@ def split_shape(text):
 
 
 def split_null(text):
-    """What stands behind "or NULL": what it means, up to a colon, and the description."""
+    """What follows "or NULL": what it means, up to a colon, and the description."""
     before, colon, after = text.partition(": ")
     return before.rstrip("."), after if colon else ""
 
@@ -328,14 +328,14 @@ class Reader:
         return *self.description(other, name, (*seen, function.name))[:3], text
 
     def statuses(self, function, seen=()):
-        """What \\return lists; "as for nurbs_eval(), without _FLAGS" and "_FLAGS in place of _FORM" included."""
+        """What \\return lists; "as for nurbs_eval(), without _FLAGS" and "_FLAGS instead of _FORM" included."""
         found = []
         other = re.match(r"as for (nurbs_\w+)\(\)", function.returns)
         if other and other[1] not in seen:
             source = next(entry for entry in self.header.functions if entry.name == other[1])
             found += self.statuses(source, (*seen, function.name))
         text = full_statuses(function.returns)
-        dropped = re.findall(r"(?:without|in place of) (NURBS_ERROR_\w+)", text)
+        dropped = re.findall(r"(?:without|instead of) (NURBS_ERROR_\w+)", text)
         found += re.findall(r"\bNURBS_OK\b|\bNURBS_ERROR_\w+", text)
         return [name for name in dict.fromkeys(found) if name not in dropped]
 

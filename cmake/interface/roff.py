@@ -48,9 +48,14 @@ def list_items(block):
         yield from filled(item.removeprefix("- "))
 
 
+def indented_code(match):
+    return "".join(f"\n    {part}" for part in match[1].split("\n")) + "\n"
+
+
 def blocks(text):
-    """Paragraphs; those that are indented and follow each other are one."""
+    """Paragraphs; those that are indented and follow each other are one. Code between its marks becomes indented."""
     found = []
+    text = re.sub(r"^\\code\n(.*?)\n\\endcode$", indented_code, text, flags=re.M | re.S)
     for block in re.split(r"\n\s*\n", text.strip("\n")):
         if block.startswith("    ") and found and found[-1].startswith("    "):
             found[-1] += "\n\n" + block

@@ -3,6 +3,37 @@
  * \file nurbs.h
  * \brief NURBS curves, surfaces and volumes: the C interface of libnurbs, and its manual.
  *
+ * Create a spline, evaluate it, destroy it:
+ *
+ * \code
+ * #include <nurbs/nurbs.h>
+ * #include <stdio.h>
+ *
+ * int main(void) { // a quarter of the unit circle: degree 2, 3 weighted control points, 6 knots
+ *     const int32_t degree = 2;
+ *     const int64_t count = 3;
+ *     const double knots[] = {0, 0, 0, 1, 1, 1}, points[3][2] = {{1, 0}, {1, 1}, {0, 1}};
+ *     const double weights[] = {1, 0.70710678118654752, 1}, params[] = {0, 0.5, 1};
+ *     double result[3][2];
+ *     char message[256];
+ *     nurbs *arc = NULL;
+ *     if (nurbs_create(1, &degree, &count, knots, 6, 2, points[0], 0, 0, weights, 0, 0, &arc) != NURBS_OK ||
+ *         nurbs_eval(arc, 3, params, 0, 0, result[0], 0, 0, 0) != NURBS_OK) {
+ *         nurbs_last_error(message, sizeof message);
+ *         fprintf(stderr, "%s\n", message);
+ *     } else {
+ *         printf("the middle of the arc is (%g, %g)\n", result[1][0], result[1][1]);
+ *     }
+ *     nurbs_destroy(arc); // NULL is allowed
+ *     return 0;
+ * }
+ * \endcode
+ *
+ * A call that fails returns a status other than 0, writes no result, and leaves a message in its thread. No
+ * handle ever changes: an operation returns a new one. The arguments 0, 0 after an array of points are
+ * strides (packed here), the last 0 stands for flags. Each group of functions below begins with an example of
+ * its own, in which `curve` and `surface` are splines in space made before; tests of statuses are left out.
+ *
  * # What a handle is
  * A `nurbs` is a spline of 1 (curve), 2 (surface) or 3 (volume) parametric axes in any dimension >= 1:
  *
@@ -11,115 +42,118 @@
  * where N_i is a product of B-spline basis functions, one for each axis.
  *
  * Handles are immutable. Every operation reads `const nurbs *` and returns a new handle through its last
- * argument, which is set to NULL on failure. Inputs are copied, getters copy out, nothing is borrowed and no
+ * argument, which is set to NULL on failure. Inputs are copied, getters copy out, nothing is borrowed, and no
  * argument changes its owner. Free every handle once with nurbs_destroy(), from any thread. Any number of
- * threads may use one handle, or one list, at once; nurbs_destroy() and nurbs_list_destroy() must not run
- * while a call uses the same handle, but may while others use its clones and what was made from it. The
- * library has to stay loaded until the last handle is freed. It has no contexts, no initialisation, no
- * settings, starts no threads and calls nothing back.
+ * threads may use one handle, or one list, at once. nurbs_destroy() and nurbs_list_destroy() must not run
+ * while a call uses the same handle; they may run while other calls use its clones, or splines made from it.
+ * The library has to stay loaded until the last handle is freed. It has no contexts, no initialisation and no
+ * settings, starts no threads, and calls nothing back.
  *
  * # Conventions
  * - **Degree** p, not order. Degrees run from 0 to NURBS_MAX_DEGREE.
  * - **Knots** are the full vector t_0 <= t_1 <= ... of count + degree + 1 values, for all axes one after the
- *   other. The domain of an axis is [t_p, t_count]; clamped, unclamped and periodic vectors are all first
- *   class. A knot occurs at most degree + 1 times. Knots are equal when they are equal: there is no built-in
- *   tolerance. A tolerance that is an argument may be infinite unless its text says otherwise.
- * - **Points** are Cartesian, not multiplied by the weights; the last axis varies fastest: in a surface with
+ *   other. The domain of an axis is [t_p, t_count]. Clamped, unclamped and periodic vectors are all first
+ *   class. A knot occurs at most degree + 1 times. Two knots are equal only if their values are equal: there
+ *   is no built-in tolerance. A tolerance that is an argument may be infinite unless its text says otherwise.
+ * - **Points** are Cartesian, not multiplied by the weights. The last axis varies fastest: in a surface with
  *   counts (m, n), point (i, j) is record i * n + j. `weights` may be NULL, which makes the spline
  *   polynomial. The values given are the values stored: getters return them bit for bit.
- * - **Weights** are finite, >= 0, and at each parameter of the domain some weight in the support is > 0.
+ * - **Weights** are finite and >= 0, and at each parameter of the domain some weight in the support is > 0.
  *   Other weights, and control points at infinity, need nurbs_create_homogeneous().
  * - **Arrays of records** (points, parameters, derivatives) are described by a pointer and two strides
  *   counted in doubles: component c of record i is at `array[i * stride + c * component_stride]`. Both
  *   strides may be 0, which means packed: component_stride 0 is 1, stride 0 is (record length) *
  *   component_stride. A C array of points is (0, 0), a Fortran array x(n, dim) is (1, n). Either the
  *   records lie apart (stride covers a record) or the components do (component_stride covers all records);
- *   anything else is an error. Strides of an array that is NULL are ignored. Outputs must overlap neither
- *   inputs nor each other: arrays that do are refused (NURBS_ERROR_OVERLAP), outputs of one value not always.
+ *   anything else is an error. The strides of an array that is NULL are ignored. Outputs must overlap neither
+ *   inputs nor each other: arrays that do are refused (NURBS_ERROR_OVERLAP); for outputs of a single value
+ *   this is not always checked.
  *   Several arrays of doubles may be columns of one table: their stride is then the length of its rows, their
  *   component_stride 1. Inputs may be the same memory. Where n is 0 the pointers may be NULL.
- * - **A parameter** in a span uses [t_i, t_i+1), the last span is closed. Flags choose the other side, and
+ * - **A parameter** in a span uses [t_i, t_i+1); the last span is closed. Flags choose the other side, and
  *   what happens outside the domain.
  *
  * # Errors
- * Functions return a nurbs_status: 0 is success, every other value a failure, including values that this
+ * Functions return a nurbs_status. 0 is success; every other value is a failure, including values that this
  * header does not name. The classes are: 1-99 argument, 100-199 domain, 200-299 numeric, 300-399 resource,
- * 400-499 file contents, 900-999 internal. The code alone is enough to act upon; nurbs_last_error() adds the
- * array, the index, the value and what was expected, for the last failure in the calling thread. A failing
- * call writes to none of its outputs, but for handles, which become NULL. No value in an argument makes a
- * call crash; an array shorter than its stated length cannot be detected, nor a handle that was destroyed.
- * Only an array, of values or of handles, that would have 2^53 elements or more with its strides is refused
- * before it is touched (NURBS_ERROR_OVERFLOW): no memory holds it.
- * Floating-point exceptions are taken to be masked, as they are unless a program unmasks them; any call may
+ * 400-499 file contents, 900-999 internal. The code alone is enough to act upon. For the last failure in the
+ * calling thread, nurbs_last_error() adds the array, the index, the value and what was expected. A failing
+ * call writes to none of its outputs except handles, which become NULL. No value in an argument makes a
+ * call crash; but the library cannot detect an array shorter than its stated length, or a handle that was
+ * destroyed. An array, of values or of handles, that would have 2^53 elements or more with its strides is
+ * refused before it is touched (NURBS_ERROR_OVERFLOW), since no memory holds it; no shorter one is.
+ * Floating-point exceptions are assumed to be masked, as they are unless a program unmasks them; any call may
  * set their flags. Every function that allocates can return NURBS_ERROR_MEMORY, and every function
  * NURBS_ERROR_INTERNAL (a defect of the library); the lists of statuses below do not repeat these two.
  *
  * # Accuracy
- * eps = 2^-52. For a spline with weights >= 0 every coordinate of a point inside the domain is within
- * c * eps * hull of the exact value for the stored data, where hull (nurbs_hull_size()) is the largest
- * magnitude of a coordinate of a control point with a positive weight that is active at the parameter, and c
- * is the sum of c(p) over the axes:
+ * eps = 2^-52. For a spline with weights >= 0, every coordinate of a point inside the domain is within
+ * c * eps * hull of the exact value for the stored data. Here hull (nurbs_hull_size()) is the largest
+ * magnitude of a coordinate among the control points that have a positive weight and are active at the
+ * parameter, and c is the sum of c(p) over the axes:
  *
  *     degree p    0   1   2   3   4   5   6   7   8   9  10-15  16-23  24-31
  *     c(p)        1   3   4   4   6   6   8   8  12  12    16     24     32
  *
  * This table is tested, not proved: comparison with exact arithmetic, and searches for the worst case, find
- * at most 0.95 of it. The method changes in one place: spans of degree 1 to 9 whose active weights (for
- * surfaces and volumes: all weights that are active somewhere) are positive and differ by a factor of at most
- * 4 are evaluated as polynomials in a local parameter centred on the span, all others (and spans of a few
- * units of rounding, spans shorter than 2^-100, those whose knots reach over more than 2^500 or 2^500 times
- * their length, and those of curves with a control point of 2^961 or more) by the Cox-de Boor recurrence, for
- * which 7 p + 2 is proved. With the polynomials c is multiplied by that factor, the largest of these weights
- * over the smallest; no other ratio of weights enters. With signed weights hull is (max|w_i P_i| + |C(t)|
- * max|w_i|) / |w(t)|. At clamped ends (and wherever one basis function is 1 on every axis) the stored control
- * point is returned bit for bit.
+ * at most 0.95 of it. There are two methods. Spans of degree 1 to 9 are evaluated as polynomials in a local
+ * parameter centred on the span if their active weights (for surfaces and volumes: all weights that are
+ * active somewhere) are positive and differ by a factor of at most 4. With these polynomials c is multiplied
+ * by that factor, the largest of these weights over the smallest; no other ratio of weights enters. All other
+ * spans are evaluated by the Cox-de Boor recurrence, for which 7 p + 2 is proved. So are spans of a few units
+ * of rounding, spans shorter than 2^-100, spans whose knots reach over more than 2^500 or 2^500 times their
+ * length, and spans of curves with a control point of 2^961 or more. With signed weights hull is (max|w_i
+ * P_i| + |C(t)| max|w_i|) / |w(t)|. At clamped ends (and wherever one basis function is 1 on every axis) the
+ * stored control point is returned bit for bit.
  *
  * A derivative of multi-index a (order k = |a| > 0) of a polynomial spline is within 2 (c + 2 k) * eps * H_a,
- * where H_a is the largest control point of the derivative that is active at the parameter, in magnitudes:
- * H_0 = |P - O|, and a step along an axis replaces neighbours by (p - k + 1) (H_i + H_i+1) / (t_i+p+1 -
- * t_i+k); in the first step of a curve H_i + H_i+1 is |P_i - P_i+1| + 2^-48 (|P_i| + |P_i+1|). For a rational
- * spline the quotient rule is followed in magnitudes: E_a = (H_a[w (P - O)] + sum over 0 < b <= a of
- * binomial(a, b) H_b[w] E_(a-b)) / w(t) replaces H_a. Where the weights differ by a factor of more than 4 the
- * value at the parameter of the spline with these control points takes the place of the largest of them.
+ * where H_a is the largest control point of the derivative that is active at the parameter, computed in
+ * magnitudes: H_0 = |P - O|, and a step along an axis replaces neighbours by (p - k + 1) (H_i + H_i+1) /
+ * (t_i+p+1 - t_i+k); in the first step of a curve H_i + H_i+1 is |P_i - P_i+1| + 2^-48 (|P_i| + |P_i+1|). For
+ * a rational spline the quotient rule is followed in magnitudes: H_a is replaced by E_a = (H_a[w (P - O)] +
+ * sum over 0 < b <= a of binomial(a, b) H_b[w] E_(a-b)) / w(t). Where the weights differ by a factor of more
+ * than 4, the largest of the control points H is replaced by the value at the parameter of the spline that
+ * has them as control points.
  *
  * So moving a spline does not add to the errors of its derivatives: O is a point with |P - O| at most |P| and
  * at most 9 E, where E is the longest side of the box of the control points with influence (a weight other
- * than 0, and a support in the domain). Where that box lies farther than 8 E from 0 in some coordinate, O is
- * its corner nearest to 0, with 0 for the coordinates in which the box is longer than it is far from 0; else O
- * is 0. The points P - O of such a spline are a second copy of its control points, which the handle makes for
- * the first derivatives that need them and keeps.
+ * than 0, and a support in the domain). If that box lies farther than 8 E from 0 in some coordinate, O is
+ * its corner nearest to 0, with 0 for the coordinates in which the box is longer than it is far from 0;
+ * otherwise O is 0. The points P - O of such a spline are a second copy of its control points, which the
+ * handle makes for the first derivatives that need them and keeps.
  *
  * Inserting a knot and raising the degree move each homogeneous control point by at most 2 eps * hull for
- * each time (tested), one eps more in all for Cartesian points with weights; where the knots of a periodic
- * axis repeat to rounding only, also by what that rounding moves. Whatever the number of knots that go in at
- * once, a control point counts only those new ones among the `degree` knots that it belongs to, at most
- * `degree`: so too where splines are refined, split, extracted, decomposed and clamped.
+ * each time (tested), and by one eps more in all for Cartesian points with weights. Where the knots of a
+ * periodic axis repeat only to rounding, they also move it by what that rounding moves. However many knots
+ * are inserted at once, only those count for a control point that are new and among the `degree` knots it
+ * belongs to: at most `degree` of them. The same holds for refining, splitting, extracting, decomposing and
+ * clamping.
  *
- * The bounds assume rounding to nearest and gradual underflow. Neither they nor proofs hold in a thread that
- * uses other modes, as in programs that g++ before version 13 links with -ffast-math.
+ * The bounds assume rounding to nearest and gradual underflow. Neither the bounds nor the proofs hold in a
+ * thread that uses other modes, as in programs that g++ before version 13 links with -ffast-math.
  *
- * A control point without influence, which is one whose basis function vanishes on the domain (at an end that
- * is not clamped, and whose knot repeats) or one of weight 0 that is not at infinity, enters no scale, bound
- * or proof: no answer depends on where it is.
+ * A control point has no influence if its basis function vanishes on the domain (at an end that is not
+ * clamped, and whose knot repeats), or if its weight is 0 and it is not at infinity. Such a control point
+ * enters no scale, bound or proof: no answer depends on where it is.
  *
  * All bounds hold barring underflow and overflow: a component too large for double precision comes out as an
- * infinity or NaN, without a status. One parameter gives the same bits alone, in a batch of any order and
- * size, on a grid and from any thread, with tables or before they are built, on one machine (its instruction
- * set decides whether multiplications and additions are fused).
+ * infinity or NaN, without a status. On one machine, one parameter gives the same bits alone, in a batch of
+ * any order and size, on a grid, from any thread, and before or after tables are built. (The instruction set
+ * of the machine decides whether multiplications and additions are fused.)
  *
  * # Speed
- * Batches are what is fast: the cost of a call is that of several points. Handles build tables by themselves
- * once enough parameters have been asked for, about a third of the number of control points. For each span
- * they take 4 doubles and degree + 1 times m doubles, and a few more to find spans; m is, rounded up to a
- * multiple of 4, the number of components with the weight (curves), or degree + 1 (each axis of surfaces and
- * volumes). Sorted parameters are cheaper than random ones, grids cheaper than the list of their points, and
- * packed outputs cheaper than outputs with strides.
+ * Use batches: the cost of a call is that of evaluating several points. Handles build tables by themselves
+ * once enough parameters have been evaluated, about a third of the number of control points. For each span
+ * the tables take 4 doubles and degree + 1 times m doubles, and a few more to find spans. Here m is, rounded
+ * up to a multiple of 4, the number of components with the weight (curves), or degree + 1 (each axis of
+ * surfaces and volumes). Sorted parameters are cheaper than random ones, grids cheaper than the list of their
+ * points, and packed outputs cheaper than outputs with strides.
  *
  * # Compatibility
  * A program built with this header runs with every later library of the same major version, and with every
  * earlier one that has the functions, flags, constants and fields it uses.
- * - A **patch** version mends defects. Results may change within the bounds stated here, and by what the
- *   defect was; texts of messages may change.
+ * - A **patch** version repairs defects. Results may change within the bounds stated here, and where the
+ *   defect had made them wrong; texts of messages may change.
  * - A **minor** version also adds functions, constants, flags, statuses and fields at the ends of structs,
  *   and may accept what was an error: calls that failed may succeed, and files may give more splines and
  *   fewer notes.
@@ -128,76 +162,72 @@
  * - A **major** version may do anything, has another file name (libnurbs.so.1 is version 1), and can be
  *   installed beside this one.
  *
- * Names, types, values and meanings never change within a major version. Structs tell their size, so that a
- * library knows which fields its caller has; those that a caller lacks have their defaults, and those that a
- * library does not know must be 0, which leaves them at their defaults (else NURBS_ERROR_OPTIONS). A caller
- * has to be ready for statuses that its header does not name, and must not pass bits or constants that it
- * does not name. A result that is a sum of bits may get further bits: test bits, do not compare sums. A
- * result that is one of several constants may get further values. What a budget of 0 stands for may change.
+ * Names, types, values and meanings never change within a major version. Each struct states its size, so that
+ * a library knows which fields its caller has. Fields that a caller lacks have their defaults. Fields that a
+ * library does not know must be 0, which leaves them at their defaults (otherwise NURBS_ERROR_OPTIONS). A
+ * caller has to be ready for statuses that its header does not name, and must not pass bits or constants that
+ * its header does not name. A result that is a sum of bits may get further bits: test bits, do not compare
+ * sums. A result that is one of several constants may get further values. The value used for a budget of 0
+ * may change.
  *
  * # Bindings
- * The comments below can be read by a program, and a binding needs nothing else. cmake/interface in the
- * sources reads them, and generates declarations for other languages and manual pages from them.
+ * A program can read the comments below, and a binding needs nothing else. cmake/interface in the sources
+ * reads them, and generates declarations for other languages and manual pages from them.
  *
  * - **Types.** Signatures use int32_t, int64_t, uint32_t, double, pointers to these and to float, char
  *   buffers, bytes (`const void *`) and opaque handles, nothing else; nurbs_status is an int32_t. Arrays of
  *   float are results in single precision; their strides count floats. Structs are passed by pointers, and
- *   have the layout of C. Constants are ints, those that end with u uint32_t; the two macros with
- *   arguments are for a binding to write itself. Answers of yes or no are 1 or 0. Arrays are aligned as
+ *   have the layout of C. Constants are ints, except that those that end with u are uint32_t; the two macros
+ *   with arguments are for a binding to write itself. Answers of yes or no are 1 or 0. Arrays are aligned as
  *   their elements are in C.
- * - **Functions** have a comment with `\brief`, whose first sentence stands for itself, the text that
+ * - **Functions** have a comment with `\brief`, whose first sentence can stand alone, the text that
  *   belongs to it, and, in this order, a `\param` for every parameter, `\return` unless the result is
  *   void, and `\since`, the version that brought the function. Chapters are `\defgroup`, groups of
- *   constants `\name`.
+ *   constants `\name`. A chapter begins with an example between `\code` and `\endcode`.
  * - **Parameters.** After `\param` come the direction, the names, which share one description if there are
  *   several with commas between, the shape, perhaps `or NULL`, and the text. The direction is `[in]`,
  *   `[out]` for what is only written, or `[in,out]`. Pointers without a shape point to one value, one
  *   handle, one struct or a zero-terminated text.
  * - **Shapes** are in brackets, slowest index first: `[n][dim]` is n records of dim components. They are
- *   written in terms of other parameters, and of what belongs to the spline that is passed: its axes, its
+ *   written in terms of other parameters, and of properties of the spline that is passed: its axes, its
  *   dimension dim, the number N of its control points, and rational, which is 1 with weights and 0 without;
- *   other letters are explained in the text of the function. Three dots between brackets stand for those of
- *   the other axes. An array of records whose layout the caller chooses is followed at once by a
- *   parameter that ends with _stride, and by another with _component_stride if its records have more than
- *   one component; all other arrays are packed.
- * - **NULL.** A pointer may be NULL if `or NULL` stands behind its shape, or, without a shape, at the
- *   beginning of its text; what follows, up to a colon, says what NULL means, for an output without any
- *   such words that it is not wanted. Any other pointer is required (NURBS_ERROR_NULL), unless its array
- *   has the length 0.
+ *   other letters are explained in the text of the function. Three dots between brackets stand for the
+ *   brackets of the other axes. An array of records whose layout the caller chooses is followed at once by a
+ *   parameter that ends with _stride, and by another with _component_stride if its records have more than one
+ *   component; all other arrays are packed.
+ * - **NULL.** A pointer may be NULL if `or NULL` follows its shape, or, without a shape, begins its text.
+ *   What follows, up to a colon, says what NULL means; an output without such words is simply not wanted. Any
+ *   other pointer is required (NURBS_ERROR_NULL), unless its array has the length 0.
  * - **References.** A parameter whose text begins with another function, as in "as for
- *   nurbs_create()", without a shape of its own, has the shape of the parameter of that name there, and may
- *   be NULL if that may be.
- * - **Statuses** are listed behind `\return`: _AXES is short for NURBS_ERROR_AXES; "as for" another
- *   function, at the beginning, stands for all that it lists, "without" takes some away, "in place of"
- *   exchanges them. Conditions follow where the name does not say enough. Functions with other results
- *   cannot fail.
- * - **Ownership.** What is received through a `nurbs **` or `nurbs_list **` belongs to the caller, who
- *   frees it with nurbs_destroy() or nurbs_list_destroy(); a finalizer may do so in a thread of its own, if
+ *   nurbs_create()", and has no shape of its own, has the shape of the parameter of that name there, and may
+ *   be NULL if that one may be.
+ * - **Statuses** are listed after `\return`: _AXES is short for NURBS_ERROR_AXES. "as for" another function,
+ *   at the beginning, stands for all statuses that it lists; "without" takes some away, "instead of"
+ *   exchanges them. Conditions follow where the name does not say enough. Functions with other results cannot
+ *   fail.
+ * - **Ownership.** A handle received through a `nurbs **` or `nurbs_list **` belongs to the caller, who
+ *   frees it with nurbs_destroy() or nurbs_list_destroy(). A finalizer may do so in a thread of its own, if
  *   it cannot run before the last call that uses the handle returns. All memory that is passed stays the
  *   caller's, and no pointer to it is kept. The text that nurbs_status_name() returns is static. In arrays
- *   of handles none may be NULL, and one may stand several times.
- * - **Lengths that are not known before.** Where a parameter is called `cap`, arrays have that length; 0
- *   asks for the number needed, which comes back in `count`, `entries` or `length`. With a larger cap what
- *   is beyond that number is not written, a smaller one is NURBS_ERROR_SIZE. Texts of at most cap - 1 bytes
+ *   of handles none may be NULL, and the same handle may occur several times.
+ * - **Lengths that are not known before.** Where a parameter is called `cap`, arrays have that length. 0
+ *   asks for the number needed, which comes back in `count`, `entries` or `length`. With a larger cap nothing
+ *   is written beyond that number; a smaller one is NURBS_ERROR_SIZE. Texts of at most cap - 1 bytes
  *   are terminated by a zero, and cut if they are longer.
- * - **Texts** are ASCII, but for names from files, which are the bytes of the file in whatever encoding, and
- *   for the path and the system's words on it in messages of NURBS_ERROR_FILE.
- * - **Threads.** A message belongs to the thread of the operating system whose call failed. Where a
- *   runtime moves tasks between threads (Go), a task has to stay in its thread until it has read the
- *   message. Calls may take long and cannot be interrupted; a thread that is cancelled ends after the call,
- *   not in it. Locks of an interpreter are best released meanwhile. 128 KB of stack are enough for all of
- *   them.
+ * - **Texts** are ASCII, with two exceptions: names from files, which are the bytes of the file in whatever
+ *   encoding, and in messages of NURBS_ERROR_FILE the path and the system's words on it.
+ * - **Threads.** A message belongs to the thread of the operating system whose call failed. Where a runtime
+ *   moves tasks between threads (Go), a task has to stay in its thread until it has read the message. Calls
+ *   may take long and cannot be interrupted; a thread that is cancelled ends after the call, not in it. It is
+ *   best to release the locks of an interpreter during a call. 128 KB of stack are enough for every call.
  */
 #ifndef NURBS_NURBS_H
 #define NURBS_NURBS_H
 
 #include <stdint.h>
 
-/** \brief Marks the exported functions. On Windows a program that links the static library defines
- * NURBS_STATIC. */
-#if defined(_WIN32) && !defined(NURBS_STATIC)
-#define NURBS_API __declspec(dllimport)
-#elif defined(__GNUC__)
+/** \brief Marks the exported functions. */
+#if defined(__GNUC__)
 #define NURBS_API __attribute__((visibility("default")))
 #else
 #define NURBS_API
@@ -270,7 +300,7 @@ enum {
     NURBS_ERROR_INDEX = 28,      /**< an index is outside its list */
     NURBS_ERROR_DIRECTION = 29,  /**< a direction is zero, not finite, or parallel to another one */
     NURBS_ERROR_END_KNOT = 30,   /**< a knot at an end of the domain, where it cannot be removed */
-    NURBS_ERROR_NOT_A_KNOT = 31, /**< a value that has to be a knot of the axis is none */
+    NURBS_ERROR_NOT_A_KNOT = 31, /**< a value that has to be a knot of the axis is not one */
     NURBS_ERROR_MATRIX = 32,     /**< an entry of a matrix or translation is NaN or infinite */
     NURBS_ERROR_RATIONAL = 33,   /**< the spline is rational, which the function is not for */
     NURBS_ERROR_INCOMPATIBLE = 40, /**< splines differ in what they have to share */
@@ -335,7 +365,7 @@ enum {
 /** \brief Evaluation: reduce the parameter by multiples of the domain's length; the start and the end are the
  * same place, seen from the right unless NURBS_LEFT is set. Allowed on every axis, periodic or not. */
 #define NURBS_WRAP 0x08u
-/** \brief Evaluation: a parameter that cannot be evaluated gives NaN in place of an error. NURBS_CLAMP,
+/** \brief Evaluation: a parameter that cannot be evaluated gives NaN instead of an error. NURBS_CLAMP,
  * NURBS_EXTRAPOLATE and NURBS_WRAP exclude each other; each may be combined with NURBS_NAN. */
 #define NURBS_NAN 0x10u
 /** \brief Creation: the axis is periodic with period knots[count] - knots[degree]: knots[i + m] = knots[i] +
@@ -348,11 +378,11 @@ enum {
 /** \name Global flags
  * One bit may mean different things to different functions; each accepts only the flags that its entry names.
  * @{ */
-/** \brief nurbs_eval_adjoint(): add to what the outputs hold in place of overwriting it. */
+/** \brief nurbs_eval_adjoint(): add to what the outputs hold instead of overwriting it. */
 #define NURBS_ACCUMULATE 0x01000000u
-/** \brief nurbs_reverse(): map the domain to itself in place of negating the parameter. */
+/** \brief nurbs_reverse(): map the domain to itself instead of negating the parameter. */
 #define NURBS_KEEP_DOMAIN 0x02000000u
-/** \brief nurbs_join(): ends that do not meet become a jump, in place of an error. */
+/** \brief nurbs_join(): ends that do not meet become a jump instead of an error. */
 #define NURBS_KEEP_GAPS 0x04000000u
 /** \brief nurbs_product(): the dot product. */
 #define NURBS_PRODUCT_DOT 0x08000000u
@@ -362,12 +392,12 @@ enum {
 #define NURBS_HOMOGENEOUS 0x20000000u
 /** \brief nurbs_make_compatible(): map the domains of all splines to that of the first one. */
 #define NURBS_MAP_DOMAINS 0x40000000u
-/** \brief nurbs_curve_divide(): equal distances of consecutive points in place of equal lengths. */
+/** \brief nurbs_curve_divide(): equal distances of consecutive points instead of equal lengths. */
 #define NURBS_EQUAL_CHORDS 0x02000000u
 /** \brief nurbs_snap_boundary(): the two boundaries run against each other. */
 #define NURBS_REVERSED 0x04000000u
-/** \brief nurbs_closest_points() and its neighbours: a point that is not finite gives NaN in place of an
- * error. */
+/** \brief nurbs_closest_points() and its neighbours: a point that is not finite gives NaN instead of
+ * an error. */
 #define NURBS_NAN_POINTS 0x01000000u
 /** @} */
 
@@ -393,6 +423,15 @@ enum {
 /** @} */
 
 /** \defgroup errors Version and errors
+ * \code
+ * char message[256];
+ * nurbs *finer = NULL;
+ * const nurbs_status status = nurbs_insert_knot(curve, 0, 1e9, 1, &finer); // outside the domain
+ * if (status != NURBS_OK) {
+ *     nurbs_last_error(message, sizeof message);
+ *     printf("%s: %s\n", nurbs_status_name(status), message);
+ * }
+ * \endcode
  * @{ */
 
 /** \brief Version of the library that is running, encoded like NURBS_VERSION.
@@ -417,6 +456,15 @@ NURBS_API int64_t nurbs_last_error(char *buf, int64_t cap);
 /** @} */
 
 /** \defgroup create Construction
+ * \code
+ * const int32_t degrees[] = {1, 1}; // a bilinear surface with 2 x 2 control points
+ * const int64_t counts[] = {2, 2};
+ * const double knots[] = {0, 0, 1, 1, 0, 0, 1, 1};
+ * const double points[4][3] = {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1, 1}};
+ * nurbs *made = NULL;
+ * nurbs_create(2, degrees, counts, knots, 8, 3, points[0], 0, 0, NULL, 0, 0, &made);
+ * nurbs_destroy(made);
+ * \endcode
  * @{ */
 
 /** \brief A spline from full knot vectors, Cartesian points and optional weights.
@@ -464,7 +512,7 @@ NURBS_API nurbs_status nurbs_create_homogeneous(int32_t axes, const int32_t *deg
 
 /** \brief A spline from knot vectors without their first and last knot, as openNURBS, Rhino and Maya write
  * them. Each vector has counts[k] + degrees[k] - 1 values; the missing end knots influence nothing inside the
- * domain and are set to the value beside them, or, on a periodic axis, to the one that the period asks for.
+ * domain and are set to the value next to them, or, on a periodic axis, to the one that the period asks for.
  * Degree >= 1.
  * \param[in]
  *   axes,degrees,counts,knots,dim,points,point_stride,point_component_stride,weights,weight_stride,flags as
@@ -544,6 +592,11 @@ NURBS_API void nurbs_destroy(nurbs *g);
 /** @} */
 
 /** \defgroup knots Knot vectors
+ * \code
+ * const double params[] = {0, 0.1, 0.3, 0.4, 0.8, 0.9, 1}; // of 7 points that a cubic interpolates
+ * double knots[11];
+ * nurbs_knots_averaged(3, 7, params, 11, knots);
+ * \endcode
  * @{ */
 
 /** \brief Uniform unclamped knots: t_i = a + (i - p) h with h = (b - a) / (count - p); domain [a, b].
@@ -617,6 +670,14 @@ NURBS_API nurbs_status nurbs_knots_periodic(int32_t degree, int64_t n, const dou
 /** @} */
 
 /** \defgroup inspect Inspection
+ * \code
+ * int32_t degree = 0;
+ * int64_t count = 0;
+ * double domain[2];
+ * nurbs_degree(surface, 1, &degree); // along axis 1
+ * nurbs_count(surface, 1, &count);
+ * nurbs_domain(surface, 1, domain);
+ * \endcode
  * @{ */
 
 /** \brief Number of parametric axes: 1 curve, 2 surface, 3 volume.
@@ -770,6 +831,12 @@ NURBS_API nurbs_status nurbs_hull_size(const nurbs *g, int64_t n, const double *
 /** @} */
 
 /** \defgroup basis Bases
+ * \code
+ * const double knots[] = {0, 0, 0, 0.5, 1, 1, 1}, param = 0.3;
+ * int64_t span = 0;
+ * double values[3]; // the functions of degree 2 that do not vanish there
+ * nurbs_basis(2, 4, knots, 7, 0, 1, &param, 0, &span, values, 0, 0, 0);
+ * \endcode
  * @{ */
 
 /** \brief Span of each parameter: the index s with knots[s] <= t < knots[s+1] (the last span is closed),
@@ -848,6 +915,11 @@ NURBS_API nurbs_status nurbs_rational_basis(const nurbs *g, int64_t n, const dou
 /** @} */
 
 /** \defgroup eval Evaluation
+ * \code
+ * const double params[2][2] = {{0.1, 0.2}, {0.5, 0.5}};
+ * double points[2][3];
+ * nurbs_eval(surface, 2, params[0], 0, 0, points[0], 0, 0, 0);
+ * \endcode
  * @{ */
 
 /** \brief Points at parameters.
@@ -895,7 +967,7 @@ NURBS_API nurbs_status nurbs_eval_derivs(const nurbs *g, int32_t order, int64_t 
                                          uint32_t flags);
 
 /** \brief Points on the grid of all combinations of one parameter from each axis. Where a count is 0 there
- * are none, but the parameters of the other axes are checked.
+ * are no points, but the parameters of the other axes are checked.
  * \param[in] g a spline.
  * \param[in] counts [axes] number of parameters on each axis.
  * \param[in] params [sum of counts] the parameters of axis 0, then of axis 1, then of axis 2, in any order.
@@ -967,23 +1039,28 @@ NURBS_API nurbs_status nurbs_iso(const nurbs *g, int32_t axis, double param, uin
 /** @} */
 
 /** \defgroup frames Frames and curvature
- * What is computed from derivatives, in one pass. Every output may be NULL, which means not wanted; its
- * strides are then ignored.
+ * \code
+ * const double params[] = {0.5, 0.5};
+ * double point[3], normal[3];
+ * nurbs_surface_eval_frames(surface, 1, params, 0, 0, point, 0, 0, NULL, 0, 0, NULL, 0, 0, normal, 0, 0,
+ *                           NULL, 0);
+ * \endcode
+ * Points, directions and curvatures computed from derivatives, in one pass. Every output may be NULL, which
+ * means not wanted; its strides are then ignored.
  *
  * `status` receives for each point a sum of the NURBS_FRAME_ bits, 0 where nothing is special.
  *
- * A vector is taken for zero where its exact value may be zero: where its length is at most the bound of its
- * rounding error. For a derivative of order k that is 2 (c + 2 k) eps |E_a|, as in the preamble, but with sums
- * of |P - O| in the first step of a curve too, E_a taken as a vector; for a product of two it is each factor's
- * length times the other's bound, summed. No other tolerance enters: where points or knots are multiplied by
- * powers of two no bit of a direction changes, and curvatures are multiplied by a power of two. That holds at
- * every size (since 1.1), also where derivatives or their products leave double precision, unless the result
- * does.
- * One parameter gives the same bits alone, in a batch and on a grid.
+ * A vector counts as zero if its exact value may be zero: if its length is at most the bound of its rounding
+ * error. For a derivative of order k that bound is 2 (c + 2 k) eps |E_a|, as in the preamble, but with sums
+ * of |P - O| in the first step of a curve too, E_a being taken as a vector. For a product of two it is each
+ * factor's length times the other's bound, summed. No other tolerance enters: if points or knots are
+ * multiplied by powers of two, no bit of a direction changes, and curvatures are multiplied by a power of
+ * two. That holds at every size (since 1.1), even if derivatives or their products leave double precision,
+ * unless the result does. One parameter gives the same bits alone, in a batch and on a grid.
  *
  * Limits are taken from the side that the flags name (from above, or from below with NURBS_LEFT), at the ends
- * of the domain from within, outside it from the domain's side. They use derivatives of orders up to 8; what
- * would need higher ones counts as not existing. Where nothing exists NaN is written and
+ * of the domain from within, outside it from the domain's side. They use derivatives of orders up to 8; a
+ * limit that would need higher ones counts as not existing. If a result does not exist, NaN is written and
  * NURBS_FRAME_UNDEFINED is set, also for parameters that give NaN.
  * @{ */
 
@@ -1157,10 +1234,18 @@ NURBS_API nurbs_status nurbs_curve_rotation_minimizing_frames(
 /** @} */
 
 /** \defgroup refine Refinement
- * Exact operations: the shape and its parameters stay, the accuracy is that of inserting knots (see above).
- * Those along an axis make each new layer of control points from at most degree + 1 old ones by factors in
- * [0, 1], of homogeneous points when rational; layers that no knot reaches keep their bits. Costs grow
- * linearly with the number of control points.
+ * \code
+ * nurbs *finer = NULL, *lower = NULL, *upper = NULL;
+ * nurbs_insert_knot(curve, 0, 0.3, 1, &finer); // the same shape, one control point more
+ * nurbs_split(curve, 0, 0.3, &lower, &upper);
+ * nurbs_destroy(finer);
+ * nurbs_destroy(lower);
+ * nurbs_destroy(upper);
+ * \endcode
+ * Exact operations: the shape and its parameters stay, and the accuracy is that of inserting knots (see
+ * above). Operations along an axis make each new layer of control points from at most degree + 1 old ones, by
+ * factors in [0, 1], of homogeneous points when rational. Layers that no knot reaches keep their bits. Costs
+ * grow linearly with the number of control points.
  * @{ */
 
 /** \brief Inserts a knot without changing the shape (Boehm 1980).
@@ -1180,7 +1265,7 @@ NURBS_API nurbs_status nurbs_insert_knot(const nurbs *g, int32_t axis, double kn
                                          nurbs **out);
 
 /** \brief Inserts a list of knots at once without changing the shape. New control point j is the polar form
- * of the spline at the `degree` knots behind new knot j, found by one step of de Boor's algorithm for each of
+ * of the spline at the `degree` knots after new knot j, found by one step of de Boor's algorithm for each of
  * them that is not an old knot (Cohen, Lyche & Riesenfeld 1980; Lyche & Morken 1986). On a periodic axis the
  * copies one period away are inserted too, and the end of the domain is its start.
  * \param[in] g a spline.
@@ -1208,9 +1293,9 @@ NURBS_API nurbs_status nurbs_refine_uniform(const nurbs *g, int32_t axis, int64_
 
 /** \brief The matrix A of nurbs_refine() along one axis, as compressed sparse rows (CSR): new layer i is
  * sum_j A[i][j] * old layer j, with homogeneous points when rational. It has one row for each of the m =
- * (count along the axis) + count new layers; entries are > 0, but for a 0 between two of them where one
- * underflows, at most degree + 1 in a row, those of a row add up to 1, each is within 3 n eps of itself, n
- * the number of entries of its row less one, and in rising columns. On a periodic axis rows and columns are
+ * (count along the axis) + count new layers; entries are > 0, except for a 0 between two of them where
+ * one underflows, at most degree + 1 in a row, those of a row add up to 1, each is within 3 n eps of itself,
+ * n the number of entries of its row less one, and in rising columns. On a periodic axis rows and columns are
  * those of the stored layers.
  * \param[in] g a spline.
  * \param[in] axis 0-based axis.
@@ -1293,7 +1378,7 @@ NURBS_API nurbs_status nurbs_split_at_knots(const nurbs *g, int32_t axis, int32_
 NURBS_API nurbs_status nurbs_clamp_ends(const nurbs *g, int32_t axis, uint32_t flags, nurbs **out);
 
 /** \brief Moves the seam of a periodic axis: the same shape, periodic again, over [param, param + period].
- * The seam becomes a knot if it is none. Control points keep their bits where no knot went in; knots that
+ * The seam becomes a knot if it is not one. Control points keep their bits where no knot went in; knots that
  * move by a period are rounded.
  * \param[in] g a spline.
  * \param[in] axis 0-based axis, periodic.
@@ -1323,8 +1408,8 @@ NURBS_API nurbs_status nurbs_move_seam(const nurbs *g, int32_t axis, double para
  * \param[in] flags NURBS_KEEP_GAPS or 0.
  * \param[out] gap or NULL: largest distance of corresponding control points of two ends.
  * \param[out] out the new handle.
- * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERFLOW, _AXIS, _TOLERANCE, _FLAGS; _INCOMPATIBLE if numbers of
- *   axes, dimensions or the other axes differ or weights do not agree; _GAP if two ends do not meet;
+ * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERFLOW, _AXIS, _TOLERANCE, _FLAGS; _INCOMPATIBLE if numbers
+ *   of axes, dimensions or the other axes differ or weights do not agree; _GAP if two ends do not meet;
  *   _KNOTS_MERGE if knots that are moved would round to one; _PERIODIC_KNOTS as for nurbs_elevate();
  *   _NOT_REPRESENTABLE if a value overflows, _WEIGHTS_VANISH if weights underflow.
  * \since 1.0 */
@@ -1396,8 +1481,8 @@ NURBS_API nurbs_status nurbs_make_compatible(int64_t count, const nurbs *const *
  * one b, the new control points are the polar form of the piece at interior knots, b and e, and values of it
  * at b and e alone continued as a polynomial of degree k in their number.
  * Rounding: homogeneous points of the result are within 16 (degree + 1) eps G times the largest homogeneous
- * coordinate of g and of the result (tested), k at most the degree. At an end that is clamped, weights that are
- * all equal stay so bit for bit (since 1.1).
+ * coordinate of g and of the result (tested), k at most the degree. At an end that is clamped, weights that
+ * are all equal stay so bit for bit (since 1.1).
  * \param[in] g a spline.
  * \param[in] axis 0-based axis, not periodic.
  * \param[in] end NURBS_START or NURBS_END.
@@ -1406,8 +1491,8 @@ NURBS_API nurbs_status nurbs_make_compatible(int64_t count, const nurbs *const *
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _END, _ORDER, _PERIODIC, _PARAMETER_NOT_FINITE; _EMPTY_DOMAIN if
  *   the domain would not grow; _WEIGHT_NEGATIVE, _WEIGHTS_VANISH if the weights do not stay positive (not
- *   where g was built homogeneous: nurbs_from_homogeneous() of the extended nurbs_to_homogeneous() of g is the
- *   homogeneous result of any g); _NOT_REPRESENTABLE if a value overflows.
+ *   where g was built homogeneous: nurbs_from_homogeneous() of the extended nurbs_to_homogeneous() of g is
+ *   the homogeneous result of any g); _NOT_REPRESENTABLE if a value overflows.
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_extend(const nurbs *g, int32_t axis, int32_t end, double amount, int32_t order,
                                     nurbs **out);
@@ -1420,9 +1505,10 @@ NURBS_API nurbs_status nurbs_extend(const nurbs *g, int32_t axis, int32_t end, d
  * (since 1.1). Ends that are not clamped, and periodic axes, stay as they are.
  * \param[in] g a spline.
  * \param[in] axis 0-based axis.
- * \param[in] flags NURBS_FORM_CLAMPED_START, NURBS_FORM_CLAMPED_END, both or 0: the ends to be unclamped. With
- *   them NURBS_HOMOGENEOUS (since 1.1): the result of a rational g is as from nurbs_create_homogeneous(), of
- *   the records of nurbs_homogeneous_points(), so that its weights may have any sign.
+ * \param[in] flags NURBS_FORM_CLAMPED_START, NURBS_FORM_CLAMPED_END, both or 0: the ends to be unclamped.
+ *   With them NURBS_HOMOGENEOUS (since 1.1): the result of a rational g is as from
+ *   nurbs_create_homogeneous(), of the records of nurbs_homogeneous_points(), so that its weights may have
+ *   any sign.
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _FLAGS; _WEIGHT_NEGATIVE, _WEIGHTS_VANISH if weights beyond the
  *   domain do not stay positive (not where g was built homogeneous, nor with NURBS_HOMOGENEOUS); _KNOTS_MERGE
@@ -1462,6 +1548,11 @@ NURBS_API nurbs_status nurbs_detect_periodic(const nurbs *g, int32_t axis, int32
 /** @} */
 
 /** \defgroup forms Degree and form
+ * \code
+ * nurbs *raised = NULL;
+ * nurbs_elevate(surface, 0, 1, &raised); // one degree more along axis 0, the same shape
+ * nurbs_destroy(raised);
+ * \endcode
  * @{ */
 
 /** \brief Raises the degree along an axis without changing the shape (Prautzsch 1984).
@@ -1572,7 +1663,7 @@ NURBS_API nurbs_status nurbs_normalize_weights(const nurbs *g, nurbs **out);
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS; _FACTOR if ratio is not positive and finite, _PERIODIC on a
  *   periodic axis, whose knots would not repeat, _DEGREE at degree 0, _KNOTS_MERGE if knots would become one
- *   or lie at or behind the pole of the map (beyond the domain of an unclamped axis), _NOT_REPRESENTABLE if
+ *   or lie at or beyond the pole of the map (beyond the domain of an unclamped axis), _NOT_REPRESENTABLE if
  *   a value overflows, _WEIGHTS_VANISH if weights underflow.
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_reparametrize_moebius(const nurbs *g, int32_t axis, double ratio, nurbs **out);
@@ -1590,10 +1681,15 @@ NURBS_API nurbs_status nurbs_equalize_end_weights(const nurbs *g, int32_t axis, 
 /** @} */
 
 /** \defgroup calculus Calculus
- * Derivatives, integrals, sums and products of splines are splines. Where bounds speak of control points
- * they mean their homogeneous components, before a division by the weight that adds eps / 2; the weights of
+ * \code
+ * nurbs *hodograph = NULL;
+ * nurbs_derivative(curve, 0, 1, &hodograph); // C'(t) as a spline
+ * nurbs_destroy(hodograph);
+ * \endcode
+ * Derivatives, integrals, sums and products of splines are splines. Where bounds speak of control points they
+ * mean their homogeneous components, before a division by the weight that adds eps / 2. The weights of
  * rational operands count up to one power of two for each (which keeps weights that are all beyond 2^256 or
- * below 2^-256 in range). Where the knots of a periodic axis repeat to rounding only, that rounding moves
+ * below 2^-256 in range). If the knots of a periodic axis repeat only to rounding, that rounding moves
  * control points as well.
  * @{ */
 
@@ -1696,8 +1792,8 @@ NURBS_API nurbs_status nurbs_product(const nurbs *a, const nurbs *b, uint32_t fl
  * differs by at most u from a knot of g that it crosses it counts as that knot; between two spans of f the
  * smaller u decides, and of u only the first term where the value is a control point of f. So knots of g that
  * are at most u apart can come to one parameter; m above is then the sum of their multiplicities, d + 1 knots
- * at most, and the result leaves out the spans between them: on either side it is g beside them, of which
- * alone the derivatives count below, and whatever g does between them becomes a jump.
+ * at most, and the result leaves out the spans between them: on either side it is g next to them, only
+ * whose derivatives count below, and whatever g does between them becomes a jump.
  *
  * A control point is the mean of values of the polar form of g at values of that of f (DeRose, Goldman, Hagen
  * & Mann 1993). Parameters at which f crosses knots of g are rounded; the pieces on both sides share that
@@ -1712,11 +1808,11 @@ NURBS_API nurbs_status nurbs_product(const nurbs *a, const nurbs *b, uint32_t fl
  *
  * f may be rational with positive weights w_i (since 1.1), such as a circle in the domain of a surface. The
  * result then has weights: a polar value of g counts with the product of the weights of its p_0 + p_1 + ...
- * arguments, divided by the power of two in the largest w_i for each of them. In u the first term is 8 (q + 2)
- * eps max |F|, and f' counts by q (w_i + w_(i+1)) / min w times max F - min F over t_(i+q+1) - t_(i+1), all of
- * the span; weights by which the second term exceeds that of equal weights by (max F - min F) / 4, as ratios
- * beyond some 10^14 / q are, are refused. A component of the homogeneous points may be off by (4 q + 6) eps
- * more for each argument; all these bounds are in parts of the product of weights that the point is
+ * arguments, divided by the power of two in the largest w_i for each of them. In u the first term is 8 (q +
+ * 2) eps max |F|, and f' counts by q (w_i + w_(i+1)) / min w times max F - min F over t_(i+q+1) - t_(i+1),
+ * all of the span; weights by which the second term exceeds that of equal weights by (max F - min F) / 4, as
+ * ratios beyond some 10^14 / q are, are refused. A component of the homogeneous points may be off by (4 q +
+ * 6) eps more for each argument; all these bounds are in parts of the product of weights that the point is
  * multiplied by, at a parameter w(t) to the power p_0 + p_1 + ..., and for a point that belongs to several
  * spans of f in parts of the largest on the span of them that it is computed on, the longest.
  * \param[in] g a spline, rational or not.
@@ -1725,15 +1821,15 @@ NURBS_API nurbs_status nurbs_product(const nurbs *a, const nurbs *b, uint32_t fl
  * \return NURBS_OK, NURBS_ERROR_NULL; _AXES if f is no curve, _RATIONAL if a weight of f is not positive,
  *   _DIMENSION if its dimension does not suit, _DEGREE if the new degree exceeds NURBS_MAX_DEGREE,
  *   _NOT_MONOTONE, _OUTSIDE_DOMAIN if f leaves the domain of g or runs over too many periods, _PERIODIC_KNOTS
- *   if copies of knots of g cannot be told apart, _NOT_REPRESENTABLE if a value or u overflows or u is too large,
- *   _WEIGHTS_VANISH if weights underflow, _OVERFLOW.
+ *   if copies of knots of g cannot be told apart, _NOT_REPRESENTABLE if a value or u overflows or u is too
+ *   large, _WEIGHTS_VANISH if weights underflow, _OVERFLOW.
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_compose(const nurbs *g, const nurbs *f, nurbs **out);
 
 /** \brief The linear combination alpha a(t) + beta b(t) of two splines over the same domain on every axis.
  * If neither is rational, both are written over common knots, with the higher degree on each axis and every
- * knot as often as the continuity asks for; so too two rational ones whose weights then are equal bit for
- * bit. Any others are added over the product of the denominators, where degrees add up as in
+ * knot as often as the continuity asks for. The same holds for two rational splines whose weights are then
+ * equal bit for bit. Any others are added over the product of the denominators, where degrees add up as in
  * nurbs_product(). An axis is periodic if it is so in both. Control points are within 2 eps for each axis
  * (tested; 5 (r + 1) eps, r the new degree, is proved) of max |alpha a| + max |beta b|, over a product
  * (alpha A w_b + beta B w_a) of max |alpha A| max |w_b| + max |beta B| max |w_a|.
@@ -1748,9 +1844,9 @@ NURBS_API nurbs_status nurbs_compose(const nurbs *g, const nurbs *f, nurbs **out
 NURBS_API nurbs_status nurbs_sum(const nurbs *a, double alpha, const nurbs *b, double beta, nurbs **out);
 
 /** \brief The C^1 piecewise cubic curve through points with given derivatives, as a spline with double knots:
- * its control points are the Bezier points P_i - h_(i-1) T_i / 3 and P_i + h_i T_i / 3 beside each point, and
- * the two ends, each within 2 eps of the sum of its terms. nurbs_eval_derivs() at the parameters gives the
- * data back.
+ * its control points are the Bezier points P_i - h_(i-1) T_i / 3 and P_i + h_i T_i / 3 next to each point,
+ * and the two ends, each within 2 eps of the sum of its terms. nurbs_eval_derivs() at the parameters gives
+ * the data back.
  * \param[in] n number of points, at least 2.
  * \param[in] params [n] strictly increasing.
  * \param[in] dim dimension of the points.
@@ -1771,10 +1867,10 @@ NURBS_API nurbs_status nurbs_create_hermite(int64_t n, const double *params, int
 
 /** \brief The points and derivatives of a C^1 piecewise cubic at the ends of its non-empty spans, from which
  * nurbs_create_hermite() makes the same curve: clamped, with double knots. A curve of degree p < 3 has them
- * too. Whether it is C^1 is told by the knots alone: none inside the domain may occur more than p - 1 times
+ * too. The knots alone decide whether it is C^1: none inside the domain may occur more than p - 1 times
  * (nurbs_simplify() takes superfluous ones away). Points are those of nurbs_decompose(), within 2 eps of the
- * largest magnitude M of a control point that is active beside them, ends of a clamped curve exactly;
- * tangents are within 14 p eps M / h of the derivative, h the longer one of the two spans beside the point
+ * largest magnitude M of a control point that is active next to them, ends of a clamped curve exactly;
+ * tangents are within 14 p eps M / h of the derivative, h the longer one of the two spans next to the point
  * (both tested).
  * \param[in] g a polynomial curve of degree 0 to 3.
  * \param[in] cap length of the arrays in points; 0 asks for the number only.
@@ -1799,7 +1895,7 @@ NURBS_API nurbs_status nurbs_to_hermite(const nurbs *g, int64_t cap, double *par
  *
  *     (sum_i (2 + 2 k_i)) eps M prod_i 2^k_i binomial(p_i, k_i) / h_i^k_i
  *
- * (tested; 4 p_i + 3 in place of 2 is proved) of their exact values, M the largest magnitude of that
+ * (tested; 4 p_i + 3 instead of 2 is proved) of their exact values, M the largest magnitude of that
  * component in a control point that is active on the piece, and unless they underflow. The power basis is ill
  * conditioned at the far end of a span; the Bezier pieces of nurbs_decompose() are not.
  * \param[in] g a spline, of width W = dim, or dim + 1 if it is rational.
@@ -1858,17 +1954,23 @@ NURBS_API nurbs_status nurbs_basis_matrix(int32_t from, int32_t to, int32_t degr
 /** @} */
 
 /** \defgroup continuity Continuity
+ * \code
+ * int64_t count = 0; // of the knots inside the domain
+ * nurbs_continuity(curve, 0, 1e-6, 1e-6, 1e-6, 0, NULL, NULL, NULL, NULL, NULL, NULL, NULL, &count);
+ * \endcode
  * The parametric order k of a place says that the derivatives of orders 0 to k are the same on both sides: -1
- * is a jump, 0 a kink; it is at most the degree. It holds within tolerances: points may differ by
+ * is a jump, 0 a kink. It is at most the degree. It holds within tolerances: points may differ by
  * position_tolerance, the derivatives of order 1 and more by derivative_tolerance times the length of the
- * longer one, and all of them by the rounding that their computation may have, so that tolerances of 0 ask
- * for what double precision can tell. The geometric order is 0 where the points agree so, 1 where in addition
- * the angle between the tangents is at most angle_tolerance, and 2 where their curvature vectors (C'' - (C''
- * T) T) / |C'|^2 differ by at most derivative_tolerance times the longer one, or times 1 / l, l the length
- * |C'| h of the longer one of the two spans [t, t + h]: along l a gap d turns the tangent by d l, so that no
+ * longer one, and all of them by the rounding that their computation may have. So tolerances of 0 ask for as
+ * much as double precision can decide.
+ *
+ * The geometric order is 0 if the points agree in this way. It is 1 if in addition the angle between the
+ * tangents is at most angle_tolerance. It is 2 if their curvature vectors (C'' - (C'' T) T) / |C'|^2 also
+ * differ by at most derivative_tolerance times the longer one, or times 1 / l, where l is the length |C'| h
+ * of the longer one of the two spans [t, t + h]: along l a gap d turns the tangent by d l, so that no
  * rounding breaks a straight line. Where the first derivative vanishes the tangent is the limit, given by the
- * first derivative that does not, and the geometric order is at most 1; where all vanish it is at most 0, and
- * the angle NaN.
+ * first derivative that does not, and the geometric order is at most 1. Where all vanish it is at most 0, and
+ * the angle is NaN.
  * @{ */
 
 /** \brief Continuity at the knots of an axis: one row for each distinct knot inside the domain, and one more,
@@ -1924,19 +2026,25 @@ NURBS_API nurbs_status nurbs_continuity_between(const nurbs *a, int32_t end_a, c
 /** @} */
 
 /** \defgroup reduce Reduction
- * Operations that move the shape. Each returns a bound of the distance to what it was given, in the space of
- * the points (Cartesian, also when rational), that is proven: it holds at every parameter and includes the
+ * \code
+ * double bound = 0; // no point moves by more
+ * nurbs *fewer = NULL;
+ * nurbs_reduce_knots(curve, 0, 1e-3, &bound, &fewer);
+ * nurbs_destroy(fewer);
+ * \endcode
+ * Operations that move the shape. Each returns a proven bound of the distance to the given spline, in the
+ * space of the points (Cartesian, also when rational). The bound holds at every parameter and includes the
  * rounding of its own computation, some 30 (degree + 1) eps times the size of the model. A tolerance below
  * that changes nothing. Distances are taken at equal parameters. Bounds come from Bernstein pieces of the
- * difference, whose numerators and denominators enclose it, by subdividing the worst one until the largest
+ * difference, whose numerators and denominators enclose it. The worst piece is subdivided until the largest
  * distance is known to a factor of 5/4.
  * @{ */
 
 /** \brief Encloses the largest distance sup |f(t) - g(t)| of two splines over their domain, both limits at
  * jumps included. Degrees, knots and weights may differ, and either may be periodic or rational; axes,
  * dimension and domains have to agree. at_least <= sup <= at_most, both proven; at_most <= 5/4 at_least
- * beside rounding, unless that takes more than 600 subdivisions. Weights may be 0; where the weights do not
- * let a denominator be shown to have no zero, at_most is infinite.
+ * apart from rounding, unless that takes more than 600 subdivisions. Weights may be 0; where the weights do
+ * not let a denominator be shown to have no zero, at_most is infinite.
  * \param[in] f,g two splines.
  * \param[out] at_least or NULL: a distance that is reached.
  * \param[out] at_most or NULL: one that is not exceeded.
@@ -2023,6 +2131,12 @@ NURBS_API nurbs_status nurbs_simplify(const nurbs *g, double tolerance, double *
 /** @} */
 
 /** \defgroup transform Transformations
+ * \code
+ * const double quarter_turn[9] = {0, -1, 0, 1, 0, 0, 0, 0, 1}, shift[3] = {0, 0, 2};
+ * nurbs *turned = NULL;
+ * nurbs_transform(surface, 3, quarter_turn, shift, &turned);
+ * nurbs_destroy(turned);
+ * \endcode
  * @{ */
 
 /** \brief Applies the affine map x -> A x + b to the control points, and with them to the shape:
@@ -2112,6 +2226,11 @@ NURBS_API nurbs_status nurbs_project_from(const nurbs *g, const double *eye, con
 /** @} */
 
 /** \defgroup curves Lines, conics and helices
+ * \code
+ * nurbs *circle = NULL;
+ * nurbs_curve_circle(2, NULL, NULL, NULL, 1.0, NURBS_ARC_QUARTERS, &circle); // the unit circle of the plane
+ * nurbs_destroy(circle);
+ * \endcode
  * Curves that are defined by a few numbers. All are clamped and run over [0, 1] unless their text says
  * otherwise; a spline with all weights equal is polynomial.
  *
@@ -2330,7 +2449,7 @@ NURBS_API nurbs_status nurbs_curve_conic_triangle(int32_t dim, const double *p0,
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _DIMENSION, _POINT_NOT_FINITE; _DIRECTION if a tangent is zero or not
  *   finite, _FACTOR if rho is out of range; _CONIC if the tangents are parallel, do not meet in one point
- *   to within rounding, or meet behind a or beyond b; _NOT_REPRESENTABLE if a coordinate overflows.
+ *   to within rounding, or meet before a or beyond b; _NOT_REPRESENTABLE if a coordinate overflows.
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_curve_conic_shoulder(int32_t dim, const double *a, const double *tangent_a,
                                                   const double *b, const double *tangent_b, double rho,
@@ -2472,15 +2591,21 @@ NURBS_API nurbs_status nurbs_curve_helix(int32_t dim, const double *origin, cons
 /** @} */
 
 /** \defgroup shapes Surfaces and volumes from curves
- * Exact constructions. Domains of what is given are kept, new axes run over [0, 1]. Placements, angles and
- * forms of arcs are those of the curves; shapes of revolution have the angle as axis 0 and a normal S_u x
+ * \code
+ * const double up[] = {0, 0, 1};
+ * nurbs *wall = NULL;
+ * nurbs_extrude(curve, up, &wall);
+ * nurbs_destroy(wall);
+ * \endcode
+ * Exact constructions. Domains of given splines are kept, new axes run over [0, 1]. Placements, angles and
+ * forms of arcs are those of the curves. Shapes of revolution have the angle as axis 0, and a normal S_u x
  * S_v that points outwards where the sweep is positive.
  *
- * With size the largest coordinate among the control points, evaluated points lie within 4 eps * size of
- * the true sphere, cylinder, cone or torus, and within 5 eps * size of the other quadrics (tested). What is
- * made of splines has the weights and Cartesian control points of its formula, of which each product and
- * sum is rounded once, those of revolved shapes once in all; ruled shapes also what makes their splines
- * compatible.
+ * With size the largest coordinate among the control points, evaluated points lie within 4 eps * size of the
+ * true sphere, cylinder, cone or torus, and within 5 eps * size of the other quadrics (tested). A shape made
+ * of splines has the weights and Cartesian control points of its formula. Each product and sum of the formula
+ * is rounded once; revolved shapes are rounded once in all; ruled shapes are also moved by what makes their
+ * splines compatible.
  * @{ */
 
 /** \name Flags of constructions
@@ -2494,7 +2619,8 @@ NURBS_API nurbs_status nurbs_curve_helix(int32_t dim, const double *origin, cons
 /** @} */
 
 /** \brief Moves a curve or surface along a vector: (u, v) -> g(u) + v vector, the new axis last, of degree 1
- * over [0, 1]. A plane curve moves in its plane: nurbs_transform() with a matrix of 3 x 2 lifts it into space.
+ * over [0, 1]. A plane curve moves in its plane: nurbs_transform() with a matrix of 3 x 2 lifts it into
+ * space.
  * \param[in] g a spline of 1 or 2 axes.
  * \param[in] vector [dim] the way, not 0.
  * \param[out] out the new handle, with one axis more.
@@ -2536,7 +2662,7 @@ NURBS_API nurbs_status nurbs_revolve(const nurbs *g, const double *point, const 
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_ruled(const nurbs *a, const nurbs *b, uint32_t flags, nurbs **out);
 
-/** \brief The translational sweep alpha a(u) + beta b(v), the axes of b behind those of a. The weights are
+/** \brief The translational sweep alpha a(u) + beta b(v), the axes of b after those of a. The weights are
  * products, so that the sum is one of Cartesian points.
  * \param[in] a,b splines of the same dimension with at most NURBS_MAX_AXES axes together.
  * \param[in] alpha,beta finite factors.
@@ -2548,7 +2674,7 @@ NURBS_API nurbs_status nurbs_ruled(const nurbs *a, const nurbs *b, uint32_t flag
 NURBS_API nurbs_status nurbs_tensor_sum(const nurbs *a, double alpha, const nurbs *b, double beta,
                                         nurbs **out);
 
-/** \brief The product a(u) b(v), component by component, the axes of b behind those of a; one of them may
+/** \brief The product a(u) b(v), component by component, the axes of b after those of a; one of them may
  * have dimension 1 and multiplies all components of the other.
  * \param[in] a,b splines with at most NURBS_MAX_AXES axes together.
  * \param[out] out the new handle.
@@ -2636,7 +2762,7 @@ NURBS_API nurbs_status nurbs_surface_spherical_patch(const double *center, const
  * \param[in] radius > 0.
  * \param[in] flags NURBS_HEMISPHERE, or 0.
  * \param[out] out the new list.
- * \return as for nurbs_surface_sphere(), _FLAGS in place of _FORM.
+ * \return as for nurbs_surface_sphere(), _FLAGS instead of _FORM.
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_surface_sphere_patches(const double *center, const double *axis, const double *x,
                                                     double radius, uint32_t flags, nurbs_list **out);
@@ -2742,6 +2868,20 @@ NURBS_API nurbs_status nurbs_surface_hyperboloid(const double *center, const dou
 /** @} */
 
 /** \defgroup coons Surfaces and volumes from their boundaries
+ * \code
+ * nurbs *edges[4] = {NULL, NULL, NULL, NULL}, *patch = NULL;
+ * nurbs_list *list = NULL;
+ * nurbs_boundaries(surface, &list);
+ * for (int64_t i = 0; i < 4; ++i) {
+ *     nurbs_list_get(list, i, &edges[i]);
+ * }
+ * nurbs_surface_coons((const nurbs *const *)edges, 1e-9, &patch);
+ * for (int i = 0; i < 4; ++i) {
+ *     nurbs_destroy(edges[i]);
+ * }
+ * nurbs_destroy(patch);
+ * nurbs_list_destroy(list);
+ * \endcode
  * A boundary of a spline is what is left when one axis stands at one end of its domain. The boundaries of a
  * surface (4 curves) and of a volume (6 surfaces) are counted by axis, then by end:
  *
@@ -2774,7 +2914,7 @@ NURBS_API nurbs_status nurbs_surface_hyperboloid(const double *center, const dou
  * is polynomial where the weights of every boundary are equal. Weights of the faces of a volume are taken
  * apart into a factor for each axis where they are such products, to 8 eps, which gives degrees up to 4 p +
  * 1; where one face has others, the denominators of edges are factors too, up to 8 p + 1 in all, and edges
- * follow the first of their faces in place of the mean; the time then grows with the cube of the number of
+ * follow the first of their faces instead of the mean; the time then grows with the cube of the number of
  * knots of all those factors (seconds for six rational cubic faces of 7 x 7 points).
  * @{ */
 
@@ -2840,8 +2980,8 @@ NURBS_API nurbs_status nurbs_surface_coons(const nurbs *const *boundaries, doubl
  *   along each boundary (0: S_u(u0, v), 2: S_v(u, v0)). Their domains are mapped to those of the boundaries
  *   without changing their values.
  * \param[in] twist one of the NURBS_TWIST_ constants; without cross not NURBS_TWIST_COMPATIBLE or _AVERAGE.
- * \param[in] twists [4][dim] or NULL, which it must be but for NURBS_TWIST_GIVEN: S_uv at (u0, v0), (u0, v1),
- *   (u1, v0), (u1, v1).
+ * \param[in] twists [4][dim] or NULL, which it must be except for NURBS_TWIST_GIVEN: S_uv at (u0, v0), (u0,
+ *   v1), (u1, v0), (u1, v1).
  * \param[in] tolerance largest gap at a corner, between tangents of boundaries and cross tangents there,
  *   and for NURBS_TWIST_COMPATIBLE between twists, >= 0.
  * \param[out] bound or NULL: largest difference between the twists used and those of the cross tangents, 0
@@ -2874,7 +3014,7 @@ NURBS_API nurbs_status nurbs_coons_gaps(const nurbs *const *boundaries, const nu
 
 /** \brief The volume that blends six faces linearly (Gordon & Hall 1973): the sum of the blends of opposite
  * faces, less those of the twelve edges, plus that of the eight corners. Gaps along edges are proven
- * bounds, at most a quarter above the largest distance but for rounding.
+ * bounds, at most a quarter above the largest distance, apart from rounding.
  * \param[in] faces [6] surfaces of the same dimension, in the order above.
  * \param[in] tolerance largest gap along an edge, >= 0.
  * \param[out] out the new handle.
@@ -2884,6 +3024,11 @@ NURBS_API nurbs_status nurbs_volume_coons(const nurbs *const *faces, double tole
 /** @} */
 
 /** \defgroup recognize Recognition
+ * \code
+ * int32_t shape = NURBS_SHAPE_NONE;
+ * double placement[9], sizes[3], deviation = 0;
+ * nurbs_recognize(surface, 1e-6, &shape, placement, sizes, &deviation); // such as NURBS_SHAPE_SPHERE
+ * \endcode
  * @{ */
 
 /** \name Shapes
@@ -2910,8 +3055,8 @@ NURBS_API nurbs_status nurbs_volume_coons(const nurbs *const *faces, double tole
  * is fitted to points of g; then the distance of all of g from it is bounded through the Bernstein
  * coefficients of the equation of the shape along g, so that what is returned is proven, its rounding
  * included. A closed or partial shape, and how it is parametrized, make no difference. What does not fit may
- * be within the tolerance of a shape all the same, if by little: distances are made small in the mean, and the
- * bound is within a factor of about 5/4, in the worst cases seen 3/2.
+ * be within the tolerance of a shape all the same, if by little: distances are made small in the mean, and
+ * the bound is within a factor of about 5/4, in the worst cases seen 3/2.
  *
  * The numbers are a placement and up to three sizes, of which none of these shapes needs the third; unused
  * ones are 0:
@@ -2938,13 +3083,13 @@ NURBS_API nurbs_status nurbs_volume_coons(const nurbs *const *faces, double tole
  * positive. Hyperbolas are one branch and cones one half, and a torus with r > R is its outer part.
  *
  * On exact shapes the bound is some 1e-14 of the largest distance of a Bezier point of g from the origin of
- * the shape, for degree 2, and a little more where coordinates are large beside g; it grows in proportion
- * to the sum of the degrees, and up to fiftyfold for tori that nearly reach their axis and long hyperbolas
- * (measured). Tolerances below that find nothing, and control points far beyond a shape, of small weights,
- * cost digits in proportion. Control points at infinity are allowed; where the weights of g cannot be shown
- * to have one sign, the result is NURBS_SHAPE_NONE. The time is that of up to 60 subdivisions of each
- * Bezier piece, each in proportion to the square of the number of its control points; for most shapes one
- * or two are enough.
+ * the shape, for degree 2, and a little more where coordinates are large compared with g; it grows in
+ * proportion to the sum of the degrees, and up to fiftyfold for tori that nearly reach their axis and long
+ * hyperbolas (measured). Tolerances below that find nothing, and control points far beyond a shape, of small
+ * weights, cost digits in proportion. Control points at infinity are allowed; where the weights of g cannot
+ * be shown to have one sign, the result is NURBS_SHAPE_NONE. The time is that of up to 60 subdivisions of
+ * each Bezier piece, each in proportion to the square of the number of its control points; for most shapes
+ * one or two are enough.
  * \param[in] g a curve or surface of dimension 2 or 3.
  * \param[in] tolerance largest distance from the shape, > 0.
  * \param[out] shape one of the NURBS_SHAPE_ constants.
@@ -2960,26 +3105,32 @@ NURBS_API nurbs_status nurbs_recognize(const nurbs *g, double tolerance, int32_t
 /** @} */
 
 /** \defgroup closest Distances and closest points
+ * \code
+ * const double point[] = {1, 2, 3};
+ * double params[2], foot[3], distance = 0;
+ * int32_t status = 0; // NURBS_CLOSEST_CERTIFIED: proven
+ * nurbs_closest_points(surface, 1, point, 0, 0, NULL, 0, 0, params, 0, 0, foot, 0, 0, &distance, 0,
+ *                      &status, 0);
+ * \endcode
  * All distances are Euclidean, in the Cartesian space of the points. The first query of a handle builds a
- * locator, the Bezier pieces with bounds, which the handle keeps; batches are what is fast.
+ * locator, the Bezier pieces with bounds, which the handle keeps. Use batches.
  *
- * A result is certified where it is proven that no point of g is nearer (of the farthest: farther) by more
- * than the tolerance and rounding, which is at most (64 n + 2 dim) eps (sqrt(dim) s + |x|): n is the sum of
- * degree + 1 over the axes, s the largest coordinate of g, x the query point. The proof is by polynomials:
- * with the homogeneous form A / w of a piece, |A - x w|^2 - r^2 w^2 >= 0 says that the piece is not nearer
- * than r, and holds if all Bernstein coefficients are >= 0; curves are divided at their minima, and about
- * those of surfaces and volumes the polynomial is shown to be convex. Pieces that give no answer are
- * halved, at most `budget` of them for a point: then the best point found is returned with
- * NURBS_CLOSEST_BUDGET in place of NURBS_CLOSEST_CERTIFIED; pieces of more than 256 control points count
- * more than once. Of those with more than 1024, of volumes of high degrees, hulls alone are looked at,
- * which seldom is proof enough. Where parameters are so large, or spans so short, that the point of the
- * rounded parameter is worse than what was proven, or where its distance overflows, NURBS_CLOSEST_COARSE takes
- * the place of NURBS_CLOSEST_CERTIFIED. Weights have to be > 0;
- * splines with others are searched in the same way, and certified where the Bezier pieces have positive
- * weights all the same.
+ * A result is certified if it is proven that no point of g is nearer (of the farthest: farther) by more than
+ * the tolerance and rounding, which is at most (64 n + 2 dim) eps (sqrt(dim) s + |x|): n is the sum of degree
+ * + 1 over the axes, s the largest coordinate of g, x the query point. The proof is by polynomials: with the
+ * homogeneous form A / w of a piece, |A - x w|^2 - r^2 w^2 >= 0 says that the piece is not nearer than r, and
+ * holds if all Bernstein coefficients are >= 0. Curves are divided at their minima; around the minima of
+ * surfaces and volumes the polynomial is shown to be convex. Pieces that give no answer are halved, at most
+ * `budget` of them for a point: then the best point found is returned with NURBS_CLOSEST_BUDGET instead of
+ * NURBS_CLOSEST_CERTIFIED. Pieces of more than 256 control points count more than once. Of pieces with more
+ * than 1024, of volumes of high degrees, only hulls are examined, which is seldom enough for a proof. If
+ * parameters are so large, or spans so short, that the point of the rounded parameter is worse than what was
+ * proven, or if its distance overflows, NURBS_CLOSEST_COARSE replaces NURBS_CLOSEST_CERTIFIED. Weights have
+ * to be > 0; splines with other weights are searched in the same way, and certified if the Bezier pieces have
+ * positive weights all the same.
  *
  * At a jump both limits belong to g, and a foot may be the one that nurbs_eval() gives with NURBS_LEFT, which
- * NURBS_CLOSEST_LEFT tells. A seam, a pole or a collapsed edge has several parameters for one point; any of
+ * NURBS_CLOSEST_LEFT reports. A seam, a pole or a collapsed edge has several parameters for one point; any of
  * them is returned. Ends and edges of the domain are part of it. Status bits speak of points: two parameters
  * of one point do not make it NURBS_CLOSEST_NOT_UNIQUE.
  * @{ */
@@ -3005,7 +3156,7 @@ NURBS_API nurbs_status nurbs_recognize(const nurbs *g, double tolerance, int32_t
 
 /** \brief The points of a spline that are nearest to given points: parameters, points and distances, each
  * with its status. With a volume this is inversion: a point inside has the distance 0 to rounding. Points
- * equally near to within the tolerance are told by NURBS_CLOSEST_NOT_UNIQUE, and found by
+ * equally near to within the tolerance are reported by NURBS_CLOSEST_NOT_UNIQUE, and found by
  * nurbs_closest_all().
  * \param[in] g a spline.
  * \param[in] n number of query points.
@@ -3022,7 +3173,7 @@ NURBS_API nurbs_status nurbs_recognize(const nurbs *g, double tolerance, int32_t
  * \param[in] distance_stride distance between values of distances, 0 = 1.
  * \param[out] status [n] or NULL: sum of NURBS_CLOSEST_ bits.
  * \param[in] flags NURBS_NAN_POINTS: a query point that is not finite gives NaN and NURBS_CLOSEST_INVALID
- *   in place of an error; or 0.
+ *   instead of an error; or 0.
  * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERFLOW, _STRIDE, _OVERLAP, _FLAGS, _TOLERANCE,
  *   _POINT_NOT_FINITE; _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN or _EMPTY_DOMAIN if range is no interval of
  *   the domain, _NOT_REPRESENTABLE if a point of a homogeneous spline overflows.
@@ -3182,12 +3333,12 @@ NURBS_API nurbs_status nurbs_distance(const nurbs *a, const nurbs *b, double tol
  * symmetric distance. at_least[i] <= distance <= at_most[i], both proven; they differ by at most the
  * tolerance and rounding unless the budget ends; at_most may be infinite then. Upper bounds come from the
  * farthest control point from one point, and from matching a piece of one spline with a part of a piece of
- * the other by their nearest corners, so that splines that are near each other all over are told quickly.
- * Splines of the same numbers have the distances 0. That one is the same set as the other, or a part of it,
- * is told at once, with a bound of rounding, where its parameters are those of the other one after a linear
- * map of each axis: whatever degrees and knots are, and the order, directions and domains of the axes; the
- * weights have to be positive for that. Whether it may be so is found out by a few nearest points, with at most
- * 500 pieces each, which the budget does not count.
+ * the other by their nearest corners, so that splines that are near each other all over are measured quickly.
+ * Splines of the same numbers have the distances 0. If one is the same set as the other, or a part of it,
+ * this is found at once, with a bound of rounding, where its parameters are those of the other one after a
+ * linear map of each axis: whatever degrees and knots are, and the order, directions and domains of the axes;
+ * the weights have to be positive for that. Whether it may be so is found out by a few nearest points, with
+ * at most 500 pieces each, which the budget does not count.
  * \param[in] a,b two splines of the same dimension.
  * \param[in] tolerance >= 0.
  * \param[in] budget most pieces looked at in each direction, those of nearest points among them, 0 for
@@ -3205,21 +3356,26 @@ NURBS_API nurbs_status nurbs_hausdorff_distance(const nurbs *a, const nurbs *b, 
 /** @} */
 
 /** \defgroup measure Lengths, areas and moments
+ * \code
+ * double length = 0, error = 0;
+ * nurbs_curve_length(curve, NULL, 1e-12, &length, &error);
+ * \endcode
  * Integrals over splines, by nested Gauss rules (Patterson 1968) of 15 to 63 nodes on each span between
- * knots, never across one, halved where the Legendre coefficients of the integrand do not fall fast enough,
- * where weights differ by a factor of more than 64, and where lengths and areas turn so sharply that a
- * feature may be narrower than the nodes are apart. `relative_tolerance` is asked of the result (of a
- * centroid and of moments: relative to the size of the shape); 0, and whatever is below rounding, asks for
+ * knots, never across a knot. A span is halved if the Legendre coefficients of the integrand do not fall fast
+ * enough, if weights differ by a factor of more than 64, and if lengths and areas turn so sharply that a
+ * feature may be narrower than the distance of the nodes. `relative_tolerance` is that of the result (of a
+ * centroid and of moments: relative to the size of the shape). 0, and any tolerance below rounding, asks for
  * the best that double precision and a limit of work give: rounding, or else about nine or three digits, as
  * along a fold inside a surface, where |S_u x S_v| has a kink. A tolerance above rounding that is not reached
- * is NURBS_ERROR_NOT_CONVERGED, and so is 0 where no `error` could tell (nurbs_curve_lengths() and what
+ * is NURBS_ERROR_NOT_CONVERGED, and so is 0 where no `error` could show it (nurbs_curve_lengths() and what
  * shares its table). `error` receives an estimate of the absolute error, rounding included; it follows from
  * how the coefficients fall and is not a proof. Cusps, poles and other places where the speed vanishes are
- * found by the halving and cost more, not accuracy. Where the weights vanish an integral may be infinite:
- * NURBS_ERROR_NOT_CONVERGED.
+ * found by the halving; they cost more time, not accuracy. Where the weights vanish an integral may be
+ * infinite: NURBS_ERROR_NOT_CONVERGED.
  *
- * Inertia is the tensor about the centroid, integral of |y|^2 E - y y^T with y = x - centroid and the unit
- * matrix E, for the density 1, symmetric, rows one after the other; of a negative content it has that sign.
+ * Inertia is the tensor about the centroid, the integral of |y|^2 E - y y^T with y = x - centroid and the
+ * unit matrix E, for the density 1. It is symmetric, with rows one after the other; for a negative content it
+ * has that sign.
  * @{ */
 
 /** \brief Length of a curve or of a part of it.
@@ -3262,7 +3418,7 @@ NURBS_API nurbs_status nurbs_curve_lengths(const nurbs *g, int64_t n, const doub
  * \param[in] relative_tolerance >= 0, of the whole length.
  * \param[out] params [n].
  * \param[in] param_stride distance between parameters, 0 = 1.
- * \param[in] flags NURBS_CLAMP: a length outside gives the nearer end in place of an error; or 0.
+ * \param[in] flags NURBS_CLAMP: a length outside gives the nearer end instead of an error; or 0.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _COUNT, _OVERFLOW, _STRIDE, _OVERLAP, _FLAGS, _TOLERANCE;
  *   _LENGTH if a length is not finite or outside, _NOT_CONVERGED, _NOT_REPRESENTABLE.
  * \since 1.0 */
@@ -3278,7 +3434,7 @@ NURBS_API nurbs_status nurbs_curve_params_at_lengths(const nurbs *g, int64_t n, 
  * \param[in] range [2] or NULL for all of it: the part of the domain.
  * \param[in] parts number of parts, > 0.
  * \param[in] relative_tolerance >= 0, of a part.
- * \param[in] flags NURBS_EQUAL_CHORDS: distances in place of lengths; or 0.
+ * \param[in] flags NURBS_EQUAL_CHORDS: distances instead of lengths; or 0.
  * \param[out] params [parts + 1] rising, the first and last one the ends of range.
  * \param[out] size or NULL: length or chord of a part.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _COUNT, _OVERFLOW, _OVERLAP, _FLAGS, _TOLERANCE;
@@ -3338,8 +3494,8 @@ NURBS_API nurbs_status nurbs_enclosed_area(int64_t count, const nurbs *const *cu
 
 /** \brief Volume, centroid and inertia of the body that surfaces enclose, by the divergence theorem: 1/3
  * integral of S . (S_u x S_v). Normals S_u x S_v point outwards (all inwards: the volume is negative).
- * Whether the surfaces close is told by the vector area, the integral of S_u x S_v, which is zero for
- * closed shells.
+ * The vector area, the integral of S_u x S_v, shows whether the surfaces close: it is zero for closed
+ * shells.
  * \param[in] count number of surfaces, > 0.
  * \param[in] surfaces [count] surfaces of dimension 3.
  * \param[in] relative_tolerance >= 0.
@@ -3357,15 +3513,19 @@ NURBS_API nurbs_status nurbs_enclosed_volume(int64_t count, const nurbs *const *
 /** @} */
 
 /** \defgroup bounds Boxes and cones
- * What contains a spline, proven: bounds come from Bernstein coefficients, which are halved where a tighter
- * one is asked for, and are rounded outwards. Weights have to be > 0 on every Bezier piece after some
- * halvings; where they never are, boxes are infinite and cones may be the whole space. Where a search has a
- * limit of 20000 halvings, it is a lower one for pieces of more than 3000 coefficients, so that memory does
- * not run out. A derivative that is zero to its rounding at an end of a piece counts as zero there, and the
- * limit as its direction.
+ * \code
+ * double lower[3], upper[3], gap = 0;
+ * nurbs_box(surface, NULL, 1e-3, lower, upper, &gap); // each face at most 1e-3 from the surface
+ * \endcode
+ * Proven bounds that contain a spline. They come from Bernstein coefficients; pieces are halved where a
+ * tighter bound is wanted, and bounds are rounded outwards. Weights have to be > 0 on every Bezier piece
+ * after some halvings; if they never are, boxes are infinite and cones may be the whole space. Where a search
+ * has a limit of 20000 halvings, the limit is lower for pieces of more than 3000 coefficients, so that memory
+ * does not run out. A derivative that is zero to its rounding at an end of a piece counts as zero there, and
+ * has the limit as its direction.
  * @{ */
 
-/** \brief An axis-aligned box that contains a spline, and all points that evaluation gives of it (but for
+/** \brief An axis-aligned box that contains a spline, and all points that evaluation gives of it (except
  * homogeneous ones, whose rounding has no such bound).
  * \param[in] g a spline.
  * \param[in] range [axes][2] or NULL for all of it: the part of the domain.
@@ -3373,8 +3533,8 @@ NURBS_API nurbs_status nurbs_enclosed_volume(int64_t count, const nurbs *const *
  *   Bezier points.
  * \param[out] lower [dim].
  * \param[out] upper [dim].
- * \param[out] gap or NULL: largest distance of a face from the spline, proven, at most the tolerance beside
- *   rounding unless 20000 halvings do not reach it.
+ * \param[out] gap or NULL: largest distance of a face from the spline, proven, at most the tolerance apart
+ *   from rounding unless 20000 halvings do not reach it.
  * \return NURBS_OK, NURBS_ERROR_NULL, _OVERLAP, _TOLERANCE; _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN or
  *   _EMPTY_DOMAIN if range is no interval of the domain, _NOT_REPRESENTABLE if a point of a homogeneous
  *   spline overflows.
@@ -3431,8 +3591,8 @@ NURBS_API nurbs_status nurbs_normal_cone(const nurbs *g, const double *range, do
  * \param[out] params [axes] or NULL: of the point. Where g jumps, or ends in the range, the limit from inside
  *   the range may be meant.
  * \param[out] value or NULL: direction . C there.
- * \param[out] bound or NULL: no point has more, proven; at most value + tolerance |direction| beside rounding
- *   unless 20000 halvings do not reach it.
+ * \param[out] bound or NULL: no point has more, proven; at most value + tolerance |direction| apart from
+ *   rounding unless 20000 halvings do not reach it.
  * \return NURBS_OK, NURBS_ERROR_NULL, _OVERLAP, _TOLERANCE, _DIRECTION; _NOT_REPRESENTABLE if the value
  *   overflows, or no weight can be shown to be positive; _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN or
  *   _EMPTY_DOMAIN if range is no interval of the domain.
@@ -3442,13 +3602,18 @@ NURBS_API nurbs_status nurbs_extreme_point(const nurbs *g, const double *directi
 /** @} */
 
 /** \defgroup analysis Features of a shape
- * Where something happens on a curve or surface. Features are the zeros of polynomials, of which the signs
- * of Bernstein coefficients tell how many there are: `complete` receives 1 where it is proven that nothing
- * was missed and each was seen once, 0 where zeros lie so close together, or are so flat, that double
- * precision does not tell: along an arc of a circle, whose curvature is constant, for its extrema, and
- * along a straight line for inflections, unless it is one of degree 1. Polynomials that vanish to rounding
- * at a knot count as 0 there: zeros within rounding of a knot are at it. Vectors, such as C' at a cusp,
- * count as 0 where all components vanish to rounding at the zero of one of them.
+ * \code
+ * int64_t count = 0;
+ * int32_t complete = 0; // 1: proven that there are no others
+ * nurbs_curve_features(curve, NURBS_FEATURE_CUSP, 0, NULL, NULL, NULL, &count, &complete);
+ * \endcode
+ * Places where something happens on a curve or surface. Features are the zeros of polynomials, and the signs
+ * of their Bernstein coefficients say how many there are. `complete` receives 1 if it is proven that no
+ * feature was missed and each was seen once. It receives 0 if zeros lie so close together, or are so flat,
+ * that double precision cannot decide: extrema along an arc of a circle, whose curvature is constant, and
+ * inflections along a straight line, unless it is one of degree 1. Polynomials that vanish to rounding at a
+ * knot count as 0 there: zeros within rounding of a knot are at it. Vectors, such as C' at a cusp, count as 0
+ * if all components vanish to rounding at the zero of one of them.
  * @{ */
 
 /** \name Features of curves
@@ -3469,7 +3634,7 @@ NURBS_API nurbs_status nurbs_extreme_point(const nurbs *g, const double *directi
 #define NURBS_CONVEXITY_LEFT 1      /**< turns to the left only, by at most a full turn */
 #define NURBS_CONVEXITY_RIGHT 2     /**< turns to the right only, by at most a full turn */
 #define NURBS_CONVEXITY_STRAIGHT 3  /**< a straight line that does not turn back, to rounding */
-#define NURBS_CONVEXITY_UNDECIDED 4 /**< double precision does not tell */
+#define NURBS_CONVEXITY_UNDECIDED 4 /**< double precision cannot decide */
 /** @} */
 
 /** \name Folds
@@ -3517,8 +3682,8 @@ NURBS_API nurbs_status nurbs_curve_monotone_pieces(const nurbs *g, const double 
                                                    int32_t *complete);
 
 /** \brief Whether a curve in the plane is convex: turns one way only and by at most a full turn, kinks
- * included, to rounding: pieces count as straight, and places as not turning, where double precision does
- * not tell. A curve that jumps is not.
+ * included, to rounding: pieces count as straight, and places as not turning, where double precision
+ * cannot decide. A curve that jumps is not.
  * \param[in] g a curve of dimension 2.
  * \param[out] convexity one of the NURBS_CONVEXITY_ constants.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DIMENSION, _NOT_REPRESENTABLE.
@@ -3571,7 +3736,7 @@ NURBS_API nurbs_status nurbs_boundary_contacts(const nurbs *g, double tolerance,
  * \param[out] boxes [cap][axes][2] or NULL: intervals of the parameters in which the singular set around it
  *   lies.
  * \param[out] count or NULL: number of places.
- * \param[out] complete or NULL: 1 if it is proven that g is regular everywhere outside the boxes, but for
+ * \param[out] complete or NULL: 1 if it is proven that g is regular everywhere outside the boxes, except for
  *   boundaries of Bezier pieces that vanish to rounding, which are places with boxes of no width; else 0.
  *   Boxes are larger than the tolerance where 20000 halvings do not reach it.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _TOLERANCE, _COUNT, _OVERFLOW, _OVERLAP, _NOT_REPRESENTABLE;
@@ -3600,16 +3765,23 @@ NURBS_API nurbs_status nurbs_fold_test(const nurbs *g, const double *reference, 
 /** @} */
 
 /** \defgroup edit Weights and control points
- * Changes of one or a few control points or weights that bring a point of the shape where it is wanted;
+ * \code
+ * const double params[] = {0.5}, up[] = {0, 0, 1};
+ * double moved = 0; // how far control point 1 goes to lift the point at 0.5 by 0.1
+ * nurbs *lifted = NULL;
+ * nurbs_pull_point(curve, 1, params, up, 0.1, &moved, &lifted);
+ * nurbs_destroy(lifted);
+ * \endcode
+ * Changes of one or a few control points or weights that bring a point of the shape to where it is wanted;
  * Piegl & Tiller, "The NURBS Book", chapter 11. R_i(t) is the rational basis function of control point i, a
  * flat index, last axis fastest. Where R_i(t) is 0 the control point cannot move that point:
- * NURBS_ERROR_INFLUENCE, and the message names those that can. On a periodic axis the copies of a layer
- * change with it, and R_i is the sum of theirs. A control point at infinity has no weight that could change:
- * its R_i is 0.
+ * NURBS_ERROR_INFLUENCE, and the message names the control points that can. On a periodic axis the copies of
+ * a layer change with it, and R_i is the sum of the copies' functions. A control point at infinity has no
+ * weight that could change: its R_i is 0.
  *
- * A point that is moved by weights comes to lie within (3 sum p + n + 8) eps of its place, times the distance
- * from the centre to the farthest of the n active control points; one that is moved by its control point,
- * times the distance and R_i |P_i*|. Tests find at most 0.05 of that.
+ * A point that is moved by weights ends within (3 sum p + n + 8) eps of its place, times the distance from
+ * the centre to the farthest of the n active control points. A point that is moved by its control point ends
+ * within the same multiple of the distance and R_i |P_i*|. Tests find at most 0.05 of that.
  * @{ */
 
 /** \brief Changes a weight so that the point at a parameter moves by a distance towards the control point,
@@ -3779,6 +3951,13 @@ NURBS_API nurbs_status nurbs_insert_at_point(const nurbs *g, int32_t axis, const
 /** @} */
 
 /** \defgroup constrain Constraints
+ * \code
+ * const double params[] = {0.5}, target[] = {1, 2, 3}; // where the point at 0.5 has to be
+ * nurbs *through = NULL;
+ * nurbs_constrain(curve, 1, NULL, NULL, params, target, NULL, NULL, NULL, 0, NULL, NULL, NULL, NULL,
+ *                 &through);
+ * nurbs_destroy(through);
+ * \endcode
  * @{ */
 
 /** \name Kinds of constraints
@@ -3836,8 +4015,14 @@ NURBS_API nurbs_status nurbs_constrain(const nurbs *g, int64_t count, const int3
 /** @} */
 
 /** \defgroup deform Deformations
- * Changes of a whole shape or of a region of it. `range` is a box of parameters; its ends become knots, so
- * that what is outside stays the same shape, and control points whose basis functions reach outside stay.
+ * \code
+ * const double range[2][2] = {{0.25, 0.75}, {0.25, 0.75}}, up[] = {0, 0, 1};
+ * nurbs *bump = NULL;
+ * nurbs_warp(surface, range[0], up, 0.1, 1, &bump); // raised by 0.1 in the middle of the region
+ * nurbs_destroy(bump);
+ * \endcode
+ * Changes of a whole shape or of a region of it. `range` is a box of parameters. Its ends become knots, so
+ * that the shape outside stays the same, and control points whose basis functions reach outside stay.
  * @{ */
 
 /** \brief Raises a region along a direction: adds distance * b(t) * direction / |direction|, where b is 1 in
@@ -3973,11 +4158,19 @@ NURBS_API nurbs_status nurbs_snap_boundary(const nurbs *g, int32_t axis, int32_t
 /** @} */
 
 /** \defgroup linear Derivatives with respect to data
- * A point is linear in the control points, and so is every derivative of it: C = A P. Here are the matrix A,
- * products with its transpose, and the operators that turn spans into Bezier pieces. On a periodic axis all
- * of them refer to the stored N control points, the last `degree` layers along the axis included, as if these
- * were not copies. With m = count - degree distinct layers, columns and gradients of layer l + m are to be
- * added to those of layer l, l < degree, to refer to the m distinct ones.
+ * \code
+ * const int32_t degree = 2;
+ * const int64_t count = 4;
+ * const double knots[] = {0, 0, 0, 0.5, 1, 1, 1}, params[] = {0, 0.5, 1};
+ * double values[9];
+ * int64_t columns[9], rows[4]; // the matrix N_j(t_i), 3 x 4, compressed
+ * nurbs_collocation(1, &degree, &count, knots, 7, NULL, 3, params, 0, 0, 9, values, columns, rows, NULL, 0);
+ * \endcode
+ * A point is linear in the control points, and so is every derivative of it: C = A P. This group has the
+ * matrix A, products with its transpose, and the operators that turn spans into Bezier pieces. On a periodic
+ * axis all of them refer to the stored N control points, including the last `degree` layers along the axis,
+ * as if these were not copies. With m = count - degree distinct layers, add the columns and gradients of
+ * layer l + m to those of layer l, l < degree, to refer to the m distinct ones.
  * @{ */
 
 /** \brief Collocation matrix of B-spline basis functions, or of one of their partial derivatives, as
@@ -4088,7 +4281,7 @@ NURBS_API nurbs_status nurbs_bezier_extraction(const nurbs *g, int32_t axis, int
  *
  * of the exact sum, where E_s[R_i] is the magnitude of the derivative of R_i in the preamble (tested).
  * grad_weights[i] is within 1 / w_i times twice as much, with n + dim for n, and the magnitudes of the
- * products R_i P_i and R_i C in place of E_s[R_i]. grad_params are products with the results of
+ * products R_i P_i and R_i C instead of E_s[R_i]. grad_params are products with the results of
  * nurbs_eval_derivs().
  * \param[in] g a spline.
  * \param[in] order highest order of derivatives in L; less than NURBS_MAX_ORDER if grad_params is wanted.
@@ -4118,6 +4311,14 @@ NURBS_API nurbs_status nurbs_eval_adjoint(const nurbs *g, int32_t order, int64_t
 /** @} */
 
 /** \defgroup read Reading files
+ * \code
+ * nurbs_list *list = NULL;
+ * nurbs *first = NULL;
+ * if (nurbs_read_file("part.igs", NULL, &list) == NURBS_OK && nurbs_list_get(list, 0, &first) == NURBS_OK) {
+ *     nurbs_destroy(first);
+ * }
+ * nurbs_list_destroy(list);
+ * \endcode
  * @{ */
 
 /** \brief Settings for nurbs_read(); fill with nurbs_read_options_init() first. Fields are only ever

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "analysis/contacts.h"
 
 #include "analysis/flatness.h"
@@ -44,8 +45,8 @@ double gap_of(const Spline &a, const Spline &b, double tolerance) {
     return open ? pieces.enclosure(uppers, {.ratio = 1e-9, .steps = 4000}).upper : found.upper;
 }
 
-// Of the ends of a curve. Clamped ones are control points; others have the error of evaluation, with 2 c(p)
-// <= 64 for both.
+// The error at the ends of a curve. Clamped ends are control points; others have the error of evaluation,
+// with 2 c(p) <= 64 for both.
 double gap_of_ends(const Spline &curve) {
     std::vector<double> ends[2];
     for (const bool upper : {false, true}) {

@@ -1,4 +1,5 @@
-// Boundaries that meet, and boundaries that are points.
+// SPDX-License-Identifier: MIT
+// Boundaries that meet, and boundaries that shrink to points.
 #pragma once
 
 #include "spline/spline.h"
@@ -20,8 +21,9 @@ struct Contacts {
     std::vector<BoundarySize> boundaries; // by axis, then by end
 };
 
-// Boundaries whose values are the same bit for bit have a gap of 0, points a size of 0. Other bounds are
-// proven; their searches go on where they do not tell on which side of the tolerance the truth is.
+// Boundaries whose values are the same bit for bit have a gap of 0; points have a size of 0. Other bounds are
+// proven. The searches go on as long as the bounds do not decide on which side of the tolerance the true
+// value is.
 Contacts boundary_contacts(const Spline &spline, double tolerance);
 
 } // namespace nrb::analysis

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "analysis/continuity.h"
 
 #include "eval/frames/jet.h"
@@ -45,8 +46,8 @@ int parametric_order(const closest::CurveSide &before, const closest::CurveSide 
     return before.order();
 }
 
-// The limit of the unit tangent, from the first derivative that does not vanish; on the way to the place odd
-// powers of what is left to go change the sign. Empty for a constant piece.
+// The limit of the unit tangent, from the first derivative that does not vanish; odd powers of the remaining
+// way to the place change the sign. Empty for a constant piece.
 struct Tangent {
     std::vector<double> unit;
     int order = 0;
@@ -83,9 +84,9 @@ Curvature curvature_of(const closest::CurveSide &side, const Tangent &tangent) {
     return {std::move(vector), error};
 }
 
-// G2 of two curves with regular tangents that agree. Along a length l the gap d turns the tangent by d l at
-// the most, and a curvature k by k l: against the longer span a gap counts as none where it is less than the
-// tolerance of the turn, or of 1. So rounding does not break a straight line, at any scale.
+// G2 of two curves with regular tangents that agree. Along a length l a gap d of the curvatures turns the
+// tangent by at most d l, and a curvature k turns it by k l. Over the longer span a gap counts as none if it
+// is less than the tolerance of that turn, or of 1. So rounding does not break a straight line, at any scale.
 void compare_curvatures(const closest::CurveSide &before, const Tangent &tangent_before,
                         const closest::CurveSide &after, const Tangent &tangent_after,
                         const ContinuityRule &rule, Continuity &found) {
@@ -122,7 +123,7 @@ Continuity continuity(const closest::CurveSide &before, const closest::CurveSide
 
 namespace {
 
-// A place on the axis and the two parameters that it is seen from.
+// A place on the axis, and the two parameters on its two sides.
 struct Place {
     double below;
     double above;
@@ -153,7 +154,7 @@ std::vector<std::array<double, 2>> samples_of(const Spline &spline, int axis) {
     return samples;
 }
 
-// The curve along the axis at parameters of the others; all but `axis` are gone when it returns.
+// The curve along the axis at parameters of the others; all axes but `axis` are gone when it returns.
 SplinePtr line_at(SplinePtr spline, int axis, const std::array<double, 2> &params) {
     size_t place = 0;
     for (int k = 0, left = spline->axes(); left > 1; --left) {
@@ -176,13 +177,13 @@ int order_of(const Spline &curve) {
     return std::max(curve.axis(0).degree(), 2);
 }
 
-// Derivatives above the degree exist for curvature only.
+// Derivatives above the degree are used only for curvature.
 Continuity limited(Continuity found, int degree) {
     found.order = std::min(found.order, degree);
     return found;
 }
 
-// The worse of two; a NaN is no gap.
+// The worse of two; a NaN is not a gap.
 void worsen(Continuity &worst, const Continuity &found) {
     worst.order = std::min(worst.order, found.order);
     worst.geometric = std::min(worst.geometric, found.geometric);
@@ -192,7 +193,7 @@ void worsen(Continuity &worst, const Continuity &found) {
 }
 
 struct Normal {
-    std::vector<double> unit; // empty where there is none
+    std::vector<double> unit; // empty if there is none
     double error;
 };
 
@@ -205,7 +206,7 @@ Normal normal_of(const closest::CurveSide &u, const closest::CurveSide &v) {
     return length > error ? Normal{scaled(n, 3, 1 / length), error / length} : Normal{{}, 0};
 }
 
-// The angle between the normals in place of that between tangents.
+// The angle between the normals instead of that between tangents.
 void compare_normals(const Normal &a, const Normal &b, const ContinuityRule &rule, Continuity &found) {
     found.geometric = std::min(found.order, 0);
     found.angle = found.curvature_gap = nan;
@@ -268,15 +269,15 @@ private:
     std::vector<SplinePtr> below_;
     std::vector<SplinePtr> above_;
     std::vector<Continuity> worst_;
-    double accuracy_; // each contraction moves control points by as much as its own bound says
+    double accuracy_; // each contraction moves control points by as much as its own bound states
 };
 
 } // namespace
 
 namespace {
 
-// Of a spline whose derivatives and their squares stay in the range of double precision; its knots have the names of
-// others.
+// For a spline whose derivatives and their squares stay in the range of double precision; its knots have the
+// names of others.
 std::vector<KnotContinuity> usual_continuity(const SplinePtr &spline, int axis, const ContinuityRule &rule,
                                              const KnotVector &named) {
     const KnotVector &knots = spline->axis(axis);
@@ -316,7 +317,7 @@ Continuity scaled_back(Continuity found, int size) noexcept {
     return found;
 }
 
-// What is best for one is so for two: the larger size, the shorter axis.
+// What is best for each of two splines is best for both: the larger size, the shorter axis.
 struct CommonPowers {
     int size, knots;
 };

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How smooth a spline is at its knots, and how smoothly two curves meet.
 #pragma once
 
@@ -32,8 +33,8 @@ Continuity continuity(const closest::CurveSide &before, const closest::CurveSide
                       const ContinuityRule &rule);
 
 // At the distinct knots inside the domain of an axis, and at its seam, named by the upper end, if the axis is
-// periodic or its ends meet. Of a surface or volume: the worst of degree + 1 places in each span of every other
-// axis. Cost: for a curve O(degree^2) a knot.
+// periodic or its ends meet. For a surface or volume: the worst of degree + 1 places in each span of every
+// other axis. Cost: for a curve O(degree^2) for each knot.
 std::vector<KnotContinuity> continuity(const SplinePtr &spline, int axis, const ContinuityRule &rule);
 
 // The end of curve a (its upper one if upper_a) and that of curve b, run through from a to b. Throws

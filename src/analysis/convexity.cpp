@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "analysis/convexity.h"
 
 #include "analysis/curve_turns.h"
@@ -15,14 +16,14 @@ namespace {
 constexpr int along = 2; // the axis of the three that curves lie along
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
-// An angle and what rounding may have made of it; infinite where none is known.
+// An angle, and the largest error by rounding; infinite if the angle is not known.
 struct Turn {
     double angle = 0;
     double error = 0;
 };
 
-// Of a vector polynomial that stays in an open half plane: the angle between its ends. Otherwise that of its
-// halves.
+// For a vector polynomial that stays in an open half plane: the angle between its ends. Otherwise the sum of
+// the angles of its halves.
 Turn turn_of(RoundedPolynomial d, int depth) {
     const size_t end = d.values.size() - 2;
     const double ax = d.values[0], ay = d.values[1], bx = d.values[end], by = d.values[end + 1];
@@ -91,8 +92,8 @@ private:
         note(angle > 0 ? 1 : angle < 0 ? -1 : 0);
     }
 
-    // A tangent that vanishes inside is a cusp or a place where the curve stands still; at an end it is
-    // divided out, and knot() sees whether the curve turns back there.
+    // A tangent that vanishes inside a piece is a cusp or a place where the curve stands still. At an end of
+    // a piece it is divided out, and knot() finds out whether the curve turns back there.
     void piece(size_t e) {
         const pieces::HomogeneousPiece &piece = pieces_.pieces()[e];
         unknown_ = unknown_ || !piece.positive;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Whether a plane curve is convex.
 #pragma once
 
@@ -12,7 +13,7 @@ enum Convexity : int32_t {
     convexity_left,      // turns to the left only, by at most a full turn
     convexity_right,     // turns to the right only, by at most a full turn
     convexity_straight,  // a straight line that does not turn back, to rounding
-    convexity_undecided, // double precision does not tell
+    convexity_undecided, // double precision cannot decide
 };
 
 // One of the convexity_ constants, to rounding: from the sign of the curvature, the turns at knots, the

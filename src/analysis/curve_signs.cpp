@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "analysis/curve_signs.h"
 
 #include <algorithm>

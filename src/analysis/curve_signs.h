@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Signs along a whole curve, piece by piece.
 #pragma once
 
@@ -13,7 +14,7 @@ struct CurveRun {
     double from;
     double to;
     int sign;
-    bool estimated = false; // a hidden one in which the computed values change their sign at `zero`
+    bool estimated = false; // a hidden run in which the computed values change their sign at `zero`
     double zero = 0;
 };
 
@@ -32,7 +33,7 @@ bool exactly_zero(const RoundedPolynomial &f) noexcept;
 void append_runs(const pieces::HomogeneousPiece &piece, const SignRuns &signs, CurveSigns &out);
 CurveSigns curve_signs(const std::vector<pieces::HomogeneousPiece> &pieces, const Numerator &numerator);
 
-// Where a sign turns into the other one: between the end of the one and the start of the other.
+// Where a sign changes into the other one: between the end of one run and the start of the next.
 struct SignChange {
     double from;
     double to;

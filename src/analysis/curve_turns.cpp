@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "analysis/curve_turns.h"
 
 #include "eval/evaluate.h"

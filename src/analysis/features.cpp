@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "analysis/features.h"
 
 #include "analysis/curve_signs.h"
@@ -30,7 +31,7 @@ RoundedPolynomial slope_numerator(const pieces::HomogeneousPiece &piece, const R
     return rise * piece.weight + scaled(q * s * derivative(piece.weight, along), 6);
 }
 
-// The product of two signs, where both are known.
+// The product of two signs, if both are known.
 std::vector<SignRun> product_runs(const std::vector<SignRun> &a, const std::vector<SignRun> &b) {
     std::vector<double> cuts;
     for (const auto *runs : {&a, &b}) {
@@ -115,7 +116,7 @@ private:
         double to;
         bool certain;
     };
-    // Zeros of a vector in all pieces; one at a knot, seen from both sides, is one.
+    // Zeros of a vector in all pieces; a zero at a knot, seen from both sides, counts once.
     std::vector<CurveZero> zeros(const Numerator &numerator) {
         std::vector<CurveZero> result;
         for (const pieces::HomogeneousPiece &piece : pieces_.pieces()) {
@@ -139,7 +140,7 @@ private:
         }
         return result;
     }
-    // Where no vector is known, since it vanishes all along, there is no place to name.
+    // If no vector is known, because it vanishes everywhere, there is no place to name.
     static bool is_place(const CurveZero &zero, Interval domain) noexcept {
         return zero.certain || zero.to - zero.from < 0x1p-20 * (domain.upper - domain.lower);
     }
@@ -207,7 +208,8 @@ private:
         });
     }
 
-    // The rise of |curvature| along the curve, its steps at knots included; and where M vanishes.
+    // The sign of the growth of |curvature| along the curve, including its steps at knots, and the places
+    // where M vanishes.
     static void append_piece(const pieces::HomogeneousPiece &piece, CurveSigns &rises, CurveSigns &bends) {
         const RoundedPolynomial m = pieces::bend_numerator(piece);
         if (exactly_zero(m)) {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Inflections, extrema of curvature, cusps, kinks, jumps and changes of torsion along a curve.
 #pragma once
 
@@ -33,11 +34,11 @@ struct Features {
 // polynomials:
 //     curvature = M w^3 / S^(3/2),
 //     d(curvature^2) = 2 M w^5 / S^4 (2 M' w S + 6 M w' S - 3 M w S') / 2 in the plane,
-//     d(curvature^2) = w^5 / S^4 (Q' w S + 6 Q w' S - 3 Q w S') with Q = M . M in space,
-// so that inflections are changes of sign of M and extrema those of the brackets, of degrees up to 8 p - 6
-// and 11 p - 9. Where the curvature itself jumps at a knot that counts as rising or falling there. Features
-// at the ends of the domain are none, but for cusps, and for what happens at the seam of a periodic curve.
-// Throws Status::not_representable. Precondition: a curve of dimension 2 or 3.
+//     d(curvature^2) = w^5 / S^4 (Q' w S + 6 Q w' S - 3 Q w S') with Q = M . M in space.
+// So inflections are changes of sign of M, and extrema are those of the brackets, of degrees up to 8 p - 6
+// and 11 p - 9. If the curvature itself jumps at a knot, that counts as rising or falling there. There are no
+// features at the ends of the domain, except cusps, and what happens at the seam of a periodic curve. Throws
+// Status::not_representable. Precondition: a curve of dimension 2 or 3.
 Features curve_features(const Spline &curve, uint32_t kinds);
 
 } // namespace nrb::analysis

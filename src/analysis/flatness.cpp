@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "analysis/flatness.h"
 
 #include "eval/evaluate.h"
@@ -43,7 +44,7 @@ std::vector<double> mean_of(const std::vector<double> &points, int dim) {
 }
 
 // The direction in which points spread most, by the power method on their covariance; the first coordinate
-// direction where they do not spread.
+// direction if they do not spread.
 std::vector<double> main_direction(std::vector<double> points, int dim) {
     const auto n = static_cast<size_t>(dim);
     const std::vector<double> mean = mean_of(points, dim);
@@ -81,7 +82,8 @@ std::vector<double> main_direction(std::vector<double> points, int dim) {
     return d;
 }
 
-// Places in every span of an axis, so many that all axes together have some thousands, and its ends.
+// Places in every span of an axis, so many that all axes together have some thousands, and the ends of the
+// axis.
 std::vector<double> places_on(const KnotVector &axis, int axes) {
     const std::vector<double> breaks = refine::breaks_of(axis);
     const double enough = std::pow(4096.0, 1.0 / axes);

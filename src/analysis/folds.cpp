@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "analysis/folds.h"
 
 #include "analysis/curve_signs.h"
@@ -14,8 +15,8 @@ namespace {
 
 using Vector = std::array<double, 3>;
 
-// The mean of S_u x S_v over a piece, whose parameters run over a unit square: of polynomials that of the
-// coefficients, otherwise of N / w^3 at the middles of squares.
+// The mean of S_u x S_v over a piece whose parameters run over a unit square: for polynomials the mean of the
+// coefficients, otherwise the mean of N / w^3 at the middles of squares.
 Vector mean_normal(const pieces::HomogeneousPiece &piece) {
     const RoundedPolynomial n = pieces::normal_numerator(piece);
     Vector sum{};
@@ -28,17 +29,11 @@ Vector mean_normal(const pieces::HomogeneousPiece &piece) {
     constexpr int places = 16;
     for (int i = 0; i < places; ++i) {
         const double u = (i + 0.5) / places;
-        RoundedPolynomial row = n, row_w = piece.weight;
-        split(row, 1, u);
-        split(row_w, 1, u);
-        row = end_value(row, 1, false);
-        row_w = end_value(row_w, 1, false);
+        const RoundedPolynomial row = value_at(n, 1, u), row_w = value_at(piece.weight, 1, u);
         for (int j = 0; j < places; ++j) {
             const double v = (j + 0.5) / places;
-            RoundedPolynomial at = row, at_w = row_w;
-            split(at, 2, v);
-            split(at_w, 2, v);
-            const double w = at_w.values[0];
+            const RoundedPolynomial at = value_at(row, 2, v);
+            const double w = value_at(row_w, 2, v).values[0];
             for (size_t c = 0; c < 3; ++c) {
                 sum[c] += at.values[c] / (w * w * w) / (places * places);
             }
@@ -75,7 +70,7 @@ Vector area_direction(const pieces::PieceMaker &maker) {
     return area;
 }
 
-// Of magnitude near 1.
+// The direction scaled to a magnitude near 1.
 Vector unit_of(const double *reference) {
     Vector unit{reference[0], reference[1], reference[2]};
     const double size = norm(unit.data(), 3);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Whether a surface or volume folds over.
 #pragma once
 
@@ -20,9 +21,9 @@ struct FoldTest {
     std::optional<std::array<double, max_axes>> negative;
 };
 
-// The signs of Bernstein coefficients of the determinant J, whose factors that vanish on boundaries of pieces
-// to rounding are divided out, and of halves where they differ. The reference, of a surface in space, null:
-// its vector area. Throws Status::direction, not_representable.
+// Examines the signs of Bernstein coefficients of the determinant J; where they differ, of its halves.
+// Factors of J that vanish to rounding on boundaries of pieces are divided out. The reference is for a
+// surface in space; null: its vector area. Throws Status::direction, not_representable.
 FoldTest fold_test(const Spline &spline, const double *reference);
 
 } // namespace nrb::analysis

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "analysis/jacobian_parts.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-// Parts of the pieces of a spline on which a determinant of first derivatives is looked at.
+// SPDX-License-Identifier: MIT
+// Parts of the pieces of a spline on which a determinant of first derivatives is examined.
 #pragma once
 
 #include "pieces/derivative_pieces.h"
@@ -20,12 +21,12 @@ using Ends = std::array<std::array<bool, 2>, max_axes>;
 // Divides by the boundaries on which all coefficients vanish to rounding, as often as they do.
 Ends divide_boundaries(RoundedPolynomial &f, int axes);
 
-// Halves a part along the axis on which it is longest, in units of `scale`, of those with a degree; false if
-// none is longer than `least`. The part becomes the upper half.
+// Halves a part along the axis on which it is longest, in units of `scale`, among the axes with a degree;
+// false if no side is longer than `least`. The part becomes the upper half.
 bool halve_longest(JacobianPart &part, int axes, const std::array<double, max_axes> &scale, double least,
                    JacobianPart &lower);
 
-// Parts are looked at from the largest to the smallest, as many as `halvings` allow and memory holds.
+// Parts are examined from the largest to the smallest, as many as `halvings` and memory allow.
 int64_t halvings_for(const RoundedPolynomial &f) noexcept;
 
 } // namespace nrb::analysis

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "analysis/monotone.h"
 
 #include "analysis/curve_signs.h"
@@ -10,7 +11,7 @@ namespace nrb::analysis {
 
 namespace {
 
-// Of at most 1 in every component.
+// The direction scaled to at most 1 in every component.
 std::vector<double> scaled_direction(const double *direction, int dim) {
     std::vector<double> d(direction, direction + dim);
     double largest = 0;
@@ -43,7 +44,7 @@ MonotonePieces monotone_pieces(const Spline &curve, const double *direction) {
         bool fresh = e == 0 || pieces.jump(e) > 0;
         double from = piece.parameter(0, 0);
         for (const SignRun &run : signs.runs) {
-            if (run.sign == 0 && !signs.nothing) { // what is beside it meets in the middle
+            if (run.sign == 0 && !signs.nothing) { // its two neighbours meet in the middle
                 result.complete = result.complete && run.simple;
                 from = piece.parameter(0, run.zero >= 0 ? run.zero : run.from / 2 + run.to / 2);
                 continue;

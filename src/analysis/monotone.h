@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The pieces of a curve on which it runs one way along a direction.
 #pragma once
 

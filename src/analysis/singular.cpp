@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "analysis/singular.h"
 
 #include "analysis/jacobian_parts.h"
@@ -18,7 +19,7 @@ RoundedPolynomial gram_numerator(const pieces::HomogeneousPiece &piece) {
     return dot(u, u) * dot(v, v) - mixed * mixed;
 }
 
-// Nothing: every place is singular.
+// If nothing is known, every place is singular.
 std::optional<RoundedPolynomial> numerator_of(const pieces::HomogeneousPiece &piece, int axes) {
     const int dim = piece.points.shape.width;
     if (axes == 1) {
@@ -136,8 +137,8 @@ private:
         result_.places.push_back(place);
     }
 
-    // Boxes of one piece that touch are one place: its point is the middle of that box which is nearest to
-    // the middle of all.
+    // Boxes of one piece that touch are one place: its point is the middle of the box nearest to the middle
+    // of all.
     void gather(size_t e) {
         std::vector<Box> &boxes = left_[e];
         std::sort(boxes.begin(), boxes.end(),
@@ -216,7 +217,7 @@ private:
         return same || small;
     }
 
-    // A place on the border of pieces is found in each of them.
+    // A place on the border of pieces is found in each of these pieces.
     void merge_small() {
         std::vector<SingularPlace> merged;
         for (const SingularPlace &place : result_.places) {
@@ -248,7 +249,7 @@ private:
     std::vector<Part> pieces_;
     std::vector<std::array<double, max_axes>> scales_; // length of a piece as a part of the domain
     std::deque<JacobianPart> parts_;
-    std::vector<std::vector<Box>> left_; // of each piece, what could not be shown to be regular
+    std::vector<std::vector<Box>> left_; // for each piece, what could not be shown to be regular
     SingularPlaces result_;
 };
 

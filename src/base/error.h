@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The one error type of the core, and how it is thrown.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "base/finite.cpp"
 #include "base/simd.h"
@@ -29,10 +30,11 @@ HWY_INLINE Vector smaller(Vector known, Vector value) {
     return hn::IfThenElse(hn::Lt(value, known), value, known);
 }
 
-// Results that run side by side.
+// Number of results computed side by side.
 inline constexpr size_t strands = 4;
 
-// Hands vectors to `more`, with the strand of each, and the values behind them to `rest`.
+// Passes whole vectors to `more`, with the number of the strand of each, and the values that are left to
+// `rest`.
 template <class More, class Rest>
 HWY_INLINE void visit(std::span<const double> values, const More &more, const Rest &rest) {
     const Doubles d;
@@ -48,8 +50,9 @@ HWY_INLINE void visit(std::span<const double> values, const More &more, const Re
     }
 }
 
-// Whether none has all of the leading bits of the exponent set, as many as in the mask: all eleven in those that are
-// not finite, the first five from 2^961 on. Arithmetic with them would raise floating-point exceptions.
+// Whether no value has all of the leading exponent bits of the mask set. Values that are not finite have all
+// eleven set; values from 2^961 on have the first five set. Integer tests are used because arithmetic with
+// such values would raise floating-point exceptions.
 bool find_below(std::span<const double> values, uint64_t mask) {
     const hn::RebindToUnsigned<Doubles> bits;
     const auto exponent = hn::Set(bits, mask);

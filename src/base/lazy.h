@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Slots for tables that are derived from an immutable object: built when needed, by any thread, then shared.
 #pragma once
 
@@ -7,8 +8,8 @@
 
 namespace nrb::inline base {
 
-// Two threads that meet may both build; the first to store wins and the other result is dropped. Nobody ever
-// waits, and a builder that throws leaves the slot empty.
+// If two threads meet, both may build; the first to store wins, and the other result is dropped. No thread
+// ever waits, and a builder that throws leaves the slot empty.
 template <class T>
 class Lazy {
 public:
@@ -17,7 +18,7 @@ public:
     Lazy &operator=(const Lazy &) = delete;
     ~Lazy() { delete slot_.load(std::memory_order_acquire); }
 
-    // The table, or null while there is none.
+    // The table, or null if it does not exist yet.
     [[nodiscard]] const T *peek() const noexcept { return slot_.load(std::memory_order_acquire); }
 
     template <class Build>
@@ -37,11 +38,12 @@ private:
     mutable std::atomic<const T *> slot_{nullptr};
 };
 
-// Whether the uses of an object so far have paid for a table: until then every use does without, which costs
-// as much as the table's share, so that neither one use nor many cost more than twice what they must.
+// Decides when a table is built: as soon as the uses of an object so far have paid for it. Until then every
+// use works without the table, which costs as much as a share of the table. So neither one use nor many uses
+// cost more than twice the necessary time.
 class Uses {
 public:
-    // Counts `uses` more; `cost` is the cost of the table in uses.
+    // Adds `uses` to the count; `cost` is the cost of the table in uses.
     [[nodiscard]] bool pay(int64_t uses, int64_t cost) const noexcept {
         return uses >= cost || count_.fetch_add(uses, std::memory_order_relaxed) + uses >= cost;
     }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How large splines may be.
 #pragma once
 

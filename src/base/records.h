@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Strided views of the caller's arrays: `count` records of `width` values, component c of record i at
 // data[i * stride + c * component_stride].
 #pragma once

@@ -1,4 +1,5 @@
-// Refusal of results that overflow.
+// SPDX-License-Identifier: MIT
+// Refuses results that overflow.
 #pragma once
 
 #include "base/error.h"

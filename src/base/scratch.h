@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Working memory of one call: on the stack while it is small, so that evaluating a few points allocates
 // nothing.
 #pragma once

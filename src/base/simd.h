@@ -1,10 +1,11 @@
-// How the kernels use Google Highway. A file of kernels is compiled once for every instruction set, the best
-// one that the processor has is chosen at run time; see Highway's documentation on dynamic dispatch.
+// SPDX-License-Identifier: MIT
+// How the kernels use Google Highway. A file of kernels is compiled once for every instruction set, and the
+// best one that the processor has is chosen at run time; see Highway's documentation on dynamic dispatch.
 //
-// Vectors with sizes known only at run time (SVE, RISC-V) cannot hold four coordinates by name and are left
-// out, as is NEON without double precision. SSSE3 is no faster for this work than the portable code. SSE4 is
-// faster, 1.2 times for curves and 1.8 times for surfaces, but only processors without AVX2 would run it, and it
-// would be a twelfth of the library.
+// Some instruction sets are left out. Vectors whose size is known only at run time (SVE, RISC-V) cannot hold
+// four coordinates by name. NEON without double precision is left out, too. SSSE3 is no faster for this work
+// than the portable code. SSE4 is faster, 1.2 times for curves and 1.8 times for surfaces, but only
+// processors without AVX2 would run it, and it would be a twelfth of the library.
 #pragma once
 
 #define NURBS_UNUSED_TARGETS                                                                                 \

@@ -1,5 +1,7 @@
-// What a call of the public interface answers; the manual (nurbs/nurbs.h) says what each means. The core has an enum of its
-// own, whose values capi/constants.cpp compares with the public ones, so that it does not depend on the text of the manual.
+// SPDX-License-Identifier: MIT
+// What a call of the public interface returns; the manual (nurbs/nurbs.h) says what each status means. The
+// core has an enum of its own, so that it does not depend on the text of the manual; capi/constants.cpp
+// compares its values with the public ones.
 #pragma once
 
 #include <cstdint>

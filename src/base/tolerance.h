@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The tolerance of an approximate operation.
 #pragma once
 

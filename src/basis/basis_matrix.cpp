@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "basis/basis_matrix.h"
 
 #include <cmath>
@@ -58,7 +59,8 @@ void hermite_to_bernstein(int p, Fractions &m) noexcept {
     }
 }
 
-// Row i is the polar form at p - i times 0 and i times 1. In step d of de Boor's algorithm all denominators are d.
+// Row i is the polar form at p - i times 0 and i times 1. In step d of de Boor's algorithm all denominators
+// are d.
 void bspline_to_bernstein(int p, Fractions &m) noexcept {
     for (int i = 0; i <= p; ++i) {
         Integer row[size] = {1};
@@ -152,7 +154,8 @@ void from_bernstein(SegmentBasis to, int p, Integer (&m)[size][size]) noexcept {
     }
 }
 
-// The double nearest to n / d, d > 0: a quotient of at least 55 bits whose last one stands for all that follow.
+// The double nearest to n / d, d > 0, from a quotient of at least 55 bits: its last bit is set if any of the
+// bits after it would be.
 double quotient(Integer n, Integer d) noexcept {
     if (n == 0) {
         return 0;
@@ -184,7 +187,7 @@ void basis_matrix(SegmentBasis from, SegmentBasis to, int degree, double *matrix
     for (int i = 0; i <= degree; ++i) {
         for (int j = 0; j <= degree; ++j, ++matrix) {
             Integer sum = 0;
-            for (int k = 0; from != to && k <= degree; ++k) { // the product of inverse ones would not fit
+            for (int k = 0; from != to && k <= degree; ++k) { // the product of inverse matrices would not fit
                 sum += second[i][k] * first.numerators[k][j];
             }
             *matrix = from == to ? (i == j ? 1 : 0) : quotient(sum, first.denominators[j]);

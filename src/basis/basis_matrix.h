@@ -1,4 +1,5 @@
-// Changes of basis of one polynomial segment over [0, 1], without error but the last rounding.
+// SPDX-License-Identifier: MIT
+// Changes of basis of one polynomial segment over [0, 1], with no error except the last rounding.
 #pragma once
 
 #include <cstdint>
@@ -11,8 +12,8 @@ enum class SegmentBasis { power, bernstein, hermite, bspline };
 inline constexpr int max_matrix_degree = 21;
 
 // matrix[i][j], [degree + 1][degree + 1]: coefficient i of `to` is the sum of matrix[i][j] * coefficient j of
-// `from`. Every entry is a quotient of two integers, rounded once. Hermite data are f(0), f'(0), ..., f(1), f'(1),
-// ...; the B-spline segment has the knots -degree, ..., degree + 1. Preconditions: 0 <= degree <=
+// `from`. Every entry is a quotient of two integers, rounded once. Hermite data are f(0), f'(0), ..., f(1),
+// f'(1), ...; the B-spline segment has the knots -degree, ..., degree + 1. Preconditions: 0 <= degree <=
 // max_matrix_degree, odd where hermite occurs. Cost: O(degree^3).
 void basis_matrix(SegmentBasis from, SegmentBasis to, int degree, double *matrix) noexcept;
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "basis/bspline.h"
 
 #include <algorithm>

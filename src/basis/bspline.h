@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // B-spline and Bernstein basis functions at one parameter: the kernels below every evaluation.
 #pragma once
 
@@ -20,9 +21,9 @@ struct Parts {
 };
 
 // Multiplies for the smaller part and subtracts for the larger one. For left <= t <= right and value >= 0
-// both are then accurate relative to themselves (4 and 5 roundings), their sum is the value to one rounding
-// of the larger, and at the ends the parts are exactly 0 and the value. Rounding the parts on their own would
-// let the sums drift with the degree.
+// both parts are then accurate relative to themselves (4 and 5 roundings), their sum is the value to one
+// rounding of the larger part, and at the ends the parts are exactly 0 and the value. If each part were
+// rounded on its own, the sums would drift with the degree.
 inline Parts split(double value, double left, double t, double right) noexcept {
     const double behind = t - left;
     const double ahead = right - t;
@@ -35,10 +36,11 @@ inline Parts split(double value, double left, double t, double right) noexcept {
             std::bit_cast<double>(std::bit_cast<uint64_t>(smaller) ^ swap)};
 }
 
-// One step of de Boor's algorithm on a row, in place: from the d coefficients that give a polar form with
-// d - 1 arguments besides some of the knots to the d + 1 ones with the argument t as well. left[-1], left[-2],
-// ... and right[0], right[1], ... are the knots on either side that are no arguments. All factors lie in [0, 1] if
-// t lies between left[-1] and right[0]; beyond them this is the continuation of the polynomial piece.
+// One step of de Boor's algorithm on a row, in place. It turns the d coefficients of a polar form that has d
+// - 1 arguments, apart from some of the knots, into the d + 1 coefficients of the polar form that has the
+// argument t as well. left[-1], left[-2], ... and right[0], right[1], ... are the knots on either side that
+// are not arguments. All factors lie in [0, 1] if t lies between left[-1] and right[0]; beyond them this is
+// the continuation of the polynomial piece.
 inline void append_argument(const double *left, const double *right, int d, double t,
                             double *coefficients) noexcept {
     left -= d;
@@ -51,8 +53,9 @@ inline void append_argument(const double *left, const double *right, int d, doub
     coefficients[d] = carried;
 }
 
-// One step of the Cox-de Boor recurrence at t on span s, in place: from the d functions of degree d - 1 to the
-// d + 1 ones of degree d. With an argument of its own in each step, the polar form of their product.
+// One step of the Cox-de Boor recurrence at t on span s, in place: from the d functions of degree d - 1 to
+// the d + 1 functions of degree d. If each step has its own argument, the result is the polar form of the
+// product of the factors.
 void raise_degree(const double *knots, int d, int64_t span, double t, double *values) noexcept;
 
 // N_(s-p), ..., N_s at t on span s, by the Cox-de Boor recurrence (de Boor 1972; Piegl & Tiller A2.2). Inside
@@ -68,9 +71,9 @@ void basis_values(const double *knots, int degree, int64_t span, double t, doubl
 void basis_derivs(const double *knots, int degree, int64_t span, double t, int order,
                   double *values) noexcept;
 
-// values[k * (p + 1) + j] = function j of degree p - k at t, j = 0, ..., p - k, for k = 0, ..., min(order, p);
-// row 0 has the bits of basis_values(). With them the derivatives of a spline are sums of its derivatives'
-// control points.
+// values[k * (p + 1) + j] = function j of degree p - k at t, j = 0, ..., p - k, for k = 0, ..., min(order,
+// p); row 0 has the bits of basis_values(). With these functions each derivative of a spline is a sum of
+// control points of that derivative.
 void basis_values_of_lower_degrees(const double *knots, int degree, int64_t span, double t, int order,
                                    double *values) noexcept;
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "basis/generators.h"
 
 #include "base/checked.h"
@@ -47,8 +48,8 @@ double even(double a, double b, int64_t i, int64_t n) noexcept {
     return std::abs(s) <= 1 ? std::lerp(a, b, s) : a + s * (b - a);
 }
 
-// A knot that a rule computed must still be one: rounding in a short interval may merge knots, far ones may
-// overflow.
+// A knot computed by a rule must still be a valid knot: rounding in a short interval may merge knots, and
+// knots far away may overflow.
 void check_result(int degree, std::span<const double> knots) {
     if (std::any_of(knots.begin(), knots.end(), [](double t) { return !std::isfinite(t); }) ||
         !std::isfinite(knots.back() - knots.front())) {
@@ -156,8 +157,8 @@ void averaged_knots(int degree, std::span<const double> params, std::span<double
     const auto p = static_cast<size_t>(degree);
     std::vector<double> result(p + 1, params.front());
     for (size_t j = 1; j + p < params.size(); ++j) {
-        // Degree 0 averages the two parameters beside the knot. Offsets from the first keep the mean of equal
-        // values exact.
+        // At degree 0 the mean of the two parameters next to the knot. Offsets from the first parameter keep
+        // the mean of equal values exact.
         const size_t first = p == 0 ? j - 1 : j;
         const size_t terms = p == 0 ? 2 : p;
         double offset = 0;
@@ -178,7 +179,7 @@ void periodic_knots(int degree, std::span<const double> breaks, const int32_t *m
     }
     check_multiplicities(degree, breaks.size(), multiplicities);
     check_increasing(breaks);
-    // One period, from the last copy of the first break to the one before the last copy of the last break.
+    // One period: from the last copy of the first break to the copy before the last copy of the last break.
     std::vector<double> period;
     for (size_t i = 0; i + 1 < breaks.size(); ++i) {
         period.insert(period.end(), static_cast<size_t>(break_multiplicity(multiplicities, i)), breaks[i]);

@@ -1,4 +1,6 @@
-// Knot vectors by rule. All fill the whole vector and throw Error when an argument does not allow one.
+// SPDX-License-Identifier: MIT
+// Knot vectors by rule. All functions fill the whole vector and throw Error when an argument does not allow a
+// knot vector.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +15,7 @@ void open_uniform_knots(int degree, int64_t count, double a, double b, std::span
 // `breaks`: pieces + 1 values, or null for even ones on [0, 1].
 void bezier_knots(int degree, int64_t pieces, const double *breaks, std::span<double> knots);
 void averaged_knots(int degree, std::span<const double> params, std::span<double> knots);
-// `multiplicities`: one for each break, or null for all 1.
+// `multiplicities`: one for each break, or null if all are 1.
 void periodic_knots(int degree, std::span<const double> breaks, const int32_t *multiplicities,
                     std::span<double> knots);
 

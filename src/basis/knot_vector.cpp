@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "basis/knot_vector.h"
 
 #include "base/error.h"
@@ -12,7 +13,7 @@ namespace nrb::inline basis {
 
 namespace {
 
-// " on axis 1", or nothing where a call has no axes.
+// " on axis 1", or an empty text if a call has no axes.
 struct AxisText {
     explicit AxisText(int axis) noexcept : text{} {
         if (axis >= 0) {
@@ -62,8 +63,8 @@ void check_multiplicities(int degree, std::span<const double> knots, int axis, i
 KnotVector::KnotVector(int degree, std::vector<double> knots, bool periodic) noexcept
     : degree_(degree), periodic_(periodic), knots_(std::move(knots)) {}
 
-// The function of layer i lives between its knots i and i + degree + 1. Copies of knots by powers of two may have lost
-// their domain.
+// The function of layer i is nonzero between its knots i and i + degree + 1. Copies of a knot vector that
+// were multiplied by powers of two may have lost their domain.
 KnotVector::Layers KnotVector::active_layers() const noexcept {
     const auto [lower, upper] = domain();
     Layers layers{0, count()};
@@ -100,8 +101,8 @@ bool KnotVector::has_piece(int64_t span) const noexcept {
     }
     constexpr double shortest = 0x1p-100;
     constexpr double largest_ratio = 0x1p500;
-    // The middle of a span of a few units of rounding is off by up to half of one, and at an end of the span
-    // powers amplify rounding by 3^p.
+    // The middle of a span of a few units of rounding is off by up to half a unit, and at an end of the span
+    // the powers amplify rounding by 3^p.
     constexpr double fewest_units = 32 * std::numeric_limits<double>::epsilon();
     const double length = (*this)[span + 1] - (*this)[span];
     const double position = std::max(std::abs((*this)[span]), std::abs((*this)[span + 1]));

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Knot vectors: the immutable value that every axis of a spline shares, its validation and its simple
 // queries.
 #pragma once
@@ -29,31 +30,32 @@ public:
     [[nodiscard]] double operator[](int64_t i) const noexcept { return knots_[static_cast<size_t>(i)]; }
     [[nodiscard]] int64_t count() const noexcept { return static_cast<int64_t>(knots_.size()) - degree_ - 1; }
     [[nodiscard]] Interval domain() const noexcept { return {(*this)[degree_], (*this)[count()]}; }
-    // Layers [first, end) of control points whose functions do not vanish on the domain: all of them, but where knots
-    // before its start or behind its end repeat that end. On a periodic axis those that vanish are copies of others, and
-    // all count.
+    // Layers [first, end) of control points whose functions do not vanish on the domain. These are all
+    // layers, except where knots before the start of the domain, or after its end, repeat that end. On a
+    // periodic axis layers whose functions vanish are copies of others, and all count.
     struct Layers {
         int64_t first;
         int64_t end;
     };
     [[nodiscard]] Layers active_layers() const noexcept;
-    // Layers of control points that differ: count() - degree() on a periodic axis, count() on any other.
+    // The number of layers of control points that differ: count() - degree() on a periodic axis, count() on
+    // any other.
     [[nodiscard]] int64_t distinct_layers() const noexcept { return periodic_ ? count() - degree_ : count(); }
     [[nodiscard]] bool clamped_start() const noexcept { return knots_.front() == (*this)[degree_]; }
     [[nodiscard]] bool clamped_end() const noexcept { return knots_.back() == (*this)[count()]; }
 
     // The search structure over the non-empty spans of the domain; built at first use.
     [[nodiscard]] const SpanTable &spans() const;
-    // The same if it exists or if `uses` searches more make it worth having, else null.
+    // The search structure if it exists, or if `uses` more searches make it worth having; else null.
     [[nodiscard]] const SpanTable *spans_after(int64_t uses) const;
-    // The pieces of the basis functions of every non-empty span, if they exist or if `uses` evaluations more
-    // make them worth having, else null. A span without a piece has NaN bounds. Precondition:
+    // The pieces of the basis functions of every non-empty span, if they exist or if `uses` more evaluations
+    // make them worth having; else null. A span without a piece has NaN bounds. Precondition:
     // piece_degree(degree()).
     [[nodiscard]] const PieceArray *pieces_after(int64_t uses) const;
     // Whether a span can be evaluated from a piece: the degree is one for pieces, and neither the span's
     // length nor its ratio to its neighbours or to its position comes near the limits of double precision.
     [[nodiscard]] bool has_piece(int64_t span) const noexcept;
-    // Index of the span that holds t, as SpanTable::find(), with the table if there is one.
+    // Index of the span that holds t, as by SpanTable::find(), with the table if it exists.
     [[nodiscard]] int64_t find_span(double t, bool left) const noexcept;
 
 private:
@@ -75,10 +77,10 @@ void check_count(int degree, int64_t count, int axis);
 // knot_count == count + degree + 1, else Status::size. Precondition: degree and count have been checked.
 void check_knot_total(int64_t knot_count, int degree, int64_t count);
 void check_knots(int degree, std::span<const double> knots, int axis, int64_t offset);
-// The first knot whose copy a period later is not where it should be, or -1. Precondition: check_knots() accepts
-// the vector.
+// The first knot whose copy a period later is not where it should be, or -1. Precondition: check_knots()
+// accepts the vector.
 int64_t first_not_repeated(int degree, std::span<const double> knots) noexcept;
-// Throws Status::periodic_knots unless there is none.
+// Throws Status::periodic_knots if there is such a knot.
 void check_periodic_knots(int degree, std::span<const double> knots, int axis, int64_t offset);
 
 // All checks, then the shared value.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "basis/power_span_kernel.cpp"
 #include "base/simd.h"
@@ -18,7 +19,7 @@ namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 using namespace numeric::HWY_NAMESPACE;
 
-using Wide = hn::CappedTag<double, 8>;
+using Vec8 = hn::CappedTag<double, 8>;
 
 // Loops over the functions of low degrees are unrolled, so that their numbers stay in registers; where the
 // degree is any, only the inner ones are, because the code would be multiplied by the turns of each.
@@ -43,7 +44,7 @@ class CentredFunctions {
 public:
     static constexpr int most = kDegree > 0 ? kDegree : max_piece_degree;
     using V = hn::Vec<D>;
-    using Number = Twin<V>;
+    using Number = DoubleDoubleLanes<V>;
 
     // knots: [2 degree][lanes], those before the middle first; the local parameter is (t - middle) * scale.
     HWY_INLINE CentredFunctions(D d, int degree, const double *knots, V middle, V scale) : d_(d) {
@@ -105,15 +106,15 @@ private:
 
 // Lane l of the coefficients to the pieces of span l.
 template <class D>
-HWY_INLINE void store_row(D d, const Twin<hn::Vec<D>> *row, int degree, double factor, int64_t offset,
-                          int count, double *const *pieces, double *const *rests) {
+HWY_INLINE void store_row(D d, const DoubleDoubleLanes<hn::Vec<D>> *row, int degree, double factor,
+                          int64_t offset, int count, double *const *pieces, double *const *rests) {
     HWY_ALIGN double high[8] = {};
     HWY_ALIGN double low[8] = {};
 #pragma GCC unroll 4
     for (int j = 0; j <= degree; ++j) {
-        const Twin<hn::Vec<D>> product = exact_product(row[j].high, hn::Set(d, factor));
+        const DoubleDoubleLanes<hn::Vec<D>> product = exact_product(row[j].high, hn::Set(d, factor));
         const auto rest = hn::MulAdd(row[j].low, hn::Set(d, factor), product.low);
-        const Twin<hn::Vec<D>> value = ordered_sum(product.high, rest);
+        const DoubleDoubleLanes<hn::Vec<D>> value = ordered_sum(product.high, rest);
         hn::Store(value.high, d, high);
         hn::Store(value.low, d, low);
         for (int l = 0; l < count; ++l) {
@@ -130,7 +131,7 @@ HWY_INLINE void store_row(D d, const Twin<hn::Vec<D>> *row, int degree, double f
 template <int kDegree, class D>
 HWY_INLINE void fill_pieces(D d, int any_degree, const double *knots, int count, double *const *pieces,
                             double *const *rests) {
-    using Number = Twin<hn::Vec<D>>;
+    using Number = DoubleDoubleLanes<hn::Vec<D>>;
     constexpr int most = kDegree > 0 ? kDegree : max_piece_degree;
     const int degree = kDegree > 0 ? kDegree : any_degree;
     HWY_ALIGN double middles[8];
@@ -176,7 +177,7 @@ HWY_INLINE void fill_pieces_of(D d, int degree, const double *knots, int count, 
 void make_pieces(const double *knots, int degree, const int64_t *spans, int count, double *const *pieces,
                  double *const *rests) {
     HWY_ALIGN double local[2 * max_piece_degree * 8];
-    const int lanes = count == 1 ? 1 : static_cast<int>(hn::Lanes(Wide()));
+    const int lanes = count == 1 ? 1 : static_cast<int>(hn::Lanes(Vec8()));
     for (int i = 0; i < 2 * degree; ++i) {
         for (int l = 0; l < lanes; ++l) {
             local[i * lanes + l] = knots[spans[std::min(l, count - 1)] - degree + 1 + i];
@@ -185,12 +186,12 @@ void make_pieces(const double *knots, int degree, const int64_t *spans, int coun
     if (count == 1) {
         fill_pieces_of(hn::CappedTag<double, 1>(), degree, local, count, pieces, rests);
     } else {
-        fill_pieces_of(Wide(), degree, local, count, pieces, rests);
+        fill_pieces_of(Vec8(), degree, local, count, pieces, rests);
     }
 }
 
 int piece_lanes() {
-    return static_cast<int>(hn::Lanes(Wide()));
+    return static_cast<int>(hn::Lanes(Vec8()));
 }
 
 // Component c of power k: the sum over j of coefficient [k][j] with w_j x_jc, rounded once.
@@ -204,19 +205,19 @@ HWY_INLINE void combine_degree(const double *HWY_RESTRICT basis, const double *H
     const int degree = kDegree > 0 ? kDegree : any_degree;
     const int functions = Piece::lanes(degree + 1);
     for (int c = 0; c < lanes; c += static_cast<int>(hn::Lanes(d))) {
-        Twin<V> products[most + 1];
+        DoubleDoubleLanes<V> products[most + 1];
 #pragma GCC unroll 4
         for (int j = 0; j <= degree; ++j) {
             products[j] = exact_product(hn::Set(d, weights[j]),
                                         hn::LoadU(d, points + static_cast<int64_t>(j) * lanes + c));
         }
         for_each<kDegree>(0, degree, [&](int k) HWY_ATTR {
-            Twin<V> sum{hn::Zero(d), hn::Zero(d)};
+            DoubleDoubleLanes<V> sum{hn::Zero(d), hn::Zero(d)};
 #pragma GCC unroll 4
             for (int j = 0; j <= degree; ++j) {
                 const V coefficient = hn::Set(d, basis[k * functions + j]);
-                const Twin<V> term = exact_product(coefficient, products[j].high);
-                const Twin<V> next = exact_sum(sum.high, term.high);
+                const DoubleDoubleLanes<V> term = exact_product(coefficient, products[j].high);
+                const DoubleDoubleLanes<V> next = exact_sum(sum.high, term.high);
                 const V small =
                     hn::MulAdd(coefficient, products[j].low,
                                hn::MulAdd(hn::Set(d, rests[k * functions + j]), products[j].high, term.low));

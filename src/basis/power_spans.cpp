@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "basis/power_spans.h"
 
 #include "basis/knot_vector.h"

@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: MIT
 // Polynomial pieces in powers of a centred local parameter: the form in which spans of low degree are
 // evaluated.
 //
 // On a span the parameter becomes x = (t - middle) * scale with a power of two as scale, |x| <= 1. Powers of
-// an x that starts at the span's end would lose 3^p eps; centred ones amplify rounding by 2.5 at degree 3 and
-// 19 at degree 9, so that Horner's rule is as accurate as the recurrences and several times cheaper.
+// an x that starts at the span's end would lose 3^p eps. Centred powers amplify rounding by 2.5 at degree 3
+// and 19 at degree 9, so that Horner's rule is as accurate as the recurrences and several times cheaper.
 #pragma once
 
 #include <cstdint>
@@ -13,8 +14,8 @@ namespace nrb::inline basis {
 
 class KnotVector;
 
-// Up to this degree spans are evaluated from pieces, above it by the Cox-de Boor recurrence. Degree 0 copies
-// control points.
+// Up to this degree spans are evaluated from pieces, above it by the Cox-de Boor recurrence. At degree 0
+// control points are copied.
 inline constexpr int max_piece_degree = 9;
 constexpr bool piece_degree(int degree) noexcept {
     return degree >= 1 && degree <= max_piece_degree;
@@ -35,16 +36,16 @@ struct Piece {
 // Largest size of the piece of a basis: powers 0 to 9 of 10 functions.
 inline constexpr int64_t max_basis_piece = Piece::size(max_piece_degree, max_piece_degree + 1);
 
-// Most pieces that are made together, and how many this processor makes at once.
+// The most pieces that are made together, and how many of them this processor makes at once.
 inline constexpr int most_pieces_together = 8;
 int pieces_together() noexcept;
 
-// Writes the pieces of the functions N_(s-p), ..., N_s of `count` spans s: coefficient k of N_j is its k-th
-// derivative with respect to x at x = 0, divided by k!, to about 2^-100 of the terms that it is the sum of and
-// so, but for rare ties and sums that cancel, correctly rounded: the recurrences of basis_values() and
-// basis_derivs() in twice the precision. What the rounding left over goes to `rests`, records like the pieces,
-// or null. A piece has the same bits whatever is made together with it. Preconditions: piece_degree(degree),
-// count <= pieces_together(), and those of basis_values().
+// Writes the pieces of the functions N_(s-p), ..., N_s of `count` spans s. Coefficient k of N_j is its k-th
+// derivative with respect to x at x = 0, divided by k!. It is accurate to about 2^-100 of the terms that it
+// is the sum of, and so correctly rounded except for rare ties and sums that cancel: the recurrences of
+// basis_values() and basis_derivs() are computed in twice the precision. The rounding errors go to `rests`,
+// records like the pieces, or null. A piece has the same bits whatever is made together with it.
+// Preconditions: piece_degree(degree), count <= pieces_together(), and those of basis_values().
 void basis_pieces(const double *knots, int degree, const int64_t *spans, int count, double *const *pieces,
                   double *const *rests) noexcept;
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "basis/span_table.h"
 
 #include <algorithm>
@@ -21,8 +22,8 @@ SpanTable::SpanTable(int degree, std::span<const double> knots) {
     finder_.lower_ = breaks_.front();
     finder_.breaks_ = breaks_.data();
 
-    // More buckets make it rarer that a bucket holds several breaks, and the table larger. Eight a span leave
-    // a percent or so of uneven breaks together; even ones never are.
+    // With more buckets it is rarer that a bucket holds several breaks, but the table is larger. With eight
+    // buckets for each span about one percent of uneven breaks share a bucket; even breaks never do.
     const size_t most = std::bit_ceil(8 * span_.size());
     size_t buckets = std::bit_ceil(2 * span_.size());
     while (!fill(buckets) && buckets < most && finder_.scale_ > 0) {
@@ -38,7 +39,7 @@ bool SpanTable::fill(size_t buckets) {
         finder_.scale_ = 0;
         buckets = 1;
     }
-    while (length * finder_.scale_ >= static_cast<double>(buckets)) { // spares number_inside() a comparison
+    while (length * finder_.scale_ >= static_cast<double>(buckets)) { // saves number_inside() a comparison
         finder_.scale_ = std::nextafter(finder_.scale_, 0.0);
     }
     finder_.last_bucket_ = static_cast<double>(buckets - 1);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Span search in constant expected time: uniform buckets over the domain, each naming the few spans that it
 // can meet.
 #pragma once
@@ -10,18 +11,17 @@
 
 namespace nrb::inline basis {
 
-// Only non-empty spans are listed; they are numbered from 0 on. A parameter's bucket is
-// floor((t - lower) * scale); in floating point this is a monotone function of t, so that breaks in lower
-// buckets are <= t and breaks in higher buckets are > t without any safety margin, and only the breaks of t's
-// own bucket need a comparison. Most buckets hold at most one.
+// Only non-empty spans are listed; they are numbered from 0. A parameter's bucket is floor((t - lower) *
+// scale). In floating point this is a monotone function of t. So breaks in lower buckets are <= t and breaks
+// in higher buckets are > t without any safety margin, and only the breaks of t's own bucket need a
+// comparison. Most buckets hold at most one.
 class SpanTable {
 public:
-    // The search itself, a value that loops keep in registers.
+    // The search itself: a value that loops keep in registers.
     class Finder {
     public:
         // Number of the non-empty span with breaks[i] <= t < breaks[i + 1]; outside the domain the first or
-        // the last one. `left` takes breaks[i] < t <= breaks[i + 1] in place of it. Precondition: t is not
-        // NaN.
+        // the last one. `left` takes breaks[i] < t <= breaks[i + 1] instead. Precondition: t is not NaN.
         template <bool left>
         [[nodiscard]] int64_t number(double t) const noexcept {
             return number_in<left>(buckets_ + bucket(t), std::min(t, std::numeric_limits<double>::max()));
@@ -34,7 +34,7 @@ public:
     private:
         friend class SpanTable;
         struct Bucket {
-            double inner;   // the only break inside the bucket; infinity: none; NaN: several
+            double inner; // the only break inside the bucket; infinity: there is none; NaN: there are several
             int64_t before; // number of breaks in lower buckets
         };
         template <bool left>
@@ -55,7 +55,7 @@ public:
         double lower_ = 0;
         double scale_ = 0;
         double last_bucket_ = 0;
-        const Bucket *buckets_ = nullptr; // and one behind the last
+        const Bucket *buckets_ = nullptr; // and one after the last
         const double *breaks_ = nullptr;
     };
 
@@ -80,7 +80,7 @@ public:
     [[nodiscard]] std::span<const int64_t> indices() const noexcept { return span_; }
 
 private:
-    // Fills `buckets` buckets; whether none has more than one break.
+    // Fills `buckets` buckets; returns whether no bucket has more than one break.
     bool fill(size_t buckets);
 
     std::vector<double> breaks_;

@@ -10,6 +10,19 @@ namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
+// C(n, 0), ..., C(n, n) of any degree, each within n eps of itself.
+std::vector<double> binomial_row(int n) {
+    if (n <= max_product_degree) {
+        return {binomials(n), binomials(n) + n + 1};
+    }
+    std::vector<double> row(static_cast<size_t>(n) + 1, 1.0);
+    for (int k = 1; 2 * k <= n; ++k) {
+        const auto at = static_cast<size_t>(k);
+        row[at] = row[static_cast<size_t>(n - k)] = row[at - 1] * (n - k + 1) / k;
+    }
+    return row;
+}
+
 // Adds a, times one coefficient of the other factor, to a part of the product, in which rows along the last
 // axis and planes of the last two lie so far apart.
 void add_scaled(const BernsteinShape &a, const double *from, double factor, double *out, int64_t row,
@@ -26,6 +39,14 @@ void add_scaled(const BernsteinShape &a, const double *from, double factor, doub
 }
 
 } // namespace
+
+AxisLayers BernsteinShape::along(int axis) const noexcept {
+    AxisLayers layers{1, degrees[static_cast<size_t>(axis)], width};
+    for (int k = 0; k < max_axes; ++k) {
+        (k < axis ? layers.outer : layers.inner) *= k == axis ? 1 : degrees[static_cast<size_t>(k)] + 1;
+    }
+    return layers;
+}
 
 double elevation_coefficient(int low, int high, int i, int j) noexcept {
     return binomial(low, j) * binomial(high - low, i - j) / binomial(high, i);
@@ -46,15 +67,14 @@ double product_error(const BernsteinShape &a, const BernsteinShape &b) noexcept 
 }
 
 std::vector<double> binomial_factors(const BernsteinShape &shape) {
-    const auto &[a, b, c] = shape.degrees;
-    const double *first = binomials(a), *second = binomials(b), *third = binomials(c);
+    const auto first = binomial_row(shape.degrees[0]), second = binomial_row(shape.degrees[1]),
+               third = binomial_row(shape.degrees[2]);
     std::vector<double> factors;
     factors.reserve(static_cast<size_t>(shape.values()));
-    for (int i = 0; i <= a; ++i) {
-        for (int j = 0; j <= b; ++j) {
-            for (int k = 0; k <= c; ++k) {
-                factors.insert(factors.end(), static_cast<size_t>(shape.width),
-                               first[i] * second[j] * third[k]);
+    for (const double a : first) {
+        for (const double b : second) {
+            for (const double c : third) {
+                factors.insert(factors.end(), static_cast<size_t>(shape.width), a * b * c);
             }
         }
     }
@@ -71,21 +91,6 @@ void add_convolution(const BernsteinShape &a, const double *left, const Bernstei
             for (int k = 0; k <= b.degrees[2]; ++k, target += a.width) {
                 add_scaled(a, left, *right++, target, row, plane);
             }
-        }
-    }
-}
-
-void halve(const BernsteinShape &shape, int axis, double *values, double *lower) noexcept {
-    int64_t outer = 1, inner = shape.width;
-    for (int k = 0; k < max_axes; ++k) {
-        (k < axis ? outer : inner) *= k == axis ? 1 : shape.degrees[static_cast<size_t>(k)] + 1;
-    }
-    const int n = shape.degrees[static_cast<size_t>(axis)];
-    for (int64_t o = 0; o < outer; ++o, values += (n + 1) * inner, lower += (n + 1) * inner) {
-        for (int r = 0; r <= n; ++r) {
-            std::copy_n(values, inner, lower + r * inner);
-            std::transform(values, values + (n - r) * inner, values + inner, values,
-                           [](double x, double y) { return x / 2 + y / 2; });
         }
     }
 }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "base/limits.h"
+#include "bernstein/de_casteljau.h"
 #include "numeric/binomial.h"
 
 #include <array>
@@ -23,6 +24,7 @@ struct BernsteinShape {
         return int64_t{degrees[0] + 1} * (degrees[1] + 1) * (degrees[2] + 1);
     }
     [[nodiscard]] int64_t values() const noexcept { return coefficients() * width; }
+    [[nodiscard]] AxisLayers along(int axis) const noexcept;
 };
 
 // Coefficient j of a polynomial of degree `low` in coefficient i of the same one at degree `high`; within
@@ -42,9 +44,9 @@ std::vector<double> binomial_factors(const BernsteinShape &shape);
 void add_convolution(const BernsteinShape &a, const double *left, const BernsteinShape &b,
                      const double *right, double *out) noexcept;
 
-// de Casteljau's subdivision in the middle of an axis of the three: `values` becomes the upper half. `degree`
-// means on end, so that each value is within degree * eps / 2 of itself, relative to the same means of
-// magnitudes. Precondition: lower does not overlap values.
-void halve(const BernsteinShape &shape, int axis, double *values, double *lower) noexcept;
+// Halves along an axis of the three: `values` becomes the upper one. Precondition: lower does not overlap values.
+inline void halve(const BernsteinShape &shape, int axis, double *values, double *lower) noexcept {
+    subdivide(shape.along(axis), 0.5, values, lower);
+}
 
 } // namespace nrb::inline bernstein

@@ -11,35 +11,7 @@ namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
-// C(n, 0), ..., C(n, n) of any degree, each within n eps of itself.
-std::vector<double> binomial_row(int n) {
-    if (n <= max_product_degree) {
-        return {binomials(n), binomials(n) + n + 1};
-    }
-    std::vector<double> row(static_cast<size_t>(n) + 1, 1.0);
-    for (int k = 1; 2 * k <= n; ++k) {
-        const auto at = static_cast<size_t>(k);
-        row[at] = row[static_cast<size_t>(n - k)] = row[at - 1] * (n - k + 1) / k;
-    }
-    return row;
-}
-
-std::vector<double> binomials_of(const BernsteinShape &shape) {
-    const auto first = binomial_row(shape.degrees[0]), second = binomial_row(shape.degrees[1]),
-               third = binomial_row(shape.degrees[2]);
-    std::vector<double> factors;
-    factors.reserve(static_cast<size_t>(shape.values()));
-    for (const double a : first) {
-        for (const double b : second) {
-            for (const double c : third) {
-                factors.insert(factors.end(), static_cast<size_t>(shape.width), a * b * c);
-            }
-        }
-    }
-    return factors;
-}
-
-// Roundings of binomials_of(): of the rows and of their products.
+// Roundings of binomial_factors(): of the rows and of their products.
 double binomial_steps(const BernsteinShape &shape) noexcept {
     double steps = 1;
     for (const int n : shape.degrees) {
@@ -71,23 +43,6 @@ std::vector<double> magnitudes(std::vector<double> a) {
     return a;
 }
 
-// Values in layers along an axis: [outer][degree + 1][inner].
-struct Layers {
-    int64_t outer = 1;
-    int64_t inner = 1;
-    int degree = 0;
-
-    Layers(const BernsteinShape &shape, int axis)
-        : inner(shape.width), degree(shape.degrees[static_cast<size_t>(axis)]) {
-        for (int k = 0; k < max_axes; ++k) {
-            (k < axis ? outer : inner) *= k == axis ? 1 : shape.degrees[static_cast<size_t>(k)] + 1;
-        }
-    }
-    [[nodiscard]] size_t at(int64_t o, int layer, int64_t i) const noexcept {
-        return static_cast<size_t>((o * (degree + 1) + layer) * inner + i);
-    }
-};
-
 RoundedPolynomial raised_to(const RoundedPolynomial &a, const BernsteinShape &shape) {
     BernsteinShape rest;
     for (size_t k = 0; k < rest.degrees.size(); ++k) {
@@ -100,17 +55,10 @@ RoundedPolynomial raised_to(const RoundedPolynomial &a, const BernsteinShape &sh
     return a * RoundedPolynomial{rest, ones, std::vector<double>(ones.size(), 0.0)};
 }
 
-void split_values(const Layers &layers, double place, std::vector<double> &values,
-                  std::vector<double> &lower) {
-    const auto inner = layers.inner;
-    const int n = layers.degree;
-    for (int64_t o = 0; o < layers.outer; ++o) {
-        double *high = values.data() + layers.at(o, 0, 0), *low = lower.data() + layers.at(o, 0, 0);
-        for (int r = 0; r <= n; ++r) {
-            std::copy_n(high, inner, low + r * inner);
-            std::transform(high, high + (n - r) * inner, high + inner, high,
-                           [place](double x, double y) { return (1 - place) * x + place * y; });
-        }
+// Each step of the means rounds them by 3 / 2 eps.
+void add_rounding_of_means(RoundedPolynomial &a, int degree) noexcept {
+    for (size_t i = 0; i < a.values.size(); ++i) {
+        a.errors[i] += 1.5 * degree * eps * std::abs(a.values[i]);
     }
 }
 
@@ -147,7 +95,8 @@ RoundedPolynomial side_by_side(const std::vector<RoundedPolynomial> &components)
 // eps each.
 RoundedPolynomial operator*(const RoundedPolynomial &a, const RoundedPolynomial &b) {
     RoundedPolynomial result{product_shape(a.shape, b.shape), {}, {}};
-    const auto left = binomials_of(a.shape), right = binomials_of(b.shape), over = binomials_of(result.shape);
+    const auto left = binomial_factors(a.shape), right = binomial_factors(b.shape),
+               over = binomial_factors(result.shape);
     const auto times_binomials = [&](const std::vector<double> &x, const std::vector<double> &y) {
         return convolved(a.shape, times(x, left), b.shape, times(y, right), over);
     };
@@ -200,17 +149,19 @@ RoundedPolynomial dot(const RoundedPolynomial &a, const RoundedPolynomial &b) {
 }
 
 RoundedPolynomial derivative(const RoundedPolynomial &a, int axis) {
-    const Layers from(a.shape, axis);
+    const AxisLayers from = a.shape.along(axis);
     RoundedPolynomial result{a.shape, {}, {}};
     int &degree = result.shape.degrees[static_cast<size_t>(axis)];
     degree = std::max(0, degree - 1);
     result.values.assign(static_cast<size_t>(result.shape.values()), 0.0);
     result.errors = result.values;
-    const Layers to(result.shape, axis);
+    const AxisLayers to = result.shape.along(axis);
     for (int64_t o = 0; from.degree > 0 && o < to.outer; ++o) {
         for (int j = 0; j < from.degree; ++j) {
             for (int64_t i = 0; i < to.inner; ++i) {
-                const size_t low = from.at(o, j, i), high = from.at(o, j + 1, i), out = to.at(o, j, i);
+                const auto low = static_cast<size_t>(from.at(o, j, i)),
+                           high = static_cast<size_t>(from.at(o, j + 1, i)),
+                           out = static_cast<size_t>(to.at(o, j, i));
                 result.values[out] = from.degree * (a.values[high] - a.values[low]);
                 result.errors[out] =
                     from.degree * (a.errors[high] + a.errors[low]) + eps * std::abs(result.values[out]);
@@ -221,12 +172,12 @@ RoundedPolynomial derivative(const RoundedPolynomial &a, int axis) {
 }
 
 RoundedPolynomial end_value(const RoundedPolynomial &a, int axis, bool upper) {
-    const Layers from(a.shape, axis);
+    const AxisLayers from = a.shape.along(axis);
     RoundedPolynomial result{a.shape, {}, {}};
     result.shape.degrees[static_cast<size_t>(axis)] = 0;
     for (int64_t o = 0; o < from.outer; ++o) {
         for (int64_t i = 0; i < from.inner; ++i) {
-            const size_t at = from.at(o, upper ? from.degree : 0, i);
+            const auto at = static_cast<size_t>(from.at(o, upper ? from.degree : 0, i));
             result.values.push_back(a.values[at]);
             result.errors.push_back(a.errors[at]);
         }
@@ -235,21 +186,29 @@ RoundedPolynomial end_value(const RoundedPolynomial &a, int axis, bool upper) {
 }
 
 RoundedPolynomial split(RoundedPolynomial &a, int axis, double place) {
-    const Layers layers(a.shape, axis);
-    for (size_t i = 0; i < a.values.size(); ++i) { // each step of the means rounds them by 3 / 2 eps
-        a.errors[i] += 1.5 * layers.degree * eps * std::abs(a.values[i]);
-    }
+    const AxisLayers layers = a.shape.along(axis);
+    add_rounding_of_means(a, layers.degree);
     RoundedPolynomial lower = a;
-    split_values(layers, place, a.values, lower.values);
-    split_values(layers, place, a.errors, lower.errors);
+    subdivide(layers, place, a.values.data(), lower.values.data());
+    subdivide(layers, place, a.errors.data(), lower.errors.data());
     return lower;
+}
+
+RoundedPolynomial value_at(RoundedPolynomial a, int axis, double place) {
+    const AxisLayers layers = a.shape.along(axis);
+    add_rounding_of_means(a, layers.degree);
+    for (int64_t o = 0; o < layers.outer; ++o) {
+        evaluate(layers.degree, layers.inner, place, a.values.data() + layers.at(o, 0, 0));
+        evaluate(layers.degree, layers.inner, place, a.errors.data() + layers.at(o, 0, 0));
+    }
+    return end_value(a, axis, false);
 }
 
 // a_0 = 0 gives a = x sum_j a_(j+1) n / (j+1) B_j of degree n - 1.
 int divide_end(RoundedPolynomial &a, int axis, bool upper) {
     int times = 0;
     while (true) {
-        const Layers from(a.shape, axis);
+        const AxisLayers from = a.shape.along(axis);
         if (!vanishes(end_value(a, axis, upper))) {
             return times;
         }
@@ -258,12 +217,12 @@ int divide_end(RoundedPolynomial &a, int axis, bool upper) {
         }
         RoundedPolynomial quotient{a.shape, {}, {}};
         --quotient.shape.degrees[static_cast<size_t>(axis)];
-        const Layers to(quotient.shape, axis);
+        const AxisLayers to = quotient.shape.along(axis);
         for (int64_t o = 0; o < to.outer; ++o) {
             for (int j = 0; j <= to.degree; ++j) {
                 const double factor = static_cast<double>(from.degree) / (upper ? from.degree - j : j + 1);
                 for (int64_t i = 0; i < to.inner; ++i) {
-                    const size_t at = from.at(o, upper ? j : j + 1, i);
+                    const auto at = static_cast<size_t>(from.at(o, upper ? j : j + 1, i));
                     quotient.values.push_back(a.values[at] * factor);
                     quotient.errors.push_back(a.errors[at] * factor + eps * std::abs(quotient.values.back()));
                 }

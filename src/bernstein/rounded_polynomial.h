@@ -50,6 +50,8 @@ RoundedPolynomial end_value(const RoundedPolynomial &a, int axis, bool upper);
 
 // de Casteljau's subdivision at `place`; `a` becomes the upper part.
 RoundedPolynomial split(RoundedPolynomial &a, int axis, double place = 0.5);
+// Degree 0 on an axis: its value at `place`.
+RoundedPolynomial value_at(RoundedPolynomial a, int axis, double place);
 
 // Divides by x, or by 1 - x if `upper`, as often as the coefficients at that end vanish to rounding; the
 // number of times, -1 for a polynomial that vanishes to rounding altogether.

@@ -45,11 +45,7 @@ Variations variations(const RoundedPolynomial &f) noexcept {
 }
 
 double value_at(std::vector<double> b, double x) noexcept {
-    for (size_t n = b.size(); n-- > 1;) {
-        for (size_t i = 0; i < n; ++i) {
-            b[i] = (1 - x) * b[i] + x * b[i + 1];
-        }
-    }
+    evaluate(static_cast<int>(b.size()) - 1, 1, x, b.data());
     return b[0];
 }
 

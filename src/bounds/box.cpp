@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "bounds/box.h"
 
 #include "base/finite.h"
@@ -20,7 +21,7 @@ double rounded_up(double x) noexcept {
     return std::nextafter(x, infinite);
 }
 
-// Of one coordinate times a sign.
+// The extremes of one coordinate times a sign.
 pieces::LargestValue face(const pieces::SplinePieces &pieces, int coordinate, double sign, double tolerance) {
     const pieces::PieceSource source = [&](int64_t i, pieces::QuotientPiece &out) {
         pieces.fill(i, coordinate, sign, out);
@@ -29,7 +30,7 @@ pieces::LargestValue face(const pieces::SplinePieces &pieces, int coordinate, do
 }
 
 // How far an evaluated point may be from the exact one, by the accuracy contract: c eps times the largest
-// coordinate of a control point, and times a ratio of weights of 4 at most.
+// coordinate of a control point, and times a ratio of weights of at most 4.
 double evaluation_error(const Spline &spline) {
     if (spline.form() == Form::homogeneous) {
         return 0;
@@ -41,7 +42,7 @@ double evaluation_error(const Spline &spline) {
     return factor * eps * largest_magnitude(spline.effective().points());
 }
 
-// Where a place is the end of a piece the spline is the limit from inside of it.
+// At a place that is the end of a piece the spline has the limit from inside that piece.
 double value_at(const Spline &spline, const double *direction, const std::array<double, max_axes> &params,
                 const std::array<double, max_axes> &place) {
     eval::AxisRules rules{};
@@ -82,7 +83,7 @@ ExtremePoint extreme_point(const Spline &spline, const double *direction, const 
     for (int c = 0; c < dim; ++c) {
         largest = std::max(largest, std::abs(direction[c]));
     }
-    // a direction of about 1, so that only results can overflow
+    // a direction of size about 1, so that only results can overflow
     const int exponent = std::ilogb(largest);
     std::vector<double> unit(direction, direction + dim);
     std::for_each(unit.begin(), unit.end(), [exponent](double &x) { x = std::ldexp(x, -exponent); });

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Boxes that contain a spline, and its extreme points.
 #pragma once
 
@@ -11,10 +12,10 @@ struct Box {
     double gap = 0; // no face is farther than this from the spline
 };
 
-// Each face is the largest value of a coordinate or its negative, to the tolerance, rounded outwards so that
-// evaluated points, with the rounding of evaluation, are inside too (unless points are homogeneous). Infinite
-// where weights cannot be shown to be positive. Cost: linear in the number of pieces, and the halvings of
-// those that reach the faces.
+// Each face is the largest value of a coordinate or of its negative, to the tolerance. Faces are rounded
+// outwards, so that evaluated points, with the rounding of evaluation, are inside too (unless points are
+// homogeneous). Faces are infinite where weights cannot be shown to be positive. Cost: linear in the number
+// of pieces, and the halvings of the pieces that reach the faces.
 Box bounding_box(const Spline &spline, const Part &part, double tolerance);
 
 struct OrientedBox {
@@ -23,8 +24,8 @@ struct OrientedBox {
     std::vector<double> half;
 };
 
-// Along the principal axes of the control points, longest first, or along the coordinate axes where that box
-// has no larger content. Throws Status::dimension, not_representable.
+// A box along the principal axes of the control points, longest first, or along the coordinate axes if that
+// box has no larger content. Throws Status::dimension, not_representable.
 inline constexpr int max_box_dimension = 16;
 OrientedBox oriented_box(const Spline &spline, double tolerance);
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "bounds/cone.h"
 
 #include "numeric/norm.h"
@@ -19,7 +20,7 @@ constexpr double pi = std::numbers::pi;
 
 using Vector = std::vector<double>;
 
-// Of a unit vector and any other, accurate at all sizes of it (W. Kahan).
+// The angle between a unit vector and any other vector, accurate whatever the size of the angle (W. Kahan).
 double angle_between(const double *unit, const double *v, int n) noexcept {
     const double size = norm(v, n);
     const double apart = norm_of(n, [&](int c) { return v[c] / size - unit[c]; });
@@ -27,7 +28,7 @@ double angle_between(const double *unit, const double *v, int n) noexcept {
     return 2 * std::atan2(apart, across);
 }
 
-// How far from its direction rounding may have turned coefficient i: pi if it may be 0.
+// By how much rounding may have turned coefficient i: pi if the coefficient may be 0.
 double turned(const RoundedPolynomial &a, size_t i, double size) noexcept {
     const auto n = static_cast<size_t>(a.shape.width);
     const double error =
@@ -35,8 +36,8 @@ double turned(const RoundedPolynomial &a, size_t i, double size) noexcept {
     return error < size ? 1.01 * std::asin(std::min(1.0, error / size)) + 8 * eps : pi;
 }
 
-// The largest angle between coefficients and a unit vector, each turned by its rounding; those that are 0
-// without rounding have no direction.
+// The largest angle between coefficients and a unit vector, each turned by its rounding. Coefficients that
+// are exactly 0 have no direction.
 double largest_angle(const RoundedPolynomial &a, const double *unit) noexcept {
     const int n = a.shape.width;
     double largest = 0;
@@ -54,7 +55,7 @@ double largest_angle(const RoundedPolynomial &a, const double *unit) noexcept {
     return largest <= pi ? largest : pi;
 }
 
-// The unit vector of the sum of the unit vectors of all coefficients, or an empty one.
+// The unit vector of the sum of the unit vectors of all coefficients; empty if there is none.
 Vector mean_direction(const RoundedPolynomial &a) {
     const auto n = static_cast<size_t>(a.shape.width);
     Vector sum(n, 0.0);
@@ -93,8 +94,8 @@ public:
         : source_(source), direction_(direction), tolerance_(tolerance) {}
 
     [[nodiscard]] Piece load(int64_t index) const { return {source_(index), {}}; }
-    // Coefficients within a right angle have a convex cone that stays as near; a wider one is that of the
-    // piece about an axis of its own, turned.
+    // Coefficients within a right angle of the direction have a convex cone that is no farther from it. A
+    // wider cone is that of the piece about an axis of its own, turned.
     [[nodiscard]] double upper(const RoundedPolynomial &a) const {
         const double about = largest_angle(a, direction_.data());
         if (about < pi / 2) {
@@ -132,7 +133,7 @@ public:
     }
 
 private:
-    // At corners, where coefficients are values.
+    // The largest angle at corners, where coefficients are values.
     [[nodiscard]] double lower(const RoundedPolynomial &a) const noexcept {
         double largest = 0;
         for (int corner = 0; corner < 8; ++corner) {
@@ -159,10 +160,10 @@ double product(const Vector &a, const Vector &b) noexcept {
     return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
 }
 
-// The direction whose smallest product with the unit vectors is largest: that of the shortest vector of their
-// convex hull, to which weight is moved from the vector that is farthest along it to the one that is least so
-// (B. Mitchell, V. Demyanov, V. Malozemov, "Finding the point of a polyhedron closest to the origin", SIAM J.
-// Control 12 (1974)). Empty without any vector, and where the hull comes to the origin.
+// The direction whose smallest product with the unit vectors is largest. It is that of the shortest vector of
+// their convex hull, to which weight is moved from the vector farthest along it to the vector least so (B.
+// Mitchell, V. Demyanov, V. Malozemov, "Finding the point of a polyhedron closest to the origin", SIAM J.
+// Control 12 (1974)). Empty if there are no vectors, or if the hull comes to the origin.
 Vector middle_direction(const std::vector<Vector> &units) {
     constexpr int most_steps = 500;
     if (units.empty()) {
@@ -201,7 +202,7 @@ Vector middle_direction(const std::vector<Vector> &units) {
     return x;
 }
 
-// Of all coefficients that have one; of some where there are very many.
+// The directions of all coefficients that have one; of some of them if there are very many.
 std::vector<Vector> directions(int64_t pieces, const Numerators &source) {
     constexpr int64_t most_pieces = 1024;
     constexpr size_t most_units = 8192;
@@ -221,7 +222,7 @@ std::vector<Vector> directions(int64_t pieces, const Numerators &source) {
     return units;
 }
 
-// Where derivatives vanish along lines inside pieces no number of halvings is enough.
+// If derivatives vanish along lines inside pieces, no number of halvings is enough.
 constexpr int most_cone_halvings = 2000;
 
 Cone cone_of(int64_t pieces, int dim, const Numerators &source, double tolerance) {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "bounds/deviation.h"
 
 #include "base/finite.h"
@@ -28,7 +29,7 @@ void check_comparable(const Spline &f, const Spline &g) {
     }
 }
 
-// The knots of both in an interval, with its ends.
+// The knots of both splines in an interval, with its ends.
 std::vector<double> common_breaks(const KnotVector &f, const KnotVector &g, Interval part) {
     std::vector<double> breaks{part.lower, part.upper};
     const auto inside = [part](double t) { return t > part.lower && t < part.upper; };
@@ -41,7 +42,7 @@ std::vector<double> common_breaks(const KnotVector &f, const KnotVector &g, Inte
 
 } // namespace
 
-// What both nets have in common.
+// What both nets share.
 struct DeviationPieces::Setting {
     pieces::BernsteinNet::Breaks breaks;
     std::array<int, max_axes> degrees{};

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How far two splines of the same domain are apart, with proof.
 #pragma once
 
@@ -8,22 +9,22 @@ namespace nrb::bounds {
 
 // The difference of two splines as quotients of Bernstein polynomials, piece by piece. With homogeneous
 // points A, w of f and B, v of g about a common centre
-//     f - g = (A v - B w) / (w v) = ((A - B) v - B (w - v)) / (w v),
-// in which the differences are small where the splines are close, and so is the rounding of the products.
-// Where the weights of a piece agree bit for bit (and in polynomial splines) it is (A - B) / w.
+//     f - g = (A v - B w) / (w v) = ((A - B) v - B (w - v)) / (w v).
+// Here the differences are small where the splines are close, and so is the rounding of the products. If the
+// weights of a piece agree bit for bit (as in polynomial splines), the difference is (A - B) / w.
 class DeviationPieces {
 public:
     // Throws Status::incompatible unless axes, dimensions and domains agree, overflow,
     // not_representable.
     DeviationPieces(const Spline &f, const Spline &g);
-    // Of the pieces in [lower, upper] of one axis only.
+    // The same for the pieces in [lower, upper] of one axis only.
     DeviationPieces(const Spline &f, const Spline &g, int axis, Interval part);
 
     [[nodiscard]] int64_t pieces() const noexcept { return f_.pieces(); }
     [[nodiscard]] const pieces::BernsteinNet::Breaks &breaks() const noexcept { return breaks_; }
     // A bound for each piece.
     [[nodiscard]] std::vector<double> uppers() const;
-    // Of the largest distance.
+    // Bounds of the largest distance.
     [[nodiscard]] pieces::Enclosure enclosure(std::span<const double> uppers,
                                               const pieces::SearchLimits &limits = {}) const;
 
@@ -37,9 +38,9 @@ private:
     pieces::BernsteinNet g_;
 };
 
-// sup |f(t) - g(t)| over the domain, both limits at jumps included. Rounding is in the bounds, which differ
-// by a factor of 5/4 at most beside it, unless the search ends at its limit of steps; the upper one is
-// infinite where a denominator cannot be shown to have no zero.
+// sup |f(t) - g(t)| over the domain, including both limits at jumps. Rounding is in the bounds. Apart from
+// rounding they differ by a factor of at most 5/4, unless the search ends at its limit of steps. The upper
+// bound is infinite where a denominator cannot be shown to have no zero.
 pieces::Enclosure deviation(const Spline &f, const Spline &g);
 pieces::Enclosure deviation(const Spline &f, const Spline &g, int axis, Interval part);
 

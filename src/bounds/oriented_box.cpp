@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "bounds/box.h"
 
 #include "numeric/norm.h"
@@ -55,7 +56,7 @@ double skewness(const std::vector<double> &axes, size_t dim) {
 }
 
 // The box about the middle m of the extents: x - c = A^T z with A A^T = 1 + E gives A (x - c) = (1 + E) z, so
-// that z - m is in [-half, half] but for E z, and what rounding does to c + A^T m.
+// that z - m is in [-half, half] apart from E z, and from what rounding does to c + A^T m.
 OrientedBox box_of(const pieces::SplinePieces &pieces, std::vector<double> axes, const Extents &found) {
     const size_t dim = pieces.centre().size();
     OrientedBox box{pieces.centre(), std::move(axes), {}};
@@ -81,7 +82,8 @@ OrientedBox box_of(const pieces::SplinePieces &pieces, std::vector<double> axes,
     return box;
 }
 
-// Sides of no length count as those of rounding, so that boxes of flat shapes compare by their other sides.
+// A side of no length counts as one of the length of rounding, so that boxes of flat shapes compare by their
+// other sides.
 double content(const Extents &found) {
     double longest = 0, product = 0;
     for (size_t r = 0; r < found.lower.size(); ++r) {

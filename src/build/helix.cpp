@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "build/helix.h"
 
 #include "base/checked.h"
@@ -59,8 +60,8 @@ std::array<double, 3> taylor_of_angle(double y) noexcept {
     return {2 * s * s * s * h0, 2 * s * s * (3 * h0 + s * h1), s * (6 * h0 + s * (6 * h1 + s * h2))};
 }
 
-// What all pieces have in common: control points of one that is centred on the angle 0, for a radius of 1 and
-// for a radius that is the approximated angle, and that angle.
+// What all pieces have in common: the control points of a piece centred on the angle 0, for a radius of 1 and
+// for a radius that is the approximated angle, and that angle itself.
 struct CoilPiece {
     int degree;
     Polynomial weights;
@@ -125,7 +126,7 @@ void check_helix(const Helix &shape, int dim, double tolerance) {
         fail(Status::factor, "turns = %s, expected a finite number above 0", Number(shape.turns).text);
     }
     const double last = std::fma(shape.growth, shape.turns, shape.radius);
-    if (!(last >= -4 * 0x1p-52 * shape.radius)) { // less is rounding, and becomes 0
+    if (!(last >= -4 * 0x1p-52 * shape.radius)) { // a smaller value is rounding, and becomes 0
         refuse("radius + growth * turns", last, "at least 0");
     }
     if (!std::isfinite(tolerance) || !(tolerance > 0)) {
@@ -135,12 +136,12 @@ void check_helix(const Helix &shape, int dim, double tolerance) {
 
 constexpr double error_factor = 0.21760; // 32 / 35 (6/7)^3 / sqrt(7) = 0.217596...
 
-// Of the approximated angle on a piece, as an angle.
+// The error of the approximated angle on a piece, as an angle.
 double angle_error(double piece_angle) noexcept {
     return error_factor * std::pow(std::tan(piece_angle / 4), 7);
 }
 
-// How far a point moves when it goes on by an angle in radius and pitch, but not round the axis.
+// How far a point moves for each unit of angle in radius and pitch, but not round the axis.
 double slope(const Helix &shape) noexcept {
     return std::hypot(shape.growth, shape.pitch) / turn;
 }
@@ -190,7 +191,7 @@ private:
         return half == halves_ ? shape_.turns
                                : shape_.turns * static_cast<double>(half) / static_cast<double>(halves_);
     }
-    // The part of a turn there, with the rounding of the product put back.
+    // The part of a turn there, with the rounding error of the product added back.
     [[nodiscard]] Direction direction_at(int64_t half) const noexcept {
         const auto k = static_cast<double>(half), n = static_cast<double>(halves_);
         const double product = k * shape_.turns, rest = std::fma(k, shape_.turns, -product);

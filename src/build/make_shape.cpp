@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "build/make_shape.h"
 
 #include "base/representable.h"

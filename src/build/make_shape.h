@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Constructed splines from their control points.
 #pragma once
 

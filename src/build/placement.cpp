@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "build/placement.h"
 
 #include "base/error.h"
@@ -15,9 +16,9 @@ Vector3 vector_of(const double *v, int dim) noexcept {
     return {v[0], v[1], dim == 3 ? v[2] : 0};
 }
 
-using WideVector = std::array<Wide, 3>;
+using WideVector = std::array<DoubleDouble, 3>;
 
-Wide dot(const WideVector &a, const WideVector &b) noexcept {
+DoubleDouble dot(const WideVector &a, const WideVector &b) noexcept {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 WideVector cross(const WideVector &a, const WideVector &b) noexcept {
@@ -32,12 +33,12 @@ WideVector unit(const WideVector &a) noexcept {
             return along;
         }
     }
-    const Wide scale = Wide(1) / square_root(dot(a, a));
+    const DoubleDouble scale = DoubleDouble(1) / square_root(dot(a, a));
     return {a[0] * scale, a[1] * scale, a[2] * scale};
 }
 // The unit vector of the part of a across the unit vector t.
 WideVector unit_across(const WideVector &a, const WideVector &t) noexcept {
-    const Wide part = dot(a, t);
+    const DoubleDouble part = dot(a, t);
     return unit(WideVector{a[0] - part * t[0], a[1] - part * t[1], a[2] - part * t[2]});
 }
 
@@ -48,17 +49,17 @@ WideVector scaled_vector(const double *v, int dim) noexcept {
 
 // The coordinate direction of the smallest component, the first of equal ones.
 WideVector least_direction(const WideVector &a) noexcept {
-    const auto least =
-        std::ranges::min_element(a, {}, [](const Wide &component) { return std::fabs(component.high); }) -
-        a.begin();
+    const auto least = std::ranges::min_element(
+                           a, {}, [](const DoubleDouble &component) { return std::fabs(component.high); }) -
+                       a.begin();
     WideVector direction{};
     direction[static_cast<size_t>(least)] = 1;
     return direction;
 }
 
-// Adds a product, its rounding error and what the rests give.
-void add_product(const Wide &a, const Wide &b, CompensatedSum &sum) noexcept {
-    if (a.high == 0 || b.high == 0) { // most of them, in planes and along the axes
+// Adds a product, its rounding error, and the products of the remainders.
+void add_product(const DoubleDouble &a, const DoubleDouble &b, CompensatedSum &sum) noexcept {
+    if (a.high == 0 || b.high == 0) { // most of them are, in planes and along the axes
         return;
     }
     const double product = a.high * b.high;
@@ -126,7 +127,8 @@ Placement::Component Placement::component(int c) const noexcept {
     }
 }
 
-void Placement::point(const Wide &a, const Wide &b, const Wide &c, double *out) const noexcept {
+void Placement::point(const DoubleDouble &a, const DoubleDouble &b, const DoubleDouble &c,
+                      double *out) const noexcept {
     for (int i = 0; i < dim; ++i) {
         const Component frame = component(i);
         CompensatedSum sum{frame.origin};

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "build/plane_frame.h"
 
 #include "base/error.h"
@@ -12,22 +13,22 @@ namespace nrb::build {
 
 namespace {
 
-using Vector = std::vector<double>;
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
 double length(std::span<const double> v) noexcept {
     return norm(v.data(), static_cast<int>(v.size()));
 }
 
-Vector scaled(Vector v, double factor) {
+std::vector<double> scaled(std::vector<double> v, double factor) {
     for (double &x : v) {
         x *= factor;
     }
     return v;
 }
 
-// The part of v across a unit vector; twice, since cancellation leaves some of it.
-Vector across(Vector v, std::span<const double> unit) {
+// The part of v across a unit vector. It is computed twice, because cancellation leaves some of the other
+// part.
+std::vector<double> across(std::vector<double> v, std::span<const double> unit) {
     for (int pass = 0; pass < 2; ++pass) {
         const double part = numeric::dot(v, unit);
         for (size_t i = 0; i < v.size(); ++i) {
@@ -37,7 +38,7 @@ Vector across(Vector v, std::span<const double> unit) {
     return v;
 }
 
-// That brings a size to about 1, as far as it is a number itself.
+// The power of two that brings a size to about 1, if it is itself a number.
 double power_of_two(double size) noexcept {
     return size > 0 ? std::ldexp(1.0, std::min(-std::ilogb(size), 1000)) : 1;
 }
@@ -50,10 +51,10 @@ PlaneFrame::PlaneFrame(Coordinates first, Coordinates second, Coordinates third,
         std::max({largest_magnitude(first), largest_magnitude(second), largest_magnitude(third)});
     scale_ = power_of_two(std::max(largest_magnitude(offset(second)), largest_magnitude(offset(third))));
     rounding_ = 8 * eps * size * scale_;
-    const Vector chord = offset(second), leg = offset(third);
+    const std::vector<double> chord = offset(second), leg = offset(third);
     const double width = length(chord);
     u_ = width > 0 ? scaled(chord, 1 / width) : chord;
-    const Vector high = across(leg, u_);
+    const std::vector<double> high = across(leg, u_);
     const double height = length(high);
     if (!(std::min({width, height, length(leg)}) > rounding_)) {
         fail(Status::collinear,
@@ -68,8 +69,8 @@ PlaneFrame::PlaneFrame(Coordinates first, Coordinates second, Coordinates third,
     }
 }
 
-Vector PlaneFrame::offset(Coordinates x) const {
-    Vector v(x.begin(), x.end());
+std::vector<double> PlaneFrame::offset(Coordinates x) const {
+    std::vector<double> v(x.begin(), x.end());
     for (size_t i = 0; i < v.size(); ++i) {
         v[i] = (v[i] - origin_[i]) * scale_;
     }
@@ -77,14 +78,14 @@ Vector PlaneFrame::offset(Coordinates x) const {
 }
 
 double PlaneFrame::distance(std::span<const double> v) const {
-    return length(across(across(Vector(v.begin(), v.end()), u_), v_));
+    return length(across(across(std::vector<double>(v.begin(), v.end()), u_), v_));
 }
 
 Point2 PlaneFrame::point(Coordinates x) const {
     Point2 p;
     for (size_t i = 0; i < x.size(); ++i) {
-        const Wide way = Wide::sum(x[i], -origin_[i]) * Wide(scale_);
-        p = {p.x + way * Wide(u_[i]), p.y + way * Wide(v_[i])};
+        const DoubleDouble way = DoubleDouble::sum(x[i], -origin_[i]) * DoubleDouble(scale_);
+        p = {p.x + way * DoubleDouble(u_[i]), p.y + way * DoubleDouble(v_[i])};
     }
     return p;
 }
@@ -93,14 +94,14 @@ Point2 PlaneFrame::direction(Coordinates v) const {
     const double scale = power_of_two(largest_magnitude(v));
     Point2 p;
     for (size_t i = 0; i < v.size(); ++i) {
-        const Wide part = v[i] * scale;
-        p = {p.x + part * Wide(u_[i]), p.y + part * Wide(v_[i])};
+        const DoubleDouble part = v[i] * scale;
+        p = {p.x + part * DoubleDouble(u_[i]), p.y + part * DoubleDouble(v_[i])};
     }
     return p;
 }
 
 void PlaneFrame::check_point(Coordinates x, const char *name) const {
-    const Vector v = offset(x);
+    const std::vector<double> v = offset(x);
     const double out = distance(v);
     if (out > rounding_ + 4 * tilt_ * length(v)) {
         fail(Status::conic, "%s is %s away from the plane of the other points", name,
@@ -109,7 +110,8 @@ void PlaneFrame::check_point(Coordinates x, const char *name) const {
 }
 
 void PlaneFrame::check_direction(Coordinates v, const char *name) const {
-    const Vector unit = scaled(Vector(v.begin(), v.end()), power_of_two(largest_magnitude(v)));
+    const std::vector<double> unit =
+        scaled(std::vector<double>(v.begin(), v.end()), power_of_two(largest_magnitude(v)));
     const double out = distance(unit) / length(unit);
     if (out > 8 * eps + 4 * tilt_) {
         fail(Status::conic, "%s leaves the plane of the points: the sine of the angle is %s", name,
@@ -117,10 +119,10 @@ void PlaneFrame::check_direction(Coordinates v, const char *name) const {
     }
 }
 
-Vector PlaneFrame::vector(const Point2 &v) const {
-    Vector out(origin_.size());
+std::vector<double> PlaneFrame::vector(const Point2 &v) const {
+    std::vector<double> out(origin_.size());
     for (size_t i = 0; i < out.size(); ++i) {
-        out[i] = (v.x * Wide(u_[i]) + v.y * Wide(v_[i])).value() / scale_;
+        out[i] = (v.x * DoubleDouble(u_[i]) + v.y * DoubleDouble(v_[i])).value() / scale_;
     }
     return out;
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "build/polylines.h"
 
 #include "base/checked.h"
@@ -52,13 +53,14 @@ SplinePtr rectangle(const Placement &place, double x, double y) {
     return polyline(place.dim, std::move(points), even_params(5));
 }
 
-// Bezier points of degree 2 one piece after the other, the first point left out but once.
+// Bezier points of degree 2, one piece after the other. The first point of a piece is left out, except for
+// the first piece.
 class Outline {
 public:
     explicit Outline(const Placement &place) : place_(place) {}
 
     void start(double x, double y) { add(x, y, 1); }
-    // A straight side to a point, if it has a length.
+    // A straight side to a point, unless its length is 0.
     void side(double from_x, double from_y, double x, double y) {
         if (from_x != x || from_y != y) {
             add(from_x + (x - from_x) / 2, from_y + (y - from_y) / 2, 1);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Curves of degree 1.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "closest/closest.h"
 
 #include "closest/curve/curve_locator.h"
@@ -22,7 +23,7 @@ std::shared_ptr<const Locator> make_locator(const Spline &spline) {
     return std::make_shared<PatchLocator>(spline);
 }
 
-// Copies a record; whether it is finite.
+// Copies a record; returns whether it is finite.
 bool copy(const ConstRecords &from, int64_t i, std::vector<double> &to) noexcept {
     bool finite = true;
     for (size_t c = 0; c < to.size(); ++c) {
@@ -32,7 +33,7 @@ bool copy(const ConstRecords &from, int64_t i, std::vector<double> &to) noexcept
     return finite;
 }
 
-// Turns what locators find into what is returned: points and distances are those of the parameters.
+// Turns the answers of locators into results: points and distances are those of the parameters.
 class Feet {
 public:
     // asked: null for local searches, which prove nothing.
@@ -75,7 +76,7 @@ private:
             }
         }
     }
-    // What is proven holds for the place that was found; the distance of its parameter, which is rounded, may
+    // The proof holds for the place that was found. The distance of its parameter, which is rounded, may
     // differ, or overflow.
     void settle(Foot &foot, double distance) const {
         if ((foot.status & closest_certified) != 0 && !keeps(foot, distance)) {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Batches of queries for closest points.
 #pragma once
 
@@ -14,8 +15,8 @@ struct FeetOutputs {
     int32_t *status = nullptr;
 };
 
-// Answers each query with a point that is finite; the others get NaN and closest_invalid. `asked` is
-// what they have in common.
+// Answers each query whose point is finite; the others get NaN and closest_invalid. `asked` holds what the
+// queries have in common.
 void closest_points(const Spline &spline, const ConstRecords &points, const Query &asked,
                     const FeetOutputs &out);
 void closest_local(const Spline &spline, const ConstRecords &points, const ConstRecords &guesses,

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "closest/curve_side.h"
 
 #include "basis/bspline.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The derivatives of a curve on one side of a parameter, with bounds of their rounding.
 #pragma once
 
@@ -7,12 +8,13 @@
 
 namespace nrb::closest {
 
-// The Cartesian derivatives of orders 0, 1, ... as vectors, and what their rounding may amount to: the bounds
-// H_k and E_k of nurbs.h's preamble, for the whole span, in Euclidean length. Where w(t) = 0 they are not finite.
+// The Cartesian derivatives of orders 0, 1, ... as vectors, and the bounds of their rounding: H_k and E_k of
+// nurbs.h's preamble, for the whole span, in Euclidean length. They are not finite if w(t) = 0.
 class CurveSide {
 public:
-    // Of the piece below t (left) or above it. `accuracy` is the constant c of the bounds: that of the curve's
-    // degree, and of what the curve was made by. Precondition: t lies in the closed domain of a curve.
+    // Derivatives of the piece below t (left) or above it. `accuracy` is the constant c of the bounds: that
+    // of the curve's degree plus that of the operations that made the curve. Precondition: t lies in the
+    // closed domain of a curve.
     CurveSide(const Spline &curve, double t, bool left, int order, double accuracy);
 
     [[nodiscard]] int dim() const noexcept { return dim_; }
@@ -24,7 +26,7 @@ public:
     [[nodiscard]] double span_length() const noexcept { return length(1) * span_; }
     // Whether derivative k is more than its rounding.
     [[nodiscard]] bool vanishes(int k) const noexcept { return !(length(k) > error(k)); }
-    // As the curve is run through in the other direction: the parameter changes its sign.
+    // The derivatives when the curve is run through in the other direction: the parameter changes its sign.
     void reverse() noexcept;
 
 private:

@@ -1,4 +1,5 @@
-// What queries for closest points ask, and what they answer.
+// SPDX-License-Identifier: MIT
+// Queries for closest points, and their answers.
 #pragma once
 
 #include "basis/knot_vector.h"
@@ -10,21 +11,21 @@
 
 namespace nrb::closest {
 
-// What gradual underflow may add to a distance, since coordinates that small are rounded to a multiple of it.
+// What gradual underflow may add to a distance: coordinates that small are rounded to a multiple of it.
 inline constexpr double underflow_noise = 64 * std::numeric_limits<double>::denorm_min();
 
 // How far an answer is proven, and where it lies.
 enum ClosestStatus : int32_t {
     closest_certified = 0x01,  // the nearest, or farthest, point to the tolerance
     closest_boundary = 0x02,   // on an end or an edge of the domain, or of the range
-    closest_not_unique = 0x04, // points elsewhere are as near to the tolerance
+    closest_not_unique = 0x04, // points elsewhere are as near, to the tolerance
     closest_budget = 0x08,     // the budget ended before a proof was found
     closest_invalid = 0x10,    // the query point is not finite
     closest_coarse = 0x20,     // proven, but rounding the parameters moves the point by more
     closest_left = 0x100,      // the limit from below is meant on axis 0; on the others the next bits
 };
 
-// What a place is where the distance is critical.
+// The kinds of a place where the distance is critical.
 enum CriticalKind : int32_t {
     critical_minimum = 1,
     critical_maximum = 2,
@@ -37,9 +38,9 @@ struct Foot {
     std::array<double, max_axes> params{};
     double distance = 0;
     int32_t status = 0;
-    double noise = 0;   // what rounding leaves open in the distance
+    double noise = 0;   // the uncertainty of the distance by rounding
     uint32_t left = 0;  // bit k: at parameter k the limit from below is meant
-    int64_t looked = 0; // pieces that were looked at for it
+    int64_t looked = 0; // number of pieces that were examined
 };
 
 // A place where the distance is critical. Kind: a critical_ constant.
@@ -48,13 +49,13 @@ struct CriticalPoint {
     int32_t kind = 0;
 };
 
-// What every query asks for.
+// The common data of queries.
 struct Query {
     const double *point;   // [dim], finite
     const Interval *range; // [axes], in the domain; or null for all of it
     double tolerance;      // how much nearer another point may be
-    int64_t budget;        // most pieces looked at
-    bool farthest = false; // the farthest point in place of the nearest one
+    int64_t budget;        // most pieces examined
+    bool farthest = false; // the farthest point instead of the nearest one
 };
 
 } // namespace nrb::closest

@@ -1,4 +1,5 @@
-// What finds closest points of one spline, kept by it.
+// SPDX-License-Identifier: MIT
+// Finds closest points of one spline, which keeps it.
 #pragma once
 
 #include "closest/foot.h"
@@ -30,12 +31,12 @@ public:
     Locator &operator=(const Locator &) = delete;
     virtual ~Locator() = default;
 
-    // The nearest or farthest point. Distances are those of the Bezier pieces, to rounding those of the
-    // spline.
+    // The nearest or farthest point. Distances are those of the Bezier pieces, which are those of the spline
+    // to rounding.
     [[nodiscard]] virtual Foot nearest(const Query &query) const = 0;
-    // The local minimum that a descent from a guess in the domain comes to.
+    // The local minimum that a descent from a guess in the domain reaches.
     [[nodiscard]] virtual Foot local(const double *point, const double *guess) const = 0;
-    // All critical points of the distance, query.tolerance being how near to each other they are told apart.
+    // All critical points of the distance; query.tolerance is the distance up to which they count as one.
     [[nodiscard]] virtual CriticalSet critical(const Query &query) const = 0;
     // The minima that are farther than the nearest point by at most query.tolerance.
     [[nodiscard]] virtual CriticalSet minima(const Query &query) const = 0;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "closest/signed_distance.h"
 
 #include "eval/evaluate.h"
@@ -65,8 +66,8 @@ private:
     }
 
     // The sum of the normals on both sides decides (Baerentzen & Aanaes, "Signed distance computation using
-    // the angle weighted pseudonormal", 2005), and where the curve turns back the side to which it turns:
-    // what is nearest to a corner is outside of it.
+    // the angle weighted pseudonormal", 2005). If the curve turns back, the side to which it turns decides:
+    // points nearest to a corner are outside of it.
     [[nodiscard]] double sign_at_corner(double t, const Plane &offset) const {
         const bool first = t == domain_.lower, last = t == domain_.upper;
         const Plane before = first ? (closed_ ? tangent(domain_.upper, true) : Plane{}) : tangent(t, true);
@@ -98,7 +99,7 @@ private:
     bool closed_;
 };
 
-// Some queries, of which everything is kept.
+// A block of queries, with everything about each of them kept.
 struct Block {
     static constexpr int64_t size = 64;
     std::array<double, size> params;

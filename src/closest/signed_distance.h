@@ -1,4 +1,5 @@
-// Distances from a curve in the plane that tell its sides apart.
+// SPDX-License-Identifier: MIT
+// Distances from a plane curve, with a sign for its sides.
 #pragma once
 
 #include "closest/closest.h"

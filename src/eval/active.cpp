@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "eval/active.h"
 
 #include "eval/active_points.h"
@@ -20,8 +21,8 @@ double largest_coordinate(const Spline &spline, int64_t point) noexcept {
     return size;
 }
 
-// What a bound in homogeneous space needs: the largest |w_i P_i| and |w_i|, and w(t) C(t) in the last dim + 1
-// values.
+// The values that a bound in homogeneous space needs: the largest |w_i P_i| and |w_i|, and w(t) C(t) in the
+// last dim + 1 values.
 class HomogeneousHull {
 public:
     HomogeneousHull(const Spline &spline, std::vector<double> &sums) : spline_(spline), sums_(sums) {
@@ -43,8 +44,8 @@ public:
 
     [[nodiscard]] bool positive() const noexcept { return positive_; }
 
-    // The numerator may be off by eps max|w_i P_i|, the denominator by eps max|w_i|, which moves the quotient
-    // C in proportion.
+    // The numerator may be off by eps max|w_i P_i|, the denominator by eps max|w_i|; the latter moves the
+    // quotient C in proportion.
     [[nodiscard]] double size() const noexcept {
         const double weight = std::abs(sums_.back());
         double point = 0;
@@ -83,7 +84,7 @@ double hull_size(const Spline &spline, const ActivePoints &active, std::vector<d
     return cartesian_hull(spline, active);
 }
 
-// Fills w_i N_i and returns what they are to be divided by.
+// Fills w_i N_i and returns their divisor.
 double weighted_functions(const Spline &spline, const ActivePoints &active, std::vector<double> &functions) {
     double sum = 0;
     auto next = functions.begin();

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The control points that are active at a parameter, with the values or derivatives of their (polynomial)
 // basis functions.
 #pragma once

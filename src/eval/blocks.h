@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Evaluation in blocks, for results that are computed from points and derivatives (frames, curvature, other
 // number formats): no array of all derivatives is ever made.
 #pragma once
@@ -17,10 +18,12 @@ public:
     virtual void operator()(int64_t first, ConstRecords values) noexcept = 0;
 };
 
-// As evaluate_points() and evaluate_grid(), at most block_size points at a time, in any order. May throw only std::bad_alloc, before the sink is called.
+// The same as evaluate_points() and evaluate_grid(), at most block_size points at a time, in any order. May
+// throw only std::bad_alloc, before the sink is called.
 void evaluate_points(const Spline &spline, const AxisRules &rules, int order, const ConstRecords &params,
                      BlockSink &sink);
-// evaluate_grid() point by point, for grids of surfaces and volumes that are too narrow for rows to pay.
+// evaluate_grid() point by point, for grids of surfaces and volumes whose rows are too short for the kernel
+// of grids to pay.
 void evaluate_combinations(const Spline &spline, const AxisRules &rules, int order,
                            const std::array<ConstRecords, max_axes> &params, const Records &out);
 void evaluate_combinations(const Spline &spline, const AxisRules &rules, int order,

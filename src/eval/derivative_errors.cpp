@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "eval/derivative_errors.h"
 
 #include "eval/frames/jet.h"
@@ -12,9 +13,9 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// Sums of the magnitudes of the terms of derivatives 1 and 2 of all basis functions of an axis: each step
-// from degree d - 1 multiplies by at most 2 d / min(t_(i+d) - t_i) over the functions of that degree that do not
-// vanish on the domain, the functions of the lowest degree add up to 1.
+// Sums of the magnitudes of the terms of derivatives 1 and 2 of all basis functions of an axis. Each step
+// from degree d - 1 multiplies by at most 2 d / min(t_(i+d) - t_i) over the functions of that degree that do
+// not vanish on the domain; the functions of the lowest degree add up to 1.
 struct AxisSizes {
     double first = 0;
     double second = 0;
@@ -65,7 +66,7 @@ NetSizes net_sizes(const Spline &spline) {
     return sizes;
 }
 
-// Polynomial curves have pieces of the stored points, which are exact to about 2^-100 of these.
+// Polynomial curves have pieces of the stored points. The pieces are exact to about 2^-100 of these points.
 NetSizes sizes_seen_from_o(const Spline &spline) {
     const Spline &moved = at_origin(spline);
     NetSizes sizes = net_sizes(moved);
@@ -81,7 +82,7 @@ bool extrapolates(const AxisRules &rules) noexcept {
 
 DerivativeErrors derivative_errors(const Spline &spline, const AxisRules &rules, int64_t points) {
     const DerivativeErrors none{infinity, infinity, infinity, infinity, infinity};
-    // Bounds of its own cost a point about as much as reading 64 control points.
+    // A point's own bounds cost about as much as reading 64 control points.
     if (spline.point_count() / 64 > points || extrapolates(rules)) {
         return none;
     }
@@ -102,7 +103,7 @@ DerivativeErrors derivative_errors(const Spline &spline, const AxisRules &rules,
     const double e_uu = u.second * m * (1 + w) + 2 * u.first * w * e_u;
     const double e_uv = u.first * v.first * m * (1 + w) + w * (u.first * e_v + v.first * e_u);
     const double e_vv = v.second * m * (1 + w) + 2 * v.first * w * e_v;
-    // Twice, for the rounding of the bounds themselves.
+    // Twice the bound, for the rounding of the bounds themselves.
     const double first = 4 * (c + 2) * std::numeric_limits<double>::epsilon();
     const double second = 4 * (c + 4) * std::numeric_limits<double>::epsilon();
     return {first * e_u, first * e_v, second * e_uu, second * e_uv, second * e_vv};

@@ -1,12 +1,13 @@
-// Bounds of the rounding errors of derivatives that hold everywhere on a spline: the cheap first test that
-// spares nearly every point the evaluation of its own bounds.
+// SPDX-License-Identifier: MIT
+// Bounds of the rounding errors of derivatives that hold everywhere on a spline. They are a cheap first test:
+// nearly every point passes it and needs no bounds of its own.
 #pragma once
 
 #include "eval/parameters.h"
 
 namespace nrb::eval {
 
-// Bounds of the lengths of the errors, each at least that of Jet for the same derivative.
+// Bounds of the lengths of the errors, each at least the bound of Jet for the same derivative.
 struct DerivativeErrors {
     double u = 0;
     double v = 0;
@@ -15,9 +16,9 @@ struct DerivativeErrors {
     double vv = 0;
 };
 
-// For a curve or a surface, evaluated at `points` parameters. Infinite where no bound holds everywhere
-// (extrapolation, weights that are not positive), and where reading all control points would cost more than
-// it can spare. Throws only if a table has to be built.
+// For a curve or a surface, evaluated at `points` parameters. Infinite if no bound holds everywhere
+// (extrapolation, weights that are not positive), or if reading all control points would cost more than it
+// can save. Throws only if a table has to be built.
 DerivativeErrors derivative_errors(const Spline &spline, const AxisRules &rules, int64_t points);
 
 } // namespace nrb::eval

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Batch evaluation into the caller's arrays.
 #pragma once
 
@@ -5,9 +6,9 @@
 
 namespace nrb::eval {
 
-// out record: [slots][dim], slots = slot_count(axes, order). Order 0 are points. All parameters must have
-// been admitted by check_parameters(); the strided views must not overlap. May throw only std::bad_alloc,
-// before anything is written.
+// out record: [slots][dim], slots = slot_count(axes, order). Order 0: points. All parameters must have passed
+// check_parameters(); the strided views must not overlap. May throw only std::bad_alloc, before anything is
+// written.
 void evaluate_points(const Spline &spline, const AxisRules &rules, int order, const ConstRecords &params,
                      const Records &out);
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "base/checked.h"
 #include "eval/blocks.h"
 #include "eval/evaluate.h"
@@ -46,9 +47,9 @@ public:
 
     void write(const Records &out) noexcept { write(out, 0, tables_[0]->size(), nullptr, 0, 0); }
 
-    // The part of parameters [begin, end) of axis 0. `sink`, if any, is called for every row of the last axis,
-    // whose first point is number sink_first of the whole grid and which has sink_stride points there; `out`
-    // then holds one row.
+    // The part of parameters [begin, end) of axis 0. `sink`, if there is one, is called for every row of the
+    // last axis. The first point of that row is number sink_first of the whole grid, and the row has
+    // sink_stride points there; `out` then holds one row.
     void write(const Records &out, int64_t begin, int64_t end, BlockSink *sink, int64_t sink_first,
                int64_t sink_stride) noexcept {
         run(GridJob{spline_,
@@ -97,7 +98,7 @@ private:
         return std::make_shared<const GridAxis>(std::move(table));
     }
 
-    // From the last axis forward: each needed layer of an axis holds the stretches of the axes behind it.
+    // From the last axis to the first: each needed layer of an axis holds the stretches of the axes after it.
     void find_stretches() {
         std::vector<Stretch> inner{{0, shape_.width}};
         int64_t length = shape_.width;
@@ -170,7 +171,7 @@ private:
 };
 
 // A parameter of the last axis costs the tables of a grid as much as several points of a list, and a row of
-// few points as much as a whole vector.
+// few points costs as much as a whole vector.
 bool is_narrow(const Spline &spline, const std::array<ConstRecords, max_axes> &params) noexcept {
     constexpr int64_t fewest_rows = 16;
     constexpr int64_t fewest_columns = 4;
@@ -220,8 +221,8 @@ private:
     std::vector<std::unique_ptr<GridEvaluator>> strips_;
 };
 
-// Between the derivatives of a moved surface and their sink: writes the points of the stored one over those
-// that came with them.
+// Stands between the derivatives of a moved surface and their sink: replaces their points by the points of
+// the stored surface.
 class PointSink final : public BlockSink {
 public:
     PointSink(const Spline &surface, const AxisRules &rules, const std::array<ConstRecords, max_axes> &params,
@@ -277,14 +278,14 @@ void evaluate_grid(const Spline &spline, const AxisRules &rules, int order,
         return evaluate_points(spline, rules, order, params[0], sink);
     }
     const Spline &source = derivative_source(spline, order);
-    // Rows of a volume are not told apart by those of axis 0.
+    // The rows of a volume are not identified by the rows of axis 0.
     if (is_narrow(spline, params) || (&source != &spline && spline.axes() > 2)) {
         return evaluate_combinations(spline, rules, order, params, sink);
     }
     const int64_t width = slot_count(spline.axes(), order) * spline.dim();
     const std::unique_ptr<double[]> rows(
         new double[static_cast<size_t>(checked_product(width, block_size, "points"))]);
-    // All tables first: nothing is written if memory runs out.
+    // All tables first, so that nothing is written if memory runs out.
     GridStrips strips(source, rules, order, params);
     std::optional<PointSink> points;
     if (&source != &spline) {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "eval/grid_layout.h"
 
 #include <algorithm>

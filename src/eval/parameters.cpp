@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "eval/parameters.h"
 
 #include <algorithm>
@@ -13,7 +14,7 @@ bool inside(double t, Interval domain) noexcept {
     return t >= domain.lower && t <= domain.upper;
 }
 
-bool admitted(double t, const AxisRule &rule) noexcept {
+bool allowed(double t, const AxisRule &rule) noexcept {
     if (rule.nan) {
         return true;
     }
@@ -26,7 +27,7 @@ void check_column(const ConstRecords &params, int k, const AxisRule &rule, Inter
                   int64_t first_index, const char *format) {
     for (int64_t i = 0; i < params.count; ++i) {
         const double t = params(i, k);
-        if (!inside(t, domain) && !admitted(t, rule)) {
+        if (!inside(t, domain) && !allowed(t, rule)) {
             const long long index = first_index + i;
             char name[64];
             static_cast<void>(std::snprintf(name, sizeof name, format, index, k));
@@ -61,7 +62,7 @@ bool packed_inside(const Spline::Axes &axes, const ConstRecords &params) noexcep
 } // namespace
 
 void check_parameter(double t, const AxisRule &rule, Interval domain, const char *name) {
-    if (inside(t, domain) || admitted(t, rule)) {
+    if (inside(t, domain) || allowed(t, rule)) {
         return;
     }
     if (!std::isfinite(t)) {

@@ -1,4 +1,5 @@
-// What a caller's parameter means: which side of a knot, and what happens outside the domain.
+// SPDX-License-Identifier: MIT
+// The meaning of a caller's parameter: which side of a knot, and what happens outside the domain.
 #pragma once
 
 #include "base/records.h"
@@ -11,7 +12,7 @@ namespace nrb::eval {
 
 enum class Outside { refuse, clamp, extrapolate, wrap };
 
-// What is asked for on one axis.
+// The rule for one axis.
 struct AxisRule {
     bool left = false;
     bool nan = false;
@@ -19,8 +20,8 @@ struct AxisRule {
 };
 using AxisRules = std::array<AxisRule, max_axes>;
 
-// Throws Status::parameter_not_finite or outside_domain when the rule does not admit t; `name` is how
-// the message calls it.
+// Throws Status::parameter_not_finite or outside_domain if the rule does not allow t; `name` names it in the
+// message.
 void check_parameter(double t, const AxisRule &rule, Interval domain, const char *name);
 
 // Checks every parameter of a batch or of one axis of a grid; messages name the array "params" and the index
@@ -36,8 +37,8 @@ void check_axis_parameters(const KnotVector &axis, const AxisRule &rule, ConstRe
 // none.
 bool all_inside(const double *params, int64_t count, int axes, const Interval *domains) noexcept;
 
-// The parameter to evaluate at in place of an admitted t, or NaN when the rule gives NaN. A wrapped parameter
-// is in [lower, upper), from the left in (lower, upper].
+// The parameter to evaluate at for a parameter t that was checked, or NaN if the rule gives NaN. A wrapped
+// parameter is in [lower, upper), from the left in (lower, upper].
 double place(double t, const AxisRule &rule, Interval domain) noexcept;
 
 } // namespace nrb::eval

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "base/checked.h"
 #include "eval/blocks.h"
 #include "eval/evaluate.h"
@@ -43,7 +44,7 @@ public:
     void operator()(const ConstRecords &params, const Records &out) noexcept { run(job_, params, out); }
 
 private:
-    // Spans of low degree need records only where their weights are too far apart for pieces.
+    // Spans of low degree need records only if their weights are too far apart for pieces.
     static const double *net_after(const Spline &curve, int64_t uses) {
         return curve.has_pieces(0) ? nullptr : curve.records_after(uses);
     }
@@ -152,8 +153,8 @@ private:
     AxisPoint points_[max_axes][axis_block_size];
 };
 
-// Points and derivatives of which these come from a moved spline: points of the stored one are written over
-// those that come with them, so that a point is the same with derivatives and without.
+// Points and derivatives, where the derivatives come from a moved spline: the points of the stored spline
+// replace those that come with them, so that a point is the same with derivatives and without.
 template <class Evaluator>
 class MovedEvaluator {
 public:
@@ -178,7 +179,7 @@ private:
     int dim_;
 };
 
-// Calls run(evaluator) with what evaluates a spline.
+// Calls run(evaluator) with the evaluator of a spline.
 template <class Evaluator, class Rule, class Run>
 void with_evaluator(const Spline &spline, const Rule &rule, int order, int64_t uses, Run &&run) {
     const Spline &source = derivative_source(spline, order);
@@ -189,7 +190,7 @@ void with_evaluator(const Spline &spline, const Rule &rule, int order, int64_t u
     }
 }
 
-// Apart from evaluate_points(), which single points pass through.
+// Separate from evaluate_points(), through which single points pass.
 [[gnu::noinline]] void evaluate_moved(const Spline &spline, const Spline &moved, const AxisRules &rules,
                                       int order, const ConstRecords &params, const Records &out) {
     if (spline.axes() == 1) {
@@ -223,7 +224,7 @@ public:
         }
         return product;
     }
-    // Holds until the next call.
+    // Valid until the next call.
     [[nodiscard]] ConstRecords operator()(int64_t first, int64_t count) noexcept {
         for (int64_t i = 0; i < count; ++i) {
             int64_t rest = first + i;

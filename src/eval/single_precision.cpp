@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "eval/single_precision.h"
 
 #include "eval/blocks.h"

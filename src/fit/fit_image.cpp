@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fit/fit_image.h"
 
 #include "base/representable.h"
@@ -43,7 +44,7 @@ Numerators mapped(const std::vector<double> &samples, size_t dim, bool rational,
     return result;
 }
 
-// Where the samples of the spans of an axis stand.
+// Where the samples of the spans of an axis lie.
 struct Lines {
     size_t spans;
     size_t places; // of a span
@@ -100,7 +101,7 @@ private:
     static constexpr int sufficient_degree = 3;
     static constexpr int64_t max_points = int64_t{1} << 18;
 
-    // A bound may be far above what it bounds, and cost many control points.
+    // A bound may be far above the value it bounds, and so cost many control points.
     bool accept_samples(FittedImage &image) const {
         const double deviation = sampled_deviation(*records(), *image.spline);
         if (deviation <= tolerance_) {
@@ -110,7 +111,7 @@ private:
         return !image.proven;
     }
 
-    // More control points that bring it no nearer mean that what is left is rounding.
+    // If more control points bring the image no nearer, what is left is rounding.
     void note_progress(const FittedImage &image) {
         const int64_t points = image.spline->point_count();
         stalled_ += points > last_points_ && image.deviation > 0.75 * last_deviation_ ? 1 : 0;
@@ -207,7 +208,7 @@ private:
         }
     }
 
-    // In quarters; whether there are any.
+    // In quarters; returns whether there are any.
     bool cut_where_asked(const Cuts &cuts) {
         std::vector<std::vector<double>> more(nodes_.size());
         bool cut = false;
@@ -239,7 +240,7 @@ private:
     [[nodiscard]] std::vector<double> new_knots(int k, const std::vector<double> &errors,
                                                 double target) const {
         constexpr double most_parts = 8;
-        constexpr double nearly = 0.6; // cuts make neighbours a little worse, which must not go on and on
+        constexpr double nearly = 0.6; // cuts make neighbours a little worse, which must not go on for ever
         constexpr double share = 0.2;  // of the largest, below which an error may be a neighbour's
         const KnotVector &axis = fine_->axis(k);
         std::vector<double> knots;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fit/span_samples.h"
 
 #include "basis/bspline.h"
@@ -83,7 +84,7 @@ namespace {
 // The control points of an axis from samples of it, by least squares.
 class AxisFit {
 public:
-    // Samples of `length` values each, `places` on a span, of which node j is number stride * j.
+    // Samples of `length` values each, `places` on a span; node j is number stride * j.
     AxisFit(const KnotVector &axis, const LocalNodes &nodes, size_t places, size_t stride, int64_t length)
         : axis_(axis), nodes_(std::ssize(nodes.nodes())), places_(static_cast<int64_t>(places)),
           stride_(static_cast<int64_t>(stride)), length_(length), columns_(axis.distinct_layers()),
@@ -115,7 +116,7 @@ private:
     static constexpr double anchor = std::numeric_limits<double>::epsilon(); // changes no image by more
     static constexpr double pin = 0x1p30; // the square of which is beyond the others' rounding
 
-    // Behind the layers that act on the span of row r, or before it; all at the last row.
+    // The layers after those that act on the span of row r, or before them; all layers at the last row.
     [[nodiscard]] int64_t reached(int64_t r) const {
         const int64_t span = axis_.spans().indices()[static_cast<size_t>(r / nodes_)];
         return r + 1 == table_.rows() ? columns_ : std::min(span + 1, columns_);

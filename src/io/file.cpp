@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "io/file.h"
 
 #include "base/error.h"
@@ -25,8 +26,8 @@ using File = std::unique_ptr<std::FILE, Close>;
     fail(Status::file, "path = \"%.200s\": %s", path, std::generic_category().message(errno).c_str());
 }
 
-// A cancelled thread unwinds by an exception that must not be caught, and the border catches all: the thread ends
-// after the call.
+// A cancelled thread unwinds by an exception that must not be caught, but the border catches everything. So
+// cancellation waits: the thread ends after the call.
 class NoCancellation {
 public:
     NoCancellation() noexcept { pthread_setcancelstate(PTHREAD_CANCEL_DISABLE, &before_); }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Files as bytes.
 #pragma once
 

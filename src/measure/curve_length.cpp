@@ -73,7 +73,6 @@ public:
 
     // `share`: what is allowed on however small a part, of the whole tolerance.
     Integral run(double length, double share) {
-        length_ = length;
         least_ = tolerance_ * length * share;
         if (leaves_ != nullptr) {
             leaves_->clear();
@@ -168,7 +167,6 @@ private:
     std::vector<double> *nets_;
     int first_level_;
     int64_t budget_;
-    double length_ = 0;
     double least_ = 0;
     CompensatedSum total_;
     CompensatedSum error_;

@@ -1,5 +1,6 @@
 #include "measure/elements.h"
 
+#include "bernstein/de_casteljau.h"
 #include "refine/knots/extraction.h"
 
 #include <algorithm>
@@ -58,37 +59,6 @@ void contract(const double *in, int64_t outer, int terms, int64_t inner, const d
     }
 }
 
-void halve_rows(int64_t outer, int degree, int64_t inner, double *values, double *lower) noexcept {
-    const int64_t size = (degree + 1) * inner;
-    for (int64_t o = 0; o < outer; ++o, values += size, lower += size) {
-        for (int r = 0; r <= degree; ++r) {
-            std::copy_n(values, inner, lower + r * inner);
-            for (int64_t i = 0; i < (degree - r) * inner; ++i) {
-                values[i] = values[i] / 2 + values[i + inner] / 2;
-            }
-        }
-    }
-}
-
-// The means are taken of the ends, so that coefficients of one size and sign keep their relative accuracy.
-void cut_row(int degree, double lower, double upper, double *values) noexcept {
-    if (upper < 1) {
-        for (int r = 1; r <= degree; ++r) {
-            for (int i = degree; i >= r; --i) {
-                values[i] = (1 - upper) * values[i - 1] + upper * values[i];
-            }
-        }
-    }
-    if (lower > 0) {
-        const double t = lower / upper, rest = (upper - lower) / upper;
-        for (int r = 1; r <= degree; ++r) {
-            for (int i = 0; i <= degree - r; ++i) {
-                values[i] = rest * values[i] + t * values[i + 1];
-            }
-        }
-    }
-}
-
 Elements::Elements(const Spline &spline, const pieces::Frame &frame, const Part &part)
     : spline_(spline.effective()), frame_(frame), scale_(std::ldexp(1.0, -frame.exponent)) {
     for (int k = 0; k < spline.axes(); ++k) {
@@ -118,7 +88,7 @@ void Elements::add_span(AxisElements &elements, const KnotVector &axis, int64_t 
     const Interval part{std::max(range.lower, axis[span]), std::min(range.upper, axis[span + 1])};
     const double lower = (part.lower - axis[span]) / length, upper = (part.upper - axis[span]) / length;
     for (int j = 0; j < n; ++j) {
-        cut_row(axis.degree(), lower, upper, matrix + j * n);
+        restrict_to(axis.degree(), lower, upper, matrix + j * n);
     }
     elements.firsts.push_back(span - axis.degree());
     elements.intervals.push_back(part);

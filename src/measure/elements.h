@@ -70,9 +70,4 @@ private:
 void contract(const double *in, int64_t outer, int terms, int64_t inner, const double *matrix, int stride,
               int count, double *out) noexcept;
 
-// Halves along the middle one of [outer][degree + 1][inner] (de Casteljau); `values` becomes the upper half.
-void halve_rows(int64_t outer, int degree, int64_t inner, double *values, double *lower) noexcept;
-// Coefficients over [lower, upper] of [0, 1] in place of those over [0, 1].
-void cut_row(int degree, double lower, double upper, double *values) noexcept;
-
 } // namespace nrb::measure

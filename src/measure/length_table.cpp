@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/scratch.h"
+#include "bernstein/de_casteljau.h"
 #include "numeric/binomial.h"
 #include "numeric/sum.h"
 
@@ -17,18 +18,6 @@ namespace {
 constexpr double eps = std::numeric_limits<double>::epsilon();
 constexpr int most_steps = 100;
 constexpr size_t max_row = max_product_degree + 1;
-
-// B_0(x), ..., B_degree(x), each degree from the one below.
-void bernstein(int degree, double x, double *values) noexcept {
-    values[0] = 1;
-    for (int d = 1; d <= degree; ++d) {
-        values[d] = x * values[d - 1];
-        for (int i = d - 1; i > 0; --i) {
-            values[i] = x * values[i - 1] + (1 - x) * values[i];
-        }
-        values[0] *= 1 - x;
-    }
-}
 
 double value_of(const double *row, const double *basis, int degree) noexcept {
     double sum = row[0] * basis[0];
@@ -73,10 +62,10 @@ double LengthTable::part_length(size_t leaf, double lower, double upper, double 
     std::copy_n(net(leaf), form.size(), work);
     double *row = work;
     for (int c = 0; c < form.dim; ++c, row += form.degree + 1) {
-        cut_row(form.degree, lower, upper, row);
+        restrict_to(form.degree, lower, upper, row);
     }
     if (form.weight_degree >= 0) {
-        cut_row(form.weight_degree, lower, upper, row);
+        restrict_to(form.weight_degree, lower, upper, row);
     }
     return (upper - lower) * rule_length(form, work, leaves_[leaf].level);
 }
@@ -88,7 +77,7 @@ double LengthTable::from_start(size_t leaf, double x, double *work) const noexce
 double LengthTable::speed(size_t leaf, double x, double *work) const noexcept {
     const SpeedForm &form = pieces_.form();
     const double *row = net(leaf);
-    bernstein(form.degree, x, work);
+    bernstein_functions(form.degree, x, work);
     double square = 0;
     for (int c = 0; c < form.dim; ++c, row += form.degree + 1) {
         const double y = value_of(row, work, form.degree);
@@ -97,7 +86,7 @@ double LengthTable::speed(size_t leaf, double x, double *work) const noexcept {
     if (form.weight_degree < 0) {
         return std::sqrt(square);
     }
-    bernstein(form.weight_degree, x, work);
+    bernstein_functions(form.weight_degree, x, work);
     const double w = value_of(row, work, form.weight_degree);
     return std::sqrt(square) / (w * w);
 }

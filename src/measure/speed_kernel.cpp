@@ -7,18 +7,21 @@
 
 #include "measure/speed_kernel.h"
 
+#include <algorithm>
+#include <array>
+
 HWY_BEFORE_NAMESPACE();
 namespace nrb::measure {
 namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
-using Wide = hn::CappedTag<double, 8>;
+using Vec8 = hn::CappedTag<double, 8>;
 
 // kDegree: -1 if it is not known to the compiler.
 template <int kDegree>
-HWY_INLINE hn::Vec<Wide> polynomial(const double *HWY_RESTRICT row, const double *HWY_RESTRICT basis,
+HWY_INLINE hn::Vec<Vec8> polynomial(const double *HWY_RESTRICT row, const double *HWY_RESTRICT basis,
                                     int degree) {
-    const Wide d;
+    const Vec8 d;
     const int n = kDegree < 0 ? degree : kDegree;
     auto sum = hn::Mul(hn::Set(d, row[0]), hn::LoadU(d, basis));
     for (int i = 1; i <= n; ++i) {
@@ -28,8 +31,8 @@ HWY_INLINE hn::Vec<Wide> polynomial(const double *HWY_RESTRICT row, const double
 }
 
 template <int kDegree, int kWeights>
-HWY_INLINE hn::Vec<Wide> speed(const SpeedForm &form, const double *HWY_RESTRICT net, int node) {
-    const Wide d;
+HWY_INLINE hn::Vec<Vec8> speed(const SpeedForm &form, const double *HWY_RESTRICT net, int node) {
+    const Vec8 d;
     auto square = hn::Zero(d);
     const double *row = net;
     for (int c = 0; c < form.dim; ++c, row += form.degree + 1) {
@@ -57,7 +60,7 @@ HWY_INLINE void with_degrees(const SpeedForm &form, Visit &&visit) {
 }
 
 void speeds(const SpeedForm &form, const double *net, int first, int count, double *out) {
-    const Wide d;
+    const Vec8 d;
     with_degrees(form, [&]<int kDegree, int kWeights>() HWY_ATTR {
         for (int node = first; node < first + count; node += static_cast<int>(hn::Lanes(d))) {
             hn::StoreU(speed<kDegree, kWeights>(form, net, node), d, out + node);
@@ -65,25 +68,28 @@ void speeds(const SpeedForm &form, const double *net, int first, int count, doub
     });
 }
 
-void rule_sums(const double *const *rows, const double *values, int count, double *sums) {
-    const Wide d;
-    for (int row = 0; row < 7; ++row) {
+RuleDecay rule_decay(int level, const double *values) {
+    const Vec8 d;
+    const DecayRows &rows = decay_rows[static_cast<size_t>(level)];
+    const int count = std::max(8, rule_size(level));
+    std::array<double, decay_sums> sums;
+    for (size_t row = 0; row < rows.size(); ++row) {
         auto sum = hn::Zero(d);
         for (int i = 0; i < count; i += static_cast<int>(hn::Lanes(d))) {
             sum = hn::MulAdd(hn::LoadU(d, rows[row] + i), hn::LoadU(d, values + i), sum);
         }
         sums[row] = hn::GetLane(hn::SumOfLanes(d, sum));
     }
+    return decay_of(sums);
 }
 
-void speeds_and_sums(const SpeedForm &form, const double *net, int first, int count, double *out,
-                     const double *const *rows, double *sums) {
-    HWY_NAMESPACE::speeds(form, net, first, count, out);
-    HWY_NAMESPACE::rule_sums(rows, out, first + count, sums);
+RuleDecay speed_decay(const SpeedForm &form, const double *net, int first, int level, double *values) {
+    HWY_NAMESPACE::speeds(form, net, first, rule_size(level) - first, values);
+    return HWY_NAMESPACE::rule_decay(level, values);
 }
 
 double sum_of_speeds(const SpeedForm &form, const double *nets, int64_t count, const double *factors) {
-    const Wide d;
+    const Vec8 d;
     const int64_t size = form.size();
     auto sum = hn::Zero(d);
     with_degrees(form, [&]<int kDegree, int kWeights>() HWY_ATTR {
@@ -110,11 +116,11 @@ void speeds(const SpeedForm &form, const double *net, int first, int count, doub
     HWY_DYNAMIC_DISPATCH(speeds)(form, net, first, count, out);
 }
 
-HWY_EXPORT(speeds_and_sums);
+HWY_EXPORT(speed_decay);
 
-void speeds_and_sums(const SpeedForm &form, const double *net, int first, int count, double *out,
-                     const double *const *rows, double *sums) noexcept {
-    HWY_DYNAMIC_DISPATCH(speeds_and_sums)(form, net, first, count, out, rows, sums);
+RuleDecay speed_decay(const SpeedForm &form, const double *net, int first, int level,
+                      double *values) noexcept {
+    return HWY_DYNAMIC_DISPATCH(speed_decay)(form, net, first, level, values);
 }
 
 HWY_EXPORT(sum_of_speeds);
@@ -124,10 +130,10 @@ double sum_of_speeds(const SpeedForm &form, const double *nets, int64_t count,
     return HWY_DYNAMIC_DISPATCH(sum_of_speeds)(form, nets, count, factors);
 }
 
-HWY_EXPORT(rule_sums);
+HWY_EXPORT(rule_decay);
 
-void rule_sums(const double *const *rows, const double *values, int count, double *sums) noexcept {
-    HWY_DYNAMIC_DISPATCH(rule_sums)(rows, values, count, sums);
+RuleDecay rule_decay(int level, const double *values) noexcept {
+    return HWY_DYNAMIC_DISPATCH(rule_decay)(level, values);
 }
 
 } // namespace nrb::measure

@@ -1,7 +1,7 @@
 // |C'| at the nodes of a rule.
 #pragma once
 
-#include "measure/nested_rule.h"
+#include "numeric/nested_rule.h"
 
 #include <cstdint>
 
@@ -21,14 +21,14 @@ struct SpeedForm {
 
 // Speeds at nodes [first, first + count), multiples of 8, into their places in out.
 void speeds(const SpeedForm &form, const double *net, int first, int count, double *out) noexcept;
-// The same, and then sums over all nodes up to these as below.
-void speeds_and_sums(const SpeedForm &form, const double *net, int first, int count, double *out,
-                     const double *const *rows, double *sums) noexcept;
+// The same at the nodes of a level in storage, those before `first` being there already, and what they tell.
+RuleDecay speed_decay(const SpeedForm &form, const double *net, int first, int level,
+                      double *values) noexcept;
 // The sum over `count` nets of the speeds at the first 8 nodes times factors.
 double sum_of_speeds(const SpeedForm &form, const double *nets, int64_t count,
                      const double *factors) noexcept;
 
-// The sums of `count` values, a multiple of 8, times each of seven rows of factors.
-void rule_sums(const double *const *rows, const double *values, int count, double *sums) noexcept;
+// What any values at the nodes of a level >= 1 in storage tell.
+RuleDecay rule_decay(int level, const double *values) noexcept;
 
 } // namespace nrb::measure

@@ -1,6 +1,6 @@
 #include "measure/speed_net.h"
 
-#include "measure/elements.h"
+#include "bernstein/de_casteljau.h"
 #include "numeric/binomial.h"
 
 #include <algorithm>
@@ -69,7 +69,7 @@ NetShape shape_of(const SpeedForm &form, const double *net) noexcept {
             square < infinite ? largest : infinite, weights.least};
 }
 
-// One row of de Casteljau's algorithm, in registers: the compiler would store pairs and load them again from
+// subdivide() of one row in registers: the compiler would store pairs and load them again from
 // halfway inside, for which processors wait.
 template <size_t kDegree>
 void halve_row(const std::array<double, kDegree + 1> &row, double *values, double *lower) noexcept {
@@ -103,7 +103,7 @@ void halve_rows(int rows, int degree, double scale, double *values, double *lowe
         return halve_rows<4>(rows, scale, values, lower);
     default:
         std::for_each_n(values, rows * (degree + 1), [=](double &x) { x *= scale; });
-        measure::halve_rows(rows, degree, 1, values, lower);
+        subdivide({rows, degree, 1}, 0.5, values, lower);
     }
 }
 

@@ -1,5 +1,6 @@
 #include "measure/tensor_integral.h"
 
+#include "bernstein/de_casteljau.h"
 #include "measure/element_shape.h"
 #include "measure/tensor_rule.h"
 #include "measure/tolerance_ladder.h"
@@ -183,7 +184,7 @@ private:
         }
         nets_.resize(nets_.size() + size);
         double *top = nets_.data() + nets_.size() - 2 * size;
-        halve_rows(outer, elements.degree(axis), inner, top, top + size);
+        subdivide({outer, elements.degree(axis), inner}, 0.5, top, top + size);
         ++depths_.back();
         depths_.push_back(depths_.back());
     }

@@ -1,5 +1,7 @@
 #include "measure/tensor_rule.h"
 
+#include "measure/speed_kernel.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>

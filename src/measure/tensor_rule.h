@@ -1,8 +1,8 @@
 // One tensor product of nested rules on one element.
 #pragma once
 
-#include "measure/nested_rule.h"
 #include "measure/tensor_integral.h"
+#include "numeric/nested_rule.h"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
-// Twins: unevaluated sums of two doubles, twice the precision (Dekker 1971), for coefficients that are used a
-// million times. Included once for every instruction set: see base/simd.h.
+// DoubleDouble (numeric/double_double.h) in the lanes of vectors, for coefficients that are used a million times.
+// Included once for every instruction set: see base/simd.h.
 #if defined(NURBS_NUMERIC_DOUBLE_DOUBLE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef NURBS_NUMERIC_DOUBLE_DOUBLE_INL_H_
 #undef NURBS_NUMERIC_DOUBLE_DOUBLE_INL_H_
@@ -18,9 +18,9 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 // The constructors are written out, because those that a compiler adds are not compiled for the instruction set.
 template <class V>
-struct Twin {
-    HWY_INLINE Twin() {}
-    HWY_INLINE Twin(V high_part, V low_part) : high(high_part), low(low_part) {}
+struct DoubleDoubleLanes {
+    HWY_INLINE DoubleDoubleLanes() {}
+    HWY_INLINE DoubleDoubleLanes(V high_part, V low_part) : high(high_part), low(low_part) {}
 
     V high;
     V low;
@@ -28,7 +28,7 @@ struct Twin {
 
 // a + b exactly (Knuth).
 template <class V>
-HWY_INLINE Twin<V> exact_sum(V a, V b) {
+HWY_INLINE DoubleDoubleLanes<V> exact_sum(V a, V b) {
     const V sum = hn::Add(a, b);
     const V part = hn::Sub(sum, a);
     return {sum, hn::Add(hn::Sub(a, hn::Sub(sum, part)), hn::Sub(b, part))};
@@ -36,7 +36,7 @@ HWY_INLINE Twin<V> exact_sum(V a, V b) {
 
 // The same where |a| >= |b|.
 template <class V>
-HWY_INLINE Twin<V> ordered_sum(V a, V b) {
+HWY_INLINE DoubleDoubleLanes<V> ordered_sum(V a, V b) {
     const V sum = hn::Add(a, b);
     return {sum, hn::Sub(b, hn::Sub(sum, a))};
 }
@@ -56,7 +56,7 @@ HWY_INLINE V upper_half(V a) {
 
 // a * b exactly: by a fused multiplication, or else by halves.
 template <class V>
-HWY_INLINE Twin<V> exact_product(V a, V b) {
+HWY_INLINE DoubleDoubleLanes<V> exact_product(V a, V b) {
     const V product = hn::Mul(a, b);
 #if !HWY_NATIVE_FMA
     const V upper_a = upper_half(a);
@@ -72,30 +72,30 @@ HWY_INLINE Twin<V> exact_product(V a, V b) {
 }
 
 template <class V>
-HWY_INLINE Twin<V> operator+(const Twin<V> &a, const Twin<V> &b) {
-    const Twin<V> sum = exact_sum(a.high, b.high);
+HWY_INLINE DoubleDoubleLanes<V> operator+(const DoubleDoubleLanes<V> &a, const DoubleDoubleLanes<V> &b) {
+    const DoubleDoubleLanes<V> sum = exact_sum(a.high, b.high);
     return ordered_sum(sum.high, hn::Add(sum.low, hn::Add(a.low, b.low)));
 }
 
 template <class V>
-HWY_INLINE Twin<V> operator-(const Twin<V> &a, const Twin<V> &b) {
-    return a + Twin<V>{hn::Neg(b.high), hn::Neg(b.low)};
+HWY_INLINE DoubleDoubleLanes<V> operator-(const DoubleDoubleLanes<V> &a, const DoubleDoubleLanes<V> &b) {
+    return a + DoubleDoubleLanes<V>{hn::Neg(b.high), hn::Neg(b.low)};
 }
 
 template <class V>
-HWY_INLINE Twin<V> operator*(const Twin<V> &a, const Twin<V> &b) {
-    const Twin<V> product = exact_product(a.high, b.high);
+HWY_INLINE DoubleDoubleLanes<V> operator*(const DoubleDoubleLanes<V> &a, const DoubleDoubleLanes<V> &b) {
+    const DoubleDoubleLanes<V> product = exact_product(a.high, b.high);
     const V crossed = hn::MulAdd(a.high, b.low, hn::Mul(a.low, b.high));
     return ordered_sum(product.high, hn::Add(product.low, crossed));
 }
 
 // Newton's step on the rounded inverse.
 template <class V>
-HWY_INLINE Twin<V> inverse(const Twin<V> &a) {
+HWY_INLINE DoubleDoubleLanes<V> inverse(const DoubleDoubleLanes<V> &a) {
     const hn::DFromV<V> d;
     const V one = hn::Set(d, 1.0);
     const V rounded = hn::Div(one, a.high);
-    const Twin<V> product = exact_product(rounded, a.high);
+    const DoubleDoubleLanes<V> product = exact_product(rounded, a.high);
     const V rest = hn::Sub(hn::Sub(hn::Sub(one, product.high), product.low), hn::Mul(rounded, a.low));
     return ordered_sum(rounded, hn::Mul(rounded, rest));
 }

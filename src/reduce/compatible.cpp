@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "reduce/compatible.h"
 
 #include "reduce/knot_clusters.h"
@@ -16,13 +17,14 @@
 #include <cstdio>
 #include <functional>
 #include <iterator>
+#include <limits>
 #include <map>
 
 namespace nrb::reduce {
 
 namespace {
 
-// Orders axes by what they are.
+// Orders axes by their contents.
 struct AxisLess {
     bool operator()(const KnotVectorPtr &a, const KnotVectorPtr &b) const noexcept {
         if (a == b) {
@@ -76,9 +78,9 @@ void check_axis_counts(std::span<const SplinePtr> splines) {
     }
 }
 
-// Maps domains to the first one: any, or those whose ends are within a part `tolerance` of its length. Returns
-// how far points at a parameter may have moved in those.
-double share_domain(Set &set, int k, bool any, double tolerance) {
+// Maps domains to the first one: all of them, or those whose ends are within a part `tolerance` of its
+// length. Returns how far points at a parameter may have moved in the latter case.
+double unify_domain(Set &set, int k, bool any, double tolerance) {
     const auto [lower, upper] = set.splines()[0]->axis(k).domain();
     const double width = tolerance * (upper - lower);
     double largest = 0;
@@ -102,8 +104,8 @@ double share_domain(Set &set, int k, bool any, double tolerance) {
     return largest;
 }
 
-// Plain and periodic axes become plain ones.
-void share_periodicity(Set &set, int k) {
+// Makes all axes plain, unless all of them are periodic.
+void unify_periodicity(Set &set, int k) {
     const auto periodic = [k](const SplinePtr &spline) { return spline->axis(k).periodic(); };
     std::vector<SplinePtr> &splines = set.splines();
     if (!std::all_of(splines.begin(), splines.end(), periodic)) {
@@ -113,7 +115,7 @@ void share_periodicity(Set &set, int k) {
     }
 }
 
-void share_degree(Set &set, int k) {
+void unify_degree(Set &set, int k) {
     const Groups groups = set.groups(k);
     const int degree = groups.rbegin()->first->degree(); // the order begins with the degree
     for (const auto &[axis, members] : groups) {
@@ -123,8 +125,8 @@ void share_degree(Set &set, int k) {
     }
 }
 
-// Knots outside the domain that differ are replaced by clamped ends.
-void share_ends(Set &set, int k) {
+// Replaces knots outside the domain by clamped ends if they differ.
+void unify_ends(Set &set, int k) {
     const Groups groups = set.groups(k);
     const std::span<const double> first = groups.begin()->first->knots();
     const auto p = std::ptrdiff_t{groups.begin()->first->degree()};
@@ -154,15 +156,15 @@ LayerTable rotated(const LayerTable &table, int64_t shift, int64_t period) {
     return result;
 }
 
-// How many copies of the lower end stand behind that which begins the domain.
+// How many copies of the lower end stand after the copy that begins the domain.
 int64_t copies_behind(const KnotVector &axis) {
     const auto knots = axis.knots();
     return std::upper_bound(knots.begin(), knots.end(), axis.domain().lower) - knots.begin() - 1 -
            axis.degree();
 }
 
-// A periodic axis from one period of its knots: those behind its lower end, which stands at index degree, up
-// to the copies of that at the upper end.
+// A periodic axis from one period of its knots: those after its lower end, which stands at index degree, up
+// to the copies of that end at the upper end.
 KnotVectorPtr periodic_axis(int degree, Interval domain, std::span<const double> period, int k) {
     const auto p = static_cast<size_t>(degree);
     std::vector<double> knots(period.size() + 2 * p + 1, domain.upper);
@@ -190,16 +192,17 @@ KnotClusters clusters_of(const Groups &groups, double tolerance) {
             pool[knot] += std::ssize(members);
         }
     }
-    std::vector<KnotCount> counts;
-    counts.reserve(pool.size());
+    constexpr int64_t most = std::numeric_limits<int>::max(); // so that no list of splines overflows
+    std::vector<KnotGroup> knots;
+    knots.reserve(pool.size());
     for (const auto &[knot, times] : pool) {
-        counts.push_back({knot, times});
+        knots.push_back({knot, static_cast<int>(std::min(times, most))});
     }
-    return {counts, domain, tolerance * (domain.upper - domain.lower)};
+    return {knots, domain, tolerance * (domain.upper - domain.lower)};
 }
 
 // Moves near-equal knots of different splines together. Returns the splines that changed.
-void share_values(Set &set, int k, double tolerance, std::vector<char> &moved) {
+void unify_values(Set &set, int k, double tolerance, std::vector<char> &moved) {
     if (tolerance == 0) {
         return;
     }
@@ -252,7 +255,7 @@ std::vector<double> missing(const std::vector<double> &all, std::span<const doub
     return knots;
 }
 
-void share_plain_knots(Set &set, int k) {
+void unify_plain_knots(Set &set, int k) {
     const Groups groups = set.groups(k);
     const std::vector<double> all = united(groups, [](const KnotVector &axis) { return axis.knots(); });
     KnotVectorPtr common = std::make_shared<const KnotVector>(groups.begin()->first->degree(), all);
@@ -261,9 +264,9 @@ void share_plain_knots(Set &set, int k) {
     }
 }
 
-// As for plain axes, but the seam of all has to stand at the same one of its copies, and knots outside the
-// domain may differ by rounding, whose effect is bounded then.
-double share_periodic_knots(Set &set, int k) {
+// As for plain axes, but the seam of all axes has to stand at the same one of its copies. Knots outside the
+// domain may differ by rounding, whose effect is then bounded.
+double unify_periodic_knots(Set &set, int k) {
     const Groups groups = set.groups(k);
     const KnotVector &first = *groups.begin()->first;
     const std::vector<double> all = united(groups, one_period);
@@ -285,15 +288,15 @@ double share_periodic_knots(Set &set, int k) {
     return deviation;
 }
 
-double share_knots(Set &set, int k) {
+double unify_knots(Set &set, int k) {
     const Groups groups = set.groups(k);
     if (groups.size() == 1) {
         return 0;
     }
     if (groups.begin()->first->periodic()) {
-        return share_periodic_knots(set, k);
+        return unify_periodic_knots(set, k);
     }
-    share_plain_knots(set, k);
+    unify_plain_knots(set, k);
     return 0;
 }
 
@@ -306,17 +309,17 @@ Compatible make_compatible(std::span<const SplinePtr> splines, double tolerance,
     const int axes = splines[0]->axes();
     double shifted = 0;
     for (int k = 0; k < axes; ++k) {
-        shifted += share_domain(set, k, map_domains, tolerance);
-        share_periodicity(set, k);
-        share_degree(set, k);
+        shifted += unify_domain(set, k, map_domains, tolerance);
+        unify_periodicity(set, k);
+        unify_degree(set, k);
         if (!set.splines()[0]->axis(k).periodic()) {
-            share_ends(set, k);
+            unify_ends(set, k);
         }
     }
     const std::vector<SplinePtr> exact = set.splines();
     std::vector<char> moved(splines.size(), 0);
     for (int k = 0; k < axes; ++k) {
-        share_values(set, k, tolerance, moved);
+        unify_values(set, k, tolerance, moved);
     }
     double deviation = 0, rounding = 0;
     for (size_t i = 0; i < splines.size(); ++i) {
@@ -326,7 +329,7 @@ Compatible make_compatible(std::span<const SplinePtr> splines, double tolerance,
         }
     }
     for (int k = 0; k < axes; ++k) {
-        rounding += share_knots(set, k);
+        rounding += unify_knots(set, k);
     }
     return {std::move(set.splines()), shifted + deviation + rounding};
 }

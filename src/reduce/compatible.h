@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A set of splines brought to one degree and one knot vector on every axis.
 #pragma once
 

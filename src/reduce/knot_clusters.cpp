@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "reduce/knot_clusters.h"
 
 #include "base/error.h"
@@ -9,23 +10,12 @@
 
 namespace nrb::reduce {
 
-std::vector<KnotCount> counted(std::span<const double> sorted) {
-    std::vector<KnotCount> counts;
-    for (const double knot : sorted) {
-        if (counts.empty() || counts.back().knot != knot) {
-            counts.push_back({knot, 0});
-        }
-        ++counts.back().times;
-    }
-    return counts;
-}
-
-KnotClusters::KnotClusters(std::span<const KnotCount> knots, Interval domain, double width) {
-    // A part of a subnormal length may round to all of it.
+KnotClusters::KnotClusters(std::span<const KnotGroup> knots, Interval domain, double width) {
+    // A part of a subnormal length may be rounded to the whole length.
     width = std::min(width, std::nextafter(domain.upper - domain.lower, 0.0));
-    int64_t most = 0;
+    int most = 0;
     bool open = false; // whether the last cluster takes more knots
-    for (const auto &[knot, times] : knots) {
+    for (const auto &[knot, multiplicity] : knots) {
         if (std::abs(knot - domain.lower) <= width || std::abs(knot - domain.upper) <= width) {
             const bool lower = std::abs(knot - domain.lower) <= width;
             clusters_.push_back({knot, knot, lower ? domain.lower : domain.upper});
@@ -34,12 +24,12 @@ KnotClusters::KnotClusters(std::span<const KnotCount> knots, Interval domain, do
                    knot - clusters_.back().first > width) {
             clusters_.push_back({knot, knot, knot});
             open = knot > domain.lower && knot < domain.upper;
-            most = times;
+            most = multiplicity;
         } else {
             clusters_.back().last = knot;
-            if (times > most) {
+            if (multiplicity > most) {
                 clusters_.back().value = knot;
-                most = times;
+                most = multiplicity;
             }
         }
     }
@@ -72,7 +62,7 @@ struct Kept {
     std::vector<int64_t> layers;
 };
 
-// Takes the copies of an end beyond degree + 1 away, and as many layers.
+// Removes the copies of an end beyond degree + 1, and as many layers.
 void drop_excess(int degree, double end, Kept &kept) {
     const auto [first, last] = std::equal_range(kept.knots.begin(), kept.knots.end(), end);
     const int64_t excess = (last - first) - (degree + 1);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Near-equal knots made equal.
 #pragma once
 
@@ -5,26 +6,18 @@
 
 namespace nrb::reduce {
 
-struct KnotCount {
-    double knot;
-    int64_t times;
-};
-
-// The values of a sorted list, and how often each occurs.
-std::vector<KnotCount> counted(std::span<const double> sorted);
-
-// Knots of a domain in groups that become one. A group holds the lowest knot that is in no group yet and all
-// that are at most `width` above it; only the two ends of the domain come first, each with the knots at most
-// `width` away on either side (the lower end first). A chain of close knots is therefore cut where it gets
-// longer than the width. The ends keep their values; any other group becomes that of its knots which occurs
-// most often, the lowest one of several.
+// Knots of a domain in groups that become one knot each. A group contains the lowest knot that is in no group
+// yet, and all knots that are at most `width` above it. Only the two ends of the domain come first, each with
+// the knots at most `width` away on either side (the lower end first). A chain of close knots is therefore
+// cut where it gets longer than the width. The ends keep their values. Any other group becomes the knot in it
+// that occurs most often, the lowest one if there are several.
 class KnotClusters {
 public:
-    // `knots` are sorted and distinct; those outside the domain join none but an end. A width that is not below
+    // `knots` are sorted and distinct; knots outside the domain join only an end. A width that is not below
     // the domain's length counts as the next number below it, so that the ends stay apart.
-    KnotClusters(std::span<const KnotCount> knots, Interval domain, double width);
+    KnotClusters(std::span<const KnotGroup> knots, Interval domain, double width);
 
-    // What becomes of a knot of the list.
+    // The new value of a knot of the list.
     [[nodiscard]] double operator()(double knot) const noexcept;
 
 private:
@@ -36,12 +29,12 @@ private:
     std::vector<Cluster> clusters_;
 };
 
-// An axis with its knots so moved, and the layers that are left; those knots of a periodic one that are
-// outside the domain are copies of those inside. The same axis if none moves. Where more than degree + 1
-// knots become an end of a plain axis, functions between equal knots vanish with them: the first layer of a
-// clamped start and the last of a clamped end stay, so that the end keeps its place, and those next to it go
-// (not of steps). `owner` begins the message of Status::multiplicity, thrown where knots of any other
-// group together occur more than degree + 1 times.
+// An axis with its knots so moved, and the layers that are left; the knots of a periodic axis outside the
+// domain are copies of those inside. The same axis if no knot moves. If more than degree + 1 knots become an
+// end of a plain axis, functions between equal knots vanish with them: the first layer of a clamped start and
+// the last of a clamped end stay, so that the end keeps its place, and the layers next to it are dropped (not
+// of steps). `owner` begins the message of Status::multiplicity, thrown if knots of any other group together
+// occur more than degree + 1 times.
 refine::AxisTable moved_axis(const KnotVectorPtr &axis, const KnotClusters &clusters, int k,
                              const char *owner);
 

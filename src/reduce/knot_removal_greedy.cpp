@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "reduce/knot_removal_greedy.h"
 
 #include "base/finite.h"
@@ -18,7 +19,7 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 } // namespace
 
 // The homogeneous points of one place of the layers of a window.
-class Thinning::Column {
+class GreedyKnotRemoval::Column {
 public:
     Column(double *const *layers, int size, int64_t at, int dim) noexcept
         : layers_(layers), size_(size), at_(at), dim_(dim) {
@@ -30,7 +31,7 @@ public:
     [[nodiscard]] double weight(int i) const noexcept { return record(i)[dim_]; }
     // The point of the largest weight.
     [[nodiscard]] double centre(int c) const noexcept { return record(heaviest_)[c] / weight(heaviest_); }
-    // From there to any other that has a place.
+    // The distance from there to any other point that has a place.
     [[nodiscard]] double radius() const noexcept {
         const double quick = largest_square();
         if (quick > 1e-280 && quick < 1e300) {
@@ -45,7 +46,7 @@ public:
         }
         return largest;
     }
-    // What the denominator is at the least: where a weight is 0, about the mean with both its neighbours.
+    // The least value of the denominator: where a weight is 0, about the mean with both its neighbours.
     [[nodiscard]] double least_weight() const noexcept {
         double least = infinite, mean = infinite;
         for (int i = 0; i < size_; ++i) {
@@ -57,7 +58,7 @@ public:
     }
 
 private:
-    // Of the radius, with one division for each point.
+    // The square of the radius, with one division for each point.
     [[nodiscard]] double largest_square() const noexcept {
         const double *middle = record(heaviest_);
         const double shrink = 1 / weight(heaviest_);
@@ -85,7 +86,7 @@ private:
     int heaviest_ = 0;
 };
 
-Thinning::Thinning(const Spline &spline, int axis, bool forgive_rounding)
+GreedyKnotRemoval::GreedyKnotRemoval(const Spline &spline, int axis, bool forgive_rounding)
     : spline_(spline), axis_index_(axis), axis_(spline.axis(axis)), degree_(axis_.degree()),
       width_(spline.width()), length_(layer_length(spline, axis)), forgive_rounding_(forgive_rounding),
       period_(axis_.periodic() ? axis_.domain().upper - axis_.domain().lower : 0),
@@ -98,8 +99,9 @@ Thinning::Thinning(const Spline &spline, int axis, bool forgive_rounding)
     queue_all();
 }
 
-// On a periodic axis the ring of one period, which begins with the first copy of the seam: that never goes.
-void Thinning::link_knots() {
+// On a periodic axis the ring of one period, which begins with the first copy of the seam; that copy is never
+// removed.
+void GreedyKnotRemoval::link_knots() {
     const auto [lower, upper] = axis_.domain();
     const int64_t seam =
         std::lower_bound(axis_.knots().begin(), axis_.knots().end(), lower) - axis_.knots().begin();
@@ -115,7 +117,7 @@ void Thinning::link_knots() {
     }
 }
 
-void Thinning::link_layers() {
+void GreedyKnotRemoval::link_layers() {
     const int64_t count = axis_.distinct_layers();
     layers_.reserve(static_cast<size_t>(count));
     for (int64_t i = 0; i < count; ++i) {
@@ -124,7 +126,7 @@ void Thinning::link_layers() {
 }
 
 // The layers of every other axis in turn, the last one fastest.
-void Thinning::note_inert_places() {
+void GreedyKnotRemoval::note_inert_places() {
     std::vector<char> inert{0};
     for (int k = 0; k < spline_.axes(); ++k) {
         if (k == axis_index_) {
@@ -144,17 +146,17 @@ void Thinning::note_inert_places() {
     }
 }
 
-bool Thinning::last_copy(int64_t knot) const noexcept {
+bool GreedyKnotRemoval::last_copy(int64_t knot) const noexcept {
     const Knot &at = knots_[static_cast<size_t>(knot)];
     return at.next == head_ || knots_[static_cast<size_t>(at.next)].value > at.value;
 }
 
-bool Thinning::removable(int64_t knot) const noexcept {
+bool GreedyKnotRemoval::removable(int64_t knot) const noexcept {
     const Knot &at = knots_[static_cast<size_t>(knot)];
     return at.present && at.movable && last_copy(knot);
 }
 
-bool Thinning::locate(int64_t knot, Window &window) noexcept {
+bool GreedyKnotRemoval::locate(int64_t knot, Window &window) noexcept {
     const auto at = [this](int64_t i) -> const Knot & { return knots_[static_cast<size_t>(i)]; };
     double *last = window.knots + max_basis;
     window.last = last;
@@ -202,7 +204,7 @@ bool Thinning::locate(int64_t knot, Window &window) noexcept {
     return true;
 }
 
-void Thinning::find_gap(const Window &window) noexcept {
+void GreedyKnotRemoval::find_gap(const Window &window) noexcept {
     if (window.multiplicity <= degree_) {
         return removal_gap(window.step, window.points, length_, gap_.data());
     }
@@ -210,17 +212,17 @@ void Thinning::find_gap(const Window &window) noexcept {
                    [](double a, double b) { return a / 2 - b / 2; });
 }
 
-// What the gap of weights may be by their rounding alone.
-double Thinning::gap_rounding(const Window &window, const Column &column) const noexcept {
+// How large the gap of weights may be from their rounding alone.
+double GreedyKnotRemoval::gap_rounding(const Window &window, const Column &column) const noexcept {
     double sum = 0;
     for (int i = 0; i < window.size; ++i) {
         sum += (window.multiplicity > degree_ ? 0.5 : std::abs(window.step.functional[i])) * column.weight(i);
     }
-    return settling * sum;
+    return rounding_of_zero * sum;
 }
 
 // |D - f E| / v for the moves D of the points and E of the weights, about a point f.
-double Thinning::column_cost(const Window &window, int64_t at) const noexcept {
+double GreedyKnotRemoval::column_cost(const Window &window, int64_t at) const noexcept {
     const int dim = width_ - 1;
     const Column column(window.points, window.size, at, dim);
     const double *gap = gap_.data() + at;
@@ -238,7 +240,7 @@ double Thinning::column_cost(const Window &window, int64_t at) const noexcept {
     return weight > 0 && !std::isnan(result) ? result : infinite;
 }
 
-double Thinning::cost(const Window &window) noexcept {
+double GreedyKnotRemoval::cost(const Window &window) noexcept {
     find_gap(window);
     double largest = 0;
     for (int64_t at = 0; at < length_; at += width_) {
@@ -253,12 +255,12 @@ double Thinning::cost(const Window &window) noexcept {
     return std::isnan(largest) ? infinite : largest;
 }
 
-double Thinning::key_of(int64_t knot) noexcept {
+double GreedyKnotRemoval::key_of(int64_t knot) noexcept {
     Window window;
     return locate(knot, window) ? cost(window) : infinite;
 }
 
-void Thinning::push(int64_t knot) {
+void GreedyKnotRemoval::push(int64_t knot) {
     Knot &at = knots_[static_cast<size_t>(knot)];
     at.key = key_of(knot);
     at.stale = false;
@@ -268,7 +270,7 @@ void Thinning::push(int64_t knot) {
     }
 }
 
-void Thinning::queue_all() {
+void GreedyKnotRemoval::queue_all() {
     heap_.clear();
     for (int64_t i = 0; i < std::ssize(knots_); ++i) {
         Knot &at = knots_[static_cast<size_t>(i)];
@@ -283,7 +285,7 @@ void Thinning::queue_all() {
     std::make_heap(heap_.begin(), heap_.end());
 }
 
-int64_t Thinning::run(double tolerance) {
+int64_t GreedyKnotRemoval::run(double tolerance) {
     int64_t removed = 0;
     while (!heap_.empty() && heap_.front().key <= tolerance) {
         const auto [key, knot] = heap_.front();
@@ -304,7 +306,7 @@ int64_t Thinning::run(double tolerance) {
 
 // Spans from the first affected one to the last.
 template <class Body>
-void Thinning::for_each_span(const Window &window, Body &&body) {
+void GreedyKnotRemoval::for_each_span(const Window &window, Body &&body) {
     int64_t knot = window.first_knot;
     for (int i = 0; i < window.behind + window.ahead; ++i) {
         Knot &at = knots_[static_cast<size_t>(knot)];
@@ -313,7 +315,7 @@ void Thinning::for_each_span(const Window &window, Body &&body) {
     }
 }
 
-bool Thinning::remove(int64_t knot, double tolerance) {
+bool GreedyKnotRemoval::remove(int64_t knot, double tolerance) {
     Window window;
     if (!locate(knot, window)) {
         return false;
@@ -333,8 +335,8 @@ bool Thinning::remove(int64_t knot, double tolerance) {
     return true;
 }
 
-// Whether all weights of a new layer are positive; those that are 0 but for rounding become 0.
-bool Thinning::settle_layer(const Window &window, double *layer) const noexcept {
+// Whether all weights of a new layer are positive; weights that are 0 apart from rounding become 0.
+bool GreedyKnotRemoval::clear_rounded_weights(const Window &window, double *layer) const noexcept {
     for (int64_t at = 0; at < length_; at += width_) {
         RecordRounding largest{0, 0};
         for (int i = 0; i < window.size; ++i) {
@@ -344,7 +346,8 @@ bool Thinning::settle_layer(const Window &window, double *layer) const noexcept 
                 std::max(largest.coordinate, largest_magnitude({record, static_cast<size_t>(width_) - 1}));
         }
         const Weight kind =
-            settle(layer + at, width_ - 1, {settling * largest.weight, settling * largest.coordinate});
+            clear_rounding(layer + at, width_ - 1,
+                           {rounding_of_zero * largest.weight, rounding_of_zero * largest.coordinate});
         if (kind == Weight::negative || (kind == Weight::infinite && spline_.form() == Form::rational)) {
             return false;
         }
@@ -353,7 +356,7 @@ bool Thinning::settle_layer(const Window &window, double *layer) const noexcept 
 }
 
 // The layers of the window, unless a weight would be negative.
-bool Thinning::solve(const Window &window) {
+bool GreedyKnotRemoval::solve(const Window &window) {
     const int size = window.size;
     double *layers[max_basis + 2];
     for (int i = 0; i < size; ++i) {
@@ -369,7 +372,7 @@ bool Thinning::solve(const Window &window) {
         skipped = window.step.skipped + 1;
     }
     for (int i = 0; i < size && spline_.rational(); ++i) {
-        if (i != skipped && !settle_layer(window, layers[i])) {
+        if (i != skipped && !clear_rounded_weights(window, layers[i])) {
             return false;
         }
     }
@@ -381,9 +384,9 @@ bool Thinning::solve(const Window &window) {
     return true;
 }
 
-// A layer's support begins at its knot: with the knot at the end of the window and a layer inside it gone,
-// the knots between belong to the layers one further on.
-void Thinning::unlink(int64_t knot, const Window &window) noexcept {
+// The support of a layer begins at its knot. When the knot at the end of the window and a layer inside it are
+// removed, the knots between belong to the next layers.
+void GreedyKnotRemoval::unlink(int64_t knot, const Window &window) noexcept {
     const bool jump = window.multiplicity > degree_;
     const int skipped = jump ? 0 : window.step.skipped;
     Knot &gone = knots_[static_cast<size_t>(knot)];
@@ -413,7 +416,7 @@ void Thinning::unlink(int64_t knot, const Window &window) noexcept {
     }
 }
 
-void Thinning::set_errors(std::span<const double> breaks, const std::vector<double> &errors) {
+void GreedyKnotRemoval::set_errors(std::span<const double> breaks, const std::vector<double> &errors) {
     int64_t knot = head_;
     size_t i = 0;
     do {
@@ -429,7 +432,7 @@ void Thinning::set_errors(std::span<const double> breaks, const std::vector<doub
     queue_all();
 }
 
-KnotVectorPtr Thinning::remaining_axis() const {
+KnotVectorPtr GreedyKnotRemoval::remaining_axis() const {
     std::vector<double> knots;
     int64_t knot = head_;
     do {
@@ -448,7 +451,7 @@ KnotVectorPtr Thinning::remaining_axis() const {
     return std::make_shared<const KnotVector>(degree_, std::move(stored), true);
 }
 
-SplinePtr Thinning::result() const {
+SplinePtr GreedyKnotRemoval::result() const {
     KnotVectorPtr axis = remaining_axis();
     // The stored layers begin p before that of the first knot of the ring.
     int64_t layer = knots_[static_cast<size_t>(head_)].layer;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Greedy knot removal along an axis: always the knot whose removal moves the spline least (T. Lyche, K.
 // Morken, "A data-reduction strategy for splines", IMA J. Numer. Anal. 8 (1988); Piegl & Tiller A9.8).
 #pragma once
@@ -9,24 +10,23 @@
 
 namespace nrb::reduce {
 
-// Knots and layers are linked lists, on a periodic axis rings, so that a removal costs O(degree^2) for each
-// control point of a layer, whatever their number. For each span it is known how far the spline may have
-// moved there: a removal moves it by at most the gap of its step, and the moves add up. Where weights move
-// too, the gap is counted in Cartesian space about the points of the window, which is an estimate; certify
-// the result.
-class Thinning {
+// Knots and layers are linked lists, or rings on a periodic axis, so that a removal costs O(degree^2) for
+// each control point of a layer, whatever their number. For each span it is known how far the spline may have
+// moved there: a removal moves it by at most the gap of its step, and the moves add up. If weights move too,
+// the gap is counted in Cartesian space about the points of the window. This is an estimate; certify the
+// result.
+class GreedyKnotRemoval {
 public:
-    // Gaps of rational splines that may be no more than the rounding of their control points can count as
-    // none.
-    Thinning(const Spline &spline, int axis, bool forgive_rounding);
+    // Gaps of rational splines that may be no more than the rounding of their control points can count as 0.
+    GreedyKnotRemoval(const Spline &spline, int axis, bool forgive_rounding);
 
-    // Removes knots as long as the errors of their spans stay within the tolerance; how many. Ends of the
-    // domain stay.
+    // Removes knots as long as the errors of their spans stay within the tolerance; returns how many. Ends of
+    // the domain stay.
     int64_t run(double tolerance);
-    // Puts measured errors in the place of those that were added up: errors[i] belongs to [breaks[i],
-    // breaks[i + 1]), breaks being knots of the given spline over its domain.
+    // Replaces the errors that were added up by measured ones: errors[i] belongs to [breaks[i], breaks[i +
+    // 1]), where breaks are knots of the given spline over its domain.
     void set_errors(std::span<const double> breaks, const std::vector<double> &errors);
-    // What is left. Layers that were not touched keep their bits.
+    // What remains. Layers that were not touched keep their bits.
     [[nodiscard]] SplinePtr result() const;
 
 private:
@@ -34,9 +34,9 @@ private:
         double value;
         int64_t next;
         int64_t previous;
-        int64_t layer; // that with the support that begins here
-        double error;  // of the span behind, up to the next knot that is larger
-        double key;    // what its removal costs
+        int64_t layer; // the layer whose support begins here
+        double error;  // of the span after it, up to the next larger knot
+        double key;    // the cost of its removal
         bool present;
         bool movable;
         bool stale; // the key is of an earlier state
@@ -75,7 +75,7 @@ private:
     void note_inert_places();
     [[nodiscard]] bool last_copy(int64_t knot) const noexcept;
     [[nodiscard]] bool removable(int64_t knot) const noexcept;
-    // False where the window meets itself.
+    // False if the window meets itself.
     bool locate(int64_t knot, Window &window) noexcept;
     void find_gap(const Window &window) noexcept;
     double cost(const Window &window) noexcept;
@@ -87,7 +87,7 @@ private:
     void for_each_span(const Window &window, Body &&body);
     bool remove(int64_t knot, double tolerance);
     bool solve(const Window &window);
-    bool settle_layer(const Window &window, double *layer) const noexcept;
+    bool clear_rounded_weights(const Window &window, double *layer) const noexcept;
     void unlink(int64_t knot, const Window &window) noexcept;
     void queue_all();
     [[nodiscard]] KnotVectorPtr remaining_axis() const;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "reduce/layer_deviation.h"
 
 #include "bounds/deviation.h"
@@ -29,7 +30,8 @@ std::vector<double> clamped_knots(const KnotVector &axis) {
     return knots;
 }
 
-// The axis over clamped knots that hold its own. On a periodic one the stored layers and knots say it all.
+// The axis over clamped knots that contain its own. On a periodic axis the stored layers and knots are
+// sufficient.
 refine::AxisTable clamped_axis(const KnotVector &axis, const std::vector<double> &wanted) {
     const auto [lower, upper] = axis.domain();
     std::vector<double> fine;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How far apart two splines of the same degrees are, when their knots differ a little.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "reduce/layers.h"
 
 #include "base/checked.h"
@@ -22,7 +23,7 @@ void put_records(const double *records, int64_t count, int dim, double *points, 
 
 } // namespace
 
-Weight settle(double *record, int dim, const RecordRounding &rounding) noexcept {
+Weight clear_rounding(double *record, int dim, const RecordRounding &rounding) noexcept {
     double &weight = record[dim];
     if (std::abs(weight) > rounding.weight) {
         return weight > 0 ? Weight::positive : Weight::negative;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Control points layer by layer along an axis, in and out.
 #pragma once
 
@@ -14,18 +15,20 @@ std::vector<double> layer_records(const Spline &spline, int axis);
 // Doubles in a layer.
 int64_t layer_length(const Spline &spline, int axis);
 
-// What a computed record is whose weight may be 0.
+// The kind of a computed record whose weight may be 0.
 enum class Weight { positive, zero, infinite, negative };
-// What a few operations of 2 eps each make of a value that should be 0, as a part of those it comes from.
-inline constexpr double settling = 32 * std::numeric_limits<double>::epsilon();
-// Weights and coordinates at most so large are rounding: eps times the largest ones that were computed with.
+// How large a value that should be 0 may be after a few operations of 2 eps each, as a part of the values
+// that it comes from.
+inline constexpr double rounding_of_zero = 32 * std::numeric_limits<double>::epsilon();
+// Weights and coordinates of at most this size are rounding: eps times the largest ones that were computed
+// with.
 struct RecordRounding {
     double weight;
     double coordinate;
 };
-// Sets what is no more than rounding to 0: the weight, and the record of Weight::zero. With coordinates it is
-// a point at infinity.
-Weight settle(double *record, int dim, const RecordRounding &rounding) noexcept;
+// Sets what is no more than rounding to 0: the weight, and the whole record if that is Weight::zero. A record
+// with weight 0 and coordinates is a point at infinity.
+Weight clear_rounding(double *record, int dim, const RecordRounding &rounding) noexcept;
 
 // A layer of a new spline: a layer of the old one, bit for bit, or records of its own.
 struct LayerSource {

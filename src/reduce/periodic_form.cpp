@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "reduce/periodic_form.h"
 
 #include "base/tolerance.h"
@@ -38,8 +39,8 @@ SplinePtr declared_periodic(const Spline &spline, int k) {
                        {spline.weights().begin(), spline.weights().end()});
 }
 
-// The knots of the periodic axis with p - order copies of the seam, the last of them at index degree; `axis` is
-// clamped.
+// The knots of the periodic axis with p - order copies of the seam, the last of them at index degree; `axis`
+// is clamped.
 std::vector<double> periodic_knots(const KnotVector &axis, int order) {
     const auto p = static_cast<size_t>(axis.degree()), n = static_cast<size_t>(axis.count());
     const auto [lower, upper] = axis.domain();
@@ -52,8 +53,8 @@ std::vector<double> periodic_knots(const KnotVector &axis, int order) {
     return knots;
 }
 
-// Layer `ahead` behind the last one that stands before the seam: its arguments are order - ahead knots before the
-// seam, all copies of that, and `ahead` knots behind it.
+// The layer `ahead` places after the last one before the seam: its arguments are order - ahead knots before
+// the seam, all copies of the seam, and `ahead` knots after it.
 void add_seam_row(const KnotVector &axis, std::span<const double> knots, int order, int ahead,
                   LayerTable &table) {
     const int64_t p = axis.degree(), n = axis.count(), copies = p - order;
@@ -69,7 +70,7 @@ void add_seam_row(const KnotVector &axis, std::span<const double> knots, int ord
     }
 }
 
-// Layers of one period: the one whose arguments end with the seam, those across it, and those behind it.
+// Layers of one period: the one whose arguments end with the seam, those across it, and those after it.
 refine::AxisTable periodic_table(const KnotVector &axis, int order, int k) {
     std::vector<double> knots = periodic_knots(axis, order);
     const int64_t n = axis.count(), period = n - 1 - order;
@@ -87,7 +88,7 @@ refine::AxisTable periodic_table(const KnotVector &axis, int order, int k) {
     return {make_knot_vector(axis.degree(), std::move(knots), true, k), std::move(rows)};
 }
 
-// None where weights continued beyond an end fall below 0, or to 0 at infinity: an order too high.
+// Null if weights continued beyond an end become negative, or 0 at infinity: the order is too high.
 std::optional<PeriodicForm> form_of_order(const SplinePtr &spline, const Spline &whole, int k, int order) {
     const refine::AxisTable made = periodic_table(whole.axis(k), order, k);
     auto [net, infinite] = refine::continued_along(whole, k, made.table);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Closed splines made periodic.
 #pragma once
 
@@ -11,13 +12,13 @@ struct PeriodicForm {
     int order;        // of continuity at the seam, whose knot has multiplicity degree - order
 };
 
-// Axis k periodic over its domain, with the highest order of continuity at the seam that moves the shape by at
-// most the tolerance. Of the control points whose knots stand on both sides of the seam each is continued from
-// the end that has more of them; the layers at the start give way to those at the end. Throws Status::gap if
-// not even the ends meet so, tolerance, and what extending and refining throw.
+// Axis k periodic over its domain, with the highest order of continuity at the seam that moves the shape by
+// at most the tolerance. Control points whose knots stand on both sides of the seam are continued from the
+// end that has more of these knots; the layers at the start are replaced by those at the end. Throws
+// Status::gap if even the ends do not meet, tolerance, and what extending and refining throw.
 PeriodicForm make_periodic(const SplinePtr &spline, int k, double tolerance);
 
-// Whether the knots of an axis repeat and its last layers are the first ones, bit for bit.
+// Whether the knots of an axis repeat, and its last layers equal the first ones bit for bit.
 bool wraps(const Spline &spline, int axis) noexcept;
 
 } // namespace nrb::reduce

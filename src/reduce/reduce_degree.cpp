@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "reduce/reduce_degree.h"
 
 #include "base/checked.h"
@@ -45,7 +46,7 @@ int64_t seam_copies_before(const KnotVector &axis) noexcept {
     return axis.degree() + 1 - (first - axis.knots().begin());
 }
 
-// nurbs_elevate() puts new copies of the seam behind the one that starts the domain; those go first.
+// nurbs_elevate() puts new copies of the seam after the one that starts the domain; those are removed first.
 KnotVectorPtr lowered_periodic_axis(const KnotVector &axis, int times) {
     const auto [lower, upper] = axis.domain();
     const auto q = static_cast<size_t>(axis.degree() - times);
@@ -166,10 +167,10 @@ RecordRounding largest_around(const std::vector<double> &layers, int64_t length,
     return largest;
 }
 
-// Weights of Form::rational that are 0 to the rounding of the solution, 32 (degree + 1) eps of those near by,
-// become 0. Whether one is left at a point at infinity.
-bool settle_weights(const Spline &spline, int degree, int64_t length, std::vector<double> &layers) {
-    const double rounding = settling * (degree + 1);
+// Weights of Form::rational that are 0 to the rounding of the solution, 32 (degree + 1) eps of the weights
+// nearby, become 0. Returns whether a point at infinity remains.
+bool clear_rounded_weights(const Spline &spline, int degree, int64_t length, std::vector<double> &layers) {
+    const double rounding = rounding_of_zero * (degree + 1);
     const int64_t count = std::ssize(layers) / length;
     bool infinite = false;
     for (int64_t i = 0; spline.form() == Form::rational && i < count * length; i += spline.width()) {
@@ -180,7 +181,7 @@ bool settle_weights(const Spline &spline, int degree, int64_t length, std::vecto
         double *record = layers.data() + i;
         const double weight = record[spline.dim()];
         const Weight kind =
-            settle(record, spline.dim(), {rounding * around.weight, rounding * around.coordinate});
+            clear_rounding(record, spline.dim(), {rounding * around.weight, rounding * around.coordinate});
         infinite = infinite || kind == Weight::infinite;
         if (kind == Weight::negative) {
             fail(Status::weight_sign, "weight %s of the result, expected >= 0", Number(weight).text);
@@ -210,7 +211,7 @@ SplinePtr lower_degree(const SplinePtr &spline, int axis, int times) {
     if (!ReductionSystem(raised, count, length, fixed).solve(targets, shift, layers.data())) {
         fail(Status::not_representable, "the knots of axis %d lie too close for its degree", axis);
     }
-    const bool infinite = settle_weights(*source, knots->degree(), length, layers);
+    const bool infinite = clear_rounded_weights(*source, knots->degree(), length, layers);
     const SplinePtr base = infinite ? refine::in_form(source, Form::homogeneous) : source;
     std::vector<LayerSource> sources;
     for (int64_t i = 0; i < knots->count(); ++i) {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Degree reduction by least squares on control points: D. Lutterkort, J. Peters, U. Reif, "Polynomial degree
 // reduction in the L2-norm equals best Euclidean approximation of Bezier coefficients", CAGD 16 (1999).
 #pragma once
@@ -6,9 +7,9 @@
 
 namespace nrb::reduce {
 
-// The closest spline of lower degree, compared after raising it again, over the knots of nurbs_reduce_degree()
-// and with the same clamped ends. Throws Status::times, degree, weight_sign, periodic_knots,
-// not_representable.
+// The closest spline of lower degree, compared after raising it again, over the knots of
+// nurbs_reduce_degree() and with the same clamped ends. Throws Status::times, degree, weight_sign,
+// periodic_knots, not_representable.
 Reduced reduce_degree(const SplinePtr &spline, int axis, int64_t times);
 
 // The same without the bound.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "reduce/reduce_knots.h"
 
 #include "base/tolerance.h"
@@ -35,28 +36,28 @@ struct Certified {
     std::vector<double> uppers;
 };
 
-// Rounds of removal until one removes nothing or fails to keep the tolerance, by rounding or because weights
-// moved; the last that kept it. The removal itself is held to `aim`.
+// Rounds of removal until one removes nothing, or does not keep the tolerance because of rounding or because
+// weights moved; returns the last result that kept it. The removal itself keeps to `aim`.
 Certified thin(const SplinePtr &spline, int axis, double tolerance, double aim, bool forgive_rounding) {
     Certified best{spline, {}, {}};
-    Thinning thinning(*spline, axis, forgive_rounding);
-    for (int round = 0; round < max_rounds && thinning.run(aim) > 0; ++round) {
-        const SplinePtr next = thinning.result();
+    GreedyKnotRemoval removal(*spline, axis, forgive_rounding);
+    for (int round = 0; round < max_rounds && removal.run(aim) > 0; ++round) {
+        const SplinePtr next = removal.result();
         bounds::DeviationPieces pieces(*spline, *next);
         std::vector<double> uppers = pieces.uppers();
         const double largest = *std::max_element(uppers.begin(), uppers.end());
         if (!(largest <= tolerance) || !std::isfinite(largest)) {
             break;
         }
-        thinning.set_errors(pieces.breaks()[static_cast<size_t>(axis)],
-                            span_errors(pieces, uppers, spline->axes(), axis));
+        removal.set_errors(pieces.breaks()[static_cast<size_t>(axis)],
+                           span_errors(pieces, uppers, spline->axes(), axis));
         best = {next, std::move(pieces), std::move(uppers)};
     }
     return best;
 }
 
-// Weights that differ much make rounding larger than it is in any place: it is forgiven at first. Then half
-// the tolerance and less, where certificates fail.
+// Weights that differ much make the computed rounding larger than it is anywhere, so it is ignored at first.
+// If certificates fail, half the tolerance and less is tried.
 Reduced reduce_axis(const SplinePtr &spline, int axis, double tolerance) {
     double aim = tolerance;
     bool forgive = spline->rational();

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Data reduction: as few knots as a tolerance allows.
 #pragma once
 
@@ -11,9 +12,9 @@ struct Reduced {
 };
 
 // Removes knots of one axis, or of every one (-1), which share the tolerance evenly. The whole is certified
-// against the given spline, what is measured takes the place of the errors that were added up, and the
-// removal goes on until nothing more goes. Throws Status::tolerance, periodic_knots, not_representable.
-// Cost: near linear in the number of points.
+// against the given spline, the measured errors replace the errors that were added up, and the removal goes
+// on until no knot can be removed. Throws Status::tolerance, periodic_knots, not_representable. Cost: near
+// linear in the number of points.
 Reduced reduce_knots(const SplinePtr &spline, int axis, double tolerance);
 
 } // namespace nrb::reduce

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "reduce/remove_knot.h"
 
 #include "base/tolerance.h"
@@ -21,9 +22,9 @@ struct WindowRows {
     double entries[max_basis][max_basis + 2];
 };
 
-// The rows are what the removal makes of the unit vectors.
+// The rows are the result of the removal on the unit vectors.
 WindowRows window_rows(const double *last, int degree, int multiplicity) noexcept {
-    if (multiplicity > degree) { // the layers on both sides of the jump become their mean
+    if (multiplicity > degree) { // the layers on both sides of the jump are replaced by their mean
         return {2, 1, {{0.5, 0.5}}};
     }
     const RemovalStep step = removal_step(last, degree, multiplicity);
@@ -227,7 +228,7 @@ refine::AxisTable without_knot(const KnotVector &axis, double knot) {
 namespace {
 
 // Weights below 0 by no more than the rounding of their sums become 0, with their points at the origin.
-void settle_negative(const Spline &spline, int k, const LayerTable &table, Net &net) {
+void clear_rounded_negatives(const Spline &spline, int k, const LayerTable &table, Net &net) {
     const AxisView view = axis_view(spline, k, 1);
     const auto dim = static_cast<size_t>(spline.dim());
     for (size_t i = 0; i < net.weights.size(); ++i) {
@@ -240,7 +241,7 @@ void settle_negative(const Spline &spline, int k, const LayerTable &table, Net &
                 const int64_t from = (outer * view.count + row.first + j) * view.inner + inner;
                 sum += std::abs(table.coefficients(row)[j] * spline.weight(from));
             }
-            if (-net.weights[i] <= settling * sum) {
+            if (-net.weights[i] <= rounding_of_zero * sum) {
                 net.weights[i] = 0;
                 std::fill_n(net.points.begin() + static_cast<std::ptrdiff_t>(i * dim), dim, 0.0);
             }
@@ -253,7 +254,7 @@ void settle_negative(const Spline &spline, int k, const LayerTable &table, Net &
 SplinePtr with_axis_if_valid(const Spline &spline, int k, const refine::AxisTable &made) {
     try {
         Net net = apply_along(spline, k, made.table);
-        settle_negative(spline, k, made.table, net);
+        clear_rounded_negatives(spline, k, made.table, net);
         return make_result(refine::with_axis(spline, k, made.axis), spline.dim(), spline.form(),
                            std::move(net.points), std::move(net.weights));
     } catch (const Error &error) {

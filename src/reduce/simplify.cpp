@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "reduce/simplify.h"
 
 #include "base/finite.h"
@@ -11,8 +12,8 @@ namespace nrb::reduce {
 
 namespace {
 
-// The polynomial spline of the Cartesian points; null where there are none, or for a polynomial one. Points without
-// influence get some in it, wherever they are stored.
+// The polynomial spline of the Cartesian points; null if there are none, or for a polynomial spline. Points
+// without influence gain some in it, wherever they are stored.
 SplinePtr without_weights(const Spline &given) {
     if (!given.rational()) {
         return nullptr;
@@ -24,7 +25,7 @@ SplinePtr without_weights(const Spline &given) {
                : nullptr;
 }
 
-// One degree less, null where the weights do not allow it or steps would be all that is left.
+// One degree less; null if the weights do not allow it, or only steps would be left.
 SplinePtr one_degree_less(const SplinePtr &spline, int axis) {
     if (spline->axis(axis).degree() <= 1) {
         return nullptr;
@@ -39,7 +40,7 @@ SplinePtr one_degree_less(const SplinePtr &spline, int axis) {
     }
 }
 
-// Puts a candidate in the place of the result if it is within the tolerance of the original.
+// Takes a candidate as the result if it is within the tolerance of the original.
 bool accept(const SplinePtr &original, const SplinePtr &candidate, double tolerance, Reduced &result) {
     if (candidate == nullptr) {
         return false;
@@ -52,7 +53,7 @@ bool accept(const SplinePtr &original, const SplinePtr &candidate, double tolera
     return true;
 }
 
-// With as few knots as what is left of the tolerance allows.
+// With as few knots as the remaining tolerance allows.
 Reduced thinned(const SplinePtr &original, const Reduced &state, double tolerance) {
     const Reduced fewer = reduce_knots(state.spline, -1, tolerance - state.bound);
     Reduced result = state;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Lowest degrees and fewest knots within a tolerance.
 #pragma once
 
@@ -5,7 +6,7 @@
 
 namespace nrb::reduce {
 
-// Weights first, then the degree of each axis, then knots. Throws as reduce_knots().
+// Reduces weights first, then the degree of each axis, then knots. Throws as reduce_knots().
 Reduced simplify(const SplinePtr &spline, double tolerance);
 
 } // namespace nrb::reduce

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "reduce/snap.h"
 
 #include "reduce/knot_clusters.h"
@@ -22,7 +23,8 @@ Snapped snap_knots(const SplinePtr &spline, int axis, double tolerance) {
     check_relative_tolerance(tolerance);
     const KnotVectorPtr &old = spline->knot_vectors()[static_cast<size_t>(axis)];
     const Interval domain = old->domain();
-    const KnotClusters clusters(counted(old->knots()), domain, tolerance * (domain.upper - domain.lower));
+    const KnotClusters clusters(distinct_knots(old->knots()), domain,
+                                tolerance * (domain.upper - domain.lower));
     const refine::AxisTable moved = moved_axis(old, clusters, axis, "");
     if (moved.axis == old) {
         return {spline, 0};

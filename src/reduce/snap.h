@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Near-equal knots of one spline snapped together.
 #pragma once
 
@@ -10,15 +11,15 @@ struct Snapped {
     double deviation; // an upper bound, see deviation_bound(); 0 if no knot moved
 };
 
-// Knots in clusters of at most tolerance * (length of the domain), see KnotClusters, become one; control
-// points stay, but for those that moved_axis() drops. Throws Status::tolerance unless 0 <= tolerance < 1,
+// Knots in clusters of at most tolerance * (length of the domain), see KnotClusters, become one. Control
+// points stay, except those that moved_axis() drops. Throws Status::tolerance unless 0 <= tolerance < 1,
 // multiplicity, and what refining throws.
 Snapped snap_knots(const SplinePtr &spline, int axis, double tolerance);
 
 // Throws Status::tolerance unless 0 <= tolerance < 1.
 void check_relative_tolerance(double tolerance);
 
-// The layers of a moved axis over it; check_spline() is left to the caller.
+// The layers of a moved axis over that axis; the caller has to run check_spline().
 SplinePtr over_axis(const Spline &spline, int k, const refine::AxisTable &moved);
 
 } // namespace nrb::reduce

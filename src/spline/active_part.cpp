@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "spline/active_part.h"
 
 namespace nrb::inline spline {

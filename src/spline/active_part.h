@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a spline is over one span of each axis.
 #pragma once
 
@@ -5,8 +6,8 @@
 
 namespace nrb::inline spline {
 
-// The spline of the control points that are active on these spans and of the knots that their functions have there: its
-// domain is the spans. Points without influence are replaced as by effective().
+// The spline of the control points that are active on these spans and of the knots that their functions have
+// there: its domain is the spans. Points without influence are replaced as by effective().
 SplinePtr active_part(const Spline &given, const std::array<int64_t, max_axes> &spans);
 
 } // namespace nrb::inline spline

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "spline/at_origin.h"
 
 #include <algorithm>
@@ -23,7 +24,7 @@ public:
         }
     }
 
-    // A box that is not far from the origin does not become so by further points.
+    // If a box is near the origin, further points do not move it away.
     [[nodiscard]] bool far() const noexcept {
         double distance = 0;
         double size = 0;
@@ -34,8 +35,7 @@ public:
         return distance > far_in_sizes * size;
     }
 
-    // The difference of two numbers of one sign, of which none is more than twice the other, is exact
-    // (Sterbenz).
+    // The difference of two numbers of one sign is exact if neither is more than twice the other (Sterbenz).
     [[nodiscard]] std::vector<double> corner() const {
         std::vector<double> corner(lower_.size());
         for (size_t c = 0; c < corner.size(); ++c) {
@@ -54,7 +54,7 @@ private:
     std::vector<double> upper_;
 };
 
-// The corner to which a spline is moved; nothing if it stays.
+// The corner to which a spline is moved; no value if the spline stays.
 std::vector<double> far_corner(const Spline &spline) {
     Box box(spline.dim());
     bool far = false;

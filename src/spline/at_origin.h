@@ -1,5 +1,7 @@
-// A shape that lies far from the origin, moved there: what does not depend on where it lies, such as its
-// derivatives, is computed without the rounding of coordinates that are all nearly the same.
+// SPDX-License-Identifier: MIT
+// A shape that lies far from the origin, moved there. Results that do not depend on where the shape lies,
+// such as its derivatives, are then computed without the rounding of coordinates that are all nearly the
+// same.
 #pragma once
 
 #include "spline/spline.h"
@@ -8,12 +10,12 @@ namespace nrb::inline spline {
 
 const Spline::AnyTable &make_at_origin(const Spline &spline);
 
-// With the box of the control points that have influence (a weight other than 0, and a support in the domain)
-// and the longest side E of that box: the spline itself, if every coordinate of some point of the box is at
-// most 8 E. Else the spline less the corner O of the box that is nearest to the origin, where O has 0 for the
-// coordinates in which the box is longer than it is far. So no |P - O| in it is more than |P| or 9 E, and
-// Cartesian points in it are moved without error, homogeneous records with one rounding. The moved spline is
-// a table of the stored one, made at first use, which may throw std::bad_alloc.
+// Let E be the longest side of the box of the control points that have influence (a weight other than 0, and
+// a support in the domain). If every coordinate of some point of the box is at most 8 E, the result is the
+// spline itself. Otherwise it is the spline minus the corner O of the box nearest to the origin, where O has
+// 0 for the coordinates in which the box is longer than it is far. So no |P - O| in it is more than |P| or 9
+// E; Cartesian points in it are moved without error, homogeneous records with one rounding. The moved spline
+// is a table of the stored one, made at first use, which may throw std::bad_alloc.
 inline const Spline &at_origin(const Spline &spline) {
     const Spline::AnyTable *ready = spline.slot(Spline::Table::at_origin).peek();
     const Spline::AnyTable &table = ready != nullptr ? *ready : make_at_origin(spline);

@@ -1,5 +1,8 @@
-// A control net seen along one axis: (outer, count, inner) with the layers of the axis in the middle. Every
-// operation along an axis works on this view, so that curves, surfaces and volumes share one loop.
+// SPDX-License-Identifier: MIT
+// A control net seen along one axis: (outer, count, inner), with the layers of the axis in the middle. A
+// layer is all control points with one index along the axis: a point of a curve, a row of a surface, a sheet
+// of a volume. Every operation along an axis works on this view, so that curves, surfaces and volumes share
+// one loop.
 #pragma once
 
 #include "spline/spline.h"
@@ -9,7 +12,7 @@ namespace nrb::inline spline {
 struct AxisView {
     int64_t outer; // product of the counts of the axes before
     int64_t count; // layers along the axis
-    int64_t inner; // product of the counts of the axes behind, times the width of a record
+    int64_t inner; // product of the counts of the axes after, times the width of a record
 };
 
 inline AxisView axis_view(const Spline &spline, int axis, int64_t width) noexcept {

@@ -1,4 +1,5 @@
-// What a spline's points and weights must satisfy.
+// SPDX-License-Identifier: MIT
+// Conditions on a spline's points and weights.
 #include "base/checked.h"
 #include "base/finite.h"
 #include "spline/axis_view.h"
@@ -42,7 +43,7 @@ void check_weight(const Spline &spline, size_t i, Values values) {
     }
 }
 
-// Enough for what check_weight_values() asks for, in passes without a branch.
+// Enough for the tests of check_weight_values(), in passes without a branch.
 bool harmless_weights(const Spline &spline) noexcept {
     const auto [smallest, largest] = spline.all_weights();
     return all_finite(spline.weights()) && smallest >= 0 &&
@@ -67,15 +68,16 @@ void check_weight_values(const Spline &spline, Values values) {
     }
 }
 
-// Layers of control points along one axis of which at least one must carry a weight, and where that is.
+// A run of layers of control points along one axis, at least one of which must carry a weight, and where that
+// is.
 struct Window {
     int64_t first;
     int64_t last;
     double parameter;
 };
 
-// For w(t) > 0 at both ends of every span: the functions that do not vanish there. They are among those of
-// the open span, so that the inside needs no windows of its own.
+// The windows for w(t) > 0 at both ends of every span: the functions that do not vanish there. They are among
+// the functions of the open span, so that the inside needs no windows of its own.
 std::vector<Window> support_windows(const KnotVector &axis) {
     const int p = axis.degree();
     const SpanTable &table = axis.spans();
@@ -105,7 +107,7 @@ std::vector<Window> span_windows(const KnotVector &axis) {
     return windows;
 }
 
-// Replaces the layers of an axis by its windows: a window is carried where any of its layers is.
+// Replaces the layers of an axis by its windows: a window carries a weight if any of its layers does.
 std::vector<char> merge_layers(const std::vector<char> &carried, const AxisView &view,
                                const std::vector<Window> &windows) {
     const auto layers = static_cast<int64_t>(windows.size());

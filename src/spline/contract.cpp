@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "spline/contract.h"
 
 namespace nrb::inline spline {

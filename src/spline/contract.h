@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The innermost loop of the library: a weighted sum of rows.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Which spans have polynomial pieces, and the pieces of a curve.
 #include "base/finite.h"
 #include "spline/spline.h"
@@ -38,7 +39,8 @@ bool Spline::has_piece(int64_t span) const noexcept {
            (moderate_.load(std::memory_order_relaxed) || moderate_window(span));
 }
 
-// True of every window where moderate() is true of the whole: a span is evaluated alike, known or not.
+// True of every window if moderate() is true of the whole curve: a span is evaluated the same way whether
+// that is known or not.
 bool Spline::moderate_window(int64_t span) const noexcept {
     bool moderate = true;
     for (int64_t i = span - axis(0).degree(); i <= span; ++i) {
@@ -82,7 +84,7 @@ void Spline::curve_piece(int64_t span, double *points, double *piece) const noex
 }
 
 PieceArray Spline::curve_pieces() const {
-    static_cast<void>(moderate()); // which spares a look at every window
+    static_cast<void>(moderate()); // which makes it unnecessary to look at every window
     const SpanTable &spans = axis(0).spans();
     const int degree = axis(0).degree();
     PieceArray pieces(spans.size(), Piece::size(degree, width()));

@@ -1,4 +1,5 @@
-// Control points that no parameter of the domain sees.
+// SPDX-License-Identifier: MIT
+// Control points that do not act on any parameter of the domain.
 #include "spline/spline.h"
 
 #include <algorithm>
@@ -19,7 +20,7 @@ public:
         }
     }
 
-    // The one that is nearest to control point i in the net.
+    // The active control point nearest to control point i in the net.
     [[nodiscard]] int64_t nearest(int64_t i) const noexcept {
         int64_t result = 0, stride = 1;
         for (auto k = static_cast<size_t>(axes_); k-- > 0; i /= counts_[k], stride *= counts_[k]) {
@@ -66,8 +67,9 @@ const Spline &Spline::effective() const {
     return inert_ ? *effective_.get([this] { return without_inert_points(); }) : *this;
 }
 
-// Outside the active block a control point becomes its nearest one inside. One of weight 0 keeps the weight, and gets
-// the place of the first one that has another: so copies of layers of a periodic axis stay copies.
+// Outside the active block a control point is replaced by the nearest one inside. A control point of weight 0
+// keeps the weight and gets the place of the first one that has another weight. So copies of layers of a
+// periodic axis stay copies.
 SplinePtr Spline::without_inert_points() const {
     const ActiveBlock block(*this);
     const auto weightless = [&](int64_t i) { return form_ == Form::rational && weight(i) == 0; };

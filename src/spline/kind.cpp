@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "spline/kind.h"
 
 #include <cstdio>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The kinds of splines that operations take.
 #pragma once
 

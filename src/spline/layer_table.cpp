@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "spline/layer_table.h"
 
 #include "base/checked.h"
@@ -48,7 +49,7 @@ std::vector<double> finished(std::vector<double> layers) {
     return layers;
 }
 
-// Writes the layers of a table, of which `total` belong to each outer index.
+// Writes the layers of a table; `total` layers belong to each outer index.
 void combine_all(const LayerTable &table, const Layers &layers, int64_t total, double *out) {
     const int64_t inner = layers.view.inner;
     for (int64_t o = 0; o < layers.view.outer; ++o, out += total * inner) {
@@ -62,7 +63,7 @@ void combine_all(const LayerTable &table, const Layers &layers, int64_t total, d
     }
 }
 
-// Whether every homogeneous sum of a layer has a weight.
+// Whether every homogeneous sum of a layer has a weight other than 0.
 bool weighted(const double *sums, int64_t count, int dim) noexcept {
     bool all = true;
     for (int64_t i = 0; i < count; ++i) {
@@ -71,7 +72,7 @@ bool weighted(const double *sums, int64_t count, int dim) noexcept {
     return all;
 }
 
-// The quotients of one layer of homogeneous sums, wherever their weight allows.
+// The quotients of one layer of homogeneous sums, where their weight allows.
 void project(const double *sums, int64_t count, int dim, double *points) noexcept {
     for (int64_t i = 0; i < count; ++i, sums += dim + 1, points += dim) {
         const double weight = sums[dim] != 0 ? sums[dim] : 1;

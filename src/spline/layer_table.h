@@ -1,5 +1,6 @@
-// Banded tables of coefficients, and their one application along an axis. Refinement, iso-surfaces and
-// everything else that makes new layers of control points from old ones is such a table.
+// SPDX-License-Identifier: MIT
+// Banded tables of coefficients, and their one application along an axis. Refinement, iso-surfaces, and every
+// other operation that makes new layers of control points from old ones, use such a table.
 #pragma once
 
 #include "spline/axis_view.h"
@@ -20,7 +21,7 @@ public:
         int size; // 0: a copy of layer `first`
         size_t offset;
 
-        // Whether both have the same coefficients. Precondition: they are no copies.
+        // Whether both have the same coefficients. Precondition: they are not copies.
         [[nodiscard]] bool repeats(const Row &other) const noexcept {
             return offset == other.offset && other.size != 0;
         }
@@ -45,7 +46,7 @@ public:
         std::copy_n(coefficients, size, room(size));
         add_written(first, size);
     }
-    // Where the coefficients of the next row may be written before add_written(), which makes it a row.
+    // Where the coefficients of the next row may be written before add_written() makes it a row.
     double *room(int64_t size) {
         const size_t end = used_ + static_cast<size_t>(size);
         if (capacity_ < end) {
@@ -61,15 +62,15 @@ public:
         used_ += static_cast<size_t>(size);
     }
 
-    // A row whose coefficients are written where this points before the next room() and the use of the table.
-    // Precondition: reserve() made room for it.
+    // Adds a row whose coefficients are written at the returned place before the next room() and before the
+    // table is used. Precondition: reserve() made room for it.
     double *add_later(int64_t first, int size) {
         rows_.push_back({first, size, used_});
         used_ += static_cast<size_t>(size);
         return coefficients_.get() + rows_.back().offset;
     }
-    // Rows that repeat `count` times, `stride` layers and `pitch` coefficients further on each time. Their
-    // offsets count from room(), where the coefficients have been written; copies have none.
+    // Adds rows that repeat `count` times, `stride` layers and `pitch` coefficients further on each time.
+    // Their offsets count from room(), where the coefficients have been written; copies have none.
     void add_pattern(std::span<const Row> pattern, int64_t count, int64_t stride, int64_t pitch) {
         const size_t rows = rows_.size();
         rows_.resize(rows + static_cast<size_t>(count) * pattern.size());
@@ -90,7 +91,7 @@ public:
     [[nodiscard]] int64_t rows() const noexcept { return static_cast<int64_t>(rows_.size()); }
     [[nodiscard]] const Row &row(int64_t r) const noexcept { return rows_[static_cast<size_t>(r)]; }
     [[nodiscard]] std::span<const Row> all() const noexcept { return rows_; }
-    // All of them, to which the offsets refer.
+    // All coefficients; the offsets refer to them.
     [[nodiscard]] const double *coefficients() const noexcept { return coefficients_.get(); }
     [[nodiscard]] const double *coefficients(const Row &row) const noexcept {
         return coefficients_.get() + row.offset;
@@ -116,8 +117,8 @@ struct Net {
 };
 
 // Makes the layers of a new net from tables, one after another. The result has the form of the spline; copied
-// layers keep their stored bits. Sums are formed in homogeneous space; where all weights of a sum are 0 the
-// Cartesian points are combined in their place, so that a point of weight 0 keeps a position.
+// layers keep their stored bits. Sums are formed in homogeneous space. If all weights of a sum are 0, the
+// Cartesian points are combined instead, so that a point of weight 0 keeps a position.
 class LayerMaker {
 public:
     // For `rows` layers in all. The spline must outlive this. Throws Status::overflow.
@@ -126,11 +127,11 @@ public:
     LayerMaker &operator=(const LayerMaker &) = delete;
     ~LayerMaker();
 
-    // Whether the layers may come in more than one table, which for large curves saves memory: layers then
-    // follow each other.
+    // Whether the layers may come in more than one table, which saves memory for large curves. The layers
+    // then follow each other.
     [[nodiscard]] bool in_parts() const noexcept { return view_.outer == 1; }
     void append(const LayerTable &table);
-    // When all have been appended. Throws Status::not_representable when a value overflows.
+    // Call when all layers have been appended. Throws Status::not_representable when a value overflows.
     Net finish();
 
 private:

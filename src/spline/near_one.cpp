@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "spline/near_one.h"
 
 #include "base/representable.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Splines multiplied by powers of two.
 #pragma once
 
@@ -13,17 +14,17 @@ struct Powers {
     std::array<int, max_axes> knots{};
 
     bool operator==(const Powers &) const = default;
-    // Of lengths.
+    // The exponent of lengths.
     [[nodiscard]] int size(const Spline &spline) const noexcept {
         return spline.form() == Form::homogeneous ? coordinates - weights : coordinates;
     }
 };
 
-// The exponent nearest to the one that is wanted by which no knot overflows and no two become one.
+// The exponent nearest to the wanted one for which no knot overflows and no two knots become equal.
 int kept_apart(const Spline::Axes &axes, int exponent) noexcept;
 
-// Exact but for numbers that leave double precision, which become infinite, or lose bits: whether they matter
-// is for the caller to know.
+// Exact except for numbers that leave double precision: they become infinite or lose bits. The caller has to
+// know whether they matter.
 SplinePtr scaled(const Spline &spline, const Powers &powers);
 
 } // namespace nrb::inline spline

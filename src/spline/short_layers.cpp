@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "spline/short_layers.cpp"
 #include "base/simd.h"
@@ -60,7 +61,7 @@ struct Sum {
     }
 };
 
-// What is written behind a row is overwritten by the next one.
+// What is written after a row is overwritten by the next one.
 void combine_plain(const LayerTable &table, const double *layers, int width, double *HWY_RESTRICT out) {
     const double *coefficients = table.coefficients();
     for (const LayerTable::Row &row : table.all()) {

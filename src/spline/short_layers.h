@@ -1,5 +1,6 @@
-// Layers of one short record each, along the only axis of a curve or the last axis of anything else: what most
-// splines are made of, in vectors of four.
+// SPDX-License-Identifier: MIT
+// Layers of one short record each, along the only axis of a curve or the last axis of a surface or volume, in
+// vectors of four. Most splines have such layers.
 #pragma once
 
 #include "spline/layer_table.h"
@@ -9,12 +10,12 @@ namespace nrb::inline spline {
 inline constexpr int64_t longest_short_layer = 4;
 
 // New layers from old ones of `width` doubles, at most longest_short_layer, with the bits of contract().
-// Spline::padding doubles are read behind the layers and written behind the result.
+// Spline::padding doubles are read after the layers and written after the result.
 void combine_short(const LayerTable &table, const double *layers, int width, double *out) noexcept;
 
 // The Cartesian points, and the weights, of new layers of one record (w x, w y, ..., w) each, for dimensions
-// up to 3; copied layers are copied from `points` and `weights`. False if a sum has no weight: the result is
-// then of no use. Padding as above, of `records` and `points`.
+// up to 3; copied layers are copied from `points` and `weights`. False if a sum has no weight: the result
+// must then not be used. Padding as above, of `records` and `points`.
 struct ShortNet {
     const double *records;
     const double *points;

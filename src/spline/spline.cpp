@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "spline/spline.h"
 
 #include "base/finite.h"
@@ -11,9 +12,9 @@ namespace nrb::inline spline {
 
 namespace {
 
-// A common factor of the weights cancels. Weights that are all so small or so large that their products would
-// leave double precision are brought near 1 by a power of two, which is exact. `all` includes the weights of control
-// points without influence, which are no reason to scale, but must not overflow.
+// A common factor of the weights cancels. If all weights are so small or so large that their products would
+// leave double precision, a power of two brings them near 1, which is exact. `all` includes the weights of
+// control points without influence: they are no reason to scale, but they must not overflow.
 int common_exponent(double active, double all) noexcept {
     constexpr int harmless = 256;
     const int exponent = active > 0 ? std::ilogb(active) : 0;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The spline: an immutable tensor-product value of 1 to 3 axes.
 #pragma once
 
@@ -16,7 +17,7 @@
 
 namespace nrb::inline spline {
 
-// How the control points are stored. What the caller gave is what is kept.
+// How the control points are stored. They are kept as the caller gave them.
 enum class Form {
     polynomial,  // points of dim coordinates
     rational,    // points of dim coordinates, and weights apart
@@ -29,7 +30,7 @@ using SplinePtr = std::shared_ptr<const Spline>;
 class Spline {
 public:
     using Axes = std::vector<KnotVectorPtr>;
-    static constexpr size_t padding = 3; // doubles behind the points and records
+    static constexpr size_t padding = 3; // doubles after the points and records
 
     // Preconditions: sizes agree (points: product of counts times record width; weights: product of counts
     // for Form::rational, else empty) and the values satisfy check_spline(): use make_spline() for data from
@@ -52,17 +53,18 @@ public:
     [[nodiscard]] std::span<const double> weights() const noexcept { return weights_; }
     [[nodiscard]] int stored_width() const noexcept { return form_ == Form::homogeneous ? dim_ + 1 : dim_; }
 
-    // The records that kernels contract: (w x, w y, ..., w) when rational, (x, y, ...) when not. For
-    // Form::rational they are a derived table, built at first use; all weights may be scaled by one power of
-    // two in it. `padding` doubles behind them may be read, so that vectors of four can begin at any.
+    // The records that kernels contract: (w x, w y, ..., w) if rational, (x, y, ...) if not. For
+    // Form::rational they are a derived table, built at first use, in which all weights may be scaled by one
+    // power of two. `padding` doubles after them may be read, so that vectors of four can begin at any
+    // record.
     [[nodiscard]] std::span<const double> records() const;
-    // The power of two by which the weights are divided in it.
+    // The power of two by which the weights are divided in the records.
     [[nodiscard]] int records_exponent() const noexcept { return weight_exponent_; }
     [[nodiscard]] int width() const noexcept { return rational() ? dim_ + 1 : dim_; }
 
     // Components [first, first + size) of record i, without the table.
     void record_part(int64_t i, int first, int size, double *out) const noexcept;
-    // The table if it exists or if `uses` evaluations more make it worth having, else null.
+    // The table if it exists, or if `uses` more evaluations make it worth having; else null.
     [[nodiscard]] const double *records_after(int64_t uses) const;
 
     [[nodiscard]] double weight(int64_t i) const noexcept {
@@ -78,30 +80,31 @@ public:
     // Coordinate c of Cartesian control point i; homogeneous points are divided by their weight.
     [[nodiscard]] double coordinate(int64_t i, int c) const noexcept;
 
-    // The same shape without control points that have no influence: those whose function vanishes on the domain, and
-    // those of weight 0 that are not at infinity, are moved onto others that have some. Whatever takes a scale, a
-    // hull or a bound of rounding from control points takes it from this one. It is kept with the spline, and mostly
-    // is the spline itself.
+    // The same shape, in which control points without influence are moved onto others that have some. They
+    // are those whose function vanishes on the domain, and those of weight 0 that are not at infinity. Every
+    // function that takes a scale, a hull or a bound of rounding from control points takes it from this
+    // spline. It is kept with the stored spline, and usually is the stored spline itself.
     [[nodiscard]] const Spline &effective() const;
 
     // Whether span `span` of a curve, or every span of an axis of any spline, is evaluated from polynomial
-    // pieces: the degree is at most max_piece_degree, and the weights (of an axis: those that have influence) are
-    // positive with a ratio of at most 4, so that rounding relative to the largest weight is harmless; and of a
-    // curve, no difference of its records overflows. Other spans go by the recurrences, whose basis functions are
-    // accurate relative to themselves.
+    // pieces. The degree has to be at most max_piece_degree. The weights (of an axis: the weights that have
+    // influence) have to be positive with a ratio of at most 4, so that rounding relative to the largest
+    // weight is harmless. For a curve, no difference of its records may overflow. Other spans use the
+    // recurrences, whose basis functions are accurate relative to themselves.
     [[nodiscard]] bool has_piece(int64_t span) const noexcept;
     [[nodiscard]] bool has_pieces(int k) const noexcept {
         return even_weights_ && piece_degree(axis(k).degree());
     }
 
-    // The pieces of a curve, if they exist or if `uses` evaluations more make them worth having, else null.
+    // The pieces of a curve, if they exist or if `uses` more evaluations make them worth having; else null.
     // Component c < width() of a piece is that of the records. A span without a piece has NaN bounds.
     [[nodiscard]] const PieceArray *pieces_after(int64_t uses) const;
     // The piece of one span without the table, with the same bits; points: [degree + 1][lanes], working
     // memory. Precondition: has_piece(span).
     void curve_piece(int64_t span, double *points, double *piece) const noexcept;
 
-    // Tables of the rooms that use splines, of types that only they know, each built at first use.
+    // Tables of the rooms that use splines. Only those rooms know their types; each table is built at first
+    // use.
     enum class Table { at_origin, locator, lengths, magnitude, count };
     using AnyTable = std::shared_ptr<const void>;
     [[nodiscard]] const Lazy<AnyTable> &slot(Table table) const noexcept {
@@ -142,8 +145,8 @@ private:
     mutable std::atomic<bool> moderate_{false}; // known to be
 };
 
-// Points and weights that are not finite are a mistake of who gave them, with statuses of their own, or overflow of
-// what was computed: Status::not_representable.
+// Points and weights that are not finite are either a mistake of the caller, with statuses of their own, or
+// overflow of computed values: Status::not_representable.
 enum class Values { given, computed };
 
 // Checks finiteness, weights (w(t) > 0 on the closed domain, or some w_i != 0 in every support when
@@ -153,7 +156,7 @@ void check_spline(const Spline &spline, Values values);
 // A checked spline from validated axes and packed data; throws Status::size when sizes disagree.
 SplinePtr make_spline(Spline::Axes axes, int dim, Form form, std::vector<double> points,
                       std::vector<double> weights = {});
-// The same of computed data.
+// The same for computed data.
 SplinePtr make_result(Spline::Axes axes, int dim, Form form, std::vector<double> points,
                       std::vector<double> weights = {});
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Changes of weights and points, constraints and deformations through the C++ wrapper: one known value of each.
+// Changes of weights and points, constraints and deformations through the C++ wrapper: one known value of
+// each.
 #include "expect.hpp"
 
 using namespace libnurbs;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The C++ wrapper without exceptions: what holds a value, what holds an error, and that nothing is called after one.
+// The C++ wrapper without exceptions: what holds a value, what holds an error, and that nothing is called
+// after one.
 #include "expect.hpp"
 
 #include <string>
@@ -52,8 +53,8 @@ static void errors() {
     EXPECT(circle({}, 1) && unit_circle().eval({0.5}));
 }
 
-// A failure in the middle of a call leaves out the rest of it: nothing is read or written through arrays that do not
-// suit.
+// A failure in the middle of a call leaves out the rest of it: nothing is read or written through arrays that
+// do not suit.
 static void calls_that_stop() {
     std::vector<double> points(3, 7.0);
     EXPECT(unit_circle().eval({0, 0.5}, points).status() == Status::size);

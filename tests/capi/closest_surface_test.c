@@ -59,7 +59,8 @@ static void nearest_points(void) {
     nurbs_destroy(g);
 }
 
-/* A wall over the loop of shapes.h, periodic in u over [2, 6]: its seam is no boundary, the ends of a range are. */
+/* A wall over the loop of shapes.h, periodic in u over [2, 6]: its seam is no boundary, the ends of a range
+ * are. */
 static void around(void) {
     static const int32_t degrees[] = {2, 1};
     static const int64_t counts[] = {6, 2};

@@ -188,7 +188,8 @@ static void touching_a_knot_line(void) {
     check_value(roof(0.5, 1, 0, 0), inner(2, 2, above), 0, 0, 0);
 }
 
-/* The span between them is shorter than values of f are known, its ends count as one knot of multiplicity 2. */
+/* The span between them is shorter than values of f are known, its ends count as one knot of multiplicity
+ * 2. */
 static void knots_an_ulp_apart(void) {
     const double knots[] = {0, 0, 0, 0.5, nextafter(0.5, 1), 1, 1, 1}, points[] = {0, 0, 1, 0, 0};
     check_value(scalar(2, 5, knots, points), inner(1, 1, VALUES(0, 1)), 0.25, 0.25, 1e-15);

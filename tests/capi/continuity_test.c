@@ -57,7 +57,8 @@ static void curves(void) {
     nurbs_destroy(g);
 }
 
-/* A straight line with a control point 1e-13 beside it, at any scale of points and knots: no break of curvature. */
+/* A straight line with a control point 1e-13 beside it, at any scale of points and knots: no break of
+ * curvature. */
 static void nearly_straight(void) {
     static const int32_t degree = 3;
     static const int64_t count = 7;

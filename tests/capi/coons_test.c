@@ -231,8 +231,9 @@ static Curves around(const nurbs *g, int32_t derivative) {
     return c;
 }
 
-/* A bicubic surface is what its boundaries, cross tangents and twists make, over a domain that is no square; without
- * cross tangents too, as those here are cubics of their ends, and Adini's twists those of the surface. */
+/* A bicubic surface is what its boundaries, cross tangents and twists make, over a domain that is no square;
+ * without cross tangents too, as those here are cubics of their ends, and Adini's twists those of the
+ * surface. */
 static void rectangle(void) {
     nurbs *surface = over_a_rectangle(), *g = NULL;
     Curves c = around(surface, 0), cross = around(surface, 1);

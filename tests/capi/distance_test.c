@@ -46,8 +46,9 @@ static void sets(void) {
     nurbs_destroy(whole);
 }
 
-/* A surface that goes to infinity where its weights change their sign: each point of it, and each point asked of
-   it, costs a whole search, which counts. Else a budget of 2000 takes 20 seconds, not some milliseconds. */
+/* A surface that goes to infinity where its weights change their sign: each point of it, and each point asked
+   of it, costs a whole search, which counts. Else a budget of 2000 takes 20 seconds, not some
+   milliseconds. */
 static void poles(void) {
     static const int32_t degrees[] = {2, 2};
     static const int64_t counts[] = {3, 3};

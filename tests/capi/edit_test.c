@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The group "edit": weights and control points changed so that a point goes where it is wanted, and inverse knot
- * insertion. */
+/* The group "edit": weights and control points changed so that a point goes where it is wanted, and inverse
+ * knot insertion. */
 #include "check.h"
 #include "shapes.h"
 
@@ -295,7 +295,8 @@ static void most_influential(void) {
     nurbs_destroy(g);
 }
 
-/* Records (w x, w y, w) of a curve over [0, 1], with signs of the weights that Cartesian points do not have. */
+/* Records (w x, w y, w) of a curve over [0, 1], with signs of the weights that Cartesian points do not
+ * have. */
 static nurbs *signed_weights(double first, double middle, double last) {
     const int32_t degree = 2;
     const int64_t count = 3;

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-// Every function with splines whose numbers are as large, as small and as far apart as doubles allow: whatever the answer,
-// no call ends the program or finds a defect of the library, and the splines stay what they were.
+// Every function with splines whose numbers are as large, as small and as far apart as doubles allow:
+// whatever the answer, no call ends the program or finds a defect of the library, and the splines stay what
+// they were.
 #include "calls/calls.h"
 
 #include <cfloat>

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* nurbs_reverse(), nurbs_transpose(), nurbs_reparametrize(), nurbs_make_rational() and the homogeneous form. */
+/* nurbs_reverse(), nurbs_transpose(), nurbs_reparametrize(), nurbs_make_rational() and the homogeneous
+ * form. */
 #include "check.h"
 #include "shapes.h"
 

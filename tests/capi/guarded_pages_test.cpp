@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-// Every function with arrays that end where a page begins that is not mapped, and with arrays that begin where one ends
-// (guarded/pages.h): no call reads or writes beside them. This file and its copy of the calls are compiled with functions
-// that move all arrays there; all functions are called, and every array of each is there in some call.
+// Every function with arrays that end where a page begins that is not mapped, and with arrays that begin
+// where one ends (guarded/pages.h): no call reads or writes beside them. This file and its copy of the calls
+// are compiled with functions that move all arrays there; all functions are called, and every array of each
+// is there in some call.
 #include "guarded/batches.h"
 #include "guarded/complete_calls.h"
 

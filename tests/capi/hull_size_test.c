@@ -59,7 +59,8 @@ static void zero_weights(void) {
     local_sizes(a, 1, &half, 0, (const double[]){2});
 }
 
-/* With signed weights: (max |w_i P_i| + |C(t)| max |w_i|) / |w(t)|, here (1 + |t / (1 - 2 t)|) / |1 - 2 t|. */
+/* With signed weights: (max |w_i P_i| + |C(t)| max |w_i|) / |w(t)|, here (1 + |t / (1 - 2 t)|) / |1 - 2
+ * t|. */
 static void signed_weights(void) {
     static const int32_t degree = 1;
     static const int64_t count = 2;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Results that are too large are told from arguments that are not finite, and arrays that are too long for any memory
- * are refused before they are looked at. */
+/* Results that are too large are told from arguments that are not finite, and arrays that are too long for
+ * any memory are refused before they are looked at. */
 #include "shapes.h"
 
 #define VALUES(...) ((const double[]){__VA_ARGS__})

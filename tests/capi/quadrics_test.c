@@ -234,9 +234,8 @@ static void known_points(void) {
     args.height = -5;
     args.top = -3;
     args.sweep = PI / 2;
-    g = made(
-        hyperboloid,
-        args); /* 4/3 from the axis at -5, in units of the radii, where the tangent meets that at the vertex in 1/2 */
+    g = made(hyperboloid,
+             args); /* 4/3 from the axis at -5, in radii, where the tangent meets that at the vertex in 1/2 */
     double p[27];
     CHECK_OK(nurbs_points(g, 9, p, 0, 0));
     CHECK_NEAR(p, VALUES(8 / 3.0, 0, -5, 1, 0, -3, 0, 0, -3), 9, 1e-15);

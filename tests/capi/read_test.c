@@ -211,7 +211,8 @@ static void bad_list_arguments(void) {
     nurbs_list_destroy(NULL);
 }
 
-/* A program built with a later header hands over a longer struct: cleared by init, refused where it is used. */
+/* A program built with a later header hands over a longer struct: cleared by init, refused where it is
+ * used. */
 static void longer_options(void) {
     union {
         nurbs_read_options options;

@@ -81,8 +81,8 @@ static void curves(void) {
     check_shape(make(twist()), 1e-5, NURBS_SHAPE_NONE, PLACED(0), 0, 0);
 }
 
-/* cosh, sinh from 0 to u where e^u = 2. What moves the curve by d moves the centre of so short a piece by up to
-   550 d: 18 e for weights off by a part e, which move it by 0.033 e. */
+/* cosh, sinh from 0 to u where e^u = 2. What moves the curve by d moves the centre of so short a piece by up
+   to 550 d: 18 e for weights off by a part e, which move it by 0.033 e. */
 static void short_branch(void) {
     static const double branch[] = {1, 0, 1, 1. / 3, 1.25, 0.75};
     nurbs *g = conic(2, branch, sqrt(1.125));

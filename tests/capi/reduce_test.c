@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* nurbs_deviation(), nurbs_remove_knot(), nurbs_reduce_knots(), nurbs_reduce_degree() and nurbs_simplify(). */
+/* nurbs_deviation(), nurbs_remove_knot(), nurbs_reduce_knots(), nurbs_reduce_degree() and
+ * nurbs_simplify(). */
 #include "check.h"
 #include "shapes.h"
 
@@ -180,7 +181,8 @@ static void weights_of_zero(void) {
     nurbs_destroy(g);
 }
 
-/* Half a circle, of degree 2 with the point at infinity where its end tangents meet: (1 - s^2, 2 s) / (1 + s^2). */
+/* Half a circle, of degree 2 with the point at infinity where its end tangents meet: (1 - s^2, 2 s) / (1 +
+ * s^2). */
 static void points_at_infinity(void) {
     static const int32_t degree = 3;
     static const double points[] = {0, -1, 2, -1, 2, 1, 0, 1}, weights[] = {3, 1, 1, 3};

@@ -270,7 +270,8 @@ static nurbs *quarter(void) {
     return g;
 }
 
-/* Weights of the trajectory are none of the heights: in the middle of the profile the radius is 2, the height 5. */
+/* Weights of the trajectory are none of the heights: in the middle of the profile the radius is 2, the height
+ * 5. */
 static void swung_records(void) {
     const int32_t degree = 1;
     nurbs *trajectory = quarter(), *profile = NULL, *out = NULL;

@@ -11,7 +11,7 @@ import sys
 from collections import defaultdict
 from pathlib import Path
 
-OPENING = re.compile(r"(?:inline )?namespace ?([\w:]*) ?\{")
+OPENING = re.compile(r"(?:inline )?namespace ?((?:inline |[\w:])*) ?\{")
 CLOSING = re.compile(r"\} // namespace")
 # At the beginning of a line, which is where clang-format puts what is in namespaces only. Members of a class, written
 # as class::member, and specializations are no new names.

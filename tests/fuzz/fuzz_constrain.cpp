@@ -100,7 +100,8 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
                         a.tolerance, residuals.data(), &rank, &moved, &optimality, &out);
     const fuzz::Handle h(FUZZ_MADE(status, out));
     if (h) {
-        // Equations may have no unknowns: those of weights without effect, or that a derivative of degree 0 meets.
+        // Equations may have no unknowns: those of weights without effect, or that a derivative of degree 0
+        // meets.
         FUZZ_REQUIRE(rank >= 0 && moved >= 0 && optimality <= 1e-6);
         const double ratio = s.weight_ratio();
         if (ratio > 0 && ratio < 1e6) {

@@ -1,4 +1,5 @@
-// Extension, unclamping, periodic forms and projections: domains are what was asked for, forms are what they are called.
+// Extension, unclamping, periodic forms and projections: domains are what was asked for, forms are what they
+// are called.
 #include "fuzz/harness.h"
 
 using fuzz::Input;

@@ -1,5 +1,5 @@
-// Matrices and gradients: rows in order, matrix times points = evaluation, sums of the operators, the transpose
-// of evaluation, and nothing written by a refused call.
+// Matrices and gradients: rows in order, matrix times points = evaluation, sums of the operators, the
+// transpose of evaluation, and nothing written by a refused call.
 #include "fuzz/harness.h"
 
 using fuzz::Input;
@@ -143,8 +143,8 @@ nurbs_status adjoint(const nurbs *g, int32_t order, const Batch &b, const std::v
                               out.points.data(), 0, 0, out.weights.data(), 0, out.params.data(), 0, 0, flags);
 }
 
-// Twice into the same outputs doubles what one call gives; at order 0 and inside the domain the columns of the
-// points' gradient add up to the sum of the cotangents, as the functions add up to 1.
+// Twice into the same outputs doubles what one call gives; at order 0 and inside the domain the columns of
+// the points' gradient add up to the sum of the cotangents, as the functions add up to 1.
 void gradients(Input &in, const nurbs *g, const fuzz::Spline &s, const Batch &b) {
     const int32_t order = in.below(3);
     int64_t slots = 0;

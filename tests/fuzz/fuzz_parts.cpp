@@ -1,4 +1,5 @@
-// Splitting, extraction, decomposition, clamping, seams and joining: parts have the ends asked for, and join again.
+// Splitting, extraction, decomposition, clamping, seams and joining: parts have the ends asked for, and join
+// again.
 #include "fuzz/harness.h"
 
 using fuzz::Input;

@@ -1,5 +1,6 @@
-// Runs a fuzz target without a fuzzer: on every file of a corpus folder, on fixed mutations of each, and on noise. The
-// inputs are the same on every run and machine. An input that ends the program is left in the file failing_input.
+// Runs a fuzz target without a fuzzer: on every file of a corpus folder, on fixed mutations of each, and on
+// noise. The inputs are the same on every run and machine. An input that ends the program is left in the file
+// failing_input.
 #include <algorithm>
 #include <csignal>
 #include <cstddef>

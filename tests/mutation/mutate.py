@@ -11,9 +11,9 @@ that do not compile, and those that leave the object code as it was, do not coun
 a line of JSON for each fault; a run that was broken off goes on where it was. A fault that no test has noticed when the time
 for tests is over (--patience, 300) counts as not noticed.
 
-Two shares are printed: of all faults, and of those that can be noticed, which leaves out the survivors in judged.txt beside
-this file: they were read and cannot change an answer. The exit status is 1 if the second share is below 85 %. A survivor that
-is not in judged.txt is either a gap, to be closed by a test, or belongs there with its reason.
+Two rates are printed: of all faults, and of those that can change an answer. The second leaves out the equivalent mutants,
+which equivalent.txt lists: survivors that were read and cannot change an answer. The exit status is 1 if the second rate is
+below 85 %. A survivor that is not in equivalent.txt is either a gap, to be closed by a test, or belongs there with its reason.
 """
 
 import argparse
@@ -80,7 +80,7 @@ def faults_of(source, path):
 
 def in_order(fault, seed):
     """A key of a random order. It hangs on the fault's own text alone, so that a change elsewhere in the sources leaves the
-    sample as it was, and with it what was judged."""
+    sample as it was, and with it the equivalent mutants."""
     return hashlib.sha256(f"{seed} {fault.file} {fault.before} {fault.after}".encode()).digest()
 
 
@@ -200,7 +200,7 @@ def read_report(path):
     return [json.loads(line) for line in path.read_text().splitlines()]
 
 
-def read_judged(path):
+def read_equivalent(path):
     """{(file, line before, line after)} of the faults that cannot change an answer."""
     return set(re.findall(r"^(\S+): .+\n- (.+)\n\+ (.+)$", path.read_text(encoding="utf-8"), flags=re.MULTILINE))
 
@@ -209,12 +209,12 @@ def counted(report):
     return [entry for entry in report if entry["verdict"] in ("noticed", "survived")]
 
 
-def summary(report, judged):
+def summary(report, equivalent):
     """Whether enough faults were noticed."""
     counting = counted(report)
     survivors = [entry for entry in counting if entry["verdict"] == "survived"]
     gaps = [entry for entry in survivors
-            if (entry["fault"].split(":")[0], entry.get("before"), entry.get("after")) not in judged]
+            if (entry["fault"].split(":")[0], entry.get("before"), entry.get("after")) not in equivalent]
     noticed = len(counting) - len(survivors)
     real = noticed + len(gaps)
     print(f"{noticed} of {len(counting)} faults were noticed ({noticed / max(1, len(counting)):.1%}), of those that can change "
@@ -235,7 +235,7 @@ def main():
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     given = parser.parse_args()
     source = pathlib.Path(__file__).resolve().parents[2]
-    judged = read_judged(pathlib.Path(__file__).resolve().with_name("judged.txt"))
+    equivalent = read_equivalent(pathlib.Path(__file__).resolve().with_name("equivalent.txt"))
     reach = Reach(given.reach)
     build = Build(source, given.build.resolve())
     faults = all_faults(source)
@@ -256,7 +256,7 @@ def main():
                 file.write(json.dumps(report[-1]) + "\n")
             print(report[-1], flush=True)
     build.make()
-    return 0 if summary(report, judged) else 1
+    return 0 if summary(report, equivalent) else 1
 
 
 if __name__ == "__main__":

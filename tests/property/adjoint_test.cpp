@@ -1,5 +1,5 @@
-// Gradients with respect to data: exact values, the identity of a transpose, and the same bits however a batch
-// is cut.
+// Gradients with respect to data: exact values, the identity of a transpose, and the same bits however a
+// batch is cut.
 #include "reference/magnitudes.h"
 #include "support/cases.h"
 #include "support/handle.h"
@@ -83,8 +83,8 @@ Rational rational(const reference::Fraction &x) {
     return {x.numerator, x.denominator};
 }
 
-// What contributes to a gradient: the exact value, the sum of the magnitudes of its terms, and what the bounds
-// of the derivatives allow.
+// What contributes to a gradient: the exact value, the sum of the magnitudes of its terms, and what the
+// bounds of the derivatives allow.
 struct Sum {
     Rational value = 0;
     long double bound = 0;

@@ -97,7 +97,7 @@ SplineData sheet(double lean) {
 } // namespace
 
 // In exact arithmetic the derivative has the sign of the piece.
-TEST(MonotonePieces, HaveTheSignOfTheDerivative) {
+TEST(MonotonePieces, have_the_sign_of_the_derivative) {
     int complete = 0;
     for_each_case(8100, 200, [&](Random &random, uint64_t seed) {
         Recipe recipe = random_recipe(random, 1, 6);
@@ -130,7 +130,7 @@ TEST(MonotonePieces, HaveTheSignOfTheDerivative) {
     EXPECT_GT(complete, support::of_whole_run(150));
 }
 
-TEST(MonotonePieces, OfACircleAndOfStairs) {
+TEST(MonotonePieces, of_a_circle_and_of_stairs) {
     const Handle g = ellipse(2, 2, 0, 2 * pi);
     const Pieces p = monotone(g.get(), {0, 1});
     EXPECT_EQ(p.complete, 1);
@@ -143,7 +143,7 @@ TEST(MonotonePieces, OfACircleAndOfStairs) {
     EXPECT_EQ(monotone(create(jump).get(), {1}).starts, (Vec{0, 1}));
 }
 
-TEST(Convexity, KnownCurves) {
+TEST(Convexity, known_curves) {
     for_each_case(8200, 50, [](Random &random, uint64_t seed) {
         const double a = random.between(0.1, 3),
                      sweep = random.chance(30) ? 2 * pi : random.between(0.1, 6.2);
@@ -171,7 +171,7 @@ TEST(Convexity, KnownCurves) {
 }
 
 // A convex curve in any of its forms.
-TEST(Convexity, SurvivesRefinement) {
+TEST(Convexity, survives_refinement) {
     for_each_case(8300, 60, [](Random &random, uint64_t seed) {
         Vec points;
         const int p = random.whole(2, 8);
@@ -188,7 +188,7 @@ TEST(Convexity, SurvivesRefinement) {
 }
 
 // Every point is within the bound, in exact arithmetic; on made shapes the bound is what it has to be.
-TEST(Straightness, BoundsAreProven) {
+TEST(Straightness, bounds_are_proven) {
     for_each_case(8400, 150, [](Random &random, uint64_t seed) {
         const SplineData data = random_spline(random, random_recipe(random, random.whole(1, 2), 4));
         const Handle g = create(data);
@@ -222,7 +222,7 @@ TEST(Straightness, BoundsAreProven) {
     EXPECT_NEAR(bound, 2, 3e-3);
 }
 
-TEST(Planarity, BoundsAreProven) {
+TEST(Planarity, bounds_are_proven) {
     for_each_case(8500, 150, [](Random &random, uint64_t seed) {
         Recipe recipe = random_recipe(random, random.whole(1, 2), 4);
         recipe.dim = 3;
@@ -251,7 +251,7 @@ TEST(Planarity, BoundsAreProven) {
     EXPECT_LT(bound, 1e-13);
 }
 
-TEST(BoundaryContacts, OfTheQuadrics) {
+TEST(BoundaryContacts, of_the_quadrics) {
     const Handle sphere = made([](nurbs **out) {
         return nurbs_surface_sphere(nullptr, nullptr, nullptr, 2, NURBS_ARC_QUARTERS, out);
     });
@@ -287,7 +287,7 @@ TEST(BoundaryContacts, OfTheQuadrics) {
 }
 
 // Between the tolerances that bounds leave open the search goes on.
-TEST(BoundaryContacts, TellsTheSidesOfTheTolerance) {
+TEST(BoundaryContacts, tells_the_sides_of_the_tolerance) {
     const Handle sphere = made([](nurbs **out) {
         return nurbs_surface_spherical_patch(nullptr, nullptr, nullptr, 1, 0, 1, -0.5, 0.5,
                                              NURBS_ARC_QUARTERS, out);
@@ -305,7 +305,7 @@ TEST(BoundaryContacts, TellsTheSidesOfTheTolerance) {
     }
 }
 
-TEST(SingularPoints, PolesAndCusps) {
+TEST(SingularPoints, poles_and_cusps) {
     const Handle sphere = made([](nurbs **out) {
         return nurbs_surface_sphere(nullptr, nullptr, nullptr, 2, NURBS_ARC_QUARTERS, out);
     });
@@ -336,7 +336,7 @@ TEST(SingularPoints, PolesAndCusps) {
 }
 
 // S = (u, v^2 / 2, v^3 / 3 + u v), S_v = (0, v, v^2 + u): singular where v = 0 and u = 0.
-TEST(SingularPoints, WhitneyLikePoint) {
+TEST(SingularPoints, whitney_like_point) {
     for_each_case(8700, 20, [](Random &random, uint64_t seed) {
         const double a = random.between(0.1, 0.9), b = random.between(0.1, 0.9); // where it lies
         SplineData data{{1, 3}, {2, 4}, {{0, 0, 1, 1}, {0, 0, 0, 0, 1, 1, 1, 1}}, 3, {}, {}, 0};
@@ -359,7 +359,7 @@ TEST(SingularPoints, WhitneyLikePoint) {
 }
 
 // In exact arithmetic the normal does not vanish outside the boxes.
-TEST(SingularPoints, RegularOutsideTheBoxes) {
+TEST(SingularPoints, regular_outside_the_boxes) {
     for_each_case(8800, 25, [](Random &random, uint64_t seed) {
         Recipe recipe = random_recipe(random, 2, 3);
         recipe.dim = random.whole(2, 4);
@@ -378,7 +378,7 @@ TEST(SingularPoints, RegularOutsideTheBoxes) {
     });
 }
 
-TEST(Folds, OfASheet) {
+TEST(Folds, of_a_sheet) {
     const double up[] = {0, 0, 1};
     EXPECT_EQ(fold(create(sheet(0.2)).get(), up).result, NURBS_FOLD_NONE);
     const Handle folded = create(sheet(1.5));
@@ -397,7 +397,7 @@ TEST(Folds, OfASheet) {
     EXPECT_EQ(fold(create(sheet(0.2)).get()).result, NURBS_FOLD_NONE); // with its vector area
 }
 
-TEST(Folds, OfPatchesInThePlaneAndVolumes) {
+TEST(Folds, of_patches_in_the_plane_and_volumes) {
     SplineData square{{1, 1}, {2, 2}, {{0, 0, 1, 1}, {0, 0, 1, 1}}, 2, {0, 0, 0, 1, 1, 0, 1, 1}, {}, 0};
     EXPECT_EQ(fold(create(square).get()).result, NURBS_FOLD_NONE);
     EXPECT_TRUE(std::isnan(fold(create(square).get()).negative[0]));
@@ -428,7 +428,7 @@ TEST(Folds, OfPatchesInThePlaneAndVolumes) {
 }
 
 // Half a sphere over the plane has no fold in its direction; its pole is an edge. A whole one has.
-TEST(Folds, OfASphere) {
+TEST(Folds, of_a_sphere) {
     const double up[] = {0, 0, 1e-200};
     const Handle half = made([](nurbs **out) {
         return nurbs_surface_spherical_patch(nullptr, nullptr, nullptr, 1, 0, 2 * pi, 0.1, pi / 2,

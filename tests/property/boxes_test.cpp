@@ -84,7 +84,7 @@ Vec param_in(Random &random, const Vec &range) {
 } // namespace
 
 // The stored shape, without rounding, is inside, and so are evaluated points at many more places.
-TEST(Boxes, ContainExactPoints) {
+TEST(Boxes, contain_exact_points) {
     for_each_case(6100, 400, [](Random &random, uint64_t seed) {
         const SplineData data = any_shape(random);
         const Handle g = create(data);
@@ -114,7 +114,7 @@ TEST(Boxes, ContainExactPoints) {
     });
 }
 
-TEST(Boxes, ContainManyPoints) {
+TEST(Boxes, contain_many_points) {
     for_each_case(6200, 25, [](Random &random, uint64_t seed) {
         const SplineData data = any_shape(random);
         const Handle g = create(data);
@@ -137,7 +137,7 @@ TEST(Boxes, ContainManyPoints) {
 }
 
 // The gap that is claimed is one: each face has a point of the shape so near, which extreme points tell.
-TEST(Boxes, TouchWithinTheTolerance) {
+TEST(Boxes, touch_within_the_tolerance) {
     WorstRatios worst("gap over tolerance and 1e-12 of the size");
     for_each_case(6300, 200, [&](Random &random, uint64_t seed) {
         SplineData data = any_shape(random);
@@ -165,7 +165,7 @@ TEST(Boxes, TouchWithinTheTolerance) {
     });
 }
 
-TEST(Boxes, OfAnEllipse) {
+TEST(Boxes, of_an_ellipse) {
     const double x[] = {3, 4}, a = 5, b = 2;
     const double direction[] = {0.6, 0.8};
     nurbs *out = nullptr;
@@ -183,7 +183,7 @@ TEST(Boxes, OfAnEllipse) {
     EXPECT_LT(sides[0] * sides[1], half[0] * half[1]);
 }
 
-TEST(Boxes, OrientedOnesContainExactPoints) {
+TEST(Boxes, oriented_ones_contain_exact_points) {
     for_each_case(6400, 200, [](Random &random, uint64_t seed) {
         const SplineData data = any_shape(random);
         const Handle g = create(data);
@@ -205,7 +205,7 @@ TEST(Boxes, OrientedOnesContainExactPoints) {
     });
 }
 
-TEST(Cones, ContainDerivatives) {
+TEST(Cones, contain_derivatives) {
     for_each_case(6500, 200, [](Random &random, uint64_t seed) {
         SplineData data = any_shape(random);
         const Handle g = create(data);
@@ -247,7 +247,7 @@ TEST(Cones, ContainDerivatives) {
 }
 
 // A torus: its normals over a part are those of the angles.
-TEST(Cones, OfNormalsOfATorus) {
+TEST(Cones, of_normals_of_a_torus) {
     nurbs *out = nullptr;
     require_ok(
         nurbs_surface_torus(nullptr, nullptr, nullptr, 3, 1, 0, 2 * pi, 0, 2 * pi, NURBS_ARC_QUARTERS, &out));
@@ -286,7 +286,7 @@ TEST(Cones, OfNormalsOfATorus) {
 }
 
 // The poles of a sphere are divided out.
-TEST(Cones, OfAHemisphere) {
+TEST(Cones, of_a_hemisphere) {
     nurbs *out = nullptr;
     require_ok(nurbs_surface_spherical_patch(nullptr, nullptr, nullptr, 1, 0, 2 * pi, 0.5, pi / 2,
                                              NURBS_ARC_QUARTERS, &out));

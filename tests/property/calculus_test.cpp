@@ -1,5 +1,5 @@
-// Polar forms, derivatives and integrals: control points against their exact values, derivatives as splines against
-// exact derivatives at points.
+// Polar forms, derivatives and integrals: control points against their exact values, derivatives as splines
+// against exact derivatives at points.
 #include "reference/definition.h"
 #include "reference/magnitudes.h"
 #include "reference/number.h"
@@ -348,8 +348,8 @@ TEST(Antiderivative, derivative_gives_the_spline_back) {
                                       data.knots[k][static_cast<size_t>(layer)];
                 for (int64_t i = 0; i < layers.inner; ++i) {
                     for (int c = 0; c < data.dim; ++c) {
-                        // Each of the two neighbours is rounded once, relative to itself; the differences then
-                        // are, and errors that the layers have in common cancel.
+                        // Each of the two neighbours is rounded once, relative to itself; the differences
+                        // then are, and errors that the layers have in common cancel.
                         const long double size = std::fabs(sums.coordinate(summed.place(o, layer, i), c)) +
                                                  std::fabs(sums.coordinate(summed.place(o, layer + 1, i), c));
                         const double want = data.coordinate(layers.place(o, layer, i), c);

@@ -1,5 +1,5 @@
-// Nearest and farthest points of splines whose weights have both signs, which may go to infinity: against dense
-// samples. Rounding counts by the smallest weight there.
+// Nearest and farthest points of splines whose weights have both signs, which may go to infinity: against
+// dense samples. Rounding counts by the smallest weight there.
 #include "property/made_shapes.h"
 #include "support/cases.h"
 #include "support/handle.h"
@@ -19,8 +19,8 @@ struct Signed {
     double size = 0; // of the points
 };
 
-// Of a spline of one dimension more: its last coordinate becomes the weight, so that the copies of periodic axes
-// stay copies.
+// Of a spline of one dimension more: its last coordinate becomes the weight, so that the copies of periodic
+// axes stay copies.
 Signed signed_spline(Random &random, int axes, int dim, double shift = 0) {
     Recipe recipe = random_recipe(random, axes, axes == 1 ? 5 : axes == 2 ? 3 : 2);
     for (AxisRecipe &axis : recipe.axes) {

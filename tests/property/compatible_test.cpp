@@ -1,5 +1,5 @@
-// Sets of splines made compatible, and knots snapped together: what is exact keeps the shape, what is not stays
-// within the bound returned.
+// Sets of splines made compatible, and knots snapped together: what is exact keeps the shape, what is not
+// stays within the bound returned.
 #include "property/same_shape.h"
 
 using namespace support;

@@ -115,8 +115,8 @@ SplineData clustered(Random &random, int p) {
     return data;
 }
 
-// What a value of f in a long span, exact at its ends, is known to, and what that comes to in g; twice, as f may
-// stand for a knot from either side.
+// What a value of f in a long span, exact at its ends, is known to, and what that comes to in g; twice, as f
+// may stand for a knot from either side.
 double allowed_over(const SplineData &g, const SplineData &f, double shortest) {
     const double t = std::max(std::fabs(f.lower(0)), std::fabs(f.upper(0)));
     const double known =
@@ -148,7 +148,8 @@ TEST(Compose, knots_may_be_nearer_to_each_other_than_values_are_known) {
     });
 }
 
-// f rises by much within an ulp, so that no crossing could be told apart there; the spans beside are not touched.
+// f rises by much within an ulp, so that no crossing could be told apart there; the spans beside are not
+// touched.
 TEST(Compose, steep_pieces_do_not_reach_their_neighbours) {
     WorstErrors worst("curves beside steep pieces by degree, unit the bound");
     for_each_case(992000, 500, [&](Random &random, uint64_t seed) {

@@ -129,8 +129,8 @@ inline int degree_total(const SplineData &g) {
     return total;
 }
 
-// What control points of the composition may be off by, in homogeneous space, with the constants of the header; where f
-// has weights, in parts of the product of those that the control point is multiplied by.
+// What control points of the composition may be off by, in homogeneous space, with the constants of the
+// header; where f has weights, in parts of the product of those that the control point is multiplied by.
 inline double allowed(const SplineData &g, const SplineData &f) {
     const int weights = f.rational() ? degree_total(g) * (4 * f.degrees[0] + 6) : 0;
     double bound = (2 * g.axes() + 1 + weights) * static_cast<double>(eps) * largest_point(g);
@@ -161,8 +161,8 @@ struct Made {
     SplineData h; // homogeneous
 };
 
-// The value of f, and by what the result there is multiplied: the weight of f, divided by the power of two in the
-// largest one, once for each degree of g.
+// The value of f, and by what the result there is multiplied: the weight of f, divided by the power of two in
+// the largest one, once for each degree of g.
 inline Point inner_value(const SplineData &f, double t) {
     Point u;
     for (const reference::Fraction &x : reference::exact_point(f, &t)) {
@@ -275,7 +275,8 @@ inline void set_monotone_points(Random &random, const SplineData &g, SplineData 
     }
 }
 
-// A spline and a monotone curve over its domain, of degrees whose product stays within exact arithmetic's patience.
+// A spline and a monotone curve over its domain, of degrees whose product stays within exact arithmetic's
+// patience.
 struct MonotoneCase {
     SplineData g, f;
 };
@@ -298,8 +299,8 @@ inline void expect_frame(const MonotoneCase &made, const SplineData &h) {
     ASSERT_EQ(h.upper(0), made.f.upper(0));
 }
 
-// An outer spline over whole numbers, and inner curves whose control points are multiples of 1/4: they touch knot
-// lines, run along them and pass through their corners.
+// An outer spline over whole numbers, and inner curves whose control points are multiples of 1/4: they touch
+// knot lines, run along them and pass through their corners.
 inline SplineData whole_knots(Random &random, int axes, int degree) {
     Recipe recipe = random_recipe(random, axes, degree);
     for (AxisRecipe &axis : recipe.axes) {
@@ -313,8 +314,8 @@ inline SplineData whole_knots(Random &random, int axes, int degree) {
     return random_spline(random, recipe);
 }
 
-// The polar values of f lie in the box of its control points, R shortest spans long: then both coefficients of a step
-// of de Boor's algorithm have magnitudes of at most 1 + 2 R together.
+// The polar values of f lie in the box of its control points, R shortest spans long: then both coefficients
+// of a step of de Boor's algorithm have magnitudes of at most 1 + 2 R together.
 inline double largest_factor(const SplineData &g, const SplineData &f) {
     double factor = 1;
     for (int k = 0; k < g.axes(); ++k) {

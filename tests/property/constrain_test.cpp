@@ -250,7 +250,8 @@ TEST(Constrain, ends_stay) {
     });
 }
 
-// A homogeneous spline changes as the rational one does that it equals, to the rounding of its points P = (w P) / w.
+// A homogeneous spline changes as the rational one does that it equals, to the rounding of its points P = (w
+// P) / w.
 TEST(Constrain, homogeneous_splines_change_like_rational_ones) {
     int met = 0;
     for_each_case(1496000, 60, [&](Random &random, uint64_t seed) {

@@ -189,15 +189,15 @@ void expect_edges(uint64_t base, int cases, int max_degree, bool rational, long 
 
 // Half an eps more than where boundaries stay as they are, since tangents at the corners agree to rounding
 // only.
-TEST(CoonsHermite, PolynomialEdgesAreMetEverywhere) {
+TEST(CoonsHermite, polynomial_edges_are_met_everywhere) {
     expect_edges(420000, 14, 7, false, 2.5L);
 }
 // One more eps for each of three denominators that may be multiplied with.
-TEST(CoonsHermite, RationalEdgesAreMetEverywhere) {
+TEST(CoonsHermite, rational_edges_are_met_everywhere) {
     expect_edges(421000, 3, 2, true, 5.5L);
 }
 
-TEST(CoonsHermite, AgreesWithTheMatrixForm) {
+TEST(CoonsHermite, agrees_with_the_matrix_form) {
     WorstErrors worst("bicubic Coons surfaces, in eps * hull");
     for_each_case(422000, 60, [&](Random &random, uint64_t seed) {
         const bool rational = random.chance(30);
@@ -264,7 +264,7 @@ Point defined_twist(const Patch &patch, int32_t rule, size_t i, size_t j, const 
 } // namespace
 
 // Also that Adini's twist is that of the bilinear surface, which the library makes.
-TEST(CoonsHermite, TwistsFollowTheirRules) {
+TEST(CoonsHermite, twists_follow_their_rules) {
     for_each_case(423000, 30, [&](Random &random, uint64_t seed) {
         const Twists given = random_twists(random);
         Patch patch = random_patch(random, 5, false, given);
@@ -302,7 +302,7 @@ TEST(CoonsHermite, TwistsFollowTheirRules) {
     });
 }
 
-TEST(CoonsHermite, ZeroTwistsMakeFergusonsPatch) {
+TEST(CoonsHermite, zero_twists_make_fergusons_patch) {
     for_each_case(424000, 20, [&](Random &random, uint64_t seed) {
         Patch patch{random_boundaries(random, 4, random.chance(40), true).curves, {}};
         const SplineData surface = hermite(patch, NURBS_TWIST_ZERO).surface;
@@ -326,7 +326,7 @@ TEST(CoonsHermite, ZeroTwistsMakeFergusonsPatch) {
     });
 }
 
-TEST(CoonsHermite, ReproducesBicubicPatches) {
+TEST(CoonsHermite, reproduces_bicubic_patches) {
     for_each_case(425000, 30, [&](Random &random, uint64_t seed) {
         SplineData bicubic;
         bicubic.degrees = {3, 3};
@@ -420,7 +420,7 @@ Patch neighbour(Random &random, const Patch &patch, const Twists &twists) {
 
 } // namespace
 
-TEST(CoonsHermite, NeighboursShareTangentPlanes) {
+TEST(CoonsHermite, neighbours_share_tangent_planes) {
     for_each_case(426000, 10, [&](Random &random, uint64_t seed) {
         const Twists twists = random_twists(random);
         const Patch patch = random_patch(random, 4, false, twists), next = neighbour(random, patch, twists);
@@ -441,7 +441,7 @@ TEST(CoonsHermite, NeighboursShareTangentPlanes) {
     });
 }
 
-TEST(CoonsHermite, GapsHaveTheirSizes) {
+TEST(CoonsHermite, gaps_have_their_sizes) {
     for_each_case(427000, 20, [&](Random &random, uint64_t seed) {
         Patch patch = random_patch(random, 4, random.chance(50), random_twists(random), false);
         for (SplineData &curve : patch.cross) {

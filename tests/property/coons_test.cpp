@@ -97,19 +97,19 @@ SplineData segment(const SplineData &from, bool from_end, const SplineData &to, 
 
 } // namespace
 
-TEST(Coons, PolynomialBoundariesAreMetEverywhere) {
+TEST(Coons, polynomial_boundaries_are_met_everywhere) {
     expect_boundaries(410000, 45, 9, false, true, 2);
 }
-TEST(Coons, RationalBoundariesAreMetEverywhere) {
+TEST(Coons, rational_boundaries_are_met_everywhere) {
     expect_boundaries(411000, 40, 5, true, true, 3);
 }
-TEST(Coons, UnclampedBoundariesAreMetEverywhere) {
+TEST(Coons, unclamped_boundaries_are_met_everywhere) {
     expect_boundaries(412000, 30, 5, true, false, 4);
 }
 
 // Every control point is a sum of four products of factors that are within 2 eps, of magnitudes that add up
 // to three hulls; where denominators multiply, within 4.
-TEST(Coons, AgreesWithTheMatrixForm) {
+TEST(Coons, agrees_with_the_matrix_form) {
     WorstErrors worst("Coons surfaces, in eps * hull");
     for_each_case(413000, 200, [&](Random &random, uint64_t seed) {
         const bool rational = random.chance(50);
@@ -128,7 +128,7 @@ TEST(Coons, AgreesWithTheMatrixForm) {
     });
 }
 
-TEST(Coons, ReproducesWhatItBlended) {
+TEST(Coons, reproduces_what_it_blended) {
     for_each_case(414000, 60, [&](Random &random, uint64_t seed) {
         const Boundaries given = random_boundaries(random, 6, false, true);
         Handle made, again;
@@ -144,7 +144,7 @@ TEST(Coons, ReproducesWhatItBlended) {
     });
 }
 
-TEST(Coons, GapsAreSplitEvenly) {
+TEST(Coons, gaps_are_split_evenly) {
     for_each_case(415000, 15, [&](Random &random, uint64_t seed) {
         Boundaries given = random_boundaries(random, 4, random.chance(50), true);
         for (SplineData &curve : given.curves) {
@@ -166,7 +166,7 @@ TEST(Coons, GapsAreSplitEvenly) {
     });
 }
 
-TEST(Coons, EqualDenominatorsAreSharedOnce) {
+TEST(Coons, equal_denominators_are_shared_once) {
     const SplineData low = quarter(0, 1, 0, 1), high = quarter(0, 1, 1, 4);
     std::vector<SplineData> curves = {segment(low, false, high, false), segment(low, true, high, true), low,
                                       high};
@@ -189,7 +189,7 @@ TEST(Coons, EqualDenominatorsAreSharedOnce) {
     EXPECT_EQ(surface.degrees[0], 2);
 }
 
-TEST(Coons, BlendsHomogeneousCurves) {
+TEST(Coons, blends_homogeneous_curves) {
     const SplineData low = quarter(0, 1, 0, 1), high = quarter(0, 1, 1, 1);
     std::vector<SplineData> curves = {segment(low, false, high, false), segment(low, true, high, true), low,
                                       high};
@@ -211,7 +211,7 @@ TEST(Coons, BlendsHomogeneousCurves) {
     }
 }
 
-TEST(Coons, ClosedBoundariesMakeATube) {
+TEST(Coons, closed_boundaries_make_a_tube) {
     SplineData loop;
     loop.degrees = {2};
     loop.counts = {6};
@@ -233,7 +233,7 @@ TEST(Coons, ClosedBoundariesMakeATube) {
     EXPECT_EQ(point[2], 1.0);
 }
 
-TEST(Coons, TakesBoundariesOfDegreeZero) {
+TEST(Coons, takes_boundaries_of_degree_zero) {
     SplineData apex;
     apex.degrees = {0};
     apex.counts = {2};
@@ -253,7 +253,7 @@ TEST(Coons, TakesBoundariesOfDegreeZero) {
     EXPECT_LE(boundary_error(surface, 3, high), 2 * eps);
 }
 
-TEST(Coons, IsFreeOfScale) {
+TEST(Coons, is_free_of_scale) {
     for_each_case(416000, 20, [&](Random &random, uint64_t seed) {
         const Boundaries given = random_boundaries(random, 4, random.chance(50), true);
         const SplineData surface = coons_of(given.curves);

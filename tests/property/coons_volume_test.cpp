@@ -133,7 +133,7 @@ double face_error(const SplineData &volume, const std::vector<SplineData> &faces
 }
 
 // However the weights of the faces are taken apart.
-TEST(CoonsVolume, FacesOfAVolumeMeetAtTolerance0) {
+TEST(CoonsVolume, faces_of_a_volume_meet_at_tolerance0) {
     for_each_case(46900, 40, [&](Random &random, uint64_t seed) {
         SplineData volume = random_volume(random, 3, true, KnotForm::clamped, false);
         for (double &weight : volume.weights) {
@@ -161,7 +161,7 @@ TEST(CoonsVolume, FacesOfAVolumeMeetAtTolerance0) {
 
 } // namespace
 
-TEST(CoonsVolume, AgreesWithItsDefinition) {
+TEST(CoonsVolume, agrees_with_its_definition) {
     for_each_case(430000, 40, [&](Random &random, uint64_t seed) {
         const bool rational = random.chance(50);
         const SplineData whole = random_volume(random, rational ? 2 : 4, rational, KnotForm::clamped);
@@ -174,7 +174,7 @@ TEST(CoonsVolume, AgreesWithItsDefinition) {
 }
 
 // Where faces are of one form, their control points are those of the volume to the bit.
-TEST(CoonsVolume, KeepsTheControlPointsOfItsFaces) {
+TEST(CoonsVolume, keeps_the_control_points_of_its_faces) {
     for_each_case(437000, 20, [&](Random &random, uint64_t seed) {
         const SplineData whole = random_volume(random, 3, false, KnotForm::clamped);
         const std::vector<SplineData> faces = faces_of(whole), found = faces_of(volume_of(faces));
@@ -185,7 +185,7 @@ TEST(CoonsVolume, KeepsTheControlPointsOfItsFaces) {
 }
 
 // Where the weights of faces differ by more than a factor denominators multiply, and edges agree to rounding.
-TEST(CoonsVolume, MultipliesDenominatorsThatDiffer) {
+TEST(CoonsVolume, multiplies_denominators_that_differ) {
     for_each_case(435000, 10, [&](Random &random, uint64_t seed) {
         const SplineData whole = random_volume(random, 1, true, KnotForm::clamped, false);
         const std::vector<SplineData> faces = faces_of(whole);
@@ -197,7 +197,7 @@ TEST(CoonsVolume, MultipliesDenominatorsThatDiffer) {
 }
 
 // Weights that are no products: every face and edge has a denominator of its own.
-TEST(CoonsVolume, BlendsFacesOfAnyWeights) {
+TEST(CoonsVolume, blends_faces_of_any_weights) {
     for_each_case(436000, 4, [&](Random &random, uint64_t seed) {
         SplineData whole = random_volume(random, 1, true, KnotForm::clamped);
         for (double &weight : whole.weights) {
@@ -212,7 +212,7 @@ TEST(CoonsVolume, BlendsFacesOfAnyWeights) {
 }
 
 // What the blend makes has faces of which it makes the same.
-TEST(CoonsVolume, ReproducesWhatItBlended) {
+TEST(CoonsVolume, reproduces_what_it_blended) {
     for_each_case(431000, 15, [&](Random &random, uint64_t seed) {
         const SplineData whole = random_volume(random, 3, false, KnotForm::clamped);
         const SplineData volume = volume_of(faces_of(whole)), again = volume_of(faces_of(volume));
@@ -224,7 +224,7 @@ TEST(CoonsVolume, ReproducesWhatItBlended) {
     });
 }
 
-TEST(CoonsVolume, ReproducesTrilinearVolumes) {
+TEST(CoonsVolume, reproduces_trilinear_volumes) {
     for_each_case(432000, 10, [&](Random &random, uint64_t seed) {
         SplineData cube;
         cube.dim = 3;
@@ -240,7 +240,7 @@ TEST(CoonsVolume, ReproducesTrilinearVolumes) {
     });
 }
 
-TEST(CoonsVolume, TakesUnclampedAndMappedFaces) {
+TEST(CoonsVolume, takes_unclamped_and_mapped_faces) {
     for_each_case(433000, 20, [&](Random &random, uint64_t seed) {
         const SplineData whole = random_volume(random, 3, false, KnotForm::unclamped);
         const std::vector<SplineData> faces = faces_of(whole);
@@ -261,7 +261,7 @@ TEST(CoonsVolume, TakesUnclampedAndMappedFaces) {
 }
 
 // Edges that differ are met half way; inside the faces three corrections add up, each less than the gap.
-TEST(CoonsVolume, GapsAreFoundAndSplit) {
+TEST(CoonsVolume, gaps_are_found_and_split) {
     for_each_case(434000, 30, [&](Random &random, uint64_t seed) {
         const SplineData whole = random_volume(random, 2, random.chance(30), KnotForm::clamped);
         std::vector<SplineData> faces = faces_of(whole);

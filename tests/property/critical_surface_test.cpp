@@ -134,8 +134,8 @@ TEST(CriticalSurface, a_centre_of_curvature_leaves_the_kind_open) {
     EXPECT_EQ(kind_at_apex(1.01), NURBS_CRITICAL_MAXIMUM);
 }
 
-// A volume whose face at u = 0 is an edge, which all w share. Its ends are like corners where the distance changes alike
-// along all w, and else nothing is said of them.
+// A volume whose face at u = 0 is an edge, which all w share. Its ends are like corners where the distance
+// changes alike along all w, and else nothing is said of them.
 TEST(CriticalSurface, the_edge_of_a_wedge) {
     const std::vector<double> knots{0, 0, 1, 1};
     SplineData data{{1, 1, 1}, {2, 2, 2}, {knots, knots, knots}, 3, {}, {}, 0};

@@ -91,8 +91,8 @@ TEST(Derivatives, volumes) {
     });
 }
 
-// To up to 1e15 times the size of the shape, where few bits of it are left: the exact derivatives are those of
-// what is stored, whose errors are measured by its own differences. Periodic copies stay equal.
+// To up to 1e15 times the size of the shape, where few bits of it are left: the exact derivatives are those
+// of what is stored, whose errors are measured by its own differences. Periodic copies stay equal.
 SplineData moved(Random &random, SplineData data) {
     const double distance = random.magnitude(1, 1e15) * extent(data);
     std::vector<double> shift;

@@ -123,7 +123,7 @@ void expect_distance(const nurbs *a, const nurbs *b, double exact, double tolera
 
 } // namespace
 
-TEST(Distance, LinesCirclesAndSpheres) {
+TEST(Distance, lines_circles_and_spheres) {
     for (const double tolerance : {1e-4, 1e-9}) {
         const Handle segment = polyline(2, {0, 0, 1, 0}), level = polyline(2, {0.5, 1, 3, 1}),
                      steep = polyline(2, {0.25, -1, 0.5, 2}), away = polyline(2, {2, 1, 3, 7});
@@ -145,7 +145,7 @@ TEST(Distance, LinesCirclesAndSpheres) {
     }
 }
 
-TEST(Distance, NoSampleIsNearer) {
+TEST(Distance, no_sample_is_nearer) {
     Random random(6601);
     for (int i = 0; i < 40; ++i) {
         const int first = random.whole(1, 2), second = random.whole(1, 2);
@@ -175,7 +175,7 @@ TEST(Distance, NoSampleIsNearer) {
 }
 
 // Powers of two change nothing but exponents.
-TEST(Distance, ScalesWithTheModel) {
+TEST(Distance, scales_with_the_model) {
     Random random(6602);
     for (int i = 0; i < 5; ++i) {
         const SplineData a = random_net(random, 1, 3, 8, 0, true), b = random_net(random, 2, 2, 5, 2, false);
@@ -192,7 +192,7 @@ TEST(Distance, ScalesWithTheModel) {
 }
 
 // What a budget leaves open is told, and bounds stay bounds.
-TEST(Distance, ABudgetThatEnds) {
+TEST(Distance, a_budget_that_ends) {
     Random random(6603);
     const SplineData a = random_net(random, 2, 3, 9, 0, false), b = random_net(random, 2, 3, 9, 2.3, false);
     const Handle f = create(a), g = create(b);
@@ -203,7 +203,7 @@ TEST(Distance, ABudgetThatEnds) {
     EXPECT_GE(poor.at_most, good.at_least);
 }
 
-TEST(Hausdorff, CirclesAndPolygons) {
+TEST(Hausdorff, circles_and_polygons) {
     const Handle one = circle(0, 0, 1), two = circle(0, 0, 2), aside = circle(0.5, 0, 1);
     for (const double tolerance : {1e-4, 1e-8}) {
         const Two rings = hausdorff(one.get(), two.get(), tolerance);
@@ -235,7 +235,7 @@ TEST(Hausdorff, CirclesAndPolygons) {
 }
 
 // Other parameters and other knots are the same set.
-TEST(Hausdorff, TheSameSetHasNone) {
+TEST(Hausdorff, the_same_set_has_none) {
     Random random(6604);
     for (int i = 0; i < 8; ++i) {
         const SplineData data =
@@ -302,7 +302,7 @@ SplineData in_dimension(SplineData data, int dim) {
 } // namespace
 
 // Whatever the tolerance and however a shape folds over itself: with a budget that no search gets along with.
-TEST(Hausdorff, TheSameSetIsToldAtOnce) {
+TEST(Hausdorff, the_same_set_is_told_at_once) {
     Random random(6606);
     for (int i = 0; i < 12; ++i) {
         const int axes = 1 + i % 3;
@@ -330,8 +330,9 @@ TEST(Hausdorff, TheSameSetIsToldAtOnce) {
     }
 }
 
-// A part, in its own words, of a shape that has knots elsewhere: all of it is near at once, and what is left out is far.
-TEST(Hausdorff, APartIsToldAtOnce) {
+// A part, in its own words, of a shape that has knots elsewhere: all of it is near at once, and what is left
+// out is far.
+TEST(Hausdorff, a_part_is_told_at_once) {
     Random random(6607);
     for (int i = 0; i < 16; ++i) {
         const int axes = 1 + i % 2;
@@ -355,7 +356,7 @@ TEST(Hausdorff, APartIsToldAtOnce) {
     }
 }
 
-TEST(Hausdorff, NoSampleIsFarther) {
+TEST(Hausdorff, no_sample_is_farther) {
     Random random(6605);
     for (int i = 0; i < 20; ++i) {
         const int first = random.whole(1, 2), second = random.whole(1, 2);

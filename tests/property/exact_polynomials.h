@@ -93,8 +93,8 @@ inline bool nonnegative(Polynomial values, int depth) {
     return nonnegative(std::move(lower), depth - 1) && nonnegative(std::move(values), depth - 1);
 }
 
-// Of a polynomial on a whole piece; one that is 0 inside may take more halvings than there are. Weights that are far
-// apart crowd a curve into 2^-60 of its span.
+// Of a polynomial on a whole piece; one that is 0 inside may take more halvings than there are. Weights that
+// are far apart crowd a curve into 2^-60 of its span.
 inline bool nonnegative(Polynomial values) {
     const auto degree = static_cast<int>(values.size()) - 1;
     Integer common = 1;

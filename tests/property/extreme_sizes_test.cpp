@@ -1,5 +1,5 @@
-// Distances of shapes whose coordinates come near the limits of double precision: those of the same shape near 1, times
-// a power of two, and never a certificate of what is no number.
+// Distances of shapes whose coordinates come near the limits of double precision: those of the same shape
+// near 1, times a power of two, and never a certificate of what is no number.
 #include "support/cases.h"
 #include "support/generators.h"
 #include "support/handle.h"
@@ -176,7 +176,8 @@ TEST(ExtremeSizes, patches_whose_lengths_overflow) {
     }
 }
 
-// Both ends of the range of double precision are in the box of the shape and the point: distances overflow, or nearly.
+// Both ends of the range of double precision are in the box of the shape and the point: distances overflow,
+// or nearly.
 TEST(ExtremeSizes, nothing_is_certified_that_is_no_number) {
     for_each_case(92300, 40, [&](Random &random, uint64_t seed) {
         const int axes = random.whole(1, 3), dim = random.whole(axes == 1 ? 1 : 2, 3);

@@ -139,8 +139,8 @@ FairedShape faired(const SplineData &data, int order, double tolerance, bool ene
     return result;
 }
 
-// A model and knots multiplied by powers of two give what the model gives, and an energy that overflows stands
-// in the way only of those who ask for it.
+// A model and knots multiplied by powers of two give what the model gives, and an energy that overflows
+// stands in the way only of those who ask for it.
 TEST(Fair, has_no_size) {
     int moved = 0;
     for_each_case(1595000, 40, [&](Random &random, uint64_t seed) {

@@ -60,7 +60,7 @@ Handle ellipse(double a, double b, double start, double sweep) {
 } // namespace
 
 // The four vertices, with curvatures a / b^2 and b / a^2, at any scale; at knots, and away from them.
-TEST(CurveFeatures, VerticesOfAnEllipse) {
+TEST(CurveFeatures, vertices_of_an_ellipse) {
     for_each_case(7100, 100, [](Random &random, uint64_t seed) {
         const double scale = random.magnitude(1e-6, 1e6);
         const double a = scale * random.between(1.2, 4), b = scale;
@@ -82,7 +82,7 @@ TEST(CurveFeatures, VerticesOfAnEllipse) {
 
 // Without the ends there are three vertices where it starts at one; as a periodic curve the seam has the
 // fourth.
-TEST(CurveFeatures, VertexAtTheSeam) {
+TEST(CurveFeatures, vertex_at_the_seam) {
     const Handle g = ellipse(2, 1, 0, 2 * pi);
     EXPECT_EQ(features(g.get(), extrema).params.size(), 3U);
     nurbs *out = nullptr;
@@ -96,7 +96,7 @@ TEST(CurveFeatures, VertexAtTheSeam) {
 }
 
 // The curvature of a circle has no extrema, which double precision cannot prove.
-TEST(CurveFeatures, Circle) {
+TEST(CurveFeatures, circle) {
     const Features f = features(ellipse(2, 2, 0.3, 5).get(), extrema);
     EXPECT_TRUE(f.params.empty());
     EXPECT_EQ(f.complete, 0);
@@ -107,7 +107,7 @@ TEST(CurveFeatures, Circle) {
 
 // y = x^3 - x: the inflection at 0; |curvature| is largest at 45 x^4 - 18 x^2 ... of y'' (1 + y'^2)
 // derivative.
-TEST(CurveFeatures, Cubic) {
+TEST(CurveFeatures, cubic) {
     const Handle g = create(bezier(2, {-1, 0, -1. / 3, 2. / 3 + 2. / 3, 1. / 3, -2. / 3 - 2. / 3, 1, 0}));
     const Features f = features(g.get(), 0x3f);
     EXPECT_EQ(f.complete, 1);
@@ -121,7 +121,7 @@ TEST(CurveFeatures, Cubic) {
 }
 
 // (t - c)^2, (t - c)^3 has a cusp at c, in the plane and turned in space.
-TEST(CurveFeatures, Cusp) {
+TEST(CurveFeatures, cusp) {
     for_each_case(7200, 60, [](Random &random, uint64_t seed) {
         const double c = random.whole(1, 63) / 64.0;
         const Vec x{c * c, c * c - 2 * c / 3, c * c - 4 * c / 3 + 1. / 3, (1 - c) * (1 - c)};
@@ -142,14 +142,14 @@ TEST(CurveFeatures, Cusp) {
 }
 
 // A cubic whose first two control points are one has its only zero derivative there.
-TEST(CurveFeatures, DoublePointAtAnEnd) {
+TEST(CurveFeatures, double_point_at_an_end) {
     const Features f = features(create(bezier(2, {1, 1, 1, 1, 2, 3, 4, 0})).get(), NURBS_FEATURE_CUSP);
     ASSERT_EQ(f.params.size(), 1U);
     EXPECT_EQ(f.params[0], 0);
     EXPECT_EQ(f.complete, 1);
 }
 
-TEST(CurveFeatures, KinksAndJumps) {
+TEST(CurveFeatures, kinks_and_jumps) {
     SplineData square{{1}, {5}, {{0, 0, 1, 2, 3, 4, 4}}, 2, {0, 0, 1, 0, 1, 1, 0, 1, 0, 0}, {}, 0};
     const Features f = features(create(square).get(), 0x3f);
     EXPECT_EQ(f.complete, 1);
@@ -172,7 +172,7 @@ TEST(CurveFeatures, KinksAndJumps) {
 }
 
 // x = t, y = t^2, z = (t - c)^4: the torsion has the sign of z''', that of t - c.
-TEST(CurveFeatures, Torsion) {
+TEST(CurveFeatures, torsion) {
     const double c = 0.375;
     Vec z;
     for (const double k : {0.0, 1.0, 2.0, 3.0, 4.0}) {
@@ -198,7 +198,7 @@ TEST(CurveFeatures, Torsion) {
 }
 
 // A plane curve with an inflection stays one in space.
-TEST(CurveFeatures, InflectionOfAPlaneCurveInSpace) {
+TEST(CurveFeatures, inflection_of_a_plane_curve_in_space) {
     for_each_case(7300, 60, [](Random &random, uint64_t seed) {
         SplineData data = bezier(3, {0, 0, 0, 1, 2, 0, 2, -2.25, 0, 3.5, 0.125, 0});
         const Features flat =
@@ -214,7 +214,7 @@ TEST(CurveFeatures, InflectionOfAPlaneCurveInSpace) {
 
 // Where all is certain the signs of the curvature alternate at the inflections and nowhere else, in exact
 // arithmetic.
-TEST(CurveFeatures, SignsBetweenInflectionsAreExact) {
+TEST(CurveFeatures, signs_between_inflections_are_exact) {
     int complete = 0;
     for_each_case(7400, 200, [&](Random &random, uint64_t seed) {
         Recipe recipe = random_recipe(random, 1, 6);
@@ -257,7 +257,7 @@ TEST(CurveFeatures, SignsBetweenInflectionsAreExact) {
 }
 
 // Between extrema |curvature| runs one way, at many places.
-TEST(CurveFeatures, CurvatureIsMonotoneBetweenExtrema) {
+TEST(CurveFeatures, curvature_is_monotone_between_extrema) {
     int complete = 0;
     for_each_case(7500, 100, [&](Random &random, uint64_t seed) {
         const int p = random.whole(2, 7), dim = random.whole(2, 3);
@@ -306,7 +306,7 @@ TEST(CurveFeatures, CurvatureIsMonotoneBetweenExtrema) {
 }
 
 // High degrees: nothing is claimed that rounding hides.
-TEST(CurveFeatures, HighDegrees) {
+TEST(CurveFeatures, high_degrees) {
     for_each_case(7600, 6, [](Random &random, uint64_t seed) {
         const int p = random.whole(20, 31), dim = random.whole(2, 3);
         Vec points, weights;
@@ -325,7 +325,7 @@ TEST(CurveFeatures, HighDegrees) {
 }
 
 // Whatever the size: the same places, and curvatures that are multiplied.
-TEST(CurveFeatures, OfEverySize) {
+TEST(CurveFeatures, of_every_size) {
     const SplineData data = bezier(2, {0, 0, 1, 4, 2, -3, 3, 2, 4, 0});
     const Features base = features(create(data).get(), extrema | NURBS_FEATURE_INFLECTION);
     ASSERT_GE(base.params.size(), 4U);

@@ -210,8 +210,8 @@ SplineData uneven_spline(Random &random, int axes, int dim, double gap) {
     return data;
 }
 
-// There derivatives of one order are far larger than those of another, and their products leave double precision;
-// long double has room for them.
+// There derivatives of one order are far larger than those of another, and their products leave double
+// precision; long double has room for them.
 TEST(FrameSizes, of_a_short_span_between_long_ones) {
     for_each_case(2760000, 400, [&](Random &random, uint64_t seed) {
         const int dim = random.whole(2, 3);

@@ -1,5 +1,5 @@
-// Control points without influence: those whose basis function vanishes on the domain, as at an unclamped end whose
-// knot repeats, and those of weight 0. Whatever they are, every answer is the same.
+// Control points without influence: those whose basis function vanishes on the domain, as at an unclamped end
+// whose knot repeats, and those of weight 0. Whatever they are, every answer is the same.
 #include "property/query_answers.h"
 
 #include <gtest/gtest.h>

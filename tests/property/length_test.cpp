@@ -7,7 +7,7 @@ using namespace support::measures;
 namespace {
 
 // (t^2, t^3) on [a, b] has the length of ((4 + 9 t^2)^(3/2) - 8) / 27 at both ends; with the cusp anywhere.
-TEST(Measure, ACuspKeepsItsTolerance) {
+TEST(Measure, a_cusp_keeps_its_tolerance) {
     for (const double start : {-1.0, -0.37, -1e-3, 0.0, 1e-9}) {
         const double b = 0.8113, a = start;
         // blossoms of t^2 and t^3 over [a, b]
@@ -23,7 +23,7 @@ TEST(Measure, ACuspKeepsItsTolerance) {
     }
 }
 
-TEST(Measure, ANearCuspKeepsItsTolerance) {
+TEST(Measure, a_near_cusp_keeps_its_tolerance) {
     for (const double gap : {1e-1, 1e-3, 1e-5, 1e-7, 1e-9, 1e-13}) {
         const SplineData data = bezier(2, {0, 0, 1.1, 1, -0.1 + gap, 1, 0.9, 0});
         const Measured m = length(create(data).get(), 1e-12);
@@ -33,7 +33,7 @@ TEST(Measure, ANearCuspKeepsItsTolerance) {
     }
 }
 
-TEST(Measure, LengthsAgreeWithFiftyDigits) {
+TEST(Measure, lengths_agree_with_fifty_digits) {
     Random random(5521);
     for (int i = 0; i < 32; ++i) {
         const int degree = random.whole(1, i < 28 ? 5 : 12);
@@ -50,7 +50,7 @@ TEST(Measure, LengthsAgreeWithFiftyDigits) {
 }
 
 // T_n goes up and down n times between -1 and 1; its Bernstein coefficients are quotients of binomials.
-TEST(Measure, ChebyshevPolynomialsVaryByTwiceTheirDegree) {
+TEST(Measure, chebyshev_polynomials_vary_by_twice_their_degree) {
     for (int n = 1; n <= 12; ++n) {
         std::vector<double> points;
         for (int j = 0; j <= n; ++j) {
@@ -69,7 +69,7 @@ TEST(Measure, ChebyshevPolynomialsVaryByTwiceTheirDegree) {
 }
 
 // Powers of two change nothing but the exponents.
-TEST(Measure, LengthsScaleWithTheModelAndNotWithTheKnots) {
+TEST(Measure, lengths_scale_with_the_model_and_not_with_the_knots) {
     Random random(5523);
     for (int i = 0; i < 20; ++i) {
         const SplineData data = tangle(random, random.whole(1, 6), 12, 3, random.chance(50));
@@ -81,7 +81,7 @@ TEST(Measure, LengthsScaleWithTheModelAndNotWithTheKnots) {
     }
 }
 
-TEST(Measure, LengthsAndParametersAreInverse) {
+TEST(Measure, lengths_and_parameters_are_inverse) {
     Random random(5524);
     for (int i = 0; i < 20; ++i) {
         const SplineData data = tangle(random, random.whole(1, 6), random.whole(7, 14), 3, random.chance(50));
@@ -108,7 +108,7 @@ TEST(Measure, LengthsAndParametersAreInverse) {
 }
 
 // Lengths are sums of those of pieces: they never fall, and that of the end belongs to the end.
-TEST(Measure, LengthsRiseToTheEnd) {
+TEST(Measure, lengths_rise_to_the_end) {
     Random random(5527);
     for (int i = 0; i < 600; ++i) {
         Recipe recipe{{random_axis(random, random.whole(1, 6))}};
@@ -137,7 +137,7 @@ TEST(Measure, LengthsRiseToTheEnd) {
 }
 
 // t^3 on [-1, 1] stands still at 0, and a curve with a jump loses nothing there.
-TEST(Measure, TheFirstParameterWhereACurveStandsStill) {
+TEST(Measure, the_first_parameter_where_a_curve_stands_still) {
     const Handle cubic = create(bezier(1, {-1, 1, -1, 1}));
     EXPECT_NEAR(params_at(cubic.get(), {1.0})[0], 0.5, 1e-5);
     SplineData jump;
@@ -150,7 +150,7 @@ TEST(Measure, TheFirstParameterWhereACurveStandsStill) {
     EXPECT_EQ(length(create(jump).get()).value, 2);
 }
 
-TEST(Measure, EqualLengthsAndEqualChords) {
+TEST(Measure, equal_lengths_and_equal_chords) {
     Random random(5525);
     for (int i = 0; i < 12; ++i) {
         const SplineData data = tangle(random, 3, 9, 2, random.chance(50));
@@ -196,7 +196,7 @@ TEST(Measure, EqualLengthsAndEqualChords) {
 
 // Where walks by the first point at a distance jump over the end, chains are followed through folds: of these
 // curves walks divide about half.
-TEST(Measure, TanglesDivideIntoAFewEqualChords) {
+TEST(Measure, tangles_divide_into_a_few_equal_chords) {
     Random random(5529);
     int found = 0;
     for (int i = 0; i < 40; ++i) {

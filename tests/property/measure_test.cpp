@@ -7,7 +7,7 @@ using namespace support::measures;
 namespace {
 
 // One in 1e13, and in fact a few units of rounding.
-TEST(Measure, CirclesAndEllipsesHaveTheirLengthsAndAreas) {
+TEST(Measure, circles_and_ellipses_have_their_lengths_and_areas) {
     for (const int32_t form : {NURBS_ARC_QUARTERS, NURBS_ARC_THIRDS, NURBS_ARC_SMOOTH}) {
         for (const double r : {1.0, 1e-6, 3e6, 1e-150, 1e120}) {
             const Handle circle = ellipse(r, r, form);
@@ -31,7 +31,7 @@ TEST(Measure, CirclesAndEllipsesHaveTheirLengthsAndAreas) {
     }
 }
 
-TEST(Measure, SpheresAndToriHaveTheirAreasAndVolumes) {
+TEST(Measure, spheres_and_tori_have_their_areas_and_volumes) {
     for (const int32_t form : {NURBS_ARC_QUARTERS, NURBS_ARC_THIRDS, NURBS_ARC_SMOOTH}) {
         for (const double r : {1.0, 2e-6, 5e6}) {
             const Handle sphere = ellipsoid(r, r, r, form), ring = torus(3 * r, r, form);
@@ -65,7 +65,7 @@ TEST(Measure, SpheresAndToriHaveTheirAreasAndVolumes) {
     }
 }
 
-TEST(Measure, PartsAddUpAndFormsAgree) {
+TEST(Measure, parts_add_up_and_forms_agree) {
     Random random(5522);
     int curves = 0;
     for (int i = 0; i < 150; ++i) {
@@ -98,7 +98,7 @@ TEST(Measure, PartsAddUpAndFormsAgree) {
 }
 
 // The six faces of a trilinear volume enclose what the volume holds, and both are polynomials of degree 5.
-TEST(Measure, FacesEncloseWhatAVolumeHolds) {
+TEST(Measure, faces_enclose_what_a_volume_holds) {
     Random random(5526);
     for (int i = 0; i < 10; ++i) {
         SplineData data;
@@ -141,7 +141,7 @@ TEST(Measure, FacesEncloseWhatAVolumeHolds) {
 }
 
 // Pappus: the area of a surface of revolution is the length of its profile times the way of its centroid.
-TEST(Measure, WiresAndSheetsObeyPappus) {
+TEST(Measure, wires_and_sheets_obey_pappus) {
     Random random(5527);
     for (int i = 0; i < 10; ++i) {
         SplineData data = tangle(random, 3, 6, 3, random.chance(50));
@@ -161,7 +161,7 @@ TEST(Measure, WiresAndSheetsObeyPappus) {
 
 // A bilinear patch of the plane whose determinant is 1 + 0.7 u - 1.5 v: its magnitude has a kink along a line
 // that no halving meets. What cannot be reached is refused, but 0 asks for what can.
-TEST(Measure, AFoldIsMeasuredAsWellAsTheWorkLimitAllows) {
+TEST(Measure, a_fold_is_measured_as_well_as_the_work_limit_allows) {
     const double exact = 0.6 + 0.25 / 6.3;
     for (const bool space : {false, true}) {
         SplineData data;
@@ -187,7 +187,7 @@ TEST(Measure, AFoldIsMeasuredAsWellAsTheWorkLimitAllows) {
     }
 }
 
-TEST(Measure, PartsOfSurfacesAddUp) {
+TEST(Measure, parts_of_surfaces_add_up) {
     Random random(5528);
     int surfaces = 0;
     for (int i = 0; i < 40; ++i) {
@@ -218,7 +218,7 @@ TEST(Measure, PartsOfSurfacesAddUp) {
 }
 
 // Without a jump there is no end that rounding could keep from its start.
-TEST(Measure, PeriodicCurvesEncloseWithoutATolerance) {
+TEST(Measure, periodic_curves_enclose_without_a_tolerance) {
     Random random(5531);
     int continuous = 0;
     for (int i = 0; i < 300; ++i) {

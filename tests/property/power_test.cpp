@@ -147,8 +147,8 @@ TEST(Power, coefficients_are_the_derivatives_at_the_start_of_each_piece) {
     });
 }
 
-// b_i within (3 p + 1) / 2 eps for each axis of the sum of the terms' magnitudes, and those not above the ones
-// of the differences.
+// b_i within (3 p + 1) / 2 eps for each axis of the sum of the terms' magnitudes, and those not above the
+// ones of the differences.
 TEST(Power, pieces_come_back) {
     for_each_case(94000000, 240, [](Random &random, uint64_t seed) {
         const int axes = random.whole(1, 3);

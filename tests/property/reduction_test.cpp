@@ -132,7 +132,8 @@ TEST(Reduction, elevated_splines_come_back) {
     });
 }
 
-// Weights over eight orders of magnitude, and some of 0: what was inserted goes again, in one list or one by one.
+// Weights over eight orders of magnitude, and some of 0: what was inserted goes again, in one list or one by
+// one.
 TEST(Reduction, inserted_knots_go_whatever_the_weights) {
     int64_t inserted = 0, by_list = 0, one_by_one = 0;
     for_each_case(365000, 400, [&](Random &random, uint64_t seed) {

@@ -1,5 +1,5 @@
-// Lists of knots inserted at once: every control point against its exact value, the matrix that does it, and the
-// laws that lists obey.
+// Lists of knots inserted at once: every control point against its exact value, the matrix that does it, and
+// the laws that lists obey.
 #include "property/same_shape.h"
 #include "reference/definition.h"
 

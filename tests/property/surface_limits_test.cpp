@@ -1,5 +1,5 @@
-// Normals of surfaces where S_u x S_v vanishes: poles, collapsed edges and corners by the exact expansion, one
-// side or the other, and where there is no limit.
+// Normals of surfaces where S_u x S_v vanishes: poles, collapsed edges and corners by the exact expansion,
+// one side or the other, and where there is no limit.
 #include "property/surface_normals.h"
 
 using namespace surface_normals;

@@ -1,5 +1,5 @@
-// Control points continued beyond short end spans, where coefficients are large and cancel: weights and homogeneous
-// records against exact polar forms.
+// Control points continued beyond short end spans, where coefficients are large and cancel: weights and
+// homogeneous records against exact polar forms.
 #include "property/real_files.h"
 #include "reference/definition.h"
 
@@ -103,8 +103,8 @@ TEST(Continuing, equal_weights_stay_equal_and_points_are_those_without_weights) 
     });
 }
 
-// The homogeneous control points of a spline unclamped at one end: polar forms of its end piece at the new knots,
-// and the sums of the magnitudes of their terms.
+// The homogeneous control points of a spline unclamped at one end: polar forms of its end piece at the new
+// knots, and the sums of the magnitudes of their terms.
 struct Unclamped {
     std::vector<Rational> points;
     std::vector<Rational> sizes;

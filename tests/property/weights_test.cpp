@@ -1,4 +1,5 @@
-// Weights changed, the shape kept: new weights and knots against their exact values, points against each other.
+// Weights changed, the shape kept: new weights and knots against their exact values, points against each
+// other.
 #include "reference/magnitudes.h"
 #include "reference/number.h"
 #include "same_shape.h"
@@ -38,7 +39,8 @@ long double size_of(const Rational &x) {
     return std::fabs(reference::quotient(numerator(x), denominator(x)));
 }
 
-// Axes on which a map with a pole is possible: not periodic, of degree 1 or more, clamped or with the pole far off.
+// Axes on which a map with a pole is possible: not periodic, of degree 1 or more, clamped or with the pole
+// far off.
 Recipe mapped_recipe(Random &random, int axes, int axis) {
     Recipe recipe = open_recipe(random, axes, axes == 1 ? 9 : 3);
     AxisRecipe &along = recipe.axes[static_cast<size_t>(axis)];
@@ -125,8 +127,8 @@ TEST(Moebius, keeps_the_shape) {
             }
             const auto x = eval(g.get(), {t}), y = eval(made.get(), {std::clamp(u, a, b)});
             for (size_t c = 0; c < x.size(); ++c) {
-                // Speed: at most 2 p hull over the shortest span for each of numerator and weight, ratios of weights
-                // up to 25 and of the factors up to 10.
+                // Speed: at most 2 p hull over the shortest span for each of numerator and weight, ratios of
+                // weights up to 25 and of the factors up to 10.
                 ASSERT_LE(std::fabs(x[c] - y[c]), eps * size * 1000 * data.degrees[0] * 250 * (b - a))
                     << where(seed, data) << hex(t) << " " << hex(ratio);
             }

@@ -136,7 +136,8 @@ std::vector<Point> active(const SplineData &data, int axis, int64_t span, int64_
 }
 
 // The piece of the old spline that a refined control point belongs to: any non-empty span of the domain that
-// meets its support (of degree `raised`), or the nearest one for a point whose support lies outside the domain.
+// meets its support (of degree `raised`), or the nearest one for a point whose support lies outside the
+// domain.
 int64_t piece_of(const std::vector<double> &knots, int degree, const std::vector<double> &refined, int raised,
                  int64_t j) {
     const auto count = static_cast<int64_t>(knots.size()) - degree - 1;

@@ -17,7 +17,8 @@ Rational defined_basis_derivative(const std::vector<double> &knots, int64_t span
 // sum_i R_i(t) P_i over all control points, not only the active ones.
 std::vector<Rational> defined_point(const support::SplineData &data, const double *param, Sides left = {});
 
-// Polar form of the piece on span s at `degree` arguments, by affine combinations of its degree + 1 active points.
+// Polar form of the piece on span s at `degree` arguments, by affine combinations of its degree + 1 active
+// points.
 std::vector<Rational> blossom_at(const std::vector<double> &knots, int degree, int64_t s,
                                  std::vector<std::vector<Rational>> points,
                                  const std::vector<Rational> &arguments);
@@ -37,14 +38,14 @@ struct InsertedLayers {
 };
 InsertedLayers defined_insertion(const support::SplineData &data, int axis, double knot, int times);
 
-// All control points (w x, w y, ..., w) of the spline over `knots` on an axis of degree p + times, packed with
-// the last axis fastest. Each is the mean of the old polar form over all choices of p of the p + times new
-// knots that follow new knot j (Ramshaw 1989).
+// All control points (w x, w y, ..., w) of the spline over `knots` on an axis of degree p + times, packed
+// with the last axis fastest. Each is the mean of the old polar form over all choices of p of the p + times
+// new knots that follow new knot j (Ramshaw 1989).
 std::vector<std::vector<Rational>> defined_elevation(const support::SplineData &data, int axis, int times,
                                                      const std::vector<double> &knots);
 
-// The same for any knots that include the old ones, on an axis that is not periodic: all layers, packed. Points
-// whose functions vanish in the domain are left empty, as the shape does not define them.
+// The same for any knots that include the old ones, on an axis that is not periodic: all layers, packed.
+// Points whose functions vanish in the domain are left empty, as the shape does not define them.
 std::vector<std::vector<Rational>> defined_refinement(const support::SplineData &data, int axis,
                                                       const std::vector<double> &knots);
 

@@ -22,8 +22,8 @@ long double weight_factor(const support::SplineData &data, const double *param, 
 std::vector<std::vector<long double>> magnitudes(const support::SplineData &data, int order,
                                                  const double *param, Sides left = {});
 
-// The same of the sum of derivatives of the functions times points, which is what bounds the terms in place of
-// the result: of the points as seen from O (the bounds of frames), or of those that are stored.
+// The same of the sum of derivatives of the functions times points, which is what bounds the terms in place
+// of the result: of the points as seen from O (the bounds of frames), or of those that are stored.
 enum class Terms { seen_from_o, stored };
 std::vector<std::vector<long double>> magnitudes(const support::SplineData &data, int order,
                                                  const double *param, Terms terms, Sides left = {});

@@ -1,4 +1,5 @@
-// Frames and curvatures through the C API, all outputs packed; and surfaces and curves whose frames are known.
+// Frames and curvatures through the C API, all outputs packed; and surfaces and curves whose frames are
+// known.
 #pragma once
 
 #include "support/handle.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/error.h"
-#include "io/iges/read_iges.h"
+#include "io/formats.h"
 #include "support/iges_builder.h"
 
 #include <gtest/gtest.h>
@@ -11,16 +11,16 @@
 
 namespace iges_test {
 
-inline nrb::model::Document read(const std::string &text, const nrb::model::ReadSettings &settings = {}) {
-    return nrb::io::read_iges(text, settings);
+inline nrb::model::Model read(const std::string &text, const nrb::io::ReadSettings &settings = {}) {
+    return nrb::io::read(text, settings);
 }
 
-inline nrb::model::Document read(const IgesBuilder &builder, const nrb::model::ReadSettings &settings = {}) {
+inline nrb::model::Model read(const IgesBuilder &builder, const nrb::io::ReadSettings &settings = {}) {
     return read(builder.text(), settings);
 }
 
 // The one spline of a file; the test fails if there is another number of them, or an entity that is wrong.
-inline nrb::SplinePtr only_spline(const nrb::model::Document &document) {
+inline nrb::SplinePtr only_spline(const nrb::model::Model &document) {
     EXPECT_EQ(document.splines.size(), 1U);
     for (const nrb::model::Note &note : document.notes) {
         EXPECT_EQ(note.reason, nrb::Status::unsupported) << note.text;
@@ -37,11 +37,12 @@ inline nrb::SplinePtr read_one(int type, const std::string &data, const Fields &
     return only_spline(read(builder));
 }
 
-// The note that a file with one entity leaves; one with reason nrb::Status::ok, and a failed test, if there is none.
+// The note that a file with one entity leaves; one with reason nrb::Status::ok, and a failed test, if there
+// is none.
 inline nrb::model::Note note_of(int type, const std::string &data, const Fields &fields = {}) {
     IgesBuilder builder;
     builder.add(type, data, fields);
-    const nrb::model::Document document = read(builder);
+    const nrb::model::Model document = read(builder);
     EXPECT_EQ(document.splines.size(), 0U);
     EXPECT_EQ(document.notes.size(), 1U);
     return document.notes.empty() ? nrb::model::Note{0, 0, nrb::Status::ok, ""} : document.notes.front();
@@ -53,7 +54,7 @@ struct Failure {
 };
 
 // What reading a whole file throws.
-inline Failure failure_of(const std::string &text, const nrb::model::ReadSettings &settings = {}) {
+inline Failure failure_of(const std::string &text, const nrb::io::ReadSettings &settings = {}) {
     try {
         (void)read(text, settings);
         return {};

@@ -852,7 +852,7 @@ module nurbs_c
             integer(c_int32_t) :: r
         end function nurbs_sum
         !> The C^1 piecewise cubic curve through points with given derivatives, as a spline with double knots:
-        !> its control points are the Bezier points P_i - h_(i-1) T_i / 3 and P_i + h_i T_i / 3 beside each
+        !> its control points are the Bezier points P_i - h_(i-1) T_i / 3 and P_i + h_i T_i / 3 next to each
         !> point, and the two ends, each within 2 eps of the sum of its terms.
         function nurbs_create_hermite(n, params, dim, points, point_stride, point_component_stride, &
                 tangents, tangent_stride, tangent_component_stride, out) bind(c) result(r)
@@ -1266,7 +1266,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_ruled
-        !> The translational sweep alpha a(u) + beta b(v), the axes of b behind those of a.
+        !> The translational sweep alpha a(u) + beta b(v), the axes of b after those of a.
         function nurbs_tensor_sum(a, alpha, b, beta, out) bind(c) result(r)
             import
             type(c_ptr), value :: a, b
@@ -1274,8 +1274,8 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_tensor_sum
-        !> The product a(u) b(v), component by component, the axes of b behind those of a; one of them may
-        !> have dimension 1 and multiplies all components of the other.
+        !> The product a(u) b(v), component by component, the axes of b after those of a; one of them may have
+        !> dimension 1 and multiplies all components of the other.
         function nurbs_tensor_product(a, b, out) bind(c) result(r)
             import
             type(c_ptr), value :: a, b
@@ -1702,7 +1702,7 @@ module nurbs_c
             integer(c_int32_t) :: r
         end function nurbs_enclosed_volume
         ! --- Boxes and cones
-        !> An axis-aligned box that contains a spline, and all points that evaluation gives of it (but for
+        !> An axis-aligned box that contains a spline, and all points that evaluation gives of it (except
         !> homogeneous ones, whose rounding has no such bound).
         function nurbs_box(g, range, tolerance, lower, upper, gap) bind(c) result(r)
             import
@@ -1779,7 +1779,7 @@ module nurbs_c
         end function nurbs_curve_monotone_pieces
         !> Whether a curve in the plane is convex: turns one way only and by at most a full turn, kinks
         !> included, to rounding: pieces count as straight, and places as not turning, where double precision
-        !> does not tell.
+        !> cannot decide.
         function nurbs_curve_convexity(g, convexity) bind(c) result(r)
             import
             type(c_ptr), value :: g

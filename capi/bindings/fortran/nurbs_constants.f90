@@ -70,7 +70,7 @@ module nurbs_constants
     integer(c_int32_t), parameter :: NURBS_ERROR_DIRECTION = 29
     ! a knot at an end of the domain, where it cannot be removed
     integer(c_int32_t), parameter :: NURBS_ERROR_END_KNOT = 30
-    ! a value that has to be a knot of the axis is none
+    ! a value that has to be a knot of the axis is not one
     integer(c_int32_t), parameter :: NURBS_ERROR_NOT_A_KNOT = 31
     ! an entry of a matrix or translation is NaN or infinite
     integer(c_int32_t), parameter :: NURBS_ERROR_MATRIX = 32
@@ -148,7 +148,7 @@ module nurbs_constants
     ! Evaluation: reduce the parameter by multiples of the domain's length; the start and the end are the same
     ! place, seen from the right unless NURBS_LEFT is set. Allowed on every axis, periodic or not.
     integer(c_int32_t), parameter :: NURBS_WRAP = int(z'08', c_int32_t)
-    ! Evaluation: a parameter that cannot be evaluated gives NaN in place of an error. NURBS_CLAMP,
+    ! Evaluation: a parameter that cannot be evaluated gives NaN instead of an error. NURBS_CLAMP,
     ! NURBS_EXTRAPOLATE and NURBS_WRAP exclude each other; each may be combined with NURBS_NAN.
     integer(c_int32_t), parameter :: NURBS_NAN = int(z'10', c_int32_t)
     ! Creation: the axis is periodic with period knots[count] - knots[degree]: knots[i + m] = knots[i] +
@@ -158,11 +158,11 @@ module nurbs_constants
     integer(c_int32_t), parameter :: NURBS_PERIODIC = int(z'01', c_int32_t)
 
     ! --- Global flags
-    ! nurbs_eval_adjoint(): add to what the outputs hold in place of overwriting it.
+    ! nurbs_eval_adjoint(): add to what the outputs hold instead of overwriting it.
     integer(c_int32_t), parameter :: NURBS_ACCUMULATE = int(z'01000000', c_int32_t)
-    ! nurbs_reverse(): map the domain to itself in place of negating the parameter.
+    ! nurbs_reverse(): map the domain to itself instead of negating the parameter.
     integer(c_int32_t), parameter :: NURBS_KEEP_DOMAIN = int(z'02000000', c_int32_t)
-    ! nurbs_join(): ends that do not meet become a jump, in place of an error.
+    ! nurbs_join(): ends that do not meet become a jump instead of an error.
     integer(c_int32_t), parameter :: NURBS_KEEP_GAPS = int(z'04000000', c_int32_t)
     ! nurbs_product(): the dot product.
     integer(c_int32_t), parameter :: NURBS_PRODUCT_DOT = int(z'08000000', c_int32_t)
@@ -172,11 +172,11 @@ module nurbs_constants
     integer(c_int32_t), parameter :: NURBS_HOMOGENEOUS = int(z'20000000', c_int32_t)
     ! nurbs_make_compatible(): map the domains of all splines to that of the first one.
     integer(c_int32_t), parameter :: NURBS_MAP_DOMAINS = int(z'40000000', c_int32_t)
-    ! nurbs_curve_divide(): equal distances of consecutive points in place of equal lengths.
+    ! nurbs_curve_divide(): equal distances of consecutive points instead of equal lengths.
     integer(c_int32_t), parameter :: NURBS_EQUAL_CHORDS = int(z'02000000', c_int32_t)
     ! nurbs_snap_boundary(): the two boundaries run against each other.
     integer(c_int32_t), parameter :: NURBS_REVERSED = int(z'04000000', c_int32_t)
-    ! nurbs_closest_points() and its neighbours: a point that is not finite gives NaN in place of an error.
+    ! nurbs_closest_points() and its neighbours: a point that is not finite gives NaN instead of an error.
     integer(c_int32_t), parameter :: NURBS_NAN_POINTS = int(z'01000000', c_int32_t)
 
     ! --- Form of a knot vector, as reported by nurbs_knot_form()
@@ -304,7 +304,7 @@ module nurbs_constants
     integer(c_int32_t), parameter :: NURBS_CONVEXITY_RIGHT = 2
     ! a straight line that does not turn back, to rounding
     integer(c_int32_t), parameter :: NURBS_CONVEXITY_STRAIGHT = 3
-    integer(c_int32_t), parameter :: NURBS_CONVEXITY_UNDECIDED = 4  ! double precision does not tell
+    integer(c_int32_t), parameter :: NURBS_CONVEXITY_UNDECIDED = 4  ! double precision cannot decide
 
     ! --- Folds
     integer(c_int32_t), parameter :: NURBS_FOLD_NONE = 0  ! proven: there is none

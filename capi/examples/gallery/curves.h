@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Lines, conics and helices: one example for each function. Placements are left out where the default serves. */
+/* Lines, conics and helices: one example for each function. Placements are left out where the default
+ * serves. */
 #ifndef GALLERY_CURVES_H
 #define GALLERY_CURVES_H
 

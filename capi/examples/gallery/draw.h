@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Draws splines into the cells of one SVG picture for gallery.c and hull.c: curves as lines, surfaces as shaded quadrilaterals
- * that are painted from the farthest to the nearest, volumes as their faces. What is said about splines here is in
- * sample_curve() and sample_surface(). */
+/* Draws splines into the cells of one SVG picture for gallery.c and hull.c: curves as lines, surfaces as
+ * shaded quadrilaterals that are painted from the farthest to the nearest, volumes as their faces. What is
+ * said about splines here is in sample_curve() and sample_surface(). */
 #ifndef GALLERY_DRAW_H
 #define GALLERY_DRAW_H
 
@@ -92,7 +92,8 @@ static inline void add_dots(gallery *p, const char *style, const double *points,
 
 enum { MAX_SAMPLES = 400, MAX_NET = 64 };
 
-/* Points at equal steps between the knots of a clamped curve; corners are met, and what is straight has no others. */
+/* Points at equal steps between the knots of a clamped curve; corners are met, and what is straight has no
+ * others. */
 static inline int sample_curve(const nurbs *g, double *points, int32_t *dim) {
     double knots[MAX_SAMPLES], params[MAX_SAMPLES];
     int32_t degree, steps;

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Patches and quadrics. Placements are left out, so that the shapes stand at the origin with their axes along z. */
+/* Patches and quadrics. Placements are left out, so that the shapes stand at the origin with their axes along
+ * z. */
 #ifndef GALLERY_QUADRICS_H
 #define GALLERY_QUADRICS_H
 

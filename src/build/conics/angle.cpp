@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "build/conics/angle.h"
 
 #include "base/error.h"
@@ -10,7 +11,7 @@ namespace nrb::build {
 
 namespace {
 
-// pi / 12 in three parts: the first two have at most 29 bits, so that they times a number of steps
+// pi / 12 in three parts: the first two have at most 29 bits, so that their products with a number of steps
 // below 2^24 are exact.
 constexpr double step = 0x1.0c152382d7366p-2; // pi / 12, rounded
 constexpr double step_high = 0x1.0c15238p-2;
@@ -24,7 +25,7 @@ constexpr std::array<Direction, 4> first_steps = {{{1, 0},
                                                    {0.86602540378443864676, 0.5},
                                                    {0.70710678118654752440, 0.70710678118654752440}}};
 
-// A direction turned by quarter turns, without rounding.
+// A direction rotated by quarter turns, without rounding.
 Direction turned(Direction d, int64_t quarters) noexcept {
     switch (((quarters % 4) + 4) % 4) {
     case 1:
@@ -44,7 +45,7 @@ int64_t nearest_quarter(int64_t steps) noexcept {
     return shifted >= 0 ? shifted / 6 : -((5 - shifted) / 6);
 }
 
-// Of -2, ..., 3 steps.
+// The direction of -2, ..., 3 steps.
 Direction exact_direction(int64_t steps) noexcept {
     const Direction d = first_steps[static_cast<size_t>(steps < 0 ? -steps : steps)];
     return steps < 0 ? Direction{d.cos, -d.sin} : d;

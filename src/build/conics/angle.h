@@ -1,4 +1,5 @@
-// Angles of which the multiples of 15 degrees are exact.
+// SPDX-License-Identifier: MIT
+// Angles whose multiples of 15 degrees are exact.
 #pragma once
 
 #include <cstdint>
@@ -10,22 +11,22 @@ struct Direction {
     double sin;
 };
 
-// An angle as a number of 24ths of a turn and a rest of at most half of one.
+// An angle as a number of 24ths of a turn and a remainder of at most half of one.
 class Angle {
 public:
-    // In radians. One that is a multiple of 15 degrees to within 4 units of rounding is taken for it.
-    // Precondition: |radians| is at most 2^22.
+    // In radians. An angle that is a multiple of 15 degrees to within 4 units of rounding is taken as that
+    // multiple. Precondition: |radians| is at most 2^22.
     static Angle from_radians(double radians) noexcept;
     static Angle quarters(int64_t quarters) noexcept { return {6 * quarters, 0}; }
 
     // this + (numerator / denominator) other. Precondition: 0 < denominator, |numerator| < 2^50.
     [[nodiscard]] Angle plus(const Angle &other, int64_t numerator, int64_t denominator) const noexcept;
-    // (numerator / denominator) of this one.
+    // (numerator / denominator) times this one.
     [[nodiscard]] Angle part(int64_t numerator, int64_t denominator) const noexcept {
         return Angle{0, 0}.plus(*this, numerator, denominator);
     }
 
-    // Cosine and sine, each within eps of its value for this angle; those that are 0, 1/2 or 1 are exact.
+    // Cosine and sine, each within eps of its value for this angle; values that are 0, 1/2 or 1 are exact.
     [[nodiscard]] Direction direction() const noexcept;
     [[nodiscard]] double radians() const noexcept;
     [[nodiscard]] bool full_turn() const noexcept { return rest_ == 0 && (steps_ == 24 || steps_ == -24); }
@@ -47,8 +48,8 @@ inline Turn full_turn() noexcept {
     return {Angle::quarters(0), Angle::quarters(4)};
 }
 
-// Throws Status::angle, naming the angle, for starts that are not finite or above 2^22, and for sweeps
-// that are not finite, 0 or more than a full turn.
+// Throws Status::angle, naming the angle, for a start that is not finite or above 2^22, and for a sweep that
+// is not finite, 0, or more than a full turn.
 Turn make_turn(double start, double sweep, const char *start_name = "start",
                const char *sweep_name = "sweep");
 Angle make_angle(double radians, const char *name);

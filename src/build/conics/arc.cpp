@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "build/conics/arc.h"
 
 #include "base/error.h"
@@ -11,8 +12,8 @@ namespace nrb::build {
 
 namespace {
 
-// Pieces of at most `largest`, which divides the turn: sweeps that are as long as some to within rounding
-// have no piece more.
+// The number of pieces of at most `largest`, which divides the turn. A sweep that is a multiple of `largest`
+// to within rounding gets no extra piece.
 int64_t piece_count(const Angle &sweep, double largest) noexcept {
     const double pieces = std::fabs(sweep.radians()) / largest;
     return std::max<int64_t>(1, static_cast<int64_t>(std::ceil(pieces * (1 - 0x1p-50))));
@@ -72,7 +73,7 @@ void check_arc_form(int32_t form, int32_t last) {
 
 Arc unit_hyperbola(double start, double end) {
     const double length = end - start;
-    if (!(length < 4096)) { // either end is beyond what cosh() can be of
+    if (!(length < 4096)) { // cosh() of either end overflows
         fail(Status::not_representable, "the hyperbola from %s to %s overflows", Number(start).text,
              Number(end).text);
     }

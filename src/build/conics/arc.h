@@ -1,4 +1,5 @@
-// Arcs of the unit circle as control points: what every conic, and every shape of revolution, is made of.
+// SPDX-License-Identifier: MIT
+// Arcs of the unit circle as control points: the basis of every conic and of every shape of revolution.
 #pragma once
 
 #include "basis/knot_vector.h"
@@ -9,7 +10,7 @@
 
 namespace nrb::build {
 
-// How an arc is put together.
+// How an arc is divided into pieces.
 enum ArcForm : int32_t {
     arc_quarters = 0, // degree 2, equal pieces of at most a quarter turn
     arc_thirds,       // degree 2, equal pieces of at most a third of a turn
@@ -35,7 +36,7 @@ struct Arc {
 Arc unit_arc(const Turn &turn, int32_t form);
 
 // The arc (cosh u, sinh u) from start to end, in pieces of degree 2 and equal lengths in u, at most 2, with
-// the weights 1, cosh(d / 2), 1 (the circle's at imaginary angles). Values that overflow come out as
+// the weights 1, cosh(d / 2), 1 (the circle's weights at imaginary angles). Values that overflow become
 // infinities. Precondition: start < end, both finite. Throws Status::not_representable if end - start
 // overflows or is too long for its ends to be finite.
 Arc unit_hyperbola(double start, double end);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "build/conics/conic_arc.h"
 
 #include "base/error.h"
@@ -14,7 +15,7 @@ namespace nrb::build {
 
 namespace {
 
-// Control points of one degree with weights, ends of neighbours taken together.
+// Control points of one degree with weights; neighbouring pieces have their common end once.
 struct Net {
     std::vector<double> points;
     std::vector<double> weights;
@@ -61,7 +62,7 @@ KnotVectorPtr append_ellipse(Net &net, const ConicArc &conic, int32_t form) {
 
 // The homogeneous point a^2 (A, 1) + 2 a b (h, w) + b^2 (B, 1) has the weight 1 for a = sinh(d - u / 2) /
 // sinh d and b = sinh(u / 2) / sinh d, w = cosh d; polar values of two such pairs are the control points
-// between. All coefficients are positive: nothing cancels however sharp the hyperbola is.
+// between them. All coefficients are positive, so that nothing cancels however sharp the hyperbola is.
 KnotVectorPtr append_hyperbola(Net &net, const ConicArc &conic) {
     const double d = 2 * std::asinh(std::sqrt(-conic.below / 2)), whole = std::sinh(d);
     const auto pieces = std::max<int64_t>(1, static_cast<int64_t>(std::ceil(d)));
@@ -93,8 +94,8 @@ KnotVectorPtr append_hyperbola(Net &net, const ConicArc &conic) {
 } // namespace
 
 ConicArc make_conic_arc(std::vector<double> start, std::vector<double> end, const Point2 &chord,
-                        const Point2 &middle, const Wide &weight, const PlaneMap &to_space) {
-    const Wide below = Wide(1) - weight, above = Wide(1) + weight;
+                        const Point2 &middle, const DoubleDouble &weight, const PlaneMap &to_space) {
+    const DoubleDouble below = DoubleDouble(1) - weight, above = DoubleDouble(1) + weight;
     if (!(above.value() > 0)) {
         fail(Status::conic,
              "the arc would pass through infinity: its middle weight would be %s, expected more "
@@ -110,9 +111,9 @@ ConicArc make_conic_arc(std::vector<double> start, std::vector<double> end, cons
                  {},
                  {}};
     if (arc.below > 0) {
-        const Wide squared = below * above, sine = square_root(squared);
-        arc.u = to_space({(weight * middle.x - chord.x * Wide(0.5)) / squared,
-                          (weight * middle.y - chord.y * Wide(0.5)) / squared});
+        const DoubleDouble squared = below * above, sine = square_root(squared);
+        arc.u = to_space({(weight * middle.x - chord.x * DoubleDouble(0.5)) / squared,
+                          (weight * middle.y - chord.y * DoubleDouble(0.5)) / squared});
         arc.v = to_space({middle.x / sine, middle.y / sine});
     }
     return arc;

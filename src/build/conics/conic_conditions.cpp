@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "build/conics/conic_conditions.h"
 
 #include "base/error.h"
@@ -14,40 +15,38 @@ namespace nrb::build {
 
 namespace {
 
-using Vector = std::vector<double>;
-
-Vector copy(Coordinates x) {
+std::vector<double> copy(Coordinates x) {
     return {x.begin(), x.end()};
 }
 
 // Points of the plane (x, y, w), at infinity where w is 0; lines a x + b y + c w = 0.
 struct Projective {
-    Wide x;
-    Wide y;
-    Wide w;
+    DoubleDouble x;
+    DoubleDouble y;
+    DoubleDouble w;
 };
 
 Projective cross(const Projective &a, const Projective &b) noexcept {
     return {a.y * b.w - a.w * b.y, a.w * b.x - a.x * b.w, a.x * b.y - a.y * b.x};
 }
 
-Wide norm(const Point2 &v) noexcept {
+DoubleDouble norm(const Point2 &v) noexcept {
     return square_root(dot(v, v));
 }
 
 ConicArc arc_in(const PlaneFrame &plane, Coordinates a, Coordinates b, const Point2 &middle,
-                const Wide &weight) {
+                const DoubleDouble &weight) {
     return make_conic_arc(copy(a), copy(b), plane.point(b), middle, weight,
                           [&plane](const Point2 &v) { return plane.vector(v); });
 }
 
-// The circle that leaves the origin in a direction: the arc's half angle is that between the tangent and the
-// chord.
+// The circle that leaves the origin in a direction: the half angle of the arc is the angle between the
+// tangent and the chord.
 ConicArc circle_over(Coordinates a, Coordinates b, const PlaneFrame &plane, const Point2 &tangent) {
     const Point2 chord = plane.point(b);
-    const Wide width = norm(chord), size = norm(tangent);
-    const Wide cosine = dot(tangent, chord) / (width * size);
-    return arc_in(plane, a, b, width * Wide(0.5) / size * tangent, cosine);
+    const DoubleDouble width = norm(chord), size = norm(tangent);
+    const DoubleDouble cosine = dot(tangent, chord) / (width * size);
+    return arc_in(plane, a, b, width * DoubleDouble(0.5) / size * tangent, cosine);
 }
 
 // A conic through the origin and the end of a chord c, with tangents s and t there, as a function of a point:
@@ -60,9 +59,9 @@ public:
           weight_(cross(tangent_a, tangent_b)) {}
 
     struct Ratios {
-        Wide r0;
-        Wide r1;
-        Wide r2;
+        DoubleDouble r0;
+        DoubleDouble r1;
+        DoubleDouble r2;
     };
     [[nodiscard]] Ratios ratios(const Point2 &p) const noexcept {
         return {cross(chord_ - p, t_) / middle_, cross(p, chord_) / (middle_ * cross(s_, chord_)),
@@ -72,18 +71,18 @@ public:
         return !(std::fabs(middle_.value()) > rounding * length(t_)) ||
                !(std::fabs(cross(s_, chord_).value()) > rounding * length(s_));
     }
-    [[nodiscard]] Point2 middle(const Wide &k) const noexcept { return (k * middle_) * s_; }
-    [[nodiscard]] Wide weight(const Wide &k) const noexcept { return k * weight_; }
+    [[nodiscard]] Point2 middle(const DoubleDouble &k) const noexcept { return (k * middle_) * s_; }
+    [[nodiscard]] DoubleDouble weight(const DoubleDouble &k) const noexcept { return k * weight_; }
 
 private:
     Point2 chord_;
     Point2 s_;
     Point2 t_;
-    Wide middle_;
-    Wide weight_;
+    DoubleDouble middle_;
+    DoubleDouble weight_;
 };
 
-Wide factor_through(const TangentPencil::Ratios &r) {
+DoubleDouble factor_through(const TangentPencil::Ratios &r) {
     if (!(r.r0.value() > 0) || !(r.r2.value() > 0)) {
         fail(Status::conic,
              "no arc in one piece with these tangents passes through the point, whose barycentric "
@@ -91,11 +90,11 @@ Wide factor_through(const TangentPencil::Ratios &r) {
              "and b, %s and %s, would have to be positive",
              Number(r.r0.value()).text, Number(r.r2.value()).text);
     }
-    return r.r1 / (Wide(2) * square_root(r.r0 * r.r2));
+    return r.r1 / (DoubleDouble(2) * square_root(r.r0 * r.r2));
 }
 
 ConicArc arc_of_pencil(Coordinates a, Coordinates b, const PlaneFrame &plane, const TangentPencil &pencil,
-                       const Wide &factor) {
+                       const DoubleDouble &factor) {
     return arc_in(plane, a, b, pencil.middle(factor), pencil.weight(factor));
 }
 
@@ -136,7 +135,8 @@ void check_triangles(const std::array<Projective, 5> &p, double rounding) {
 }
 
 // Along the arc of a factor the ratio r2 / r0 increases from 0 to infinity.
-void check_order(const TangentPencil &pencil, const std::array<Projective, 5> &p, const Wide &factor) {
+void check_order(const TangentPencil &pencil, const std::array<Projective, 5> &p,
+                 const DoubleDouble &factor) {
     double last = 0;
     for (size_t i = 1; i < 4; ++i) {
         const TangentPencil::Ratios r = pencil.ratios(affine(p[i]));
@@ -159,25 +159,25 @@ struct Crossing {
     double reach; // the longer way
 };
 
-Wide wide_dot(std::span<const Wide> a, std::span<const Wide> b) noexcept {
-    Wide sum;
+DoubleDouble wide_dot(std::span<const DoubleDouble> a, std::span<const DoubleDouble> b) noexcept {
+    DoubleDouble sum;
     for (size_t i = 0; i < a.size(); ++i) {
         sum = sum + a[i] * b[i];
     }
     return sum;
 }
 
-// a + alpha s and b - beta t where they come closest. The directions are units, to rounding. In twice the
-// precision, so that lines at small angles meet as well as others do.
+// a + alpha s and b - beta t at the place where they come closest. The directions are unit vectors, to
+// rounding. Twice the precision lets lines at small angles meet as accurately as others.
 Crossing closest(Coordinates a, Coordinates s, Coordinates b, Coordinates t) {
-    const std::vector<Wide> u(s.begin(), s.end()), v(t.begin(), t.end());
-    std::vector<Wide> chord;
+    const std::vector<DoubleDouble> u(s.begin(), s.end()), v(t.begin(), t.end());
+    std::vector<DoubleDouble> chord;
     for (size_t i = 0; i < a.size(); ++i) {
-        chord.push_back(Wide::sum(b[i], -a[i]));
+        chord.push_back(DoubleDouble::sum(b[i], -a[i]));
     }
-    const Wide uu = wide_dot(u, u), uv = wide_dot(u, v), vv = wide_dot(v, v);
-    const Wide uc = wide_dot(u, chord), vc = wide_dot(v, chord), determinant = uu * vv - uv * uv;
-    const Wide alpha = (uc * vv - uv * vc) / determinant, beta = (vc * uu - uv * uc) / determinant;
+    const DoubleDouble uu = wide_dot(u, u), uv = wide_dot(u, v), vv = wide_dot(v, v);
+    const DoubleDouble uc = wide_dot(u, chord), vc = wide_dot(v, chord), determinant = uu * vv - uv * uv;
+    const DoubleDouble alpha = (uc * vv - uv * vc) / determinant, beta = (vc * uu - uv * uc) / determinant;
     double miss = 0;
     for (size_t i = 0; i < a.size(); ++i) {
         miss = std::hypot(miss, (alpha * u[i] + beta * v[i] - chord[i]).value());
@@ -190,12 +190,12 @@ Crossing closest(Coordinates a, Coordinates s, Coordinates b, Coordinates t) {
 }
 
 // A direction times a power of two that brings it to about 1.
-Vector scaled_direction(Coordinates v) {
+std::vector<double> scaled_direction(Coordinates v) {
     double size = 0;
     for (const double x : v) {
         size = std::max(size, std::fabs(x));
     }
-    Vector out = copy(v);
+    std::vector<double> out = copy(v);
     for (double &x : out) {
         x = std::ldexp(x, -std::ilogb(size));
     }
@@ -215,9 +215,9 @@ double largest_coordinate(Coordinates a, Coordinates b) noexcept {
 SplinePtr arc_through(Coordinates a, Coordinates b, Coordinates c, int32_t form) {
     check_arc_form(form);
     const PlaneFrame plane(a, c, b, "a, b and c");
-    // The angle at b is half a turn less the one between the tangent and the chord.
+    // The angle at b is half a turn minus the angle between the tangent and the chord.
     const Point2 p = plane.point(b), chord = plane.point(c);
-    const Wide cosine = dot(p, chord - p), sine = cross(p, chord);
+    const DoubleDouble cosine = dot(p, chord - p), sine = cross(p, chord);
     const Point2 tangent{cosine * chord.x + sine * chord.y, cosine * chord.y - sine * chord.x};
     const ConicArc arc = circle_over(a, c, plane, tangent);
     return conic_curve({&arc, 1}, form);
@@ -225,8 +225,8 @@ SplinePtr arc_through(Coordinates a, Coordinates b, Coordinates c, int32_t form)
 
 SplinePtr arc_tangent(Coordinates a, Coordinates tangent, Coordinates b, int32_t form) {
     check_arc_form(form);
-    const Vector direction = scaled_direction(tangent);
-    Vector beside = copy(a);
+    const std::vector<double> direction = scaled_direction(tangent);
+    std::vector<double> beside = copy(a);
     double length = 0;
     for (size_t i = 0; i < a.size(); ++i) {
         length = std::hypot(length, b[i] - a[i]);
@@ -244,7 +244,7 @@ SplinePtr conic_shoulder(Coordinates a, Coordinates tangent_a, Coordinates b, Co
     if (!(rho >= 0 && rho < 1)) {
         fail(Status::factor, "rho = %s, expected 0 <= rho < 1", Number(rho).text);
     }
-    const Vector s = scaled_direction(tangent_a), t = scaled_direction(tangent_b);
+    const std::vector<double> s = scaled_direction(tangent_a), t = scaled_direction(tangent_b);
     const Crossing crossing = closest(a, s, b, t);
     if (!(crossing.sine > 8 * 0x1p-52)) {
         fail(Status::conic, "the tangents are parallel to within rounding: the sine of their angle is %s",
@@ -259,7 +259,7 @@ SplinePtr conic_shoulder(Coordinates a, Coordinates tangent_a, Coordinates b, Co
     if (crossing.miss > 16 * 0x1p-52 * (largest_coordinate(a, b) + crossing.reach)) {
         fail(Status::conic, "the tangents pass each other at a distance of %s", Number(crossing.miss).text);
     }
-    Vector corner = copy(a);
+    std::vector<double> corner = copy(a);
     for (size_t i = 0; i < corner.size(); ++i) {
         corner[i] += crossing.alpha * s[i];
     }
@@ -292,7 +292,7 @@ SplinePtr conic_through(Coordinates points, int dim, int32_t form) {
     std::array<Projective, 5> p{};
     for (size_t i = 0; i < 5; ++i) {
         const Point2 x = plane.point(place(i));
-        p[i] = {x.x, x.y, Wide(1)};
+        p[i] = {x.x, x.y, DoubleDouble(1)};
     }
     check_triangles(p, plane.rounding());
     const TangentPencil pencil(affine(p[4]), pascal_tangent(p), pascal_tangent(reversed(p)));
@@ -300,7 +300,7 @@ SplinePtr conic_through(Coordinates points, int dim, int32_t form) {
         fail(Status::conic,
              "the conic through the points has a tangent along the chord from points[0] to points[4]");
     }
-    const Wide factor = factor_through(pencil.ratios(affine(p[2])));
+    const DoubleDouble factor = factor_through(pencil.ratios(affine(p[2])));
     check_order(pencil, p, factor);
     const ConicArc arc = arc_of_pencil(place(0), place(4), plane, pencil, factor);
     return conic_curve({&arc, 1}, form);

@@ -1,4 +1,5 @@
-// Arcs of circles and conics from the points and tangents that they have to have.
+// SPDX-License-Identifier: MIT
+// Arcs of circles and conics from the points and tangents that they must have.
 #pragma once
 
 #include "build/conics/conic_arc.h"
@@ -8,10 +9,10 @@
 
 namespace nrb::build {
 
-using Coordinates = std::span<const double>; // of one point or direction; as many in all arguments
+using Coordinates = std::span<const double>; // of one point or direction; the same number in all arguments
 
-// These as nurbs.h has them; they throw Status::collinear, conic, direction and what conic_curve()
-// throws. Preconditions: finite coordinates, at least two; directions are not 0.
+// These functions are described in nurbs.h. They throw Status::collinear, conic, direction and what
+// conic_curve() throws. Preconditions: finite coordinates, at least two; directions are not 0.
 SplinePtr arc_through(Coordinates a, Coordinates b, Coordinates c, int32_t form);
 SplinePtr arc_tangent(Coordinates a, Coordinates tangent, Coordinates b, int32_t form);
 SplinePtr conic_shoulder(Coordinates a, Coordinates tangent_a, Coordinates b, Coordinates tangent_b,

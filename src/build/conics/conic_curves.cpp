@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "build/conics/conic_curves.h"
 
 #include "base/error.h"

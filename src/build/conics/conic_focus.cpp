@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "build/conics/conic_focus.h"
 
 #include "base/error.h"
@@ -19,24 +20,26 @@ std::vector<double> vector_in(const Placement &place, const Point2 &v) {
     Placement at_origin = place;
     at_origin.origin = {};
     std::vector<double> out(static_cast<size_t>(place.dim));
-    at_origin.point(v.x, v.y, Wide(0), out.data());
+    at_origin.point(v.x, v.y, DoubleDouble(0), out.data());
     return out;
 }
 
 std::vector<double> point_in(const Placement &place, const Point2 &p) {
     std::vector<double> out(static_cast<size_t>(place.dim));
-    place.point(p.x, p.y, Wide(0), out.data());
+    place.point(p.x, p.y, DoubleDouble(0), out.data());
     return out;
 }
 
 struct Ray {
     Point2 point;
-    Wide divisor; // 1 + e cos a
+    DoubleDouble divisor; // 1 + e cos a
 };
 
 Ray ray_at(double parameter, double e, const Direction &d) {
-    const Wide divisor = Wide(1) + Wide(e) * Wide(d.cos);
-    return {{Wide(parameter) * Wide(d.cos) / divisor, Wide(parameter) * Wide(d.sin) / divisor}, divisor};
+    const DoubleDouble divisor = DoubleDouble(1) + DoubleDouble(e) * DoubleDouble(d.cos);
+    return {{DoubleDouble(parameter) * DoubleDouble(d.cos) / divisor,
+             DoubleDouble(parameter) * DoubleDouble(d.sin) / divisor},
+            divisor};
 }
 
 // The arc of r (1 + e cos a) = e d between two angles at most half a turn apart: the homogeneous points (e d
@@ -46,16 +49,16 @@ ConicArc focal_arc(const Placement &place, double parameter, double e, const std
     const Ray a = ray_at(parameter, e, angles[0].direction()),
               b = ray_at(parameter, e, angles[2].direction());
     const Direction m = angles[1].direction();
-    const Wide root = square_root(a.divisor * b.divisor);
-    const Wide weight = (Wide(half_cosine) + Wide(e) * Wide(m.cos)) / root;
-    const Point2 middle{Wide(parameter) * Wide(m.cos) / root - weight * a.point.x,
-                        Wide(parameter) * Wide(m.sin) / root - weight * a.point.y};
+    const DoubleDouble root = square_root(a.divisor * b.divisor);
+    const DoubleDouble weight = (DoubleDouble(half_cosine) + DoubleDouble(e) * DoubleDouble(m.cos)) / root;
+    const Point2 middle{DoubleDouble(parameter) * DoubleDouble(m.cos) / root - weight * a.point.x,
+                        DoubleDouble(parameter) * DoubleDouble(m.sin) / root - weight * a.point.y};
     return make_conic_arc(point_in(place, a.point), point_in(place, b.point), b.point - a.point, middle,
                           weight, [&place](const Point2 &v) { return vector_in(place, v); });
 }
 
-// With e >= 1 the curve goes to infinity where cos a = -1 / e: on the way, if half a turn is, and otherwise
-// at an end.
+// With e >= 1 the curve goes to infinity where cos a = -1 / e. It does so on the way if half a turn is on the
+// way, and otherwise at an end.
 void check_finite(const Turn &turn, double e) {
     constexpr double full = 2 * std::numbers::pi;
     const double sweep = turn.sweep.radians(), sign = sweep < 0 ? -1 : 1;
@@ -106,7 +109,8 @@ SplinePtr conic_focus(const FocalFrame &frame, double eccentricity, const Turn &
              Number(eccentricity).text);
     }
     check_finite(turn, eccentricity);
-    const int64_t arcs = std::fabs(turn.sweep.radians()) > 3 ? 2 : 1; // less than half a turn, or just that
+    const int64_t arcs =
+        std::fabs(turn.sweep.radians()) > 3 ? 2 : 1; // less than half a turn, or exactly half a turn
     const double half_cosine = turn.sweep.part(1, 2 * arcs).direction().cos;
     std::vector<ConicArc> pieces;
     for (int64_t i = 0; i < arcs; ++i) {

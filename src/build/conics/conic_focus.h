@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Conics by focus, directrix and eccentricity.
 #pragma once
 

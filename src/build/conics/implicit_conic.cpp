@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "build/conics/implicit_conic.h"
 
 #include "build/conics/conic_curves.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Conics from an equation.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "build/coons/blend_axis.h"
 
 #include "base/representable.h"
@@ -41,7 +42,7 @@ public:
             owner_.push_back(function.denominator == nullptr ? none : place(function.denominator));
         }
     }
-    // Of all, and of all but that of a function; null: 1.
+    // The product of all, or of all except that of a function; null: 1.
     [[nodiscard]] SplinePtr product_of_all() const { return product_without(none); }
     [[nodiscard]] SplinePtr product_of_others(size_t function) const {
         return product_without(owner_[function]);
@@ -82,7 +83,7 @@ SplinePtr blending_functions(Interval domain, int degree) {
                                      degree + 1, degree == 1 ? linear : cubic);
 }
 
-// The length of parameter after which a unit of derivative has moved control point 1 by 1, and back from the
+// The length of parameter over which a unit of derivative moves control point 1 by 1; then the same for the
 // other end.
 double first_step(const KnotVector &axis) noexcept {
     const int r = axis.degree();
@@ -95,7 +96,7 @@ double last_step(const KnotVector &axis) noexcept {
     return (axis[n + r - 1] - axis[n - 1]) / r;
 }
 
-// Values at the ends, and for Hermite's functions derivatives: the layers of the margin in terms of those of
+// Values at the ends and, for Hermite's functions, derivatives: the layers of the margin in terms of those of
 // D.
 void set_ends(BlendAxis &made) {
     const auto n = static_cast<size_t>(made.count());
@@ -133,7 +134,7 @@ std::vector<std::vector<double>> parted(const std::vector<double> &points, size_
     return parts;
 }
 
-bool share_axis(const std::vector<SplinePtr> &functions) {
+bool have_one_axis(const std::vector<SplinePtr> &functions) {
     const KnotVector &first = functions[0]->axis(0);
     return std::ranges::all_of(functions, [&](const SplinePtr &function) {
         const KnotVector &axis = function->axis(0);
@@ -143,8 +144,8 @@ bool share_axis(const std::vector<SplinePtr> &functions) {
 }
 
 std::vector<SplinePtr> over_common_axis(std::vector<SplinePtr> functions) {
-    return share_axis(functions) ? std::move(functions)
-                                 : reduce::make_compatible(functions, 0, false).splines;
+    return have_one_axis(functions) ? std::move(functions)
+                                    : reduce::make_compatible(functions, 0, false).splines;
 }
 
 // 1 - t and t: their control points are their values at the Greville abscissae. Precondition: the degree is

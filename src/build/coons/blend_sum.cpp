@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "build/coons/blend_sum.h"
 
 #include "base/representable.h"
@@ -38,18 +39,18 @@ SplinePtr plus(const SplinePtr &a, const SplinePtr &b) {
 }
 
 // A boundary of any dimension: a face, an edge or a corner, as numerators over weights.
-struct Part {
+struct HomogeneousNet {
     Spline::Axes axes;
     std::vector<double> numerators;
     std::vector<double> weights; // empty: 1
 };
 
-Part part_of(const Spline &spline) {
+HomogeneousNet homogeneous_net(const Spline &spline) {
     const double first = spline.weight(0);
     if (first == 0) {
         fail(Status::weights_vanish, "faces: a corner lies at infinity");
     }
-    Part part{spline.knot_vectors(), refine::homogeneous_points(spline), {}};
+    HomogeneousNet part{spline.knot_vectors(), refine::homogeneous_points(spline), {}};
     std::vector<double> numerators;
     for (size_t i = 0; i < part.numerators.size(); ++i) {
         const bool weight = (i + 1) % (static_cast<size_t>(spline.dim()) + 1) == 0;
@@ -62,12 +63,12 @@ Part part_of(const Spline &spline) {
     return part;
 }
 
-// Where the axes of the volume stand in a term: free, or at an end.
+// How each axis of the volume stands in a term: free, or at an end.
 enum class Stand { free, start, end };
 using Stands = std::array<Stand, 3>;
 
-// The records of a part at its place among the layers of a volume, which has `fixed` layers along axes that
-// are not free; 0 where these do not stand at their ends.
+// The records of a boundary at its place among the layers of a volume, which has `fixed` layers along axes
+// that are not free; 0 if these do not stand at their ends.
 std::vector<double> spread(const std::vector<double> &records, int width,
                            const std::array<int64_t, 3> &counts, const Stands &stands, double factor) {
     std::vector<double> result;
@@ -95,8 +96,8 @@ class BlendSum {
 public:
     BlendSum(int dim, const std::array<Interval, 3> &domains) : dim_(dim), domains_(domains) {}
 
-    // Adds factor times the part, times the linear blending functions of the axes that are not free.
-    void add(const Part &part, const Stands &stands, double factor) {
+    // Adds factor times the boundary, times the linear blending functions of the axes that are not free.
+    void add(const HomogeneousNet &part, const Stands &stands, double factor) {
         const SplinePtr term = over_volume(part, part.numerators, dim_, stands, 1, factor);
         const SplinePtr denominator =
             part.weights.empty() ? nullptr : over_volume(part, part.weights, 1, stands, 0, 1);
@@ -118,7 +119,7 @@ public:
             numerators = plus(numerators, refine::times(group.sum, product_without(&group)));
         }
         const SplinePtr denominator =
-            product_without(nullptr); // none where all weights of each part are equal
+            product_without(nullptr); // none if the weights of each boundary are equal
         std::vector<SplinePtr> both{numerators};
         if (denominator != nullptr) {
             both = made_compatible(numerators, denominator);
@@ -139,9 +140,9 @@ private:
         SplinePtr sum;
     };
 
-    // A function of the free axes as one of all, of the given degree along the others.
-    [[nodiscard]] SplinePtr over_volume(const Part &part, const std::vector<double> &records, int width,
-                                        const Stands &stands, int degree, double factor) const {
+    // A function of the free axes as a function of all axes, of the given degree along the others.
+    [[nodiscard]] SplinePtr over_volume(const HomogeneousNet &part, const std::vector<double> &records,
+                                        int width, const Stands &stands, int degree, double factor) const {
         Spline::Axes axes;
         std::array<int64_t, 3> counts{};
         size_t next = 0;
@@ -157,7 +158,7 @@ private:
         }
         return checked_terms(std::move(axes), width, spread(records, width, counts, stands, factor));
     }
-    // The product of all denominators, or of all but that of a group.
+    // The product of all denominators, or of all except that of a group.
     [[nodiscard]] SplinePtr product_without(const Group *left_out) const {
         SplinePtr result;
         for (const Group &group : groups_) {
@@ -179,7 +180,7 @@ SplinePtr edge_curve(const Spline &face, int place, bool upper) {
 
 // A proven bound of the distance of two curves; 0 if they are the same, up to a factor of the weights.
 double gap(const SplinePtr &a, const SplinePtr &b) {
-    const Part one = part_of(*a), other = part_of(*b);
+    const HomogeneousNet one = homogeneous_net(*a), other = homogeneous_net(*b);
     const bool same = std::ranges::equal(a->axis(0).knots(), b->axis(0).knots()) &&
                       one.numerators == other.numerators && one.weights == other.weights;
     return same ? 0 : bounds::deviation(*a, *b).upper;
@@ -193,7 +194,7 @@ void add_faces(const std::vector<SplinePtr> &faces, BlendSum &sum) {
     for (size_t i = 0; i < face_count; ++i) {
         Stands stands{};
         stands[i / 2] = stand(i % 2 == 1);
-        sum.add(part_of(*faces[i]), stands, 1);
+        sum.add(homogeneous_net(*faces[i]), stands, 1);
     }
 }
 
@@ -210,7 +211,7 @@ void add_edges(const std::vector<SplinePtr> &faces, double tolerance, BlendSum &
             Stands stands{};
             stands[static_cast<size_t>(edge.first)] = stand(edge.first_upper);
             stands[static_cast<size_t>(edge.second)] = stand(edge.second_upper);
-            sum.add(part_of(*own), stands, -1);
+            sum.add(homogeneous_net(*own), stands, -1);
             for (const bool upper : {false, true}) {
                 stands[static_cast<size_t>(k)] = stand(upper);
                 if (k == 2) {

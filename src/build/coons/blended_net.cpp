@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "build/coons/blended_net.h"
 
 #include "base/checked.h"

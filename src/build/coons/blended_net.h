@@ -1,4 +1,5 @@
-// Control nets that are sums of products of what is blended along the axes.
+// SPDX-License-Identifier: MIT
+// Control nets that are sums of products of values blended along the axes.
 #pragma once
 
 #include "build/coons/blend_axis.h"
@@ -34,8 +35,8 @@ inline void add_product(const std::vector<double> &f, std::span<const double> re
     }
 }
 
-// out += f (x) x + g (x) y, x and y points. Coordinates one after the other: they are few, and the layers
-// many.
+// out += f (x) x + g (x) y, where x and y are points. The loop goes coordinate by coordinate, because
+// coordinates are few and layers many.
 inline void add_product_pair(const std::vector<double> &f, const double *x, const std::vector<double> &g,
                              const double *y, size_t dim, double *out) noexcept {
     for (size_t c = 0; c < dim; ++c) {
@@ -45,14 +46,14 @@ inline void add_product_pair(const std::vector<double> &f, const double *x, cons
     }
 }
 
-// 0 in the layers of records of a function that belong to the ends.
+// Sets to 0 those layers of records of a function that belong to the ends.
 void clear_margins(const BlendAxis &axis, size_t width, std::vector<double> &function);
 
-// Room for a net over the axes, in their order. Throws Status::overflow.
+// Memory for a net over the axes, in their order. Throws Status::overflow.
 std::vector<double> net_of_zeros(const std::vector<const BlendAxis *> &axes, int dim);
 
-// The spline of a net whose control points are numerators over the product of the divisors of the axes. Of
-// the form given where it is rational, if points at infinity do not make it a homogeneous one. Throws
+// The spline of a net whose control points are numerators over the product of the divisors of the axes. If it
+// is rational it has the given form, unless points at infinity make it a homogeneous one. Throws
 // Status::not_representable and what make_result() throws.
 SplinePtr blended_spline(const std::vector<const BlendAxis *> &axes, int dim, Form form,
                          std::vector<double> net);

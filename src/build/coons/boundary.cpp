@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "build/coons/boundary.h"
 
 #include "refine/parts/iso.h"

@@ -1,4 +1,5 @@
-// The boundaries of surfaces and volumes: what is left when one axis stands at an end of its domain.
+// SPDX-License-Identifier: MIT
+// The boundaries of surfaces and volumes: one axis stands at an end of its domain.
 #pragma once
 
 #include "spline/spline.h"
@@ -7,7 +8,7 @@
 
 namespace nrb::build {
 
-// By axis, then by end; bit for bit what iso() gives. Throws Status::axes for a curve, and what iso()
+// By axis, then by end; bit for bit the results of iso(). Throws Status::axes for a curve, and what iso()
 // throws.
 std::vector<SplinePtr> boundaries_of(const Spline &spline);
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "build/coons/coons.h"
 
 #include "build/coons/coons_patch.h"
@@ -52,7 +53,7 @@ double length(Interval domain) noexcept {
     return domain.upper - domain.lower;
 }
 
-// The corners of a Hermite patch: means of what is given twice, and twists by the rule.
+// The corners of a Hermite patch: means of the data that are given twice, and twists by the rule.
 class HermiteCorners {
 public:
     HermiteCorners(const PatchCurves &curves, const TwistRule &twists)
@@ -129,7 +130,7 @@ private:
     CornerMatrix m_;
 };
 
-// The cubic with the values and derivatives at the ends that row or column i of m has.
+// The cubic with the values and derivatives at its ends that row or column i of m has.
 SplinePtr hermite_cubic(const CornerMatrix &m, int i, bool row, Interval domain) {
     const auto entry = [&](int j) { return row ? m.at(i, j) : m.at(j, i); };
     const double third = (domain.upper - domain.lower) / 3;
@@ -146,7 +147,7 @@ SplinePtr hermite_cubic(const CornerMatrix &m, int i, bool row, Interval domain)
                        std::move(points));
 }
 
-// Cross tangents that are Hermite's cubics of what the corners say.
+// Cross tangents that are Hermite's cubics of the data at the corners.
 std::vector<SplinePtr> cross_of_corners(const PatchCurves &curves, const CornerMatrix &m) {
     const Interval u = curves.domain(0), v = curves.domain(1);
     return {hermite_cubic(m, 2, true, v), hermite_cubic(m, 3, true, v), hermite_cubic(m, 2, false, u),

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Surfaces from their boundaries.
 #pragma once
 

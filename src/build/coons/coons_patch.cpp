@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "build/coons/coons_patch.h"
 
 #include "build/coons/blended_net.h"
@@ -8,7 +9,7 @@ namespace nrb::build {
 
 namespace {
 
-// How an axis sees a matrix of the corners: entry (i, j) belongs to end j of function i.
+// A matrix of the corners as an axis sees it: entry (i, j) belongs to end j of function i.
 using Entry = const double *(*)(const CornerMatrix &, int, int);
 
 const double *by_row(const CornerMatrix &m, int i, int j) {
@@ -18,7 +19,7 @@ const double *by_column(const CornerMatrix &m, int i, int j) {
     return m.at(j, i);
 }
 
-// What takes function i from what it has at its ends to what m has there.
+// The difference between the values of m at the ends of function i and the function's own values there.
 std::vector<double> correction(const BlendAxis &along, const CornerMatrix &own, const CornerMatrix &m, int i,
                                Entry entry) {
     const auto dim = static_cast<size_t>(m.dim());
@@ -34,8 +35,8 @@ std::vector<double> correction(const BlendAxis &along, const CornerMatrix &own, 
     return total;
 }
 
-// Makes the functions along an axis agree with m at the ends, where the values then are bit for bit those of
-// m. They are rounded once.
+// Makes the functions along an axis agree with m at the ends. The values there are then those of m bit for
+// bit; they are rounded once.
 void correct(BlendAxis &along, const CornerMatrix &own, const CornerMatrix &m, Entry entry) {
     const auto dim = static_cast<size_t>(m.dim());
     for (size_t i = 0; i < along.functions.size(); ++i) {
@@ -48,7 +49,7 @@ void correct(BlendAxis &along, const CornerMatrix &own, const CornerMatrix &m, E
     }
 }
 
-// B_j less the blend of what it has at its ends: 0 in the margins.
+// B_j minus the blend of its values at its ends: 0 in the margins.
 std::vector<std::vector<double>> rests(const BlendAxis &u, const CornerMatrix &m) {
     const auto dim = static_cast<size_t>(m.dim());
     std::vector<std::vector<double>> rests = u.functions;
@@ -64,7 +65,7 @@ std::vector<std::vector<double>> rests(const BlendAxis &u, const CornerMatrix &m
     return rests;
 }
 
-// The layers at the ends of v, where they do not belong to those of u: of the functions of u alone.
+// The layers at the ends of v that do not belong to the ends of u depend only on the functions of u.
 void set_margins(const BlendAxis &u, const BlendAxis &v, size_t dim, std::vector<double> &net) {
     const auto nu = static_cast<size_t>(u.count()), nv = static_cast<size_t>(v.count());
     for (size_t k = u.margin(); k + u.margin() < nu; ++k) {

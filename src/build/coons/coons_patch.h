@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The Boolean sum of two blends (S. A. Coons 1967; W. J. Gordon 1969) as a tensor-product surface.
 #pragma once
 

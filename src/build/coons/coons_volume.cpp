@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "build/coons/coons_volume.h"
 
 #include "bounds/deviation.h"
@@ -30,7 +31,7 @@ void check_faces(const std::vector<SplinePtr> &faces) {
     }
 }
 
-// Six faces over common knots, Cartesian, and what blends them.
+// Six faces over common knots, Cartesian, and the functions that blend them.
 class FaceBlend {
 public:
     FaceBlend(const std::vector<SplinePtr> &faces, double tolerance) : dim_(faces[0]->dim()) {
@@ -45,7 +46,7 @@ public:
                 {domains[static_cast<size_t>(axes.first)], domains[static_cast<size_t>(axes.second)]}, i));
         }
         for (int k = 0; k < 3; ++k) {
-            share_axis(k);
+            unify_axis(k);
         }
         agree_on_edges(tolerance);
     }
@@ -85,7 +86,7 @@ private:
     }
 
     // Brings the four faces that run along an axis to common knots there.
-    void share_axis(int k) {
+    void unify_axis(int k) {
         std::vector<Quotient> functions;
         for (size_t i = 0; i < face_count; ++i) {
             if (FaceAxes(i).has(k)) {
@@ -121,7 +122,7 @@ private:
         for (int k = 0; k < 3; ++k) {
             points[k] = corner_point(face_at(k, ends[static_cast<size_t>(k)]), ends);
         }
-        for (size_t c = 0; c < mean.size(); ++c) { // nothing rounds where all agree
+        for (size_t c = 0; c < mean.size(); ++c) { // nothing is rounded if all agree
             mean[c] = points[0][c] + ((points[1][c] - points[0][c]) + (points[2][c] - points[0][c])) / 3;
         }
         return mean;
@@ -145,7 +146,8 @@ private:
         return bounds::deviation(*first, *second).upper;
     }
 
-    // Whether both faces hold the edge with the same bits: taking their weights apart rounds differently.
+    // Whether both faces have the edge with the same bits; taking their weights apart would round
+    // differently.
     [[nodiscard]] bool stored_alike(const VolumeEdge &edge) const {
         const Spline &a = stored_boundary(edge.face(), edge.second, edge.second_upper);
         const Spline &b = stored_boundary(edge.other_face(), edge.first, edge.first_upper);
@@ -156,7 +158,7 @@ private:
         return *stored_[face][face_at(FaceAxes(face).place(axis), upper)];
     }
 
-    // The mean of what the two faces have, and of the corners at its ends.
+    // The mean of the edges of the two faces, and of the corners at its ends.
     [[nodiscard]] std::vector<double> mean_edge(const VolumeEdge &edge, double tolerance) const {
         std::vector<double> a = layer(edge.face(), edge.second, edge.second_upper);
         const std::vector<double> b = layer(edge.other_face(), edge.first, edge.first_upper);
@@ -174,7 +176,7 @@ private:
         }
         return a;
     }
-    // Moves the records of a function by what takes one end of them to a value.
+    // Moves the records of a function by what brings one of its ends to a value.
     static void pull(const BlendAxis &blend, size_t end, const std::vector<double> &wanted,
                      std::vector<double> &function) {
         const std::span<double> here =
@@ -204,9 +206,9 @@ private:
         }
     }
 
-    // Moves a face by what takes one of its edges to another place, the opposite edge staying where it is.
-    // The other two move with it at their ends only, where they end in the same corners: in whatever order
-    // the edges of a face are pulled, all are at last where they should be.
+    // Moves a face by what brings one of its edges to another place; the opposite edge stays where it is. The
+    // other two edges move only at their ends, where they meet the same corners: in whatever order the edges
+    // of a face are moved, all end up where they should be.
     void pull_face(size_t face, int axis, bool upper, const std::vector<double> &wanted) {
         FaceNet &net = nets_[face];
         const int place = FaceAxes(face).place(axis);
@@ -231,7 +233,7 @@ private:
         }
     }
 
-    // A face less the blend along one of its axes of its own layers there: 0 at its ends.
+    // A face minus the blend, along one of its axes, of its own layers there: 0 at its ends.
     void take_blend(FaceNet &net, int place, const BlendAxis &blend) const {
         const std::vector<double> lower = net.layer(place, false), upper = net.layer(place, true);
         const auto dim = static_cast<size_t>(dim_);
@@ -247,7 +249,7 @@ private:
             }
         }
     }
-    // Of the faces of axis 1 what the blend along axis 0 leaves.
+    // The faces of axis 1 minus the blend along axis 0.
     [[nodiscard]] std::array<FaceNet, 2> rest_of_middle() const {
         std::array<FaceNet, 2> rest{nets_[2], nets_[3]};
         for (FaceNet &net : rest) {
@@ -255,7 +257,7 @@ private:
         }
         return rest;
     }
-    // Of those of axis 2 what the blends along axes 0 and 1 leave.
+    // The faces of axis 2 minus the blends along axes 0 and 1.
     [[nodiscard]] std::array<FaceNet, 2> rest_of_last() const {
         std::array<FaceNet, 2> rest{nets_[4], nets_[5]};
         for (FaceNet &net : rest) {
@@ -290,7 +292,7 @@ private:
     }
 
     int dim_;
-    std::vector<std::vector<SplinePtr>> stored_; // boundaries of the faces as they were given
+    std::vector<std::vector<SplinePtr>> stored_; // the boundaries of the faces as they were given
     std::vector<FaceNet> nets_;
     std::vector<BlendAxis> blends_;
 };

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Volumes from their faces.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "build/coons/corner.h"
 
 #include "numeric/norm.h"
@@ -113,7 +114,7 @@ double gap_at(const CornerPair &pair, int i, int j) {
     return gap;
 }
 
-// The two curves that differ at a corner, and what of them.
+// The two curves that differ at a corner, and in which of their data.
 struct Difference {
     const char *what;
     size_t first;
@@ -129,7 +130,7 @@ void check_corner(double gap, double tolerance, size_t corner, Status status, co
     }
 }
 
-// Of the curves that meet at a corner: the boundary along axis 1, and that along axis 0.
+// The curves that meet at a corner: the boundary along axis 1, and the boundary along axis 0.
 struct Meeting {
     size_t along1;
     size_t along0;

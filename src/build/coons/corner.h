@@ -1,4 +1,5 @@
-// What meets at the corners of a surface that is made of its boundaries: positions, tangents and twists, each
+// SPDX-License-Identifier: MIT
+// Data at the corners of a surface that is made from its boundaries: positions, tangents and twists, each
 // known from two curves.
 #pragma once
 
@@ -23,9 +24,8 @@ struct PatchCurves {
     }
 };
 
-// Clamps and maps the curves as nurbs.h has it. Throws Status::axes, dimension, knots_merge,
-// weights_vanish for an end at infinity, and what clamping throws. Preconditions: 4 boundaries, 4 or no
-// cross tangents.
+// Clamps and maps the curves as nurbs.h says. Throws Status::axes, dimension, knots_merge, weights_vanish for
+// an end at infinity, and what clamping throws. Preconditions: 4 boundaries, 4 or no cross tangents.
 PatchCurves make_patch_curves(const std::vector<SplinePtr> &boundaries, const std::vector<SplinePtr> &cross);
 
 // The spline with clamped ends over a domain.
@@ -63,8 +63,9 @@ private:
     std::vector<double> values_;
 };
 
-// The corners as the curves have them that run along axis 1 (boundaries 0 and 1 with the derivatives across
-// them) and those along axis 0 (2 and 3). Without cross tangents what only they say is left 0.
+// The corners according to the curves along axis 1 (boundaries 0 and 1 with the derivatives across them), and
+// according to the curves along axis 0 (2 and 3). Without cross tangents the entries that only they determine
+// are 0.
 struct CornerPair {
     CornerMatrix along1;
     CornerMatrix along0;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "build/coons/face_net.h"
 
 #include "base/checked.h"
@@ -75,7 +76,7 @@ struct WeightFactors {
     }
 };
 
-// Numerators are divided by factors that are constant.
+// Divides numerators by factors that are constant.
 Separated separated(const SplinePtr &face) {
     if (!face->rational()) {
         return {face, {}};
@@ -100,7 +101,7 @@ Separated separated(const SplinePtr &face) {
             parts.denominators};
 }
 
-// The factor divided by its first control point, by which the numerators are divided too.
+// The factor divided by its first control point; the numerators are divided by that too.
 SplinePtr normalized(const SplinePtr &factor, std::vector<double> &numerators, size_t index) {
     if (factor == nullptr) {
         return factor;

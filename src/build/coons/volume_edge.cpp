@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "build/coons/volume_edge.h"
 
 namespace nrb::build {

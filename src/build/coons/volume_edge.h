@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The edges of a volume, where two of its faces meet.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "build/surfaces/multilinear.h"
 
 #include "base/representable.h"
@@ -28,7 +29,7 @@ std::vector<double> scaled_direction(int dim, const double *x) {
     return scaled;
 }
 
-// With component k of u the largest, v - (v_k / u_k) u is 0 for parallel vectors only.
+// With component k of u the largest, v - (v_k / u_k) u is 0 only for parallel vectors.
 bool parallel(int dim, const double *side_u, const double *side_v) {
     const std::vector<double> u = scaled_direction(dim, side_u), v = scaled_direction(dim, side_v);
     const auto largest =
@@ -36,7 +37,9 @@ bool parallel(int dim, const double *side_u, const double *side_v) {
     const auto k = static_cast<size_t>(largest - u.begin());
     double across = 0;
     for (size_t c = 0; c < u.size(); ++c) {
-        across = std::max(across, std::fabs((Wide::product(u[k], v[c]) - Wide::product(v[k], u[c])).value()));
+        across = std::max(
+            across,
+            std::fabs((DoubleDouble::product(u[k], v[c]) - DoubleDouble::product(v[k], u[c])).value()));
     }
     return across <= 4 * 0x1p-52;
 }
@@ -69,8 +72,8 @@ SplinePtr parallelogram(int dim, const double *origin, const double *u, const do
     std::vector<double> corners;
     for (const auto &[s, t] : {std::array{0.0, 0.0}, {0.0, 1.0}, {1.0, 0.0}, {1.0, 1.0}}) {
         for (int c = 0; c < dim; ++c) {
-            const Wide moved = Wide::sum(s * u[c], t * v[c]);
-            corners.push_back((Wide(origin == nullptr ? 0 : origin[c]) + moved).value());
+            const DoubleDouble moved = DoubleDouble::sum(s * u[c], t * v[c]);
+            corners.push_back((DoubleDouble(origin == nullptr ? 0 : origin[c]) + moved).value());
         }
     }
     require_representable(corners, "corners");

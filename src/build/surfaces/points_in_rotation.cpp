@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "build/surfaces/points_in_rotation.cpp"
 #include "base/simd.h"
@@ -17,7 +18,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 using namespace numeric::HWY_NAMESPACE;
 using Lanes = hn::CappedTag<double, 8>;
 using Vector = hn::Vec<Lanes>;
-using Number = Twin<Vector>;
+using Number = DoubleDoubleLanes<Vector>;
 
 HWY_INLINE Number loaded(const double *parts, int64_t stride, int64_t which) {
     const Lanes d;
@@ -25,7 +26,8 @@ HWY_INLINE Number loaded(const double *parts, int64_t stride, int64_t which) {
 }
 
 // The sums carry their rounding errors along, as numeric/sum.h does.
-void orbit_values(const double *parts, int64_t stride, int64_t size, double at_x, double at_y, double *out) {
+void rotated_values(const double *parts, int64_t stride, int64_t size, double at_x, double at_y,
+                    double *out) {
     const Lanes d;
     const auto lanes = static_cast<int64_t>(hn::Lanes(d));
     const Vector x = hn::Set(d, at_x), y = hn::Set(d, at_y);
@@ -47,7 +49,8 @@ void orbit_values(const double *parts, int64_t stride, int64_t size, double at_x
     }
 }
 
-// The constructor is written out, because one that a compiler adds is not compiled for the instruction set.
+// The constructor is written out, because a constructor added by the compiler is not compiled for the
+// instruction set.
 struct Point {
     Vector high[3];
     Vector low[3];
@@ -71,12 +74,12 @@ HWY_INLINE void store(const Point &point, const Vector *weight, double *high, do
     }
 }
 
-HWY_INLINE Number broadcast(const Wide &x) {
+HWY_INLINE Number broadcast(const DoubleDouble &x) {
     const Lanes d;
     return {hn::Set(d, x.high), hn::Set(d, x.low)};
 }
 
-// From whole vectors of records, of width 3 or 4.
+// Computed from whole vectors of records, of width 3 or 4.
 void radii(const double *points, int64_t records, int width, const AxisLine &axis, double *const *out) {
     const Lanes d;
     const Vector zero = hn::Zero(d);
@@ -116,12 +119,12 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace nrb::build {
 
-HWY_EXPORT(orbit_values);
+HWY_EXPORT(rotated_values);
 HWY_EXPORT(radii);
 
 namespace {
 
-constexpr int64_t lanes = 8; // the most that a vector has
+constexpr int64_t lanes = 8; // the most lanes that a vector has
 
 int64_t whole_vectors(int64_t n) noexcept {
     return (n + lanes - 1) / lanes * lanes;
@@ -129,10 +132,10 @@ int64_t whole_vectors(int64_t n) noexcept {
 
 } // namespace
 
-Orbits::Orbits(int64_t coordinates)
+PointsInRotation::PointsInRotation(int64_t coordinates)
     : size_(coordinates), stride_(whole_vectors(coordinates)), data_(static_cast<size_t>(parts * stride_)) {}
 
-Orbits::Orbits(const Spline &spline, const AxisLine &axis)
+PointsInRotation::PointsInRotation(const Spline &spline, const AxisLine &axis)
     : size_(std::ssize(spline.points())),
       stride_(whole_vectors(spline.point_count()) * spline.stored_width()),
       data_(static_cast<size_t>(parts * stride_)) {
@@ -142,7 +145,7 @@ Orbits::Orbits(const Spline &spline, const AxisLine &axis)
     (points.data(), spline.point_count(), spline.stored_width(), axis, arrays().data());
 }
 
-std::array<double *, Orbits::parts> Orbits::arrays() noexcept {
+std::array<double *, PointsInRotation::parts> PointsInRotation::arrays() noexcept {
     std::array<double *, parts> result{};
     for (int64_t k = 0; k < parts; ++k) {
         result[static_cast<size_t>(k)] = data_.data() + k * stride_;
@@ -150,15 +153,16 @@ std::array<double *, Orbits::parts> Orbits::arrays() noexcept {
     return result;
 }
 
-void Orbits::set(int64_t coordinate, const Wide &foot, const Wide &d, const Wide &e) noexcept {
+void PointsInRotation::set(int64_t coordinate, const DoubleDouble &foot, const DoubleDouble &d,
+                           const DoubleDouble &e) noexcept {
     const double values[] = {foot.high, foot.low, d.high, d.low, e.high, e.low};
     for (int64_t k = 0; k < parts; ++k) {
         data_[static_cast<size_t>(k * stride_ + coordinate)] = values[k];
     }
 }
 
-void Orbits::values(double x, double y, double *out) const noexcept {
-    HWY_DYNAMIC_DISPATCH(orbit_values)(data_.data(), stride_, size_, x, y, out);
+void PointsInRotation::values(double x, double y, double *out) const noexcept {
+    HWY_DYNAMIC_DISPATCH(rotated_values)(data_.data(), stride_, size_, x, y, out);
 }
 
 } // namespace nrb::build

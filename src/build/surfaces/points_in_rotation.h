@@ -1,4 +1,5 @@
-// Coordinates that go round an axis.
+// SPDX-License-Identifier: MIT
+// Points that rotate about an axis.
 #pragma once
 
 #include "numeric/double_double.h"
@@ -14,25 +15,26 @@ namespace nrb::build {
 // An axis of revolution: a point on it, and its direction as a unit vector.
 struct AxisLine {
     std::array<double, 3> origin;
-    std::array<Wide, 3> along;
+    std::array<DoubleDouble, 3> along;
 };
 
-// For many coordinates the values foot + x d + y e, each rounded once: foot, d and e are held in twice the
-// precision. Where the processor has no fused multiplication, coordinates above 2^990 come out as NaN.
-class Orbits {
+// For many coordinates the values foot + x d + y e, each rounded once; foot, d and e are kept in twice the
+// precision. Without fused multiplication in the processor, coordinates above 2^990 become NaN.
+class PointsInRotation {
 public:
-    explicit Orbits(int64_t coordinates);
-    // Those of the stored points of a spline of dimension 3: with foot the nearest point on the axis Z, d and
-    // e = Z x d are the ways from there. Weights of homogeneous records stay, and their feet are multiplied
-    // by them.
-    Orbits(const Spline &spline, const AxisLine &axis);
+    explicit PointsInRotation(int64_t coordinates);
+    // The coordinates of the stored points of a spline of dimension 3. The foot is the nearest point on the
+    // axis Z, d is the vector from the foot to the point, and e = Z x d. Weights of homogeneous records stay,
+    // and their feet are multiplied by them.
+    PointsInRotation(const Spline &spline, const AxisLine &axis);
 
-    void set(int64_t coordinate, const Wide &foot, const Wide &d, const Wide &e) noexcept;
+    void set(int64_t coordinate, const DoubleDouble &foot, const DoubleDouble &d,
+             const DoubleDouble &e) noexcept;
     // All coordinates, in their order.
     void values(double x, double y, double *out) const noexcept;
 
 private:
-    static constexpr int parts = 6; // foot, d and e, each with its rest
+    static constexpr int parts = 6; // foot, d and e, each with its remainder
     [[nodiscard]] std::array<double *, parts> arrays() noexcept;
 
     int64_t size_;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "build/surfaces/profile.h"
 
 #include "base/representable.h"
@@ -12,7 +13,7 @@ namespace nrb::build {
 
 namespace {
 
-// The place on a hyperbola at a height, without cancellation beside the vertex.
+// The place on a hyperbola at a height, without cancellation near the vertex.
 double radius_at(double height, double size, bool two_sheets) noexcept {
     const double far = std::fabs(height);
     return two_sheets ? std::sqrt((far - size) / size) * std::sqrt(far / size + 1)
@@ -55,8 +56,8 @@ Profile arc_profile(const Turn &turn, int32_t form, double offset, double radius
     const Arc arc = unit_arc(turn, form);
     Profile profile{arc.axis, {}};
     for (const ArcPoint &at : arc.points) {
-        profile.points.push_back(
-            {Wide(offset) + Wide::product(radius, at.x), Wide::product(radius, at.y), at.weight});
+        profile.points.push_back({DoubleDouble(offset) + DoubleDouble::product(radius, at.x),
+                                  DoubleDouble::product(radius, at.y), at.weight});
     }
     return profile;
 }
@@ -79,14 +80,14 @@ Profile hyperbola_profile(double size, double bottom, double top, bool two_sheet
 SplinePtr turned(const Placement &place, const Arc &arc, const Profile &profile, double scale_x,
                  double scale_y) {
     const size_t width = profile.points.size() * 3;
-    Orbits orbits(static_cast<int64_t>(width));
+    PointsInRotation rotating(static_cast<int64_t>(width));
     for (size_t i = 0; i < profile.points.size(); ++i) {
         const ProfilePoint &point = profile.points[i];
-        const Wide along = scale_x * point.radius, across = scale_y * point.radius;
+        const DoubleDouble along = scale_x * point.radius, across = scale_y * point.radius;
         for (int c = 0; c < 3; ++c) {
             const auto frame = place.component(c);
-            orbits.set(static_cast<int64_t>(3 * i) + c, frame.origin + point.height * frame.z,
-                       along * frame.x, across * frame.y);
+            rotating.set(static_cast<int64_t>(3 * i) + c, frame.origin + point.height * frame.z,
+                         along * frame.x, across * frame.y);
         }
     }
     std::vector<double> points, weights;
@@ -95,7 +96,7 @@ SplinePtr turned(const Placement &place, const Arc &arc, const Profile &profile,
     weights.reserve(arc.points.size() * profile.points.size());
     double *out = points.data();
     for (const ArcPoint &at : arc.points) {
-        orbits.values(at.x, at.y, out);
+        rotating.values(at.x, at.y, out);
         out += width;
         for (const ProfilePoint &point : profile.points) {
             weights.push_back(at.weight * point.weight);

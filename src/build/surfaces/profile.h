@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Shapes of revolution, and those scaled from them, by their profiles.
 #pragma once
 
@@ -11,8 +12,8 @@
 namespace nrb::build {
 
 struct ProfilePoint {
-    Wide radius;
-    Wide height;
+    DoubleDouble radius;
+    DoubleDouble height;
     double weight = 1;
 };
 
@@ -22,18 +23,18 @@ struct Profile {
     std::vector<ProfilePoint> points;
 };
 
-// Polynomial, of the degree that the points tell.
+// Polynomial; the degree follows from the number of points.
 Profile bezier_profile(std::vector<ProfilePoint> points);
 
 // The arc (offset + radius cos b, radius sin b).
 Profile arc_profile(const Turn &turn, int32_t form, double offset, double radius);
 
 // On radius^2 - (height / size)^2 = 1, or with two sheets (height / size)^2 - radius^2 = 1, from one height
-// to a higher one, which are the heights of its ends. At heights size sinh u (or cosh u) in pieces of at most
-// 2 in u, whose ends a and b have the middle control point (a + b) / (1 + cosh d) with the weight cosh(d /
-// 2), d the difference in u, by tanh(d / 2) = (b_h - a_h) / (size (a_r + b_r)): without cancellation, so that
-// short and distant arcs are as accurate as any. Throws Status::not_representable. Precondition: with two
-// sheets both heights are on one.
+// to a higher one; these are the heights of its ends. The heights are size sinh u (or cosh u) in pieces of at
+// most 2 in u. A piece with ends a and b has the middle control point (a + b) / (1 + cosh d) with the weight
+// cosh(d / 2), where d is the difference in u and tanh(d / 2) = (b_h - a_h) / (size (a_r + b_r)). Nothing
+// cancels, so that short and distant arcs are as accurate as any. Throws Status::not_representable.
+// Precondition: with two sheets both heights are on one of them.
 Profile hyperbola_profile(double size, double bottom, double top, bool two_sheets);
 
 // Control points (scale_x x_j r_k, scale_y y_j r_k, h_k) in the frame with weights w_j w_k, for an arc (x_j,

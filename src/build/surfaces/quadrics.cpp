@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "build/surfaces/quadrics.h"
 
 #include "base/error.h"
@@ -74,7 +75,7 @@ SplinePtr ellipsoid(const Placement &place, double radius_x, double radius_y, do
     check_positive_length(radius_z, "radius_z");
     Profile profile = arc_profile(pole_to_pole(), form, 0, 1);
     for (ProfilePoint &point : profile.points) {
-        point.height = Wide(radius_z) * point.height;
+        point.height = DoubleDouble(radius_z) * point.height;
     }
     return turned(place, unit_arc(full_turn(), form), profile, radius_x, radius_y);
 }

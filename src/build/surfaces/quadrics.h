@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Quadrics and the torus.
 #pragma once
 
@@ -9,8 +10,8 @@
 
 namespace nrb::build {
 
-// As nurbs.h has them: arcs in one of the arc_ forms as axis 0, over `turn`. All throw
-// Status::length, naming the argument, form, not_representable.
+// As nurbs.h describes them: arcs in one of the arc_ forms as axis 0, over `turn`. All throw Status::length,
+// naming the argument, form, not_representable.
 
 // Latitudes from south to north. Throws Status::angle.
 SplinePtr spherical_patch(const Placement &place, double radius, const Turn &turn, double south, double north,

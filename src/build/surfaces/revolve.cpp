@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "build/surfaces/revolve.h"
 
 #include "base/checked.h"
@@ -21,8 +22,8 @@ AxisLine make_line(const double *point, const double *axis) {
         std::copy_n(point, 3, line.origin.begin());
     }
     const Placement place = make_placement(3, nullptr, axis, nullptr, "point");
-    line.along = {Wide(place.z.x, place.z_rest.x), Wide(place.z.y, place.z_rest.y),
-                  Wide(place.z.z, place.z_rest.z)};
+    line.along = {DoubleDouble(place.z.x, place.z_rest.x), DoubleDouble(place.z.y, place.z_rest.y),
+                  DoubleDouble(place.z.z, place.z_rest.z)};
     return line;
 }
 
@@ -53,13 +54,13 @@ std::vector<double> turned_points(const Spline &spline, const AxisLine &line, co
                                        int64_t{Spline::padding}));
     points.assign(start.begin(), start.end());
     points.resize(size * layers);
-    const Orbits orbits(spline, line);
+    const PointsInRotation rotating(spline, line);
     for (size_t j = 1; j < layers; ++j) {
         const std::span<double> layer = std::span(points).subspan(j * size, size);
         if (closed && j + 1 == layers) {
             std::ranges::copy(start, layer.begin());
         } else {
-            orbits.values(arc.points[j].x, arc.points[j].y, layer.data());
+            rotating.values(arc.points[j].x, arc.points[j].y, layer.data());
             multiply(spline.form() == Form::homogeneous ? arc.points[j].weight : 1, layer);
         }
     }

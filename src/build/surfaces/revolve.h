@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Shapes of revolution of any spline.
 #pragma once
 

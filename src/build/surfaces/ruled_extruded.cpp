@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "build/surfaces/ruled_extruded.h"
 
 #include "base/checked.h"
@@ -17,7 +18,7 @@ namespace nrb::build {
 
 namespace {
 
-// Records of two arrays by turns.
+// Alternating records of two arrays.
 std::vector<double> interleaved(std::span<const double> a, std::span<const double> b, int64_t width) {
     std::vector<double> both;
     both.reserve(static_cast<size_t>(checked_product(std::ssize(a), 2, "points")) + Spline::padding);
@@ -28,7 +29,7 @@ std::vector<double> interleaved(std::span<const double> a, std::span<const doubl
     return both;
 }
 
-// A copy of the points, each moved by a vector; homogeneous ones by their weight times it.
+// A copy of the points, each moved by a vector; homogeneous points are moved by their weight times it.
 std::vector<double> moved_points(const Spline &spline, const double *vector) {
     std::vector<double> points(spline.points().begin(), spline.points().end());
     const int dim = spline.dim(), width = spline.stored_width();
@@ -47,7 +48,7 @@ SplinePtr ruled_over_product(const SplinePtr &a, SplinePtr b) {
         const Interval domain = a->axis(k).domain();
         b = refine::reparametrize(b, k, domain);
     }
-    return stacked(refine::sum(a, 1, b, 0), refine::sum(a, 0, b, 1));
+    return ruled_homogeneous(refine::sum(a, 1, b, 0), refine::sum(a, 0, b, 1));
 }
 
 } // namespace
@@ -58,7 +59,7 @@ void check_room_for_axis(const Spline &spline, const char *name) {
     }
 }
 
-SplinePtr stacked(const SplinePtr &a, const SplinePtr &b) {
+SplinePtr ruled_homogeneous(const SplinePtr &a, const SplinePtr &b) {
     const std::array<SplinePtr, 2> both = {a, b};
     const Form form = refine::common_form(both);
     const SplinePtr lower = refine::in_form(a, form), upper = refine::in_form(b, form);
@@ -71,7 +72,7 @@ SplinePtr stacked(const SplinePtr &a, const SplinePtr &b) {
 
 namespace {
 
-// A way out of the plane, (0, 0, 1), is read as (0, 0) where g lies in the plane.
+// The direction out of the plane, (0, 0, 1), is read as (0, 0) if g lies in the plane.
 void check_way(const double *vector, int dim) {
     if (dim < 3 && std::all_of(vector, vector + dim, [](double x) { return x == 0; })) {
         fail(Status::direction,
@@ -87,9 +88,9 @@ void check_way(const double *vector, int dim) {
 SplinePtr extrude(const SplinePtr &spline, const double *vector) {
     check_room_for_axis(*spline, "g");
     check_way(vector, spline->dim());
-    return stacked(spline, make_result(spline->knot_vectors(), spline->dim(), spline->form(),
-                                       moved_points(*spline, vector),
-                                       {spline->weights().begin(), spline->weights().end()}));
+    return ruled_homogeneous(spline, make_result(spline->knot_vectors(), spline->dim(), spline->form(),
+                                                 moved_points(*spline, vector),
+                                                 {spline->weights().begin(), spline->weights().end()}));
 }
 
 SplinePtr ruled(const SplinePtr &a, const SplinePtr &b, bool cartesian) {
@@ -100,12 +101,12 @@ SplinePtr ruled(const SplinePtr &a, const SplinePtr &b, bool cartesian) {
     if (a->dim() != b->dim()) {
         fail(Status::dimension, "dimension %d of b, expected %d as of a", b->dim(), a->dim());
     }
-    // Weights that differ by a factor make no difference to Cartesian points.
+    // Weights that differ only by a factor make no difference to Cartesian points.
     const std::array<SplinePtr, 2> both = {cartesian ? refine::normalize_weights(a) : a,
                                            cartesian ? refine::normalize_weights(b) : b};
     const std::vector<SplinePtr> same = reduce::make_compatible(both, 0, true).splines;
     return cartesian && !refine::same_weights(*same[0], *same[1]) ? ruled_over_product(both[0], both[1])
-                                                                  : stacked(same[0], same[1]);
+                                                                  : ruled_homogeneous(same[0], same[1]);
 }
 
 } // namespace nrb::build

@@ -1,4 +1,5 @@
-// Splines laid on one another: what extruded and ruled shapes are.
+// SPDX-License-Identifier: MIT
+// Splines between two splines: what extruded and ruled shapes are.
 #pragma once
 
 #include "spline/spline.h"
@@ -11,7 +12,7 @@ void check_room_for_axis(const Spline &spline, const char *name);
 // (u, v) -> (1 - v) a(u) + v b(u) of homogeneous points, the new axis last, of degree 1 over [0, 1]. Control
 // points and weights are those of a and b, in the form that holds both. Throws Status::overflow.
 // Preconditions: the same axes and dimension; fewer than max_axes axes.
-SplinePtr stacked(const SplinePtr &a, const SplinePtr &b);
+SplinePtr ruled_homogeneous(const SplinePtr &a, const SplinePtr &b);
 
 // The spline moved along a vector of its dimension. Throws Status::axes, direction, not_representable,
 // overflow.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "build/surfaces/sphere_patches.h"
 
 #include "base/representable.h"
@@ -69,7 +70,7 @@ SplinePtr unit_face() {
     return make_result({quartic(), quartic()}, 3, Form::rational, std::move(points), std::move(weights));
 }
 
-// Its part y >= 0; y is 0 on the edge by the symmetry of the face.
+// The part y >= 0 of the face; y is exactly 0 on the edge by the symmetry of the face.
 SplinePtr upper_half(const SplinePtr &face) {
     const SplinePtr half = refine::cut_axis(face, 1, 0.5, 1, {true, true});
     std::vector<double> points(half->points().begin(), half->points().end());
@@ -80,13 +81,13 @@ SplinePtr upper_half(const SplinePtr &face) {
                        {half->weights().begin(), half->weights().end()});
 }
 
-// What is x, y and z on a face: a signed coordinate of the face +Z each, counted from 1.
+// Which coordinates of the face +Z, with sign and counted from 1, are x, y and z on a face.
 using Orientation = std::array<int, 3>;
 constexpr std::array<Orientation, 6> faces = {
     {{3, 1, 2}, {-1, 3, 2}, {-3, -1, 2}, {1, -3, 2}, {1, 2, 3}, {1, -2, -3}}};
 
-Wide coordinate(const double *point, int which, double radius) noexcept {
-    return Wide::product(which < 0 ? -radius : radius, point[std::abs(which) - 1]);
+DoubleDouble coordinate(const double *point, int which, double radius) noexcept {
+    return DoubleDouble::product(which < 0 ? -radius : radius, point[std::abs(which) - 1]);
 }
 
 SplinePtr placed(const Spline &face, const Orientation &turn, const Placement &place, double radius) {

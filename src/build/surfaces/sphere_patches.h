@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The sphere without poles.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "build/surfaces/tensor.h"
 
 #include "base/checked.h"
@@ -38,8 +39,8 @@ void check_axes(const Spline &a, const Spline &b) {
     }
 }
 
-// Coordinates (and weights behind them, of homogeneous results) by form(x, w, y, v, out), which is linear in
-// the record (x, w) of a and in (y, v) of b; Cartesian points have w = v = 1.
+// Coordinates (and, for homogeneous results, the weight after them) by form(x, w, y, v, out), which is linear
+// in the record (x, w) of a and in the record (y, v) of b; Cartesian points have w = v = 1.
 template <class CoordinateForm>
 std::vector<double> outer_points(const Outer &outer, const CoordinateForm &form) {
     const bool homogeneous = outer.form == Form::homogeneous;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Surfaces and volumes made of two splines over the axes of both.
 #pragma once
 
@@ -5,9 +6,9 @@
 
 namespace nrb::build {
 
-// Control point (i, j) is a function of control point i of a and j of b, the axes of b stand behind those of
-// a, and weights are multiplied. Control points are Cartesian where those of a and b are: each within 3 eps /
-// 2 of the sum of the magnitudes of its terms. All throw Status::axes, dimension, overflow,
+// Control point (i, j) is a function of control point i of a and control point j of b. The axes of b follow
+// those of a, and weights are multiplied. Control points are Cartesian if those of a and b are: each is
+// within 3 eps / 2 of the sum of the magnitudes of its terms. All throw Status::axes, dimension, overflow,
 // not_representable, weights_vanish. Cost: linear in the points of the result.
 
 // alpha a(u) + beta b(v). Precondition: alpha and beta are finite.

@@ -1,6 +1,7 @@
+// SPDX-License-Identifier: MIT
 #include "closest/curve/curve_best.h"
 
-#include "bernstein/products.h"
+#include "bernstein/de_casteljau.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,17 +10,11 @@ namespace nrb::closest {
 
 namespace {
 
-// The point of a place, by de Casteljau's algorithm.
 std::vector<double> point_of(const CurveTree &tree, const CurvePlace &place) {
     const int lanes = tree.lanes();
     const double *records = tree.records(place.leaf);
     std::vector<double> b(records, records + (tree.degree() + 1) * lanes);
-    for (int level = tree.degree(); level > 0; --level) {
-        for (int i = 0; i < level * lanes; ++i) {
-            const auto at = static_cast<size_t>(i);
-            b[at] = (1 - place.s) * b[at] + place.s * b[at + static_cast<size_t>(lanes)];
-        }
-    }
+    evaluate(tree.degree(), lanes, place.s, b.data());
     const double w = b[static_cast<size_t>(lanes) - 1];
     b.resize(static_cast<size_t>(tree.dim()));
     std::for_each(b.begin(), b.end(), [w](double &x) { x /= w; });

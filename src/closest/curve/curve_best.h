@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The best place of a search and its rivals.
 #pragma once
 
@@ -17,7 +18,7 @@ struct CurvePlace {
 
 class BestPlaces {
 public:
-    // sign: 1 for the nearest place, -1 for the farthest one; margin: what others may be better by.
+    // sign: 1 for the nearest place, -1 for the farthest one. margin: by how much others may be better.
     BestPlaces(const CurveTree &tree, double sign, double margin) noexcept
         : tree_(tree), sign_(sign), margin_(margin) {}
 
@@ -25,11 +26,12 @@ public:
     [[nodiscard]] const CurvePlace &best() const noexcept { return best_; }
     // The distance with the sign; infinite if there is none yet.
     [[nodiscard]] double key() const noexcept { return key_; }
-    // The square of the distance that the proof has to show that no point falls below (exceeds).
+    // The square of the distance below which (for the farthest place: above which) the proof must show that
+    // no point lies.
     [[nodiscard]] double goal() const noexcept { return goal_; }
 
     void note(const CurvePlace &place) noexcept;
-    // Whether no rival is both as good as the best place, to the margin, and a point elsewhere.
+    // Whether no rival is both as good as the best place, to the margin, and a different point.
     [[nodiscard]] bool unique() const;
 
 private:

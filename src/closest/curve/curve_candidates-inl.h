@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The leaves of a curve tree that may hold the nearest point. Included once for every instruction set: see
 // base/simd.h.
 #if defined(NURBS_CLOSEST_CURVE_CURVE_CANDIDATES_INL_H_) == defined(HWY_TARGET_TOGGLE)
@@ -17,11 +18,11 @@ namespace HWY_NAMESPACE {
 
 struct Candidate {
     double bound;   // no point of the leaf has a smaller key
-    double reached; // some point has at most this one
+    double reached; // some point has at most this key
     int64_t leaf;
 };
 
-// Collected at once: those with a bound of at most limit(), the most promising ones first.
+// The leaves are collected at once: those with a bound of at most limit(), the most promising first.
 class CurveCandidates {
 public:
     // x: the query point about the centre of the tree.
@@ -38,7 +39,7 @@ public:
 
     [[nodiscard]] const Candidate *begin() const noexcept { return data(); }
     [[nodiscard]] const Candidate *end() const noexcept { return data() + count_; }
-    // A key that the best place has at most, and the margin.
+    // An upper bound of the key of the best place, plus the margin.
     [[nodiscard]] double limit() const noexcept { return reached_ + margin_; }
     // Whether all of a leaf is in the range.
     [[nodiscard]] bool whole(int64_t leaf) const noexcept {
@@ -59,7 +60,7 @@ private:
     [[nodiscard]] Candidate *end() noexcept { return begin() + count_; }
     [[nodiscard]] const Candidate *data() const noexcept { return many_.empty() ? few_ : many_.data(); }
 
-    // Through the tree, nearest children first.
+    // Goes through the tree, nearest children first.
     void collect() {
         Entry stack[(fan + 1) * 24];
         int height = 0;

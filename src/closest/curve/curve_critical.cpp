@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "closest/curve/curve_critical.h"
 
 #include "bernstein/sign_runs.h"
@@ -29,7 +30,7 @@ struct Event {
     std::vector<double> point = {};
 
     [[nodiscard]] bool decided() const noexcept { return before != 0 && after != 0 && !continuum; }
-    // What is missing would be as on the other side of an extremum.
+    // A missing sign counts as it would be on the other side of an extremum.
     [[nodiscard]] int32_t kind() const noexcept {
         if (!decided()) {
             return critical_undecided;
@@ -39,7 +40,7 @@ struct Event {
     }
 };
 
-// What a piece has at its ends.
+// The signs of a piece at its ends.
 struct Ends {
     int first_sign = 0;
     int last_sign = 0;
@@ -62,7 +63,7 @@ std::vector<double> point_of(const pieces::HomogeneousPiece &piece, bool last) {
     return x;
 }
 
-// D, the piece about the query point.
+// D, the piece relative to the query point.
 RoundedPolynomial offset_from(const pieces::HomogeneousPiece &piece, const double *x) {
     std::vector<RoundedPolynomial> shift;
     for (size_t c = 0; c < piece.centre.size(); ++c) {
@@ -115,7 +116,7 @@ public:
     }
 
 private:
-    // Notes what is critical inside the piece.
+    // Records the critical places inside the piece.
     Ends look_at(int64_t i) {
         Ends ends;
         if (++looked_ > question_.budget) {
@@ -156,7 +157,7 @@ private:
         }
     }
 
-    // From one piece to the next one.
+    // From one piece to the next.
     void join(const Ends &below, const Ends &above, double t) {
         if (below.end.empty() || above.start.empty()) {
             return; // beyond the budget

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Bounds of the distances from a point of eight leaves, or eight boxes, of a curve tree at once. Included
 // once for every instruction set: see base/simd.h.
 #if defined(NURBS_CLOSEST_CURVE_CURVE_KEYS_INL_H_) == defined(HWY_TARGET_TOGGLE)
@@ -22,8 +23,8 @@ namespace HWY_NAMESPACE {
 constexpr int fan = CurveTree::fan;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-// Keys are what is made smallest: the distance, or its negative for the farthest point. Of eight children: no
-// point has a smaller key than `bound`, some point has at most `reached`.
+// Keys are to be made as small as possible: a key is the distance, or its negative for the farthest point.
+// For eight children: no point has a smaller key than `bound`, and some point has at most `reached`.
 struct Keys {
     double bound[fan];
     double reached[fan];

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "closest/curve/curve_locator.h"
 
 #include "closest/curve/curve_critical.h"
@@ -45,7 +46,7 @@ Foot CurveLocator::nearest(const Query &query) const {
     return foot;
 }
 
-// From leaf to leaf as long as the distance falls.
+// Goes from leaf to leaf as long as the distance falls.
 Foot CurveLocator::local(const double *point, const double *guess) const {
     constexpr int most_leaves = 100;
     int64_t leaf = tree_.leaf_at(*guess);
@@ -85,12 +86,12 @@ CriticalSet CurveLocator::minima(const Query &query) const {
     exact.tolerance = 0;
     const Foot best = nearest(exact);
     const double reach = best.distance + query.tolerance + 2 * best.noise;
-    CriticalSet set = critical(query, -1, reach); // pieces between two of them may not have been looked at
+    CriticalSet set = critical(query, -1, reach); // pieces between two of them may not have been examined
     std::erase_if(set.points, [reach](const CriticalPoint &c) {
         const bool minimum = c.kind == critical_minimum || c.kind == critical_undecided;
         return !minimum || c.foot.distance > reach;
     });
-    if (set.points.empty()) { // parameters too coarse to come within reach
+    if (set.points.empty()) { // parameters too coarse to come close enough
         set.points.push_back({best, critical_minimum});
         set.status &= ~closest_certified;
     }

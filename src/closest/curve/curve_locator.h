@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Closest points of a curve.
 #pragma once
 

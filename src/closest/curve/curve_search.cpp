@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "closest/curve/curve_search.cpp"
 #include "base/simd.h"
@@ -39,7 +40,7 @@ public:
     CurveSearchResult run() {
         const CurveCandidates candidates(tree_, query_, x_, margin_);
         for (const Candidate &candidate : candidates) {
-            // not a number where squares overflow: then looked at
+            // not a number if squares overflow: then the part is examined
             if (!(candidate.bound > std::min(candidates.limit(), best_.key() + margin_))) {
                 examine(candidate.leaf, candidates.whole(candidate.leaf));
             }
@@ -63,8 +64,7 @@ private:
     static constexpr int stack_height = 64; // halvings of a leaf, after which nothing is left of it
     static constexpr double at_end = 0x1p-40;
 
-    // A part [a, b] of a leaf, on which a local minimum is known to be at the lower end (1) or the upper end
-    // (2).
+    // A part [a, b] of a leaf, with a local minimum known to be at the lower end (1) or the upper end (2).
     struct Part {
         double a;
         double b;
@@ -73,7 +73,7 @@ private:
 
     [[nodiscard]] double *segment(int i) noexcept { return segments_ + i * shape_.size(); }
 
-    // The leaf about the query point, or the part of it in the range.
+    // The leaf relative to the query point, or the part of it in the range.
     Part load(int64_t leaf, bool whole) {
         const int lanes = shape_.lanes(), dim = tree_.dim();
         const double *HWY_RESTRICT records = tree_.records(leaf);
@@ -110,7 +110,7 @@ private:
                 return;
             }
             if (!untested && !in_range()) {
-                certified_ = false; // no polynomial tells anything then
+                certified_ = false; // no polynomial decides anything then
                 return;
             }
             if (best_.found() && sign_ > 0 && best_.goal() == 0) {
@@ -121,10 +121,10 @@ private:
         }
     }
 
-    // Whether there is a best place, so near that no product with the square of its distance overflows.
+    // Whether there is a best place, near enough that no product with the square of its distance overflows.
     [[nodiscard]] bool in_range() const noexcept { return best_.found() && best_.best().square < 0x1p900; }
 
-    // Decides about the uppermost part, or puts two in its place.
+    // Decides about the uppermost part, or replaces it by two.
     int step(int height) {
         const Part part = parts_[height - 1];
         const double *records = segment(height - 1);
@@ -150,7 +150,7 @@ private:
             const double found = minimum(records, shape_.degree() == 0 ? 0.0 : guess(records));
             if (found < at_end || found > 1 - at_end) {
                 part.known = found < at_end ? 1 : 2;
-                return height; // to be tested with what was found
+                return height; // to be tested against what was found
             }
             s = found;
             known = 3;
@@ -160,14 +160,14 @@ private:
         tools_.split(records, s, segment(height), records);
         const Part whole = part;
         const double middle = whole.a + s * (whole.b - whole.a);
-        // the lower part is above the upper one, which took the place of the whole
+        // the lower part lies above the upper one on the stack; the upper one replaced the whole
         parts_[height - 1] = {middle, whole.b, (known & 1) | (whole.known & 2)};
         parts_[height] = {whole.a, middle, (known & 2) | (whole.known & 1)};
         return height + 1;
     }
 
-    // The middle of the parameter that makes the weights at both ends equal: where they are far apart, the
-    // curve is crowded at one end of its own.
+    // The middle of the parameter that makes the weights at both ends equal: if they are far apart, the curve
+    // is crowded at one end of its own parameter.
     [[nodiscard]] double middle_of(const double *records) const noexcept {
         const int p = shape_.degree(), lanes = shape_.lanes();
         const double ratio = records[lanes - 1] / records[(p + 1) * lanes - 1];
@@ -178,7 +178,7 @@ private:
         return std::clamp(root / (1 + root), 0x1p-10, 1 - 0x1p-10);
     }
 
-    // Where the nearest point of the chord is, or the end that is farther.
+    // The nearest point of the chord, or the end that is farther.
     [[nodiscard]] double guess(const double *records) const noexcept {
         const int p = shape_.degree(), last = shape_.lanes() - 1;
         const double *start = records, *end = records + p * shape_.lanes();
@@ -191,11 +191,11 @@ private:
             along -= start[c] * chord;
             square += chord * chord;
         }
-        const double s = along * end[last] / square; // of the chord; by weights when rational
+        const double s = along * end[last] / square; // of the chord; by weights if rational
         return s > 0 ? std::min(s, 1.0) : 0.0;
     }
 
-    // Newton's step, or downhill where the key is not convex, which from a maximum is either way.
+    // Newton's step. Where the key is not convex, a step downhill, which may go either way from a maximum.
     static double next_place(double s, double g, double h) noexcept {
         if (h > 0) {
             return s - g / h;
@@ -204,7 +204,7 @@ private:
         return g == 0 && !(h < 0) ? s : s + (down ? -0.25 : 0.25);
     }
 
-    // Damped Newton from s to a local minimum of the key on the segment, which is noted.
+    // Damped Newton from s to a local minimum of the key on the segment, which is recorded.
     double minimum(const double *records, double s) {
         Slope slope = tools_.slope(records, s);
         for (int i = 0; i < 60; ++i) {

@@ -1,4 +1,5 @@
-// The search of a tree of curve pieces for the point that is nearest to a given one.
+// SPDX-License-Identifier: MIT
+// Searches a tree of curve pieces for the point nearest to a given one.
 #pragma once
 
 #include "closest/curve/curve_best.h"
@@ -12,13 +13,13 @@ struct CurveSearchResult {
     int64_t looked = 0;
 };
 
-// What double precision leaves open in a distance from a point: half of it in the positions of the leaves,
-// half for what is computed from them.
+// The uncertainty of a distance from a point in double precision: half of it is in the positions of the
+// leaves, half is for what is computed from them.
 double distance_noise(const CurveTree &tree, const double *point) noexcept;
 
 CurveSearchResult search(const CurveTree &tree, const Query &query);
 
-// The place of a local minimum that a descent comes to from s on a leaf.
+// The place of the local minimum that a descent from s on a leaf reaches.
 CurvePlace descend(const CurveTree &tree, const double *point, int64_t leaf, double s);
 
 } // namespace nrb::closest

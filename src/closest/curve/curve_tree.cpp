@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "closest/curve/curve_tree.h"
 
 #include "base/finite.h"
@@ -17,12 +18,12 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 // How far a leaf may be from its chord, as a part of the chord, without another halving.
 constexpr double straight = 1.0 / 16;
 
-// Halvings of a span at most: leaves take ten times the memory of control points, so many spans stay whole.
+// The most halvings of a span. Leaves take ten times the memory of control points, so many spans stay whole.
 constexpr int most_halvings(int64_t spans) noexcept {
     return spans <= 1 << 12 ? 3 : spans <= 1 << 16 ? 1 : 0;
 }
 
-// Control points as seen by bounds: those of a piece, divided by their weights.
+// Control points as bounds see them: those of a piece, divided by their weights.
 class PieceView {
 public:
     PieceView(const double *records, int degree, int dim, int lanes) noexcept
@@ -185,8 +186,8 @@ CurveTree::Boxes CurveTree::leaf_boxes() const {
 }
 
 void CurveTree::add_levels() {
-    // The boxes of eight on end become one; those that fill a node up are never reached, since no distance is
-    // as small as theirs.
+    // The boxes of eight consecutive children become the box of their parent. The places of a node that has
+    // fewer children hold zeros; a search counts the children and never reads them.
     const auto dim = static_cast<size_t>(dim_);
     Boxes boxes = leaf_boxes();
     do {

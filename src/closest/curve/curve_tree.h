@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Bezier pieces of a curve, halved until they are nearly straight, and a tree of bounds over them.
 #pragma once
 
@@ -7,11 +8,11 @@
 
 namespace nrb::closest {
 
-// A leaf is a piece over a part of one span. Its records are about the centre of the curve, in units of
-// 2^exponent: coordinates, zeros, and the weight as the last one of `lanes`, a multiple of 4; weights that
-// are all negative have changed their sign, with the coordinates. Eight leaves on end are a block, eight
-// blocks a node of the first level, eight nodes one of the next level; the curve's own order keeps what is
-// near together.
+// A leaf is a piece over a part of one span. Its records are relative to the centre of the curve, in units of
+// 2^exponent: coordinates, zeros, and the weight as the last one of `lanes`, a multiple of 4. If all weights
+// are negative, their signs are changed, and those of the coordinates with them. Eight consecutive leaves are
+// a block, eight blocks a node of the first level, eight nodes a node of the next level. The order of the
+// curve keeps leaves together that are near each other.
 class CurveTree {
 public:
     static constexpr int fan = 8;
@@ -24,25 +25,26 @@ public:
     [[nodiscard]] int64_t leaves() const noexcept { return static_cast<int64_t>(domains_.size()); }
     [[nodiscard]] const std::vector<double> &centre() const noexcept { return centre_; }
     [[nodiscard]] int exponent() const noexcept { return exponent_; }
-    // The largest length of a control point about the centre or of the centre, in the units of the curve.
+    // The largest distance of a control point from the centre, or of the centre from the origin, in the units
+    // of the curve.
     [[nodiscard]] double size() const noexcept { return size_; }
     // How far rounding may have moved a leaf, as a multiple of eps, for each unit of size.
     [[nodiscard]] double rounding() const noexcept { return rounding_; }
-    // Whether squares of all weights are in the range of double precision; without, nothing can be proven.
+    // Whether squares of all weights are in the range of double precision; if not, nothing can be proven.
     [[nodiscard]] bool sound() const noexcept { return sound_; }
 
     [[nodiscard]] const double *records(int64_t leaf) const noexcept {
         return records_.data() + leaf * (degree_ + 1) * lanes_;
     }
     [[nodiscard]] Interval domain(int64_t leaf) const noexcept { return domains_[static_cast<size_t>(leaf)]; }
-    // The leaf that holds a parameter of the domain, the upper one of two.
+    // The leaf that contains a parameter of the domain; where two meet, the upper one.
     [[nodiscard]] int64_t leaf_at(double t) const noexcept;
-    // Whether the curve goes on from a leaf to the next one without a jump; false where either is not there.
+    // Whether the curve continues from a leaf to the next one without a jump; false if either does not exist.
     [[nodiscard]] bool joined(int64_t leaf) const noexcept;
 
-    // Of block b: starts [dim][fan], chords [dim][fan], inverse squared lengths of the chords [fan] (0 where
-    // there is none), and how far the piece may be from its chord [fan] (infinite where weights are not
-    // positive). Where there are fewer leaves the chord is that of the last one.
+    // Data of block b: starts [dim][fan], chords [dim][fan], inverse squared lengths of the chords [fan] (0
+    // if there is no chord), and how far the piece may be from its chord [fan] (infinite unless weights are
+    // positive). If there are fewer leaves, the remaining chords are that of the last one.
     [[nodiscard]] const double *block(int64_t b) const noexcept { return blocks_.data() + b * block_size(); }
     [[nodiscard]] int64_t block_size() const noexcept { return int64_t{2} * fan * (dim_ + 1); }
     [[nodiscard]] int64_t block_count() const noexcept { return (leaves() + fan - 1) / fan; }

@@ -1,5 +1,6 @@
-// A piece of a curve as seen from a point: what is asked of it by searches for closest points. Included once
-// for every instruction set: see base/simd.h.
+// SPDX-License-Identifier: MIT
+// A piece of a curve relative to a point, with the operations that searches for closest points need. Included
+// once for every instruction set: see base/simd.h.
 #if defined(NURBS_CLOSEST_CURVE_SEGMENT_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef NURBS_CLOSEST_CURVE_SEGMENT_INL_H_
 #undef NURBS_CLOSEST_CURVE_SEGMENT_INL_H_
@@ -12,6 +13,8 @@
 #include <limits>
 
 #include <hwy/highway.h>
+
+#include "bernstein/de_casteljau.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace nrb::closest {
@@ -28,9 +31,9 @@ struct SegmentShape {
     [[nodiscard]] HWY_INLINE int size() const noexcept { return (degree() + 1) * lanes(); }
 };
 
-// What a segment D, w, the homogeneous piece with the query point as its origin, has at a place: the square
-// of the distance f = |D|^2 / w^2, and g = (D D') w - (D D) w', h = g', with f' = 2 g / w^3. Weights are
-// positive.
+// The values of a segment D, w, the homogeneous piece with the query point as its origin, at a place: the
+// square of the distance f = |D|^2 / w^2, and g = (D D') w - (D D) w', h = g', with f' = 2 g / w^3. Weights
+// are positive.
 struct Slope {
     double square;
     double first;
@@ -43,14 +46,14 @@ public:
     // work: size() doubles.
     SegmentTools(const Shape &shape, double *work) noexcept : shape_(shape), work_(work) {}
 
-    // de Casteljau's triangle, of which the last three layers give value, first and second derivative.
+    // de Casteljau's triangle, whose last three layers give value, first and second derivative.
     [[nodiscard]] HWY_INLINE Slope slope(const double *HWY_RESTRICT segment, double s) const noexcept {
         const int p = shape_.degree(), lanes = shape_.lanes();
         double *HWY_RESTRICT b = work_;
         std::copy_n(segment, shape_.size(), b);
         const double r = 1 - s;
         for (int level = p; level > 2; --level) {
-            step(b, level, r, s);
+            casteljau_step(int64_t{level} * lanes, lanes, s, b);
         }
         double dd = 0, dd1 = 0, d1d1 = 0, dd2 = 0, w = 0, w1 = 0, w2 = 0;
         for (int c = 0; c < lanes; ++c) {
@@ -85,23 +88,17 @@ public:
         return sum / (w * w);
     }
 
-    // The lower part up to s, and the upper one.
-    // Either may be the segment itself.
+    // The lower part up to s, and the upper one; either may be the segment itself.
     HWY_INLINE void split(const double *segment, double s, double *lower, double *upper) const noexcept {
-        const int p = shape_.degree(), lanes = shape_.lanes();
-        const double r = 1 - s;
         std::copy(segment, segment + (segment == upper ? 0 : shape_.size()), upper);
-        for (int level = p; level > 0; --level) {
-            std::copy_n(upper, lanes, lower + (p - level) * lanes);
-            step(upper, level, r, s);
-        }
-        std::copy_n(upper, lanes, lower + p * lanes);
+        subdivide(shape_.degree(), shape_.lanes(), s, upper, lower);
     }
 
-    // Whether sign (|D|^2 - R^2 w^2) >= 0 on the whole segment for certain: all its Bernstein coefficients
-    // are, after the rounding of their computation. binomials[i] = binomial(p, i), inverses[k] = 1 /
-    // binomial(2 p, k). Each coefficient is a mean of products of p + 1 pairs at most, so that with dim + 1
-    // terms each, 2 (p + lanes + 8) units of rounding of the mean of their magnitudes hold all errors.
+    // Whether sign (|D|^2 - R^2 w^2) >= 0 certainly holds on the whole segment: all its Bernstein
+    // coefficients are >= 0, after the rounding of their computation. binomials[i] = binomial(p, i),
+    // inverses[k] = 1 / binomial(2 p, k). Each coefficient is a mean of products of at most p + 1 pairs, so
+    // that with dim + 1 terms each, 2 (p + lanes + 8) units of rounding of the mean of their magnitudes bound
+    // all errors.
     [[nodiscard]] HWY_INLINE bool beyond(const double *HWY_RESTRICT segment, double square, double sign,
                                          const double *binomials, double *HWY_RESTRICT norms) const noexcept {
         const int p = shape_.degree(), lanes = shape_.lanes();
@@ -137,13 +134,6 @@ public:
     }
 
 private:
-    HWY_INLINE void step(double *HWY_RESTRICT b, int level, double r, double s) const noexcept {
-        const int end = level * shape_.lanes(), lanes = shape_.lanes();
-        for (int c = 0; c < end; ++c) {
-            b[c] = r * b[c] + s * b[lanes + c];
-        }
-    }
-
     Shape shape_;
     double *work_;
 };

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "eval/frames/curvature.h"
 
 #include "eval/blocks.h"
@@ -22,7 +23,8 @@ SurfaceDerivatives derivatives_at(const double *rows, int64_t i) noexcept {
             row_vector(at + 4 * slot_rows, dim, i)};
 }
 
-// The derivatives in the units of a jet, which are knot spans: their products stay in the range of double.
+// The derivatives in the units of a jet, which are knot spans, so that their products stay in the range of
+// double.
 SurfaceDerivatives in_units(const SurfaceDerivatives &d, double u, double v) noexcept {
     return {u * d.u, v * d.v, u * u * d.uu, u * v * d.uv, v * v * d.vv};
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Principal curvatures and directions of surfaces in space.
 #pragma once
 
@@ -5,7 +6,7 @@
 
 namespace nrb::eval {
 
-// Arrays that are not wanted have data == nullptr; widths: 2 for principal, 6 for directions, 1 for mean and
+// Arrays that are not wanted have data == nullptr. Widths: 2 for principal, 6 for directions, 1 for mean and
 // Gaussian curvature.
 struct SurfaceCurvatures {
     Records principal;
@@ -15,7 +16,7 @@ struct SurfaceCurvatures {
     int32_t *status = nullptr;
 };
 
-// Precondition: a surface of dimension 3 and admitted parameters; otherwise as evaluate_points().
+// Preconditions: a surface of dimension 3, parameters that were checked; otherwise as evaluate_points().
 void surface_curvatures(const Spline &spline, const AxisRules &rules, ConstRecords params,
                         const SurfaceCurvatures &out);
 

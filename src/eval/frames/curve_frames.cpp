@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "eval/frames/curve_frames.h"
 
 #include "eval/blocks.h"
@@ -17,14 +18,14 @@ struct Derivatives {
     Vector3 third;
 };
 
-// Bounds of the errors of the first two.
+// Bounds of the errors of the first two derivatives.
 struct Errors {
     double first = 0;
     double second = 0;
 };
 
-// Whether the point may be irregular, or is so large or small that squares leave the range of double. An infinite
-// bound makes everything doubtful.
+// Whether the point may be irregular, or is so large or small that squares leave the range of double. An
+// infinite bound makes every point doubtful.
 bool doubtful(const Derivatives &d, int dim, const Errors &errors) noexcept {
     const double speed = dot(d.first, d.first);
     if (!(in_range(speed) && speed > errors.first * errors.first)) {
@@ -51,7 +52,7 @@ CurveFrame space_frame(const Derivatives &d) noexcept {
     const Vector3 product = cross(d.first, d.second);
     const double area = std::sqrt(dot(product, product));
     frame.tangent = (1 / speed) * d.first;
-    const Vector3 across = (1 / area) * product; // perpendicular to its own rounding only
+    const Vector3 across = (1 / area) * product; // perpendicular only to its own rounding
     frame.binormal = unit(across - dot(across, frame.tangent) * frame.tangent);
     frame.normal = cross(frame.binormal, frame.tangent);
     frame.curvature = area / speed / speed / speed;
@@ -63,7 +64,7 @@ CurveFrame regular_frame(const Derivatives &d, int dim) noexcept {
     return dim == 2 ? plane_frame(d) : space_frame(d);
 }
 
-// Each derivative near 1, by a power of two of its own.
+// Brings each derivative near 1 by its own power of two.
 class NearOne {
 public:
     explicit NearOne(const Derivatives &d) noexcept
@@ -104,7 +105,8 @@ public:
     }
 
 private:
-    // A point that proves to be regular has the regular formula, so that nothing depends on the batch.
+    // A point that proves to be regular uses the formula for regular points, so that nothing depends on the
+    // batch.
     [[nodiscard]] CurveFrame frame(const double *rows, int64_t i, int64_t index) const noexcept {
         const int dim = spline_.dim();
         const int64_t slot_rows = dim * block_size;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Frenet frames, curvature and torsion of curves in the plane and in space.
 #pragma once
 
@@ -17,8 +18,8 @@ struct CurveFrames {
     int32_t *status = nullptr;
 };
 
-// Preconditions: a curve of dimension 2 or 3, admitted parameters, and no binormals or torsions in the plane;
-// otherwise as evaluate_points().
+// Preconditions: a curve of dimension 2 or 3, parameters that were checked, and no binormals or torsions in
+// the plane; otherwise as evaluate_points().
 void curve_frames(const Spline &spline, const AxisRules &rules, ConstRecords params, const CurveFrames &out);
 
 } // namespace nrb::eval

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "eval/frames/curve_limit.h"
 
 #include <array>
@@ -11,8 +12,9 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan_value = std::numeric_limits<double>::quiet_NaN();
 
-// The coefficients of a curve and their errors, each times a power of two that brings it near 1: a span may be much
-// shorter than those beside it, and products of its coefficients out of the range of double precision.
+// The coefficients of a curve and their errors, each times a power of two that brings it near 1: a span may
+// be much shorter than its neighbours, and products of its coefficients may leave the range of double
+// precision.
 class Coefficients {
 public:
     Coefficients(const Jet &jet, int order) noexcept : order_(order) {
@@ -36,8 +38,8 @@ private:
     std::array<int, max_jet_order + 1> exponents_{};
 };
 
-// The first coefficients that matter, C = C_0 + A_m s^m + ... with A_k the first one that is not parallel to
-// A_m; 0 if there is none.
+// The first coefficients that matter, C = C_0 + A_m s^m + ... where A_k is the first one that is not parallel
+// to A_m; 0 if there is none.
 struct LeadingOrders {
     int m = 0;
     int k = 0;
@@ -59,7 +61,7 @@ LeadingOrders leading_orders(const Coefficients &jet) noexcept {
     return found;
 }
 
-// s^exponent as s -> 0+, times a factor.
+// The limit of s^exponent as s -> 0+, times a factor.
 double limit_of_power(double factor, int exponent) noexcept {
     return exponent == 0 ? factor : exponent > 0 ? 0 : std::copysign(infinity, factor);
 }
@@ -92,7 +94,7 @@ double torsion_limit(const Coefficients &jet, LeadingOrders orders, const Vector
 void complete_in_plane(const Coefficients &jet, LeadingOrders orders, CurveFrame &frame) noexcept {
     frame.normal = {-frame.tangent.y, frame.tangent.x, 0};
     if (orders.k > 0) {
-        const double height = dot(jet.at(orders.k), frame.normal); // side enters by the normal
+        const double height = dot(jet.at(orders.k), frame.normal); // the side enters by the normal
         frame.curvature = curvature_limit(jet, orders, height);
     }
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Frames of curves where C' or C' x C'' may vanish.
 #pragma once
 
@@ -26,8 +27,8 @@ struct CurveTangent {
 };
 CurveTangent curve_tangent(const Spline &spline, const AxisRules &rules, double t) noexcept;
 
-// The frame by the limits of nurbs_curve_eval_frames(); its status is 0 where C' and, in space, C' x C''
-// exceed the bounds of their rounding errors. Precondition of both: Jet::prepare().
+// The frame by the limits of nurbs_curve_eval_frames(). Its status is 0 if C' and, in space, C' x C'' exceed
+// the bounds of their rounding errors. Precondition of both: Jet::prepare().
 CurveFrame limit_frame(const Spline &spline, const AxisRules &rules, double t) noexcept;
 
 } // namespace nrb::eval

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The caller's optional output arrays, filled from the rows of a block.
 #pragma once
 
@@ -12,7 +13,7 @@ namespace nrb::eval {
 // Bits of a point's status.
 enum FrameBits : int32_t {
     frame_limit = 0x01,        // the tangent of a curve, or the normal of a surface, is a one-sided limit
-    frame_normal_limit = 0x02, // the normal of a curve in space is one
+    frame_normal_limit = 0x02, // the normal of a curve in space is a one-sided limit
     frame_rule = 0x04,         // nothing distinguishes a direction: a rule chose it
     frame_undefined = 0x08,    // some result does not exist
 };

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "eval/frames/jet.h"
 
 #include "basis/bspline.h"
@@ -16,8 +17,8 @@ constexpr int orders = max_jet_order + 1;
 constexpr int slots = orders * (orders + 1) / 2;
 
 // The Taylor coefficients of the basis functions of one axis, and the sums of the magnitudes of their terms.
-// Only the orders asked for are filled: clearing all of it would take longer than a low order. At first it is
-// the axis that a curve lacks: the constant function 1.
+// Only the orders that are needed are filled: clearing all would take longer than computing a low order.
+// Initially it stands for the axis that a curve lacks: the constant function 1.
 struct Series {
     Series() noexcept {
         values[0][0] = 1;
@@ -67,7 +68,8 @@ void fill_order(const double *knots, int degree, int64_t span, double t, int k, 
     }
 }
 
-// Where first derivatives are near 1 all the same, its powers stay so near 1 that coefficients keep their bits.
+// If first derivatives are near 1 anyway, the powers of the unit stay so near 1 that coefficients keep their
+// bits.
 double unit_of(double length) noexcept {
     constexpr int farthest = 64;
     return std::ldexp(1.0, std::clamp(std::ilogb(length), -farthest, farthest));

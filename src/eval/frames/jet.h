@@ -1,5 +1,6 @@
-// Taylor coefficients at one parameter with bounds of their rounding errors: what decides, without any
-// tolerance, whether a vector that was computed may be zero, and gives the limits where it is.
+// SPDX-License-Identifier: MIT
+// Taylor coefficients at one parameter with bounds of their rounding errors. They decide, without any
+// tolerance, whether a computed vector may be zero, and give the limits if it is.
 #pragma once
 
 #include "eval/kernels/slots.h"
@@ -13,9 +14,9 @@ namespace nrb::eval {
 inline constexpr int max_jet_order = 8;
 
 // The coefficients of s^i t^j, where s and t run from the parameter into the domain (side = 1 or -1 along
-// each axis) in units of about a knot span, so that nothing depends on the scale of the knots, but within 2^-64 and
-// 2^64: spans beyond are those of parts of a usual magnitude (magnitude.h). The point, i = j = 0, is that of the shape
-// at_origin(). A curve has j = 0 only; dimension 2 has z = 0.
+// each axis). Their units are about one knot span, so that nothing depends on the scale of the knots, but
+// stay within 2^-64 and 2^64: longer and shorter spans are those of parts of a usual magnitude (magnitude.h).
+// The point, i = j = 0, is that of the shape at_origin(). A curve has j = 0 only; dimension 2 has z = 0.
 class Jet {
 public:
     // Builds the tables of a spline that evaluate() reads; may throw std::bad_alloc.
@@ -25,7 +26,7 @@ public:
     bool evaluate(const Spline &given, const AxisRules &rules, const double *param, int order) noexcept;
 
     [[nodiscard]] double side(int axis) const noexcept { return side_[static_cast<size_t>(axis)]; }
-    // How long the unit along an axis is in the parameter.
+    // The length of the unit along an axis, in the parameter.
     [[nodiscard]] double unit(int axis) const noexcept { return unit_[static_cast<size_t>(axis)]; }
     [[nodiscard]] const Vector3 &at(int i, int j = 0) const noexcept { return values_[place(i, j)]; }
     // Bound of |error| of at(i, j).

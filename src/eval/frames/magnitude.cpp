@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "eval/frames/magnitude.h"
 
 #include "spline/active_part.h"
@@ -26,7 +27,7 @@ public:
         return most_ == 0 || (std::isfinite(most_) && std::ilogb(least_) + power > -usual_exponent &&
                               std::ilogb(most_) + power < usual_exponent);
     }
-    // Of two, what brings the middle of the exponents to 0.
+    // The power of two that brings the middle of two exponents to 0.
     [[nodiscard]] int power() const noexcept {
         return most_ > 0 && std::isfinite(most_) ? -((std::ilogb(least_) + std::ilogb(most_)) >> 1) : 0;
     }
@@ -46,8 +47,8 @@ struct RecordSize {
     }
 };
 
-// Cartesian points of weight 0 are of no influence; weights apart have a common factor taken out already
-// (Spline::records()).
+// Cartesian points of weight 0 have no influence. If weights are stored apart, a common factor is already
+// taken out (Spline::records()).
 RecordSize size_of(const Spline &spline, int64_t i) noexcept {
     RecordSize size;
     if (spline.form() == Form::rational && spline.weight(i) == 0) {
@@ -61,7 +62,7 @@ RecordSize size_of(const Spline &spline, int64_t i) noexcept {
     return size;
 }
 
-// Of all spans, and of control points.
+// The sizes of all spans, and of control points.
 class Sizes {
 public:
     explicit Sizes(const Spline &spline) : axes_(spline.knot_vectors()) {
@@ -77,7 +78,7 @@ public:
         weights_.add(size.weight);
     }
 
-    // Whether all are usual when they are multiplied by these.
+    // Whether all sizes are usual when they are multiplied by these powers.
     [[nodiscard]] bool usual(const Powers &powers) const noexcept {
         bool usual = coordinates_.usual(powers.coordinates) && weights_.usual(powers.weights);
         for (size_t k = 0; k < axes_.size(); ++k) {
@@ -85,7 +86,7 @@ public:
         }
         return usual;
     }
-    // Those that make all usual if any do.
+    // The powers that make all sizes usual, if any do.
     [[nodiscard]] Powers powers() const noexcept {
         Powers powers{.coordinates = coordinates_.power(), .weights = weights_.power(), .knots = {}};
         for (size_t k = 0; k < axes_.size(); ++k) {
@@ -138,19 +139,19 @@ Sizes sizes_of_windows(const Spline &spline) {
     return result;
 }
 
-// What is found once for a spline.
+// Found once for a spline and kept.
 struct Extent {
     bool usual = true;
     double size = 0;
     Powers powers;  // of the copy
-    SplinePtr copy; // usual everywhere; none if the spline is, or if there is no such copy
+    SplinePtr copy; // usual everywhere; none if the spline itself is, or if there is no such copy
 };
 
 Extent find_extent(const Spline &given) {
     const Spline &spline = given.effective();
     const bool homogeneous = spline.form() == Form::homogeneous;
     Extent extent;
-    Sizes alone(spline); // mostly each point is usual by itself
+    Sizes alone(spline); // usually each point is usual by itself
     for (int64_t i = 0; i < spline.point_count(); ++i) {
         const RecordSize size = size_of(spline, i);
         alone.add(size);
@@ -180,14 +181,14 @@ int exponent_of(double size) noexcept {
     return size > 0 && std::isfinite(size) ? std::ilogb(size) : 0;
 }
 
-// Of b - a, which may overflow, and is not 0 where they differ.
+// The exponent of b - a, which may overflow; it is not 0 if the two differ.
 int exponent_of_difference(double a, double b) noexcept {
     const double difference = b - a;
     return std::isfinite(difference) ? std::ilogb(difference) : std::numeric_limits<double>::max_exponent;
 }
 
-// The exponent of the largest control point of the derivative along axis k, weights left aside, or of 1 / span if it
-// vanishes.
+// The exponent of the largest control point of the derivative along axis k, ignoring weights, or of 1 / span
+// if it vanishes.
 int slope_exponent(const Spline &part, int k) noexcept {
     const KnotVector &axis = part.axis(k);
     const int p = axis.degree();
@@ -211,7 +212,7 @@ int slope_exponent(const Spline &part, int k) noexcept {
                                                      : -exponent_of_difference(axis[p], axis[p + 1]);
 }
 
-// What brings control points and first derivatives of a part near 1.
+// The powers that bring control points and first derivatives of a part near 1.
 Powers powers_of_part(const Spline &part) noexcept {
     RecordSize largest;
     for (int64_t i = 0; i < part.point_count(); ++i) {
@@ -227,7 +228,8 @@ Powers powers_of_part(const Spline &part) noexcept {
     return powers;
 }
 
-// The parameters of a list as a copy has them: where they are evaluated, whatever the rules say of the domain.
+// The parameters of a list as a copy has them: where they are evaluated, whatever the rules for the domain
+// are.
 class Runs {
 public:
     using Body = std::function<void(const MagnitudeRun &)>;
@@ -254,7 +256,7 @@ public:
     }
 
 private:
-    using Spans = std::array<int64_t, max_axes>; // -1 of parameters that are nowhere
+    using Spans = std::array<int64_t, max_axes>; // -1 for parameters that are nowhere
 
     [[nodiscard]] double placed(int64_t i, size_t k) const noexcept {
         return place(params_(i, static_cast<int64_t>(k)), rules_[k],

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "eval/frames/minimal_frames.h"
 
 #include "eval/blocks.h"
@@ -19,7 +20,7 @@ constexpr int dim = 3;
 constexpr double eps = std::numeric_limits<double>::epsilon();
 constexpr double nan_value = std::numeric_limits<double>::quiet_NaN();
 
-// Reflection in the plane through 0 across v, which may have any length but 0.
+// Reflection in the plane through 0 across v; v may have any length except 0.
 Vector3 reflected(const Vector3 &a, const Vector3 &v) noexcept {
     const Vector3 w = in_range(dot(v, v)) ? v : scaled_to_one(v);
     return a - (2 * dot(w, a) / dot(w, w)) * w;
@@ -36,7 +37,7 @@ struct Place {
 };
 
 // The shortest rotation that takes the tangent to the next one: the reflections across a and a + b, the first
-// of which leaves the normal alone. Opposite tangents keep it.
+// of which leaves the normal unchanged. Opposite tangents keep it.
 Vector3 turned_normal(const Place &from, const Vector3 &tangent) noexcept {
     const Vector3 sum = from.tangent + tangent;
     return is_zero(sum) ? from.normal : reflected(from.normal, sum);
@@ -54,7 +55,7 @@ HWY_INLINE Vector3 next_normal(const Place &from, const Vector3 &point, const Ve
     return unit_across(is_zero(turn) ? normal : reflected(normal, turn), tangent);
 }
 
-// The tangents of all points, the regular ones from the block.
+// The tangents of all points; regular ones come from the block.
 class Tangents {
 public:
     Tangents(const Spline &spline, const AxisRules &rules, int64_t points) : spline_(spline), rules_(rules) {
@@ -77,13 +78,13 @@ private:
     double error_ = 0;
 };
 
-// How far apart two computed points may be that are the same: twice the bound of the header.
+// How far apart two computed points may be that are the same point: twice the bound stated in nurbs.h.
 double point_noise(int degree, double size) noexcept {
     return 2 * std::sqrt(3.0) * accuracy_factor(degree) * eps * size;
 }
 
-// The frames of one point after the other, in the order of the sequence. Inline with what it calls, so that a
-// point goes from the block to the caller's arrays in registers.
+// The frames of one point after the other, in the order of the sequence. It is inline, with what it calls, so
+// that a point goes from the block to the caller's arrays in registers.
 class Transport {
 public:
     Transport(double noise, const std::optional<Vector3> &first_normal, const MinimalFrames &out)
@@ -158,7 +159,7 @@ struct PlaceAndTangent {
     CurveTangent tangent;
 };
 
-// Of points of one magnitude; all places are multiplied by one power of two.
+// Frames of points of one magnitude; all points are multiplied by one power of two.
 class PlaceSink final : public BlockSink {
 public:
     PlaceSink(const MagnitudeRun &run, int power, PlaceAndTangent *out)
@@ -192,7 +193,8 @@ std::optional<Vector3> first_tangent(const Spline &spline, const AxisRules &rule
     return std::nullopt;
 }
 
-// A normal is parallel to the tangent where the part of it across the tangent is the rounding of both.
+// A normal counts as parallel to the tangent if its part across the tangent is no more than the rounding of
+// both.
 std::optional<Vector3> checked_normal(const double *normal, const std::optional<Vector3> &tangent) {
     if (normal == nullptr) {
         return std::nullopt;
@@ -218,7 +220,8 @@ void usual_frames(const Spline &spline, const AxisRules &rules, ConstRecords par
     evaluate_points(spline, rules, 1, params, sink);
 }
 
-// Tangents are found each at its own magnitude; the places between which frames are carried share one.
+// Each tangent is found at its own magnitude; the points between which frames are carried share one
+// magnitude.
 void frames_of_any_size(const Spline &spline, const AxisRules &rules, ConstRecords params,
                         const double *first_normal, const MinimalFrames &out) {
     const double size = active_size(spline);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Rotation-minimizing frames along a sequence of points of a curve in space.
 #pragma once
 
@@ -15,9 +16,9 @@ struct MinimalFrames {
 };
 
 // Double reflection (Wang, Juttler, Zheng & Liu 2008, "Computation of rotation minimizing frames", ACM TOG
-// 27). first_normal: three finite numbers, or null for a default. Throws Status::direction before
-// anything is written if the first normal is zero or parallel to the first tangent. Preconditions: a curve of
-// dimension 3 and admitted parameters; otherwise as evaluate_points().
+// 27). first_normal: three finite numbers, or null for a default. Throws Status::direction before anything is
+// written if the first normal is zero or parallel to the first tangent. Preconditions: a curve of dimension
+// 3, parameters that were checked; otherwise as evaluate_points().
 void minimal_frames(const Spline &spline, const AxisRules &rules, ConstRecords params,
                     const double *first_normal, const MinimalFrames &out);
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "eval/frames/shape_operator.h"
 
 #include <cmath>
@@ -11,7 +12,7 @@ ShapeOperator::ShapeOperator(const SurfaceDerivatives &d) noexcept {
     e1_ = unit(d.u);
     normal_ = unit(product);
     normal_ =
-        unit(normal_ - dot(normal_, e1_) * e1_); // the product is perpendicular to its own rounding only
+        unit(normal_ - dot(normal_, e1_) * e1_); // the product is perpendicular only to its own rounding
     b_ = dot(d.v, e1_) / a_;
     c_ = length(product) / a_;
     l_ = dot(d.uu, normal_);
@@ -24,13 +25,13 @@ ShapeOperator::ShapeOperator(const SurfaceDerivatives &d) noexcept {
     spread_ = length({0.5 * (w11_ - w22_), w12_, 0});
 }
 
-// The product of the principal curvatures where squares of a large one would overflow.
+// The product of the principal curvatures if squares of a large one would overflow.
 double ShapeOperator::gaussian() const noexcept {
     const double determinant = w11_ * w22_ - w12_ * w12_;
     return std::isfinite(determinant) ? determinant : (mean() + spread_) * (mean() - spread_);
 }
 
-// The angle phi from e1 has tan 2 phi = 2 w12 / (w11 - w22); the half angle is taken from the larger of its
+// The angle phi from e1 has tan 2 phi = 2 w12 / (w11 - w22). The half angle is taken from the larger of its
 // cosine and sine, so that nothing cancels.
 Vector3 ShapeOperator::direction() const noexcept {
     const double half = 0.5 * (w11_ - w22_);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The shape operator of a surface at one point.
 #pragma once
 
@@ -27,11 +28,12 @@ public:
     [[nodiscard]] double gaussian() const noexcept;
     // Half the difference of the principal curvatures.
     [[nodiscard]] double spread() const noexcept { return spread_; }
-    // Bound of its error when the derivatives, which are those of the constructor, have these errors; to
-    // first order.
+    // Bound of its error if the derivatives, which are those of the constructor, have these errors; to first
+    // order.
     [[nodiscard]] double spread_error(const SurfaceDerivatives &d,
                                       const DerivativeErrors &errors) const noexcept;
-    // The unit vector of the larger principal curvature, on the side of e1 (of e2, if it is perpendicular).
+    // The unit vector of the larger principal curvature, on the side of e1 (or of e2, if it is perpendicular
+    // to e1).
     [[nodiscard]] Vector3 direction() const noexcept;
 
 private:

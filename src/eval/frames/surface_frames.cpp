@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "eval/frames/surface_frames.h"
 
 #include "eval/blocks.h"
@@ -43,9 +44,8 @@ private:
     std::array<ConstRecords, max_axes> params_;
 };
 
-// Nearly all points pass through the kernel only; those whose normal may not be regular are looked at one by
-// one. The normal of a regular point is the kernel's, whichever way it went, so that it does not depend on
-// the batch.
+// Nearly all points pass through the kernel only. Points whose normal may not be regular are examined one by
+// one. The normal of a regular point is always the kernel's, so that it does not depend on the batch.
 template <class Parameters>
 class FrameSink final : public BlockSink {
 public:
@@ -142,7 +142,7 @@ void usual_frames(const Spline &spline, const AxisRules &rules,
     evaluate_grid(spline, rules, 1, params, sink);
 }
 
-// Points and derivatives of any size as evaluation has them.
+// Points and derivatives, of any size, as evaluation returns them.
 template <class Params>
 void frames_of_any_size(const Spline &spline, const AxisRules &rules, ConstRecords list, const Params &params,
                         const SurfaceFrames &out) {

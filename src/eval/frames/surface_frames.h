@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Frames of surfaces in space: points, first derivatives and unit normals.
 #pragma once
 
@@ -14,7 +15,7 @@ struct SurfaceFrames {
     int32_t *status = nullptr;
 };
 
-// Precondition: a surface of dimension 3 and admitted parameters; otherwise as evaluate_points().
+// Preconditions: a surface of dimension 3, parameters that were checked; otherwise as evaluate_points().
 void surface_frames(const Spline &spline, const AxisRules &rules, ConstRecords params,
                     const SurfaceFrames &out);
 void surface_frames(const Spline &spline, const AxisRules &rules,

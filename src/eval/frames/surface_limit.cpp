@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "eval/frames/surface_limit.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "eval/frames/waiting_outputs.h"
 
 #include <cmath>

@@ -1,4 +1,5 @@
-// Outputs that wait until nothing can fail any more, since a call that fails writes nothing.
+// SPDX-License-Identifier: MIT
+// Outputs that wait until nothing can fail any more, because a failing call writes nothing.
 #pragma once
 
 #include "eval/frames/frame_outputs.h"
@@ -8,21 +9,22 @@
 
 namespace nrb::eval {
 
-// Arrays with a record for each parameter of a list, and statuses, as for_each_magnitude() finds them run by run.
+// Arrays with a record for each parameter of a list, and statuses, filled run by run as for_each_magnitude()
+// finds them.
 class WaitingOutputs {
 public:
     struct Array {
-        Records out;   // not wanted without data
+        Records out;   // without data: not wanted
         int power = 0; // of 1 / length, in which the values are
     };
     WaitingOutputs(std::vector<Array> arrays, int32_t *status, int64_t count);
 
-    // Where a run writes.
+    // The arrays that a run writes to.
     [[nodiscard]] Records part(size_t array, const MagnitudeRun &run) noexcept;
     [[nodiscard]] int32_t *status(const MagnitudeRun &run) noexcept { return status_.data() + run.first; }
-    // What a run has written becomes that of the spline itself.
+    // Converts what a run has written to the spline itself.
     void finish(const MagnitudeRun &run) noexcept;
-    // Writes all; `order` is what for_each_magnitude() returns.
+    // Writes all outputs; `order` is the result of for_each_magnitude().
     void write(const std::vector<int64_t> &order) const noexcept;
 
 private:

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "eval/functions/adjoint.h"
 
 #include "eval/blocks.h"
@@ -81,7 +82,7 @@ private:
         return sum;
     }
 
-    // Derivatives are those of nurbs_eval_derivs(); the products of weights need points as seen from the
+    // Derivatives are those of nurbs_eval_derivs(); the products of weights need points relative to the
     // origin of the moved spline.
     void find_local_points() {
         if (weighted_ && &spline_ != &stored_) {
@@ -102,7 +103,7 @@ private:
         }
     }
 
-    // Whether the value does not depend on parameter (i, k), because it was moved to an end of the domain.
+    // Whether the value does not depend on parameter (i, k), because that was moved to an end of the domain.
     [[nodiscard]] bool clamped(int64_t i, int k) const noexcept {
         const Interval domain = spline_.axis(k).domain();
         const double t = params_(i, k);
@@ -188,7 +189,7 @@ private:
         });
     }
 
-    // Weights of 1 divide nothing.
+    // Weights of 1 need no division.
     void copy_cotangents(int64_t i) noexcept {
         double *out = homogeneous_.data();
         for (int64_t s = 0; s < std::ssize(products_); ++s) {

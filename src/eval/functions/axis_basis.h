@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The basis functions of one axis at one placed parameter.
 #pragma once
 
@@ -14,7 +15,7 @@ struct AxisBasis {
     double *values = nullptr; // [order + 1][degree + 1]
 };
 
-// Everything about an axis that a batch looks up once.
+// The data of an axis that a batch looks up once.
 class AxisEvaluator {
 public:
     AxisEvaluator(const KnotVector &axis, const AxisRule &rule, int order)
@@ -26,8 +27,8 @@ public:
         return static_cast<size_t>(order_ + 1) * static_cast<size_t>(degree_ + 1);
     }
 
-    // Fills basis.first, basis.sole and basis.values; false when the parameter gives NaN. Precondition: t was
-    // admitted.
+    // Fills basis.first, basis.sole and basis.values; false if the parameter gives NaN. Precondition: t was
+    // checked.
     bool operator()(double t, AxisBasis &basis) const noexcept {
         const double placed = place(t, rule_, domain_);
         if (std::isnan(placed)) {

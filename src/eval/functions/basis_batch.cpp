@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "eval/functions/basis_batch.h"
 
 #include "basis/bspline.h"

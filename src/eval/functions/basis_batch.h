@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Batches of basis functions of one knot vector.
 #pragma once
 
@@ -5,8 +6,8 @@
 
 namespace nrb::eval {
 
-// All parameters must have been admitted by check_axis_parameters(). A parameter that gives NaN has span -1
-// and NaN values.
+// All parameters must have passed check_axis_parameters(). A parameter that gives NaN has span -1 and NaN
+// values.
 void find_spans(const KnotVector &axis, const AxisRule &rule, ConstRecords params, int64_t *spans);
 
 // values record: [order + 1][degree + 1]; spans: [count] or null.

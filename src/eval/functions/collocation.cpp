@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "eval/functions/collocation.h"
 
 #include "eval/kernels/leibniz.h"
@@ -18,8 +19,8 @@ struct BasisFunctions {
 };
 
 // Derivative a of all active rational basis functions, w_i times the sum over b <= a of binomial(a, b)
-// N_i^(b) q^(a-b), q = 1 / w(t). Unrolled like this, the quotient rule costs each function one term for each
-// b.
+// N_i^(b) q^(a-b), q = 1 / w(t). Written out like this, the quotient rule costs each function one term for
+// each b.
 class RationalFunctions {
 public:
     RationalFunctions(const Spline &spline, const Orders &orders)

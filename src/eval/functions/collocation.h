@@ -1,4 +1,5 @@
-// Collocation matrices: what multiplies the control points in a point or a derivative, as sparse rows.
+// SPDX-License-Identifier: MIT
+// Collocation matrices as sparse rows: the factors of the control points in a point or a derivative.
 #pragma once
 
 #include "eval/active_points.h"
@@ -15,7 +16,7 @@ struct SparseRows {
     int64_t *row_pointers;
 };
 
-// Derivative `orders` of the B-spline basis functions. All parameters must have been admitted. A parameter
+// Derivative `orders` of the B-spline basis functions. All parameters must have been checked. A parameter
 // that gives NaN has NaN values in the first columns of the axes. May throw only std::bad_alloc, before
 // anything is written.
 void collocation(const Spline::Axes &axes, const AxisRules &rules, const Orders &orders, ConstRecords params,

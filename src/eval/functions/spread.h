@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The tensor product transposed: from cotangents of derivatives to those of the active control points.
 #pragma once
 
@@ -59,7 +60,7 @@ private:
         }
     }
 
-    // out[r][l] = N_r^(order) row[l], or that much more.
+    // out[r][l] = N_r^(order) row[l], or adds that to it.
     template <bool add>
     void products(size_t k, int order, int64_t length, const double *row, double *out) const noexcept {
         const double *functions = active_.functions(k, order);

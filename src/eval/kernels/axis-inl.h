@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Basis functions of one axis at one parameter. Included once for every instruction set: see base/simd.h.
 #if defined(NURBS_EVAL_KERNELS_AXIS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef NURBS_EVAL_KERNELS_AXIS_INL_H_
@@ -47,7 +48,7 @@ static HWY_NOINLINE AxisPoint special_values(const AxisSource &source, int order
     const double *knots = source.axis->knots().data();
     if (!source.has_pieces || !source.axis->has_piece(span)) {
         recurrence_values(source, span, order, t, values);
-    } else if (source.pieces != nullptr && source.spans != nullptr) { // pieces never come without spans
+    } else if (source.pieces != nullptr && source.spans != nullptr) { // there are never pieces without spans
         const double *piece = (*source.pieces)[source.spans->number(t, source.rule.left)];
         horner(order, piece, source.degree, source.lanes, t, values);
     } else {
@@ -71,8 +72,9 @@ HWY_INLINE AxisPoint axis_values(const AxisSource &source, int order, double t, 
     return special_values(source, order, t, values);
 }
 
-// The pieces and first layers of parameters that lie strictly inside the domain and a span with a piece each;
-// false if some does not. Apart from its caller, so that all it needs stays in registers.
+// The pieces and first layers of parameters that all lie strictly inside the domain and in a span with a
+// piece; false if some parameter does not. It is separate from its caller, so that everything it needs stays
+// in registers.
 static HWY_NOINLINE HWY_MAYBE_UNUSED bool locate(const AxisSource &source, const double *HWY_RESTRICT params,
                                                  int64_t stride, int64_t count,
                                                  AxisPoint *HWY_RESTRICT points,

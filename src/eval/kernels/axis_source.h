@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: MIT
 // Where the basis functions of one axis come from: tables while they exist, the same code without them, or
-// the recurrence where there are no pieces.
+// the recurrence if there are no pieces.
 #pragma once
 
 #include "base/scratch.h"
@@ -10,7 +11,7 @@
 
 namespace nrb::eval {
 
-// The first active layer of a parameter, and which of the active ones is alone: -1 if none.
+// The first active layer of a parameter, and which of the active layers is alone: -1 if none is.
 struct AxisPoint {
     int64_t first;
     int sole;
@@ -18,7 +19,7 @@ struct AxisPoint {
     [[nodiscard]] bool valid() const noexcept { return first >= 0; }
 };
 
-// Most parameters that are treated together.
+// The most parameters that are treated together.
 inline constexpr int64_t axis_block_size = 32;
 
 struct AxisSource {

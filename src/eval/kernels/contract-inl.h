@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Weighted sums of rows. Included once for every instruction set: see base/simd.h.
 #if defined(NURBS_EVAL_KERNELS_CONTRACT_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef NURBS_EVAL_KERNELS_CONTRACT_INL_H_
@@ -12,7 +13,7 @@ HWY_BEFORE_NAMESPACE();
 namespace nrb::eval {
 namespace HWY_NAMESPACE {
 
-// One vector of the sum; kDegree < 0 stands for any number n of rows, else that is kDegree + 1.
+// One vector of the sum. kDegree < 0 stands for any number n of rows; otherwise n is kDegree + 1.
 template <int kDegree, class D>
 HWY_INLINE hn::Vec<D> contracted(D d, const double *HWY_RESTRICT coefficients, int n,
                                  const double *HWY_RESTRICT rows, int64_t stride) {
@@ -30,11 +31,11 @@ HWY_INLINE void contract_degree(const double *HWY_RESTRICT coefficients, int n,
                                 const double *HWY_RESTRICT rows, int64_t stride, int64_t length,
                                 double *HWY_RESTRICT out) {
     int64_t l = 0;
-    for (; l + wide_lanes <= length; l += wide_lanes) {
-        hn::StoreU(contracted<kDegree>(Wide(), coefficients, n, rows + l, stride), Wide(), out + l);
+    for (; l + vec8_lanes <= length; l += vec8_lanes) {
+        hn::StoreU(contracted<kDegree>(Vec8(), coefficients, n, rows + l, stride), Vec8(), out + l);
     }
-    for (; l + quad_lanes <= length; l += quad_lanes) {
-        hn::StoreU(contracted<kDegree>(Quad(), coefficients, n, rows + l, stride), Quad(), out + l);
+    for (; l + vec4_lanes <= length; l += vec4_lanes) {
+        hn::StoreU(contracted<kDegree>(Vec4(), coefficients, n, rows + l, stride), Vec4(), out + l);
     }
     for (; l < length; ++l) {
         hn::StoreU(contracted<kDegree>(hn::CappedTag<double, 1>(), coefficients, n, rows + l, stride),
@@ -42,8 +43,8 @@ HWY_INLINE void contract_degree(const double *HWY_RESTRICT coefficients, int n,
     }
 }
 
-// out[l] = coefficients[0] * rows[l], then fused + coefficients[i] * rows[i * stride + l] in rising order,
-// l < length, whatever the length and its vectors. Precondition: n >= 1; out overlaps nothing.
+// out[l] = coefficients[0] * rows[l], then fused + coefficients[i] * rows[i * stride + l] in rising order, l
+// < length, whatever the length and its vectors. Precondition: n >= 1; out overlaps nothing.
 HWY_INLINE void contract_rows(const double *coefficients, int n, const double *rows, int64_t stride,
                               int64_t length, double *out) {
     if (n == 4) {
@@ -87,14 +88,14 @@ template <int kOrders>
 HWY_INLINE void contract_rows_of_orders(const double *coefficients, int lanes, int n, const double *rows,
                                         int64_t stride, int64_t length, double *out) {
     int64_t l = 0;
-    for (; l + 3 * wide_lanes <= length; l += 3 * wide_lanes) {
-        contract_orders<kOrders, 3>(Wide(), coefficients, lanes, n, rows + l, stride, length, out + l);
+    for (; l + 3 * vec8_lanes <= length; l += 3 * vec8_lanes) {
+        contract_orders<kOrders, 3>(Vec8(), coefficients, lanes, n, rows + l, stride, length, out + l);
     }
-    for (; l + wide_lanes <= length; l += wide_lanes) {
-        contract_orders<kOrders, 1>(Wide(), coefficients, lanes, n, rows + l, stride, length, out + l);
+    for (; l + vec8_lanes <= length; l += vec8_lanes) {
+        contract_orders<kOrders, 1>(Vec8(), coefficients, lanes, n, rows + l, stride, length, out + l);
     }
-    for (; l < length; l += quad_lanes) {
-        contract_orders<kOrders, 1>(Quad(), coefficients, lanes, n, rows + l, stride, length, out + l);
+    for (; l < length; l += vec4_lanes) {
+        contract_orders<kOrders, 1>(Vec4(), coefficients, lanes, n, rows + l, stride, length, out + l);
     }
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The tensor product: one axis after the other is contracted with its basis functions, axis 0 first, and
 // every order of derivative that is still needed is kept. Points and grids share these steps and hence every
 // bit of their results.
@@ -10,8 +11,8 @@
 namespace nrb::eval {
 
 // Calls step(source, order, target) for every partial derivative kept after axis `level`: `source` is the
-// index of what was kept after the axes before, `target` its own, both in graded order of the axes seen so
-// far.
+// index of what was kept after the axes before, `target` its own index, both in graded order of the axes seen
+// so far.
 template <class Step>
 void for_each_step(int level, int order, Step &&step) {
     if (level == 0) {
@@ -28,7 +29,7 @@ void for_each_step(int level, int order, Step &&step) {
     });
 }
 
-// The next multiple of 4, the lengths that vectors like.
+// The next multiple of 4, a length that suits vectors.
 constexpr int64_t padded(int64_t length) noexcept {
     return (length + 3) / 4 * 4;
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "eval/kernels/curve_kernel.cpp"
 #include "base/simd.h"
@@ -19,15 +20,15 @@ namespace HWY_NAMESPACE {
 
 static_assert(curve_group == group_size);
 
-// What the loops over ordinary parameters read, kept in registers.
+// Read by the loops over ordinary parameters; kept in registers.
 struct CurveTables {
     explicit CurveTables(const CurveJob &job)
         : domain(job.spline.axis(0).domain()), find(job.spans->finder()), pieces((*job.pieces)[0]),
           piece_size(job.pieces->size()), degree(job.spline.axis(0).degree()), lanes(job.shape.lanes),
           dim(job.shape.dim) {}
 
-    // The pieces of `count` parameters inside the domain; false unless each lies strictly inside its span,
-    // and the span has a piece.
+    // The pieces of `count` parameters inside the domain; false unless each parameter lies strictly inside
+    // its span, and the span has a piece.
     [[nodiscard]] HWY_INLINE bool locate(const double *HWY_RESTRICT params, int count,
                                          const double **HWY_RESTRICT found) const {
         bool all = true;
@@ -57,11 +58,11 @@ HWY_INLINE bool between(const double *block, int count, double lower_bound, doub
         }
         return all;
     }
-    const Wide d;
+    const Vec8 d;
     const auto lower = hn::Set(d, lower_bound);
     const auto upper = hn::Set(d, upper_bound);
     auto all = hn::And(hn::Lt(lower, hn::LoadU(d, block)), hn::Lt(hn::LoadU(d, block), upper));
-    for (int i = wide_lanes; i < curve_block; i += wide_lanes) {
+    for (int i = vec8_lanes; i < curve_block; i += vec8_lanes) {
         const auto t = hn::LoadU(d, block + i);
         all = hn::And(all, hn::And(hn::Lt(lower, t), hn::Lt(t, upper)));
     }
@@ -92,7 +93,7 @@ public:
     }
 
 private:
-    // The shapes that are evaluated a million times have loops of their own; what they compute is the same.
+    // The most frequent shapes have loops of their own; what they compute is the same.
     template <int kOrders>
     void run_order() {
         if (job_.shape.lanes == 4) {
@@ -108,8 +109,8 @@ private:
         }
     }
 
-    // Blocks in one span go by vectors across the parameters, others by vectors across the components, in two
-    // passes: the searches of a block do not wait for its divisions.
+    // Blocks in one span are computed by vectors across the parameters, others by vectors across the
+    // components, in two passes, so that the searches of a block do not wait for its divisions.
     template <int kOrders, int kDegree, int kLanes>
     HWY_NOINLINE void run_params() {
         const CurveTables tables(job_);
@@ -176,13 +177,13 @@ private:
 
     template <int kOrders, int kDegree>
     HWY_INLINE void horner_rows(const double *HWY_RESTRICT params, const double *HWY_RESTRICT piece) {
-        using V = hn::Vec<Wide>;
-        const Wide d;
+        using V = hn::Vec<Vec8>;
+        const Vec8 d;
         const int width = job_.shape.width;
         const int64_t slot_size = static_cast<int64_t>(width) * group_size;
         double *rows = job_.records;
         const double scale = piece[Piece::scale];
-        for (int i = 0; i < group_size; i += wide_lanes) {
+        for (int i = 0; i < group_size; i += vec8_lanes) {
             const V x = hn::Mul(hn::Sub(hn::LoadU(d, params + i), hn::Set(d, piece[Piece::middle])),
                                 hn::Set(d, scale));
             for (int c = 0; c < width; ++c) {
@@ -205,7 +206,7 @@ private:
     template <int kOrders, int kDegree, int kLanes>
     HWY_INLINE void run_quads(const CurveTables &tables, const double *block, const double *const *pieces,
                               int count, int64_t first) {
-        const Quad d;
+        const Vec4 d;
         QuadWriter write(job_.shape, out_);
         const int degree = tables.degree;
         const int dim = tables.dim;
@@ -216,7 +217,7 @@ private:
             const double scale = piece[Piece::scale];
             const auto x = hn::Set(d, (block[i] - piece[Piece::middle]) * scale);
             for (int part = 0; part < record.parts; ++part) {
-                horner_vector<kOrders, kDegree>(d, Components(), piece + Piece::head_size + part * quad_lanes,
+                horner_vector<kOrders, kDegree>(d, Components(), piece + Piece::head_size + part * vec4_lanes,
                                                 degree, kLanes, x, scale, record.values[part]);
             }
             if (rational) {
@@ -257,10 +258,10 @@ private:
         int64_t stride;
     };
 
-    // The functions of degrees p, p - 1, ... with the control points and those of the derivatives. Derivatives
-    // of the functions, whose sum is 0, would leave the rounding of the points' common part behind. For the
-    // same reason the quotient rule is applied to the curve seen from its own point at t, which is written
-    // after it.
+    // The functions of degrees p, p - 1, ... with the control points of the curve and of its derivatives.
+    // With derivatives of the functions instead, whose sum is 0, the rounding of the part that all points
+    // have in common would remain. For the same reason the quotient rule is applied to the curve relative to
+    // its own point at t, which is written afterwards.
     void write_by_recurrence(int64_t span, double t, int64_t i) {
         const int order = job_.shape.order;
         basis_values_of_lower_degrees(axis_.knots().data(), degree(), span, t, order, job_.values);
@@ -298,10 +299,10 @@ private:
         return {job_.window, lanes};
     }
 
-    // The rows as seen from a point: from stored points, whose difference is rounded once; homogeneous records
+    // The rows relative to a point. From stored points the difference is rounded once; homogeneous records
     // have a product and a difference that are rounded once.
     ActiveRows rows_from(const double *point, int64_t span, const ActiveRows &rows) {
-        const Quad d;
+        const Vec4 d;
         const Spline &spline = job_.spline;
         const int lanes = job_.shape.lanes;
         const int dim = job_.shape.dim;
@@ -312,18 +313,19 @@ private:
             for (int c = 0; spline.form() == Form::homogeneous && c < dim; ++c) {
                 record[c] = std::fma(-point[c], weight, stored[c]);
             }
-            for (int l = 0; spline.form() == Form::rational && l < dim; l += quad_lanes) {
+            for (int l = 0; spline.form() == Form::rational && l < dim; l += vec4_lanes) {
                 const auto step = hn::Sub(hn::LoadU(d, stored + l), hn::LoadU(d, point + l));
                 const auto product = hn::Mul(hn::Set(d, weight), step);
-                hn::StoreU(weight == 0 ? hn::Zero(d) : product, d, record + l); // however far the point is
+                hn::StoreU(weight == 0 ? hn::Zero(d) : product, d,
+                           record + l); // however far away the point is
             }
             record[dim] = weight;
         }
         return {job_.window, lanes};
     }
 
-    // The sum for derivative k of the first rows, with the functions of degree p - k. Lanes behind a record
-    // hold anything.
+    // The sum for derivative k of the first rows, with the functions of degree p - k. Lanes after a record
+    // may hold anything.
     void contract(int k, const ActiveRows &rows) {
         contract_rows(job_.values + static_cast<int64_t>(k) * (degree() + 1), degree() + 1 - k, rows.data,
                       rows.stride, job_.shape.lanes,
@@ -342,7 +344,7 @@ private:
 
     // From the control points of derivative k - 1 to those of derivative k, one fewer (Piegl & Tiller 3.4).
     ActiveRows differences(int64_t span, int k, const ActiveRows &rows) {
-        const Quad d;
+        const Vec4 d;
         const int lanes = job_.shape.lanes;
         const double *left = axis_.knots().data() + span - degree() + k;
         const double *right = axis_.knots().data() + span + 1;
@@ -351,7 +353,7 @@ private:
             const auto length = hn::Set(d, right[j] - left[j]);
             const double *row = rows.data + j * rows.stride;
             double *record = job_.window + static_cast<int64_t>(j) * lanes;
-            for (int l = 0; l < lanes; l += quad_lanes) {
+            for (int l = 0; l < lanes; l += vec4_lanes) {
                 const auto step = hn::Sub(hn::LoadU(d, row + rows.stride + l), hn::LoadU(d, row + l));
                 hn::StoreU(hn::Mul(factor, hn::Div(step, length)), d, record + l);
             }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The kernel of curves: from parameters to points and derivatives.
 #pragma once
 
@@ -13,12 +14,12 @@ struct CurveJob {
     const QuotientRule *quotient; // null for a polynomial curve
     const SpanTable *spans;       // null with `pieces`
     const PieceArray *pieces;     // null while there is no table: then every piece is made anew
-    const double *net; // the records, where the recurrence needs them; null while there is no table
-    double *records;   // working memory: [group][slots][lanes], a group being curve_group points
-    double *weights;   // [slots]
-    double *piece;     // Piece::size(degree, width)
-    double *values;    // [order + 1][degree + 1]
-    double *window;    // [degree + 1][lanes]
+    const double *net;            // the records, if the recurrence needs them; null while there is no table
+    double *records;              // working memory: [group][slots][lanes], a group being curve_group points
+    double *weights;              // [slots]
+    double *piece;                // Piece::size(degree, width)
+    double *values;               // [order + 1][degree + 1]
+    double *window;               // [degree + 1][lanes]
 };
 
 inline constexpr int curve_group = 8;

@@ -1,13 +1,14 @@
-// What derivatives are evaluated from.
+// SPDX-License-Identifier: MIT
+// The spline from which derivatives are evaluated.
 #pragma once
 
 #include "spline/at_origin.h"
 
 namespace nrb::eval {
 
-// The spline whose derivatives of orders 1, ..., `order` are those of another one: the same moved to the
-// origin, but for the curves whose kernel has nothing that cancels. These are the polynomial ones and, with
-// differences of control points, those above the degrees of pieces.
+// The spline whose derivatives of orders 1, ..., `order` are those of another one: the same spline moved to
+// the origin, except for curves in whose kernel nothing cancels. These are the polynomial curves and, with
+// differences of control points, curves above the degrees of pieces.
 inline const Spline &derivative_source(const Spline &spline, int order) {
     if (order == 0) {
         return spline;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "eval/kernels/domain_kernel.cpp"
 #include "base/simd.h"
@@ -14,7 +15,7 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Vectors that begin at any parameter of a record see the bounds in one of `axes` rotations.
+// Vectors that begin at any parameter of a record meet the bounds in one of `axes` rotations.
 bool packed_inside(const double *params, int64_t count, int axes, const Interval *domains) {
     const hn::CappedTag<double, 8> d;
     const auto lanes = static_cast<int>(hn::Lanes(d));

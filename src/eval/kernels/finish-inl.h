@@ -1,4 +1,5 @@
-// From contracted records to the caller's. Included once for every instruction set: see base/simd.h.
+// SPDX-License-Identifier: MIT
+// From contracted records to the caller's records. Included once for every instruction set: see base/simd.h.
 #if defined(NURBS_EVAL_KERNELS_FINISH_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef NURBS_EVAL_KERNELS_FINISH_INL_H_
 #undef NURBS_EVAL_KERNELS_FINISH_INL_H_
@@ -18,15 +19,15 @@ namespace HWY_NAMESPACE {
 template <int kAxes, int kOrder>
 HWY_INLINE void divide_record(const RecordShape &shape, double *HWY_RESTRICT record) {
     constexpr int slots = static_cast<int>(slot_count(kAxes, kOrder));
-    const Quad d;
-    using V = hn::Vec<Quad>;
+    const Vec4 d;
+    using V = hn::Vec<Vec4>;
     const int lanes = shape.lanes;
     const V inverse = hn::Set(d, 1 / record[shape.dim]);
     V weights[slots];
     for (int s = 1; s < slots; ++s) {
         weights[s] = hn::Set(d, record[s * lanes + shape.dim]);
     }
-    for (int l = 0; l < lanes; l += quad_lanes) {
+    for (int l = 0; l < lanes; l += vec4_lanes) {
         V values[slots];
         for (int s = 0; s < slots; ++s) {
             values[s] = hn::LoadU(d, record + s * lanes + l);
@@ -38,12 +39,12 @@ HWY_INLINE void divide_record(const RecordShape &shape, double *HWY_RESTRICT rec
     }
 }
 
-// A record of kLanes lanes in registers. The constructor is written out, because one that a compiler adds is not
-// compiled for the instruction set.
+// A record of kLanes lanes in registers. The constructor is written out, because a constructor added by the
+// compiler is not compiled for the instruction set.
 template <int kSlots, int kLanes = 4>
 struct QuadRecord {
-    static constexpr int parts = kLanes / quad_lanes;
-    hn::Vec<Quad> values[parts][kSlots];
+    static constexpr int parts = kLanes / vec4_lanes;
+    hn::Vec<Vec4> values[parts][kSlots];
 
     HWY_INLINE QuadRecord() {}
 
@@ -51,8 +52,8 @@ struct QuadRecord {
     template <int kAxes, int kOrder>
     HWY_INLINE void divide_by_weight(int dim) {
         static_assert(slot_count(kAxes, kOrder) == kSlots);
-        const Quad d;
-        hn::Vec<Quad> weights[kSlots];
+        const Vec4 d;
+        hn::Vec<Vec4> weights[kSlots];
         for (int s = 1; s < kSlots; ++s) {
             weights[s] = hn::Set(d, component(s, dim));
         }
@@ -64,7 +65,7 @@ struct QuadRecord {
 
     [[nodiscard]] HWY_INLINE double component(int slot, int c) const {
         if (parts == 1 && c == 3) { // the usual dimension, without memory
-            return hn::ExtractLane(values[0][slot], quad_lanes - 1);
+            return hn::ExtractLane(values[0][slot], vec4_lanes - 1);
         }
         HWY_ALIGN double lanes[kLanes];
         store(slot, lanes);
@@ -73,7 +74,7 @@ struct QuadRecord {
 
     HWY_INLINE void store(int slot, double *target) const {
         for (int part = 0; part < parts; ++part) {
-            hn::StoreU(values[part][slot], Quad(), target + part * quad_lanes);
+            hn::StoreU(values[part][slot], Vec4(), target + part * vec4_lanes);
         }
     }
 };
@@ -81,7 +82,7 @@ struct QuadRecord {
 // The same for any order. weights: [slots], working memory.
 static HWY_NOINLINE void divide_record(const RecordShape &shape, const QuotientRule &rule,
                                        double *HWY_RESTRICT record, double *HWY_RESTRICT weights) {
-    const Quad d;
+    const Vec4 d;
     const int lanes = shape.lanes;
     const auto inverse = hn::Set(d, 1 / record[shape.dim]);
     for (int64_t s = 1; s < shape.slots; ++s) {
@@ -89,7 +90,7 @@ static HWY_NOINLINE void divide_record(const RecordShape &shape, const QuotientR
     }
     int64_t s = 0;
     for_each_slot(shape.axes, shape.order, [&](int i, int j, int k) HWY_ATTR {
-        for (int l = 0; l < lanes; l += quad_lanes) {
+        for (int l = 0; l < lanes; l += vec4_lanes) {
             double *const own = record + s * lanes + l;
             auto sum = hn::LoadU(d, own);
             rule.for_each_term(s, i, j, k, [&](const QuotientTerm &term) HWY_ATTR {
@@ -102,26 +103,26 @@ static HWY_NOINLINE void divide_record(const RecordShape &shape, const QuotientR
     });
 }
 
-// The first `count` lanes of a vector; what lies behind them may be another thread's and is not touched. Where
-// vectors have no masked stores, Highway's blended one reads it and writes it back.
-HWY_INLINE void store_some(hn::Vec<Wide> values, int count, double *target) {
-    const Wide d;
-    if (count >= wide_lanes) {
+// The first `count` lanes of a vector. What lies after them may belong to another thread and is not touched.
+// If vectors have no masked stores, Highway's blended one reads it and writes it back.
+HWY_INLINE void store_some(hn::Vec<Vec8> values, int count, double *target) {
+    const Vec8 d;
+    if (count >= vec8_lanes) {
         return hn::StoreU(values, d, target);
     }
 #if HWY_ARCH_X86
     hn::BlendedStore(values, hn::FirstN(d, static_cast<size_t>(count)), d, target);
 #else
-    HWY_ALIGN double lanes[wide_lanes];
+    HWY_ALIGN double lanes[vec8_lanes];
     hn::Store(values, d, lanes);
     std::copy_n(lanes, count, target);
 #endif
 }
 
-// Writes records from registers, in rising order. Packed ones are written with their padding and weight, which
-// fall on the next slots and points, which are written later; behind the last record nothing is touched. Where
-// components have rows of their own, records wait until there are enough for whole vectors of a row: finish()
-// must follow, and a record that is not there must be skipped; its place is overwritten with anything.
+// Writes records from registers, in rising order. Packed records are written with their padding and weight;
+// these fall on the next slots and points, which are written later. Nothing after the last record is touched.
+// If components have rows of their own, records wait until there are enough for whole vectors of a row:
+// finish() must follow, and a missing record must be skipped; its place may be overwritten with anything.
 class QuadWriter {
 public:
     QuadWriter(const RecordShape &shape, const Records &out)
@@ -129,7 +130,7 @@ public:
           packed_count_(out.component_stride == 1 && out.stride == shape.values()
                             ? out.count - (shape.lanes - shape.dim + shape.values() - 1) / shape.values()
                             : 0),
-          dim_(shape.dim), rows_(wide_lanes > 1 && out.stride == 1 && out.component_stride > 1) {}
+          dim_(shape.dim), rows_(vec8_lanes > 1 && out.stride == 1 && out.component_stride > 1) {}
 
     template <int kSlots, int kLanes>
     HWY_INLINE void operator()(const QuadRecord<kSlots, kLanes> &record, int64_t i) {
@@ -148,12 +149,12 @@ public:
     // In place of record i.
     template <int kSlots, int kLanes = 4>
     HWY_INLINE void skip(int64_t i) {
-        if (waiting_ && i % wide_lanes + 1 == wide_lanes) {
+        if (waiting_ && i % vec8_lanes + 1 == vec8_lanes) {
             write_rows<kSlots, kLanes>(i);
         }
     }
 
-    // After the last record, written or skipped, which was number `last`.
+    // Call after the last record, written or skipped, which was number `last`.
     template <int kSlots, int kLanes = 4>
     HWY_INLINE void finish(int64_t last) {
         if (waiting_) {
@@ -173,33 +174,33 @@ private:
         }
     }
 
-    // Quads of records side by side: [slot][quad][wide_lanes][4].
+    // Quads of records side by side: [slot][quad][vec8_lanes][4].
     template <int kSlots, int kLanes>
     HWY_INLINE void wait(const QuadRecord<kSlots, kLanes> &record, int64_t i) {
         static_assert(kSlots * kLanes <= most_waiting);
-        const auto lane = static_cast<int>(i % wide_lanes);
+        const auto lane = static_cast<int>(i % vec8_lanes);
         for (int s = 0; s < kSlots; ++s) {
             for (int part = 0; part < record.parts; ++part) {
-                const int l = part * quad_lanes;
-                double *quads = records_ + (s * kLanes + l / 4 * 4) * wide_lanes;
-                hn::Store(record.values[part][s], Quad(), quads + lane * 4 + l % 4);
+                const int l = part * vec4_lanes;
+                double *quads = records_ + (s * kLanes + l / 4 * 4) * vec8_lanes;
+                hn::Store(record.values[part][s], Vec4(), quads + lane * 4 + l % 4);
             }
         }
         waiting_ = true;
-        if (lane + 1 == wide_lanes) {
+        if (lane + 1 == vec8_lanes) {
             write_rows<kSlots, kLanes>(i);
         }
     }
 
     template <int kSlots, int kLanes>
     HWY_INLINE void write_rows(int64_t last) {
-        const Wide d;
-        const auto count = static_cast<int>(last % wide_lanes) + 1;
+        const Vec8 d;
+        const auto count = static_cast<int>(last % vec8_lanes) + 1;
         double *target = out_ + (last + 1 - count);
         for (int s = 0; s < kSlots; ++s, target += dim_ * component_stride_) {
             for (int c = 0; c < dim_; c += 4) {
-                hn::Vec<Wide> rows[4];
-                hn::LoadInterleaved4(d, records_ + (s * kLanes + c) * wide_lanes, rows[0], rows[1], rows[2],
+                hn::Vec<Vec8> rows[4];
+                hn::LoadInterleaved4(d, records_ + (s * kLanes + c) * vec8_lanes, rows[0], rows[1], rows[2],
                                      rows[3]);
                 for (int k = 0; k < std::min(4, dim_ - c); ++k) {
                     store_some(rows[k], count, target + (c + k) * component_stride_);
@@ -217,7 +218,7 @@ private:
     int dim_;
     bool rows_;
     bool waiting_ = false;
-    HWY_ALIGN double records_[most_waiting * wide_lanes];
+    HWY_ALIGN double records_[most_waiting * vec8_lanes];
 };
 
 HWY_INLINE void write_record(const RecordShape &shape, const double *record, const Records &out, int64_t i) {
@@ -231,12 +232,12 @@ HWY_INLINE void write_record(const RecordShape &shape, const double *record, con
 }
 
 // Three coordinates written by stores of four: the fourth falls on the next slot or point, which is written
-// after it. `last` takes care of what lies behind the record.
+// after it. `last` takes care of what lies after the record.
 HWY_INLINE void write_three(const RecordShape &shape, const double *record, double *target, bool last) {
-    const Quad d;
+    const Vec4 d;
     const int64_t whole = last ? shape.slots - 1 : shape.slots;
     for (int64_t s = 0; s < whole; ++s, target += 3) {
-        for (int l = 0; l < 4; l += quad_lanes) {
+        for (int l = 0; l < 4; l += vec4_lanes) {
             hn::StoreU(hn::LoadU(d, record + s * 4 + l), d, target + l);
         }
     }

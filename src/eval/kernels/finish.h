@@ -1,5 +1,5 @@
-// What the last step of every evaluation needs to know: the shape of contracted records and of the caller's
-// ones.
+// SPDX-License-Identifier: MIT
+// What the last step of every evaluation needs: the shape of contracted records and of the caller's records.
 #pragma once
 
 #include "base/records.h"
@@ -32,7 +32,8 @@ struct RecordShape {
     bool rational;
 };
 
-// The caller's arrays hold stored control points where one is alone, and NaN where nothing was evaluated.
+// The caller's arrays hold stored control points where one control point is alone, and NaN where nothing was
+// evaluated.
 inline void write_control_point(const Spline &spline, int64_t point, const Records &out, int64_t i) noexcept {
     for (int c = 0; c < spline.dim(); ++c) {
         out(i, c) = spline.coordinate(point, c);

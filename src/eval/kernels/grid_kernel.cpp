@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "eval/kernels/grid_kernel.cpp"
 #include "base/simd.h"
@@ -80,7 +81,7 @@ private:
         }
     }
 
-    // The shapes that grids are made of have loops of their own; what they compute is the same.
+    // The usual shapes of grids have loops of their own; what they compute is the same.
     void write_groups(int64_t first) const {
         const bool rational = job_.quotient != nullptr && job_.shape.width == 4;
         const bool polynomial = job_.quotient == nullptr && job_.shape.width == 3;
@@ -118,8 +119,8 @@ private:
     template <int kOrders, int kWidth>
     HWY_NOINLINE void write_triples(int64_t first) const {
         constexpr int slots = static_cast<int>(slot_count(2, kOrders - 1));
-        using V = hn::Vec<Wide>;
-        const Wide d;
+        using V = hn::Vec<Vec8>;
+        const Vec8 d;
         const int functions = job_.sources[1].degree + 1;
         const int64_t size = values_of_group();
         const int64_t length = job_.slabs.length[0];
@@ -129,11 +130,11 @@ private:
         for (const GridGroup &group : job_.groups) {
             const double *slab = job_.slabs.data[0] + group.first * kWidth;
             const int64_t start = first + group.position[0];
-            // What a group that is not full writes beyond its own points is written again later.
+            // What an incomplete group writes beyond its own points is overwritten later.
             const bool whole =
                 group.count == group_size || (job_.rising && start + group_size <= job_.out.count);
             const bool direct = group.consecutive && (separate || (packed && whole));
-            for (int i = 0; i < group_size; i += wide_lanes) {
+            for (int i = 0; i < group_size; i += vec8_lanes) {
                 V sums[kWidth][slots];
                 contract_slots<kOrders, kWidth>(values + i, functions, slab, length, sums);
                 if (kWidth == 4) {
@@ -169,7 +170,7 @@ private:
     template <int kOrders, int kWidth>
     static HWY_INLINE void contract_slots(const double *HWY_RESTRICT values, int functions,
                                           const double *HWY_RESTRICT slab, int64_t length,
-                                          hn::Vec<Wide> (*sums)[slot_count(2, kOrders - 1)]) {
+                                          hn::Vec<Vec8> (*sums)[slot_count(2, kOrders - 1)]) {
         add_function<kOrders, kWidth, true>(values, functions, slab, length, sums);
         for (int j = 1; j < functions; ++j) {
             add_function<kOrders, kWidth, false>(values + j * group_size, functions, slab + j * kWidth,
@@ -180,9 +181,9 @@ private:
     template <int kOrders, int kWidth, bool kFirst>
     static HWY_INLINE void add_function(const double *HWY_RESTRICT values, int functions,
                                         const double *HWY_RESTRICT slab, int64_t length,
-                                        hn::Vec<Wide> (*sums)[slot_count(2, kOrders - 1)]) {
-        using V = hn::Vec<Wide>;
-        const Wide d;
+                                        hn::Vec<Vec8> (*sums)[slot_count(2, kOrders - 1)]) {
+        using V = hn::Vec<Vec8>;
+        const Vec8 d;
         for (int a = 0; a < kOrders; ++a) {
             for (int b = 0; a + b < kOrders; ++b) {
                 const V value = hn::Load(d, values + b * functions * group_size);
@@ -216,7 +217,7 @@ private:
         const int64_t length = job_.slabs.length[at - 1];
         for_each_step(last_, job_.shape.order, [&](int64_t from, int a, int64_t target) HWY_ATTR {
             for (int c = 0; c < width; c += kWidth) {
-                for (int i = 0; i < group_size; i += wide_lanes) {
+                for (int i = 0; i < group_size; i += vec8_lanes) {
                     contract_components<kWidth>(values + static_cast<int64_t>(a) * functions * group_size + i,
                                                 functions, slab + from * length + c, width,
                                                 job_.rows + (target * width + c) * group_size + i);
@@ -229,8 +230,8 @@ private:
     static HWY_INLINE void contract_components(const double *HWY_RESTRICT values, int functions,
                                                const double *HWY_RESTRICT rows, int width,
                                                double *HWY_RESTRICT out) {
-        const Wide d;
-        hn::Vec<Wide> sums[kWidth];
+        const Vec8 d;
+        hn::Vec<Vec8> sums[kWidth];
         const auto start = hn::Load(d, values);
         for (int c = 0; c < kWidth; ++c) {
             sums[c] = hn::Mul(start, hn::Set(d, rows[c]));
@@ -262,7 +263,7 @@ private:
         }
     }
 
-    // NaN where the parameter gives it, the stored control point where one is alone on every axis.
+    // NaN if the parameter gives it; the stored control point if one is alone on every axis.
     void mend(int64_t position, int64_t first) const {
         const AxisPoint &own = job_.tables[static_cast<size_t>(last_)]->points[static_cast<size_t>(position)];
         if (!own.valid()) {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The kernel of grids: row contraction.
 #pragma once
 
@@ -19,7 +20,7 @@ struct Stretch {
     int64_t length;
 };
 
-// Up to grid_group parameters of the last axis that share their active layers, side by side in vectors.
+// Up to grid_group parameters of the last axis that have the same active layers, side by side in vectors.
 struct GridGroup {
     int64_t first = 0; // layer
     int count = 0;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Horner's rule on polynomial pieces. Included once for every instruction set: see base/simd.h.
 #if defined(NURBS_EVAL_KERNELS_HORNER_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef NURBS_EVAL_KERNELS_HORNER_INL_H_
@@ -18,15 +19,14 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Vectors across the components of one record, and across parameters. A lane's arithmetic does not depend on
-// the width of the vector, nor on whether lanes are components or parameters: this is what makes all ways to
+// Vectors across the components of one record, and across parameters. The arithmetic of a lane does not
+// depend on the width of the vector, nor on whether lanes are components or parameters. Therefore all ways to
 // evaluate a point agree in every bit.
-using Quad = hn::CappedTag<double, 4>;
-using Wide = hn::CappedTag<double, 8>;
+using Vec4 = hn::CappedTag<double, 4>;
+using Vec8 = hn::CappedTag<double, 8>;
 
-inline constexpr int wide_lanes = static_cast<int>(hn::MaxLanes(Wide()));
-
-inline constexpr int quad_lanes = static_cast<int>(hn::MaxLanes(Quad()));
+inline constexpr int vec8_lanes = static_cast<int>(hn::MaxLanes(Vec8()));
+inline constexpr int vec4_lanes = static_cast<int>(hn::MaxLanes(Vec4()));
 
 // Derivatives 0, ..., kOrders - 1 divided by their factorials, by repeated synthetic division: one step
 // multiplies by x and adds the next coefficient.
@@ -74,7 +74,7 @@ HWY_INLINE void horner_vector(D d, Load load, const double *HWY_RESTRICT powers,
     }
 }
 
-// Number of orders that a kernel for `order` computes; those above the degree are 0.
+// Number of orders that a kernel for `order` computes; derivatives above the degree are 0.
 inline constexpr int most_orders = max_piece_degree + 1;
 
 // Components l, l + 1, ... of a piece at x, as many as a vector holds.
@@ -97,11 +97,11 @@ HWY_INLINE void horner_record(int order, const double *HWY_RESTRICT piece, int d
                               double *HWY_RESTRICT out) {
     const double x = (t - piece[Piece::middle]) * piece[Piece::scale];
     int l = 0;
-    for (; l + wide_lanes <= lanes; l += wide_lanes) {
-        horner_lanes<kOrders, kDegree>(Wide(), order, piece, degree, lanes, l, x, out);
+    for (; l + vec8_lanes <= lanes; l += vec8_lanes) {
+        horner_lanes<kOrders, kDegree>(Vec8(), order, piece, degree, lanes, l, x, out);
     }
-    for (; l < lanes; l += quad_lanes) {
-        horner_lanes<kOrders, kDegree>(Quad(), order, piece, degree, lanes, l, x, out);
+    for (; l < lanes; l += vec4_lanes) {
+        horner_lanes<kOrders, kDegree>(Vec4(), order, piece, degree, lanes, l, x, out);
     }
     if constexpr (kOrders == most_orders) {
         std::fill_n(out + static_cast<int64_t>(kOrders) * lanes,

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Leibniz' rule for products of functions of several variables.
 #pragma once
 
@@ -7,7 +8,7 @@
 
 namespace nrb::eval {
 
-// Calls visit(b) for all b <= a, every one after those below it.
+// Calls visit(b) for all b <= a, each after all those below it.
 template <class Visit>
 void for_each_lower(const Orders &a, Visit &&visit) {
     Orders b{};

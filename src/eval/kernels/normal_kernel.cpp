@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "eval/kernels/normal_kernel.cpp"
 #include "base/simd.h"
@@ -15,20 +16,20 @@ namespace HWY_NAMESPACE {
 
 // Vectors across the points of a block.
 struct Vectors {
-    using V = hn::Vec<Wide>;
+    using V = hn::Vec<Vec8>;
 
     explicit HWY_INLINE Vectors(const double *rows)
-        : x(hn::LoadU(Wide(), rows)), y(hn::LoadU(Wide(), rows + block_size)),
-          z(hn::LoadU(Wide(), rows + 2 * block_size)) {}
+        : x(hn::LoadU(Vec8(), rows)), y(hn::LoadU(Vec8(), rows + block_size)),
+          z(hn::LoadU(Vec8(), rows + 2 * block_size)) {}
     HWY_INLINE Vectors(V x_value, V y_value, V z_value) : x(x_value), y(y_value), z(z_value) {}
 
     [[nodiscard]] HWY_INLINE V square() const {
         return hn::Add(hn::Add(hn::Mul(x, x), hn::Mul(y, y)), hn::Mul(z, z));
     }
     HWY_INLINE void store(double *rows) const {
-        hn::StoreU(x, Wide(), rows);
-        hn::StoreU(y, Wide(), rows + block_size);
-        hn::StoreU(z, Wide(), rows + 2 * block_size);
+        hn::StoreU(x, Vec8(), rows);
+        hn::StoreU(y, Vec8(), rows + block_size);
+        hn::StoreU(z, Vec8(), rows + 2 * block_size);
     }
 
     V x;
@@ -41,16 +42,16 @@ HWY_INLINE Vectors cross_product(const Vectors &a, const Vectors &b) {
             hn::Sub(hn::Mul(a.x, b.y), hn::Mul(a.y, b.x))};
 }
 
-// Fused products would make the scalar formulas of the points that are looked at singly disagree.
-// (a + b)^2 <= 2 (a^2 + b^2) spares the roots of |S_u| and |S_v|. A bit of the result for each point of the
+// Fused products would disagree with the scalar formulas of the points that are examined one by one. (a +
+// b)^2 <= 2 (a^2 + b^2) makes the roots of |S_u| and |S_v| unnecessary. Returns a bit for each point of the
 // block.
 uint64_t unit_normals_of_rows(const double *du, const double *dv, int64_t count, double error_u,
                               double error_v, double *HWY_RESTRICT normals) {
-    const Wide d;
+    const Vec8 d;
     const auto factor_u = hn::Set(d, 2 * error_v * error_v);
     const auto factor_v = hn::Set(d, 2 * error_u * error_u);
     uint64_t doubtful = 0;
-    for (int64_t i = 0; i < count; i += wide_lanes) {
+    for (int64_t i = 0; i < count; i += vec8_lanes) {
         const Vectors u(du + i);
         const Vectors v(dv + i);
         const Vectors n = cross_product(u, v);
@@ -78,10 +79,10 @@ void write_rows_of_block(const double *rows, int64_t first, int64_t count, const
         }
         return;
     }
-    for (int64_t i = 0; i < count; i += wide_lanes) {
+    for (int64_t i = 0; i < count; i += vec8_lanes) {
         const double *row = rows + i;
         const auto next = [&row] { return std::exchange(row, row + block_size); };
-        store_records(next, out.width, static_cast<int>(std::min<int64_t>(wide_lanes, count - i)),
+        store_records(next, out.width, static_cast<int>(std::min<int64_t>(vec8_lanes, count - i)),
                       out.record(first + i), out.stride);
     }
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The quotient rule on vectors. Included once for every instruction set: see base/simd.h.
 #if defined(NURBS_EVAL_KERNELS_QUOTIENT_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef NURBS_EVAL_KERNELS_QUOTIENT_INL_H_
@@ -17,7 +18,7 @@ namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 // The frequent shapes written out, with the terms in the order of QuotientRule. a: homogeneous derivatives,
-// which become Cartesian; w: those of the weight (w[0] is not read); lanes are components or points.
+// which become Cartesian; w: derivatives of the weight (w[0] is not read); lanes are components or points.
 template <class V>
 HWY_INLINE V without(V sum, V weight, V value) {
     return hn::NegMulAdd(weight, value, sum);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "eval/kernels/quotient.h"
 
 namespace nrb::eval {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // From homogeneous derivatives to Cartesian ones: the quotient rule in several variables (Leibniz; Piegl &
 // Tiller 4.3, 4.5). With A = w C,
 //   C^a = (A^a - sum over 0 < b <= a of binomial(a, b) w^b C^(a-b)) / w.
@@ -36,8 +37,7 @@ public:
     }
 
 private:
-    // Low orders, which are what is asked for again and again, have their terms listed, those of slot s from
-    // first[s] on.
+    // Low orders, which are the usual ones, have their terms listed; the terms of slot s begin at first[s].
     static constexpr int listed_order = 2;
     struct List {
         static constexpr int64_t most_slots = 10;
@@ -64,7 +64,7 @@ private:
 
     int axes_;
     const List *list_;  // null above the listed orders
-    double *binomials_; // else Pascal's triangle, row n from n (n + 1) / 2 on
+    double *binomials_; // otherwise Pascal's triangle, row n from n (n + 1) / 2 on
 };
 
 } // namespace nrb::eval

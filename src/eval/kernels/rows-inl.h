@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Groups of points side by side: one row of group_size doubles for each component, vectors across the points.
 // Included once for every instruction set: see base/simd.h.
 #if defined(NURBS_EVAL_KERNELS_ROWS_INL_H_) == defined(HWY_TARGET_TOGGLE)
@@ -22,10 +23,10 @@ inline constexpr int group_size = 8;
 template <int kAxes, int kOrder>
 HWY_INLINE void divide_rows(const RecordShape &shape, double *HWY_RESTRICT rows) {
     constexpr int slots = static_cast<int>(slot_count(kAxes, kOrder));
-    const Wide d;
-    using V = hn::Vec<Wide>;
+    const Vec8 d;
+    using V = hn::Vec<Vec8>;
     const int64_t slot_size = static_cast<int64_t>(shape.width) * group_size;
-    for (int i = 0; i < group_size; i += wide_lanes) {
+    for (int i = 0; i < group_size; i += vec8_lanes) {
         V weights[slots];
         for (int s = 0; s < slots; ++s) {
             weights[s] = hn::Load(d, rows + s * slot_size + shape.dim * group_size + i);
@@ -48,10 +49,10 @@ HWY_INLINE void divide_rows(const RecordShape &shape, double *HWY_RESTRICT rows)
 // The same for any order.
 static HWY_NOINLINE void divide_rows(const RecordShape &shape, const QuotientRule &rule,
                                      double *HWY_RESTRICT rows) {
-    const Wide d;
-    using V = hn::Vec<Wide>;
+    const Vec8 d;
+    using V = hn::Vec<Vec8>;
     const int64_t slot_size = static_cast<int64_t>(shape.width) * group_size;
-    for (int i = 0; i < group_size; i += wide_lanes) {
+    for (int i = 0; i < group_size; i += vec8_lanes) {
         const double *weights = rows + shape.dim * group_size + i;
         const V inverse = hn::Div(hn::Set(d, 1.0), hn::Load(d, weights));
         int64_t s = 0;
@@ -90,14 +91,14 @@ HWY_INLINE void divide_group(const RecordShape &shape, const QuotientRule &rule,
     }
 }
 
-// Packed records of at most wide_lanes points, `stride` apart, from rows: next() is the row of the next
+// Packed records of at most vec8_lanes points, `stride` apart, from rows: next() is the row of the next
 // component. Four components at a time.
 template <class NextRow>
 HWY_INLINE void store_records(NextRow &&next, int64_t components, int count, double *target, int64_t stride) {
-    const Wide d;
-    const Quad quad;
-    HWY_ALIGN double records[4 * wide_lanes];
-    if (components == 3 && stride == 3 && count == wide_lanes) {
+    const Vec8 d;
+    const Vec4 quad;
+    HWY_ALIGN double records[4 * vec8_lanes];
+    if (components == 3 && stride == 3 && count == vec8_lanes) {
         const auto x = hn::LoadU(d, next());
         const auto y = hn::LoadU(d, next());
         return hn::StoreInterleaved3(x, y, hn::LoadU(d, next()), d, target);
@@ -109,7 +110,7 @@ HWY_INLINE void store_records(NextRow &&next, int64_t components, int count, dou
         const auto third = hn::LoadU(d, next());
         hn::StoreInterleaved4(first, second, third, hn::LoadU(d, next()), d, records);
         for (int i = 0; i < count; ++i) {
-            for (int l = 0; l < 4; l += quad_lanes) {
+            for (int l = 0; l < 4; l += vec4_lanes) {
                 hn::StoreU(hn::Load(quad, records + 4 * i + l), quad, target + i * stride + l);
             }
         }
@@ -177,15 +178,15 @@ private:
         Rows next(shape_, rows);
         for (int64_t c = 0; c < shape_.values(); ++c, target += out_.component_stride) {
             const double *row = next();
-            for (int i = 0; i < count; i += wide_lanes) {
-                store_some(hn::Load(Wide(), row + i), count - i, target + i);
+            for (int i = 0; i < count; i += vec8_lanes) {
+                store_some(hn::Load(Vec8(), row + i), count - i, target + i);
             }
         }
     }
 
     HWY_INLINE void write_packed(int64_t first, int count, const double *rows) const {
-        for (int i = 0; i < count; i += wide_lanes) {
-            store_records(Rows(shape_, rows + i), shape_.values(), std::min(wide_lanes, count - i),
+        for (int i = 0; i < count; i += vec8_lanes) {
+            store_records(Rows(shape_, rows + i), shape_.values(), std::min(vec8_lanes, count - i),
                           out_.record(first + i), out_.stride);
         }
     }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The graded order of partial derivatives: by total order, then by the orders of the later axes.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "eval/kernels/tensor_kernel.cpp"
 #include "base/simd.h"
@@ -39,7 +40,7 @@ public:
     }
 
 private:
-    // The shapes that are evaluated a million times have loops of their own; what they compute is the same.
+    // The most frequent shapes have loops of their own; what they compute is the same.
     template <int kOrders>
     void run_order() {
         bool cubic = true;
@@ -113,8 +114,8 @@ private:
                 for (int b = 0; a + b < kOrders; ++b) {
                     for (int part = 0; part < record.parts; ++part) {
                         record.values[part][slot(2, a, b)] =
-                            contracted<-1>(Quad(), values + b * v.lanes, v.degree + 1,
-                                           slab + a * row + part * quad_lanes, width);
+                            contracted<-1>(Vec4(), values + b * v.lanes, v.degree + 1,
+                                           slab + a * row + part * vec4_lanes, width);
                     }
                 }
             }
@@ -123,8 +124,8 @@ private:
         write.template finish<slots>(first + count - 1);
     }
 
-    // Cubic nets of at most four components, in registers from the net to the caller's array: the same sums as
-    // contract(), a column of the last axis at a time.
+    // Cubic nets of at most four components, in registers from the net to the caller's array: the same sums
+    // as contract(), a column of the last axis at a time.
     template <int kOrders, int kWidth>
     HWY_NOINLINE void contract_quads(int64_t first, int64_t count, bool special) {
         QuadWriter write(job_.shape, out_);
@@ -190,11 +191,11 @@ private:
     // sums[a] = the column from `rows` on, contracted with derivative a of the functions of axis 0.
     template <int kOrders>
     HWY_INLINE void contract_column(const double *HWY_RESTRICT values, const double *HWY_RESTRICT rows,
-                                    int64_t stride, int part, hn::Vec<Quad> *HWY_RESTRICT sums) const {
-        const Quad d;
+                                    int64_t stride, int part, hn::Vec<Vec4> *HWY_RESTRICT sums) const {
+        const Vec4 d;
         std::fill_n(sums, kOrders, hn::Zero(d));
         for (int i = 0; i <= 3; ++i, rows += stride) {
-            const auto row = hn::LoadU(d, rows + part * quad_lanes);
+            const auto row = hn::LoadU(d, rows + part * vec4_lanes);
             for (int a = 0; a < kOrders; ++a) {
                 const auto value = hn::Set(d, values[a * 4 + i]);
                 sums[a] = i == 0 ? hn::Mul(value, row) : hn::MulAdd(value, row, sums[a]);
@@ -206,9 +207,9 @@ private:
     // Two columns of four components in one vector.
     template <int kOrders>
     HWY_INLINE void contract_pair(const double *HWY_RESTRICT values, const double *HWY_RESTRICT rows,
-                                  int64_t stride, hn::Vec<Quad> (*HWY_RESTRICT sums)[kOrders]) const {
-        const Wide d;
-        hn::Vec<Wide> both[kOrders];
+                                  int64_t stride, hn::Vec<Vec4> (*HWY_RESTRICT sums)[kOrders]) const {
+        const Vec8 d;
+        hn::Vec<Vec8> both[kOrders];
         for (int i = 0; i <= 3; ++i, rows += stride) {
             const auto row = hn::LoadU(d, rows);
             for (int a = 0; a < kOrders; ++a) {
@@ -218,7 +219,7 @@ private:
         }
         for (int a = 0; a < kOrders; ++a) {
             sums[0][a] = hn::LowerHalf(both[a]);
-            sums[1][a] = hn::UpperHalf(Quad(), both[a]);
+            sums[1][a] = hn::UpperHalf(Vec4(), both[a]);
         }
     }
 #endif
@@ -226,7 +227,7 @@ private:
     // contract_column() for all four columns of a window.
     template <int kOrders, int kWidth>
     HWY_INLINE void contract_columns(const double *HWY_RESTRICT values, const QuadWindow &from, int part,
-                                     hn::Vec<Quad> (*HWY_RESTRICT sums)[kOrders]) const {
+                                     hn::Vec<Vec4> (*HWY_RESTRICT sums)[kOrders]) const {
 #if HWY_MAX_BYTES >= 64
         if constexpr (kWidth == 4) {
             contract_pair<kOrders>(values, from.records, from.stride, sums);
@@ -242,9 +243,9 @@ private:
     template <int kOrders, int kWidth, class Record>
     HWY_INLINE void contract_surface(const QuadWindow &from, const double *const *values,
                                      Record &record) const {
-        const Quad d;
+        const Vec4 d;
         for (int part = 0; part < record.parts; ++part) {
-            hn::Vec<Quad> columns[4][kOrders];
+            hn::Vec<Vec4> columns[4][kOrders];
             contract_columns<kOrders, kWidth>(values[0], from, part, columns);
             for (int j = 0; j <= 3; ++j) {
                 const auto *sums = columns[j];
@@ -262,11 +263,11 @@ private:
     template <int kOrders, class Record>
     HWY_INLINE void contract_volume(const QuadWindow &from, const double *const *values,
                                     Record &record) const {
-        const Quad d;
+        const Vec4 d;
         constexpr int kept = static_cast<int>(slot_count(2, kOrders - 1));
         for (int part = 0; part < record.parts; ++part) {
             for (int k = 0; k <= 3; ++k) {
-                hn::Vec<Quad> planes[kept];
+                hn::Vec<Vec4> planes[kept];
                 contract_plane<kOrders>(from, values, from.records + k * job_.shape.width, part, planes);
                 for (int c = 0; c < kOrders; ++c) {
                     const auto value = hn::Set(d, values[2][c * 4 + k]);
@@ -282,14 +283,14 @@ private:
         }
     }
 
-    // The columns of a volume that share their place on the last axis.
+    // The columns of a volume that have the same place on the last axis.
     template <int kOrders>
     HWY_INLINE void contract_plane(const QuadWindow &from, const double *const *values, const double *records,
-                                   int part, hn::Vec<Quad> *HWY_RESTRICT planes) const {
-        const Quad d;
+                                   int part, hn::Vec<Vec4> *HWY_RESTRICT planes) const {
+        const Vec4 d;
         std::fill_n(planes, slot_count(2, kOrders - 1), hn::Zero(d));
         for (int j = 0; j <= 3; ++j) {
-            hn::Vec<Quad> sums[kOrders];
+            hn::Vec<Vec4> sums[kOrders];
             contract_column<kOrders>(values[0], records + j * from.inner, from.stride, part, sums);
             for (int b = 0; b < kOrders; ++b) {
                 const auto value = hn::Set(d, values[1][b * 4 + j]);
@@ -309,7 +310,7 @@ private:
         return all;
     }
 
-    // Rows of axis 0 that are active at a point: a window of the net, contiguous along the last axis only.
+    // Rows of axis 0 that are active at a point: a window of the net, contiguous only along the last axis.
     struct Window {
         const double *rows;
         int64_t stride;   // between rows of axis 0

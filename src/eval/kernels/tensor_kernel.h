@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The kernel of surfaces and volumes at scattered parameters.
 #pragma once
 
@@ -10,7 +11,7 @@
 namespace nrb::eval {
 
 // Points are treated in blocks, in passes: basis functions of every axis, contraction, division. One fused
-// loop would be slower, because the search for the spans of the next points would wait behind the sums.
+// loop would be slower, because the search for the spans of the next points would wait for the sums.
 struct TensorJob {
     const Spline &spline;
     const RecordShape &shape;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "eval/kernels/triple_stream.cpp"
 #include "base/simd.h"
@@ -15,11 +16,11 @@ namespace nrb::eval {
 namespace HWY_NAMESPACE {
 
 void interleave(const double *HWY_RESTRICT rows, int64_t count, double *HWY_RESTRICT triples) {
-    const Wide d;
+    const Vec8 d;
     const double *y = rows + block_size;
     const double *z = y + block_size;
     int64_t i = 0;
-    for (; i + wide_lanes <= count; i += wide_lanes) {
+    for (; i + vec8_lanes <= count; i += vec8_lanes) {
         hn::StoreInterleaved3(hn::LoadU(d, rows + i), hn::LoadU(d, y + i), hn::LoadU(d, z + i), d,
                               triples + 3 * i);
     }
@@ -32,8 +33,8 @@ void interleave(const double *HWY_RESTRICT rows, int64_t count, double *HWY_REST
 
 // Both at the start of a line, `count` a multiple of 8.
 void stream(const double *HWY_RESTRICT from, int64_t count, double *HWY_RESTRICT to) {
-    const Wide d;
-    for (int64_t i = 0; i < count; i += wide_lanes) {
+    const Vec8 d;
+    for (int64_t i = 0; i < count; i += vec8_lanes) {
         hn::Stream(hn::Load(d, from + i), d, to + i);
     }
 }
@@ -61,7 +62,7 @@ void TripleStream::write(const double *rows, int64_t first, int64_t count) noexc
     if (whole == 0) {
         return;
     }
-    const int64_t part = begin_ == 0 ? 0 : line; // of a line that is not all ours
+    const int64_t part = begin_ == 0 ? 0 : line; // of a line that is not entirely ours
     std::copy(staged_ + begin_, staged_ + part, target_);
     HWY_DYNAMIC_DISPATCH(stream)(staged_ + part, whole - part, target_ + (part - begin_));
     std::copy(staged_ + whole, staged_ + end_, staged_);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "io/iges/directory.h"
 
 #include "base/error.h"
@@ -73,7 +74,7 @@ std::string_view back_pointer_text(std::string_view line) {
     return trim(line.substr(back_pointer_column, field_columns));
 }
 
-// 0 if it is blank, -1 if it is no integer.
+// 0 if it is blank, -1 if it is not an integer.
 int64_t back_pointer(std::string_view line) {
     const std::string_view text = back_pointer_text(line);
     int64_t value = 0;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The directory section, and the parameter data that its entries point to.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "io/iges/global.h"
 
 #include "base/error.h"
@@ -33,7 +34,7 @@ double metres_of_name(std::string_view name) {
     return 0;
 }
 
-// The flag rules; the name only counts where the flag is 3 or left out.
+// The flag rules; the name counts only if the flag is 3 or left out.
 double metres_of(int64_t flag, std::string_view name) {
     if (flag == flag_by_name || (flag == 0 && !trim(name).empty())) {
         return metres_of_name(name);
@@ -63,8 +64,8 @@ char checked_delimiter(char c, const char *what) {
     return c;
 }
 
-// The first two parameters are strings of length 1 that name the delimiters they are themselves read by; a
-// blank one keeps the default.
+// The first two parameters are strings of length 1 that name the delimiters by which they are themselves
+// read; a blank one keeps the default.
 char read_delimiter(std::string_view text, size_t &at, char fallback, const char *what) {
     at = std::min(text.find_first_not_of(' ', at), text.size());
     if (text.substr(at, 2) != "1H" || at + 2 >= text.size()) {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The global section: delimiters and the unit of length.
 #pragma once
 

@@ -1,7 +1,10 @@
+// SPDX-License-Identifier: MIT
 #include "io/iges/lines.h"
 
 #include "base/error.h"
 #include "io/iges/text.h"
+
+#include <algorithm>
 
 namespace nrb::io::iges {
 namespace {
@@ -15,10 +18,10 @@ struct FileLine {
 };
 
 // Takes the next line off `rest`, without its line end, which is LF, CR LF or CR.
-FileLine take_line(std::string_view &rest, int64_t number) {
+FileLine take_line(std::string_view &rest, int64_t number) noexcept {
     const size_t end = rest.find_first_of("\r\n");
     const bool terminated = end != std::string_view::npos;
-    const std::string_view text = rest.substr(0, end);
+    const std::string_view text(rest.data(), std::min(end, rest.size()));
     rest.remove_prefix(terminated ? end : rest.size());
     if (terminated) {
         rest.remove_prefix(rest.starts_with("\r\n") ? 2 : 1);
@@ -26,14 +29,14 @@ FileLine take_line(std::string_view &rest, int64_t number) {
     return {text, number, terminated};
 }
 
-// Programs for DOS ended text files with a Control-Z, others fill up a block with zeros.
-bool blank(std::string_view text) {
+// Programs for DOS ended text files with a Control-Z; others fill up a block with zeros.
+bool blank(std::string_view text) noexcept {
     constexpr std::string_view nothing(" \t\r\n\x1a\0", 6);
     return text.find_first_not_of(nothing) == std::string_view::npos;
 }
 
-// Takes off what editors and mail programs put before the first line, and returns how many lines that were.
-int64_t take_preamble(std::string_view &rest) {
+// Takes off what editors and mail programs put before the first line; returns how many lines that were.
+int64_t take_preamble(std::string_view &rest) noexcept {
     constexpr std::string_view byte_order_mark("\xef\xbb\xbf");
     if (rest.starts_with(byte_order_mark)) {
         rest.remove_prefix(byte_order_mark.size());
@@ -45,26 +48,8 @@ int64_t take_preamble(std::string_view &rest) {
     return lines;
 }
 
-char section_letter(std::string_view text) {
+char section_letter(std::string_view text) noexcept {
     return text.size() > data_columns ? text[data_columns] : ' ';
-}
-
-void check_first_line(std::string_view text) {
-    const char letter = section_letter(text);
-    if (letter == 'S' || letter == 'G') {
-        return;
-    }
-    if (text.starts_with("ISO-10303-21")) {
-        fail(Status::format, "line 1: this is a STEP file, not IGES");
-    }
-    if (letter == 'C') {
-        fail(Status::format,
-             "line 1: the compressed ASCII form of IGES is not read, only the fixed-length form");
-    }
-    if (text.empty()) {
-        fail(Status::format, "the file is empty");
-    }
-    fail(Status::format, "line 1: no section letter S in column 73, so this is not fixed-length ASCII IGES");
 }
 
 [[noreturn]] void fail_truncated(const FileLine &line) {
@@ -163,13 +148,27 @@ void check_complete(const Sections &sections) {
 
 } // namespace
 
+std::string_view first_line(std::span<const char> bytes) noexcept {
+    std::string_view rest(bytes.data(), bytes.size());
+    take_preamble(rest);
+    return take_line(rest, 1).text;
+}
+
+bool begins_iges(std::span<const char> bytes) noexcept {
+    const char letter = section_letter(first_line(bytes));
+    return letter == 'S' || letter == 'G';
+}
+
+bool begins_compressed(std::span<const char> bytes) noexcept {
+    return section_letter(first_line(bytes)) == 'C';
+}
+
 Sections split_sections(std::span<const char> bytes) {
     Sections sections;
     Lines *const in_order[] = {&sections.start, &sections.global, &sections.directory, &sections.parameter,
                                &sections.terminate};
     std::string_view rest(bytes.data(), bytes.size());
     const int64_t skipped = take_preamble(rest);
-    check_first_line(rest.substr(0, rest.find_first_of("\r\n")));
     size_t current = 0;
     for (int64_t number = skipped + 1; !rest.empty() && sections.terminate.empty(); ++number) {
         const FileLine line = take_line(rest, number);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The 80-column lines of an IGES file, sorted into its sections.
 #pragma once
 
@@ -24,7 +25,14 @@ struct Sections {
     Lines terminate;
 };
 
-// Views into `bytes`. Throws Status::format, truncated or syntax; messages count lines of the file from
+// The first line that is not blank, without what editors put before it.
+std::string_view first_line(std::span<const char> bytes) noexcept;
+
+// Whether that line is one of the fixed-length, or of the compressed, ASCII form.
+bool begins_iges(std::span<const char> bytes) noexcept;
+bool begins_compressed(std::span<const char> bytes) noexcept;
+
+// Views into `bytes`. Throws Status::truncated or syntax; messages count lines of the file from
 // 1.
 Sections split_sections(std::span<const char> bytes);
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "io/iges/names.h"
 
 #include "base/error.h"
@@ -93,7 +94,8 @@ const std::string &Names::read_property(size_t index) {
     return name;
 }
 
-// Two groups end a record: the number of associativities and those, the number of properties and those.
+// Two groups end a record: the number of associativities and their pointers, then the number of properties
+// and their pointers.
 std::string Names::property_name(Record &record) {
     record.skip(record.integer("number of associativities"));
     const int64_t count = std::min(record.integer("number of properties"), record.remaining());

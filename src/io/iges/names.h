@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Names of entities: those that a file gives to its own, and those of the standard for the types.
 #pragma once
 

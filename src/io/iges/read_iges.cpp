@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "io/iges/read_iges.h"
 
 #include "base/error.h"
@@ -16,19 +17,9 @@ namespace {
 
 using iges::Entry;
 
-void check_settings(std::span<const char> bytes, const model::ReadSettings &settings) {
-    if (!std::isfinite(settings.unit) || settings.unit < 0) {
-        fail(Status::options, "unit = %s, expected metres > 0, or 0 for the unit of the file",
-             Number(settings.unit).text);
-    }
-    if (std::ssize(bytes) > settings.max_bytes) {
-        fail(Status::too_large, "%lld bytes where %lld are the most allowed",
-             static_cast<long long>(bytes.size()), static_cast<long long>(settings.max_bytes));
-    }
-}
-
-// Factor from the unit of the file to the wanted one. A unit that the file does not tell cannot be converted.
-double unit_factor(double metres_per_unit, const model::ReadSettings &settings) {
+// The factor from the unit of the file to the wanted one. A unit that the file does not state cannot be
+// converted.
+double unit_factor(double metres_per_unit, const ReadSettings &settings) {
     if (settings.unit == 0) {
         return 1;
     }
@@ -46,15 +37,15 @@ double unit_factor(double metres_per_unit, const model::ReadSettings &settings) 
 
 class Reader {
 public:
-    Reader(const iges::Sections &sections, const iges::Global &global, const model::ReadSettings &settings)
+    Reader(const iges::Sections &sections, const iges::Global &global, const ReadSettings &settings)
         : directory_(sections.directory), data_(sections.parameter, global.delimiters),
           parameter_plane_(iges::find_parameter_plane_curves(directory_, data_)),
           transforms_(directory_, data_), names_(directory_, data_),
           factor_(unit_factor(global.metres_per_unit, settings)) {
-        document_.metres_per_unit = settings.unit > 0 ? settings.unit : global.metres_per_unit;
+        model_.metres_per_unit = settings.unit > 0 ? settings.unit : global.metres_per_unit;
     }
 
-    model::Document run() {
+    model::Model run() {
         for (size_t i = 0; i < directory_.entries().size(); ++i) {
             const Entry &entry = directory_.entries()[i];
             try {
@@ -63,8 +54,8 @@ public:
                 add_note(entry, error.status(), error.what());
             }
         }
-        std::erase_if(document_.notes, [this](const model::Note &note) { return used(note); });
-        return std::move(document_);
+        std::erase_if(model_.notes, [this](const model::Note &note) { return used(note); });
+        return std::move(model_);
     }
 
 private:
@@ -79,7 +70,8 @@ private:
         }
     }
 
-    // Matrices and names that have gone into a spline are not lost. Which these are shows at the end only.
+    // Matrices and names that became part of a spline are not lost. Which ones these are is known only at the
+    // end.
     [[nodiscard]] bool used(const model::Note &note) const noexcept {
         const std::optional<size_t> index = directory_.find(note.line);
         return index && (transforms_.used(*index) || names_.used(*index));
@@ -94,14 +86,14 @@ private:
         placement.factor = parameter_plane ? 1 : factor_;
         placement.parameter_plane = parameter_plane;
         SplinePtr spline = iges::build_spline(std::move(data), placement);
-        document_.splines.push_back({names_.name(entry, record), std::move(spline)});
+        model_.splines.push_back({names_.name(entry, record), std::move(spline)});
     }
 
     void add_note(const Entry &entry, Status reason, const char *text) {
         const std::string where = std::string(iges::type_name(entry.type)) + " (" +
                                   std::to_string(entry.type) + ") at directory line " +
                                   std::to_string(entry.line) + ": ";
-        document_.notes.push_back({entry.type, entry.line, reason, where + text});
+        model_.notes.push_back({entry.type, entry.line, reason, where + text});
     }
 
     iges::Directory directory_;
@@ -110,13 +102,12 @@ private:
     iges::Transforms transforms_;
     iges::Names names_;
     double factor_;
-    model::Document document_;
+    model::Model model_;
 };
 
 } // namespace
 
-model::Document read_iges(std::span<const char> bytes, const model::ReadSettings &settings) {
-    check_settings(bytes, settings);
+model::Model read_iges(std::span<const char> bytes, const ReadSettings &settings) {
     const iges::Sections sections = iges::split_sections(bytes);
     const iges::Global global = iges::read_global(sections.global);
     return Reader(sections, global, settings).run();

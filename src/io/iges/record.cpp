@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "io/iges/record.h"
 
 #include "base/error.h"
@@ -81,7 +82,7 @@ namespace {
 
 // Some programs write integers as reals, "3.".
 bool parse_whole(std::string_view text, int64_t &value) {
-    constexpr double limit = 1e15; // every whole number below is a double of its own
+    constexpr double limit = 1e15; // every whole number below this has a double of its own
     double real = 0;
     if (!parse_real(text, real) || std::abs(real) > limit || real != std::trunc(real)) {
         return false;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Free-format data of IGES: parameters between delimiters, read one after the other.
 #pragma once
 

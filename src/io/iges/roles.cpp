@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "io/iges/roles.h"
 
 #include "base/error.h"
@@ -40,7 +41,7 @@ private:
         }
     }
 
-    // These entities are notes in any case, so what is wrong with them needs no report of its own.
+    // These entities are notes in any case, so that errors in them need no report of their own.
     void read_entry(size_t index, Reader reader) {
         const Entry &entry = directory_.entries()[index];
         if (!entry.damage.empty()) {
@@ -54,7 +55,7 @@ private:
         }
     }
 
-    // Each entry is marked once, so that circles of composite curves end.
+    // Each entry is marked once, so that cycles of composite curves end.
     void mark(int64_t pointer) {
         const std::optional<size_t> index = directory_.find(pointer);
         if (!index || marked_[*index]) {

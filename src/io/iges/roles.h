@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Which curves live in the parameter plane of a surface.
 #pragma once
 
@@ -7,9 +8,9 @@
 
 namespace nrb::io::iges {
 
-// One flag per directory entry: set by its own status digits, or because a curve on a surface (142), a
-// boundary (141) or a composite curve (102) that lies there names it. What cannot be read there marks
-// nothing.
+// One flag for each directory entry. It is set by the entry's own status digits, or because a curve on a
+// surface (142), a boundary (141) or a composite curve (102) in a parameter plane names it. An entity that
+// cannot be read marks nothing.
 std::vector<bool> find_parameter_plane_curves(const Directory &directory, ParameterData &data);
 
 } // namespace nrb::io::iges

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "io/iges/spline.h"
 
 #include "base/error.h"
@@ -57,15 +58,6 @@ bool wraps(const std::vector<double> &values, size_t width, const SplineData &da
     return true;
 }
 
-bool knots_repeat(const SplineData::Axis &axis) {
-    try {
-        check_periodic_knots(axis.degree, axis.knots, -1, 0);
-        return true;
-    } catch (const Error &) {
-        return false;
-    }
-}
-
 Interval domain_of(const SplineData::Axis &axis) {
     return {axis.knots[static_cast<size_t>(axis.degree)], axis.knots[static_cast<size_t>(axis.count)]};
 }
@@ -96,8 +88,8 @@ bool cuts(const SplineData::Axis &axis, const Interval &range) {
 // Precondition: the knots are valid.
 bool wraps_as_stated(const SplineData &data, const std::vector<double> &points, size_t dim, size_t along) {
     const SplineData::Axis &axis = data.axes[along];
-    return axis.periodic && knots_repeat(axis) && wraps(points, dim, data, along) &&
-           wraps(data.weights, 1, data, along);
+    return axis.periodic && first_not_repeated(axis.degree, axis.knots) < 0 &&
+           wraps(points, dim, data, along) && wraps(data.weights, 1, data, along);
 }
 
 Spline::Axes make_axes(const SplineData &data, const std::vector<double> &points, size_t dim) {
@@ -106,8 +98,8 @@ Spline::Axes make_axes(const SplineData &data, const std::vector<double> &points
         const SplineData::Axis &axis = data.axes[k];
         const int name = data.axes.size() == 1 ? -1 : static_cast<int>(k);
         check_knots(axis.degree, axis.knots, name, 0);
-        axes.push_back(
-            make_knot_vector(axis.degree, axis.knots, wraps_as_stated(data, points, dim, k), name, 0));
+        axes.push_back(std::make_shared<const KnotVector>(axis.degree, axis.knots,
+                                                          wraps_as_stated(data, points, dim, k)));
     }
     return axes;
 }

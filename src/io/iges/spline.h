@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Rational B-spline curves (entity 126) and surfaces (entity 128).
 #pragma once
 
@@ -26,9 +27,9 @@ struct SplineData {
     std::vector<double> points; // records of three
 };
 
-// Read an entity from its record, which stays behind the geometry, at the pointers that may follow. Throw
-// Error: Status::syntax, degree, count, too_few_points, overflow. Stated counts are checked against
-// the parameters that are there before anything is allocated.
+// Read an entity from its record. Afterwards the record stands after the geometry, at the pointers that may
+// follow. Throw Error: Status::syntax, degree, count, too_few_points, overflow. Stated counts are checked
+// against the parameters that are there before anything is allocated.
 SplineData read_curve_data(Record &record);
 SplineData read_surface_data(Record &record);
 

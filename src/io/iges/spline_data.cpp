@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "base/limits.h"
 #include "io/iges/spline.h"
 
@@ -41,7 +42,7 @@ void read_knots(Record &record, SplineData::Axis &axis, const char *name) {
     }
 }
 
-// The range of one axis. An end that is left out is the domain's; so are both when they are equal, because
+// The range of one axis. An end that is left out is the domain's. Both ends are if they are equal, because
 // nobody filled them in.
 void read_range(Record &record, SplineData::Axis &axis, const char *name) {
     constexpr double infinity = std::numeric_limits<double>::infinity();

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "io/iges/text.h"
 
 #include <algorithm>
@@ -12,8 +13,8 @@ bool digit(char c) noexcept {
     return c >= '0' && c <= '9';
 }
 
-// std::from_chars knows no plus sign, but "inf", "nan" and a minus sign after our plus: only a digit or a
-// point may come first.
+// std::from_chars accepts no plus sign, but it accepts "inf", "nan", and a minus sign after our plus. So only
+// a digit or a point may come first.
 bool take_sign(std::string_view &text) noexcept {
     const bool negative = text.starts_with('-');
     if (negative || text.starts_with('+')) {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Numbers and words of an IGES file.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Transformation matrices (entity 124).
 #pragma once
 
@@ -25,8 +26,8 @@ class Transforms {
 public:
     Transforms(const Directory &directory, ParameterData &data) : directory_(directory), data_(data) {}
 
-    // The whole chain that starts at `pointer`. Throws Status::syntax if a link is missing, is no matrix,
-    // cannot be read or closes a circle.
+    // The whole chain that starts at `pointer`. Throws Status::syntax if a link is missing, is not a matrix,
+    // cannot be read, or closes a cycle.
     const Transform &resolve(int64_t pointer);
 
     // Whether the matrix of a directory entry has been part of a chain that could be resolved.

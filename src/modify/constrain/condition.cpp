@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "modify/constrain/condition.h"
 
 #include "numeric/direction.h"
@@ -78,8 +79,8 @@ void Condition::evaluate(const double *values, double *residual, double *jacobia
 //
 //     D k + (T r^T + (t.T) I) / |a|.
 //
-// It is D k where r = 0. Elsewhere it says how T has to turn across t, of which T.D k = -k.D T tells nothing
-// where k is far from t.
+// It is D k where r = 0. Elsewhere it says how T has to turn across t; T.D k = -k.D T cannot say that where k
+// is far from t.
 void Condition::curvature(const double *values, double *residual, double *jacobian) const noexcept {
     const double *const a = values, *const b = values + dim_;
     const double s = dot(a, a, dim_), ab = dot(a, b, dim_) / s, at = dot(a, target_, dim_) / s;

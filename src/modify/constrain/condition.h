@@ -1,4 +1,5 @@
-// What constraints ask of a point and its derivatives: equations, and how they change with them.
+// SPDX-License-Identifier: MIT
+// The equations that constraints impose on a point and its derivatives, and their Jacobian.
 #pragma once
 
 #include "eval/kernels/slots.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "modify/constrain/constrain.h"
 
 #include "modify/constrain/equations.h"
@@ -12,7 +13,7 @@ namespace nrb::modify {
 
 namespace {
 
-// The conditions of a curve as they are for one that is multiplied by powers of two.
+// The conditions of a curve as conditions of the same curve multiplied by powers of two.
 class ScaledConditions {
 public:
     ScaledConditions(const Spline &curve, const std::vector<Condition> &conditions, const Powers &powers)
@@ -33,7 +34,7 @@ public:
     }
 
     [[nodiscard]] const std::vector<Condition> &conditions() const noexcept { return scaled_; }
-    // Of the left sides.
+    // The sizes of the left sides.
     [[nodiscard]] int power(const Condition &condition) const noexcept {
         return condition.kind() == constrain_curvature ? -size_
                                                        : size_ - knots_ * condition.derivatives()[0][0];
@@ -51,7 +52,7 @@ Constrained constrained(const Spline &spline, const std::vector<Condition> &cond
                         const Columns &columns, double tolerance) {
     NetState state(spline, columns);
     if (columns.point_costs.empty() && columns.weight_costs.empty()) {
-        check_influence(state, all_equations(state, conditions, tolerance)); // which none has
+        check_influence(state, all_equations(state, conditions, tolerance)); // which no weight has
     }
     const bool linear = std::all_of(conditions.begin(), conditions.end(),
                                     [](const Condition &condition) { return condition.linear(); });
@@ -59,7 +60,7 @@ Constrained constrained(const Spline &spline, const std::vector<Condition> &cond
                                                   : solve_by_programming(state, conditions, tolerance);
 }
 
-// The control points that the conditions on a curve see: others may be of any size.
+// The control points that act on the conditions of a curve; others may be of any size.
 std::vector<int64_t> seen_places(const Spline &curve, const std::vector<Condition> &conditions) {
     std::vector<int64_t> places;
     const KnotVector &axis = curve.axis(0);
@@ -79,8 +80,8 @@ std::vector<int64_t> seen_places(const Spline &curve, const std::vector<Conditio
 Constrained constrain(const Spline &spline, const std::vector<Condition> &conditions, const ChangeRule &rule,
                       double tolerance) {
     const Columns columns = make_columns(spline, conditions, rule);
-    // Curvatures, which are asked of curves only, have squares of lengths; moves have no common size with
-    // changes of weights.
+    // Curvatures, which occur only for curves, have squares of lengths. Moves and changes of weights have no
+    // common size.
     const bool squares = std::any_of(conditions.begin(), conditions.end(),
                                      [](const Condition &condition) { return !condition.linear(); });
     const Powers powers = squares && columns.weight_costs.empty()

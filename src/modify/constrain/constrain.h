@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The smallest change of a spline that meets constraints.
 #pragma once
 

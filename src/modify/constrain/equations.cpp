@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "modify/constrain/equations.h"
 
 #include "numeric/norm.h"
@@ -58,7 +59,7 @@ LocalEquations local_equations(const NetState &state, const Condition &condition
     condition.evaluate(values.data(), local.residual.data(), local.jacobian.data());
     local.limit = largest_limit(local, sizes, dim) + (tolerance > 0 ? 0 : rounding * condition.target_size());
     if (!(tolerance > 0) && !condition.linear() && condition.target_size() > 0) {
-        // Where a derivative all but vanishes rounding would excuse any curvature.
+        // If a derivative nearly vanishes, rounding would excuse any curvature.
         local.limit = std::min(local.limit, 1e-6 * condition.target_size());
     }
     return local;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "modify/constrain/linear_constraints.h"
 
 #include "base/checked.h"
@@ -13,7 +14,7 @@ namespace nrb::modify {
 
 namespace {
 
-// Equations with the weights fixed: row[row_of[k]] . x = right_k along a vector.
+// Equations with fixed weights: row[row_of[k]] . x = right_k along a vector.
 class LinearSystem {
 public:
     LinearSystem(const NetState &state, const std::vector<LocalEquations> &all)
@@ -33,7 +34,7 @@ public:
 
     [[nodiscard]] int64_t rank() const noexcept { return solver_->rank() * (values_only_ ? dim_ : 1); }
     // The shortest solution that cancels the residuals, in coordinates of the space of the rows unless all
-    // are values.
+    // conditions are values.
     [[nodiscard]] std::vector<double> solve(const std::vector<LocalEquations> &all) const {
         std::vector<double> right;
         for (const LocalEquations &local : all) {

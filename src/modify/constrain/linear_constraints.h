@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Constraints that are linear equations of control points.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "modify/constrain/net_state.h"
 
 #include "base/finite.h"
@@ -25,7 +26,7 @@ eval::Orders highest_of(const Condition &condition) noexcept {
     return highest;
 }
 
-// Originals that act on a condition.
+// Original control points that act on a condition.
 std::vector<int64_t> acting_points(const Spline &spline, const std::vector<Condition> &conditions) {
     std::vector<int64_t> acting;
     for (const Condition &condition : conditions) {
@@ -38,7 +39,7 @@ std::vector<int64_t> acting_points(const Spline &spline, const std::vector<Condi
     return acting;
 }
 
-// Columns in the order of the originals; `cost` of one that stays is infinite.
+// Columns in the order of the originals; the `cost` of one that stays is infinite.
 template <class Cost>
 void number(const Spline &spline, const std::vector<int64_t> &acting, Cost &&cost,
             std::vector<int64_t> &columns, std::vector<double> &costs) {

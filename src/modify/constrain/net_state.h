@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The control points and weights that constraints change, and how derivatives depend on them.
 #pragma once
 
@@ -10,14 +11,14 @@
 
 namespace nrb::modify {
 
-// What may change, and at what cost; each null for its default.
+// What may change, and at what cost. Null means the default.
 struct ChangeRule {
     const int32_t *keep;        // [axes][2] orders of derivatives that stay at the ends, -1 for none
     const double *costs;        // of moves: 1
     const double *weight_costs; // of relative changes: weights stay
 };
 
-// A column for each control point that may move, and for each weight that may change, of those that act on a
+// A column for each control point that may move, and for each weight that may change, if it acts on a
 // condition; -1 for all others. Copies on periodic axes have the column of their original.
 struct Columns {
     std::vector<int64_t> points;
@@ -41,7 +42,7 @@ public:
         return weights_.empty() ? 1 : weights_[static_cast<size_t>(i)];
     }
     [[nodiscard]] bool rational() const noexcept { return !weights_.empty(); }
-    // The control points moved by e[column][dim], the weights multiplied by 1 + r[column].
+    // The control points moved by e[column][dim]; the weights multiplied by 1 + r[column].
     void set(const std::vector<double> &moves, const std::vector<double> &changes) noexcept;
     // Throws what make_result() throws.
     [[nodiscard]] SplinePtr spline() const;
@@ -65,7 +66,7 @@ public:
     // sum R_i^(a) P_i, from differences to the control point that contributes most.
     [[nodiscard]] std::vector<double> value(const eval::Orders &a,
                                             const std::vector<double> &functions) const;
-    // The same of magnitudes.
+    // The same with magnitudes.
     [[nodiscard]] double magnitude(const std::vector<double> &functions) const noexcept;
     // What derivative a changes by for each relative change of a weight, w_i = w_i* (1 + r): [active][dim],
     // times the quotient of its weight at the start and now. With w_i S = sum w N P the derivative of (S

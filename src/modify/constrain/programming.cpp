@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "modify/constrain/programming.h"
 
 #include "base/checked.h"
@@ -15,10 +16,10 @@ namespace nrb::modify {
 
 namespace {
 
-// All equations linearised: rows over the scaled moves and relative changes of weights, each of length 1.
+// All equations linearised: rows over the scaled moves and relative changes of weights, each row of length 1.
 struct Linearised {
     std::vector<double> rows;
-    std::vector<double> scale; // by which equations were multiplied for it
+    std::vector<double> scale; // the factor of each equation that makes it so
     std::vector<double> residual;
 };
 
@@ -46,7 +47,7 @@ private:
     static constexpr int max_steps = 300;
     static constexpr double enough = 1e-10;   // relative length of the last step
     static constexpr double vanishing = 1e-9; // part of a weight
-    static constexpr double optimal = 1e-6;   // what a minimum has to be
+    static constexpr double optimal = 1e-6;   // the optimality required of a minimum
 
     [[nodiscard]] int64_t equation_count() const noexcept {
         int64_t count = 0;
@@ -110,7 +111,7 @@ private:
         all_ = all_equations(state_, conditions_, tolerance_);
     }
 
-    // The largest part of a step, at most 1, that leaves every weight a tenth of what it was at least.
+    // The largest part of a step, at most 1, that leaves every weight at least a tenth of its value.
     [[nodiscard]] double longest_step(const std::vector<double> &step) const {
         std::vector<double> moves, changes, before, old;
         split(step, moves, changes);
@@ -137,7 +138,7 @@ private:
         return length * length / 2 + penalty_ * sum;
     }
 
-    // One step; whether the last one was too short to matter.
+    // Makes one step; returns whether it was too short to matter.
     bool advance() {
         check_finite(all_);
         const Linearised system = linearised();
@@ -154,7 +155,7 @@ private:
             return true;
         }
         const std::vector<double> multipliers = solver.multipliers(next).values;
-        const double needed = 2 * largest_magnitude(multipliers); // falls with them (Powell 1978)
+        const double needed = 2 * largest_magnitude(multipliers); // decreases with them (Powell 1978)
         penalty_ = std::max(needed, (penalty_ + needed) / 2);
         const std::vector<double> more = second_order(solver, system, multipliers, step, length_of(next));
         std::transform(step.begin(), step.end(), more.begin(), step.begin(), std::plus<>());
@@ -267,7 +268,7 @@ private:
                 optimality_};
     }
 
-    // A weight that went towards 0 is what is in the way.
+    // A weight that went towards 0 is the obstacle.
     void check_weights() const {
         std::vector<double> moves, changes;
         split(x_, moves, changes);

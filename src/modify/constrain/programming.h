@@ -1,4 +1,5 @@
-// Constraints that are no linear equations, by sequential quadratic programming.
+// SPDX-License-Identifier: MIT
+// Constraints that are not linear equations, by sequential quadratic programming.
 #pragma once
 
 #include "modify/constrain/constrain.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "modify/constrain/scaling.h"
 
 #include "numeric/norm.h"

@@ -1,4 +1,5 @@
-// Scaled unknowns x = sqrt(cost) e, and what is told of a change.
+// SPDX-License-Identifier: MIT
+// Scaled unknowns x = sqrt(cost) e, and the reported sizes of a change.
 #pragma once
 
 #include "modify/constrain/equations.h"
@@ -17,7 +18,7 @@ double length_of(const std::vector<double> &x) noexcept;
 // The longest of moves[..][dim].
 double largest_move(const std::vector<double> &moves, int dim) noexcept;
 
-// Of the residuals, by conditions.
+// The lengths of the residuals, by conditions.
 std::vector<double> lengths(const std::vector<LocalEquations> &all);
 
 } // namespace nrb::modify

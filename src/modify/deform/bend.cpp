@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "modify/deform/bend.h"
 
 #include "base/finite.h"
@@ -36,7 +37,7 @@ Bend make_bend(int dim, const double *origin, const double *along, const double 
     std::vector<double> e(along, along + dim), n(across, across + dim);
     normalise(e);
     normalise(n);
-    for (int twice = 0; twice < 2; ++twice) { // the second time against the rounding of the first
+    for (int twice = 0; twice < 2; ++twice) { // the second time because of the rounding of the first
         const double part = dot(e, n);
         for (size_t c = 0; c < n.size(); ++c) {
             n[c] -= part * e[c];

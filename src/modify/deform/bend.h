@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Shapes bent about an axis (A. Barr, "Global and local deformations of solid primitives", SIGGRAPH 1984).
 #pragma once
 
@@ -23,8 +24,8 @@ Bend make_bend(int dim, const double *origin, const double *along, const double 
 // Where a point is: F is a different formula on each part.
 enum class BendPart { before, bent, behind };
 
-// The formula of one part, x + (a' - a) e + (b' - b) n, whether the point is in it or not; and that of its
-// own part.
+// The formula of one part, x + (a' - a) e + (b' - b) n, whether the point lies in that part or not; and the
+// formula of the point's own part.
 void bend_point(const Bend &bend, BendPart part, const double *point, double *image) noexcept;
 void bend_point(const Bend &bend, const double *point, double *image) noexcept;
 
@@ -34,7 +35,7 @@ struct DeformedShape {
     bool proven;
 };
 
-// The deviation is proven (bend_bound.h) where the weights are shown to be positive. Throws what fit_image()
+// The deviation is proven (bend_bound.h) if the weights are shown to be positive. Throws what fit_image()
 // throws.
 DeformedShape bend(const SplinePtr &spline, const Bend &bend, double tolerance);
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "modify/deform/bend_bound.h"
 
 #include "fit/span_samples.h"
@@ -33,7 +34,7 @@ Series taylor_bounds(const BernsteinShape &shape, size_t axis, std::vector<doubl
     for (int j = 0; j <= p; ++j) {
         double largest = 0;
         for (int64_t i = 0; i < size; ++i) {
-            if (i / inner % (p + 1) <= p - j) { // the others are of no difference any more
+            if (i / inner % (p + 1) <= p - j) { // the others make no difference any more
                 largest = std::max(largest, std::abs(values[static_cast<size_t>(i)]));
             }
         }
@@ -80,7 +81,7 @@ struct CellPieces {
     std::vector<double> weights;
 
     [[nodiscard]] double least_weight() const { return *std::min_element(weights.begin(), weights.end()); }
-    // Of a, whose values are means of these quotients.
+    // The range of a, whose values are means of these quotients.
     [[nodiscard]] Interval range() const {
         Interval range{infinite, -infinite};
         for (size_t i = 0; i < along.size(); ++i) {
@@ -210,7 +211,7 @@ private:
         return {bound, before > 0 || behind > 0};
     }
 
-    // How far the formulas of two parts differ at most where a is `beyond` the end between them.
+    // By how much the formulas of two parts differ at most, if a is `beyond` past the end between them.
     [[nodiscard]] double formula_gap(const CellPieces &cell, double beyond) const {
         double reach = 0;
         for (size_t i = 0; i < cell.across.size(); ++i) {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How far a spline is at most from the exact bend of another one.
 #pragma once
 

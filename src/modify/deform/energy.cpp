@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "modify/deform/energy.h"
 
 #include "modify/edit/net_editor.h"
@@ -70,7 +71,7 @@ AxisMatrix axis_matrix(const KnotVector &axis, int order) {
     return matrix;
 }
 
-// Layers of an axis whose functions meet those of a layer.
+// Layers of an axis whose functions overlap those of a layer.
 struct Band {
     int64_t first;
     int64_t end;

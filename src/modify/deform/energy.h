@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The integral of squared derivatives of a spline as a quadratic form of its control points.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "modify/deform/fair.h"
 
 #include "base/finite.h"
@@ -37,7 +38,7 @@ std::vector<double> centred(const Spline &spline, const std::vector<double> &cen
     return x;
 }
 
-// Which control points may move, numbered.
+// The control points that may move, numbered.
 struct Unknowns {
     std::vector<int64_t> number; // by control points, -1: stays or is a copy
     std::vector<int64_t> points;
@@ -107,7 +108,7 @@ private:
         return entries;
     }
 
-    // What makes a unit of X a unit of length.
+    // The factor that makes a unit of X a unit of length.
     [[nodiscard]] std::vector<double> metric() const {
         std::vector<double> diagonal;
         for (const int64_t point : unknowns_.points) {
@@ -138,7 +139,7 @@ private:
         }
     }
 
-    // Takes the solution for one rho if it is within the tolerance; whether it is.
+    // Takes the solution for one rho if it is within the tolerance; returns whether it is.
     bool accept(SparseSystem &system, double rho) {
         std::vector<double> step;
         if (!system.solve(rho, right_, spline_->dim(), step)) {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "modify/deform/flatten.h"
 
 #include "base/representable.h"
@@ -36,7 +37,7 @@ public:
             x /= slope;
         }
     }
-    // The length by which it moved.
+    // The length by which the control point moved.
     double operator()(double *record, double weight) const noexcept {
         double height = 0;
         for (size_t c = 0; c < along_.size(); ++c) {
@@ -61,7 +62,7 @@ std::vector<char> inner_points(const Spline &spline, const Part &part) {
         const KnotVector &axis = spline.axis(k);
         std::vector<char> layers(static_cast<size_t>(view.count), 0);
         for (int64_t i = 0; i < view.count;
-             ++i) { // a copy of a layer may be inside where the layer itself is not
+             ++i) { // a copy of a layer may be inside the part although the layer itself is not
             if (inside(axis, i, part[static_cast<size_t>(k)])) {
                 layers[static_cast<size_t>(i % axis.distinct_layers())] = 1;
             }

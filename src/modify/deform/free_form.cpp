@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "modify/deform/free_form.h"
 
 #include "base/finite.h"
@@ -30,7 +31,7 @@ public:
         return (domains_[k].upper - domains_[k].lower) / (upper_[k] - lower_[k]);
     }
     [[nodiscard]] double offset(size_t k) const noexcept { return domains_[k].lower - scale(k) * lower_[k]; }
-    // A x, at the boundary where rounding would leave it.
+    // A x, moved to the boundary if rounding would take it outside.
     [[nodiscard]] double parameter(size_t k, double x) const {
         const double rounding = 64 * eps * std::max(std::abs(lower_[k]), std::abs(upper_[k]));
         if (x < lower_[k] - rounding || x > upper_[k] + rounding) {
@@ -58,7 +59,8 @@ SplinePtr in_parameters(const Spline &curve, const Box &box) {
     return refine::transform(curve, {dim, dim, matrix.data()}, offset.data());
 }
 
-// 0 if it would be too high, or the curve is rational or moves on a line, where it may turn back.
+// 0 if the degree would be too high, or if the curve is rational or moves on a line, on which it may turn
+// back.
 int image_degree(const Spline &spline, const Spline &volume) noexcept {
     int degree = 0;
     for (int k = 0; k < volume.axes(); ++k) {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Free-form deformation (T. Sederberg, S. Parry, "Free-form deformation of solid geometric models", SIGGRAPH
 // 1986).
 #pragma once
@@ -6,12 +7,12 @@
 
 namespace nrb::modify {
 
-// x -> V(A x), A the map of the box to the domain of the volume. Where g is a polynomial curve in the plane
-// or in space and the degree of the image at most max_degree, the image is composed (refine/algebra/compose.h)
-// and the bound of the distance from it is proven, but for the rounding of its control points, for which 64
-// eps of the volume's size are added for each degree. Otherwise it is that of samples. Throws
-// Status::outside_domain if a point is outside the box, and what fit_image() and compose() throw.
-// Preconditions: as many axes of the volume as dimensions of both, lower < upper.
+// x -> V(A x), where A is the map of the box to the domain of the volume. If g is a polynomial curve in the
+// plane or in space, and the degree of the image is at most max_degree, the image is composed
+// (refine/algebra/compose.h). The bound of the distance from it is then proven, apart from the rounding of
+// its control points, for which 64 eps of the volume's size are added for each degree. Otherwise the distance
+// is that of samples. Throws Status::outside_domain if a point is outside the box, and what fit_image() and
+// compose() throw. Preconditions: as many axes of the volume as dimensions of both, lower < upper.
 DeformedShape free_form_deform(const SplinePtr &spline, const SplinePtr &volume, const double *lower,
                                const double *upper, double tolerance);
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "modify/deform/region.h"
 
 #include "refine/knots/insert.h"
@@ -8,7 +9,7 @@ namespace nrb::modify {
 
 namespace {
 
-// Knots that are missing at the ends of a range.
+// The knots that are missing at the ends of a range.
 std::vector<double> missing_ends(const KnotVector &axis, Interval range) {
     std::vector<double> missing;
     for (const double end : {range.lower, range.upper}) {
@@ -19,7 +20,7 @@ std::vector<double> missing_ends(const KnotVector &axis, Interval range) {
     return missing;
 }
 
-// Knots so that each of `cells` equal parts of a range has one.
+// The knots that give each of `cells` equal parts of a range a knot.
 std::vector<double> filling(const KnotVector &axis, Interval range, int cells) {
     std::vector<double> knots;
     for (int i = 1; i < cells; ++i) {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "modify/deform/snap_boundary.h"
 
 #include "base/representable.h"
@@ -55,7 +56,7 @@ Pair compatible_along(const SplinePtr &g, int along, SplinePtr other, int other_
     }
     other = refine::reparametrize(other, other_along, g->axis(along).domain());
     const KnotVector &a = g->axis(along), &b = other->axis(other_along);
-    const refine::JointAxis joint(std::max(a.degree(), b.degree()), {&a, &b}, 0);
+    const refine::CommonKnots joint(std::max(a.degree(), b.degree()), {&a, &b}, 0);
     const auto raised = [&joint](const SplinePtr &spline, int k, int member) {
         const KnotVector &old = spline->axis(k);
         const bool same = old.degree() == joint.axis()->degree() &&
@@ -91,8 +92,7 @@ public:
         }
         return sum;
     }
-    // What a difference of the first two layers is multiplied by in the derivative across, degree / knot
-    // difference.
+    // The factor of a difference of the first two layers in the derivative across: degree / knot difference.
     [[nodiscard]] double slope() const noexcept { return slope_; }
     // The sum over the control points of slope |w_1 / w_0 (P_1 - P_0)|.
     [[nodiscard]] double speed() {
@@ -167,8 +167,8 @@ void set_first_layer(Layers &own, Layers &other, double factor) {
     }
 }
 
-// Cartesian coordinates of layers that did not change stay as they are, those of the boundary are the other
-// one's.
+// Cartesian coordinates of layers that did not change are kept; those of the boundary are the coordinates of
+// the other one.
 SplinePtr assembled(const Spline &g, Boundary boundary, const Spline &other, Boundary other_boundary,
                     std::vector<double> records, int64_t changed) {
     const Form form = std::max(g.form(), other.form());

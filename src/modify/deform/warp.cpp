@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "modify/deform/warp.h"
 
 #include "base/representable.h"
@@ -93,7 +94,7 @@ std::vector<double> step_of(const double *direction, int dim, double distance,
     return step;
 }
 
-// The product of the bumps times a vector: all control points but one, and its copies, are 0.
+// The product of the bumps times a vector: all control points except one, and its copies, are 0.
 SplinePtr bump_spline(const std::vector<Bump> &bumps, const std::vector<double> &step) {
     Spline::Axes axes;
     int64_t point = 0, count = 1;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "modify/edit/influence.h"
 
 #include "eval/active_points.h"
@@ -12,7 +13,7 @@ namespace nrb::modify {
 
 namespace {
 
-// Those at a parameter that has been admitted.
+// The basis functions at a parameter that has been checked.
 class ActiveAt : public eval::ActivePoints {
 public:
     ActiveAt(const Spline &spline, const double *param) : eval::ActivePoints(spline.knot_vectors(), {}) {
@@ -43,7 +44,8 @@ void add_functions(const Spline &spline, const eval::ActivePoints &active, std::
     });
 }
 
-// sum N_j w_j (P_j - Q), of those chosen or of the others; a point at infinity contributes N_j A_j.
+// sum N_j w_j (P_j - Q), of the chosen control points or of the others; a point at infinity contributes N_j
+// A_j.
 std::vector<double> weighted_offset(const Spline &spline, const eval::ActivePoints &active,
                                     std::span<const int64_t> originals, bool chosen,
                                     const std::vector<double> &centre) {
@@ -79,7 +81,7 @@ Contribution started(const Spline &spline, const eval::ActivePoints &active,
     return sums;
 }
 
-// From the first of them that has a weight, so that places far from the origin lose nothing.
+// Measured from the first of them that has a weight, so that places far from the origin lose no accuracy.
 std::vector<double> mean_place(const Spline &spline, const eval::ActivePoints &active,
                                std::span<const int64_t> originals, double weight) {
     const auto first = std::find_if(originals.begin(), originals.end(),
@@ -94,7 +96,7 @@ std::vector<double> mean_place(const Spline &spline, const eval::ActivePoints &a
     return centre;
 }
 
-// A list of indices as far as there is room.
+// A list of indices, as long as there is space.
 class IndexList {
 public:
     void add(int64_t index) noexcept {
@@ -143,7 +145,7 @@ public:
         }
         join_copies();
     }
-    // The place of the largest one, that with the lowest index of several.
+    // The place of the largest one, with the lowest index if there are several.
     [[nodiscard]] size_t largest() const noexcept {
         size_t best = 0;
         for (size_t i = 1; i < values_.size(); ++i) {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "modify/edit/inverse_insertion.h"
 
 #include "basis/bspline.h"
@@ -29,8 +30,8 @@ int64_t layer_of(const AxisView &view, int64_t point) noexcept {
     return point / view.inner % view.count;
 }
 
-// w_i |Q - P_i| / (w_i |Q - P_i| + w_j |P_j - Q|); without weights the ratio itself, where the Cartesian
-// points are combined.
+// w_i |Q - P_i| / (w_i |Q - P_i| + w_j |P_j - Q|). Without weights, where the Cartesian points are combined,
+// the ratio itself.
 double rational_ratio(const Spline &spline, int64_t from, int64_t to, double ratio) {
     const double before = spline.weight(from), behind = spline.weight(to);
     if (ratio == 0 || ratio == 1 || (before == 0 && behind == 0)) {
@@ -56,8 +57,9 @@ double knot_at(const KnotVector &axis, int64_t layer, double s) noexcept {
     return std::clamp(knot, lower, upper);
 }
 
-// The same with the knots of the period in which it is inside the domain; its end is the start. A leg reaches
-// below the domain, or beyond it, in copies of layers only, one period from where they are inside.
+// The same with the knots of the period in which it is inside the domain; the end of the domain is its start.
+// Only copies of layers have legs that reach below the domain or beyond it; those layers are inside one
+// period away.
 double periodic_knot(const KnotVector &axis, int64_t layer, double s) noexcept {
     const auto [lower, upper] = axis.domain();
     double knot = knot_at(axis, layer, s);
@@ -69,8 +71,8 @@ double periodic_knot(const KnotVector &axis, int64_t layer, double s) noexcept {
     return knot >= lower && knot < upper ? knot : lower;
 }
 
-// Where knots of a leg reach over more than a period, copies of the new knot would be among them, and the
-// control point another one.
+// If knots of a leg reach over more than a period, copies of the new knot would be among them, and the
+// control point would be a different one.
 void check_period(const KnotVector &axis, int k) {
     if (axis.periodic() && axis.distinct_layers() < axis.degree()) {
         fail(Status::periodic,
@@ -89,7 +91,7 @@ void check_room(const KnotVector &axis, int k, double knot) {
     }
 }
 
-// Boehm's means, t_span <= knot < t_(span + 1) outside the domain. New layer i counts from 1 below it.
+// Boehm's means, for t_span <= knot < t_(span + 1) outside the domain. New layer i counts from 1 below it.
 refine::AxisTable table_outside(const KnotVector &axis, double knot) {
     const bool below = knot < axis.domain().lower;
     const int p = axis.degree();
@@ -143,7 +145,7 @@ LegInsertion insert_on_leg(const SplinePtr &spline, int axis, int64_t point, dou
 
 namespace {
 
-// Of the point from the leg between two control points.
+// The distance of the point from the leg between two control points.
 Leg leg_at(const Spline &spline, int64_t from, int64_t to, const double *point) noexcept {
     const int dim = spline.dim();
     const auto along = [&](int c) { return spline.coordinate(to, c) - spline.coordinate(from, c); };

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "modify/edit/kept_layers.h"
 
 #include "basis/bspline.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Control points on which values and derivatives at the ends of axes depend.
 #pragma once
 
@@ -7,8 +8,8 @@
 
 namespace nrb::modify {
 
-// For each control point, of which copies count with the first one, whether it acts on a derivative up to
-// keep[k][end] at the start or the end of axis k; -1 stands for none, a null keep for none at all.
+// For each control point (copies count with the first one), whether it acts on a derivative up to
+// keep[k][end] at the start or the end of axis k. -1 stands for none, a null keep for none at all.
 std::vector<char> kept_points(const Spline &spline, const int32_t *keep);
 
 } // namespace nrb::modify

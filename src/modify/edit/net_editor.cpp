@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "modify/edit/net_editor.h"
 
 #include "base/representable.h"

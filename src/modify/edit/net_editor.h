@@ -1,4 +1,5 @@
-// Control points and weights of a spline replaced one by one; copies on periodic axes go with them.
+// SPDX-License-Identifier: MIT
+// Control points and weights of a spline replaced one by one; copies on periodic axes are replaced with them.
 #pragma once
 
 #include "spline/spline.h"
@@ -15,10 +16,10 @@ public:
     // The spline must outlive this.
     explicit NetEditor(const Spline &spline);
 
-    // In place of that of an original control point, which keeps its place. A polynomial spline becomes
-    // rational. Throws Status::point_not_finite if it has no place.
+    // Replaces the weight of an original control point, which keeps its place. A polynomial spline becomes
+    // rational. Throws Status::point_not_finite if the control point has no place.
     void set_weight(int64_t point, double weight);
-    // Moves an original control point by scale * offset, its weight stays.
+    // Moves an original control point by scale * offset; its weight stays.
     void move(int64_t point, const double *offset, double scale) noexcept;
     // Throws what make_result() throws, and Status::not_representable when a value overflows.
     [[nodiscard]] SplinePtr finish();

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "modify/edit/pull_point.h"
 
 #include "modify/edit/influence.h"

@@ -1,4 +1,5 @@
-// Control points moved so that a point of the shape does (Piegl & Tiller 11.2).
+// SPDX-License-Identifier: MIT
+// Control points moved so that a point of the shape moves (Piegl & Tiller 11.2).
 #pragma once
 
 #include "spline/spline.h"
@@ -10,9 +11,8 @@ struct PointEdit {
     SplinePtr spline;
 };
 
-// P_i + alpha V with alpha = d / (|V| R_i(t)). Throws Status::influence, not_representable.
-// Preconditions: the parameter has been admitted, the direction is not 0, `original` is a first copy
-// (net_editor.h).
+// P_i + alpha V with alpha = d / (|V| R_i(t)). Throws Status::influence, not_representable. Preconditions:
+// the parameter has been checked, the direction is not 0, `original` is a first copy (net_editor.h).
 PointEdit pull_point(const Spline &spline, int64_t original, const double *param, const double *direction,
                      double distance);
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "modify/edit/weight_edit.h"
 
 #include "base/finite.h"
@@ -26,14 +27,14 @@ double checked_weight(double weight, int64_t point) {
     return weight;
 }
 
-// -|S B|, infinite where the others make no point.
+// -|S B|, infinite if the others make no point.
 double lowest_distance(const Contribution &sums) noexcept {
     return -sums.reach() * std::abs(sums.weight / sums.rest);
 }
 
 double factor_for(const Contribution &sums, double distance) {
     const double reach = sums.reach();
-    if (!(distance < reach)) { // not finite either
+    if (!(distance < reach)) { // is not finite either
         fail(Status::length, "distance = %s, expected less than %s, the distance to the control points",
              Number(distance).text, Number(reach).text);
     }
@@ -81,7 +82,7 @@ SplinePtr set_weights(const Spline &spline, std::span<const int64_t> originals, 
 
 namespace {
 
-// Q + offset / weight; the centre where the offset is 0.
+// Q + offset / weight; the centre if the offset is 0.
 std::vector<double> point_at(const Contribution &sums, double weight) {
     std::vector<double> point = sums.centre;
     for (size_t c = 0; c < point.size(); ++c) {
@@ -166,7 +167,8 @@ double weight_cross_ratio(int dim, const double *control_point, const double *at
 
 namespace {
 
-// What has to be 0 for the target to lie on the line through the control point, along the unit vector `line`.
+// The value that has to be 0 for the target to lie on the line through the control point, along the unit
+// vector `line`.
 double distance_from_line(const std::vector<double> &to_target, const std::vector<double> &line) noexcept {
     const double along = dot(to_target, line);
     return norm_of(static_cast<int>(line.size()), [&](int c) {

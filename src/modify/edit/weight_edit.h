@@ -1,4 +1,5 @@
-// Weights changed so that a point of the shape moves to where it is wanted (Piegl & Tiller 11.3).
+// SPDX-License-Identifier: MIT
+// Weights changed so that a point of the shape moves to a wanted place (Piegl & Tiller 11.3).
 #pragma once
 
 #include "spline/spline.h"
@@ -7,7 +8,7 @@
 
 namespace nrb::modify {
 
-// All parameters must have been admitted, and `originals` are first copies (net_editor.h).
+// All parameters must have been checked, and `originals` are first copies (net_editor.h).
 
 struct WeightEdit {
     double value; // the new weight, or the factor
@@ -23,7 +24,7 @@ WeightEdit pull_weights(const Spline &spline, std::span<const int64_t> originals
 // The same for one control point; the value is its weight.
 WeightEdit pull_weight(const Spline &spline, int64_t original, const double *param, double distance);
 
-// Throws Status::point_not_finite if there is a control point at infinity, or one of them has no place,
+// Throws Status::point_not_finite if there is a control point at infinity, or if one of them has no place,
 // and what make_result() throws. Precondition: the weights are finite and >= 0.
 SplinePtr set_weights(const Spline &spline, std::span<const int64_t> originals, const double *weights);
 

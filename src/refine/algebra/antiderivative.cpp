@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "refine/algebra/antiderivative.h"
 
 #include "base/checked.h"
@@ -20,8 +21,8 @@ KnotVectorPtr integrated(const KnotVector &axis) {
     return std::make_shared<const KnotVector>(axis.degree() + 1, std::move(knots));
 }
 
-// What the first layer is less: the integral from there to the start of the domain, as a combination of
-// the steps between the layers up to those that are active at the start.
+// What is subtracted from the first layer: the integral from there to the start of the domain, as a
+// combination of the steps between the layers up to those that are active at the start.
 std::vector<double> start_coefficients(const KnotVector &axis) {
     const int q = axis.degree();
     const int64_t span = axis.spans().find(axis.domain().lower, false);
@@ -29,7 +30,7 @@ std::vector<double> start_coefficients(const KnotVector &axis) {
     basis_values(axis.knots().data(), q, span, axis.domain().lower, values);
     std::vector<double> coefficients(static_cast<size_t>(span), 1.0);
     double above = 0;
-    for (int j = q; j > 0; --j) { // what the functions behind step span - q + j - 1 add up to
+    for (int j = q; j > 0; --j) { // the sum of the functions after step span - q + j - 1
         above += values[j];
         coefficients[static_cast<size_t>(span - q + j - 1)] = above;
     }

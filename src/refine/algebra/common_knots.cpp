@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "refine/algebra/common_knots.h"
 
 #include "base/error.h"
@@ -10,7 +11,7 @@ namespace nrb::refine {
 
 namespace {
 
-// Copies of a knot before place `index`, itself one of them, and those behind.
+// How many copies of the knot at place `index` stand before that place, and how many after it.
 struct Beside {
     int before;
     int behind;
@@ -37,7 +38,7 @@ std::vector<KnotGroup> one_period(const KnotVector &axis) {
         axis.knots().subspan(static_cast<size_t>(first), static_cast<size_t>(axis.distinct_layers())));
 }
 
-// A knot `periods` periods on; the ends of the domain are copies of each other.
+// A knot moved by `periods` periods; the ends of the domain are copies of each other.
 double copy_of(double knot, int64_t periods, Interval domain) noexcept {
     if (periods == 0 || (periods == 1 && knot == domain.lower)) {
         return periods == 0 ? knot : domain.upper;
@@ -47,7 +48,7 @@ double copy_of(double knot, int64_t periods, Interval domain) noexcept {
 
 } // namespace
 
-JointAxis::JointAxis(int degree, const std::vector<const KnotVector *> &members, int extra)
+CommonKnots::CommonKnots(int degree, const std::vector<const KnotVector *> &members, int extra)
     : degree_(degree) {
     const bool periodic = std::all_of(members.begin(), members.end(),
                                       [](const KnotVector *member) { return member->periodic(); });
@@ -65,7 +66,7 @@ JointAxis::JointAxis(int degree, const std::vector<const KnotVector *> &members,
 }
 
 // The knots of all members, each with its multiplicities.
-std::vector<JointAxis::Group> JointAxis::merged(const std::vector<std::vector<KnotGroup>> &own) {
+std::vector<CommonKnots::Group> CommonKnots::merged(const std::vector<std::vector<KnotGroup>> &own) {
     std::vector<double> all;
     for (const std::vector<KnotGroup> &groups : own) {
         std::transform(groups.begin(), groups.end(), std::back_inserter(all),
@@ -86,7 +87,7 @@ std::vector<JointAxis::Group> JointAxis::merged(const std::vector<std::vector<Kn
     return result;
 }
 
-void JointAxis::append(Group group) {
+void CommonKnots::append(Group group) {
     for (size_t i = 0; i < members_.size(); ++i) {
         std::vector<double> &knots = members_[i].knots;
         group.place[i] = std::ssize(knots);
@@ -95,7 +96,7 @@ void JointAxis::append(Group group) {
     groups_.push_back(group);
 }
 
-void JointAxis::add_open(const std::vector<const KnotVector *> &members) {
+void CommonKnots::add_open(const std::vector<const KnotVector *> &members) {
     std::vector<std::vector<KnotGroup>> own;
     for (const KnotVector *member : members) {
         members_.push_back({member->degree(), {}, 0, 0});
@@ -106,9 +107,9 @@ void JointAxis::add_open(const std::vector<const KnotVector *> &members) {
     }
 }
 
-// So many periods that each member has 2 r + 2 knots on either side of the domain: r + 1 of them can be
-// arguments, the others stand around these.
-void JointAxis::add_periodic(const std::vector<const KnotVector *> &members) {
+// Enough periods that each member has 2 r + 2 knots on either side of the domain: r + 1 of them can be
+// arguments, the others surround these.
+void CommonKnots::add_periodic(const std::vector<const KnotVector *> &members) {
     const Interval domain = members.front()->domain();
     std::vector<std::vector<KnotGroup>> own;
     int64_t fewest = members.front()->distinct_layers();
@@ -133,7 +134,7 @@ void JointAxis::add_periodic(const std::vector<const KnotVector *> &members) {
     }
 }
 
-void JointAxis::check_rising(double knot) const {
+void CommonKnots::check_rising(double knot) const {
     if (!groups_.empty() && !(groups_.back().knot < knot)) {
         fail(Status::periodic_knots,
              "knots: copies a multiple of the period away meet at %s, where rounding makes knots equal that "
@@ -142,7 +143,7 @@ void JointAxis::check_rising(double knot) const {
     }
 }
 
-void JointAxis::count_copies(int extra) {
+void CommonKnots::count_copies(int extra) {
     int64_t first = 0;
     for (Group &group : groups_) {
         int copies = 0;
@@ -156,8 +157,8 @@ void JointAxis::count_copies(int extra) {
     }
 }
 
-// As many copies of each end of the domain stand on its other side as the member needs that needs the most.
-void JointAxis::choose_open(const std::vector<const KnotVector *> &members, int extra) {
+// Each end of the domain has as many copies on its other side as the member needs that needs the most.
+void CommonKnots::choose_open(const std::vector<const KnotVector *> &members, int extra) {
     Beside most{0, 0};
     for (const KnotVector *member : members) {
         const int raise = degree_ - member->degree() + extra;
@@ -172,7 +173,7 @@ void JointAxis::choose_open(const std::vector<const KnotVector *> &members, int 
 }
 
 // The period begins at the same copy of its first knot as that of a member.
-void JointAxis::choose_periodic(const std::vector<const KnotVector *> &members) {
+void CommonKnots::choose_periodic(const std::vector<const KnotVector *> &members) {
     int before = 0;
     for (const KnotVector *member : members) {
         before = std::max(before, beside(member->knots(), member->degree()).before);
@@ -184,21 +185,21 @@ void JointAxis::choose_periodic(const std::vector<const KnotVector *> &members) 
     axis_ = make_knot_vector(degree_, knots_between(first_, end.first + before + degree_ + 1), true);
 }
 
-size_t JointAxis::group_of(double knot) const noexcept {
+size_t CommonKnots::group_of(double knot) const noexcept {
     return static_cast<size_t>(
         std::lower_bound(groups_.begin(), groups_.end(), knot,
                          [](const Group &group, double value) { return group.knot < value; }) -
         groups_.begin());
 }
 
-size_t JointAxis::group_at(int64_t index) const noexcept {
+size_t CommonKnots::group_at(int64_t index) const noexcept {
     return static_cast<size_t>(
         std::upper_bound(groups_.begin(), groups_.end(), index,
                          [](int64_t i, const Group &group) { return i < group.first; }) -
         groups_.begin() - 1);
 }
 
-std::vector<double> JointAxis::knots_between(int64_t first, int64_t end) const {
+std::vector<double> CommonKnots::knots_between(int64_t first, int64_t end) const {
     std::vector<double> knots;
     knots.reserve(static_cast<size_t>(end - first));
     for (size_t g = group_at(first); std::ssize(knots) < end - first; ++g) {
@@ -209,8 +210,8 @@ std::vector<double> JointAxis::knots_between(int64_t first, int64_t end) const {
     return knots;
 }
 
-// The wrapped layers of a periodic axis are those of the first ones.
-JointAxis::Window JointAxis::window(int64_t layer) const noexcept {
+// The wrapped layers of a periodic axis are copies of the first ones.
+CommonKnots::Window CommonKnots::window(int64_t layer) const noexcept {
     const int64_t before = first_ + layer % axis_->distinct_layers();
     const Group &start = groups_[group_at(before)];
     Window window{};
@@ -229,9 +230,10 @@ JointAxis::Window JointAxis::window(int64_t layer) const noexcept {
     return window;
 }
 
-// With no argument at all, at degree 0, those are none behind the last knot that is not above the support.
-JointAxis::Run JointAxis::own_arguments(size_t member, const Group *groups, const int *chosen, int low,
-                                        int high, double start) const noexcept {
+// At degree 0 there are no arguments at all. The run is then empty; it stands after the last knot that is not
+// above the start of the support.
+CommonKnots::Run CommonKnots::own_arguments(size_t member, const Group *groups, const int *chosen, int low,
+                                            int high, double start) const noexcept {
     if (low > high) {
         const Group &last = groups_[group_of(start)];
         return {last.place[member] + last.times[member], 0};
@@ -245,7 +247,8 @@ JointAxis::Run JointAxis::own_arguments(size_t member, const Group *groups, cons
     return {first, groups[high].place[member] + std::min(groups[high].times[member], chosen[high]) - first};
 }
 
-void JointAxis::polar_row(int member, const Window &window, const int *chosen, PolarRow &row) const noexcept {
+void CommonKnots::blossom_row(int member, const Window &window, const int *chosen,
+                              BlossomRow &row) const noexcept {
     const auto m = static_cast<size_t>(member);
     const Group *groups = groups_.data() + window.group;
     int low = 0, high = window.size - 1;
@@ -267,7 +270,7 @@ void JointAxis::polar_row(int member, const Window &window, const int *chosen, P
     row.first = run.first - row.size - members_[m].shift;
 }
 
-int64_t JointAxis::stored_layer(int member, int64_t layer) const noexcept {
+int64_t CommonKnots::stored_layer(int member, int64_t layer) const noexcept {
     const int64_t period = members_[static_cast<size_t>(member)].period;
     return period == 0 ? layer : (layer % period + period) % period;
 }
@@ -278,15 +281,15 @@ namespace {
 class Mean {
 public:
     void clear() noexcept { rows_.clear(); }
-    void add(const PolarRow &row, double times) {
+    void add(const BlossomRow &row, double times) {
         rows_.push_back(row);
         times_.resize(rows_.size());
         times_.back() = times;
     }
-    // Without the zeros before the first coefficient; the result is its layer.
+    // Drops the zeros before the first coefficient; returns its layer.
     int64_t write(double total, std::vector<double> &mean) const {
         int64_t first = rows_.front().first, end = first;
-        for (const PolarRow &row : rows_) {
+        for (const BlossomRow &row : rows_) {
             first = std::min(first, row.first);
             end = std::max(end, row.first + row.size);
         }
@@ -313,15 +316,15 @@ private:
         return sum.value();
     }
 
-    std::vector<PolarRow> rows_;
+    std::vector<BlossomRow> rows_;
     std::vector<double> times_;
 };
 
 } // namespace
 
-// Only layers whose functions hold the support of a new one have a part in it: at most p + 1, which are stored in
+// A new layer depends only on layers whose functions contain its support: at most p + 1, which are stored in
 // a row.
-LayerTable JointAxis::raising(int member) const {
+LayerTable CommonKnots::raising(int member) const {
     const int p = members_[static_cast<size_t>(member)].degree;
     LayerTable table;
     table.reserve(axis_->count(), axis_->degree() + 1);
@@ -331,8 +334,8 @@ LayerTable JointAxis::raising(int member) const {
         const Window window = this->window(layer);
         mean.clear();
         for_each_choice(window, p, [&](const int *chosen, double times) {
-            PolarRow row;
-            polar_row(member, window, chosen, row);
+            BlossomRow row;
+            blossom_row(member, window, chosen, row);
             mean.add(row, times);
         });
         const int64_t first = mean.write(binomial(degree_, p), coefficients);

@@ -1,13 +1,15 @@
+// SPDX-License-Identifier: MIT
 // Knots over which one or two splines, their sums and their products are splines of a higher degree, and how
 // control points there follow from polar forms.
 //
-// A polynomial of degree p has at degree r the polar form that is the mean of its own over all choices of p of
-// the r arguments, and the product of two of degrees p and r - p is the mean of the products of theirs, the
-// second at the arguments left over (L. Ramshaw 1989; K. Morken, "Some identities for products and degree
-// raising of splines", Constr. Approx. 7 (1991)). A knot that occurs m times in a spline of degree p occurs at
-// least r - p + m times here, so that whatever the choice, a knot of the spline strictly inside the window of a
-// control point is among its arguments as often as it is in its knots: its values are combinations of its
-// control points with factors in [0, 1].
+// The polar form of a polynomial of degree p, taken at a higher degree r, is the mean of its own polar form
+// over all choices of p of the r arguments. The polar form of the product of two polynomials of degrees p and
+// r - p is the mean of the products of their polar forms, the second one at the remaining arguments (L.
+// Ramshaw 1989; K. Morken, "Some identities for products and degree raising of splines", Constr. Approx. 7
+// (1991)). A knot that occurs m times in a spline of degree p occurs at least r - p + m times here. So,
+// whatever the choice, a knot of the spline strictly inside the window of a control point is among the
+// arguments as often as among the knots of the spline, and the values are combinations of control points of
+// the spline with factors in [0, 1].
 #pragma once
 
 #include "basis/bspline.h"
@@ -20,21 +22,22 @@
 
 namespace nrb::refine {
 
-// A value of a polar form: coefficients of consecutive layers; on a periodic axis of the endless sequence.
-struct PolarRow {
+// A value of a polar form: coefficients of consecutive layers; on a periodic axis, of the endless sequence.
+struct BlossomRow {
     int64_t first;
     int size;
     double coefficients[max_basis];
 };
 
-class JointAxis {
+class CommonKnots {
 public:
     static constexpr int max_members = 2;
 
     // The axis of degree r, not less than those of the members, which have the same domain bit for bit; every
-    // knot has `extra` more copies than it needs, up to r + 1. It is periodic if all members are. Throws Status::periodic_knots if copies a period away cannot be told apart, and what
-    // make_knot_vector() throws.
-    JointAxis(int degree, const std::vector<const KnotVector *> &members, int extra);
+    // knot has `extra` more copies than it needs, up to r + 1. It is periodic if all members are. Throws
+    // Status::periodic_knots if copies a period away cannot be told apart, and what make_knot_vector()
+    // throws.
+    CommonKnots(int degree, const std::vector<const KnotVector *> &members, int extra);
 
     [[nodiscard]] const KnotVectorPtr &axis() const noexcept { return axis_; }
 
@@ -47,15 +50,16 @@ public:
     };
     [[nodiscard]] Window window(int64_t layer) const noexcept;
 
-    // The value of the polar form of a member at as many knots of each group of the window as `chosen` says,
-    // its degree in all. Where the member jumps, that of the piece to which the window's control point belongs.
-    // Every coefficient is accurate to 3 d eps of itself, d < size the arguments that are none of its knots.
-    void polar_row(int member, const Window &window, const int *chosen, PolarRow &row) const noexcept;
+    // The value of the polar form of a member, at as many knots of each group of the window as `chosen` says;
+    // they are as many as its degree. Where the member jumps, it is the value of the piece to which the
+    // window's control point belongs. Every coefficient is accurate to 3 d eps of itself, where d < size is
+    // the number of arguments that are not knots of the member.
+    void blossom_row(int member, const Window &window, const int *chosen, BlossomRow &row) const noexcept;
     // The stored layer from which at most degree + 1 layers that begin at `layer` can be read.
     [[nodiscard]] int64_t stored_layer(int member, int64_t layer) const noexcept;
 
-    // The table that gives the layers of the axis from those of a member: its degree raised to r, and its knots
-    // refined.
+    // The table that gives the layers of the axis from those of a member, with its degree raised to r and its
+    // knots refined.
     [[nodiscard]] LayerTable raising(int member) const;
 
 private:
@@ -76,7 +80,8 @@ private:
     };
 
     // The knots of a member that are among its arguments: the last copies of the lowest argument, all knots
-    // between, the first copies of the highest one; where it jumps at its only argument, those of one side.
+    // between, and the first copies of the highest one. Where the member jumps at its only argument, the
+    // knots of one side.
     struct Run {
         int64_t first;
         int64_t size;
@@ -103,15 +108,15 @@ private:
     KnotVectorPtr axis_;
 };
 
-// Calls body(chosen, times) for every way to choose `total` knots of a window, equal ones taken together: the
-// number of copies of each group, and in how many ways they can be picked.
+// Calls body(chosen, times) for every way to choose `total` knots of a window, equal knots taken together.
+// `chosen` is the number of copies of each group, `times` in how many ways they can be picked.
 template <class Body>
-void for_each_choice(const JointAxis::Window &window, int total, Body &&body);
+void for_each_choice(const CommonKnots::Window &window, int total, Body &&body);
 
 namespace detail {
 
 template <class Body>
-void choose(const JointAxis::Window &window, int at, int left, int behind, double times, int *chosen,
+void choose(const CommonKnots::Window &window, int at, int left, int behind, double times, int *chosen,
             Body &body) {
     if (at == window.size) {
         body(static_cast<const int *>(chosen), times);
@@ -128,7 +133,7 @@ void choose(const JointAxis::Window &window, int at, int left, int behind, doubl
 } // namespace detail
 
 template <class Body>
-void for_each_choice(const JointAxis::Window &window, int total, Body &&body) {
+void for_each_choice(const CommonKnots::Window &window, int total, Body &&body) {
     int all = 0;
     for (int i = 0; i < window.size; ++i) {
         all += window.copies[static_cast<size_t>(i)];

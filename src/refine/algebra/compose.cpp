@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "refine/algebra/compose.h"
 
 #include "numeric/sum.h"
@@ -52,7 +53,7 @@ std::vector<CurvePiece> pieces_of(const Spline &f) {
     return pieces;
 }
 
-// The polar values of a coordinate of f over its pieces, between which all its values lie.
+// The polar values of a coordinate of f over its pieces; all its values lie between them.
 Interval hull_of(const std::vector<CurvePiece> &pieces, int k) noexcept {
     Interval hull{pieces.front().coefficients(k).front(), pieces.front().coefficients(k).front()};
     for (const CurvePiece &piece : pieces) {
@@ -62,9 +63,9 @@ Interval hull_of(const std::vector<CurvePiece> &pieces, int k) noexcept {
     return hull;
 }
 
-// More would be a slip rather than a curve: f in degrees on a circle in radians.
+// More would be a mistake rather than a curve: f in degrees on a circle in radians.
 constexpr double most_periods = 65536;
-// From there on neighbouring doubles are a period apart.
+// Beyond this neighbouring doubles are a period apart.
 constexpr double farthest_period = 0x1p52;
 
 // A periodic axis over all periods that f runs through.
@@ -79,7 +80,7 @@ KnotVectorPtr with_periods(const KnotVector &axis, int k, Interval range) {
              far ? "more than 2^52 periods from" : "over more than 65536 periods of", Number(lower).text,
              Number(upper).text);
     }
-    return unrolled(axis, static_cast<int64_t>(first), static_cast<int64_t>(end));
+    return over_periods(axis, static_cast<int64_t>(first), static_cast<int64_t>(end));
 }
 
 Spline::Axes axes_under(const Spline &g, const std::vector<CurvePiece> &pieces) {
@@ -95,9 +96,9 @@ Spline::Axes axes_under(const Spline &g, const std::vector<CurvePiece> &pieces) 
     return axes;
 }
 
-// What the continuity of f and g between two cells leaves of that of a spline of degree `degree`.
+// The order of continuity that f and g leave to a spline of degree `degree` between two cells.
 int copies_between(const Spline &g, const Spline &f, int degree, const std::vector<CurvePiece> &pieces,
-                   const Cell &a, const Cell &b) noexcept {
+                   const SpanCell &a, const SpanCell &b) noexcept {
     int smooth = degree;
     if (a.piece != b.piece) {
         const int64_t times = pieces[b.piece].span() - pieces[a.piece].span();
@@ -113,13 +114,13 @@ int copies_between(const Spline &g, const Spline &f, int degree, const std::vect
     return degree - std::max(smooth, -1);
 }
 
-using Window = JointAxis::Window;
+using Window = CommonKnots::Window;
 
 class Composer {
 public:
     Composer(const Spline &g, const Spline &f, int degree)
         : g_(g), f_(f), degree_(degree), pieces_(pieces_of(f)), axes_(axes_under(g, pieces_)),
-          cells_(cells_of(axes_, pieces_)) {
+          cells_(span_cells(axes_, pieces_)) {
         const auto [lower, upper] = f.axis(0).domain();
         append_knots(lower, degree + 1, 0);
         for (size_t i = 1; i < cells_.size(); ++i) {
@@ -153,7 +154,7 @@ private:
         cell_behind_.insert(cell_behind_.end(), static_cast<size_t>(copies), cell);
     }
 
-    // Where polar values of f overshoot its values, weights of the result may do so below 0.
+    // If polar values of f overshoot its values, weights of the result may overshoot to below 0.
     [[nodiscard]] bool has_negative_weight(const std::vector<double> &records) const noexcept {
         const auto width = static_cast<size_t>(g_.width());
         bool negative = false;
@@ -163,10 +164,10 @@ private:
         return negative;
     }
 
-    // The cell of the longest span in the support of a layer, of the first of these. All spans give the same
-    // control point, as far as crossings are known: beside a piece so short that they are not, those outside
-    // it count.
-    [[nodiscard]] const Cell &cell_for(int64_t layer) const noexcept {
+    // The cell of the longest span in the support of a layer; the first one if there are several. All spans
+    // give the same control point, as far as crossings are known. Next to a piece so short that they are not,
+    // the spans outside it count.
+    [[nodiscard]] const SpanCell &cell_for(int64_t layer) const noexcept {
         const auto length = [&](int64_t span) {
             return knots_[static_cast<size_t>(span) + 1] - knots_[static_cast<size_t>(span)];
         };
@@ -219,7 +220,7 @@ private:
         return out;
     }
 
-    // Adds the values of G for all ways to deal out the knots that are left, from axis k on.
+    // Adds the values of G for all ways to distribute the remaining knots, from axis k on.
     void next_axis(int k, const Window &left, const double *points, double times) {
         if (k < g_.axes()) {
             next_argument(k, 0, left, nullptr, 0, points, times);
@@ -238,7 +239,7 @@ private:
         ++terms_;
     }
 
-    // Of all arguments.
+    // The same for all arguments.
     [[nodiscard]] double product_of_weights() const noexcept {
         double product = 1;
         for (int k = 0; k < g_.axes(); ++k) {
@@ -248,8 +249,8 @@ private:
         return product;
     }
 
-    // The arguments of an axis in any order are the same, so only orders that do not fall are gone through; a
-    // choice that comes n times does so in 1 / n! as many orders as n different ones.
+    // The order of the arguments of an axis does not matter, so only orders that do not fall are visited. A
+    // choice that occurs n times has 1 / n! as many orders as n different choices.
     void next_argument(int k, int number, const Window &left, const int *previous, int run,
                        const double *points, double times) {
         const auto at = static_cast<size_t>(k);
@@ -262,7 +263,7 @@ private:
         for_each_choice(left, f_.axis(0).degree(), [&](const int *chosen, double ways) {
             const auto order = against(previous, chosen, left.size);
             if (order < 0 || chosen[0] * missing > left.copies[0]) {
-                return; // the choices that follow have no fewer copies of the first knot
+                return; // the choices after this one have no fewer copies of the first knot
             }
             const int again = order == 0 ? run + 1 : 1;
             double *argument = arguments_[at].data() + number;
@@ -291,8 +292,8 @@ private:
         return arguments_[axis][place - 1];
     }
 
-    // Coordinate k of the polar form of f; where that is a value of f, the knot it stands for. Its weight goes to
-    // weights_[k][number].
+    // Coordinate k of the polar form of f. If that is a value of f, the knot it stands for. Its weight goes
+    // to weights_[k][number].
     [[nodiscard]] double argument_of(int k, int number, int size, const int *chosen) noexcept {
         std::array<double, max_basis> knots{};
         int count = 0, distinct = 0;
@@ -311,7 +312,8 @@ private:
                             : snapped(*axes_[static_cast<size_t>(k)], value, uncertainty_at(k, knots[0]));
     }
 
-    // Of the value of f there, to which the pieces on both sides belong: one of them may be much steeper.
+    // The uncertainty of the value of f there. The pieces on both sides count: one of them may be much
+    // steeper.
     [[nodiscard]] double uncertainty_at(int k, double t) const noexcept {
         const size_t i = cell_->piece;
         double least = pieces_[i].uncertainty_at(k, t);
@@ -328,7 +330,7 @@ private:
         const auto at = static_cast<size_t>(k);
         const int p = g_.axis(k).degree();
         const int64_t span = cell_->spans[at], length = lengths_[at];
-        const PolarRow row =
+        const BlossomRow row =
             blossom_row(*axes_[at], span, std::span(arguments_[at]).first(static_cast<size_t>(p)));
         contract(row.coefficients, row.size, points + (row.first - span + p) * length, length, length,
                  parts_[at].data());
@@ -340,16 +342,16 @@ private:
     bool weighted_ = f_.rational();
     std::vector<CurvePiece> pieces_;
     Spline::Axes axes_; // of g, with the periods that f runs through
-    std::vector<Cell> cells_;
+    std::vector<SpanCell> cells_;
     std::vector<double> knots_;       // of the result
     std::vector<size_t> cell_behind_; // of each knot
 
-    // Of the layer that is being made.
-    const Cell *cell_ = nullptr;
+    // Data of the layer that is being made.
+    const SpanCell *cell_ = nullptr;
     std::array<double, max_basis> window_knots_{};
     std::vector<double> block_;
     std::array<std::array<double, max_basis>, max_axes> arguments_{};
-    std::array<std::array<double, max_basis>, max_axes> weights_{}; // of the arguments, where f has some
+    std::array<std::array<double, max_basis>, max_axes> weights_{}; // of the arguments, if f has weights
     std::array<int64_t, max_axes> lengths_{};
     std::array<std::vector<double>, max_axes> parts_;
     std::vector<CompensatedSum> sums_;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "refine/algebra/crossings.h"
 
 #include "numeric/binomial.h"
@@ -30,7 +31,7 @@ CurvePiece::CurvePiece(const Spline &curve, int64_t span) : curve_(&curve), span
 
 namespace {
 
-// Values of a polar form at `from` and `to`, the latter 0, ..., degree times.
+// Values of a polar form: at `to` 0, ..., degree times, at `from` the other times.
 template <class Polar>
 Coefficients bernstein(int degree, double from, double to, Polar polar) noexcept {
     Coefficients arguments{}, values{};
@@ -65,7 +66,7 @@ double CurvePiece::polar_weight(std::span<const double> arguments) const noexcep
     if (!curve_->rational()) {
         return 1;
     }
-    const PolarRow row = blossom_row(curve_->axis(0), span_, arguments);
+    const BlossomRow row = blossom_row(curve_->axis(0), span_, arguments);
     double sum = 0;
     for (int i = 0; i < row.size; ++i) {
         sum += row.coefficients[i] * weight(row.first + i);
@@ -73,7 +74,7 @@ double CurvePiece::polar_weight(std::span<const double> arguments) const noexcep
     return sum;
 }
 
-double CurvePiece::quotient(const PolarRow &row, int k) const noexcept {
+double CurvePiece::quotient(const BlossomRow &row, int k) const noexcept {
     if (row.size == 1) {
         return curve_->coordinate(row.first, k);
     }
@@ -87,7 +88,7 @@ double CurvePiece::quotient(const PolarRow &row, int k) const noexcept {
 }
 
 double CurvePiece::polar_value(int k, std::span<const double> arguments) const noexcept {
-    const PolarRow row = blossom_row(curve_->axis(0), span_, arguments);
+    const BlossomRow row = blossom_row(curve_->axis(0), span_, arguments);
     if (curve_->rational()) {
         return quotient(row, k);
     }
@@ -126,7 +127,7 @@ CurvePiece::Known CurvePiece::known_of(int k) const {
     return known;
 }
 
-// Of the active control points.
+// eps times the range of the active control points.
 Interval CurvePiece::eps_times_range(int k) const noexcept {
     Interval range{HUGE_VAL, -HUGE_VAL};
     for (int64_t i = span_ - degree(); i <= span_; ++i) {
@@ -136,9 +137,10 @@ Interval CurvePiece::eps_times_range(int k) const noexcept {
     return range;
 }
 
-// Bound of eps t |F'|, of which each control point counts by its steps to the next one. With weights F' is the sum of
-// q N_i (w_(i+1) (F_(i+1) - F) - w_i (F_i - F)) / (t_(i+q+1) - t_(i+1)), N_i those of degree q - 1, divided by the
-// weight, and F lies among the F_i; equal weights have the ratios 1 + 1, of which `even` are left out.
+// Bound of eps t |F'|, to which each control point contributes its steps to the next one. With weights F' is
+// the sum of q N_i (w_(i+1) (F_(i+1) - F) - w_i (F_i - F)) / (t_(i+q+1) - t_(i+1)), N_i being those of degree
+// q - 1, divided by the weight, and F lies among the F_i; equal weights have the ratios 1 + 1, of which
+// `even` are left out.
 double CurvePiece::eps_times_slope(int k, double even) const noexcept {
     const KnotVector &axis = curve_->axis(0);
     const int q = axis.degree();
@@ -169,103 +171,10 @@ double CurvePiece::uncertainty_at(int k, double t) const noexcept {
 
 namespace {
 
-// Bernstein coefficients whose signs count, and what their uncertainty is multiplied by.
-template <size_t kSize>
-struct SignNet {
-    std::array<double, kSize> values{};
-    std::array<double, kSize> weights{};
-};
-
-// Walks through the parts of a piece in the order of their parameters. `value` is the function itself.
-template <size_t kSize, class Value>
-class SignWalk {
-public:
-    SignWalk(int degree, bool weighted, double uncertainty, Value value)
-        : value_(value), uncertainty_(uncertainty), degree_(degree), weighted_(weighted) {}
-
-    SignProfile walk(SignNet<kSize> &net, Interval part) && {
-        visit(net, part.lower, part.upper);
-        return std::move(profile_);
-    }
-
-private:
-    using Net = SignNet<kSize>;
-
-    [[nodiscard]] int sign(const Net &net, size_t j) const noexcept {
-        const double x = net.values[j], known = weighted_ ? uncertainty_ * net.weights[j] : uncertainty_;
-        return std::fabs(x) <= known ? 0 : x > 0 ? 1 : -1;
-    }
-
-    void visit(Net &net, double lower, double upper) {
-        int first = 0, last = 0, changes = 0;
-        for (int j = 0; j <= degree_; ++j) {
-            const int own = sign(net, static_cast<size_t>(j));
-            changes += own * last < 0 ? 1 : 0;
-            last = own != 0 ? own : last;
-            first = first != 0 ? first : own;
-        }
-        const double middle = lower + (upper - lower) / 2;
-        if (changes > 1 && lower < middle && middle < upper) {
-            Net left = net;
-            halve(left.values, net.values);
-            if (weighted_) {
-                halve(left.weights, net.weights);
-            }
-            visit(left, lower, middle);
-            visit(net, middle, upper);
-        } else if (first != 0) {
-            add(first, last, lower, upper);
-        }
-    }
-
-    // de Casteljau in the middle: `left` becomes the lower half, `values` the upper one.
-    void halve(std::array<double, kSize> &left, std::array<double, kSize> &values) const noexcept {
-        for (int r = 0; r <= degree_; ++r) {
-            left[static_cast<size_t>(r)] = values[0];
-            for (int j = 0; j < degree_ - r; ++j) {
-                const auto at = static_cast<size_t>(j);
-                values[at] = values[at] / 2 + values[at + 1] / 2;
-            }
-            // The upper half stays behind, from its end backwards.
-        }
-    }
-
-    // A part that begins with one sign and ends with another one, or the same.
-    void add(int first, int last, double lower, double upper) {
-        if (before_ * first < 0) {
-            profile_.crossings.push_back(lower);
-        }
-        if (first != last) {
-            profile_.crossings.push_back(root(lower, upper, last));
-        }
-        before_ = last;
-        profile_.below = profile_.below || first < 0 || last < 0;
-        profile_.above = profile_.above || first > 0 || last > 0;
-    }
-
-    [[nodiscard]] double root(double lower, double upper, int last) const noexcept {
-        for (;;) {
-            const double middle = lower + (upper - lower) / 2;
-            const double value = value_(middle);
-            if (value == 0 || middle == lower || middle == upper) {
-                return middle;
-            }
-            ((value > 0) == (last > 0) ? upper : lower) = middle;
-        }
-    }
-
-    Value value_;
-    double uncertainty_;
-    int degree_;
-    bool weighted_;
-    int before_ = 0; // the last sign met
-    SignProfile profile_;
-};
-
-// Of coordinate k minus c over a part of the piece, of which these are the coefficients and weights.
+// The signs of coordinate k minus c over a part of the piece, which has these coefficients and weights.
 SignProfile profile_of(const CurvePiece &piece, int k, double c, double uncertainty,
                        std::span<const double> values, std::span<const double> weights, Interval part) {
-    SignNet<max_basis> net;
+    UncertainNet<max_basis> net{piece.degree(), uncertainty, !weights.empty()};
     for (size_t j = 0; j < values.size(); ++j) {
         net.values[j] = values[j] - c;
         if (!weights.empty()) {
@@ -273,12 +182,11 @@ SignProfile profile_of(const CurvePiece &piece, int k, double c, double uncertai
             net.weights[j] = weights[j];
         }
     }
-    const auto value = [&piece, k, c](double t) { return piece.value(k, t) - c; };
-    return SignWalk<max_basis, decltype(value)>(piece.degree(), !weights.empty(), uncertainty, value)
-        .walk(net, part);
+    return signs_between(part.lower, part.upper, net,
+                         [&piece, k, c](double t) { return piece.value(k, t) - c; });
 }
 
-// Whether no jump leads back.
+// Whether no jump goes back.
 bool continues(const CurvePiece &before, const CurvePiece &piece, bool rising) noexcept {
     const double from = before.coefficients(0).back(), to = piece.coefficients(0).front();
     const double slack = std::max(before.uncertainty(0), piece.uncertainty(0));
@@ -315,14 +223,15 @@ bool lies_above(const CurvePiece &piece, int k, double c, Interval part) {
 
 namespace {
 
-// Signs of the derivative of a curve of dimension 1 with weights. From B_i' B_j - B_i B_j' = (i - j) B_i B_j / (t (1 -
-// t)) its numerator has the Bernstein coefficients sum over i + j = k + 1, i < j of (j - i) binomial(q, i) binomial(q,
-// j) / binomial(2 q - 2, k) w_i w_j (F_j - F_i), which no translation of the F_i changes.
+// Signs of the derivative of a curve of dimension 1 with weights. From B_i' B_j - B_i B_j' = (i - j) B_i B_j
+// / (t (1 - t)) its numerator has the Bernstein coefficients sum over i + j = k + 1, i < j of (j - i)
+// binomial(q, i) binomial(q, j) / binomial(2 q - 2, k) w_i w_j (F_j - F_i), which no translation of the F_i
+// changes.
 SignProfile quotient_slope(const CurvePiece &piece) {
     constexpr size_t size = 2 * max_basis;
     const std::span<const double> points = piece.coefficients(0), weights = piece.weights();
     const int q = piece.degree(), degree = std::max(2 * q - 2, 0);
-    SignNet<size> net;
+    UncertainNet<size> net{degree, 2 * piece.rounding(0), true};
     for (int i = 0; i <= q; ++i) {
         for (int j = i + 1; j <= q; ++j) {
             const auto a = static_cast<size_t>(i), b = static_cast<size_t>(j), k = a + b - 1;
@@ -332,12 +241,11 @@ SignProfile quotient_slope(const CurvePiece &piece) {
             net.weights[k] += size_of_term;
         }
     }
-    const auto middle = [](double) { return 0.0; }; // zeros are not asked for
-    return SignWalk<size, decltype(middle)>(degree, true, 2 * piece.rounding(0), middle)
-        .walk(net, {piece.lower(), piece.upper()});
+    const auto any = [](double) { return 0.0; }; // zeros are not asked for
+    return signs_between(piece.lower(), piece.upper(), net, any);
 }
 
-// check(signs of the derivative) on all pieces, until it says false.
+// Calls check(signs of the derivative) on all pieces, until it returns false.
 template <class Check>
 bool all_slopes(const SplinePtr &curve, Check check) {
     const SplinePtr slope = curve->rational() ? curve : polynomial_derivative(curve, 0, 1);

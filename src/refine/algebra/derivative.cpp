@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "refine/algebra/derivative.h"
 
 #include "base/checked.h"
@@ -12,8 +13,8 @@ namespace nrb::refine {
 
 namespace {
 
-// The axis of the derivative, and for each of its layers the stored layer it is the difference behind, with
-// the length to divide by.
+// The axis of the derivative. For each of its layers, the stored layer from which the difference to the next
+// one is taken, and the length to divide by.
 struct DerivedAxis {
     struct Layer {
         int64_t below;
@@ -23,8 +24,8 @@ struct DerivedAxis {
     std::vector<Layer> layers;
 };
 
-// Derived layers and knots of a run of old knots. Layer i belongs to knots i + 1, ..., i + p + 1 of the run; an
-// empty one is left out with its last knot.
+// Derived layers and knots of a run of old knots. Layer i belongs to knots i + 1, ..., i + p + 1 of the run;
+// a layer with an empty support is left out with its last knot.
 struct Run {
     std::vector<double> knots;
     std::vector<DerivedAxis::Layer> layers;
@@ -63,7 +64,7 @@ Place place_of(std::span<const double> knots, double knot) noexcept {
     return {first - knots.begin(), last - first};
 }
 
-// The period begins at the same copy of its first knot as before, as far as there are so many.
+// The period begins at the same copy of its first knot as before, if there are so many.
 DerivedAxis derived_periodic(const KnotVector &axis) {
     const int p = axis.degree();
     const int64_t lead = int64_t{p} + 1;

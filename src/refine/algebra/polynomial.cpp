@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "refine/algebra/polynomial.h"
 
 #include "refine/algebra/product.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Polynomial splines as functions, made without the checks of results and multiplied.
 #pragma once
 

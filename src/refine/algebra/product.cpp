@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "refine/algebra/product.h"
 
 #include "base/checked.h"
@@ -21,7 +22,7 @@ struct Term {
     int64_t first_b;
     int size_a;
     int size_b;
-    size_t offset; // of the coefficients of the first, those of the second behind them
+    size_t offset; // coefficients of the first value, then those of the second
 };
 
 // The terms of layers of an axis.
@@ -32,16 +33,16 @@ public:
         coefficients_.clear();
         ends_.clear();
     }
-    void add_layer(const JointAxis &axis, int64_t layer, int p, double scale) {
-        const JointAxis::Window window = axis.window(layer);
+    void add_layer(const CommonKnots &axis, int64_t layer, int p, double scale) {
+        const CommonKnots::Window window = axis.window(layer);
         for_each_choice(window, p, [&](const int *chosen, double times) {
             int rest[max_basis];
             for (int i = 0; i < window.size; ++i) {
                 rest[i] = window.copies[static_cast<size_t>(i)] - chosen[i];
             }
-            PolarRow a, b;
-            axis.polar_row(0, window, chosen, a);
-            axis.polar_row(1, window, rest, b);
+            BlossomRow a, b;
+            axis.blossom_row(0, window, chosen, a);
+            axis.blossom_row(1, window, rest, b);
             terms_.push_back({times * scale, axis.stored_layer(0, a.first), axis.stored_layer(1, b.first),
                               a.size, b.size, coefficients_.size()});
             coefficients_.insert(coefficients_.end(), a.coefficients, a.coefficients + a.size);
@@ -64,7 +65,7 @@ private:
     std::vector<size_t> ends_;
 };
 
-// What is left of a factor at each axis: the length of a layer there.
+// What remains of a factor at each axis: the length of a layer there.
 std::vector<int64_t> layer_lengths(const Spline::Axes &axes, int64_t width) {
     std::vector<int64_t> lengths(axes.size());
     for (size_t k = axes.size(); k-- > 0; width *= axes[k]->count()) {
@@ -75,7 +76,7 @@ std::vector<int64_t> layer_lengths(const Spline::Axes &axes, int64_t width) {
 
 class Multiplier {
 public:
-    Multiplier(const Factor &a, const Factor &b, const std::vector<JointAxis> &axes, int width,
+    Multiplier(const Factor &a, const Factor &b, const std::vector<CommonKnots> &axes, int width,
                const Bilinear &form)
         : axes_(axes), form_(form), product_(static_cast<size_t>(width)),
           lengths_a_(layer_lengths(a.axes, a.width)), lengths_b_(layer_lengths(b.axes, b.width)),
@@ -137,7 +138,7 @@ private:
         }
     }
 
-    const std::vector<JointAxis> &axes_;
+    const std::vector<CommonKnots> &axes_;
     const Bilinear &form_;
     std::vector<double> product_;
     std::vector<int64_t> lengths_a_, lengths_b_, lengths_;
@@ -167,10 +168,10 @@ void check_same_domains(const Spline::Axes &a, const Spline::Axes &b) {
     }
 }
 
-std::vector<JointAxis> product_axes(const Spline::Axes &a, const Spline::Axes &b,
-                                    const std::array<int, 3> &extra) {
+std::vector<CommonKnots> product_axes(const Spline::Axes &a, const Spline::Axes &b,
+                                      const std::array<int, 3> &extra) {
     check_same_domains(a, b);
-    std::vector<JointAxis> joint;
+    std::vector<CommonKnots> joint;
     for (size_t k = 0; k < a.size(); ++k) {
         const int degree = a[k]->degree() + b[k]->degree();
         if (degree > max_degree) {
@@ -182,16 +183,16 @@ std::vector<JointAxis> product_axes(const Spline::Axes &a, const Spline::Axes &b
     return joint;
 }
 
-Spline::Axes axes_of(const std::vector<JointAxis> &joint) {
+Spline::Axes axes_of(const std::vector<CommonKnots> &joint) {
     Spline::Axes axes;
     axes.reserve(joint.size());
-    for (const JointAxis &axis : joint) {
+    for (const CommonKnots &axis : joint) {
         axes.push_back(axis.axis());
     }
     return axes;
 }
 
-std::vector<double> product_records(const Factor &a, const Factor &b, const std::vector<JointAxis> &axes,
+std::vector<double> product_records(const Factor &a, const Factor &b, const std::vector<CommonKnots> &axes,
                                     int width, const Bilinear &form) {
     return Multiplier(a, b, axes, width, form).run(a.records.data(), b.records.data());
 }
@@ -275,7 +276,7 @@ SplinePtr from_records(Spline::Axes axes, int dim, Form form, std::vector<double
 }
 
 SplinePtr product(const Spline &a, const Spline &b, ProductKind kind) {
-    const std::vector<JointAxis> joint = product_axes(a.knot_vectors(), b.knot_vectors());
+    const std::vector<CommonKnots> joint = product_axes(a.knot_vectors(), b.knot_vectors());
     const int dim = product_dim(a.dim(), b.dim(), kind);
     const Form form = std::max(a.form(), b.form());
     const int weight_a = a.rational() ? a.dim() : -1, weight_b = b.rational() ? b.dim() : -1;

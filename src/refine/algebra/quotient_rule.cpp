@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "refine/algebra/quotient_rule.h"
 
 #include "base/limits.h"
@@ -39,11 +40,11 @@ SplinePtr components(const Spline &spline, int first, int size) {
     return polynomial(spline.knot_vectors(), size, std::move(points));
 }
 
-// The product with a spline of dimension 1, knots on an axis `extra` times more than it needs.
+// The product with a spline of dimension 1, with knots on an axis `extra` times more than it needs.
 SplinePtr scaled(const Spline &spline, const Spline &factor, int axis, int extra) {
     std::array<int, 3> copies{};
     copies[static_cast<size_t>(axis)] = extra;
-    const std::vector<JointAxis> joint = product_axes(spline.knot_vectors(), factor.knot_vectors(), copies);
+    const std::vector<CommonKnots> joint = product_axes(spline.knot_vectors(), factor.knot_vectors(), copies);
     const int dim = spline.dim();
     const Bilinear form = [dim](const double *a, const double *b, double *out) {
         std::transform(a, a + dim, out, [b](double x) { return x * *b; });
@@ -74,7 +75,7 @@ SplinePtr next_numerator(const SplinePtr &numerator, const SplinePtr &weight, in
     return polynomial(first->knot_vectors(), first->dim(), std::move(points));
 }
 
-// w^(n+1), whose last factor brings the knots that the numerator has beside its own.
+// w^(n+1); its last factor adds the knots that the numerator has in addition to its own.
 SplinePtr power(const SplinePtr &weight, int axis, int n) {
     SplinePtr result = weight;
     for (int i = 1; i <= n; ++i) {
@@ -97,7 +98,7 @@ std::vector<double> side_by_side(const Spline &numerator, const Spline &denomina
 
 } // namespace
 
-// Of the shape at the origin, whose w P has no part that cancels with that of w.
+// The shape at the origin: its w P has no part that cancels with a part of w.
 SplinePtr rational_derivative(const Spline &given, int axis, int order) {
     const Spline &spline = at_origin(given);
     check_degrees(spline, order);

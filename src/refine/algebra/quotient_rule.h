@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Derivatives of rational splines as rational splines.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "refine/algebra/span_cells.h"
 
 #include "base/error.h"
@@ -44,7 +45,7 @@ std::vector<Crossing> crossings(const Spline::Axes &axes, const CurvePiece &piec
     return found;
 }
 
-// Whether f is at the knot all the way from a place to the crossing, as far as can be told.
+// Whether f is at the knot all the way from a place to the crossing, as far as its values are known.
 bool stays(const CurvePiece &piece, double t, const Crossing &crossing) noexcept {
     const double uncertainty = piece.uncertainty(crossing.axis);
     const Coefficients values = piece.coefficients_between(crossing.axis, t, crossing.t);
@@ -52,7 +53,7 @@ bool stays(const CurvePiece &piece, double t, const Crossing &crossing) noexcept
                        [&](double value) { return std::fabs(value - crossing.knot) <= uncertainty; });
 }
 
-// The start of the piece and crossings inside it, apart from its ends and from each other.
+// The start of the piece and the crossings inside it that can be told from its ends and from each other.
 std::vector<double> starts_of(const Spline::Axes &axes, const CurvePiece &piece) {
     std::vector<double> starts{piece.lower()};
     for (const Crossing &crossing : crossings(axes, piece)) {
@@ -63,8 +64,8 @@ std::vector<double> starts_of(const Spline::Axes &axes, const CurvePiece &piece)
     return starts;
 }
 
-// The span of an axis in which the piece lies on a part between crossings: that of the last knot which it lies
-// above, of those that may be meant.
+// The span of an axis in which the piece lies on a part between crossings: that of the last knot above which
+// it lies, among those that may be meant.
 int64_t span_of(const KnotVector &axis, const CurvePiece &piece, int k, Interval part) {
     const double value = piece.value(k, part.lower + (part.upper - part.lower) / 2);
     const std::span<const double> breaks = axis.spans().breaks();
@@ -76,8 +77,9 @@ int64_t span_of(const KnotVector &axis, const CurvePiece &piece, int k, Interval
     return axis.find_span(next[-1], false);
 }
 
-Cell cell_of(const Spline::Axes &axes, const std::vector<CurvePiece> &pieces, size_t piece, Interval part) {
-    Cell cell{part.lower, piece, {}};
+SpanCell cell_of(const Spline::Axes &axes, const std::vector<CurvePiece> &pieces, size_t piece,
+                 Interval part) {
+    SpanCell cell{part.lower, piece, {}};
     for (size_t k = 0; k < axes.size(); ++k) {
         cell.spans[k] = span_of(*axes[k], pieces[piece], static_cast<int>(k), part);
     }
@@ -86,8 +88,8 @@ Cell cell_of(const Spline::Axes &axes, const std::vector<CurvePiece> &pieces, si
 
 } // namespace
 
-std::vector<Cell> cells_of(const Spline::Axes &axes, const std::vector<CurvePiece> &pieces) {
-    std::vector<Cell> cells;
+std::vector<SpanCell> span_cells(const Spline::Axes &axes, const std::vector<CurvePiece> &pieces) {
+    std::vector<SpanCell> cells;
     for (size_t i = 0; i < pieces.size(); ++i) {
         for (size_t k = 0; k < axes.size(); ++k) {
             check_inside(pieces[i], static_cast<int>(k), axes[k]->domain());

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The pieces of a curve between the knots of the axes that it runs over.
 #pragma once
 
@@ -8,18 +9,18 @@
 
 namespace nrb::refine {
 
-// An interval, up to the start of the next one, on which a curve is a polynomial and its values lie in one span
-// of each axis. Spans that are shorter than the uncertainty of the values may be left out: there the values
-// count as beside them.
-struct Cell {
+// An interval, up to the start of the next one, on which a curve is a polynomial and its values lie in one
+// span of each axis. Spans that are shorter than the uncertainty of the values may be left out; values there
+// count as if they lay in a neighbouring span.
+struct SpanCell {
     double start;
     size_t piece; // of the curve
     std::array<int64_t, max_axes> spans;
 };
 
-// The intervals of all pieces, of which each holds the whole of one span of the curve. Throws
+// The cells of all pieces; together the cells of a piece cover one span of the curve. Throws
 // Status::outside_domain if the curve leaves the domain of an axis by more than its uncertainty.
-std::vector<Cell> cells_of(const Spline::Axes &axes, const std::vector<CurvePiece> &pieces);
+std::vector<SpanCell> span_cells(const Spline::Axes &axes, const std::vector<CurvePiece> &pieces);
 
 // The knot of an axis that a value equals to within its uncertainty, or the value.
 double snapped(const KnotVector &axis, double value, double uncertainty) noexcept;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "refine/algebra/sum.h"
 
 #include "base/representable.h"
@@ -23,7 +24,7 @@ bool same_axis(const KnotVector &a, const KnotVector &b) {
            std::ranges::equal(a.knots(), b.knots());
 }
 
-SplinePtr raised(const SplinePtr &spline, int k, const JointAxis &joint, int member) {
+SplinePtr raised(const SplinePtr &spline, int k, const CommonKnots &joint, int member) {
     if (same_axis(spline->axis(k), *joint.axis())) {
         return spline;
     }
@@ -33,14 +34,14 @@ SplinePtr raised(const SplinePtr &spline, int k, const JointAxis &joint, int mem
 Common common(SplinePtr a, SplinePtr b) {
     for (int k = 0; k < a->axes(); ++k) {
         const KnotVector &of_a = a->axis(k), &of_b = b->axis(k);
-        const JointAxis joint(std::max(of_a.degree(), of_b.degree()), {&of_a, &of_b}, 0);
+        const CommonKnots joint(std::max(of_a.degree(), of_b.degree()), {&of_a, &of_b}, 0);
         a = raised(a, k, joint, 0);
         b = raised(b, k, joint, 1);
     }
     return {std::move(a), std::move(b)};
 }
 
-// Stored points are combined; where the last component of a record is the weight it stays.
+// Stored points are combined; if the last component of a record is the weight, it stays.
 SplinePtr combined(const Spline &a, double alpha, const Spline &b, double beta) {
     std::vector<double> points(a.points().begin(), a.points().end());
     const auto width = static_cast<size_t>(a.stored_width()), dim = static_cast<size_t>(a.dim());
@@ -56,7 +57,7 @@ SplinePtr combined(const Spline &a, double alpha, const Spline &b, double beta) 
 
 // (alpha A w_b + beta B w_a) / (w_a w_b).
 SplinePtr over_product(const Spline &a, double alpha, const Spline &b, double beta) {
-    const std::vector<JointAxis> joint = product_axes(a.knot_vectors(), b.knot_vectors());
+    const std::vector<CommonKnots> joint = product_axes(a.knot_vectors(), b.knot_vectors());
     const int dim = a.dim();
     const bool of_a = a.rational(), of_b = b.rational();
     const Bilinear form = [=](const double *x, const double *y, double *out) {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "refine/degree/elevate.h"
 
 #include "base/limits.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Degree elevation.
 #pragma once
 

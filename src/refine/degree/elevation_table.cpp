@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "refine/degree/elevation_table.h"
 
 #include "base/error.h"
@@ -25,8 +26,8 @@ std::vector<Group> groups_of(std::span<const double> knots) {
     return groups;
 }
 
-// Old knots first, ..., end - 1, all of which a polar form has among its arguments, and the ones it has
-// beside them, as places of old knots.
+// Old knots first, ..., end - 1, all of which are arguments of a polar form, and its other arguments, as
+// places of old knots.
 struct Arguments {
     int64_t first;
     int64_t end;
@@ -39,19 +40,19 @@ struct RowShape {
     int64_t first;
     int width;
     int terms;
-    PolarTerm term[max_basis];
+    BlossomTerm term[max_basis];
 
-    // Whether all the shares go to one control point.
+    // Whether all terms belong to one control point.
     [[nodiscard]] bool copies() const noexcept { return width == 1; }
-    [[nodiscard]] std::span<const PolarTerm> all() const noexcept {
+    [[nodiscard]] std::span<const BlossomTerm> all() const noexcept {
         return {term, static_cast<size_t>(terms)};
     }
 };
 
 // The degree + 1 consecutive raised knots that belong to a control point, by groups.
-class Window {
+class RaisedKnots {
 public:
-    Window(int degree, std::span<const double> knots, const std::vector<Group> &groups)
+    RaisedKnots(int degree, std::span<const double> knots, const std::vector<Group> &groups)
         : degree_(degree), knots_(knots), groups_(groups) {}
 
     // Precondition: raised index `at` is in group `group`.
@@ -70,8 +71,8 @@ public:
         return this->group(group).first + group; // one more of each group before
     }
 
-    // The average over the windows without one of the knots: one term for each group, as often as there are
-    // copies to drop.
+    // The average over the windows without one of the knots: one term for each group, weighted by the number
+    // of copies that can be dropped.
     void shape(RowShape &shape) const noexcept {
         shape.terms = size_;
         int64_t layers[max_basis];
@@ -103,7 +104,7 @@ private:
     }
 
     // The window without one copy of its group `dropped`. Old knots strictly inside it are among the
-    // arguments as often as they occur; those at its ends are the ones beside them.
+    // arguments as often as they occur; the knots at its ends are the other arguments.
     void drop(int dropped, Arguments &arguments) const noexcept {
         const auto copies = [&](int i) { return copies_[i] - (i == dropped ? 1 : 0); };
         const int low = copies(0) == 0 ? 1 : 0;
@@ -124,13 +125,13 @@ private:
     }
 
     // With d further arguments a polar form is a combination of d + 1 control points: Cox-de Boor steps over
-    // the knots around those that it has (T. Lyche, K. Morken, "Making the Oslo algorithm more efficient",
-    // SIAM J. Numer. Anal. 23 (1986)). Returns the first control point.
-    int64_t make_term(int dropped, PolarTerm &term) const noexcept {
+    // the knots around the arguments that it has (T. Lyche, K. Morken, "Making the Oslo algorithm more
+    // efficient", SIAM J. Numer. Anal. 23 (1986)). Returns the first control point.
+    int64_t make_term(int dropped, BlossomTerm &term) const noexcept {
         Arguments arguments;
         drop(dropped, arguments);
         term.steps = arguments.added;
-        term.share = copies_[dropped] / static_cast<double>(degree_ + 1);
+        term.factor = copies_[dropped] / static_cast<double>(degree_ + 1);
         term.left = knots_.data() + arguments.first;
         term.right = knots_.data() + arguments.end;
         term.pitch = 1;
@@ -155,15 +156,15 @@ public:
     RowMaker(const KnotVector &axis, std::span<const double> knots, const std::vector<Group> &groups,
              int64_t shift, LayerTable &table)
         : degree_(axis.degree()), groups_(groups), shift_(shift), table_(table),
-          window_(degree_, knots, groups) {}
+          raised_(degree_, knots, groups) {}
 
     // Rows that begin at raised knots `at`, ..., end - 1.
     void make(int64_t at, int64_t end) {
         for (int64_t group = first_group(at); at < end;) {
-            while (group + 1 < std::ssize(groups_) && window_.raised_first(group + 1) <= at) {
+            while (group + 1 < std::ssize(groups_) && raised_.raised_first(group + 1) <= at) {
                 ++group;
             }
-            const int64_t blocks = at == window_.raised_first(group) ? alike(at, group, end) : 0;
+            const int64_t blocks = at == raised_.raised_first(group) ? alike(at, group, end) : 0;
             at += blocks > 0 ? make_rows(at, group, blocks) : make_row(at, group);
         }
     }
@@ -178,14 +179,15 @@ private:
         int64_t low = 0, high = std::ssize(groups_) - 1;
         while (low < high) {
             const int64_t middle = (low + high + 1) / 2;
-            (window_.raised_first(middle) <= at ? low : high) =
-                window_.raised_first(middle) <= at ? middle : middle - 1;
+            (raised_.raised_first(middle) <= at ? low : high) =
+                raised_.raised_first(middle) <= at ? middle : middle - 1;
         }
         return low;
     }
 
-    // How many of the next groups, a multiple of row_lanes, have windows that see knots of one multiplicity
-    // only: none reaches further than degree + 1 groups before the first and twice as many behind the last.
+    // How many of the next groups, a multiple of row_lanes, have windows that see only knots of one
+    // multiplicity. No window reaches further than degree + 1 groups before the first, and twice as many
+    // after the last.
     int64_t alike(int64_t at, int64_t group, int64_t end) {
         const int64_t reach = degree_ + 1;
         const int64_t wanted = (end - at) / (multiplicity(group) + 1);
@@ -203,37 +205,37 @@ private:
 
     int64_t make_row(int64_t at, int64_t group) {
         RowShape shape;
-        window_.place(at, group);
-        window_.shape(shape);
+        raised_.place(at, group);
+        raised_.shape(shape);
         if (shape.copies()) {
             table_.add_copy(shape.first - shift_);
         } else {
             double row[max_basis];
-            polar_row(shape.all(), shape.width, row);
+            blossom_row_sum(shape.all(), shape.width, row);
             table_.add_row(shape.first - shift_, row, shape.width);
         }
         return 1;
     }
 
-    // The windows that begin in `count` groups, of which those with the same place in their group are alike.
+    // The windows that begin in `count` groups. Windows with the same place in their group are alike.
     int64_t make_rows(int64_t at, int64_t group, int64_t count) {
         const int m = multiplicity(group);
         LayerTable::Row pattern[max_basis + 1];
         RowShape shape;
         int64_t pitch = 0;
         for (int place = 0; place <= m; ++place) {
-            window_.place(at + place, group);
-            window_.shape(shape);
+            raised_.place(at + place, group);
+            raised_.shape(shape);
             pattern[place] = {shape.first - shift_, shape.copies() ? 0 : shape.width,
                               static_cast<size_t>(pitch)};
             pitch += pattern[place].size;
         }
         double *rows = table_.room(count * pitch);
         for (int place = 0; place <= m; ++place) {
-            window_.place(at + place, group);
-            window_.shape(shape);
+            raised_.place(at + place, group);
+            raised_.shape(shape);
             if (!shape.copies()) {
-                polar_rows(shape.all(), m, count, shape.width, pitch, rows + pattern[place].offset);
+                blossom_row_sums(shape.all(), m, count, shape.width, pitch, rows + pattern[place].offset);
             }
         }
         table_.add_pattern({pattern, static_cast<size_t>(m) + 1}, count, m, pitch);
@@ -244,7 +246,7 @@ private:
     const std::vector<Group> &groups_;
     int64_t shift_;
     LayerTable &table_;
-    Window window_;
+    RaisedKnots raised_;
     int64_t run_first_ = 0; // the groups of one multiplicity around the present one
     int64_t run_end_ = 0;
 };
@@ -262,7 +264,7 @@ struct Range {
 };
 
 // `lead` extended knots stand before the stored ones. On a periodic axis the new copy of an end of the domain
-// stands behind it on either side, on any other one it stands outside.
+// stands after it at both ends; on any other axis it stands outside.
 Range kept_knots(const KnotVector &axis, const std::vector<Group> &groups, int64_t lead) noexcept {
     const int64_t p = axis.degree();
     const int64_t lower = p + lead + group_at(groups, p + lead) + (axis.periodic() ? 0 : 1);

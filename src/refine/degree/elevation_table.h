@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Degree elevation as a table: H. Prautzsch, "Degree elevation of B-spline curves", Computer Aided Geometric
 // Design 1 (1984).
 #pragma once
@@ -39,7 +40,7 @@ public:
     [[nodiscard]] LayerTable rows(int64_t first, int64_t end) const;
 
 private:
-    // On a periodic axis the knots of periods before and behind, too.
+    // On a periodic axis also the knots of the periods before and after.
     [[nodiscard]] std::span<const double> old_knots() const noexcept {
         return axis_.periodic() ? std::span<const double>(extended_) : axis_.knots();
     }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "refine/forms/hermite.h"
 
 #include "base/representable.h"

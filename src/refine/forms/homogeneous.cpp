@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "refine/forms/homogeneous.h"
 
 #include "base/checked.h"

@@ -1,4 +1,5 @@
-// Between a rational spline and the polynomial one of its homogeneous points.
+// SPDX-License-Identifier: MIT
+// Conversions between a rational spline and the polynomial spline of its homogeneous points.
 #pragma once
 
 #include "spline/spline.h"
@@ -10,10 +11,11 @@ namespace nrb::refine {
 // (w x, w y, ..., w) of every control point, unscaled; w = 1 in a polynomial spline.
 std::vector<double> homogeneous_points(const Spline &spline);
 
-// The Cartesian places of the control points; not finite where a homogeneous one has none or overflows.
+// The Cartesian places of the control points; not finite if a homogeneous point has no such place or
+// overflows.
 std::vector<double> cartesian_points(const Spline &spline);
 
-// A polynomial spline with weights of 1, any other as it is.
+// A polynomial spline with weights of 1; any other spline unchanged.
 SplinePtr make_rational(const SplinePtr &spline);
 
 // The form that can hold all of them: the last in the order of Form.

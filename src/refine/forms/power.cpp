@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "refine/forms/power.h"
 
 #include "base/finite.h"
@@ -14,7 +15,7 @@ namespace nrb::refine {
 
 namespace {
 
-// The pieces along every axis and the layers of one: missing axes come first, with one of each.
+// The pieces along every axis, and the layers of each piece. Missing axes come first, with one of each.
 class PieceOrder {
 public:
     PieceOrder(const std::vector<int> &degrees, const std::vector<std::vector<double>> &breaks) {
@@ -30,8 +31,8 @@ public:
     [[nodiscard]] int64_t rows() const noexcept {
         return pieces_[0] * pieces_[1] * pieces_[2] * layers_[0] * layers_[1];
     }
-    // Which row of the whole net, where each axis has all its layers side by side, is row `row` in the order
-    // that has the pieces one after the other.
+    // In the whole net each axis has all its layers side by side. Returns which of its rows is row `row` in
+    // the order that has the pieces one after the other.
     [[nodiscard]] int64_t place_in_net(int64_t row) const noexcept {
         const int64_t j = row % layers_[1], i = row / layers_[1] % layers_[0];
         int64_t piece = row / (layers_[0] * layers_[1]);
@@ -68,7 +69,7 @@ std::vector<double> side_by_side(const PieceOrder &order, int width, const std::
     return net;
 }
 
-// h^k as fraction * 2^exponent: a power of short or long spans would leave the range of doubles before the
+// h^k as fraction * 2^exponent: a power of a short or long span would leave the range of doubles before the
 // coefficients do.
 struct ScaledPower {
     double fraction;
@@ -185,7 +186,7 @@ SplinePtr from_power(PowerForm form, bool rational) {
     std::vector<double> net = side_by_side({form.degrees, form.breaks}, form.width, form.coefficients);
     const bool given = all_finite(net);
     along_all(net, form, power_to_bezier);
-    if (given) { // else make_spline() names the value that is not
+    if (given) { // otherwise make_spline() names the value that is not finite
         require_representable(net, "points");
     }
     Spline::Axes axes;

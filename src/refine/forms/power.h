@@ -1,5 +1,6 @@
-// The power basis: monomial coefficients of every polynomial piece of a spline, in the distances from the lower
-// ends of its spans.
+// SPDX-License-Identifier: MIT
+// The power basis: monomial coefficients of every polynomial piece of a spline, in the distances from the
+// lower ends of its spans.
 #pragma once
 
 #include "spline/spline.h"
@@ -18,13 +19,13 @@ struct PowerForm {
 };
 
 // Forward differences of the Bezier points b of every piece: C(p, k) Delta^k b_0 / h^k on a span of length h.
-// They lose (3 k + 1) / 2 eps of 2^k C(p, k) max |b| / h^k on each axis, on top of what b has lost. Throws
-// Status::not_representable, overflow. Cost: linear in the number of pieces.
+// They lose (3 k + 1) / 2 eps of 2^k C(p, k) max |b| / h^k on each axis, in addition to what b has lost.
+// Throws Status::not_representable, overflow. Cost: linear in the number of pieces.
 PowerForm to_power(const SplinePtr &spline);
 
 // The spline over breaks that all have multiplicity degree + 1. Its points are the sums of C(i, k) a_k h^k /
-// C(p, k), within (3 p + 1) / 2 eps of the sum of the terms' magnitudes on each axis. Preconditions: sizes agree;
-// breaks are finite and rise. Throws what make_spline() throws, and Status::not_representable.
+// C(p, k), within (3 p + 1) / 2 eps of the sum of the terms' magnitudes on each axis. Preconditions: sizes
+// agree; breaks are finite and rise. Throws what make_spline() throws, and Status::not_representable.
 SplinePtr from_power(PowerForm form, bool rational);
 
 } // namespace nrb::refine

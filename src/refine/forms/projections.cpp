@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "refine/forms/projections.h"
 
 #include "refine/forms/transform.h"

@@ -1,4 +1,5 @@
-// Reflections and projections as the affine and projective maps they are.
+// SPDX-License-Identifier: MIT
+// Reflections and projections, as affine and projective maps.
 #pragma once
 
 #include "spline/spline.h"
@@ -6,7 +7,7 @@
 namespace nrb::refine {
 
 // All arrays have the dimension of the spline. Throws Status::direction for a normal of 0, a direction
-// parallel to the plane, or an eye in the plane, each to within rounding; and what transform() throws.
+// parallel to the plane, or an eye in the plane, each to within rounding, and what transform() throws.
 SplinePtr mirror(const Spline &spline, const double *point, const double *normal);
 // direction null: along the normal.
 SplinePtr project_to_plane(const Spline &spline, const double *point, const double *normal,

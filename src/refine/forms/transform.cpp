@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "refine/forms/transform.h"
 
 #include "base/checked.h"
@@ -59,7 +60,7 @@ std::vector<double> projective_image(const Spline &spline, const MatrixView &mat
     return image;
 }
 
-// The common sign of all weights, which stand last in their records; 0 without one.
+// The common sign of all weights, each the last value of its record; 0 if they have none.
 int sign_of_weights(const std::vector<double> &records, int64_t width) noexcept {
     bool positive = true;
     bool negative = true;

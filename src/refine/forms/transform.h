@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Affine and projective maps of the control points.
 #pragma once
 

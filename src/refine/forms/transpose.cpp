@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "refine/forms/transpose.h"
 
 #include <algorithm>
@@ -21,7 +22,7 @@ void check_permutation(int axes, const int32_t *permutation) {
     }
 }
 
-// The control points in their new order, counts and old distances by new axis; missing axes have one layer.
+// The control points in their new order: counts and old distances by new axis; missing axes have one layer.
 struct Order {
     std::array<int64_t, max_axes> counts;
     std::array<int64_t, max_axes> strides;

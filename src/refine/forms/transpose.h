@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The axes of a spline in another order.
 #pragma once
 

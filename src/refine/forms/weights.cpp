@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "refine/forms/weights.h"
 
 #include "basis/bspline.h"
@@ -129,7 +130,7 @@ std::vector<double> end_weights(const Spline &spline, int axis, bool upper) {
     return layer;
 }
 
-// What every weight of the layer at the upper end has to be multiplied by.
+// The factor for every weight of the layer at the upper end.
 double common_ratio(const std::vector<double> &lower, const std::vector<double> &upper, int axis) {
     constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();
     double ratio = 0;

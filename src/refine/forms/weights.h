@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Changes of the weights that keep the shape.
 #pragma once
 
@@ -5,13 +6,14 @@
 
 namespace nrb::refine {
 
-// Whether all weights are one number.
+// Whether all weights are equal.
 bool equal_weights(const Spline &spline) noexcept;
 
-// Whether two splines of as many control points have the same form and weights.
+// Whether two splines with equally many control points have the same form and weights.
 bool same_weights(const Spline &a, const Spline &b) noexcept;
 
-// All weights divided by the one of largest magnitude; equal ones dropped. Throws what make_result() throws.
+// All weights divided by the weight of largest magnitude; equal weights are dropped. Throws what
+// make_result() throws.
 SplinePtr normalize_weights(const SplinePtr &spline);
 
 // The axis in the parameter u with (u - a) / (b - u) = (t - a) / (rho (b - t)) on the domain [a, b], rho =
@@ -22,7 +24,7 @@ SplinePtr normalize_weights(const SplinePtr &spline);
 SplinePtr reparametrize_moebius(const SplinePtr &spline, int axis, double ratio);
 
 // The same with the ratio that makes the weights at the two ends of the domain equal. Throws
-// Status::end_weights if there is none.
+// Status::end_weights if no ratio does.
 SplinePtr equalize_end_weights(const SplinePtr &spline, int axis);
 
 } // namespace nrb::refine

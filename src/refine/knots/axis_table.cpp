@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "refine/knots/axis_table.h"
 
 #include "refine/knots/batched_blossoms.h"
@@ -9,25 +10,25 @@
 namespace nrb::refine {
 
 LayerTable rows_of(const Refinement &refinement, int64_t first, int64_t end) {
-    constexpr int64_t many = row_lanes / 2; // for which it pays that they are alike
+    constexpr int64_t many = row_lanes / 2; // from this many on it pays that they are alike
     const int degree = refinement.width() - 1;
     LayerTable table;
     table.reserve(end - first, refinement.width(), row_lanes);
-    RowBatches batches(degree);
+    BatchedBlossoms batches(degree);
     double room[max_basis];
     for (int64_t j = first; j < end; ++j) {
         if (j > first && refinement.repeats(j)) {
             table.repeat_row();
             continue;
         }
-        const auto [layer, steps, left, right, arguments] = refinement.polar(j, room);
+        const auto [layer, steps, left, right, arguments] = refinement.blossom(j, room);
         if (steps == 0) {
             table.add_copy(layer);
             continue;
         }
         const int64_t alike = steps == degree ? refinement.alike(j, end) : 1;
         if (alike >= many) {
-            polar_rows(degree, left, right, arguments, alike, table.room(0));
+            sliding_blossom_rows(degree, left, right, arguments, alike, table.room(0));
             const LayerTable::Row row{layer, degree + 1, 0};
             table.add_pattern({&row, 1}, alike, 0, degree + 1);
             j += alike - 1;
@@ -73,7 +74,7 @@ SplinePtr with_axis(const Spline &spline, int k, const AxisTable &made) {
 }
 
 SplinePtr with_axis(const Spline &spline, int k, KnotVectorPtr axis, int64_t unit, const RowSource &rows) {
-    constexpr int64_t few = 4096; // rows, whose table stays in the cache
+    constexpr int64_t few = 4096; // rows whose table stays in the cache
     const int64_t count = axis->count();
     LayerMaker maker(spline, k, count);
     const int64_t part = maker.in_parts() ? std::max(few / unit, int64_t{1}) * unit : count;

@@ -1,4 +1,5 @@
-// What refinement makes of one axis: its knots, and the table that gives the new layers from the old ones.
+// SPDX-License-Identifier: MIT
+// The result of refinement on one axis: its knots, and the table that gives the new layers from the old ones.
 #pragma once
 
 #include "refine/knots/refinement.h"
@@ -18,23 +19,23 @@ struct AxisTable {
 // Rows [first, end) of a refinement.
 LayerTable rows_of(const Refinement &refinement, int64_t first, int64_t end);
 
-// The layers over knots that hold all those of the axis, which is taken as a plain one.
+// The layers over knots that contain all knots of the axis, which is treated as a plain one.
 LayerTable rows_over(const KnotVector &axis, std::span<const double> fine);
 
-// The axis with more knots, sorted ones of its domain. On a periodic axis they lie below the upper end, their
-// copies in all periods come with them, and the wrapped layers are the same rows. Precondition: no knot will
-// occur more than degree + 1 times. Throws Status::periodic_knots, not_representable.
+// The axis with more knots, which are sorted and lie in its domain. On a periodic axis they lie below the
+// upper end, they bring their copies in all periods, and the wrapped layers are the same rows. Precondition:
+// no knot will occur more than degree + 1 times. Throws Status::periodic_knots, not_representable.
 AxisTable refine_axis(const KnotVector &axis, std::span<const double> knots);
 
-// The knots of a sorted list and those of another one.
+// The knots of a sorted list together with those of another sorted list.
 std::vector<double> merged(std::span<const double> knots, std::span<const double> more);
 
 // The spline with one axis replaced. Throws what apply_along() and make_result() throw.
 SplinePtr with_axis(const Spline &spline, int k, const AxisTable &made);
-// The same for a table and an axis that are known to give a valid spline.
+// The axes of the spline with one of them replaced.
 Spline::Axes with_axis(const Spline &spline, int k, KnotVectorPtr axis);
-// The same with the table in parts: rows(first, end) are those of layers first, ..., end - 1. Boundaries of parts
-// are multiples of `unit`.
+// The spline with one axis replaced, with the table in parts: rows(first, end) are those of layers first,
+// ..., end - 1. Boundaries of parts are multiples of `unit`.
 using RowSource = std::function<LayerTable(int64_t first, int64_t end)>;
 SplinePtr with_axis(const Spline &spline, int k, KnotVectorPtr axis, int64_t unit, const RowSource &rows);
 

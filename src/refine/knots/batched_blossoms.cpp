@@ -1,18 +1,19 @@
+// SPDX-License-Identifier: MIT
 #include "refine/knots/batched_blossoms.h"
 
 namespace nrb::refine {
 
-// Lanes that never get a row are divided too, so that they need sides that differ.
-void RowBatches::open(Batch &batch, int steps) {
+// Lanes that never get a row are divided too, so they need sides that differ.
+void BatchedBlossoms::open(Batch &batch, int steps) {
     const int64_t side = steps * batch_rows;
     batch.knots.assign(static_cast<size_t>(3 * side), 0);
     std::fill_n(batch.knots.begin() + side, side, 1.0);
 }
 
-void RowBatches::make(Batch &batch, int steps) {
+void BatchedBlossoms::make(Batch &batch, int steps) {
     const double *knots = batch.knots.data();
     const int64_t side = steps * batch_rows;
-    PolarTerm term{steps, 0, 1, knots + side, knots + side, batch_rows, {}};
+    BlossomTerm term{steps, 0, 1, knots + side, knots + side, batch_rows, {}};
     for (int i = 0; i < steps; ++i) {
         term.arguments[i] = knots + 2 * side + i * batch_rows;
     }
@@ -21,11 +22,11 @@ void RowBatches::make(Batch &batch, int steps) {
     for (; count % row_lanes != 0; ++count) {
         batch.rows[count] = unused;
     }
-    polar_rows(term, count, batch.rows);
+    blossom_rows(term, count, batch.rows);
     batch.size = 0;
 }
 
-void RowBatches::finish() {
+void BatchedBlossoms::finish() {
     for (size_t steps = 1; steps < batches_.size(); ++steps) {
         if (batches_[steps].size > 0) {
             make(batches_[steps], static_cast<int>(steps));

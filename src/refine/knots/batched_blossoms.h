@@ -1,4 +1,5 @@
-// Rows of one polar form each, collected until many with as many steps can be made side by side.
+// SPDX-License-Identifier: MIT
+// Rows of one polar form each, collected until many rows with equally many steps can be made side by side.
 #pragma once
 
 #include "refine/knots/blossom_rows.h"
@@ -8,22 +9,22 @@
 
 namespace nrb::refine {
 
-class RowBatches {
+class BatchedBlossoms {
 public:
     static constexpr int64_t batch_rows = int64_t{8} * row_lanes;
 
     // For up to `steps` steps.
-    explicit RowBatches(int steps) : batches_(static_cast<size_t>(steps) + 1) {}
+    explicit BatchedBlossoms(int steps) : batches_(static_cast<size_t>(steps) + 1) {}
 
-    // The steps + 1 coefficients of a row with `steps` > 0 arguments, see append_argument(); they stand at `row`
-    // when finish() returns. The knots are read at once.
+    // Computes the steps + 1 coefficients of a row with `steps` > 0 arguments, see append_argument(). They
+    // stand at `row` when finish() returns. The knots are read at once.
     void add(int steps, const double *left, const double *right, const double *arguments, double *row) {
         Batch &batch = batches_[static_cast<size_t>(steps)];
         if (batch.knots.empty()) {
             open(batch, steps);
         }
         double *knots = batch.knots.data() + batch.size;
-        switch (steps) { // those of low degrees without loops
+        switch (steps) { // low degrees without loops
         case 1:
             fill<1>(1, left, right, arguments, knots);
             break;

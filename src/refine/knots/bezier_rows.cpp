@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "refine/knots/bezier_rows.h"
 
 #include "refine/knots/blossom_rows.h"
@@ -50,7 +51,7 @@ private:
         return copies;
     }
 
-    // How many spans from e on, inner ones, have as many knots at either end.
+    // How many spans from e on, inner ones, have equally many knots at either end.
     [[nodiscard]] int64_t run(int64_t e, int64_t limit) const noexcept {
         if (e == first_) {
             return 0;
@@ -66,7 +67,7 @@ private:
 
     // The terms of the points of span e that are not the last one of the span before, if that is made too;
     // returns their number.
-    int terms(int64_t e, PolarTerm *term) const noexcept {
+    int terms(int64_t e, BlossomTerm *term) const noexcept {
         const double *start = knots_.data() + span(e), *end = start + 1;
         const auto starts = static_cast<int>(before(e)), ends = static_cast<int>(behind(e));
         const int first = shared(e) ? 1 : 0;
@@ -77,26 +78,26 @@ private:
         }
         return degree_ + 1 - first;
     }
-    // Whether span e begins with the last point of the span before, which is made too: unless the spline is
-    // cut there.
+    // Whether span e begins with the last point of the span before, which is made too; it does not if the
+    // spline is cut there.
     [[nodiscard]] bool shared(int64_t e) const noexcept {
         return e > first_ && span(e) - span(e - 1) <= degree_;
     }
 
     void add_span(int64_t e) {
-        PolarTerm term[max_basis];
+        BlossomTerm term[max_basis];
         const int count = terms(e, term);
         if (shared(e)) {
             table_.repeat_row();
         }
         for (int i = 0; i < count; ++i) {
-            polar_row({term + i, 1}, term[i].steps + 1, table_.room(degree_ + 1));
+            blossom_row_sum({term + i, 1}, term[i].steps + 1, table_.room(degree_ + 1));
             table_.add_written(layer(term[i]), term[i].steps + 1);
         }
     }
 
     int64_t add_spans(int64_t e, int64_t spans) {
-        PolarTerm term[max_basis];
+        BlossomTerm term[max_basis];
         const int count = terms(e, term);
         const int first = degree_ + 1 - count;
         const int64_t stride = span(e) - span(e - 1);
@@ -114,21 +115,21 @@ private:
         double *rows = table_.room(spans * pitch);
         for (int i = 0; i < count; ++i) {
             if (term[i].steps > 0) {
-                polar_rows({term + i, 1}, stride, spans, term[i].steps + 1, pitch,
-                           rows + pattern[first + i].offset);
+                blossom_row_sums({term + i, 1}, stride, spans, term[i].steps + 1, pitch,
+                                 rows + pattern[first + i].offset);
             }
         }
         table_.add_pattern({pattern, static_cast<size_t>(degree_) + 1}, spans, stride, pitch);
         return spans;
     }
-    [[nodiscard]] int64_t layer(const PolarTerm &term) const noexcept {
+    [[nodiscard]] int64_t layer(const BlossomTerm &term) const noexcept {
         return term.left - knots_.data() - 1 - term.steps;
     }
 
     int degree_;
     std::span<const double> knots_;
     std::span<const int64_t> spans_;
-    int64_t first_ = 0; // span that is made
+    int64_t first_ = 0; // the span that is made
     LayerTable table_;
 };
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "refine/knots/blossom.h"
 
 #include "basis/bspline.h"
@@ -10,7 +11,7 @@ namespace nrb::refine {
 
 namespace {
 
-using Rows = std::array<PolarRow, max_axes>;
+using Rows = std::array<BlossomRow, max_axes>;
 
 // Arguments still to be used.
 class Arguments {
@@ -21,7 +22,7 @@ public:
     [[nodiscard]] std::span<const double> values() const noexcept {
         return std::span(values_).first(static_cast<size_t>(size_));
     }
-    // Whether a knot was among them; it is used up.
+    // Whether a knot was among them; if so, it is used up.
     bool take(double knot) noexcept {
         double *const end = values_.data() + size_;
         double *const found = std::find(values_.data(), end, knot);
@@ -40,7 +41,7 @@ private:
 
 } // namespace
 
-PolarRow blossom_row(const KnotVector &axis, int64_t span, std::span<const double> values) noexcept {
+BlossomRow blossom_row(const KnotVector &axis, int64_t span, std::span<const double> values) noexcept {
     Arguments arguments(values);
     int64_t begin = span + 1, end = span + 1; // knots that are arguments
     for (bool taken = true; taken;) {
@@ -50,7 +51,7 @@ PolarRow blossom_row(const KnotVector &axis, int64_t span, std::span<const doubl
         end += above ? 1 : 0;
         taken = below || above;
     }
-    PolarRow row;
+    BlossomRow row;
     row.coefficients[0] = 1;
     row.size = 1;
     for (const double t : arguments.values()) {
@@ -86,7 +87,7 @@ double sum(const Spline &spline, const Rows &rows, int k, int64_t base, int c) n
     if (k == spline.axes()) {
         return record_value(spline, base, c);
     }
-    const PolarRow &row = rows[static_cast<size_t>(k)];
+    const BlossomRow &row = rows[static_cast<size_t>(k)];
     double result = 0;
     for (int i = 0; i < row.size; ++i) {
         const int64_t next = base * spline.count(k) + row.first + i;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "refine/knots/blossom_rows.cpp"
 #include "base/simd.h"
@@ -54,9 +55,9 @@ struct Halves {
     Vector carried; // to the next one
 };
 
-// As in split(), whose comments say why.
+// As in split(); see the comments there.
 template <class Load>
-HWY_INLINE Halves split_value(const PolarTerm &term, const Load &load, int step, int r, Vector t,
+HWY_INLINE Halves split_value(const BlossomTerm &term, const Load &load, int step, int r, Vector t,
                               Vector value) {
     const auto left = load.side(term.left - (step - r) * term.pitch);
     const auto right = load.side(term.right + r * term.pitch);
@@ -71,7 +72,7 @@ HWY_INLINE Halves split_value(const PolarTerm &term, const Load &load, int step,
 // The steps of append_argument() in registers.
 template <int kStep, class Load>
 struct Steps {
-    static HWY_INLINE void run(const PolarTerm &term, const Load &load, Vector *values) {
+    static HWY_INLINE void run(const BlossomTerm &term, const Load &load, Vector *values) {
         Steps<kStep - 1, Load>::run(term, load, values);
         const auto t = load.argument(term.arguments[kStep - 1]);
         auto carried = hn::Zero(Doubles());
@@ -93,14 +94,14 @@ struct Steps {
 
 template <class Load>
 struct Steps<0, Load> {
-    static HWY_INLINE void run(const PolarTerm &term, const Load & /*load*/, Vector *values) {
-        values[0] = hn::Set(Doubles(), term.share);
+    static HWY_INLINE void run(const BlossomTerm &term, const Load & /*load*/, Vector *values) {
+        values[0] = hn::Set(Doubles(), term.factor);
     }
 };
 
 template <class Load>
-HWY_NOINLINE void run_steps(const PolarTerm &term, const Load &load, Vector *values) {
-    values[0] = hn::Set(Doubles(), term.share);
+HWY_NOINLINE void run_steps(const BlossomTerm &term, const Load &load, Vector *values) {
+    values[0] = hn::Set(Doubles(), term.factor);
     for (int step = 1; step <= term.steps; ++step) {
         const auto t = load.argument(term.arguments[step - 1]);
         auto carried = hn::Zero(Doubles());
@@ -130,7 +131,7 @@ HWY_INLINE void store_column(Vector sum, int column, const Rows &rows, int64_t f
 }
 
 template <int kSteps, class Load>
-HWY_INLINE void add_short_term(const PolarTerm &term, const Load &load, Vector *sums) {
+HWY_INLINE void add_short_term(const BlossomTerm &term, const Load &load, Vector *sums) {
     Vector values[kSteps + 1];
     Steps<kSteps, Load>::run(term, load, values);
     sums += term.target;
@@ -144,7 +145,7 @@ HWY_INLINE void add_short_term(const PolarTerm &term, const Load &load, Vector *
 }
 
 template <class Load>
-HWY_INLINE void add_term(const PolarTerm &term, const Load &load, Vector *sums) {
+HWY_INLINE void add_term(const BlossomTerm &term, const Load &load, Vector *sums) {
     switch (term.steps) {
     case 0:
         return add_short_term<0>(term, load, sums);
@@ -163,10 +164,10 @@ HWY_INLINE void add_term(const PolarTerm &term, const Load &load, Vector *sums) 
 }
 
 template <class Load>
-HWY_INLINE void make_sums(std::span<const PolarTerm> terms, const Load &load, int width, EvenRows rows) {
+HWY_INLINE void make_sums(std::span<const BlossomTerm> terms, const Load &load, int width, EvenRows rows) {
     Vector sums[max_basis + 1];
     std::fill_n(sums, width, hn::Zero(Doubles()));
-    for (const PolarTerm &term : terms) {
+    for (const BlossomTerm &term : terms) {
         add_term(term, load, sums);
     }
     for (int i = 0; i < width; ++i) {
@@ -174,7 +175,7 @@ HWY_INLINE void make_sums(std::span<const PolarTerm> terms, const Load &load, in
     }
 }
 
-void make_rows(std::span<const PolarTerm> terms, int64_t stride, int64_t count, int width, int64_t pitch,
+void make_rows(std::span<const BlossomTerm> terms, int64_t stride, int64_t count, int width, int64_t pitch,
                double *rows) {
     for (int64_t first = 0; first < count; first += lanes) {
         if (stride == 1) {
@@ -186,7 +187,7 @@ void make_rows(std::span<const PolarTerm> terms, int64_t stride, int64_t count, 
 }
 
 template <int kSteps, class Load, class Rows>
-HWY_INLINE void make_short_row(const PolarTerm &term, const Load &load, const Rows &rows, int64_t first) {
+HWY_INLINE void make_short_row(const BlossomTerm &term, const Load &load, const Rows &rows, int64_t first) {
     Vector values[kSteps + 1];
     Steps<kSteps, Load>::run(term, load, values);
     store_column(values[0], 0, rows, first);
@@ -201,7 +202,7 @@ HWY_INLINE void make_short_row(const PolarTerm &term, const Load &load, const Ro
 
 // As many rows as there are lanes.
 template <class Load, class Rows>
-HWY_INLINE void make_row(const PolarTerm &term, const Load &load, const Rows &rows, int64_t first) {
+HWY_INLINE void make_row(const BlossomTerm &term, const Load &load, const Rows &rows, int64_t first) {
     switch (term.steps) {
     case 1:
         return make_short_row<1>(term, load, rows, first);
@@ -219,7 +220,7 @@ HWY_INLINE void make_row(const PolarTerm &term, const Load &load, const Rows &ro
     }
 }
 
-void make_single_rows(const PolarTerm &term, int64_t count, double *const *rows) {
+void make_single_rows(const BlossomTerm &term, int64_t count, double *const *rows) {
     for (int64_t first = 0; first < count; first += lanes) {
         make_row(term, Adjacent{first}, rows, first);
     }
@@ -227,14 +228,14 @@ void make_single_rows(const PolarTerm &term, int64_t count, double *const *rows)
 
 void make_rows_between(int steps, const double *left, const double *right, const double *arguments,
                        int64_t count, double *rows) {
-    PolarTerm term; // of which the other arguments are not used
+    BlossomTerm term; // of which the other arguments are not used
     term.steps = steps;
     term.target = 0;
-    term.share = 1;
+    term.factor = 1;
     term.left = left;
     term.right = right;
     term.pitch = 1;
-    double last[lanes + max_basis]; // behind the arguments there may be nothing to read
+    double last[lanes + max_basis]; // after the arguments there may be nothing to read
     for (int64_t first = 0; first < count; first += lanes) {
         const double *from = arguments + first;
         if (first + lanes > count) {
@@ -257,8 +258,8 @@ namespace nrb::refine {
 
 namespace {
 
-void add_term(const PolarTerm &term, double *row) noexcept {
-    double coefficients[max_basis] = {term.share};
+void add_term(const BlossomTerm &term, double *row) noexcept {
+    double coefficients[max_basis] = {term.factor};
     for (int d = 1; d <= term.steps; ++d) {
         append_argument(term.left, term.right, d, *term.arguments[d - 1], coefficients);
     }
@@ -269,9 +270,9 @@ void add_term(const PolarTerm &term, double *row) noexcept {
 
 } // namespace
 
-void polar_row(std::span<const PolarTerm> terms, int width, double *row) noexcept {
+void blossom_row_sum(std::span<const BlossomTerm> terms, int width, double *row) noexcept {
     std::fill_n(row, width, 0.0);
-    for (const PolarTerm &term : terms) {
+    for (const BlossomTerm &term : terms) {
         add_term(term, row);
     }
 }
@@ -280,17 +281,17 @@ HWY_EXPORT(make_rows);
 HWY_EXPORT(make_single_rows);
 HWY_EXPORT(make_rows_between);
 
-void polar_rows(std::span<const PolarTerm> terms, int64_t stride, int64_t count, int width, int64_t pitch,
-                double *rows) noexcept {
+void blossom_row_sums(std::span<const BlossomTerm> terms, int64_t stride, int64_t count, int width,
+                      int64_t pitch, double *rows) noexcept {
     HWY_DYNAMIC_DISPATCH(make_rows)(terms, stride, count, width, pitch, rows);
 }
 
-void polar_rows(const PolarTerm &term, int64_t count, double *const *rows) noexcept {
+void blossom_rows(const BlossomTerm &term, int64_t count, double *const *rows) noexcept {
     HWY_DYNAMIC_DISPATCH(make_single_rows)(term, count, rows);
 }
 
-void polar_rows(int steps, const double *left, const double *right, const double *arguments, int64_t count,
-                double *rows) noexcept {
+void sliding_blossom_rows(int steps, const double *left, const double *right, const double *arguments,
+                          int64_t count, double *rows) noexcept {
     HWY_DYNAMIC_DISPATCH(make_rows_between)(steps, left, right, arguments, count, rows);
 }
 

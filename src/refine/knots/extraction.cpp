@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "refine/knots/extraction.h"
 
 #include "basis/bspline.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Bezier extraction: M. J. Borden, M. A. Scott, J. A. Evans, T. J. R. Hughes, "Isogeometric finite element
 // data structures based on Bezier extraction of NURBS", International Journal for Numerical Methods in
 // Engineering 87 (2011).
@@ -14,7 +15,7 @@ namespace nrb::refine {
 // knots[span + 1], degree <= span, and span + degree is a valid index. Cost: O(p^3), p^3 / 6 divisions.
 void bezier_extraction(const double *knots, int degree, int64_t span, double *matrix) noexcept;
 
-// Of all non-empty spans of the domain: the matrices, the first active function, and the ends. Each output
+// For all non-empty spans of the domain: the matrices, the first active function, and the ends. Each output
 // may be null.
 void bezier_extraction(const KnotVector &axis, double *matrices, int64_t *firsts, double *domains);
 

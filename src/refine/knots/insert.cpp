@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "refine/knots/insert.h"
 
 #include "base/checked.h"
@@ -51,7 +52,7 @@ void check_multiplicity(const KnotVector &axis, int k, double knot, int64_t time
     }
 }
 
-// Names the entry of the caller's list that is one too many.
+// Names the first entry of the caller's list that is one too many.
 [[noreturn]] void fail_multiplicity(const KnotVector &axis, int k, std::span<const double> knots, double knot,
                                     int64_t present) {
     int64_t room = axis.degree() + 1 - present;
@@ -66,7 +67,7 @@ void check_multiplicity(const KnotVector &axis, int k, double knot, int64_t time
          axis.degree() + 1);
 }
 
-// Whether knots rise strictly inside the domain and meet no old one of multiplicity degree + 1.
+// Whether knots rise strictly inside the domain and equal no old knot of multiplicity degree + 1.
 bool rising_inside(const KnotVector &axis, std::span<const double> knots) noexcept {
     const auto [lower, upper] = axis.domain();
     if (knots.empty() || !(lower < knots.front() && knots.back() < upper) || axis.degree() == 0) {
@@ -127,7 +128,7 @@ SplinePtr insert_knot(const SplinePtr &spline, int axis, double knot, int64_t ti
 
 std::vector<double> checked_new_knots(const KnotVector &axis, int k, std::span<const double> knots) {
     std::vector<double> sorted(knots.begin(), knots.end());
-    if (rising_inside(axis, knots)) { // as most lists
+    if (rising_inside(axis, knots)) { // as in most lists
         return sorted;
     }
     const auto [lower, upper] = axis.domain();

@@ -1,4 +1,5 @@
-// Knot insertion: one knot, a list of knots, all spans in equal parts.
+// SPDX-License-Identifier: MIT
+// Knot insertion: one knot, a list of knots, or all spans in equal parts.
 #pragma once
 
 #include "refine/knots/axis_table.h"
@@ -17,8 +18,8 @@ void check_knot(const KnotVector &axis, int k, double knot, int64_t index = -1);
 // sorted list, the end of a periodic domain replaced by its start. k is the axis of messages.
 std::vector<double> checked_new_knots(const KnotVector &axis, int k, std::span<const double> knots);
 
-// The knots that divide every non-empty span of the domain into `parts` equal parts. Throws
-// Status::count, overflow; not_representable if a span has too few doubles for its parts.
+// The knots that divide every non-empty span of the domain into `parts` equal parts. Throws Status::count,
+// overflow; not_representable if a span has too few doubles for its parts.
 std::vector<double> uniform_new_knots(const KnotVector &axis, int k, int64_t parts);
 
 // Precondition: checked_new_knots() or uniform_new_knots() made the list.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Knot refinement as rows of coefficients: E. Cohen, T. Lyche, R. Riesenfeld, "Discrete B-splines and
 // subdivision techniques" (1980); T. Lyche, K. Morken, "Making the Oslo algorithm more efficient" (1986).
 #pragma once
@@ -9,14 +10,14 @@
 namespace nrb::refine {
 
 // New control point j over the knots `fine` is the polar form of the spline over `coarse` at the arguments
-// fine[j + 1], ..., fine[j + p]. Arguments that are old knots fix as many parameters of the polar form; the
+// fine[j + 1], ..., fine[j + p]. Arguments that are old knots fix as many parameters of the polar form. The
 // others all lie between the nearest old knots around those, so that each of them is one step of de Boor's
 // algorithm with factors in [0, 1]. A row depends neither on how the others were found nor on their number.
 class Refinement {
 public:
-    // What makes a row: de Boor's steps with the arguments that are not old knots, over the old knots around
+    // The data of a row: de Boor's steps with the arguments that are not old knots, over the old knots around
     // those that are; see append_argument(). The coefficients belong to old layers first, ..., first + steps.
-    struct Polar {
+    struct Blossom {
         int64_t first;
         int steps;
         const double *left;
@@ -24,24 +25,24 @@ public:
         const double *arguments;
     };
 
-    // Both vectors must outlive this. Preconditions: they are sorted; fine holds every knot of coarse at
-    // least as often, and at most degree + 1 times; knots that it holds more often lie in [coarse[p],
+    // Both vectors must outlive this. Preconditions: they are sorted; fine contains every knot of coarse at
+    // least as often, and at most degree + 1 times; knots that it contains more often lie in [coarse[p],
     // coarse[count]].
     Refinement(int degree, std::span<const double> coarse, std::span<const double> fine);
 
     [[nodiscard]] int width() const noexcept { return degree_ + 1; }
     [[nodiscard]] int64_t rows() const noexcept { return std::ssize(fine_) - degree_ - 1; }
-    // Whether new layer j is the one before: all arguments of both are the same knot, at which the spline is
-    // not cut.
+    // Whether new layer j equals the one before: all arguments of both are the same knot, at which the spline
+    // is not cut.
     [[nodiscard]] bool repeats(int64_t j) const noexcept {
         const auto i = static_cast<size_t>(j), behind = i + static_cast<size_t>(degree_);
         return fine_[i] == fine_[behind] && old_last_[i + 1] == old_last_[i] &&
                old_first_[behind] == old_first_[behind + 1];
     }
     // With n arguments that are not old knots new layer j has n + 1 coefficients, each accurate to 3 n eps
-    // relative to itself; without any it is an old layer. Arguments that are not all of a row's are copied to
-    // `room`, for up to `degree` of them.
-    Polar polar(int64_t j, double *room) const noexcept {
+    // relative to itself; with n = 0 it is an old layer. If only some arguments of a row are new, they are
+    // copied to `room`, which holds up to `degree` of them.
+    Blossom blossom(int64_t j, double *room) const noexcept {
         const double *arguments = fine_.data() + j + 1;
         const int64_t shared = old_last_[static_cast<size_t>(j + 1)];
         const int64_t shared_end = old_first_[static_cast<size_t>(j + degree_ + 1)];
@@ -62,8 +63,8 @@ public:
         return {shared - 1 - steps, steps, left, right, room};
     }
 
-    // How many of the new layers j, ..., end - 1 have no old knot among their arguments, which all lie
-    // between the same old ones. Precondition: layer j has no old knot among them.
+    // How many of the new layers j, ..., end - 1 have no old knot among their arguments, all of which lie
+    // between the same old knots. Precondition: layer j has no old knot among them.
     int64_t alike(int64_t j, int64_t end) const noexcept {
         const size_t reach = static_cast<size_t>(degree_) + 1;
         auto behind = static_cast<size_t>(j) + reach;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "refine/parts/continuation.h"
 
 #include "basis/bspline.h"
@@ -26,8 +27,8 @@ void add_continued_row(const KnotVector &axis, int64_t shared_first, int64_t sha
 namespace {
 
 // Control points s of a piece of degree p over [b, e] of which the first order + 1 are known: those of the
-// polynomial of degree `order`, whose higher differences vanish. By Lagrange's formula tau_s = sum (-1)^(order-j)
-// C(s, j) C(s - j - 1, order - j) tau_j.
+// polynomial of degree `order`, whose higher differences vanish. By Lagrange's formula tau_s = sum
+// (-1)^(order-j) C(s, j) C(s - j - 1, order - j) tau_j.
 void add_taylor_row(const LayerTable &known, int order, int s, int64_t count, LayerTable &table) {
     std::vector<double> sum(static_cast<size_t>(order) + 1, 0.0); // over layers count - 1 - order, ...
     for (int j = 0; j <= order; ++j) {
@@ -68,13 +69,13 @@ void check_plain(const KnotVector &knots, int axis) {
     }
 }
 
-// What can be done where points and weights cannot hold the result.
+// The status for a result that points and weights cannot hold.
 constexpr const char *flag_advice = "NURBS_HOMOGENEOUS keeps it as homogeneous points";
 constexpr const char *detour_advice =
     "nurbs_from_homogeneous() of the extended nurbs_to_homogeneous() has it as homogeneous points";
 
-// Refuses weights that points with weights cannot have. Indices are those of the layers in the opposite order if
-// they will be `reversed`.
+// Refuses weights that points with weights cannot have. Indices are those of the layers in the opposite order
+// if they will be `reversed`.
 void check_weights(const ContinuedNet &made, const AxisView &view, bool reversed, const char *advice) {
     const std::vector<double> &weights = made.net.weights;
     const auto negative = std::find_if(weights.begin(), weights.end(), [](double w) { return w < 0; });
@@ -93,7 +94,7 @@ void check_weights(const ContinuedNet &made, const AxisView &view, bool reversed
          static_cast<long long>(index), advice);
 }
 
-// As with_axis() where polynomials are continued, which may take weights below 0.
+// The same as with_axis() for continued polynomials, whose weights may become negative.
 SplinePtr continued(const Spline &spline, int k, const AxisTable &made, bool reversed, const char *advice) {
     ContinuedNet result = continued_along(spline, k, made.table);
     AxisView view = axis_view(spline, k, 1);
@@ -105,7 +106,7 @@ SplinePtr continued(const Spline &spline, int k, const AxisTable &made, bool rev
 
 // How many control points have knots on both sides of the old end among their arguments. They are up to (1 +
 // 2 amount / last span)^order times as large as the others, and so is the rounding of an evaluation that
-// meets them, on the old domain too: beyond 2^8 there are none, and the old end keeps multiplicity degree.
+// meets them, on the old domain too. Beyond 2^8 there are none, and the old end keeps multiplicity degree.
 int across(const KnotVector &axis, double end, int order) {
     constexpr double limit = 256;
     const int64_t n = axis.count();
@@ -166,7 +167,7 @@ SplinePtr extend(const SplinePtr &spline, int axis, bool upper, double amount, i
 
 namespace {
 
-// The upper end unclamped: control points behind it have the knots `beyond` among their arguments.
+// The upper end unclamped: control points after it have the knots `beyond` among their arguments.
 AxisTable unclamped_upper(const KnotVector &axis, std::span<const double> beyond) {
     const int p = axis.degree();
     const int64_t n = axis.count();
@@ -204,7 +205,7 @@ std::vector<double> repeated_knots(const KnotVector &axis) {
     return knots;
 }
 
-// Copies a period away are as distinct as the knots they come from.
+// Copies a period away are as distinct as the knots that they are copies of.
 void check_copies(std::span<const double> knots, size_t first, size_t end, size_t step, bool above,
                   int axis) {
     for (size_t i = first; i < end; ++i) {

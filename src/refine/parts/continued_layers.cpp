@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "refine/parts/continued_layers.h"
 
 #include "base/representable.h"
@@ -31,7 +32,8 @@ struct Terms {
     }
 };
 
-// The sum of the terms, of which `plain` is the sum as they are: the smaller magnitudes have the smaller rounding.
+// The sum of the terms; `plain` is the sum of the terms as they stand. Smaller magnitudes have smaller
+// rounding.
 double centred_sum(const Terms &terms, double plain) noexcept {
     const double centre = terms.centre();
     double rest = 0, size = 0, plain_size = 0;
@@ -44,7 +46,7 @@ double centred_sum(const Terms &terms, double plain) noexcept {
     return size <= plain_size ? centre + rest : plain;
 }
 
-// What a table makes of the homogeneous records of a spline.
+// The result of a table on the homogeneous records of a spline.
 class ContinuedRecords {
 public:
     ContinuedRecords(const Spline &spline, int axis, const LayerTable &table)
@@ -109,7 +111,7 @@ private:
     }
 
     [[nodiscard]] double *record(int64_t i) noexcept { return sums_.data() + i * (dim_ + 1); }
-    // Of a row over values of records of `width`.
+    // The terms of a row over values of records of `width`.
     [[nodiscard]] Terms terms(const LayerTable::Row &row, const double *first, int width) const noexcept {
         return {table_.coefficients(row), row.size, first, view_.inner * width};
     }
@@ -118,7 +120,7 @@ private:
         std::transform(record, record + dim_, point, [w = record[dim_]](double x) { return x / w; });
     }
 
-    // Where the record is nothing but zeros, so that any place will do; else false.
+    // Where the record consists of zeros, so that any place will do; otherwise false.
     bool combine_places(const LayerTable::Row &row, int64_t from, const double *record,
                         double *point) const noexcept {
         for (int c = 0; c < dim_; ++c) {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "refine/parts/cut.h"
 
 #include "base/checked.h"
@@ -26,7 +27,7 @@ std::vector<double> saturated(const KnotVector &axis, std::span<const double> br
 
 namespace {
 
-// An axis cut at breaks: what gives its layers, and where the parts between the breaks begin among them.
+// An axis cut at breaks: the source of its layers, and where the parts between the breaks begin among them.
 struct CutAxis {
     AxisTable whole;
     std::vector<int64_t> bounds;
@@ -69,7 +70,7 @@ CutAxis cut_at(const KnotVector &axis, std::span<const double> breaks, AxisEnds 
     return {{part_axis(fine, p, first, end), rows_of(refinement, first, end)}, std::move(bounds)};
 }
 
-// The net of a spline whose axis was cut, before it falls apart.
+// The net of a spline whose axis was cut, before it is separated into parts.
 SplinePtr apply(const Spline &spline, int k, const CutAxis &cut) {
     return with_axis(spline, k, cut.whole);
 }
@@ -132,7 +133,7 @@ SplinePtr PartedSpline::part(int64_t index) const {
         return whole_;
     }
     std::array<Range, max_axes> ranges{};
-    ranges.fill({0, 1, 1}); // the last axes of the three are those there are
+    ranges.fill({0, 1, 1}); // the last of the three axes are the ones that exist
     Spline::Axes axes = whole_->knot_vectors();
     for (int k = this->axes(); k-- > 0;) {
         const auto *bound = &bounds_[static_cast<size_t>(k)][static_cast<size_t>(index % parts(k))];

@@ -1,5 +1,6 @@
-// Parts of splines: every cut raises a knot to multiplicity degree + 1, after which layers and knots fall
-// apart without further arithmetic (de Casteljau's subdivision, for a single Bezier piece).
+// SPDX-License-Identifier: MIT
+// Parts of splines: every cut raises a knot to multiplicity degree + 1, after which layers and knots separate
+// without further arithmetic (de Casteljau's subdivision, for a single Bezier piece).
 #pragma once
 
 #include "refine/knots/axis_table.h"
@@ -9,37 +10,36 @@
 
 namespace nrb::refine {
 
-// The knots of an axis with all breaks at multiplicity degree + 1. Precondition: the breaks are sorted and lie
-// in the domain.
+// The knots of an axis with all breaks at multiplicity degree + 1. Precondition: the breaks are sorted and
+// lie in the domain.
 std::vector<double> saturated(const KnotVector &axis, std::span<const double> breaks);
 
-// The ends of an axis that are chosen: of a part, those ends of the domain that are to be clamped as all others
-// are.
+// Chosen ends of an axis: of a part, those ends of the domain that are to be clamped like all others.
 struct AxisEnds {
     bool lower;
     bool upper;
 };
 
-// The part over [lower, upper] of an axis, which is no longer periodic; clamped at both new ends, and where
-// `ends` says so. Precondition: domain.lower <= lower < upper <= domain.upper.
+// The part over [lower, upper] of an axis. It is no longer periodic, and is clamped at both new ends and
+// where `ends` says so. Precondition: domain.lower <= lower < upper <= domain.upper.
 SplinePtr cut_axis(const SplinePtr &spline, int axis, double lower, double upper, AxisEnds ends);
 
-// The ends of the domain that are chosen clamped, those that are so already as they are; an axis that was
-// periodic is a plain one afterwards.
+// The chosen ends of the domain clamped; ends that are clamped already stay as they are. An axis that was
+// periodic becomes a plain one.
 SplinePtr clamp_ends(const SplinePtr &spline, int axis, AxisEnds ends = {true, true});
 
-// As cut_axis() with the ends of the domain left as they are; the whole domain gives the same spline,
-// periodic if it was.
+// The same as cut_axis(), but the ends of the domain stay as they are; the whole domain gives the same
+// spline, periodic if it was.
 SplinePtr restrict_axis(const SplinePtr &spline, int axis, double lower, double upper);
 
-// A spline whose layers fall apart into parts, which are made when they are asked for.
+// A spline whose layers separate into parts, which are made when they are requested.
 class PartedSpline {
 public:
     // Layers [bounds[i], bounds[i + 1]) belong to part i of an axis; one part: the axis itself.
     using Bounds = std::array<std::vector<int64_t>, max_axes>;
     PartedSpline(SplinePtr whole, Bounds bounds);
 
-    // All parts in one net, not yet apart.
+    // All parts in one net, not yet separated.
     [[nodiscard]] const Spline &whole() const noexcept { return *whole_; }
     [[nodiscard]] int axes() const noexcept { return whole_->axes(); }
     [[nodiscard]] int64_t parts(int k) const noexcept {
@@ -60,8 +60,8 @@ private:
 PartedSpline split_axis(const SplinePtr &spline, int axis, std::span<const double> breaks);
 
 // The knots of the closed domain at which the order of continuity, degree - multiplicity, is less than
-// `order`, and the two ends of the domain: breaks for split_axis(). On a periodic axis its seam cuts as any
-// end does.
+// `order`, and the two ends of the domain: breaks for split_axis(). The seam of a periodic axis counts as an
+// end.
 std::vector<double> rough_knots(const KnotVector &axis, int order);
 
 // The polynomial pieces as Bezier splines over their own domains.

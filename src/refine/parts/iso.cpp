@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "refine/parts/iso.h"
 
 #include "eval/functions/axis_basis.h"

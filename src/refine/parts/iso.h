@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Iso-curves of surfaces and iso-surfaces of volumes.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "refine/parts/join.h"
 
 #include "numeric/norm.h"
@@ -57,7 +58,8 @@ void raise(std::vector<SplinePtr> &parts, int k) {
     }
 }
 
-// The parts in one form, of one degree on each axis, with the same knots on all but `axis`, clamped at inner ends.
+// The parts in one form, of one degree on each axis, with the same knots on all but `axis`, clamped at inner
+// ends.
 std::vector<SplinePtr> prepared(std::span<const SplinePtr> given, int axis) {
     check_spaces(given);
     std::vector<SplinePtr> parts(given.begin(), given.end());
@@ -109,7 +111,7 @@ public:
     Seam(const Points &before, const Points &after, int dim, Form form)
         : before_(before), after_(after), dim_(static_cast<size_t>(dim)), form_(form) {}
 
-    // What the weights of the later part have to be multiplied by: 1 where they agree already.
+    // The factor for the weights of the later part: 1 if they agree already.
     [[nodiscard]] double factor() const noexcept {
         double largest = 0, factor = 1;
         for_each([&](size_t a, size_t b) {
@@ -160,7 +162,7 @@ private:
         return norm_of(static_cast<int>(dim_), [&](int k) {
             const auto c = static_cast<size_t>(k);
             const double x = before_.points[a * width + c], y = after_.points[b * width + c];
-            if (wa == 0 || wb == 0) { // a point at infinity is close to nothing but itself
+            if (wa == 0 || wb == 0) { // a point at infinity is close only to itself
                 return x == factor * y ? 0 : std::numeric_limits<double>::infinity();
             }
             return x / wa - y / wb;
@@ -181,7 +183,7 @@ void scale_weights(Points &part, double factor, Form form) {
     }
 }
 
-// Appends the knots behind the start of a part, moved so that it begins at the last knot.
+// Appends the knots after the start of a part, moved so that it begins at the last knot.
 void append_knots(std::vector<double> &knots, const KnotVector &part, size_t index) {
     const double start = knots.back(), lower = part.domain().lower;
     for (int64_t i = part.degree() + 1; i < std::ssize(part.knots()); ++i) {
@@ -196,7 +198,7 @@ void append_knots(std::vector<double> &knots, const KnotVector &part, size_t ind
     }
 }
 
-// The layers of all parts side by side, `skip[i]` of part i left out at its start.
+// The layers of all parts side by side; `skip[i]` layers of part i are left out at its start.
 std::vector<double> side_by_side(const std::vector<Points> &parts, const std::vector<int64_t> &skip,
                                  std::vector<double> Points::*array) {
     std::vector<double> result;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "refine/periodic/period.h"
 
 #include "base/error.h"

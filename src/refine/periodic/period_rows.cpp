@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "refine/periodic/period_rows.h"
 
 #include <algorithm>
@@ -7,7 +8,7 @@ namespace nrb::refine {
 
 namespace {
 
-// A row of a period of rows, `periods` further on.
+// A row of a period of rows, moved by `periods` periods.
 struct Shifted {
     const double *coefficients;
     int64_t first;

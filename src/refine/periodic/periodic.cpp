@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "refine/periodic/periodic.h"
 
 #include "basis/bspline.h"
@@ -11,7 +12,7 @@ namespace nrb::refine {
 namespace {
 
 // The layers and knots of a periodic axis with `lead` more on either side, as plain ones. Layer i of the
-// extension is layer i - lead of the endless sequence, and so is knot i.
+// extension is layer i - lead of the endless sequence; the same holds for knots.
 struct Extension {
     const KnotVector &axis;
     int64_t distinct;
@@ -20,8 +21,8 @@ struct Extension {
     std::vector<double> knots;
 
     explicit Extension(const KnotVector &stored);
-    // The copy of a new knot that stands behind stored knot k, behind extended knot `at`: where the knot
-    // exists its copy does too, and elsewhere the copy stays between its neighbours whatever the rounding.
+    // The copy of a new knot that stands after stored knot k, placed after extended knot `at`. If the knot
+    // exists, so does its copy; otherwise the copy stays between its neighbours whatever the rounding.
     [[nodiscard]] double copy_of(double knot, int64_t k, int64_t at) const noexcept;
     // The copies of a knot in all periods of the extension, and how many of them stand before its domain.
     int64_t append_copies(double knot, std::vector<double> &copies) const;
@@ -53,7 +54,8 @@ int64_t Extension::append_copies(double knot, std::vector<double> &copies) const
     return before;
 }
 
-// Knots so close that rounding makes them one a period away would give a copy a multiplicity too high.
+// If knots are so close that rounding makes them equal a period away, a copy would get too high a
+// multiplicity.
 void check_copies(std::span<const double> fine, int degree) {
     const auto limit = static_cast<size_t>(degree) + 1;
     for (size_t i = 0; i + limit < fine.size(); ++i) {

@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: MIT
 // Refinement of periodic axes: the layers and knots of a period continue without end, and an operation on one
-// period acts on all.
+// period acts on all of them.
 #pragma once
 
 #include "refine/knots/axis_table.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "refine/periodic/periods.h"
 
 #include "base/checked.h"
@@ -9,7 +10,7 @@ namespace nrb::refine {
 
 namespace {
 
-// The knots of a periodic axis, numbered without end; those of the axis keep their numbers.
+// The knots of a periodic axis, numbered without end; stored knots keep their numbers.
 class EndlessKnots {
 public:
     explicit EndlessKnots(const KnotVector &axis) noexcept
@@ -28,7 +29,7 @@ public:
     }
 
 private:
-    // From `degree` on, so that the knot behind it is stored too.
+    // From `degree` on, so that the knot after it is stored too.
     [[nodiscard]] int64_t in_period(int64_t i) const noexcept {
         const int64_t rest = (i - axis_.degree()) % step_;
         return axis_.degree() + (rest < 0 ? rest + step_ : rest);
@@ -39,7 +40,7 @@ private:
     double length_;
 };
 
-// Knots begin, begin + 1, ...; rounded ones give way to those of the axis, if some of these are among them.
+// Knots begin, begin + 1, ...; if some of them are stored, the stored ones replace the rounded ones.
 std::vector<double> knots_from(const EndlessKnots &endless, int64_t begin, int64_t size) {
     std::vector<double> knots(static_cast<size_t>(size));
     int64_t known = 0;
@@ -71,7 +72,7 @@ void check_copies(const std::vector<double> &knots, int degree) {
 
 } // namespace
 
-KnotVectorPtr unrolled(const KnotVector &axis, int64_t first, int64_t end) {
+KnotVectorPtr over_periods(const KnotVector &axis, int64_t first, int64_t end) {
     const EndlessKnots endless(axis);
     const int64_t layers = checked_product(endless.step(), end - first, "knots");
     const int64_t size = checked_sum(layers, 2 * int64_t{axis.degree()} + 1, "knots");

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "refine/periodic/seam.h"
 
 #include <algorithm>
@@ -6,14 +7,15 @@ namespace nrb::refine {
 
 namespace {
 
-// Knots `from` to from + distinct + 2 degree of the endless sequence, those of later periods rounded once.
+// Knots `from` to from + distinct + 2 degree of the endless sequence; those of later periods are rounded
+// once.
 std::vector<double> moved_knots(const KnotVector &axis, int64_t from) {
     const int64_t distinct = axis.distinct_layers();
     const int p = axis.degree();
     const double period = axis.domain().upper - axis.domain().lower;
     std::vector<double> knots;
     for (int64_t i = from; i < from + distinct + 2 * int64_t{p} + 1; ++i) {
-        const int64_t last = axis.count() + p; // stored ones are taken as they are
+        const int64_t last = axis.count() + p; // stored knots are taken as they are
         const int64_t periods = i <= last ? 0 : (i - last + distinct - 1) / distinct;
         const double knot = axis[i - periods * distinct];
         knots.push_back(periods == 0 ? knot : knot + static_cast<double>(periods) * period);

@@ -1,5 +1,5 @@
-// Runs each row once under callgrind, which writes a file of counts for each. Everything is done once before, so that
-// tables and caches are there.
+// Runs each row once under callgrind, which writes a file of counts for each. Everything is done once before,
+// so that tables and caches are there.
 #include "bench/compare/module.h"
 
 #include <cstdio>

@@ -1,5 +1,6 @@
-// Rows of work that two builds of the library do in turns. Each family of rows is a module, which is loaded once for
-// each build, with a copy of everything that it needs: so what passes between it and the program is C.
+// Rows of work that two builds of the library do in turns. Each family of rows is a module, which is loaded
+// once for each build, with a copy of everything that it needs: so what passes between it and the program is
+// C.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
-// The times of two builds of the library, in one process, in turns: for each row the median of the ratios of neighbouring
-// turns, since a disturbance of the machine meets both.
+// The times of two builds of the library, in one process, in turns: for each row the median of the ratios of
+// neighbouring turns, since a disturbance of the machine meets both.
 #include "bench/compare/module.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-// Evaluation of few points: numbers that fill no vector of any processor, in every dimension to 9, packed, in the rows of
-// a table, and as columns.
+// Evaluation of few points: numbers that fill no vector of any processor, in every dimension to 9, packed, in
+// the rows of a table, and as columns.
 #include "guarded/batches.h"
 
 #include <array>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-// Arrays of a call in memory of their own, which end where a page begins that is not mapped, or begin where one ends.
-// Reading or writing beside them ends the program, writing to an input too.
+// Arrays of a call in memory of their own, which end where a page begins that is not mapped, or begin where
+// one ends. Reading or writing beside them ends the program, writing to an input too.
 #ifndef NURBS_TESTS_CAPI_GUARDED_PAGES_H
 #define NURBS_TESTS_CAPI_GUARDED_PAGES_H
 

@@ -22,7 +22,7 @@ void at_every_place(double background, double value, const Test &test) {
     }
 }
 
-TEST(Finite, OneValueDecidesWhereverItStands) {
+TEST(Finite, one_value_decides_wherever_it_stands) {
     EXPECT_TRUE(nrb::all_finite({}));
     for (const double value : {-0.0, largest, -largest, 5e-324}) {
         at_every_place(-1, value, [](const auto &values) { EXPECT_TRUE(nrb::all_finite(values)); });
@@ -32,7 +32,7 @@ TEST(Finite, OneValueDecidesWhereverItStands) {
     }
 }
 
-TEST(Finite, TheLargestMagnitudeMayHaveEitherSignAndStandAnywhere) {
+TEST(Finite, the_largest_magnitude_may_have_either_sign_and_stand_anywhere) {
     EXPECT_EQ(nrb::largest_magnitude({}), 0);
     at_every_place(-1, -3, [](const auto &values) { EXPECT_EQ(nrb::largest_magnitude(values), 3); });
     at_every_place(-1, 3, [](const auto &values) { EXPECT_EQ(nrb::largest_magnitude(values), 3); });
@@ -42,7 +42,7 @@ TEST(Finite, TheLargestMagnitudeMayHaveEitherSignAndStandAnywhere) {
     });
 }
 
-TEST(Finite, ExtremesStandAnywhere) {
+TEST(Finite, extremes_stand_anywhere) {
     at_every_place(2, 5, [](const auto &values) {
         EXPECT_EQ(nrb::extremes(values).largest, 5);
         EXPECT_EQ(nrb::extremes(values).smallest, values.size() == 1 ? 5 : 2);

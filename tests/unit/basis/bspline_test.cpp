@@ -6,7 +6,7 @@
 
 namespace {
 
-TEST(BasisValues, AreExactlyOneWhereAFunctionIsAlone) {
+TEST(BasisValues, are_exactly_one_where_a_function_is_alone) {
     const std::vector<double> knots{0, 0, 0, 0, 0.3, 0.3, 0.3, 0.7, 0.7, 0.7, 0.7};
     double values[4];
     nrb::basis_values(knots.data(), 3, 3, 0.0, values);
@@ -21,13 +21,13 @@ TEST(BasisValues, AreExactlyOneWhereAFunctionIsAlone) {
 }
 
 // Outside the domain a parameter may equal an outer knot without a function being alone there.
-TEST(SoleFunction, IsNotFooledByExtrapolation) {
+TEST(SoleFunction, is_not_fooled_by_extrapolation) {
     const std::vector<double> knots{0, 1, 2, 3, 4, 5, 6, 7};
     EXPECT_EQ(nrb::sole_function(knots.data(), 3, 3, 1.0), -1);
     EXPECT_EQ(nrb::sole_function(knots.data(), 3, 3, 6.0), -1);
 }
 
-TEST(BasisDerivs, RowZeroHasTheBitsOfTheValues) {
+TEST(BasisDerivs, row_zero_has_the_bits_of_the_values) {
     const std::vector<double> knots{-1, 0, 0.1, 0.37, 0.5, 2, 2.5, 9};
     double values[4];
     double derivs[12];
@@ -40,7 +40,7 @@ TEST(BasisDerivs, RowZeroHasTheBitsOfTheValues) {
     }
 }
 
-TEST(BasisValuesOfLowerDegrees, AreThoseOfEachDegree) {
+TEST(BasisValuesOfLowerDegrees, are_those_of_each_degree) {
     const std::vector<double> knots{-1, 0, 0.1, 0.37, 0.5, 2, 2.5, 9};
     double all[4 * 4];
     nrb::basis_values_of_lower_degrees(knots.data(), 3, 3, 0.4, 7, all);
@@ -53,7 +53,7 @@ TEST(BasisValuesOfLowerDegrees, AreThoseOfEachDegree) {
     }
 }
 
-TEST(BasisValues, StandDenormalSpans) {
+TEST(BasisValues, stand_denormal_spans) {
     const double tiny = std::numeric_limits<double>::denorm_min();
     const std::vector<double> knots{0, 0, 0, 8 * tiny, 8 * tiny, 8 * tiny};
     double values[3];
@@ -61,7 +61,7 @@ TEST(BasisValues, StandDenormalSpans) {
     EXPECT_EQ(std::vector<double>(values, values + 3), (std::vector<double>{0.25, 0.5, 0.25}));
 }
 
-TEST(BernsteinDerivs, AreThePolynomialsOfTheBinomialFormula) {
+TEST(BernsteinDerivs, are_the_polynomials_of_the_binomial_formula) {
     double values[3 * 4];
     nrb::bernstein_derivs(3, 0.5, 2, values);
     const std::vector<double> expected{0.125, 0.375, 0.375, 0.125, -0.75, -0.75, 0.75, 0.75, 3, -3, -3, 3};

@@ -51,7 +51,7 @@ std::vector<double> probes(const std::vector<double> &knots) {
     return params;
 }
 
-TEST(SpanTable, AgreesWithTheDefinitionForUnevenAndRepeatedKnots) {
+TEST(SpanTable, agrees_with_the_definition_for_uneven_and_repeated_knots) {
     std::mt19937_64 random(20240611);
     for (int round = 0; round < 300; ++round) {
         const int degree = static_cast<int>(random() % 6);
@@ -75,7 +75,7 @@ TEST(SpanTable, AgreesWithTheDefinitionForUnevenAndRepeatedKnots) {
 
 // Knots that repeat, follow at one unit of rounding, at a tiny fraction of the domain, or at a distance:
 // every order of these steps, at the ends too, where the knots outside the domain may or may not repeat.
-TEST(SpanTable, AgreesWithTheDefinitionForEveryOrderOfSteps) {
+TEST(SpanTable, agrees_with_the_definition_for_every_order_of_steps) {
     const auto step = [](double t, size_t kind) {
         return kind == 0 ? t : kind == 1 ? std::nextafter(t, 1e300) : kind == 2 ? t + 1e-9 : t + 1;
     };
@@ -93,7 +93,7 @@ TEST(SpanTable, AgreesWithTheDefinitionForEveryOrderOfSteps) {
 }
 
 // Breaks that crowd together share buckets, where a search decides.
-TEST(SpanTable, AgreesWithTheDefinitionWhereBreaksCrowd) {
+TEST(SpanTable, agrees_with_the_definition_where_breaks_crowd) {
     for (const double ratio : {0.5, 0.9, 0.99}) {
         std::vector<double> knots{1};
         for (int i = 1; i < 200; ++i) {
@@ -110,14 +110,14 @@ TEST(SpanTable, AgreesWithTheDefinitionWhereBreaksCrowd) {
     }
 }
 
-TEST(SpanTable, SurvivesDomainsTooShortOrTooLongForAScale) {
+TEST(SpanTable, survives_domains_too_short_or_too_long_for_a_scale) {
     const double tiny = std::numeric_limits<double>::denorm_min();
     expect_agreement(0, {0, tiny, 3 * tiny}, probes({0, tiny, 3 * tiny}));
     expect_agreement(0, {-8e307, 0, 1, 8e307}, probes({-8e307, 0, 1, 8e307}));
     expect_agreement(0, {1, 1 + 1e-15, 1e15}, probes({1, 1 + 1e-15, 1e15}));
 }
 
-TEST(SpanTable, ListsOnlySpansThatAreNotEmpty) {
+TEST(SpanTable, lists_only_spans_that_are_not_empty) {
     const std::vector<double> knots{0, 0, 0, 1, 1, 2, 2, 2};
     const SpanTable table(2, knots);
     EXPECT_EQ(table.size(), 2);

@@ -53,13 +53,13 @@ std::vector<double> scaled(std::vector<double> values, const BernsteinShape &sha
     return values;
 }
 
-TEST(Bernstein, BinomialsAreExactAndRounded) {
+TEST(Bernstein, binomials_are_exact_and_rounded) {
     EXPECT_EQ(binomial(0, 0), 1);
     EXPECT_EQ(binomial(31, 15), 300540195);
     EXPECT_EQ(binomial(62, 31), 465428353255261088.0);
 }
 
-TEST(Bernstein, AProductIsTheProductOfValues) {
+TEST(Bernstein, a_product_is_the_product_of_values) {
     Random random(1);
     for (int i = 0; i < 200; ++i) {
         const BernsteinShape a = random_shape(random, 2), b = random_shape(random, 1);
@@ -76,7 +76,7 @@ TEST(Bernstein, AProductIsTheProductOfValues) {
     }
 }
 
-TEST(Bernstein, HalvesAreTheWhole) {
+TEST(Bernstein, halves_are_the_whole) {
     Random random(2);
     for (int i = 0; i < 200; ++i) {
         const BernsteinShape shape = random_shape(random, 3);
@@ -98,7 +98,7 @@ TEST(Bernstein, HalvesAreTheWhole) {
 }
 
 // 4 x (1 - x) / (1 + x) has its maximum 12 - 8 sqrt(2) at sqrt(2) - 1.
-TEST(LargestQuotient, IsEnclosedAsCloselyAsAskedFor) {
+TEST(LargestQuotient, is_enclosed_as_closely_as_asked_for) {
     const pieces::PieceSource source = [](int64_t, pieces::QuotientPiece &piece) {
         piece.shape = {{0, 0, 2}, 1};
         piece.numerators = {0, 2, 0};
@@ -115,7 +115,7 @@ TEST(LargestQuotient, IsEnclosedAsCloselyAsAskedFor) {
     }
 }
 
-TEST(LargestQuotient, ADenominatorWithAZeroHasNoBound) {
+TEST(LargestQuotient, a_denominator_with_a_zero_has_no_bound) {
     const pieces::PieceSource source = [](int64_t, pieces::QuotientPiece &piece) {
         piece.shape = {{0, 0, 1}, 1};
         piece.numerators = {1, 1};
@@ -124,7 +124,7 @@ TEST(LargestQuotient, ADenominatorWithAZeroHasNoBound) {
     EXPECT_TRUE(std::isinf(largest_quotient(quotient_uppers(1, source), source).upper));
 }
 
-TEST(LargestQuotient, ANegativeDenominatorIsOne) {
+TEST(LargestQuotient, a_negative_denominator_is_one) {
     const pieces::PieceSource source = [](int64_t, pieces::QuotientPiece &piece) {
         piece.shape = {{0, 0, 1}, 2};
         piece.numerators = {3, 4, 3, 4};

@@ -84,7 +84,7 @@ Polynomial derived(const Polynomial &a) {
 
 // Sums, differences, products and derivatives, nested as the numerators of curvatures are, up to degrees for
 // which no table of binomials exists.
-TEST(RoundedPolynomial, ErrorsAreWithinTheirBounds) {
+TEST(RoundedPolynomial, errors_are_within_their_bounds) {
     long double worst = 0;
     support::for_each_case(6700, 60, [&](support::Random &random, uint64_t) {
         const RoundedPolynomial a = random_polynomial(random, random.whole(0, 20)),
@@ -103,7 +103,7 @@ TEST(RoundedPolynomial, ErrorsAreWithinTheirBounds) {
     EXPECT_GT(worst, 1e-3L); // the bounds are not idle
 }
 
-TEST(RoundedPolynomial, PartsAreWithinTheirBounds) {
+TEST(RoundedPolynomial, parts_are_within_their_bounds) {
     support::for_each_case(6800, 60, [&](support::Random &random, uint64_t) {
         RoundedPolynomial upper = random_polynomial(random, random.whole(1, 20));
         Polynomial high = exactly(upper), low;
@@ -122,7 +122,20 @@ TEST(RoundedPolynomial, PartsAreWithinTheirBounds) {
 }
 
 // x^2 (1 - x) q over x^2 (1 - x) is q.
-TEST(RoundedPolynomial, ZerosAtEndsAreDividedOut) {
+TEST(RoundedPolynomial, values_are_where_parts_meet) {
+    const RoundedPolynomial whole{
+        {{2, 0, 1}, 2}, {1, 2, 3, 5, 8, 13, -1, 0, 2, 7, 1, 4}, std::vector<double>(12, 1e-9)};
+    for (const int axis : {0, 2}) {
+        RoundedPolynomial upper = whole;
+        split(upper, axis, 0.375);
+        const RoundedPolynomial want = end_value(upper, axis, false), found = value_at(whole, axis, 0.375);
+        EXPECT_EQ(found.shape.degrees, want.shape.degrees);
+        EXPECT_EQ(found.values, want.values);
+        EXPECT_EQ(found.errors, want.errors);
+    }
+}
+
+TEST(RoundedPolynomial, zeros_at_ends_are_divided_out) {
     support::for_each_case(6900, 40, [&](support::Random &random, uint64_t) {
         RoundedPolynomial q = random_polynomial(random, random.whole(0, 12));
         const auto side = [](double a, double b) {
@@ -137,7 +150,7 @@ TEST(RoundedPolynomial, ZerosAtEndsAreDividedOut) {
     EXPECT_EQ(nrb::divide_end(zero, 2, false), -1);
 }
 
-TEST(RoundedPolynomial, SignsThatRoundingHidesAreNone) {
+TEST(RoundedPolynomial, signs_that_rounding_hides_are_none) {
     RoundedPolynomial a{{{0, 0, 1}, 1}, {1, 1e-15}, {1e-16, 1e-16}};
     EXPECT_EQ(nrb::certain_sign(a), 1);
     a.errors[1] = 1e-15;

@@ -53,7 +53,7 @@ int sign_at(const nrb::SignRuns &signs, double x) {
 
 } // namespace
 
-TEST(SignRuns, FindsZerosThatAreApart) {
+TEST(SignRuns, finds_zeros_that_are_apart) {
     support::for_each_case(9300, 200, [](support::Random &random, uint64_t seed) {
         std::vector<double> zeros;
         for (int n = random.whole(0, 6); n > 0; --n) {
@@ -95,7 +95,7 @@ TEST(SignRuns, FindsZerosThatAreApart) {
     });
 }
 
-TEST(SignRuns, ClaimsNothingOfDoubleZeros) {
+TEST(SignRuns, claims_nothing_of_double_zeros) {
     const nrb::SignRuns signs = nrb::sign_runs(with_zeros({0.3, 0.3}));
     ASSERT_EQ(hidden(signs).size(), 1U);
     EXPECT_NEAR(hidden(signs)[0].from, 0.3, 1e-6);
@@ -105,7 +105,7 @@ TEST(SignRuns, ClaimsNothingOfDoubleZeros) {
 }
 
 // A triple one changes the sign, at the place that is given.
-TEST(SignRuns, EstimatesWhatIsHidden) {
+TEST(SignRuns, estimates_what_is_hidden) {
     const nrb::SignRuns signs = nrb::sign_runs(with_zeros({0.3, 0.3, 0.3}));
     ASSERT_EQ(hidden(signs).size(), 1U);
     EXPECT_NEAR(hidden(signs)[0].zero, 0.3, 1e-4);
@@ -114,7 +114,7 @@ TEST(SignRuns, EstimatesWhatIsHidden) {
 }
 
 // (1, c, 1) has no zero for c > -1, one that is double for c = -1 and two below it.
-TEST(SignRuns, CountsWhatErrorsMayHide) {
+TEST(SignRuns, counts_what_errors_may_hide) {
     EXPECT_TRUE(hidden(nrb::sign_runs(polynomial({1, 0, 1}, {0, 0.5, 0}))).empty());
     EXPECT_FALSE(hidden(nrb::sign_runs(polynomial({1, 0, 1}, {0, 1.5, 0}))).empty());
     const nrb::SignRuns one = nrb::sign_runs(polynomial({1, 0, -1}, {0, 5, 0})); // one zero whatever it is
@@ -122,7 +122,7 @@ TEST(SignRuns, CountsWhatErrorsMayHide) {
     EXPECT_EQ(std::count_if(one.runs.begin(), one.runs.end(), [](const SignRun &r) { return r.simple; }), 1);
 }
 
-TEST(SignRuns, DividesZerosAtEndsOut) {
+TEST(SignRuns, divides_zeros_at_ends_out) {
     const nrb::SignRuns signs = nrb::sign_runs(with_zeros({0, 0, 1, 0.5}));
     EXPECT_EQ(signs.zeros_at_start, 2);
     EXPECT_EQ(signs.zeros_at_end, 1);
@@ -133,7 +133,7 @@ TEST(SignRuns, DividesZerosAtEndsOut) {
     EXPECT_TRUE(nrb::sign_runs(polynomial({1e-3, 1e-4}, {1e-2, 1e-2})).nothing);
 }
 
-TEST(ZeroPlaces, OfVectors) {
+TEST(ZeroPlaces, of_vectors) {
     support::for_each_case(9400, 200, [](support::Random &random, uint64_t seed) {
         const double zero = random.between(0.01, 0.99), far = random.between(0.01, 0.99);
         const RoundedPolynomial base = factor(zero) * factor(1.5 + random.unit());

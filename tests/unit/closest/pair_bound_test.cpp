@@ -62,7 +62,7 @@ closest::PairPlace best_place(const pieces::BezierPiece &a, const pieces::Bezier
 } // namespace
 
 // Never above the distance, and for pieces that are nearly flat close to it.
-TEST(PairBound, IsBelowTheDistanceAndNearIt) {
+TEST(PairBound, is_below_the_distance_and_near_it) {
     Random random(771);
     closest::PairBound bound;
     for (int i = 0; i < 200; ++i) {
@@ -82,7 +82,7 @@ TEST(PairBound, IsBelowTheDistanceAndNearIt) {
 }
 
 // Halves are parts of the whole, as far as rounding allows that they say.
-TEST(BezierPiece, HalvesHaveThePointsOfTheWhole) {
+TEST(BezierPiece, halves_have_the_points_of_the_whole) {
     Random random(772);
     closest::PieceJet whole_jet, half_jet;
     for (int i = 0; i < 50; ++i) {
@@ -107,7 +107,7 @@ TEST(BezierPiece, HalvesHaveThePointsOfTheWhole) {
 }
 
 // Central differences of values, and of first derivatives.
-TEST(PieceJet, DerivativesAreLimitsOfDifferences) {
+TEST(PieceJet, derivatives_are_limits_of_differences) {
     Random random(773);
     closest::PieceJet jet, more, less;
     for (int i = 0; i < 30; ++i) {
@@ -134,7 +134,7 @@ TEST(PieceJet, DerivativesAreLimitsOfDifferences) {
 }
 
 // No point of one piece is farther from the other one.
-TEST(MatchedBound, NoPointIsFarther) {
+TEST(MatchedBound, no_point_is_farther) {
     Random random(774);
     closest::MatchedBound bound;
     closest::PieceJet jet;

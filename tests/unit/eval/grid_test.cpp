@@ -88,7 +88,7 @@ void expect_same_bits(const std::vector<double> &a, const std::vector<double> &b
     EXPECT_EQ(std::memcmp(a.data(), b.data(), a.size() * sizeof(double)), 0);
 }
 
-TEST(Grid, LeavesOutLayersWithoutChangingABit) {
+TEST(Grid, leaves_out_layers_without_changing_a_bit) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const SplinePtr surface = random_net({5, 3000}, 3, 1);
     const std::vector<std::vector<double>> scattered{{1.5, 0, 2, nan},
@@ -102,7 +102,7 @@ TEST(Grid, LeavesOutLayersWithoutChangingABit) {
 }
 
 // A power of two that all weights share changes nothing at all.
-TEST(Weights, MayHaveAnyCommonScale) {
+TEST(Weights, may_have_any_common_scale) {
     const std::vector<std::vector<double>> params{{0.3, 1.25, 2}, {0, 0.5, 1.75}};
     const SplinePtr plain = random_net({5, 5}, 3, 1);
     for (const int exponent : {-1000, -600, -257, -3, 255, 400, 1020}) {
@@ -111,7 +111,7 @@ TEST(Weights, MayHaveAnyCommonScale) {
     }
 }
 
-TEST(Weights, MayAllBeTheSmallestNumber) {
+TEST(Weights, may_all_be_the_smallest_number) {
     const double tiny = std::numeric_limits<double>::denorm_min();
     const auto axis = clamped_axis(2, 3);
     const SplinePtr curve = nrb::make_spline({axis}, 1, Form::rational, {1, 2, 4}, {tiny, tiny, tiny});

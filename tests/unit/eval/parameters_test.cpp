@@ -15,13 +15,13 @@ using nrb::eval::place;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan_value = std::numeric_limits<double>::quiet_NaN();
 
-TEST(Place, LeavesParametersInsideAlone) {
+TEST(Place, leaves_parameters_inside_alone) {
     for (const Outside outside : {Outside::refuse, Outside::clamp, Outside::extrapolate, Outside::wrap}) {
         EXPECT_EQ(place(0.3, {false, false, outside}, {0, 1}), 0.3);
     }
 }
 
-TEST(Place, WrapsOntoTheHalfOpenDomainOfItsSide) {
+TEST(Place, wraps_onto_the_half_open_domain_of_its_side) {
     const AxisRule right{false, false, Outside::wrap};
     const AxisRule left{true, false, Outside::wrap};
     EXPECT_EQ(place(5.0, right, {2, 5}), 2.0);
@@ -33,13 +33,13 @@ TEST(Place, WrapsOntoTheHalfOpenDomainOfItsSide) {
     EXPECT_EQ(place(3e300, right, {0, 3e-300}), std::fmod(3e300, 3e-300));
 }
 
-TEST(Place, WrapsDistancesThatOverflow) {
+TEST(Place, wraps_distances_that_overflow) {
     const double t = eval::place(1.7e308, {false, false, Outside::wrap}, {-1.2e308, -1.1e308});
     EXPECT_GE(t, -1.2e308);
     EXPECT_LT(t, -1.1e308);
 }
 
-TEST(Place, GivesNaNOnlyWhereTheRuleSaysSo) {
+TEST(Place, gives_na_n_only_where_the_rule_says_so) {
     EXPECT_TRUE(std::isnan(place(2.0, {false, true, Outside::refuse}, {0, 1})));
     EXPECT_TRUE(std::isnan(place(nan_value, {false, true, Outside::clamp}, {0, 1})));
     EXPECT_TRUE(std::isnan(place(infinity, {false, true, Outside::wrap}, {0, 1})));
@@ -47,7 +47,7 @@ TEST(Place, GivesNaNOnlyWhereTheRuleSaysSo) {
     EXPECT_EQ(place(-7.0, {false, false, Outside::extrapolate}, {0, 1}), -7.0);
 }
 
-TEST(DecodeRules, RefusesBitsOfMissingAxesAndContradictions) {
+TEST(DecodeRules, refuses_bits_of_missing_axes_and_contradictions) {
     const auto status = [](uint32_t flags, int axes) {
         try {
             nrb::capi::decode_rules(flags, axes);

@@ -6,7 +6,7 @@
 
 namespace {
 
-TEST(Slots, ForEachVisitsThemInOrder) {
+TEST(Slots, for_each_visits_them_in_order) {
     for (int axes = 1; axes <= 3; ++axes) {
         int64_t next = 0;
         nrb::eval::for_each_slot(axes, 6,
@@ -15,7 +15,7 @@ TEST(Slots, ForEachVisitsThemInOrder) {
     }
 }
 
-TEST(Slots, FollowTheFormulasOfTheHeader) {
+TEST(Slots, follow_the_formulas_of_the_header) {
     nrb::eval::for_each_slot(3, 5, [](int i, int j, int k) {
         const int s = i + j + k;
         const int r = j + k;
@@ -26,7 +26,7 @@ TEST(Slots, FollowTheFormulasOfTheHeader) {
     });
 }
 
-TEST(ContractionSteps, FillEverySlotOnce) {
+TEST(ContractionSteps, fill_every_slot_once) {
     for (int axes = 1; axes <= 3; ++axes) {
         std::set<int64_t> targets;
         int64_t steps = 0;

@@ -51,7 +51,7 @@ private:
 
 } // namespace
 
-TEST(TripleStream, WritesBlocksThatFollowEachOtherAtAnyAlignment) {
+TEST(TripleStream, writes_blocks_that_follow_each_other_at_any_alignment) {
     std::mt19937 random(1);
     std::uniform_int_distribution<int64_t> length(1, eval::block_size);
     for (size_t shift = 0; shift < 8; ++shift) {
@@ -70,7 +70,7 @@ TEST(TripleStream, WritesBlocksThatFollowEachOtherAtAnyAlignment) {
     }
 }
 
-TEST(TripleStream, WritesBlocksShorterThanALineAtAnyAlignment) {
+TEST(TripleStream, writes_blocks_shorter_than_a_line_at_any_alignment) {
     for (const int64_t count : {1, 2}) {
         for (size_t shift = 0; shift < 8; ++shift) {
             Target target(100, shift);
@@ -86,7 +86,7 @@ TEST(TripleStream, WritesBlocksShorterThanALineAtAnyAlignment) {
     }
 }
 
-TEST(TripleStream, WritesBlocksInAnyOrder) {
+TEST(TripleStream, writes_blocks_in_any_order) {
     for (size_t shift = 0; shift < 8; ++shift) {
         Target target(200, shift);
         const Records out = target.records();
@@ -106,7 +106,7 @@ TEST(TripleStream, WritesBlocksInAnyOrder) {
     }
 }
 
-TEST(TripleStream, LeavesOtherLayoutsToOrdinaryStores) {
+TEST(TripleStream, leaves_other_layouts_to_ordinary_stores) {
     std::vector<double> separate(3 * 100, untouched);
     const Records out{separate.data(), 100, 3, 1, 100};
     eval::TripleStream(out, true).write(rows_of(0, eval::block_size).data(), 0, eval::block_size);

@@ -12,8 +12,8 @@ namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
-const nrb::model::Document &models() {
-    static const nrb::model::Document document = [] {
+const nrb::model::Model &models() {
+    static const nrb::model::Model document = [] {
         const auto folder = std::filesystem::path(NURBS_SOURCE_DIR) / "capi/examples/models";
         std::ifstream file(folder / "models.igs", std::ios::binary);
         return iges_test::read(
@@ -65,7 +65,7 @@ struct Expected {
     bool rational;
 };
 
-TEST(ModelsFile, HoldsWhatItShould) {
+TEST(ModelsFile, holds_what_it_should) {
     const Expected others[] = {
         {"hull", 3, 3, 8, 7, false},           {"circle", 2, -1, 9, 0, true},
         {"conic arc", 2, -1, 3, 0, true},      {"torus", 2, 2, 9, 9, true},
@@ -99,15 +99,15 @@ TEST(ModelsFile, HoldsWhatItShould) {
 }
 
 // The names and the matrix have all gone into splines.
-TEST(ModelsFile, LeavesNothingToNote) {
+TEST(ModelsFile, leaves_nothing_to_note) {
     EXPECT_TRUE(models().notes.empty());
 }
 
-TEST(ModelsFile, IsInMillimetres) {
+TEST(ModelsFile, is_in_millimetres) {
     EXPECT_EQ(models().metres_per_unit, 0.001);
 }
 
-TEST(ModelsFile, OnlyTheLoopIsPeriodic) {
+TEST(ModelsFile, only_the_loop_is_periodic) {
     for (const nrb::model::NamedSpline &named : models().splines) {
         for (int k = 0; k < named.spline->axes(); ++k) {
             EXPECT_EQ(named.spline->axis(k).periodic(), named.name == "closed loop") << named.name;
@@ -115,7 +115,7 @@ TEST(ModelsFile, OnlyTheLoopIsPeriodic) {
     }
 }
 
-TEST(ModelsFile, TheCircleIsRound) {
+TEST(ModelsFile, the_circle_is_round) {
     const std::vector<double> points = evaluate(model("circle"), sample(model("circle"), 10007));
     for (size_t i = 0; i < points.size(); i += 3) {
         const long double radius =
@@ -126,7 +126,7 @@ TEST(ModelsFile, TheCircleIsRound) {
 }
 
 // The bound is c(2) + c(2) times eps times the largest coordinate, 220.
-TEST(ModelsFile, TheTorusIsATorus) {
+TEST(ModelsFile, the_torus_is_a_torus) {
     const std::vector<double> points = evaluate(model("torus"), sample(model("torus"), 211));
     for (size_t i = 0; i < points.size(); i += 3) {
         const long double around =
@@ -136,7 +136,7 @@ TEST(ModelsFile, TheTorusIsATorus) {
     }
 }
 
-TEST(ModelsFile, TheCylinderIsRoundAndStraight) {
+TEST(ModelsFile, the_cylinder_is_round_and_straight) {
     const std::vector<double> points = evaluate(model("cylinder"), sample(model("cylinder"), 101));
     for (size_t i = 0; i < points.size(); i += 3) {
         const long double radius =
@@ -148,7 +148,7 @@ TEST(ModelsFile, TheCylinderIsRoundAndStraight) {
 }
 
 // With barycentric coordinates (a, b, c) in the control triangle and middle weight w: b^2 = 4 w^2 a c.
-TEST(ModelsFile, TheConicArcSatisfiesItsEquation) {
+TEST(ModelsFile, the_conic_arc_satisfies_its_equation) {
     const std::vector<double> points = evaluate(model("conic arc"), sample(model("conic arc"), 1001));
     for (size_t i = 0; i < points.size(); i += 3) {
         const double b = (points[i + 1] + 40) / 100;
@@ -159,7 +159,7 @@ TEST(ModelsFile, TheConicArcSatisfiesItsEquation) {
     }
 }
 
-TEST(ModelsFile, TheHullHasAChine) {
+TEST(ModelsFile, the_hull_has_a_chine) {
     const nrb::Spline &hull = model("hull");
     EXPECT_EQ(nrb::multiplicity(hull.axis(1).knots(), 0.45), 3);
     const std::vector<double> points = iges_test::points_of(hull);
@@ -173,14 +173,14 @@ TEST(ModelsFile, TheHullHasAChine) {
     }
 }
 
-TEST(ModelsFile, TheTransformIsApplied) {
+TEST(ModelsFile, the_transform_is_applied) {
     EXPECT_EQ(iges_test::points_of(model("transformed curve")),
               (std::vector<double>{-200, 0, 50, -240, 20, 50, -240, 60, 50, -200, 80, 50}));
 }
 
 // Neighbouring patches of the teapot's body share their edges: the last row of patch 1 around is the first of
 // patch 2.
-TEST(ModelsFile, TheTeapotCloses) {
+TEST(ModelsFile, the_teapot_closes) {
     for (int ring = 0; ring < 2; ++ring) {
         for (int quarter = 0; quarter < 4; ++quarter) {
             const auto name = [&](int q) { return "teapot " + std::to_string(4 * ring + q % 4 + 1); };

@@ -47,7 +47,7 @@ const std::map<std::string, Content> &expected_contents() {
     return table;
 }
 
-Content content_of(const nrb::model::Document &document) {
+Content content_of(const nrb::model::Model &document) {
     Content content;
     for (const nrb::model::NamedSpline &named : document.splines) {
         const nrb::Spline &spline = *named.spline;
@@ -81,7 +81,7 @@ std::string bytes_of(const std::filesystem::path &path) {
     return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 
-TEST(RealFiles, ContentsMatchTheTable) {
+TEST(RealFiles, contents_match_the_table) {
     const char *folder = std::getenv("NURBS_TEST_DATA");
     if (folder == nullptr) {
         GTEST_SKIP() << "NURBS_TEST_DATA is not set: no real files to read";
@@ -93,7 +93,7 @@ TEST(RealFiles, ContentsMatchTheTable) {
             continue;
         }
         SCOPED_TRACE(name);
-        const nrb::model::Document document = iges_test::read(bytes_of(entry.path()));
+        const nrb::model::Model document = iges_test::read(bytes_of(entry.path()));
         for (const nrb::model::Note &note : document.notes) {
             EXPECT_EQ(note.reason, nrb::Status::unsupported) << note.text;
         }
@@ -108,12 +108,12 @@ TEST(RealFiles, ContentsMatchTheTable) {
     EXPECT_EQ(known, expected_contents().size()) << "files of the table are missing from " << folder;
 }
 
-TEST(RealFiles, UnitAndNamesOfTheBlade) {
+TEST(RealFiles, unit_and_names_of_the_blade) {
     const char *folder = std::getenv("NURBS_TEST_DATA");
     if (folder == nullptr) {
         GTEST_SKIP() << "NURBS_TEST_DATA is not set: no real files to read";
     }
-    const nrb::model::Document document =
+    const nrb::model::Model document =
         iges_test::read(bytes_of(std::filesystem::path(folder) / "iea15mw_blade.igs"));
     EXPECT_EQ(document.metres_per_unit, 1.0);
     std::map<std::string, int> surfaces;

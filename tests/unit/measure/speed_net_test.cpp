@@ -54,7 +54,7 @@ double off(double value, const Rational &truth) {
 } // namespace
 
 // A' w - A w' of its definition, at more places than its degree.
-TEST(SpeedNet, WronskianIsWhatTheQuotientRuleSays) {
+TEST(SpeedNet, wronskian_is_what_the_quotient_rule_says) {
     std::mt19937_64 random(4711);
     for (int p = 1; p <= 12; ++p) {
         const std::vector<double> a = random_row(random, p + 1), w = random_row(random, p + 1, 0.5);
@@ -69,7 +69,7 @@ TEST(SpeedNet, WronskianIsWhatTheQuotientRuleSays) {
     }
 }
 
-TEST(SpeedNet, HalvesAreTheSameCurveAtHalfTheSpeed) {
+TEST(SpeedNet, halves_are_the_same_curve_at_half_the_speed) {
     std::mt19937_64 random(4712);
     for (int p = 1; p <= 9; ++p) {
         for (const bool rational : {false, true}) {
@@ -95,7 +95,7 @@ TEST(SpeedNet, HalvesAreTheSameCurveAtHalfTheSpeed) {
 }
 
 // The limits of the directions and of the sizes, from both sides, and signs of weights.
-TEST(SpeedNet, ShapesAreEvenWithinTheirLimits) {
+TEST(SpeedNet, shapes_are_even_within_their_limits) {
     const measure::SpeedForm polynomial{2, 2, -1, nullptr, nullptr}, rational{1, 1, 1, nullptr, nullptr};
     const auto even = [&](const std::vector<double> &x) {
         return measure::net_shape(polynomial, x.data()).even;

@@ -52,7 +52,7 @@ bool solve(const System &system, const std::vector<double> &right, int64_t width
     return squares.solve(x.data());
 }
 
-TEST(BandedLeastSquares, ResidualsAreOrthogonalToTheColumns) {
+TEST(BandedLeastSquares, residuals_are_orthogonal_to_the_columns) {
     Random random(1);
     for (int i = 0; i < 300; ++i) {
         const System system = random_system(random);
@@ -79,7 +79,7 @@ TEST(BandedLeastSquares, ResidualsAreOrthogonalToTheColumns) {
     }
 }
 
-TEST(BandedLeastSquares, AColumnThatNoRowHasIsNotSolvedFor) {
+TEST(BandedLeastSquares, a_column_that_no_row_has_is_not_solved_for) {
     BandedLeastSquares squares(2, 1, 0, 1);
     const double one[] = {1}, right[] = {3};
     squares.add_row(0, one, {}, right);

@@ -22,8 +22,8 @@ namespace {
 namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
-using Wide = hn::CappedTag<double, 8>;
-using Number = nrb::HWY_NAMESPACE::Twin<hn::Vec<Wide>>;
+using DoubleDouble = hn::CappedTag<double, 8>;
+using Number = nrb::HWY_NAMESPACE::DoubleDoubleLanes<hn::Vec<DoubleDouble>>;
 
 Number compute(Operation operation, const Number &a, const Number &b) {
     switch (operation) {
@@ -47,7 +47,7 @@ Number compute(Operation operation, const Number &a, const Number &b) {
 
 // Numbers a and b, high and low parts apart, n of each, a multiple of 8.
 void compute_all(Operation operation, const double *const *parts, size_t n, double *high, double *low) {
-    const Wide d;
+    const DoubleDouble d;
     for (size_t i = 0; i < n; i += hn::Lanes(d)) {
         const Number a = {hn::LoadU(d, parts[0] + i), hn::LoadU(d, parts[1] + i)};
         const Number b = {hn::LoadU(d, parts[2] + i), hn::LoadU(d, parts[3] + i)};
@@ -124,7 +124,7 @@ Numbers compute(Operation operation, const Pairs &pairs) {
     return result;
 }
 
-using Twins = targets::Targets;
+using DoubleDoubleLanesTest = targets::Targets;
 
 // high + low is exactly `want`, high is `want` rounded.
 void expect_exact(const Numbers &result, size_t i, const Rational &want) {
@@ -132,7 +132,7 @@ void expect_exact(const Numbers &result, size_t i, const Rational &want) {
     ASSERT_EQ(result.high[i], reference::nearest(reference::fraction(want)));
 }
 
-TEST_P(Twins, sums_and_products_of_doubles_are_exact) {
+TEST_P(DoubleDoubleLanesTest, sums_and_products_of_doubles_are_exact) {
     Pairs pairs = random_pairs();
     const Numbers sums = compute(Operation::exact_sum, pairs);
     const Numbers products = compute(Operation::exact_product, pairs);
@@ -150,7 +150,7 @@ TEST_P(Twins, sums_and_products_of_doubles_are_exact) {
 }
 
 // One factor near the end of the range, the other one small.
-TEST_P(Twins, products_of_enormous_numbers_are_exact) {
+TEST_P(DoubleDoubleLanesTest, products_of_enormous_numbers_are_exact) {
     Pairs pairs = random_pairs();
     for (size_t i = 0; i < n; ++i) {
         pairs.a.high[i] = std::ldexp(pairs.a.high[i], 990);
@@ -166,7 +166,7 @@ TEST_P(Twins, products_of_enormous_numbers_are_exact) {
 }
 
 // The largest double has no upper half that is rounded.
-TEST_P(Twins, products_with_the_largest_number_are_exact) {
+TEST_P(DoubleDoubleLanesTest, products_with_the_largest_number_are_exact) {
     const double largest = std::numeric_limits<double>::max();
     Pairs pairs = random_pairs();
     std::fill(pairs.a.high.begin(), pairs.a.high.end(), largest);
@@ -200,7 +200,7 @@ double worst_error(Operation operation, Want &&want, Unit &&unit) {
 }
 
 // Three roundings of low parts: two of their sum, one of what the high parts left over.
-TEST_P(Twins, sums_keep_their_bound) {
+TEST_P(DoubleDoubleLanesTest, sums_keep_their_bound) {
     const auto sum_of_sizes = [](const Rational &a, const Rational &b) { return Rational(abs(a) + abs(b)); };
     EXPECT_LE(worst_error(
                   Operation::plus, [](const Rational &a, const Rational &b) { return Rational(a + b); },
@@ -213,7 +213,7 @@ TEST_P(Twins, sums_keep_their_bound) {
 }
 
 // Joldes, Muller and Popescu 2017, algorithms 10 (7 units) and 11 (6 units).
-TEST_P(Twins, products_keep_their_bound) {
+TEST_P(DoubleDoubleLanesTest, products_keep_their_bound) {
     const auto product = [](const Rational &a, const Rational &b) { return Rational(a * b); };
     EXPECT_LE(worst_error(Operation::times, product,
                           [&](const Rational &a, const Rational &b) { return Rational(abs(product(a, b))); }),
@@ -222,14 +222,14 @@ TEST_P(Twins, products_keep_their_bound) {
 
 // 4 units of the square that Newton's step leaves, 3 of roundings of the rest and 2 of its product; without
 // fused operations one more.
-TEST_P(Twins, inverses_keep_their_bound) {
+TEST_P(DoubleDoubleLanesTest, inverses_keep_their_bound) {
     const auto inverse = [](const Rational &a, const Rational &) { return Rational(1 / a); };
     EXPECT_LE(worst_error(Operation::inverse, inverse,
                           [&](const Rational &a, const Rational &b) { return Rational(abs(inverse(a, b))); }),
               9);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Twins, targets::every_target(), targets::target_name);
+INSTANTIATE_TEST_SUITE_P(All, DoubleDoubleLanesTest, targets::every_target(), targets::target_name);
 
 } // namespace
 #endif

@@ -118,7 +118,7 @@ SplineData random_of(Random &random, int axes, int dim) {
 
 } // namespace
 
-TEST(DerivativePieces, OfCurves) {
+TEST(DerivativePieces, of_curves) {
     for_each_case(9100, 120, [](Random &random, uint64_t seed) {
         const SplineData data = random_of(random, 1, random.whole(2, 3));
         const nrb::SplinePtr spline = spline_of(data);
@@ -140,7 +140,7 @@ TEST(DerivativePieces, OfCurves) {
     EXPECT_GT(Middles::worst, 1e-3L); // the bounds are not idle
 }
 
-TEST(DerivativePieces, OfSurfacesAndVolumes) {
+TEST(DerivativePieces, of_surfaces_and_volumes) {
     for_each_case(9200, 60, [](Random &random, uint64_t seed) {
         const int axes = random.whole(2, 3), dim = axes == 3 ? 3 : random.whole(2, 3);
         const SplineData data = random_of(random, axes, dim);

@@ -1,7 +1,7 @@
 // Knots of products and raised splines, and the choices among them.
-#include "curves.h"
 #include "refine/algebra/common_knots.h"
 #include "refine/knots/blossom.h"
+#include "unit/shapes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,20 +10,21 @@
 #include <numeric>
 
 using namespace nrb;
+using namespace shapes;
 
 namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
-TEST(JointAxis, CountsCopiesByContinuity) {
+TEST(CommonKnots, counts_copies_by_continuity) {
     const KnotVector quadratic(2, {0, 0, 0, 1, 2, 2, 2}), linear(1, {0, 0, 1.5, 2, 2});
-    const refine::JointAxis joint(3, {&quadratic, &linear}, 0);
+    const refine::CommonKnots joint(3, {&quadratic, &linear}, 0);
     EXPECT_EQ(vector_of(joint.axis()->knots()),
               (std::vector<double>{0, 0, 0, 0, 1, 1, 1.5, 1.5, 1.5, 2, 2, 2, 2}));
 }
 
-TEST(JointAxis, ChoicesAreAllSubsets) {
-    refine::JointAxis::Window window{};
+TEST(CommonKnots, choices_are_all_subsets) {
+    refine::CommonKnots::Window window{};
     window.size = 3;
     window.copies = {2, 1, 3};
     double ways = 0;
@@ -38,9 +39,9 @@ TEST(JointAxis, ChoicesAreAllSubsets) {
 }
 
 // Raising takes means: rows are >= 0 and add up to 1.
-TEST(JointAxis, RaisingIsConvex) {
+TEST(CommonKnots, raising_is_convex) {
     const KnotVector cubic(3, {-1, -0.5, -0.5, 0, 0.1, 0.1, 0.7, 1, 1, 1.5, 2});
-    const refine::JointAxis joint(5, {&cubic}, 0);
+    const refine::CommonKnots joint(5, {&cubic}, 0);
     const LayerTable table = joint.raising(0);
     ASSERT_EQ(table.rows(), joint.axis()->count());
     for (int64_t r = 0; r < table.rows(); ++r) {
@@ -51,22 +52,23 @@ TEST(JointAxis, RaisingIsConvex) {
     }
 }
 
-TEST(BlossomRow, OfKnotsIsAControlPoint) {
+TEST(BlossomRow, of_knots_is_a_control_point) {
     const KnotVector axis(3, {0, 1, 2, 3, 4, 5, 6, 7});
     const double arguments[] = {3, 5, 4};
-    const refine::PolarRow row = refine::blossom_row(axis, 3, arguments);
+    const refine::BlossomRow row = refine::blossom_row(axis, 3, arguments);
     EXPECT_EQ(row.size, 1);
     EXPECT_EQ(row.first, 2);
     EXPECT_EQ(row.coefficients[0], 1);
 }
 
-TEST(BlossomRow, IsSymmetricAndAffine) {
+TEST(BlossomRow, is_symmetric_and_affine) {
     const KnotVector axis(2, {0, 0, 0, 1, 3, 3, 3});
     const double ab[] = {1.25, 2}, ba[] = {2, 1.25}, low[] = {1.25, 1}, high[] = {1.25, 3};
-    const refine::PolarRow row = refine::blossom_row(axis, 3, ab), turned = refine::blossom_row(axis, 3, ba);
-    const refine::PolarRow at_low = refine::blossom_row(axis, 3, low),
-                           at_high = refine::blossom_row(axis, 3, high);
-    const auto coefficient = [](const refine::PolarRow &r, int64_t layer) {
+    const refine::BlossomRow row = refine::blossom_row(axis, 3, ab),
+                             turned = refine::blossom_row(axis, 3, ba);
+    const refine::BlossomRow at_low = refine::blossom_row(axis, 3, low),
+                             at_high = refine::blossom_row(axis, 3, high);
+    const auto coefficient = [](const refine::BlossomRow &r, int64_t layer) {
         return layer < r.first || layer >= r.first + r.size ? 0 : r.coefficients[layer - r.first];
     };
     for (int64_t layer = 1; layer <= 3; ++layer) {

@@ -1,35 +1,37 @@
 // Signs of coordinates of curves, where they change, and monotony.
-#include "curves.h"
 #include "refine/algebra/crossings.h"
+#include "unit/shapes.h"
 
 #include <gtest/gtest.h>
 
 using namespace nrb;
+using namespace shapes;
+using refine::strictly_monotone;
 
 namespace {
 
-refine::SignProfile profile_of(const SplinePtr &curve, double c, int k = 0) {
+SignProfile profile_of(const SplinePtr &curve, double c, int k = 0) {
     return refine::sign_profile(refine::CurvePiece(*curve, curve->axis(0).degree()), k, c);
 }
 
-TEST(Crossings, OfALineIsOne) {
-    const refine::SignProfile profile = profile_of(bezier(1, {0, 1}), 0.25);
+TEST(Crossings, of_a_line_is_one) {
+    const SignProfile profile = profile_of(bezier(1, {0, 1}), 0.25);
     EXPECT_TRUE(profile.below && profile.above);
     EXPECT_EQ(profile.crossings, std::vector<double>{0.25});
 }
 
-TEST(Crossings, AtTheEndsAreNone) {
-    const refine::SignProfile profile = profile_of(bezier(1, {0, 1}), 0);
+TEST(Crossings, at_the_ends_are_none) {
+    const SignProfile profile = profile_of(bezier(1, {0, 1}), 0);
     EXPECT_TRUE(!profile.below && profile.above && profile.crossings.empty());
 }
 
 // (t - 1/4) (t - 1/2) (t - 3/4): the middle one is where the interval is halved.
-TEST(Crossings, OfACubicAreThree) {
+TEST(Crossings, of_a_cubic_are_three) {
     const std::vector<double> power{-3.0 / 32, 11.0 / 16, -1.5, 1};
     const SplinePtr cubic =
         bezier(1, {power[0], power[0] + power[1] / 3, power[0] + power[1] * 2 / 3 + power[2] / 3,
                    power[0] + power[1] + power[2] + power[3]});
-    const refine::SignProfile profile = profile_of(cubic, 0);
+    const SignProfile profile = profile_of(cubic, 0);
     ASSERT_EQ(profile.crossings.size(), 3U);
     EXPECT_NEAR(profile.crossings[0], 0.25, 1e-15);
     EXPECT_NEAR(profile.crossings[1], 0.5, 1e-15);
@@ -37,20 +39,20 @@ TEST(Crossings, OfACubicAreThree) {
 }
 
 // (t - 0.3)^2 touches 0, (t - 0.3)^3 crosses it once.
-TEST(Crossings, OfTangentsAreNoneAndOfInflectionsOne) {
-    const refine::SignProfile touching = profile_of(bezier(1, {0.09, -0.21, 0.49}), 0);
+TEST(Crossings, of_tangents_are_none_and_of_inflections_one) {
+    const SignProfile touching = profile_of(bezier(1, {0.09, -0.21, 0.49}), 0);
     EXPECT_TRUE(touching.above && !touching.below && touching.crossings.empty());
-    const refine::SignProfile inflection = profile_of(bezier(1, {-0.027, 0.063, -0.147, 0.343}), 0);
+    const SignProfile inflection = profile_of(bezier(1, {-0.027, 0.063, -0.147, 0.343}), 0);
     ASSERT_EQ(inflection.crossings.size(), 1U);
     EXPECT_NEAR(inflection.crossings[0], 0.3, 1e-4); // known to the third root of eps
 }
 
-TEST(Crossings, OfAConstantAreNone) {
-    const refine::SignProfile profile = profile_of(bezier(2, {0, 5, 1, 5}), 5, 1);
+TEST(Crossings, of_a_constant_are_none) {
+    const SignProfile profile = profile_of(bezier(2, {0, 5, 1, 5}), 5, 1);
     EXPECT_TRUE(!profile.below && !profile.above && profile.crossings.empty());
 }
 
-TEST(Crossings, PolarValuesOfAPieceAreItsCoefficients) {
+TEST(Crossings, polar_values_of_a_piece_are_its_coefficients) {
     const SplinePtr f = curve(2, {0, 0, 0, 1, 2, 2, 2}, 1, {0, 2, 4, 6});
     const refine::CurvePiece piece(*f, 2);
     EXPECT_EQ(vector_of(piece.coefficients(0)), (std::vector<double>{0, 2, 3}));
@@ -60,7 +62,7 @@ TEST(Crossings, PolarValuesOfAPieceAreItsCoefficients) {
     EXPECT_EQ(half[2], 1.75);
 }
 
-TEST(Monotony, IsDecidedBySigns) {
+TEST(Monotony, is_decided_by_signs) {
     EXPECT_TRUE(strictly_monotone(bezier(1, {0, 1})));
     EXPECT_TRUE(strictly_monotone(bezier(1, {3, 2, -1})));
     EXPECT_TRUE(strictly_monotone(bezier(1, {0, 0.9, 0.1, 1})));   // its control polygon turns, it does not

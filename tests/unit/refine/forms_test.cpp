@@ -1,15 +1,16 @@
 // Changes of form that move no value.
-#include "curves.h"
 #include "refine/forms/homogeneous.h"
 #include "refine/forms/parametrization.h"
 #include "refine/forms/transpose.h"
 #include "refine/knots/axis_table.h"
 #include "refine/parts/iso.h"
 #include "refine/parts/join.h"
+#include "unit/shapes.h"
 
 #include <gtest/gtest.h>
 
 using namespace nrb;
+using namespace shapes;
 
 namespace {
 
@@ -24,39 +25,39 @@ SplinePtr surface() { // 2 by 3 points
                        Form::polynomial, {1, 2, 3, 4, 5, 6});
 }
 
-TEST(Homogeneous, PointsCarryTheirWeights) {
+TEST(Homogeneous, points_carry_their_weights) {
     EXPECT_EQ(homogeneous_points(*rational()), (Values{1, 2, 1, 1.5, 2, 0.5}));
     const SplinePtr there = refine::to_homogeneous(*rational());
     EXPECT_EQ(there->dim(), 3);
     EXPECT_EQ(from_homogeneous(*there)->coordinate(1, 1), 4);
 }
 
-TEST(Homogeneous, TheCommonFormHoldsAll) {
+TEST(Homogeneous, the_common_form_holds_all) {
     const SplinePtr both[] = {bezier(2, {0, 0, 1, 1}), rational()};
     EXPECT_EQ(common_form(both), Form::rational);
     EXPECT_EQ(vector_of(in_form(both[0], Form::rational)->weights()), (Values{1, 1}));
 }
 
-TEST(Transpose, ExchangesAxes) {
+TEST(Transpose, exchanges_axes) {
     const int32_t turn[] = {1, 0};
     const SplinePtr made = refine::transpose(*surface(), turn);
     EXPECT_EQ(vector_of(made->points()), (Values{1, 4, 2, 5, 3, 6}));
     EXPECT_EQ(made->axis(0).degree(), 2);
 }
 
-TEST(Iso, AtAnEndIsTheBoundary) {
+TEST(Iso, at_an_end_is_the_boundary) {
     EXPECT_EQ(vector_of(iso(*surface(), 0, 1, {})->points()), (Values{4, 5, 6}));
     EXPECT_EQ(vector_of(iso(*surface(), 1, 0, {})->points()), (Values{1, 4}));
 }
 
-TEST(Reverse, NegatesKnotsOrKeepsTheDomain) {
+TEST(Reverse, negates_knots_or_keeps_the_domain) {
     const SplinePtr g = curve(1, {0, 0, 1, 3, 3}, 1, {5, 6, 7});
     EXPECT_EQ(vector_of(reverse(*g, 0, false)->axis(0).knots()), (Values{-3, -3, -1, 0, 0}));
     EXPECT_EQ(vector_of(reverse(*g, 0, true)->axis(0).knots()), (Values{0, 0, 2, 3, 3}));
     EXPECT_EQ(vector_of(reverse(*g, 0, true)->points()), (Values{7, 6, 5}));
 }
 
-TEST(Join, OfPartsThatMeetSharesTheEnd) {
+TEST(Join, of_parts_that_meet_shares_the_end) {
     const SplinePtr parts[] = {bezier(1, {0, 1, 4}), bezier(1, {4, 5, 6})};
     const refine::Joined joined = refine::join(parts, 0, {0, false});
     EXPECT_EQ(vector_of(joined.spline->points()), (Values{0, 1, 4, 5, 6}));
@@ -64,7 +65,7 @@ TEST(Join, OfPartsThatMeetSharesTheEnd) {
     EXPECT_EQ(joined.gap, 0);
 }
 
-TEST(AxisTable, MergesSortedKnots) {
+TEST(AxisTable, merges_sorted_knots) {
     const double a[] = {0, 1, 1, 3}, b[] = {1, 2};
     EXPECT_EQ(merged(a, b), (Values{0, 1, 1, 1, 2, 3}));
 }

@@ -39,7 +39,7 @@ SplinePtr random_curve(std::mt19937_64 &random, int degree, std::vector<double> 
 }
 
 // Every knot of the list any number of times, up to multiplicity degree + 1.
-TEST(Refinement, RowsAreConvexCombinations) {
+TEST(Refinement, rows_are_convex_combinations) {
     std::mt19937_64 random(12);
     const std::vector<double> knots{0, 0.1, 0.2, 0.2, 0.5, 0.500001, 0.7, 1, 1, 1};
     const std::vector<double> places{0.2, 0.3, 0.3 + 1e-12, 0.5, 0.5000005, 0.500001, 0.6, 0.7};
@@ -64,7 +64,7 @@ TEST(Refinement, RowsAreConvexCombinations) {
     }
 }
 
-TEST(RestrictAxis, KeepsTheShapeAndClampsTheNewEnds) {
+TEST(RestrictAxis, keeps_the_shape_and_clamps_the_new_ends) {
     std::mt19937_64 random(11);
     for (const auto &[lower, upper] :
          {std::pair{0.25, 0.75}, {0.0, 0.6}, {0.3, 1.0}, {0.5, 0.55}, {0.3, 0.5}}) {
@@ -87,7 +87,7 @@ TEST(RestrictAxis, KeepsTheShapeAndClampsTheNewEnds) {
     }
 }
 
-TEST(RestrictAxis, OpensAPeriodicAxis) {
+TEST(RestrictAxis, opens_a_periodic_axis) {
     std::vector<double> points;
     for (int i = 0; i < 7; ++i) {
         points.push_back(std::cos(i % 4 * 1.5707963267948966));
@@ -99,7 +99,7 @@ TEST(RestrictAxis, OpensAPeriodicAxis) {
     EXPECT_NEAR(points_of(*part, {1.25})[0], points_of(*closed, {1.25})[0], 4 * eps);
 }
 
-TEST(InsertKnot, LeavesPointsOutOfReachBitForBit) {
+TEST(InsertKnot, leaves_points_out_of_reach_bit_for_bit) {
     std::mt19937_64 random(3);
     const SplinePtr curve = random_curve(random, 2, {0, 0, 0, 1, 2, 3, 4, 5, 5, 5});
     const SplinePtr refined = nrb::refine::insert_knot(curve, 0, 2.5, 1);

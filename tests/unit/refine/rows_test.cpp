@@ -60,7 +60,8 @@ double applied(const LayerTable &table, const LayerTable::Row &row, const std::v
 }
 
 // A table is right if it makes the control points of all monomials from those of the old axis. All terms are
-// positive, so that the errors of the coefficients, 4 d eps for d <= degree steps, and of the means are relative.
+// positive, so that the errors of the coefficients, 4 d eps for d <= degree steps, and of the means are
+// relative.
 void expect_monomials(const LayerTable &table, const KnotVector &from, const KnotVector &to) {
     ASSERT_EQ(table.rows(), to.count());
     const double bound = (6 * from.degree() + 4 * to.degree() + 6) * eps;

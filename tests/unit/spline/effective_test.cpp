@@ -17,25 +17,25 @@ std::vector<double> weights_of(const Spline &spline) {
     return {spline.weights().begin(), spline.weights().end()};
 }
 
-TEST(ActiveLayers, AreAllOfAClampedAxis) {
+TEST(ActiveLayers, are_all_of_a_clamped_axis) {
     const auto axis = make_knot_vector(2, {0, 0, 0, 1, 1, 2, 2, 2});
     EXPECT_EQ(axis->active_layers().first, 0);
     EXPECT_EQ(axis->active_layers().end, 5);
 }
 
-TEST(ActiveLayers, EndWhereTheKnotOfAnEndRepeats) {
+TEST(ActiveLayers, end_where_the_knot_of_an_end_repeats) {
     const auto axis = make_knot_vector(2, {-2, -1, 0, 0, 0, 1, 2, 2, 3, 4});
     EXPECT_EQ(axis->active_layers().first, 2);
     EXPECT_EQ(axis->active_layers().end, 6);
 }
 
-TEST(Effective, IsTheSplineItselfWhereAllPointsCount) {
+TEST(Effective, is_the_spline_itself_where_all_points_count) {
     const auto axis = make_knot_vector(1, {-1, 0, 1, 2});
     const SplinePtr spline = make_spline({axis}, 1, Form::polynomial, {3, 4});
     EXPECT_EQ(&spline->effective(), spline.get());
 }
 
-TEST(Effective, MovesPointsOutsideOntoTheirNeighbours) {
+TEST(Effective, moves_points_outside_onto_their_neighbours) {
     const auto axis = make_knot_vector(1, {-1, 0, 0, 1, 1, 2});
     const SplinePtr spline = make_spline({axis}, 1, Form::rational, {100, 3, 4, 200}, {9, 1, 2, 9});
     EXPECT_EQ(points_of(spline->effective()), (std::vector<double>{3, 3, 4, 4}));
@@ -45,20 +45,20 @@ TEST(Effective, MovesPointsOutsideOntoTheirNeighbours) {
     EXPECT_EQ(&spline->effective().effective(), &spline->effective());
 }
 
-TEST(Effective, KeepsWeightsOf0) {
+TEST(Effective, keeps_weights_of0) {
     const auto axis = make_knot_vector(2, {0, 0, 0, 1, 1, 1});
     const SplinePtr spline = make_spline({axis}, 1, Form::rational, {3, 100, 4}, {1, 0, 1});
     EXPECT_EQ(points_of(spline->effective()), (std::vector<double>{3, 3, 4}));
     EXPECT_EQ(weights_of(spline->effective()), (std::vector<double>{1, 0, 1}));
 }
 
-TEST(Effective, LeavesPointsAtInfinity) {
+TEST(Effective, leaves_points_at_infinity) {
     const auto axis = make_knot_vector(2, {0, 0, 0, 1, 1, 1});
     const SplinePtr spline = make_spline({axis}, 1, Form::homogeneous, {3, 1, 100, 0, 4, 1});
     EXPECT_EQ(&spline->effective(), spline.get());
 }
 
-TEST(Effective, LooksAtEveryAxis) {
+TEST(Effective, looks_at_every_axis) {
     const auto open = make_knot_vector(1, {-1, 0, 0, 1, 2}), clamped = make_knot_vector(1, {0, 0, 1, 1});
     const SplinePtr spline = make_spline({open, clamped}, 1, Form::polynomial, {9, 9, 1, 2, 3, 4});
     EXPECT_EQ(points_of(spline->effective()), (std::vector<double>{1, 2, 1, 2, 3, 4}));

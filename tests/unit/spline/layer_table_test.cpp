@@ -20,7 +20,7 @@ SplinePtr bilinear(std::vector<double> points) {
     return make_spline({axis, axis}, 1, Form::polynomial, std::move(points));
 }
 
-TEST(LayerTable, TrimsZerosAndTurnsASingleOneIntoACopy) {
+TEST(LayerTable, trims_zeros_and_turns_a_single_one_into_a_copy) {
     LayerTable table;
     const double row[4] = {0, 0.5, 0.5, 0};
     const double unit[3] = {0, 1, 0};
@@ -32,7 +32,7 @@ TEST(LayerTable, TrimsZerosAndTurnsASingleOneIntoACopy) {
     EXPECT_EQ(table.row(1).size, 0);
 }
 
-TEST(ApplyAlong, ActsOnEachAxisAlike) {
+TEST(ApplyAlong, acts_on_each_axis_alike) {
     const SplinePtr spline = bilinear({0, 1, 2, 4});
     LayerTable table;
     const double half[2] = {0.5, 0.5};
@@ -41,7 +41,7 @@ TEST(ApplyAlong, ActsOnEachAxisAlike) {
     EXPECT_EQ(nrb::apply_along(*spline, 1, table).points, (std::vector<double>{0.5, 3}));
 }
 
-TEST(ApplyAlong, KeepsAPositionWhereAllWeightsAreZero) {
+TEST(ApplyAlong, keeps_a_position_where_all_weights_are_zero) {
     const SplinePtr curve =
         make_spline({make_knot_vector(2, {0, 0, 0, 1, 1, 1})}, 1, Form::rational, {5, 7, 9}, {1, 0, 1});
     LayerTable copy;
@@ -63,7 +63,7 @@ TEST(ApplyAlong, KeepsAPositionWhereAllWeightsAreZero) {
     EXPECT_EQ(net.weights, (std::vector<double>{0.75}));
 }
 
-TEST(ApplyAlong, ReportsOverflow) {
+TEST(ApplyAlong, reports_overflow) {
     const SplinePtr spline = bilinear({1e308, 0, 1e308, 0});
     LayerTable table;
     const double row[2] = {10, 10};
@@ -72,7 +72,7 @@ TEST(ApplyAlong, ReportsOverflow) {
 }
 
 // All forms and widths, with copies, repeated rows and a layer whose weights are all 0.
-TEST(LayerMaker, MakesInPartsWhatOneTableMakes) {
+TEST(LayerMaker, makes_in_parts_what_one_table_makes) {
     std::mt19937_64 random(5);
     std::uniform_real_distribution<double> uniform(0.5, 2);
     const int64_t count = 12;
@@ -116,7 +116,7 @@ TEST(LayerMaker, MakesInPartsWhatOneTableMakes) {
 }
 
 // Every length takes another way through the blocks; all must add in the same order.
-TEST(Contract, HasTheBitsOfTheDefinitionForEveryLength) {
+TEST(Contract, has_the_bits_of_the_definition_for_every_length) {
     std::mt19937_64 random(7);
     std::uniform_real_distribution<double> uniform(-1, 1);
     std::vector<double> rows(40 * 6);

@@ -44,7 +44,7 @@ NURBS_ERROR_OPTIONS = 27  # an options struct has a wrong size or a value out of
 NURBS_ERROR_INDEX = 28  # an index is outside its list
 NURBS_ERROR_DIRECTION = 29  # a direction is zero, not finite, or parallel to another one
 NURBS_ERROR_END_KNOT = 30  # a knot at an end of the domain, where it cannot be removed
-NURBS_ERROR_NOT_A_KNOT = 31  # a value that has to be a knot of the axis is none
+NURBS_ERROR_NOT_A_KNOT = 31  # a value that has to be a knot of the axis is not one
 NURBS_ERROR_MATRIX = 32  # an entry of a matrix or translation is NaN or infinite
 NURBS_ERROR_RATIONAL = 33  # the spline is rational, which the function is not for
 NURBS_ERROR_INCOMPATIBLE = 40  # splines differ in what they have to share
@@ -91,7 +91,7 @@ NURBS_EXTRAPOLATE = 0x04  # Evaluation: outside the domain continue the first or
 # Evaluation: reduce the parameter by multiples of the domain's length; the start and the end are the same place, seen
 # from the right unless NURBS_LEFT is set. Allowed on every axis, periodic or not.
 NURBS_WRAP = 0x08
-# Evaluation: a parameter that cannot be evaluated gives NaN in place of an error. NURBS_CLAMP, NURBS_EXTRAPOLATE and
+# Evaluation: a parameter that cannot be evaluated gives NaN instead of an error. NURBS_CLAMP, NURBS_EXTRAPOLATE and
 # NURBS_WRAP exclude each other; each may be combined with NURBS_NAN.
 NURBS_NAN = 0x10
 # Creation: the axis is periodic with period knots[count] - knots[degree]: knots[i + m] = knots[i] + period to within
@@ -100,17 +100,16 @@ NURBS_NAN = 0x10
 NURBS_PERIODIC = 0x01
 
 # --- Global flags
-NURBS_ACCUMULATE = 0x01000000  # nurbs_eval_adjoint(): add to what the outputs hold in place of overwriting it.
-NURBS_KEEP_DOMAIN = 0x02000000  # nurbs_reverse(): map the domain to itself in place of negating the parameter.
-NURBS_KEEP_GAPS = 0x04000000  # nurbs_join(): ends that do not meet become a jump, in place of an error.
+NURBS_ACCUMULATE = 0x01000000  # nurbs_eval_adjoint(): add to what the outputs hold instead of overwriting it.
+NURBS_KEEP_DOMAIN = 0x02000000  # nurbs_reverse(): map the domain to itself instead of negating the parameter.
+NURBS_KEEP_GAPS = 0x04000000  # nurbs_join(): ends that do not meet become a jump instead of an error.
 NURBS_PRODUCT_DOT = 0x08000000  # nurbs_product(): the dot product.
 NURBS_PRODUCT_CROSS = 0x10000000  # nurbs_product(): the cross product in dimension 3.
 NURBS_HOMOGENEOUS = 0x20000000  # nurbs_create_power(), nurbs_unclamp(): homogeneous records (w x, w y, ..., w).
 NURBS_MAP_DOMAINS = 0x40000000  # nurbs_make_compatible(): map the domains of all splines to that of the first one.
-# nurbs_curve_divide(): equal distances of consecutive points in place of equal lengths.
-NURBS_EQUAL_CHORDS = 0x02000000
+NURBS_EQUAL_CHORDS = 0x02000000  # nurbs_curve_divide(): equal distances of consecutive points instead of equal lengths.
 NURBS_REVERSED = 0x04000000  # nurbs_snap_boundary(): the two boundaries run against each other.
-# nurbs_closest_points() and its neighbours: a point that is not finite gives NaN in place of an error.
+# nurbs_closest_points() and its neighbours: a point that is not finite gives NaN instead of an error.
 NURBS_NAN_POINTS = 0x01000000
 
 # --- Form of a knot vector, as reported by nurbs_knot_form()
@@ -204,7 +203,7 @@ NURBS_CONVEXITY_NONE = 0  # turns both ways, or through more than a full turn, o
 NURBS_CONVEXITY_LEFT = 1  # turns to the left only, by at most a full turn
 NURBS_CONVEXITY_RIGHT = 2  # turns to the right only, by at most a full turn
 NURBS_CONVEXITY_STRAIGHT = 3  # a straight line that does not turn back, to rounding
-NURBS_CONVEXITY_UNDECIDED = 4  # double precision does not tell
+NURBS_CONVEXITY_UNDECIDED = 4  # double precision cannot decide
 
 # --- Folds
 NURBS_FOLD_NONE = 0  # proven: there is none

@@ -115,7 +115,7 @@ pub const NURBS_ERROR_INDEX: nurbs_status = 28;
 pub const NURBS_ERROR_DIRECTION: nurbs_status = 29;
 /// a knot at an end of the domain, where it cannot be removed
 pub const NURBS_ERROR_END_KNOT: nurbs_status = 30;
-/// a value that has to be a knot of the axis is none
+/// a value that has to be a knot of the axis is not one
 pub const NURBS_ERROR_NOT_A_KNOT: nurbs_status = 31;
 /// an entry of a matrix or translation is NaN or infinite
 pub const NURBS_ERROR_MATRIX: nurbs_status = 32;
@@ -204,7 +204,7 @@ pub const NURBS_EXTRAPOLATE: u32 = 0x04;
 /// Evaluation: reduce the parameter by multiples of the domain's length; the start and the end are the same
 /// place, seen from the right unless NURBS_LEFT is set. Allowed on every axis, periodic or not.
 pub const NURBS_WRAP: u32 = 0x08;
-/// Evaluation: a parameter that cannot be evaluated gives NaN in place of an error. NURBS_CLAMP,
+/// Evaluation: a parameter that cannot be evaluated gives NaN instead of an error. NURBS_CLAMP,
 /// NURBS_EXTRAPOLATE and NURBS_WRAP exclude each other; each may be combined with NURBS_NAN.
 pub const NURBS_NAN: u32 = 0x10;
 /// Creation: the axis is periodic with period knots\[count\] - knots\[degree\]: knots\[i + m\] = knots\[i\] +
@@ -214,11 +214,11 @@ pub const NURBS_NAN: u32 = 0x10;
 pub const NURBS_PERIODIC: u32 = 0x01;
 
 // --- Global flags
-/// nurbs_eval_adjoint(): add to what the outputs hold in place of overwriting it.
+/// nurbs_eval_adjoint(): add to what the outputs hold instead of overwriting it.
 pub const NURBS_ACCUMULATE: u32 = 0x01000000;
-/// nurbs_reverse(): map the domain to itself in place of negating the parameter.
+/// nurbs_reverse(): map the domain to itself instead of negating the parameter.
 pub const NURBS_KEEP_DOMAIN: u32 = 0x02000000;
-/// nurbs_join(): ends that do not meet become a jump, in place of an error.
+/// nurbs_join(): ends that do not meet become a jump instead of an error.
 pub const NURBS_KEEP_GAPS: u32 = 0x04000000;
 /// nurbs_product(): the dot product.
 pub const NURBS_PRODUCT_DOT: u32 = 0x08000000;
@@ -228,11 +228,11 @@ pub const NURBS_PRODUCT_CROSS: u32 = 0x10000000;
 pub const NURBS_HOMOGENEOUS: u32 = 0x20000000;
 /// nurbs_make_compatible(): map the domains of all splines to that of the first one.
 pub const NURBS_MAP_DOMAINS: u32 = 0x40000000;
-/// nurbs_curve_divide(): equal distances of consecutive points in place of equal lengths.
+/// nurbs_curve_divide(): equal distances of consecutive points instead of equal lengths.
 pub const NURBS_EQUAL_CHORDS: u32 = 0x02000000;
 /// nurbs_snap_boundary(): the two boundaries run against each other.
 pub const NURBS_REVERSED: u32 = 0x04000000;
-/// nurbs_closest_points() and its neighbours: a point that is not finite gives NaN in place of an error.
+/// nurbs_closest_points() and its neighbours: a point that is not finite gives NaN instead of an error.
 pub const NURBS_NAN_POINTS: u32 = 0x01000000;
 
 // --- Form of a knot vector, as reported by nurbs_knot_form()
@@ -390,7 +390,7 @@ pub const NURBS_CONVEXITY_LEFT: i32 = 1;
 pub const NURBS_CONVEXITY_RIGHT: i32 = 2;
 /// a straight line that does not turn back, to rounding
 pub const NURBS_CONVEXITY_STRAIGHT: i32 = 3;
-/// double precision does not tell
+/// double precision cannot decide
 pub const NURBS_CONVEXITY_UNDECIDED: i32 = 4;
 
 // --- Folds
@@ -1106,7 +1106,7 @@ extern "C" {
         out: *mut *mut nurbs,
     ) -> nurbs_status;
     /// The C^1 piecewise cubic curve through points with given derivatives, as a spline with double knots:
-    /// its control points are the Bezier points P_i - h_(i-1) T_i / 3 and P_i + h_i T_i / 3 beside each
+    /// its control points are the Bezier points P_i - h_(i-1) T_i / 3 and P_i + h_i T_i / 3 next to each
     /// point, and the two ends, each within 2 eps of the sum of its terms.
     pub fn nurbs_create_hermite(
         n: i64,
@@ -1554,7 +1554,7 @@ extern "C" {
     /// The surface of straight lines between curves, or the volume between surfaces, with a new last axis v
     /// over \[0, 1\].
     pub fn nurbs_ruled(a: *const nurbs, b: *const nurbs, flags: u32, out: *mut *mut nurbs) -> nurbs_status;
-    /// The translational sweep alpha a(u) + beta b(v), the axes of b behind those of a.
+    /// The translational sweep alpha a(u) + beta b(v), the axes of b after those of a.
     pub fn nurbs_tensor_sum(
         a: *const nurbs,
         alpha: f64,
@@ -1562,7 +1562,7 @@ extern "C" {
         beta: f64,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
-    /// The product a(u) b(v), component by component, the axes of b behind those of a; one of them may have
+    /// The product a(u) b(v), component by component, the axes of b after those of a; one of them may have
     /// dimension 1 and multiplies all components of the other.
     pub fn nurbs_tensor_product(a: *const nurbs, b: *const nurbs, out: *mut *mut nurbs) -> nurbs_status;
     /// A swung surface: (u, v) -\> (scale r(v) x(u), scale r(v) y(u), z(v)) for the trajectory (x, y) and the
@@ -2054,7 +2054,7 @@ extern "C" {
         error: *mut f64,
     ) -> nurbs_status;
     // --- Boxes and cones
-    /// An axis-aligned box that contains a spline, and all points that evaluation gives of it (but for
+    /// An axis-aligned box that contains a spline, and all points that evaluation gives of it (except
     /// homogeneous ones, whose rounding has no such bound).
     ///
     /// May be null: `range`, `gap`.
@@ -2137,8 +2137,8 @@ extern "C" {
         complete: *mut i32,
     ) -> nurbs_status;
     /// Whether a curve in the plane is convex: turns one way only and by at most a full turn, kinks included,
-    /// to rounding: pieces count as straight, and places as not turning, where double precision does not
-    /// tell.
+    /// to rounding: pieces count as straight, and places as not turning, where double precision cannot
+    /// decide.
     pub fn nurbs_curve_convexity(g: *const nurbs, convexity: *mut i32) -> nurbs_status;
     /// How far a spline is from a straight line: a line near the best one, and a proven bound.
     ///

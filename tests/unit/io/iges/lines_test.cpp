@@ -18,7 +18,7 @@ std::string with_line(size_t number, const std::string &line) {
     return IgesBuilder::join(lines);
 }
 
-TEST(IgesLines, EveryLineEnd) {
+TEST(IgesLines, every_line_end) {
     const IgesBuilder builder = one_line();
     const std::vector<double> expected = {1, 2, 3, 4, 6, 8};
     std::string stripped = builder.text();
@@ -31,7 +31,7 @@ TEST(IgesLines, EveryLineEnd) {
     }
 }
 
-TEST(IgesLines, TrailingBlanksMayBeStripped) {
+TEST(IgesLines, trailing_blanks_may_be_stripped) {
     std::vector<std::string> lines = one_line().lines();
     lines.back().replace(73, 7, "1"); // a short sequence number, left aligned
     for (std::string &line : lines) {
@@ -40,7 +40,7 @@ TEST(IgesLines, TrailingBlanksMayBeStripped) {
     EXPECT_NE(only_spline(read(IgesBuilder::join(lines))), nullptr);
 }
 
-TEST(IgesLines, SequenceNumbersPaddedByBlanksOrLeftOut) {
+TEST(IgesLines, sequence_numbers_padded_by_blanks_or_left_out) {
     std::vector<std::string> lines = one_line().lines();
     for (std::string &line : lines) {
         const size_t digit = line.find_first_not_of('0', 73);
@@ -53,13 +53,13 @@ TEST(IgesLines, SequenceNumbersPaddedByBlanksOrLeftOut) {
     EXPECT_NE(only_spline(read(IgesBuilder::join(lines))), nullptr);
 }
 
-TEST(IgesLines, EmptyDirectoryIsAFileWithoutEntities) {
-    const nrb::model::Document document = read(IgesBuilder());
+TEST(IgesLines, empty_directory_is_a_file_without_entities) {
+    const nrb::model::Model document = read(IgesBuilder());
     EXPECT_TRUE(document.splines.empty());
     EXPECT_TRUE(document.notes.empty());
 }
 
-TEST(IgesLines, OtherFormatsAreNamed) {
+TEST(IgesLines, other_formats_are_named) {
     EXPECT_EQ(failure_of("").status, nrb::Status::format);
     EXPECT_EQ(failure_of("solid cube\nfacet normal\n").status, nrb::Status::format);
     const Failure step = failure_of("ISO-10303-21;\nHEADER;\n");
@@ -72,7 +72,7 @@ TEST(IgesLines, OtherFormatsAreNamed) {
     EXPECT_EQ(failure_of(std::string(10000, '\xff')).status, nrb::Status::format);
 }
 
-TEST(IgesLines, BrokenLinesAreNamed) {
+TEST(IgesLines, broken_lines_are_named) {
     const std::vector<std::string> lines = one_line().lines();
     const std::string wrong_letter = lines[3].substr(0, 72) + "X0000001";
     const std::string wrong_sequence = lines[3].substr(0, 72) + "D0000007";
@@ -84,7 +84,7 @@ TEST(IgesLines, BrokenLinesAreNamed) {
     }
 }
 
-TEST(IgesLines, TextAfterTheEnd) {
+TEST(IgesLines, text_after_the_end) {
     const std::vector<std::string> lines = one_line().lines();
     const Failure failure = failure_of(one_line().text() + "\nrubbish\n");
     EXPECT_EQ(failure.status, nrb::Status::syntax);
@@ -92,7 +92,7 @@ TEST(IgesLines, TextAfterTheEnd) {
         << failure.text;
 }
 
-TEST(IgesLines, MissingSections) {
+TEST(IgesLines, missing_sections) {
     std::vector<std::string> lines = one_line().lines();
     lines.pop_back();
     EXPECT_EQ(failure_of(IgesBuilder::join(lines)).status, nrb::Status::truncated);
@@ -104,7 +104,7 @@ TEST(IgesLines, MissingSections) {
     EXPECT_EQ(failure_of(IgesBuilder::join(lines)).status, nrb::Status::truncated);
 }
 
-TEST(IgesLines, CountsOfTheTerminateSection) {
+TEST(IgesLines, counts_of_the_terminate_section) {
     const size_t last = one_line().lines().size();
     const auto with_counts = [&](const std::string &counts) {
         return failure_of(with_line(last, IgesBuilder::section_line(counts, 'T', 1))).status;
@@ -117,7 +117,7 @@ TEST(IgesLines, CountsOfTheTerminateSection) {
     EXPECT_EQ(with_counts("S      1X      2D      2P      2"), nrb::Status::syntax);
 }
 
-TEST(IgesLines, AnEntityTakesTwoDirectoryLines) {
+TEST(IgesLines, an_entity_takes_two_directory_lines) {
     std::vector<std::string> lines = one_line().lines();
     lines.erase(lines.begin() + 4);
     lines.back() = IgesBuilder::section_line("", 'T', 1);
@@ -126,7 +126,7 @@ TEST(IgesLines, AnEntityTakesTwoDirectoryLines) {
 
 // Whatever is cut off: before column 73 of the first line it is no IGES, later it is a file without its end,
 // and once the terminate line's letter is there it is whole.
-TEST(IgesLines, EveryTruncationIsNoticed) {
+TEST(IgesLines, every_truncation_is_noticed) {
     const std::string text = one_line().text();
     const size_t whole = text.rfind('T') + 1;
     for (size_t length = 0; length < text.size(); ++length) {

@@ -21,10 +21,10 @@ std::string everything() {
     return builder.text();
 }
 
-// Whatever happens is a document or an Error; the notes and splines are those of the entities.
+// Whatever happens is a model or an Error; the notes and splines are those of the entities.
 bool reads_or_throws(const std::string &text) {
     try {
-        const nrb::model::Document document = read(text, {.unit = 0.001});
+        const nrb::model::Model document = read(text, {.unit = 0.001});
         return document.splines.size() + document.notes.size() <= 8;
     } catch (const nrb::Error &error) {
         return error.status() >= nrb::Status::format && error.status() <= nrb::Status::syntax &&
@@ -32,15 +32,15 @@ bool reads_or_throws(const std::string &text) {
     }
 }
 
-TEST(IgesMutation, TheFileItselfIsGood) {
-    const nrb::model::Document document = read(everything());
+TEST(IgesMutation, the_file_itself_is_good) {
+    const nrb::model::Model document = read(everything());
     EXPECT_EQ(document.splines.size(), 3U);
     EXPECT_EQ(document.notes.size(), 3U); // the matrix and the name have been used
     EXPECT_EQ(document.splines[0].name, "name");
     EXPECT_EQ(document.splines[1].spline->dim(), 2);
 }
 
-TEST(IgesMutation, EveryByteChanged) {
+TEST(IgesMutation, every_byte_changed) {
     const std::string original = everything();
     const std::string values("\0\xff\n\r,;H09-+. D", 14);
     for (size_t at = 0; at < original.size(); ++at) {
@@ -52,7 +52,7 @@ TEST(IgesMutation, EveryByteChanged) {
     }
 }
 
-TEST(IgesMutation, EveryBitFlipped) {
+TEST(IgesMutation, every_bit_flipped) {
     const std::string original = everything();
     for (size_t at = 0; at < original.size(); ++at) {
         std::string text = original;
@@ -63,7 +63,7 @@ TEST(IgesMutation, EveryBitFlipped) {
     }
 }
 
-TEST(IgesMutation, EveryByteLeftOutOrDoubled) {
+TEST(IgesMutation, every_byte_left_out_or_doubled) {
     const std::string original = everything();
     for (size_t at = 0; at < original.size(); ++at) {
         ASSERT_TRUE(reads_or_throws(original.substr(0, at) + original.substr(at + 1)))
@@ -73,7 +73,7 @@ TEST(IgesMutation, EveryByteLeftOutOrDoubled) {
     }
 }
 
-TEST(IgesMutation, EveryTruncation) {
+TEST(IgesMutation, every_truncation) {
     const std::string original = everything();
     for (size_t length = 0; length < original.size(); ++length) {
         ASSERT_TRUE(reads_or_throws(original.substr(0, length))) << "cut at " << length;

@@ -7,7 +7,7 @@ namespace {
 using namespace iges_test;
 
 std::string only_name(const IgesBuilder &builder) {
-    const nrb::model::Document document = read(builder);
+    const nrb::model::Model document = read(builder);
     EXPECT_EQ(document.splines.size(), 1U);
     return document.splines.empty() ? "" : document.splines.front().name;
 }
@@ -17,14 +17,14 @@ std::string with_pointers(const std::string &pointers) {
     return std::string(line_126) + "," + pointers;
 }
 
-TEST(IgesNames, TypeAndLineWhereNothingIsGiven) {
+TEST(IgesNames, type_and_line_where_nothing_is_given) {
     IgesBuilder builder;
     builder.add(116, "0,0,0");
     builder.add(126, line_126);
     EXPECT_EQ(only_name(builder), "126#3");
 }
 
-TEST(IgesNames, LabelAndSubscript) {
+TEST(IgesNames, label_and_subscript) {
     IgesBuilder builder;
     builder.add(126, line_126, {.label = "KEEL"});
     EXPECT_EQ(only_name(builder), "KEEL");
@@ -36,14 +36,14 @@ TEST(IgesNames, LabelAndSubscript) {
     EXPECT_EQ(only_name(only_number), "126#1");
 }
 
-TEST(IgesNames, ThePropertyComesFirst) {
+TEST(IgesNames, the_property_comes_first) {
     IgesBuilder builder;
     builder.add(406, "1,14Hbow, starboard", {.form = 15});
     builder.add(126, with_pointers("0,1,1"), {.label = "KEEL"});
     EXPECT_EQ(only_name(builder), "bow, starboard");
 }
 
-TEST(IgesNames, BehindAssociativitiesAndOtherProperties) {
+TEST(IgesNames, behind_associativities_and_other_properties) {
     IgesBuilder builder;
     builder.add(402, "0", {.form = 1});
     builder.add(406, "2,1,7Hlayer 1", {.form = 3});
@@ -52,7 +52,7 @@ TEST(IgesNames, BehindAssociativitiesAndOtherProperties) {
     EXPECT_EQ(only_name(builder), "stern");
 }
 
-TEST(IgesNames, OtherPropertiesAreNoNames) {
+TEST(IgesNames, other_properties_are_no_names) {
     IgesBuilder builder;
     builder.add(406, "1,5Hlayer", {.form = 3});
     builder.add(402, "1,5Hgroup", {.form = 15});
@@ -60,25 +60,25 @@ TEST(IgesNames, OtherPropertiesAreNoNames) {
     EXPECT_EQ(only_name(builder), "KEEL");
 }
 
-TEST(IgesNames, OnePropertyForMany) {
+TEST(IgesNames, one_property_for_many) {
     IgesBuilder builder;
     builder.add(126, with_pointers("0,1,5"));
     builder.add(126, with_pointers("0,1,5"));
     builder.add(406, "1,4Hpair", {.form = 15});
-    const nrb::model::Document document = read(builder);
+    const nrb::model::Model document = read(builder);
     ASSERT_EQ(document.splines.size(), 2U);
     EXPECT_EQ(document.splines[0].name, "pair");
     EXPECT_EQ(document.splines[1].name, "pair");
 }
 
-TEST(IgesNames, ASurfaceToo) {
+TEST(IgesNames, a_surface_too) {
     IgesBuilder builder;
     builder.add(406, "1,5Hpatch", {.form = 15});
     builder.add(128, "1,1,1,1,0,0,1,0,0,0,0,1,1,0,0,1,1,1,1,1,1,0,0,0,1,0,0,0,1,0,1,1,0,0,1,0,1,0,1,1");
     EXPECT_EQ(only_name(builder), "patch");
 }
 
-TEST(IgesNames, UnreadableNamesFallBack) {
+TEST(IgesNames, unreadable_names_fall_back) {
     const struct {
         const char *property;
         const char *pointers;
@@ -96,14 +96,14 @@ TEST(IgesNames, UnreadableNamesFallBack) {
     }
 }
 
-TEST(IgesNames, ControlCharactersAreReplaced) {
+TEST(IgesNames, control_characters_are_replaced) {
     IgesBuilder builder;
     builder.add(406, std::string("1,5Hab\0cd", 9), {.form = 15});
     builder.add(126, with_pointers("0,1,1"));
     EXPECT_EQ(only_name(builder), "ab?cd");
 }
 
-TEST(IgesNames, OfTypes) {
+TEST(IgesNames, of_types) {
     EXPECT_STREQ(nrb::iges::type_name(126), "rational B-spline curve");
     EXPECT_STREQ(nrb::iges::type_name(0), "null");
     EXPECT_STREQ(nrb::iges::type_name(514), "shell");

@@ -7,13 +7,13 @@ namespace {
 
 using namespace iges_test;
 
-TEST(IgesNotes, OtherEntitiesInTheOrderOfTheDirectory) {
+TEST(IgesNotes, other_entities_in_the_order_of_the_directory) {
     IgesBuilder builder;
     builder.add(110, "0,0,0,1,1,1");
     builder.add(126, line_126);
     builder.add(5001, "1,2,3");
     builder.add(124, "1,0,0,0,0,1,0,0,0,0,1,0");
-    const nrb::model::Document document = read(builder);
+    const nrb::model::Model document = read(builder);
     ASSERT_EQ(document.splines.size(), 1U);
     ASSERT_EQ(document.notes.size(), 3U);
     const int types[] = {110, 5001, 124};
@@ -27,12 +27,12 @@ TEST(IgesNotes, OtherEntitiesInTheOrderOfTheDirectory) {
         << document.notes[0].text;
 }
 
-TEST(IgesNotes, SplinesInTheOrderOfTheDirectory) {
+TEST(IgesNotes, splines_in_the_order_of_the_directory) {
     IgesBuilder builder;
     for (const char *label : {"C", "A", "B"}) {
         builder.add(126, line_126, {.label = label});
     }
-    const nrb::model::Document document = read(builder);
+    const nrb::model::Model document = read(builder);
     ASSERT_EQ(document.splines.size(), 3U);
     EXPECT_EQ(document.splines[0].name + document.splines[1].name + document.splines[2].name, "CAB");
 }
@@ -50,13 +50,13 @@ nrb::model::Note damaged(size_t line_in_section, char section, size_t column, co
             line.replace(column, std::max<size_t>(text.size(), 8), IgesBuilder::padded(text, 8));
         }
     }
-    const nrb::model::Document document = read(IgesBuilder::join(lines));
+    const nrb::model::Model document = read(IgesBuilder::join(lines));
     EXPECT_EQ(document.splines.size(), 2U) << text;
     EXPECT_EQ(document.notes.size(), 1U) << text;
     return document.notes.empty() ? nrb::model::Note{} : document.notes.front();
 }
 
-TEST(IgesNotes, DamagedDirectoryEntries) {
+TEST(IgesNotes, damaged_directory_entries) {
     const struct {
         size_t line;
         size_t column;
@@ -87,7 +87,7 @@ TEST(IgesNotes, DamagedDirectoryEntries) {
     }
 }
 
-TEST(IgesNotes, DamagedParameterData) {
+TEST(IgesNotes, damaged_parameter_data) {
     EXPECT_NE(damaged(4, 'P', 64, "5").text.find("points back to '5', expected 3"), std::string::npos);
     EXPECT_NE(damaged(4, 'P', 64, "3x").text.find("points back to '3x'"), std::string::npos);
     EXPECT_NE(damaged(3, 'P', 0, "128,1,1,").text.find("the parameter data are those of an entity 128"),
@@ -109,20 +109,20 @@ std::vector<std::string> with_blank_field(char section, size_t column) {
     return lines;
 }
 
-TEST(IgesNotes, BlankBackPointersOrLineCountsAreAccepted) {
+TEST(IgesNotes, blank_back_pointers_or_line_counts_are_accepted) {
     EXPECT_EQ(read(IgesBuilder::join(with_blank_field('P', 64))).splines.size(), 2U);
     EXPECT_EQ(read(IgesBuilder::join(with_blank_field('D', 24))).splines.size(), 2U);
 }
 
 // Without back pointers nothing but the directory says whose a line is; it is given away once.
-TEST(IgesNotes, ParameterDataBelongToOneEntity) {
+TEST(IgesNotes, parameter_data_belong_to_one_entity) {
     std::vector<std::string> lines = with_blank_field('P', 64);
     for (std::string &line : lines) {
         if (line[72] == 'D' && line.substr(73) == "0000003") {
             line.replace(8, 8, IgesBuilder::padded(1, 8));
         }
     }
-    const nrb::model::Document document = read(IgesBuilder::join(lines));
+    const nrb::model::Model document = read(IgesBuilder::join(lines));
     EXPECT_EQ(document.splines.size(), 1U);
     ASSERT_EQ(document.notes.size(), 1U);
     EXPECT_NE(document.notes.front().text.find("belongs to another entity too"), std::string::npos);

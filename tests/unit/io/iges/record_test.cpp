@@ -19,7 +19,7 @@ nrb::Status status_of(const std::string &text) {
     }
 }
 
-TEST(IgesRecord, ReadsParametersInOrder) {
+TEST(IgesRecord, reads_parameters_in_order) {
     Record record("126, 3 ,2.5D0,4Ha,;b;", {});
     EXPECT_EQ(record.remaining(), 4);
     EXPECT_EQ(record.integer("a"), 126);
@@ -29,7 +29,7 @@ TEST(IgesRecord, ReadsParametersInOrder) {
     EXPECT_EQ(record.remaining(), 0);
 }
 
-TEST(IgesRecord, BlankAndAbsentParametersAreDefaults) {
+TEST(IgesRecord, blank_and_absent_parameters_are_defaults) {
     Record record("1,,  ,;", {});
     EXPECT_EQ(record.remaining(), 4);
     record.skip(1);
@@ -43,12 +43,12 @@ TEST(IgesRecord, BlankAndAbsentParametersAreDefaults) {
     EXPECT_EQ(record.real("absent"), 0.0);
 }
 
-TEST(IgesRecord, WhatFollowsTheRecordDelimiterIsAComment) {
+TEST(IgesRecord, what_follows_the_record_delimiter_is_a_comment) {
     Record record("1,2;3,4, 99Hcomment", {});
     EXPECT_EQ(record.remaining(), 2);
 }
 
-TEST(IgesRecord, OtherDelimiters) {
+TEST(IgesRecord, other_delimiters) {
     Record record("1/2,5/3Ha/b#9", {'/', '#'});
     EXPECT_EQ(record.remaining(), 3);
     record.skip(1);
@@ -56,14 +56,14 @@ TEST(IgesRecord, OtherDelimiters) {
     EXPECT_EQ(record.string("slash inside"), "a/b");
 }
 
-TEST(IgesRecord, StringsKeepTheirBlanks) {
+TEST(IgesRecord, strings_keep_their_blanks) {
     Record record("  4H a  ,0H,12H123456789012;", {});
     EXPECT_EQ(record.string("a"), " a  ");
     EXPECT_EQ(record.string("empty"), "");
     EXPECT_EQ(record.string("long"), "123456789012");
 }
 
-TEST(IgesRecord, BrokenStringsAndMissingEnds) {
+TEST(IgesRecord, broken_strings_and_missing_ends) {
     EXPECT_EQ(status_of("1,2;"), nrb::Status::ok);
     EXPECT_EQ(status_of(""), nrb::Status::syntax);
     EXPECT_EQ(status_of("1,2"), nrb::Status::syntax);
@@ -73,7 +73,7 @@ TEST(IgesRecord, BrokenStringsAndMissingEnds) {
     EXPECT_EQ(status_of("99999999999999999999999H;"), nrb::Status::syntax);
 }
 
-TEST(IgesRecord, NamesTheWrongValue) {
+TEST(IgesRecord, names_the_wrong_value) {
     Record record("1,2,abc,3Hxyz;", {});
     record.skip(2);
     try {

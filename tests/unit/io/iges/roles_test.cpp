@@ -21,7 +21,7 @@ std::map<std::string, std::vector<double>> points_by_name(IgesBuilder builder) {
     return result;
 }
 
-TEST(IgesRoles, ByTheStatusDigits) {
+TEST(IgesRoles, by_the_status_digits) {
     IgesBuilder builder;
     builder.add(126, line_126, {.status = "00000500"});
     builder.add(126, line_126, {.status = "00010500"});
@@ -38,7 +38,7 @@ TEST(IgesRoles, ByTheStatusDigits) {
     EXPECT_EQ(points.at("126#11"), in_space);
 }
 
-TEST(IgesRoles, ByACurveOnASurface) {
+TEST(IgesRoles, by_a_curve_on_a_surface) {
     IgesBuilder builder;
     builder.add(126, line_126);
     builder.add(126, line_126);
@@ -48,7 +48,7 @@ TEST(IgesRoles, ByACurveOnASurface) {
     EXPECT_EQ(points.at("126#3"), in_space);
 }
 
-TEST(IgesRoles, ThroughCompositeCurves) {
+TEST(IgesRoles, through_composite_curves) {
     IgesBuilder builder;
     builder.add(142, "0,99,3,9,2");
     builder.add(102, "2,5,11"); // parameter plane
@@ -63,7 +63,7 @@ TEST(IgesRoles, ThroughCompositeCurves) {
     EXPECT_EQ(points.at("126#13"), in_space);
 }
 
-TEST(IgesRoles, ByABoundary) {
+TEST(IgesRoles, by_a_boundary) {
     IgesBuilder builder;
     for (int i = 0; i < 5; ++i) {
         builder.add(126, line_126);
@@ -78,14 +78,14 @@ TEST(IgesRoles, ByABoundary) {
     EXPECT_EQ(points.at("126#9"), in_plane);
 }
 
-TEST(IgesRoles, TransformedInThePlane) {
+TEST(IgesRoles, transformed_in_the_plane) {
     IgesBuilder builder;
     const int64_t matrix = builder.add(124, "1.,0.,0.,100.,0.,1.,0.,0.,0.,0.,1.,0.");
     builder.add(126, line_126, {.transform = matrix, .status = "00000500"});
     EXPECT_EQ(points_by_name(builder).at("126#3"), (std::vector<double>{101, 2, 104, 6}));
 }
 
-TEST(IgesRoles, SurfacesStayInSpace) {
+TEST(IgesRoles, surfaces_stay_in_space) {
     IgesBuilder builder;
     builder.add(128, "1,1,1,1,0,0,1,0,0,0,0,1,1,0,0,1,1,1,1,1,1,0,0,0,1,0,0,0,1,0,1,1,0,0,1,0,1",
                 {.status = "00000500"});
@@ -93,7 +93,7 @@ TEST(IgesRoles, SurfacesStayInSpace) {
 }
 
 // Circles, pointers to nowhere and unreadable data mark nothing and end.
-TEST(IgesRoles, BrokenReferences) {
+TEST(IgesRoles, broken_references) {
     IgesBuilder builder;
     builder.add(142, "0,99,3,0,2");
     builder.add(102, "3,3,5,9");

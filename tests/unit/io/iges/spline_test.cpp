@@ -27,7 +27,7 @@ std::string cubic(const std::vector<double> &weights, const std::string &prop3,
 
 const std::vector<double> ones(6, 1.0);
 
-TEST(IgesCurve, KeepsEveryValue) {
+TEST(IgesCurve, keeps_every_value) {
     const nrb::SplinePtr spline = read_one(126, cubic({1, 0.5, 0.25, 0.75, 1, 2}, "0"));
     ASSERT_NE(spline, nullptr);
     EXPECT_EQ(spline->axes(), 1);
@@ -42,7 +42,7 @@ TEST(IgesCurve, KeepsEveryValue) {
 }
 
 // Flags are advisory: dropping weights that differ would change the shape.
-TEST(IgesCurve, OnlyEqualWeightsMakeItPolynomial) {
+TEST(IgesCurve, only_equal_weights_make_it_polynomial) {
     EXPECT_EQ(read_one(126, cubic(ones, "0"))->form(), Form::polynomial);
     EXPECT_EQ(read_one(126, cubic(std::vector<double>(6, 0.7), "0"))->form(), Form::polynomial);
     EXPECT_EQ(read_one(126, cubic({1, 1, 1, 1, 1, 2}, "1"))->form(), Form::rational);
@@ -50,19 +50,19 @@ TEST(IgesCurve, OnlyEqualWeightsMakeItPolynomial) {
     EXPECT_EQ(read_one(126, cubic({1, 1, 1, 1, 1, 2}, ""))->form(), Form::rational);
 }
 
-TEST(IgesCurve, BlankCoordinatesAreZeroAndTheTailMayBeMissing) {
+TEST(IgesCurve, blank_coordinates_are_zero_and_the_tail_may_be_missing) {
     const nrb::SplinePtr spline = read_one(126, "1,1,,,1,,0,0,1,1,1,1,,2,,4,,");
     EXPECT_EQ(points_of(*spline), (std::vector<double>{0, 2, 0, 4, 0, 0}));
 }
 
-TEST(IgesCurve, DegreeZero) {
+TEST(IgesCurve, degree_zero) {
     const nrb::SplinePtr spline =
         read_one(126, "1,0,0,0,1,0,0.,1.,2.,1.,1.,1.,2.,3.,4.,5.,6.,0.,2.,0.,0.,1.");
     EXPECT_EQ(spline->axis(0).degree(), 0);
     EXPECT_EQ(spline->count(0), 2);
 }
 
-TEST(IgesCurve, RangesThatCoverTheDomainLeaveItAlone) {
+TEST(IgesCurve, ranges_that_cover_the_domain_leave_it_alone) {
     for (const char *range : {"0,3", "-1,4", ",", "0,9", "-5,3"}) {
         EXPECT_EQ(knots_of(*read_one(126, cubic(ones, "0", range))),
                   (std::vector<double>{0, 0, 0, 0, 1, 2, 3, 3, 3, 3}))
@@ -70,7 +70,7 @@ TEST(IgesCurve, RangesThatCoverTheDomainLeaveItAlone) {
     }
 }
 
-TEST(IgesCurve, RangesInsideTheDomainCut) {
+TEST(IgesCurve, ranges_inside_the_domain_cut) {
     EXPECT_EQ(knots_of(*read_one(126, cubic(ones, "0", "0.5,2.5"))),
               (std::vector<double>{0.5, 0.5, 0.5, 0.5, 1, 2, 2.5, 2.5, 2.5, 2.5}));
     EXPECT_EQ(knots_of(*read_one(126, cubic(ones, "0", "1,3"))),
@@ -80,20 +80,20 @@ TEST(IgesCurve, RangesInsideTheDomainCut) {
 }
 
 // A straight line cut in the middle: the ends of the part are known exactly.
-TEST(IgesCurve, CutsTheRightPart) {
+TEST(IgesCurve, cuts_the_right_part) {
     const nrb::SplinePtr spline =
         read_one(126, "1,1,0,0,1,0,0.,0.,1.,1.,1.,1.,1.,2.,3.,5.,6.,8.,0.25,0.5,0.,0.,1.");
     EXPECT_EQ(knots_of(*spline), (std::vector<double>{0.25, 0.25, 0.5, 0.5}));
     EXPECT_EQ(points_of(*spline), (std::vector<double>{2, 3, 4.25, 3, 4, 5.5}));
 }
 
-TEST(IgesCurve, RangesWithoutParameters) {
+TEST(IgesCurve, ranges_without_parameters) {
     EXPECT_EQ(note_of(126, cubic(ones, "0", "2,1")).reason, nrb::Status::empty_domain);
     EXPECT_EQ(note_of(126, cubic(ones, "0", "3,4")).reason, nrb::Status::outside_domain);
     EXPECT_EQ(note_of(126, cubic(ones, "0", "-2,0")).reason, nrb::Status::outside_domain);
 }
 
-TEST(IgesCurve, IntegersMayBeWrittenAsReals) {
+TEST(IgesCurve, integers_may_be_written_as_reals) {
     const nrb::SplinePtr spline =
         read_one(126, "1.,1.0D0,0,0,1,0,0.,0.,1.,1.,1.,1.,1.,2.,3.,5.,6.,8.,0.,1.,0.,0.,1.");
     EXPECT_EQ(points_of(*spline), (std::vector<double>{1, 2, 3, 5, 6, 8}));
@@ -102,7 +102,7 @@ TEST(IgesCurve, IntegersMayBeWrittenAsReals) {
 }
 
 // An end that is not given is the domain's, and equal ones nobody filled in.
-TEST(IgesCurve, RangesThatAreNotFilledIn) {
+TEST(IgesCurve, ranges_that_are_not_filled_in) {
     const std::vector<double> whole{0, 0, 0, 0, 1, 2, 3, 3, 3, 3};
     EXPECT_EQ(knots_of(*read_one(126, cubic(ones, "0", ","))), whole);
     EXPECT_EQ(knots_of(*read_one(126, cubic(ones, "0", "0,0"))), whole);
@@ -122,21 +122,21 @@ std::string loop(const std::string &prop4, double last_x = 1, const std::string 
            ",0,0,1";
 }
 
-TEST(IgesCurve, PeriodicWhereFlagAndValuesAgree) {
+TEST(IgesCurve, periodic_where_flag_and_values_agree) {
     const nrb::SplinePtr spline = read_one(126, loop("1"));
     EXPECT_TRUE(spline->axis(0).periodic());
     EXPECT_EQ(spline->axis(0).domain().lower, 3.0);
     EXPECT_EQ(spline->count(0), 7);
 }
 
-TEST(IgesCurve, ThePeriodicFlagIsOnlyAdvice) {
+TEST(IgesCurve, the_periodic_flag_is_only_advice) {
     EXPECT_FALSE(read_one(126, loop("0"))->axis(0).periodic());
     EXPECT_FALSE(read_one(126, loop("1", std::nextafter(1.0, 2.0)))->axis(0).periodic());
     EXPECT_FALSE(read_one(126, loop("1", 1, "3,7", 10.5))->axis(0).periodic());
     EXPECT_FALSE(read_one(126, cubic(ones, "0", "0,3", "1"))->axis(0).periodic());
 }
 
-TEST(IgesCurve, ACutCurveIsNotPeriodic) {
+TEST(IgesCurve, a_cut_curve_is_not_periodic) {
     const nrb::SplinePtr spline = read_one(126, loop("1", 1, "3.5,7"));
     EXPECT_FALSE(spline->axis(0).periodic());
     EXPECT_EQ(spline->axis(0).domain().lower, 3.5);
@@ -159,7 +159,7 @@ std::string patch(const std::string &properties = "0,0,0,0,0", const std::string
            list(weights) + "," + list(points) + "," + ranges;
 }
 
-TEST(IgesSurface, TheLastAxisRunsFastest) {
+TEST(IgesSurface, the_last_axis_runs_fastest) {
     const nrb::SplinePtr spline = read_one(128, patch());
     ASSERT_NE(spline, nullptr);
     EXPECT_EQ(spline->axes(), 2);
@@ -173,7 +173,7 @@ TEST(IgesSurface, TheLastAxisRunsFastest) {
               (std::vector<double>{1, 1.5, 2, 2.5, 3, 3.5}));
 }
 
-TEST(IgesSurface, RangesCutTheirOwnAxis) {
+TEST(IgesSurface, ranges_cut_their_own_axis) {
     const nrb::SplinePtr spline = read_one(128, patch("0,0,1,0,0", "0,1,0.5,1", false));
     EXPECT_EQ(knots_of(*spline, 0), (std::vector<double>{0, 0, 0, 1, 1, 1}));
     EXPECT_EQ(knots_of(*spline, 1), (std::vector<double>{0.5, 0.5, 1, 1}));
@@ -199,7 +199,7 @@ std::string tube(const std::string &properties, double copied_weight = 1) {
            "," + list(weights) + "," + list(points) + ",0,1,2,6";
 }
 
-TEST(IgesSurface, PeriodicByAxis) {
+TEST(IgesSurface, periodic_by_axis) {
     const nrb::SplinePtr spline = read_one(128, tube("0,1,0,0,1"));
     EXPECT_FALSE(spline->axis(0).periodic());
     EXPECT_TRUE(spline->axis(1).periodic());
@@ -214,7 +214,7 @@ struct Bad {
     const char *words;
 };
 
-TEST(IgesCurve, EachDefectHasItsStatus) {
+TEST(IgesCurve, each_defect_has_its_status) {
     const Bad cases[] = {
         {"1,1,0,0,1,0,0.,0.,1.,1.,1.,1.,1.,2.,3.,4.,6.", nrb::Status::syntax, "need 12 parameters"},
         {"1000000000000,1,0,0,1,0,0.,0.,1.,1.", nrb::Status::count, "1000000000000"},
@@ -255,7 +255,7 @@ TEST(IgesCurve, EachDefectHasItsStatus) {
     }
 }
 
-TEST(IgesSurface, EachDefectHasItsStatus) {
+TEST(IgesSurface, each_defect_has_its_status) {
     const Bad cases[] = {
         {"1,1,1,1,0,0,1,0,0,0.,0.,1.,1.,0.,0.,1.,1.,1.,1.,1.,1.,0.,0.", nrb::Status::syntax,
          "need 24 parameters"},
@@ -277,10 +277,10 @@ TEST(IgesSurface, EachDefectHasItsStatus) {
 }
 
 // Coordinates that overflow only when they are converted.
-TEST(IgesCurve, ConversionThatOverflows) {
+TEST(IgesCurve, conversion_that_overflows) {
     IgesBuilder builder;
     builder.global(14, "7").add(126, "1,1,0,0,1,0,0.,0.,1.,1.,1.,1.,1.,2.,3.,4.E307,6.,8.,0.,1.,0.,0.,1.");
-    const nrb::model::Document document = read(builder, {.unit = 0.001});
+    const nrb::model::Model document = read(builder, {.unit = 0.001});
     ASSERT_EQ(document.notes.size(), 1U);
     EXPECT_EQ(document.notes.front().reason, nrb::Status::point_not_finite);
 }

@@ -24,7 +24,7 @@ bool is_real(std::string_view text) {
     return parse_real(text, value);
 }
 
-TEST(IgesText, ReadsEveryWrittenFormOfReal) {
+TEST(IgesText, reads_every_written_form_of_real) {
     EXPECT_EQ(real("1"), 1.0);
     EXPECT_EQ(real("1."), 1.0);
     EXPECT_EQ(real(".5"), 0.5);
@@ -35,7 +35,7 @@ TEST(IgesText, ReadsEveryWrittenFormOfReal) {
     EXPECT_EQ(real("-1.5e-1"), -0.15);
 }
 
-TEST(IgesText, ReadsDoublePrecisionExponents) {
+TEST(IgesText, reads_double_precision_exponents) {
     EXPECT_EQ(real("1.0D0"), 1.0);
     EXPECT_EQ(real("1.D+3"), 1000.0);
     EXPECT_EQ(real("2.5d-3"), 2.5e-3);
@@ -43,7 +43,7 @@ TEST(IgesText, ReadsDoublePrecisionExponents) {
 }
 
 // Halfway cases and long digit strings that a reader with accumulated products gets wrong in the last bit.
-TEST(IgesText, RoundsCorrectly) {
+TEST(IgesText, rounds_correctly) {
     EXPECT_EQ(real("0.1"), 0x1.999999999999ap-4);
     EXPECT_EQ(real("9007199254740993"), 0x1p53);
     EXPECT_EQ(real("9007199254740993.00000000000000000000000000000000000001"), 0x1.0000000000001p53);
@@ -51,7 +51,7 @@ TEST(IgesText, RoundsCorrectly) {
     EXPECT_EQ(real("1.7976931348623157D308"), std::numeric_limits<double>::max());
 }
 
-TEST(IgesText, TooSmallIsZeroAndTooLargeIsRefused) {
+TEST(IgesText, too_small_is_zero_and_too_large_is_refused) {
     EXPECT_EQ(real("1.E-400"), 0.0);
     EXPECT_EQ(real("-1.D-999999999999999999999"), 0.0);
     EXPECT_TRUE(std::signbit(real("-1.E-400")));
@@ -64,7 +64,7 @@ TEST(IgesText, TooSmallIsZeroAndTooLargeIsRefused) {
     EXPECT_EQ(real("1" + std::string(400, '0') + "E-400"), 1.0);
 }
 
-TEST(IgesText, RefusesWhatIsNoReal) {
+TEST(IgesText, refuses_what_is_no_real) {
     for (const char *text :
          {"",     "+",  "-",    ".",   "inf", "INF",   "nan",   "-nan", "1.5E", "1.5D",     "1,5",
           "1.5 ", " 1", "0x10", "--1", "+-1", "1D2D3", "1E2D3", "D2",   "1..2", "infinity", "1e+-5"}) {
@@ -72,7 +72,7 @@ TEST(IgesText, RefusesWhatIsNoReal) {
     }
 }
 
-TEST(IgesText, IgnoresTheLocale) {
+TEST(IgesText, ignores_the_locale) {
     const std::string before = std::setlocale(LC_ALL, nullptr);
     bool set = false;
     for (const char *name : {"de_DE.UTF-8", "de_DE.utf8", "fr_FR.UTF-8"}) {
@@ -85,7 +85,7 @@ TEST(IgesText, IgnoresTheLocale) {
     }
 }
 
-TEST(IgesText, ReadsIntegers) {
+TEST(IgesText, reads_integers) {
     int64_t value = 0;
     EXPECT_TRUE(parse_integer("-17", value));
     EXPECT_EQ(value, -17);
@@ -98,18 +98,18 @@ TEST(IgesText, ReadsIntegers) {
     }
 }
 
-TEST(IgesText, TrimsBlanksOnly) {
+TEST(IgesText, trims_blanks_only) {
     EXPECT_EQ(trim("  a b "), "a b");
     EXPECT_EQ(trim("    "), "");
     EXPECT_EQ(trim(""), "");
 }
 
-TEST(IgesText, ExcerptsPrintAndAreShort) {
+TEST(IgesText, excerpts_print_and_are_short) {
     EXPECT_EQ(excerpt(std::string_view("a\0b\n\xff", 5)), "a?b??");
     EXPECT_EQ(excerpt(std::string(100, 'x')), std::string(24, 'x') + "...");
 }
 
-TEST(IgesText, NamesKeepLettersAndLoseControls) {
+TEST(IgesText, names_keep_letters_and_lose_controls) {
     EXPECT_EQ(printable(std::string_view("na\0me\t\xc3\xa4", 8)), "na?me?\xc3\xa4");
 }
 

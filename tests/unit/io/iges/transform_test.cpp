@@ -10,14 +10,14 @@ constexpr const char *quarter_turn = "0.,-1.,0.,10.,1.,0.,0.,20.,0.,0.,1.,30.";
 // x -> x + (100, 0, 0).
 constexpr const char *shift = "1.,0.,0.,100.,0.,1.,0.,0.,0.,0.,1.,0.";
 
-TEST(IgesTransform, RotatesThenTranslates) {
+TEST(IgesTransform, rotates_then_translates) {
     IgesBuilder builder;
     const int64_t matrix = builder.add(124, quarter_turn);
     builder.add(126, line_126, {.transform = matrix});
     EXPECT_EQ(points_of(*only_spline(read(builder))), (std::vector<double>{8, 21, 33, 4, 24, 38}));
 }
 
-TEST(IgesTransform, MayStandAfterItsUser) {
+TEST(IgesTransform, may_stand_after_its_user) {
     IgesBuilder builder;
     builder.add(126, line_126, {.transform = 3});
     builder.add(124, shift);
@@ -25,7 +25,7 @@ TEST(IgesTransform, MayStandAfterItsUser) {
 }
 
 // The curve's own matrix applies first, the one it points to after that.
-TEST(IgesTransform, ChainsFromTheInsideOut) {
+TEST(IgesTransform, chains_from_the_inside_out) {
     IgesBuilder builder;
     const int64_t outer = builder.add(124, quarter_turn);
     const int64_t inner = builder.add(124, shift, {.transform = outer});
@@ -33,7 +33,7 @@ TEST(IgesTransform, ChainsFromTheInsideOut) {
     EXPECT_EQ(points_of(*only_spline(read(builder))), (std::vector<double>{8, 121, 33, 4, 124, 38}));
 }
 
-TEST(IgesTransform, AppliesBeforeTheUnit) {
+TEST(IgesTransform, applies_before_the_unit) {
     IgesBuilder builder;
     builder.global(14, "6");
     const int64_t matrix = builder.add(124, shift);
@@ -42,19 +42,19 @@ TEST(IgesTransform, AppliesBeforeTheUnit) {
               (std::vector<double>{101000, 2000, 3000, 104000, 6000, 8000}));
 }
 
-TEST(IgesTransform, OneMatrixForMany) {
+TEST(IgesTransform, one_matrix_for_many) {
     IgesBuilder builder;
     const int64_t matrix = builder.add(124, shift);
     for (int i = 0; i < 3; ++i) {
         builder.add(126, line_126, {.transform = matrix});
     }
-    const nrb::model::Document document = read(builder);
+    const nrb::model::Model document = read(builder);
     ASSERT_EQ(document.splines.size(), 3U);
     EXPECT_TRUE(document.notes.empty()); // a matrix that was used is not lost
     EXPECT_EQ(document.splines[2].spline->points()[0], 101.0);
 }
 
-TEST(IgesTransform, KeepsWeightsAndPeriodicity) {
+TEST(IgesTransform, keeps_weights_and_periodicity) {
     IgesBuilder builder;
     const int64_t matrix = builder.add(124, quarter_turn);
     builder.add(126, "3,1,0,1,0,1,0,1,2,3,4,5,1,2,3,1,0.1,0.2,0.3,1,0,0,0,1,0,0.1,0.2,0.3,1,4",
@@ -72,13 +72,13 @@ nrb::model::Note note_with(int type, const std::string &data, int64_t own_transf
     builder.add(type, data, {.transform = own_transform});
     builder.add(126, line_126, {.transform = transform});
     builder.add(126, line_126);
-    const nrb::model::Document document = read(builder);
+    const nrb::model::Model document = read(builder);
     EXPECT_EQ(document.splines.size(), 1U); // the untouched one
     EXPECT_EQ(document.notes.size(), 2U);
     return document.notes.back();
 }
 
-TEST(IgesTransform, BrokenOnesLoseOnlyTheirUsers) {
+TEST(IgesTransform, broken_ones_lose_only_their_users) {
     const std::string bad_number = "1.,0.,0.,x,0.,1.,0.,0.,0.,0.,1.,0.";
     const struct {
         nrb::model::Note note;
@@ -100,7 +100,7 @@ TEST(IgesTransform, BrokenOnesLoseOnlyTheirUsers) {
     }
 }
 
-TEST(IgesTransform, ACircleOfMatricesEnds) {
+TEST(IgesTransform, a_circle_of_matrices_ends) {
     IgesBuilder builder;
     constexpr int64_t links = 2000;
     for (int64_t i = 0; i < links; ++i) {
@@ -108,13 +108,13 @@ TEST(IgesTransform, ACircleOfMatricesEnds) {
     }
     builder.add(126, line_126, {.transform = 1});
     builder.add(126, line_126, {.transform = 2001});
-    const nrb::model::Document document = read(builder);
+    const nrb::model::Model document = read(builder);
     EXPECT_TRUE(document.splines.empty());
     EXPECT_NE(document.notes.back().text.find("applies to itself"), std::string::npos)
         << document.notes.back().text;
 }
 
-TEST(IgesTransform, ALongChainAddsUp) {
+TEST(IgesTransform, a_long_chain_adds_up) {
     IgesBuilder builder;
     constexpr int64_t links = 20000;
     for (int64_t i = 0; i < links; ++i) {

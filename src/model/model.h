@@ -1,4 +1,5 @@
-// What a file held.
+// SPDX-License-Identifier: MIT
+// What a file holds.
 #pragma once
 
 #include "spline/spline.h"
@@ -14,7 +15,7 @@ struct NamedSpline {
     SplinePtr spline;
 };
 
-// An entity that did not become a spline, and why.
+// An entity that did not become a spline, and why. `line` is where the file has it.
 struct Note {
     int entity_type;
     int64_t line;
@@ -22,15 +23,10 @@ struct Note {
     std::string text;
 };
 
-struct Document {
+struct Model {
     std::vector<NamedSpline> splines;
     std::vector<Note> notes;
     double metres_per_unit = 0; // 0: the file does not say
-};
-
-struct ReadSettings {
-    double unit = 0; // wanted unit in metres, 0: the file's own
-    int64_t max_bytes = int64_t{1} << 30;
 };
 
 } // namespace nrb::model

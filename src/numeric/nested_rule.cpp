@@ -1,14 +1,10 @@
-#include "measure/nested_rule.h"
+#include "numeric/nested_rule.h"
 
-#include "measure/speed_kernel.h"
 #include "numeric/binomial.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
 
-namespace nrb::measure {
+namespace nrb::inline numeric {
 
 namespace {
 
@@ -145,46 +141,45 @@ constexpr double weights_63[] = {
 constexpr std::array<const double *, rule_levels> weight_tables = {weights_3, weights_7, weights_15,
                                                                    weights_31, weights_63};
 
-// For each level the factors (2 k + 1) P_k(x_i) w_i of six Legendre coefficients: three high ones, up to half
-// the exactness, and three about half as high.
-class DecayRows {
-public:
-    constexpr DecayRows() {
-        for (size_t level = 1; level < rule_levels; ++level) {
-            for (size_t row = 0; row < 6; ++row) {
-                for (size_t i = 0; i < static_cast<size_t>(rule_size(static_cast<int>(level))); ++i) {
-                    const int k = degrees[level][row];
-                    rows_[level][row][i] =
-                        (2 * k + 1) * legendre(k, 2 * places[i] - 1) * weight_tables[level][i];
-                }
-            }
-        }
+constexpr double legendre(int n, double x) {
+    double before = 1, value = x;
+    for (int k = 1; k < n; ++k) {
+        const double next = ((2 * k + 1) * x * value - k * before) / (k + 1);
+        before = value;
+        value = next;
     }
-    [[nodiscard]] const double *row(int level, size_t row) const noexcept {
-        return rows_[static_cast<size_t>(level)][row].data();
-    }
+    return value;
+}
 
-private:
-    static constexpr int degrees[rule_levels][6] = {{0, 0, 0, 0, 0, 0},
+// The factors (2 k + 1) P_k(x_i) w_i of six Legendre coefficients: three high ones, up to half the exactness, and
+// three about half as high.
+constexpr int coefficients = decay_sums - 1;
+constexpr int degrees[rule_levels][coefficients] = {{0, 0, 0, 0, 0, 0},
                                                     {5, 4, 3, 3, 2, 1},
                                                     {11, 10, 9, 6, 5, 4},
                                                     {23, 22, 21, 12, 11, 10},
                                                     {47, 46, 45, 24, 23, 22}};
 
-    static constexpr double legendre(int n, double x) {
-        double before = 1, value = x;
-        for (int k = 1; k < n; ++k) {
-            const double next = ((2 * k + 1) * x * value - k * before) / (k + 1);
-            before = value;
-            value = next;
-        }
-        return value;
-    }
+struct Factors {
+    double rows[coefficients][rule_capacity] = {};
 
-    std::array<std::array<std::array<double, rule_capacity>, 6>, rule_levels> rows_{};
+    constexpr explicit Factors(int level) {
+        for (int row = 0; level > 0 && row < coefficients; ++row) {
+            const int k = degrees[level][row];
+            for (int i = 0; i < rule_size(level); ++i) {
+                const double weight = weight_tables[static_cast<size_t>(level)][i];
+                rows[row][i] = (2 * k + 1) * legendre(k, 2 * places[i] - 1) * weight;
+            }
+        }
+    }
 };
 
-constexpr DecayRows decay_rows;
+constexpr Factors factors[] = {Factors(0), Factors(1), Factors(2), Factors(3), Factors(4)};
+
+constexpr DecayRows rows_of(size_t level) {
+    const auto &rows = factors[level].rows;
+    return {weight_tables[level], rows[0], rows[1], rows[2], rows[3], rows[4], rows[5]};
+}
 
 // u^0, ..., u^degree.
 void powers(double u, int degree, double *out) noexcept {
@@ -236,43 +231,7 @@ void rule_basis_derivatives(int degree, double *derivatives) noexcept {
     }
 }
 
-double RuleDecay::one_higher() const noexcept {
-    const double square = rate * rate, fourth = square * square;
-    return fourth * fourth;
-}
+constinit const std::array<DecayRows, rule_levels> decay_rows = {rows_of(0), rows_of(1), rows_of(2),
+                                                                 rows_of(3), rows_of(4)};
 
-double RuleDecay::two_higher() const noexcept {
-    const double one = one_higher();
-    return one * one;
-}
-
-namespace {
-
-std::array<const double *, 7> rows_of(int level) noexcept {
-    return {rule_weights(level),      decay_rows.row(level, 0), decay_rows.row(level, 1),
-            decay_rows.row(level, 2), decay_rows.row(level, 3), decay_rows.row(level, 4),
-            decay_rows.row(level, 5)};
-}
-
-RuleDecay decay_of(const std::array<double, 7> &sums) noexcept {
-    const double last = std::max({std::abs(sums[1]), std::abs(sums[2]), std::abs(sums[3])});
-    const double low = std::max({std::abs(sums[4]), std::abs(sums[5]), std::abs(sums[6])});
-    return {sums[0], last, last < low ? last / low : 1};
-}
-
-} // namespace
-
-RuleDecay rule_decay(int level, const double *values) noexcept {
-    std::array<double, 7> sums;
-    rule_sums(rows_of(level).data(), values, std::max(8, rule_size(level)), sums.data());
-    return decay_of(sums);
-}
-
-RuleDecay speed_decay(const SpeedForm &form, const double *net, int first, int level,
-                      double *values) noexcept {
-    std::array<double, 7> sums;
-    speeds_and_sums(form, net, first, rule_size(level) - first, values, rows_of(level).data(), sums.data());
-    return decay_of(sums);
-}
-
-} // namespace nrb::measure
+} // namespace nrb::inline numeric

@@ -2,9 +2,12 @@
 // formulae", Math. Comp. 22 (1968), from the three points of Gauss.
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <limits>
 
-namespace nrb::measure {
+namespace nrb::inline numeric {
 
 // Level l has 3, 7, 15, 31, 63 nodes and is exact up to degree 5, 11, 23, 47, 95; all weights are positive.
 // Each level repeats the nodes of the one before it, so that two more rules to compare with cost nothing.
@@ -47,14 +50,23 @@ struct RuleDecay {
         return last <= noise * magnitude ? 0 : last * rate * rate;
     }
     // What the error of a rule will be that is one or two levels higher, relative to the integral.
-    [[nodiscard]] double one_higher() const noexcept;
-    [[nodiscard]] double two_higher() const noexcept;
+    [[nodiscard]] double one_higher() const noexcept {
+        const double square = rate * rate, fourth = square * square;
+        return fourth * fourth;
+    }
+    [[nodiscard]] double two_higher() const noexcept { return one_higher() * one_higher(); }
 };
-// `values`: those at the nodes of the level in storage.
-RuleDecay rule_decay(int level, const double *values) noexcept;
-// Of speeds, those at nodes before `first` being there already: a multiple of 8.
-struct SpeedForm;
-RuleDecay speed_decay(const SpeedForm &form, const double *net, int first, int level,
-                      double *values) noexcept;
+// For each level the factors of the values at its nodes in storage whose sums tell that: the weights, and those of three
+// high Legendre coefficients and of three about half as high; zeros at level 0.
+inline constexpr int decay_sums = 7;
+using DecayRows = std::array<const double *, decay_sums>;
+extern const std::array<DecayRows, rule_levels> decay_rows;
 
-} // namespace nrb::measure
+// Of the sums of values times factors.
+inline RuleDecay decay_of(const std::array<double, decay_sums> &sums) noexcept {
+    const double last = std::max({std::abs(sums[1]), std::abs(sums[2]), std::abs(sums[3])});
+    const double low = std::max({std::abs(sums[4]), std::abs(sums[5]), std::abs(sums[6])});
+    return {sums[0], last, last < low ? last / low : 1};
+}
+
+} // namespace nrb::inline numeric

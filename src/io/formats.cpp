@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#include "io/formats.h"
+
+#include "base/error.h"
+#include "io/iges/lines.h"
+#include "io/iges/read_iges.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+namespace nrb::io {
+
+namespace {
+
+bool begins_step(std::span<const char> bytes) noexcept {
+    return iges::first_line(bytes).starts_with("ISO-10303-21");
+}
+
+constexpr Format known[] = {
+    {"IGES", iges::begins_iges, read_iges},
+    {"STEP", begins_step, nullptr},
+    {"compressed IGES", iges::begins_compressed, nullptr},
+};
+
+void check_settings(std::span<const char> bytes, const ReadSettings &settings) {
+    if (!std::isfinite(settings.unit) || settings.unit < 0) {
+        fail(Status::options, "unit = %s, expected metres > 0, or 0 for the unit of the file",
+             Number(settings.unit).text);
+    }
+    if (std::ssize(bytes) > settings.max_bytes) {
+        fail(Status::too_large, "%lld bytes where %lld are the most allowed",
+             static_cast<long long>(bytes.size()), static_cast<long long>(settings.max_bytes));
+    }
+}
+
+[[noreturn]] void fail_unknown(std::span<const char> bytes) {
+    if (iges::first_line(bytes).empty()) {
+        fail(Status::format, "the file is empty");
+    }
+    fail(Status::format,
+         "line 1: no section letter S in column 73, so this is not fixed-length ASCII IGES, and it "
+         "begins like no other format that is known");
+}
+
+} // namespace
+
+std::span<const Format> formats() noexcept {
+    return known;
+}
+
+model::Model read(std::span<const char> bytes, const ReadSettings &settings) {
+    check_settings(bytes, settings);
+    const auto *const format =
+        std::ranges::find_if(known, [&](const Format &candidate) { return candidate.recognizes(bytes); });
+    if (format == std::end(known)) {
+        fail_unknown(bytes);
+    }
+    if (format->read == nullptr) {
+        fail(Status::format, "line 1: this is a %s file, which is not read; fixed-length ASCII IGES is",
+             format->name);
+    }
+    return format->read(bytes, settings);
+}
+
+} // namespace nrb::io
