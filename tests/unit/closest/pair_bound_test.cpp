@@ -77,7 +77,7 @@ TEST(PairBound, is_below_the_distance_and_near_it) {
         const double lower = bound.lower(a, b, best, std::numeric_limits<double>::infinity());
         EXPECT_LE(lower, best.distance);
         EXPECT_GE(lower, best.distance - 8 * size);
-        EXPECT_LE(box_distance(a.lower(), b.lower(), 3), best.distance);
+        EXPECT_LE(nrb::closest::box_distance(a.lower(), b.lower(), 3), best.distance);
     }
 }
 

@@ -86,7 +86,8 @@ TEST(ShapeBound, knows_the_half_and_the_branch) {
 TEST(ShapeBound, is_infinite_where_the_weight_has_no_certain_sign) {
     const auto spline =
         nrb::make_spline({bezier_axis(2)}, 2, Form::homogeneous, {1, 0, 1, 0, 1, -1, -1, 0, 1});
-    EXPECT_TRUE(std::isinf(nrb::distance_from(*spline, shape_of(nrb::shape_circle, 1), 1e9).upper));
+    EXPECT_TRUE(std::isinf(
+        nrb::recognize::distance_from(*spline, shape_of(nrb::recognize::shape_circle, 1), 1e9).upper));
     const auto negative =
         nrb::make_spline({bezier_axis(2)}, 2, Form::homogeneous, {-1, 0, -1, 0, -1, 0, 1, 0, -1});
     expect_distance(negative, shape_of(nrb::recognize::shape_circle, 1), 0); // half a circle
