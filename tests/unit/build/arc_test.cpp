@@ -154,14 +154,14 @@ TEST(Arc, forms_have_their_degrees_and_pieces) {
     const auto points = [](double sweep, int form) {
         return nrb::build::unit_arc(nrb::build::make_turn(0.3, sweep), form).points.size();
     };
-    EXPECT_EQ(points(pi / 2, nrb::arc_quarters), 3U);
-    EXPECT_EQ(points(-pi / 2 * 1.001, nrb::arc_quarters), 5U);
-    EXPECT_EQ(points(2 * pi, nrb::arc_quarters), 9U);
-    EXPECT_EQ(points(2 * pi / 3, nrb::arc_thirds), 3U);
-    EXPECT_EQ(points(2 * pi, nrb::arc_thirds), 7U);
-    EXPECT_EQ(points(2 * pi / 3, nrb::arc_smooth), 3U);
-    EXPECT_EQ(points(2.2, nrb::arc_smooth), 6U);
-    EXPECT_EQ(points(2 * pi, nrb::arc_smooth), 6U);
+    EXPECT_EQ(points(pi / 2, nrb::build::arc_quarters), 3U);
+    EXPECT_EQ(points(-pi / 2 * 1.001, nrb::build::arc_quarters), 5U);
+    EXPECT_EQ(points(2 * pi, nrb::build::arc_quarters), 9U);
+    EXPECT_EQ(points(2 * pi / 3, nrb::build::arc_thirds), 3U);
+    EXPECT_EQ(points(2 * pi, nrb::build::arc_thirds), 7U);
+    EXPECT_EQ(points(2 * pi / 3, nrb::build::arc_smooth), 3U);
+    EXPECT_EQ(points(2.2, nrb::build::arc_smooth), 6U);
+    EXPECT_EQ(points(2 * pi, nrb::build::arc_smooth), 6U);
 }
 
 TEST(Arc, hyperbolas_are_on_theirs) {

@@ -104,9 +104,9 @@ TEST(Jet, bounds_that_hold_nowhere_are_infinite) {
     const SplineData zero = {{2}, {3}, {{0, 0, 0, 1, 1, 1}}, 3, {0, 0, 0, 1, 1, 1, 2, 2, 2}, {1, 0, 1}, 0};
     AxisRules extrapolating;
     extrapolating[0].outside = nrb::eval::Outside::extrapolate;
-    EXPECT_LT(nrb::derivative_errors(*spline_of(data), {}, 1).u, infinity);
-    EXPECT_EQ(nrb::derivative_errors(*spline_of(data), extrapolating, 1).u, infinity);
-    EXPECT_EQ(nrb::derivative_errors(*spline_of(zero), {}, 1).u, infinity);
+    EXPECT_LT(nrb::eval::derivative_errors(*spline_of(data), {}, 1).u, infinity);
+    EXPECT_EQ(nrb::eval::derivative_errors(*spline_of(data), extrapolating, 1).u, infinity);
+    EXPECT_EQ(nrb::eval::derivative_errors(*spline_of(zero), {}, 1).u, infinity);
 }
 
 TEST(Jet, sides_point_into_the_domain) {

@@ -34,7 +34,7 @@ TEST(Place, wraps_onto_the_half_open_domain_of_its_side) {
 }
 
 TEST(Place, wraps_distances_that_overflow) {
-    const double t = eval::place(1.7e308, {false, false, Outside::wrap}, {-1.2e308, -1.1e308});
+    const double t = nrb::eval::place(1.7e308, {false, false, Outside::wrap}, {-1.2e308, -1.1e308});
     EXPECT_GE(t, -1.2e308);
     EXPECT_LT(t, -1.1e308);
 }

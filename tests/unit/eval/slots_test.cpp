@@ -9,9 +9,9 @@ namespace {
 TEST(Slots, for_each_visits_them_in_order) {
     for (int axes = 1; axes <= 3; ++axes) {
         int64_t next = 0;
-        nrb::eval::for_each_slot(axes, 6,
-                                 [&](int i, int j, int k) { EXPECT_EQ(nrb::slot(axes, i, j, k), next++); });
-        EXPECT_EQ(next, nrb::slot_count(axes, 6));
+        nrb::eval::for_each_slot(
+            axes, 6, [&](int i, int j, int k) { EXPECT_EQ(nrb::eval::slot(axes, i, j, k), next++); });
+        EXPECT_EQ(next, nrb::eval::slot_count(axes, 6));
     }
 }
 
@@ -19,9 +19,9 @@ TEST(Slots, follow_the_formulas_of_the_header) {
     nrb::eval::for_each_slot(3, 5, [](int i, int j, int k) {
         const int s = i + j + k;
         const int r = j + k;
-        EXPECT_EQ(nrb::slot(3, i, j, k), s * (s + 1) * (s + 2) / 6 + r * (r + 1) / 2 + k);
+        EXPECT_EQ(nrb::eval::slot(3, i, j, k), s * (s + 1) * (s + 2) / 6 + r * (r + 1) / 2 + k);
         if (k == 0) {
-            EXPECT_EQ(nrb::slot(2, i, j), (i + j) * (i + j + 1) / 2 + j);
+            EXPECT_EQ(nrb::eval::slot(2, i, j), (i + j) * (i + j + 1) / 2 + j);
         }
     });
 }
@@ -34,7 +34,7 @@ TEST(ContractionSteps, fill_every_slot_once) {
             targets.insert(target);
             ++steps;
         });
-        EXPECT_EQ(steps, nrb::slot_count(axes, 4));
+        EXPECT_EQ(steps, nrb::eval::slot_count(axes, 4));
         EXPECT_EQ(static_cast<int64_t>(targets.size()), steps);
         EXPECT_EQ(*targets.rbegin(), steps - 1);
     }

@@ -174,7 +174,8 @@ void check_orders(Random &random, const Batch &batch) {
     const auto check = [&](const char *name) {
         const auto params = rearranged(batch.params, batch.axes(), places);
         for (int order = 0; order <= 2; ++order) {
-            const auto width = static_cast<size_t>(eval::slot_count(batch.data.axes(), order)) * batch.dim();
+            const auto width =
+                static_cast<size_t>(nrb::eval::slot_count(batch.data.axes(), order)) * batch.dim();
             const auto want = rearranged(batch.heads(width), width, places);
             ASSERT_TRUE(same_bits(eval_derivs(batch.g.get(), order, params), want))
                 << name << ", order " << order << describe(batch.data);

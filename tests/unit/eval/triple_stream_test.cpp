@@ -112,7 +112,7 @@ TEST(TripleStream, leaves_other_layouts_to_ordinary_stores) {
     eval::TripleStream(out, true).write(rows_of(0, eval::block_size).data(), 0, eval::block_size);
     for (int64_t i = 0; i < 100; ++i) {
         for (int64_t c = 0; c < 3; ++c) {
-            EXPECT_EQ(out(i, c), i < block_size ? component(i, c) : untouched);
+            EXPECT_EQ(out(i, c), i < nrb::eval::block_size ? component(i, c) : untouched);
         }
     }
 }

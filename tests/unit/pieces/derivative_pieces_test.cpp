@@ -130,10 +130,11 @@ TEST(DerivativePieces, of_curves) {
                 continue;
             }
             const Vector d = middle.at({1}), dd = middle.at({2}), ddd = middle.at({3});
-            middle.check(pieces::tangent_numerator(piece, 0), d, 2, where(seed, data));
-            middle.check(pieces::bend_numerator(piece), cross(d, dd), 3, where(seed, data));
+            middle.check(nrb::pieces::tangent_numerator(piece, 0), d, 2, where(seed, data));
+            middle.check(nrb::pieces::bend_numerator(piece), cross(d, dd), 3, where(seed, data));
             if (data.dim == 3) {
-                middle.check(pieces::twist_numerator(piece), {dot(cross(d, dd), ddd)}, 4, where(seed, data));
+                middle.check(nrb::pieces::twist_numerator(piece), {dot(cross(d, dd), ddd)}, 4,
+                             where(seed, data));
             }
         }
     });
@@ -154,11 +155,11 @@ TEST(DerivativePieces, of_surfaces_and_volumes) {
         }
         if (axes == 2) {
             const Vector u = middle.at({1, 0}), v = middle.at({0, 1});
-            middle.check(pieces::normal_numerator(piece), cross(u, v), 3, where(seed, data));
-            middle.check(pieces::tangent_numerator(piece, 1), v, 2, where(seed, data));
+            middle.check(nrb::pieces::normal_numerator(piece), cross(u, v), 3, where(seed, data));
+            middle.check(nrb::pieces::tangent_numerator(piece, 1), v, 2, where(seed, data));
         } else {
             const Vector u = middle.at({1, 0, 0}), v = middle.at({0, 1, 0}), w = middle.at({0, 0, 1});
-            middle.check(pieces::volume_numerator(piece), {dot(cross(u, v), w)}, 4, where(seed, data));
+            middle.check(nrb::pieces::volume_numerator(piece), {dot(cross(u, v), w)}, 4, where(seed, data));
         }
     });
 }

@@ -26,7 +26,7 @@ TEST(Derivative, of_an_integral_is_the_curve) {
 
 TEST(Derivative, drops_the_layer_of_a_jump) {
     const SplinePtr jump = curve(1, {0, 0, 1, 1, 2, 2}, 1, {0, 1, 5, 7});
-    EXPECT_EQ(vector_of(polynomial_derivative(jump, 0, 1)->points()), (Values{1, 2}));
+    EXPECT_EQ(vector_of(nrb::refine::polynomial_derivative(jump, 0, 1)->points()), (Values{1, 2}));
 }
 
 TEST(Product, of_lines_is_a_parabola) {

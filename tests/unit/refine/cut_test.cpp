@@ -13,14 +13,14 @@ const KnotVector wavy(2, {0, 0, 0, 1, 2, 2, 3, 3, 3, 4, 4, 4});
 
 TEST(Cut, saturates_breaks) {
     const double breaks[] = {1, 2.5};
-    EXPECT_EQ(saturated(wavy, breaks),
+    EXPECT_EQ(nrb::refine::saturated(wavy, breaks),
               (std::vector<double>{0, 0, 0, 1, 1, 1, 2, 2, 2.5, 2.5, 2.5, 3, 3, 3, 4, 4, 4}));
 }
 
 TEST(Cut, rough_knots_are_those_of_less_continuity) {
-    EXPECT_EQ(rough_knots(wavy, 0), (std::vector<double>{0, 3, 4}));
-    EXPECT_EQ(rough_knots(wavy, 1), (std::vector<double>{0, 2, 3, 4}));
-    EXPECT_EQ(rough_knots(wavy, 2), (std::vector<double>{0, 1, 2, 3, 4}));
+    EXPECT_EQ(nrb::refine::rough_knots(wavy, 0), (std::vector<double>{0, 3, 4}));
+    EXPECT_EQ(nrb::refine::rough_knots(wavy, 1), (std::vector<double>{0, 2, 3, 4}));
+    EXPECT_EQ(nrb::refine::rough_knots(wavy, 2), (std::vector<double>{0, 1, 2, 3, 4}));
 }
 
 TEST(Cut, pieces_share_their_ends) {
@@ -37,7 +37,7 @@ TEST(Cut, a_part_of_a_part_is_that_part) {
     const SplinePtr half = refine::cut_axis(whole, 0, 0, 0.5, {false, false});
     const SplinePtr quarter = refine::cut_axis(half, 0, 0.25, 0.5, {false, false});
     EXPECT_EQ(vector_of(quarter->points()),
-              vector_of(cut_axis(whole, 0, 0.25, 0.5, {false, false})->points()));
+              vector_of(nrb::refine::cut_axis(whole, 0, 0.25, 0.5, {false, false})->points()));
 }
 
 } // namespace

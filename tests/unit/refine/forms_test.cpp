@@ -26,16 +26,16 @@ SplinePtr surface() { // 2 by 3 points
 }
 
 TEST(Homogeneous, points_carry_their_weights) {
-    EXPECT_EQ(homogeneous_points(*rational()), (Values{1, 2, 1, 1.5, 2, 0.5}));
+    EXPECT_EQ(nrb::refine::homogeneous_points(*rational()), (Values{1, 2, 1, 1.5, 2, 0.5}));
     const SplinePtr there = refine::to_homogeneous(*rational());
     EXPECT_EQ(there->dim(), 3);
-    EXPECT_EQ(from_homogeneous(*there)->coordinate(1, 1), 4);
+    EXPECT_EQ(nrb::refine::from_homogeneous(*there)->coordinate(1, 1), 4);
 }
 
 TEST(Homogeneous, the_common_form_holds_all) {
     const SplinePtr both[] = {bezier(2, {0, 0, 1, 1}), rational()};
-    EXPECT_EQ(common_form(both), Form::rational);
-    EXPECT_EQ(vector_of(in_form(both[0], Form::rational)->weights()), (Values{1, 1}));
+    EXPECT_EQ(nrb::refine::common_form(both), Form::rational);
+    EXPECT_EQ(vector_of(nrb::refine::in_form(both[0], Form::rational)->weights()), (Values{1, 1}));
 }
 
 TEST(Transpose, exchanges_axes) {
@@ -46,15 +46,15 @@ TEST(Transpose, exchanges_axes) {
 }
 
 TEST(Iso, at_an_end_is_the_boundary) {
-    EXPECT_EQ(vector_of(iso(*surface(), 0, 1, {})->points()), (Values{4, 5, 6}));
-    EXPECT_EQ(vector_of(iso(*surface(), 1, 0, {})->points()), (Values{1, 4}));
+    EXPECT_EQ(vector_of(nrb::refine::iso(*surface(), 0, 1, {})->points()), (Values{4, 5, 6}));
+    EXPECT_EQ(vector_of(nrb::refine::iso(*surface(), 1, 0, {})->points()), (Values{1, 4}));
 }
 
 TEST(Reverse, negates_knots_or_keeps_the_domain) {
     const SplinePtr g = curve(1, {0, 0, 1, 3, 3}, 1, {5, 6, 7});
-    EXPECT_EQ(vector_of(reverse(*g, 0, false)->axis(0).knots()), (Values{-3, -3, -1, 0, 0}));
-    EXPECT_EQ(vector_of(reverse(*g, 0, true)->axis(0).knots()), (Values{0, 0, 2, 3, 3}));
-    EXPECT_EQ(vector_of(reverse(*g, 0, true)->points()), (Values{7, 6, 5}));
+    EXPECT_EQ(vector_of(nrb::refine::reverse(*g, 0, false)->axis(0).knots()), (Values{-3, -3, -1, 0, 0}));
+    EXPECT_EQ(vector_of(nrb::refine::reverse(*g, 0, true)->axis(0).knots()), (Values{0, 0, 2, 3, 3}));
+    EXPECT_EQ(vector_of(nrb::refine::reverse(*g, 0, true)->points()), (Values{7, 6, 5}));
 }
 
 TEST(Join, of_parts_that_meet_shares_the_end) {
@@ -67,7 +67,7 @@ TEST(Join, of_parts_that_meet_shares_the_end) {
 
 TEST(AxisTable, merges_sorted_knots) {
     const double a[] = {0, 1, 1, 3}, b[] = {1, 2};
-    EXPECT_EQ(merged(a, b), (Values{0, 1, 1, 1, 2, 3}));
+    EXPECT_EQ(nrb::refine::merged(a, b), (Values{0, 1, 1, 1, 2, 3}));
 }
 
 } // namespace

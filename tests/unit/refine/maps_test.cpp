@@ -59,10 +59,12 @@ TEST(Hermite, data_are_ends_of_spans) {
 
 TEST(Mirror, in_a_coordinate_plane) {
     const double origin[] = {0, 0}, normal[] = {0, 2}, eye[] = {0, 4}, line[] = {0, 0};
-    EXPECT_EQ(vector_of(mirror(*bezier(2, {1, 2, 3, 4}), origin, normal)->points()), (Values{1, -2, 3, -4}));
-    EXPECT_EQ(vector_of(project_to_plane(*bezier(2, {1, 2, 3, 4}), origin, normal, nullptr)->points()),
-              (Values{1, 0, 3, 0}));
-    EXPECT_EQ(project_from(*bezier(2, {1, 2, 3, 2}), eye, line, normal)->coordinate(1, 0), 6);
+    EXPECT_EQ(vector_of(nrb::refine::mirror(*bezier(2, {1, 2, 3, 4}), origin, normal)->points()),
+              (Values{1, -2, 3, -4}));
+    EXPECT_EQ(
+        vector_of(nrb::refine::project_to_plane(*bezier(2, {1, 2, 3, 4}), origin, normal, nullptr)->points()),
+        (Values{1, 0, 3, 0}));
+    EXPECT_EQ(nrb::refine::project_from(*bezier(2, {1, 2, 3, 2}), eye, line, normal)->coordinate(1, 0), 6);
 }
 
 } // namespace

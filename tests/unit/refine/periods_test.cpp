@@ -43,7 +43,8 @@ TEST(OverPeriods, numbers_periods_from_the_domain) {
 
 TEST(OverPeriods, one_period_is_that_of_the_axis) {
     const SplinePtr curve = loop();
-    EXPECT_EQ(vector_of(over_periods(curve->axis(0), 0, 1)->knots()), vector_of(curve->axis(0).knots()));
+    EXPECT_EQ(vector_of(nrb::refine::over_periods(curve->axis(0), 0, 1)->knots()),
+              vector_of(curve->axis(0).knots()));
 }
 
 TEST(OverPeriods, far_away_takes_no_more_than_its_periods) {
@@ -69,14 +70,14 @@ TEST(OverPeriods, keeps_equal_knots_equal_and_their_order) {
 TEST(OverPeriods, refuses_knots_that_rounding_makes_equal) {
     const KnotVector axis(1, {-0.25, 0, 0.25, 0.5, 0.75, 1, 1.25}, true); // where doubles are whole numbers
     const int64_t far = int64_t{1} << 52;
-    EXPECT_THROW(over_periods(axis, far, far + 1), Error);
+    EXPECT_THROW(nrb::refine::over_periods(axis, far, far + 1), Error);
 }
 
 TEST(Seam, at_a_knot_moves_layers_only) {
     const SplinePtr moved = refine::move_seam(loop(), 0, 3);
     EXPECT_EQ(moved->axis(0).domain().lower, 3);
     EXPECT_EQ(vector_of(moved->points()), (std::vector<double>{2, 3, 4, 1, 2, 3}));
-    EXPECT_FALSE(open_axis(loop(), 0)->axis(0).periodic());
+    EXPECT_FALSE(nrb::refine::open_axis(loop(), 0)->axis(0).periodic());
 }
 
 } // namespace

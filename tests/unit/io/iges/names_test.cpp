@@ -104,11 +104,11 @@ TEST(IgesNames, control_characters_are_replaced) {
 }
 
 TEST(IgesNames, of_types) {
-    EXPECT_STREQ(nrb::iges::type_name(126), "rational B-spline curve");
-    EXPECT_STREQ(nrb::iges::type_name(0), "null");
-    EXPECT_STREQ(nrb::iges::type_name(514), "shell");
-    EXPECT_STREQ(nrb::iges::type_name(127), "entity");
-    EXPECT_STREQ(nrb::iges::type_name(99999), "entity");
+    EXPECT_STREQ(nrb::io::iges::type_name(126), "rational B-spline curve");
+    EXPECT_STREQ(nrb::io::iges::type_name(0), "null");
+    EXPECT_STREQ(nrb::io::iges::type_name(514), "shell");
+    EXPECT_STREQ(nrb::io::iges::type_name(127), "entity");
+    EXPECT_STREQ(nrb::io::iges::type_name(99999), "entity");
 }
 
 } // namespace

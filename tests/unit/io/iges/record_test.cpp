@@ -7,8 +7,8 @@
 
 namespace {
 
-using nrb::iges::Delimiters;
-using nrb::iges::Record;
+using nrb::io::iges::Delimiters;
+using nrb::io::iges::Record;
 
 nrb::Status status_of(const std::string &text) {
     try {

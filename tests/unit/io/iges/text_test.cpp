@@ -8,11 +8,11 @@
 
 namespace {
 
-using nrb::iges::excerpt;
-using nrb::iges::parse_integer;
-using nrb::iges::parse_real;
-using nrb::iges::printable;
-using nrb::iges::trim;
+using nrb::io::iges::excerpt;
+using nrb::io::iges::parse_integer;
+using nrb::io::iges::parse_real;
+using nrb::io::iges::printable;
+using nrb::io::iges::trim;
 
 double real(std::string_view text) {
     double value = 0;
