@@ -1,14 +1,12 @@
 // Stored values from an exact evaluator written independently in another language: the library keeps its
 // bounds against them, and the reference of these tests rounds to them exactly.
 #include "reference/magnitudes.h"
+#include "support/golden_file.h"
 #include "support/handle.h"
 
 #include <cmath>
-#include <cstdlib>
-#include <fstream>
 #include <gtest/gtest.h>
 #include <numeric>
-#include <sstream>
 
 using namespace support;
 using reference::eps;
@@ -21,60 +19,7 @@ constexpr const char *source_dir = NURBS_SOURCE_DIR;
 constexpr const char *source_dir = nullptr;
 #endif
 
-// Words of a golden file; lines that start with # are comments. Streams do not read hexadecimal floats,
-// strtod does.
-class Words {
-public:
-    explicit Words(const std::string &path) {
-        std::ifstream file(path);
-        for (std::string line; std::getline(file, line);) {
-            if (!line.starts_with('#')) {
-                text_ << line << '\n';
-            }
-        }
-    }
-    bool next(std::string &word) { return static_cast<bool>(text_ >> word); }
-    double number() {
-        std::string word;
-        EXPECT_TRUE(next(word)) << "the file ends early";
-        char *end = nullptr;
-        const double value = std::strtod(word.c_str(), &end);
-        EXPECT_EQ(*end, '\0') << word;
-        return value;
-    }
-    int whole() { return static_cast<int>(number()); }
-    std::vector<double> numbers(int64_t n) {
-        std::vector<double> values(static_cast<size_t>(n));
-        for (double &x : values) {
-            x = number();
-        }
-        return values;
-    }
-
-private:
-    std::stringstream text_;
-};
-
-SplineData read_spline(Words &words) {
-    SplineData data;
-    const int axes = words.whole();
-    data.dim = words.whole();
-    const bool rational = words.whole() != 0;
-    for (int k = 0; k < axes; ++k) {
-        data.degrees.push_back(words.whole());
-    }
-    for (int k = 0; k < axes; ++k) {
-        data.counts.push_back(words.whole());
-    }
-    for (size_t k = 0; k < data.degrees.size(); ++k) {
-        data.knots.push_back(words.numbers(data.counts[k] + data.degrees[k] + 1));
-    }
-    data.points = words.numbers(data.point_count() * data.dim);
-    data.weights = words.numbers(rational ? data.point_count() : 0);
-    return data;
-}
-
-void check_place(const SplineData &data, Words &words) {
+void check_place(const SplineData &data, GoldenWords &words) {
     const int order = words.whole();
     const auto param = words.numbers(data.axes());
     const auto derivs = eval_derivs(create(data).get(), order, param);
@@ -101,13 +46,13 @@ void check_place(const SplineData &data, Words &words) {
 
 void check_file(const std::string &name, int expected_places) {
     ASSERT_NE(source_dir, nullptr) << "the build must define NURBS_SOURCE_DIR as the project's folder";
-    Words words(std::string(source_dir) + "/tests/golden/" + name);
+    GoldenWords words(std::string(source_dir) + "/tests/golden/" + name);
     SplineData data;
     int places = 0;
     for (std::string word; words.next(word);) {
         ASSERT_TRUE(word == "spline" || word == "at") << word;
         if (word == "spline") {
-            data = read_spline(words);
+            data = words.spline();
         } else {
             ASSERT_NO_FATAL_FAILURE(check_place(data, words));
             ++places;

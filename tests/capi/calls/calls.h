@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 // One good call, or a few, of every function of the library, for the tests whose laws all of them keep: when
 // memory runs out, when threads share a handle, when numbers are extreme, and when arrays end where memory
-// does.
+// does. The outputs of two builds are compared for the same calls.
 #ifndef NURBS_TESTS_CAPI_CALLS_H
 #define NURBS_TESTS_CAPI_CALLS_H
 

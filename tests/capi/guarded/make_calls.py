@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: MIT
-"""Writes guarded_calls.h: every function of nurbs.h again, with its arrays at pages that are not mapped.
+"""Writes a header with every function of nurbs.h again, each with its arrays replaced.
 
-usage: make_calls.py TOP_FOLDER OUTPUT
+usage: make_calls.py TOP_FOLDER MEANS OUTPUT
 
-The header includes nurbs.h and replaces its functions by macros, so that a file that is compiled with it (-include) calls
-them in their place. Each moves its arrays as pages.h says, to as many elements as the shapes of the comments in nurbs.h
-ask for, and calls the function itself.
+The header replaces the functions of nurbs.h by macros, so that a file that is compiled with it (-include) calls others in
+their place. MEANS is a header of this folder's parent, such as guarded/pages.h, which says how: in a namespace with the
+name of its folder it has the classes Function and Argument, of which there is one for each function and for each array,
+Running, which lives as long as a call, and Array, which gives the function the place of an array with as many elements as
+the shapes of the comments in nurbs.h ask for.
 """
 
 import re
@@ -21,7 +23,7 @@ HEAD = f'''\
 /* Generated from {header.PATH} by tests/capi/guarded/make_calls.py - do not edit. */
 #pragma once
 
-#include "guarded/pages.h"
+#include "guarded/shape_terms.h"
 '''
 # Letters that the texts of functions explain, in the terms of C++; a function's own come first.
 LETTERS = {
@@ -113,45 +115,59 @@ def size_of(function, shapes, index):
     return shapes.extent(index) if entry.shape else "1"
 
 
-def wrapper(function, number, first):
+def result_of(function, call):
+    """The end of a replacement."""
+    if function.result == "void":
+        return f"    {call};"
+    return f"    return here.{'status' if function.result == 'nurbs_status' else 'other'}({call});"
+
+
+def wrapper(space, function, number, first):
     """The function's replacement; `first` is the number of its first array."""
     shapes = Shapes(function)
     parameters = ", ".join(f"{entry.c_type} {entry.name}" for entry in function.parameters)
-    yield f"inline {function.result} guarded_{function.name}({parameters}) {{"
-    yield "    using namespace guarded;"
-    yield f"    Running here(functions[{number}]);"
+    yield f"inline {function.result} {space}_{function.name}({parameters}) {{"
+    yield f"    using namespace {space};"
+    yield "    using namespace shape_terms;"
+    yield f"    [[maybe_unused]] Running here(functions[{number}]);"
     names = []
     for index, entry in enumerate(function.parameters):
         if moved(entry):
             yield f"    const Array {entry.name}_(arrays[{first}], {entry.name}, {size_of(function, shapes, index)});"
             first += 1
         names.append(entry.name + "_.place()" * moved(entry))
-    call = f"{function.name}({', '.join(names)})"
-    yield f"    return here.status({call});" if function.result == "nurbs_status" else f"    return {call};"
+    yield result_of(function, f"{function.name}({', '.join(names)})")
     yield "}"
 
 
-def contents(manual):
-    yield HEAD
-    arrays = [(function, entry) for function in manual.functions for entry in function.parameters if moved(entry)]
-    yield "namespace guarded {"
+def tables(space, functions):
+    """The classes' objects."""
+    yield f"namespace {space} {{"
     yield "inline Function functions[] = {"
-    yield from (f'    {{"{function.name}"}},' for function in manual.functions)
+    yield from (f'    {{"{function.name}"}},' for function in functions)
     yield "};"
     yield "inline Argument arrays[] = {"
-    yield from (f'    {{"{function.name}", "{entry.name}"}},' for function, entry in arrays)
+    for function in functions:
+        for entry in filter(moved, function.parameters):
+            yield f'    {{"{function.name}", "{entry.name}", {"true" if "in" in entry.direction.split(",") else "false"}}},'
     yield "};"
-    yield "} // namespace guarded"
+    yield f"}} // namespace {space}"
+
+
+def contents(manual, means):
+    space = means.split("/")[0]
+    yield HEAD + f'#include "{means}"\n'
+    yield from tables(space, manual.functions)
     first = 0
     for number, function in enumerate(manual.functions):
-        yield from wrapper(function, number, first)
+        yield from wrapper(space, function, number, first)
         first += sum(moved(entry) for entry in function.parameters)
-    yield from (f"#define {function.name} guarded_{function.name}" for function in manual.functions)
+    yield from (f"#define {function.name} {space}_{function.name}" for function in manual.functions)
 
 
 def main(arguments):
-    text = "\n".join(contents(header.read(arguments[0]))) + "\n"
-    Path(arguments[1]).write_text(text, encoding="utf-8")
+    top, means, output = arguments
+    Path(output).write_text("\n".join(contents(header.read(top), means)) + "\n", encoding="utf-8")
 
 
 if __name__ == "__main__":

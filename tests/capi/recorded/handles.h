@@ -1,0 +1,115 @@
+/* SPDX-License-Identifier: MIT */
+// What handles hold: everything that they can be asked for, by the library's functions themselves. No question fails, for
+// messages stay those of the calls that are recorded.
+#ifndef NURBS_TESTS_CAPI_RECORDED_HANDLES_H
+#define NURBS_TESTS_CAPI_RECORDED_HANDLES_H
+
+#include "guarded/shape_terms.h"
+#include "recorded/record.h"
+
+#include <string>
+#include <vector>
+
+namespace recorded {
+
+inline std::string last_message() {
+    std::string text(static_cast<size_t>(nurbs_last_error(nullptr, 0)) + 1, '\0');
+    (void)nurbs_last_error(text.data(), static_cast<int64_t>(text.size()));
+    text.pop_back();
+    return text;
+}
+
+inline void add_axis(Output &output, const nurbs *g, int32_t axis) {
+    const int32_t degree = shape_terms::degree_of(g, axis);
+    const int64_t count = shape_terms::count_of(g, axis);
+    std::vector<double> knots(static_cast<size_t>(count + degree + 1));
+    (void)nurbs_knots(g, axis, count + degree + 1, knots.data());
+    output.add(degree);
+    output.add(count);
+    output.add(shape_terms::ask<int32_t>(nurbs_knot_form, g, axis));
+    output.add(knots.data(), count + degree + 1);
+}
+
+// As they are stored: Cartesian with their weights, or homogeneous.
+inline void add_points(Output &output, const nurbs *g, bool homogeneous) {
+    const int64_t count = shape_terms::points_of(g), width = shape_terms::dim_of(g) + (homogeneous ? 1 : 0);
+    std::vector<double> points(static_cast<size_t>(count * width)), weights(static_cast<size_t>(count));
+    if (homogeneous) {
+        (void)nurbs_homogeneous_points(g, count, points.data(), 0, 0);
+    } else {
+        (void)nurbs_points(g, count, points.data(), 0, 0);
+        (void)nurbs_weights(g, count, weights.data(), 0);
+    }
+    output.add(points.data(), count * width);
+    output.add(weights.data(), count);
+}
+
+// Nothing of NULL.
+inline void add_handle(Output &output, const nurbs *g) {
+    if (g == nullptr) {
+        return;
+    }
+    const auto homogeneous = shape_terms::ask<int32_t>(nurbs_is_homogeneous, g);
+    for (const int32_t number :
+         {shape_terms::axes_of(g), shape_terms::dim_of(g), shape_terms::rational_of(g), homogeneous}) {
+        output.add(number);
+    }
+    for (int32_t axis = 0; axis < shape_terms::axes_of(g); ++axis) {
+        add_axis(output, g, axis);
+    }
+    add_points(output, g, homogeneous != 0);
+}
+
+inline void add_text(Output &output, const std::string &text) {
+    output.add(text.data(), static_cast<int64_t>(text.size()));
+}
+
+inline void add_item(Output &output, const nurbs_list *list, int64_t index) {
+    std::string name(256, '\0');
+    (void)nurbs_list_name(list, index, name.data(), 256, nullptr);
+    add_text(output, name);
+    nurbs *item = nullptr;
+    (void)nurbs_list_get(list, index, &item);
+    add_handle(output, item);
+    nurbs_destroy(item);
+}
+
+inline void add_note(Output &output, const nurbs_list *list, int64_t index) {
+    int32_t entity = 0;
+    int64_t line = 0;
+    nurbs_status reason = NURBS_OK;
+    std::string text(512, '\0');
+    (void)nurbs_list_note(list, index, &entity, &line, &reason, text.data(), 512, nullptr);
+    output.add(entity);
+    output.add(line);
+    output.add(reason);
+    add_text(output, text);
+}
+
+inline void add_handle(Output &output, const nurbs_list *list) {
+    if (list == nullptr) {
+        return;
+    }
+    const auto items = shape_terms::ask<int64_t>(nurbs_list_count, list);
+    const auto notes = shape_terms::ask<int64_t>(nurbs_list_note_count, list);
+    output.add(items);
+    output.add(notes);
+    output.add(shape_terms::ask<double>(nurbs_list_unit, list));
+    for (int64_t i = 0; i < items; ++i) {
+        add_item(output, list, i);
+    }
+    for (int64_t i = 0; i < notes; ++i) {
+        add_note(output, list, i);
+    }
+}
+
+inline void discard(nurbs *g) {
+    nurbs_destroy(g);
+}
+inline void discard(nurbs_list *list) {
+    nurbs_list_destroy(list);
+}
+
+} // namespace recorded
+
+#endif
