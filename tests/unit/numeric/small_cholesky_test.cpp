@@ -1,10 +1,11 @@
+// Cholesky factors of a few rows: exact solutions, and what is refused.
 #include "numeric/solvers/small_cholesky.h"
 
 #include <gtest/gtest.h>
 
 using Cholesky = nrb::SmallCholesky<3>;
 
-TEST(SmallCholesky, SolvesAndFactors) {
+TEST(SmallCholesky, solves_and_factors) {
     const Cholesky::Matrix a{{{4, 99, 99}, {2, 10, 99}, {-2, 5, 9}}}; // only the lower half is read
     Cholesky factor;
     ASSERT_TRUE(factor.factorise(a, 3, 0));
@@ -19,7 +20,7 @@ TEST(SmallCholesky, SolvesAndFactors) {
     EXPECT_DOUBLE_EQ(y[1], 1);
 }
 
-TEST(SmallCholesky, RefusesWhatMayBeSingular) {
+TEST(SmallCholesky, refuses_what_may_be_singular) {
     Cholesky factor;
     EXPECT_FALSE(factor.factorise({{{1, 0, 0}, {2, 3, 0}, {0, 0, 1}}}, 2, 0));        // indefinite
     EXPECT_FALSE(factor.factorise({{{1, 0, 0}, {1, 1 + 0x1p-40, 0}, {}}}, 2, 1e-10)); // nearly singular

@@ -4,7 +4,7 @@
 
 using nrb::pieces::BestFirst;
 
-TEST(BestFirst, LooksAtTheBestFirstWithinTheBudget) {
+TEST(BestFirst, looks_at_the_best_first_within_the_budget) {
     BestFirst<char> search;
     search.push(1, 'a');
     search.push(3, 'c');
@@ -17,7 +17,7 @@ TEST(BestFirst, LooksAtTheBestFirstWithinTheBudget) {
     EXPECT_EQ(search.bound(), 1);
 }
 
-TEST(BestFirst, BoundsWhatIsLeftAndWhatWasLeftOut) {
+TEST(BestFirst, bounds_what_is_left_and_what_was_left_out) {
     BestFirst<int> search({{1.0, 0}, {2.0, 1}});
     EXPECT_EQ(search.bound(), 2);
     search.leave_out(5);
@@ -29,7 +29,7 @@ TEST(BestFirst, BoundsWhatIsLeftAndWhatWasLeftOut) {
 }
 
 // What look() takes itself counts, and what does not count ends the search.
-TEST(BestFirst, EndsWhereNothingCounts) {
+TEST(BestFirst, ends_where_nothing_counts) {
     BestFirst<int> search({{4.0, 0}, {3.0, 0}, {1.0, 0}});
     int64_t budget = 10, looked = 0;
     search.run(

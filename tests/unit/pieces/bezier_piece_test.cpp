@@ -59,7 +59,7 @@ void expect_end(const Spline &curve, const pieces::Frame &frame, const pieces::B
 
 } // namespace
 
-TEST(Frame, IsInTheMiddleOfBothAndAboutOneInSize) {
+TEST(Frame, is_in_the_middle_of_both_and_about_one_in_size) {
     Random random(41);
     const SplinePtr a = random_curve(random, 3, 1e6, false), b = random_curve(random, 2, -1e6, false);
     const pieces::Frame frame = pieces::frame_of({{a.get(), b.get()}});
@@ -71,14 +71,14 @@ TEST(Frame, IsInTheMiddleOfBothAndAboutOneInSize) {
     }
 }
 
-TEST(Frame, HasAUnitForTheSmallestModels) {
+TEST(Frame, has_a_unit_for_the_smallest_models) {
     const SplinePtr line = make_spline({make_knot_vector(1, {0, 0, 1, 1})}, 1, Form::polynomial,
                                        {0, std::numeric_limits<double>::denorm_min()});
     EXPECT_GT(pieces::frame_of(*line).scaled(std::numeric_limits<double>::denorm_min()), 0.25);
 }
 
 // Halved towards a place, a piece keeps ends that are within moved() of the exact points.
-TEST(BezierPiece, EndsOfHalvesAreWithinWhatRoundingMayHaveMoved) {
+TEST(BezierPiece, ends_of_halves_are_within_what_rounding_may_have_moved) {
     Random random(42);
     for (int i = 0; i < 200; ++i) {
         const SplinePtr curve =
@@ -98,7 +98,7 @@ TEST(BezierPiece, EndsOfHalvesAreWithinWhatRoundingMayHaveMoved) {
 }
 
 // A control point of weight 0 has no place; the piece is sound without it, but not positive.
-TEST(BezierPiece, IsSoundWhereAWholeCoefficientIsNothing) {
+TEST(BezierPiece, is_sound_where_a_whole_coefficient_is_nothing) {
     const SplinePtr curve = make_spline({make_knot_vector(2, {0, 0, 0, 1, 1, 1})}, 2, Form::rational,
                                         {0, 0, 5, 5, 2, 2}, {1, 0, 1});
     pieces::BezierPiece piece = pieces::bezier_pieces(*curve, pieces::frame_of(*curve))[0];

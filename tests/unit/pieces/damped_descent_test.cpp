@@ -27,7 +27,7 @@ Descent descend(double a, double b, double sign, Vector &at) {
 
 } // namespace
 
-TEST(DampedDescent, FindsTheMinimumInside) {
+TEST(DampedDescent, finds_the_minimum_inside) {
     Vector at{0.9, 0.1};
     const Descent found = descend(0.5, 0.5, 1, at);
     EXPECT_TRUE(found.converged);
@@ -36,14 +36,14 @@ TEST(DampedDescent, FindsTheMinimumInside) {
     EXPECT_EQ(found.distance, std::sqrt(jet_of(at, 0.5, 0.5).square));
 }
 
-TEST(DampedDescent, StaysInTheBox) {
+TEST(DampedDescent, stays_in_the_box) {
     Vector at{0.5, 0.5};
     EXPECT_TRUE(descend(-1, 7, 1, at).converged);
     EXPECT_EQ(at, (Vector{0, 1}));
 }
 
 // The matrix is nowhere definite there.
-TEST(DampedDescent, FindsMaximaAtCorners) {
+TEST(DampedDescent, finds_maxima_at_corners) {
     Vector at{0.5, 0.6};
     EXPECT_TRUE(descend(0, 0, -1, at).converged);
     EXPECT_EQ(at, (Vector{1, 1}));
