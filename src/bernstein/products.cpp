@@ -1,14 +1,13 @@
 #include "bernstein/products.h"
 
+#include "base/numbers.h"
+
 #include <algorithm>
-#include <limits>
 #include <vector>
 
 namespace nrb::inline bernstein {
 
 namespace {
-
-constexpr double eps = std::numeric_limits<double>::epsilon();
 
 // C(n, 0), ..., C(n, n) of any degree, each within n eps of itself.
 std::vector<double> binomial_row(int n) {

@@ -1,15 +1,14 @@
 #include "bernstein/rounded_polynomial.h"
 
+#include "base/numbers.h"
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 
 namespace nrb::inline bernstein {
 
 namespace {
-
-constexpr double eps = std::numeric_limits<double>::epsilon();
 
 // Roundings of binomial_factors(): of the rows and of their products.
 double binomial_steps(const BernsteinShape &shape) noexcept {

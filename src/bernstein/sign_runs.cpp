@@ -1,8 +1,9 @@
 #include "bernstein/sign_runs.h"
 
+#include "base/numbers.h"
+
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace nrb::inline bernstein {
 
@@ -11,7 +12,6 @@ namespace {
 constexpr int axis = 2;             // of the three, which curves lie along
 constexpr double least = 0x1p-48;   // parts are not halved any further
 constexpr int most_halvings = 4096; // of one polynomial, where rounding leaves many parts open
-constexpr double eps = std::numeric_limits<double>::epsilon();
 
 // Where parts are halved: the first place that is not near a zero.
 constexpr double split_places[] = {0.5, 0.4375, 0.5625, 0.375, 0.625, 0.25, 0.75, 0.125, 0.875};

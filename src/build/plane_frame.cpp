@@ -3,17 +3,15 @@
 
 #include "base/error.h"
 #include "base/finite.h"
+#include "base/numbers.h"
 #include "numeric/norm.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace nrb::build {
 
 namespace {
-
-constexpr double eps = std::numeric_limits<double>::epsilon();
 
 double length(std::span<const double> v) noexcept {
     return norm(v.data(), static_cast<int>(v.size()));

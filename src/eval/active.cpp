@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "eval/active.h"
 
+#include "base/numbers.h"
 #include "eval/active_points.h"
 
 #include <algorithm>
-#include <limits>
 #include <vector>
 
 namespace nrb::eval {
 
 namespace {
-
-constexpr double nan_value = std::numeric_limits<double>::quiet_NaN();
 
 double largest_coordinate(const Spline &spline, int64_t point) noexcept {
     double size = 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "eval/derivative_errors.h"
 
+#include "base/numbers.h"
 #include "eval/frames/jet.h"
 #include "spline/at_origin.h"
 
@@ -10,8 +11,6 @@
 namespace nrb::eval {
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // Sums of the magnitudes of the terms of derivatives 1 and 2 of all basis functions of an axis. Each step
 // from degree d - 1 multiplies by at most 2 d / min(t_(i+d) - t_i) over the functions of that degree that do

@@ -6,6 +6,8 @@
 
 namespace nrb::inline numeric {
 
+inline constexpr int space_dim = 3;
+
 struct Vector3 {
     double x = 0;
     double y = 0;

@@ -2,21 +2,15 @@
 #include "reduce/knot_removal_greedy.h"
 
 #include "base/finite.h"
+#include "base/numbers.h"
 #include "numeric/norm.h"
 #include "reduce/layers.h"
 #include "refine/periodic/period.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace nrb::reduce {
-
-namespace {
-
-constexpr double infinite = std::numeric_limits<double>::infinity();
-
-} // namespace
 
 // The homogeneous points of one place of the layers of a window.
 class GreedyKnotRemoval::Column {
@@ -48,7 +42,7 @@ public:
     }
     // The least value of the denominator: where a weight is 0, about the mean with both its neighbours.
     [[nodiscard]] double least_weight() const noexcept {
-        double least = infinite, mean = infinite;
+        double least = infinity, mean = infinity;
         for (int i = 0; i < size_; ++i) {
             const double before = weight(std::max(i - 1, 0)), behind = weight(std::min(i + 1, size_ - 1));
             least = std::min(least, weight(i));
@@ -237,7 +231,7 @@ double GreedyKnotRemoval::column_cost(const Window &window, int64_t at) const no
     }
     const double weight = column.least_weight() - turned;
     const double result = (away + radius * turned) / weight;
-    return weight > 0 && !std::isnan(result) ? result : infinite;
+    return weight > 0 && !std::isnan(result) ? result : infinity;
 }
 
 double GreedyKnotRemoval::cost(const Window &window) noexcept {
@@ -252,19 +246,19 @@ double GreedyKnotRemoval::cost(const Window &window) noexcept {
             largest = one;
         }
     }
-    return std::isnan(largest) ? infinite : largest;
+    return std::isnan(largest) ? infinity : largest;
 }
 
 double GreedyKnotRemoval::key_of(int64_t knot) noexcept {
     Window window;
-    return locate(knot, window) ? cost(window) : infinite;
+    return locate(knot, window) ? cost(window) : infinity;
 }
 
 void GreedyKnotRemoval::push(int64_t knot) {
     Knot &at = knots_[static_cast<size_t>(knot)];
     at.key = key_of(knot);
     at.stale = false;
-    if (at.key < infinite) {
+    if (at.key < infinity) {
         heap_.push_back({at.key, knot});
         std::push_heap(heap_.begin(), heap_.end());
     }
@@ -277,7 +271,7 @@ void GreedyKnotRemoval::queue_all() {
         if (removable(i)) {
             at.key = at.stale ? key_of(i) : at.key;
             at.stale = false;
-            if (at.key < infinite) {
+            if (at.key < infinity) {
                 heap_.push_back({at.key, i});
             }
         }

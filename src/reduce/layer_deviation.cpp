@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "reduce/layer_deviation.h"
 
+#include "base/numbers.h"
 #include "bounds/deviation.h"
 #include "numeric/norm.h"
 #include "reduce/layers.h"
@@ -10,13 +11,10 @@
 #include <array>
 #include <cmath>
 #include <iterator>
-#include <limits>
 
 namespace nrb::reduce {
 
 namespace {
-
-constexpr double eps = std::numeric_limits<double>::epsilon();
 
 // The knots of the closed domain, its ends degree + 1 times.
 std::vector<double> clamped_knots(const KnotVector &axis) {
@@ -124,9 +122,8 @@ double radius_about(const Spline &spline, const double *centre) noexcept {
 
 double speed_bound(const Spline &given, int axis) {
     const Spline &spline = given.effective();
-    constexpr double infinite = std::numeric_limits<double>::infinity();
     if (!(spline.all_weights().smallest > 0)) {
-        return infinite;
+        return infinity;
     }
     const KnotVector &knots = spline.axis(axis);
     const int dim = spline.dim(), width = spline.width();
@@ -148,7 +145,7 @@ double speed_bound(const Spline &given, int axis) {
                         [&](int c) { return to[c] - from[c] - centre[static_cast<size_t>(c)] * turned; }) +
                 radius * std::abs(turned);
             const double speed = moved == 0 ? 0 : knots.degree() * moved / extent;
-            largest = std::max(largest, extent > 0 || moved == 0 ? speed : infinite);
+            largest = std::max(largest, extent > 0 || moved == 0 ? speed : infinity);
         }
     }
     return 1.01 * largest / spline.all_weights().smallest;

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "spline/at_origin.h"
 
+#include "base/numbers.h"
+
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace nrb::inline spline {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double far_in_sizes = 8;
 
 class Box {

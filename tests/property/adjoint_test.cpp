@@ -8,6 +8,8 @@
 #include <gtest/gtest.h>
 #include <numeric>
 
+namespace adjoint_test {
+
 using namespace support;
 using reference::eps;
 using reference::exact;
@@ -303,3 +305,5 @@ TEST(Adjoint, weights_have_no_common_gradient) {
 }
 
 } // namespace
+
+} // namespace adjoint_test

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
+namespace affine_test {
+
 using namespace support;
 using reference::eps;
 
@@ -151,3 +153,5 @@ TEST(Affine, maps_of_space_commute_with_evaluation) {
 }
 
 } // namespace
+
+} // namespace affine_test

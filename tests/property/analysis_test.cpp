@@ -10,6 +10,8 @@
 #include <gtest/gtest.h>
 #include <numbers>
 
+namespace analysis_test {
+
 using namespace support;
 
 namespace {
@@ -443,3 +445,5 @@ TEST(Folds, of_a_sphere) {
     int32_t result = -1;
     EXPECT_EQ(nurbs_fold_test(whole.get(), nullptr, &result, nullptr, nullptr), NURBS_ERROR_DIRECTION);
 }
+
+} // namespace analysis_test

@@ -7,6 +7,8 @@
 #include <cfloat>
 #include <gtest/gtest.h>
 
+namespace basis_test {
+
 using namespace support;
 using reference::eps;
 
@@ -176,3 +178,5 @@ TEST(Basis, rational_functions_are_accurate_and_sum_to_one) {
 }
 
 } // namespace
+
+} // namespace basis_test

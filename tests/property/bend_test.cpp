@@ -1,6 +1,8 @@
 // Bends against the exact image, which is no spline, and against the bound that they state.
 #include "property/deform_cases.h"
 
+namespace bend_test {
+
 using namespace support;
 using namespace support::deform;
 
@@ -219,3 +221,5 @@ TEST(Bend, high_degrees_are_met) {
 }
 
 } // namespace
+
+} // namespace bend_test

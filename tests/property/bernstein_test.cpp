@@ -8,6 +8,8 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
+namespace bernstein_test {
+
 using namespace support;
 using reference::eps;
 
@@ -131,3 +133,5 @@ TEST(Bernstein, any_finite_parameter) {
 }
 
 } // namespace
+
+} // namespace bernstein_test

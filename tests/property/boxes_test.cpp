@@ -10,6 +10,8 @@
 #include <limits>
 #include <numbers>
 
+namespace boxes_test {
+
 using namespace support;
 
 namespace {
@@ -297,3 +299,5 @@ TEST(Cones, of_a_hemisphere) {
     EXPECT_NEAR(std::fabs(direction[2]), 1, 1e-3);
     EXPECT_NEAR(angle, pi / 2 - 0.5, 0.05);
 }
+
+} // namespace boxes_test

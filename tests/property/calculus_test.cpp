@@ -11,6 +11,8 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
+namespace calculus_test {
+
 using namespace support;
 using reference::eps;
 using reference::Fraction;
@@ -435,3 +437,5 @@ TEST(Derivative, rational_derivatives_are_exact_to_rounding) {
 }
 
 } // namespace
+
+} // namespace calculus_test

@@ -9,6 +9,8 @@
 #include "property/exact_polynomials.h"
 #include "property/same_shape.h"
 
+namespace certified_bounds_test {
+
 using namespace support;
 using reference::Integer;
 using reference::Rational;
@@ -126,3 +128,5 @@ TEST(CertifiedBounds, of_distances_enclose_them) {
 }
 
 } // namespace
+
+} // namespace certified_bounds_test

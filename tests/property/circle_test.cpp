@@ -5,6 +5,8 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
+namespace circle_test {
+
 using namespace support;
 
 namespace {
@@ -52,3 +54,5 @@ TEST(Circle, every_knot_is_a_stored_point) {
 }
 
 } // namespace
+
+} // namespace circle_test

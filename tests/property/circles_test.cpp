@@ -1,6 +1,8 @@
 // Circular arcs and lengths of curves that constructors make: equations, ends, closed forms.
 #include "property/made_curves.h"
 
+namespace circles_test {
+
 using namespace support;
 using namespace support::curves;
 
@@ -42,13 +44,13 @@ TEST(Curves, circles_keep_their_equation_to_4_eps_size_over_a_million_points) {
             for (size_t c = 0; c < dim; ++c) {
                 offset.push_back(static_cast<long double>(points[i + c]) - arc.center[c]);
             }
-            const long double off = std::fabs(length(offset) - arc.radius) / size / eps;
+            const long double off = std::fabs(length(offset) - arc.radius) / size / double_eps;
             ASSERT_LE(off, 4) << "seed " << seed << " form " << form;
             worst[static_cast<size_t>(form)] = std::max(worst[static_cast<size_t>(form)], off);
         }
     });
-    std::printf("arcs: largest distance from the circle %.2Lf, %.2Lf, %.2Lf eps size\n", worst[0], worst[1],
-                worst[2]);
+    std::printf("arcs: largest distance from the circle %.2Lf, %.2Lf, %.2Lf double_eps size\n", worst[0],
+                worst[1], worst[2]);
 }
 
 TEST(Curves, full_turns_close_bit_for_bit) {
@@ -155,3 +157,5 @@ TEST(Curves, nothing_but_the_size_depends_on_the_scale) {
 }
 
 } // namespace
+
+} // namespace circles_test

@@ -12,6 +12,8 @@
 #include <numbers>
 #include <numeric>
 
+namespace closest_curve_test {
+
 using namespace support;
 using reference::Integer;
 using reference::Rational;
@@ -431,3 +433,5 @@ TEST(ClosestOnCurve, signed_distances_tell_inside_from_outside) {
         }
     });
 }
+
+} // namespace closest_curve_test

@@ -3,6 +3,8 @@
 
 #include <limits>
 
+namespace closest_real_test {
+
 using namespace support;
 
 namespace {
@@ -93,3 +95,5 @@ TEST_F(RealFiles, no_sample_is_nearer_than_the_closest_point) {
 }
 
 } // namespace
+
+} // namespace closest_real_test

@@ -8,6 +8,8 @@
 #include <cstdio>
 #include <gtest/gtest.h>
 
+namespace closest_signed_test {
+
 using namespace support;
 
 namespace {
@@ -159,3 +161,5 @@ TEST(DistanceSigned, no_sample_is_nearer) {
 }
 
 } // namespace
+
+} // namespace closest_signed_test

@@ -4,6 +4,8 @@
 #include "property/made_shapes.h"
 #include "property/query_noise.h"
 
+namespace closest_surface_test {
+
 using namespace support;
 
 namespace {
@@ -427,3 +429,5 @@ TEST(ClosestSurface, all_minima_within_the_tolerance_are_found) {
 }
 
 } // namespace
+
+} // namespace closest_surface_test

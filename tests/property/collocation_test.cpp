@@ -9,6 +9,8 @@
 #include <gtest/gtest.h>
 #include <numeric>
 
+namespace collocation_test {
+
 using namespace support;
 using reference::eps;
 
@@ -238,3 +240,5 @@ TEST(Collocation, order_zero_has_the_bits_of_the_bases) {
 }
 
 } // namespace
+
+} // namespace collocation_test

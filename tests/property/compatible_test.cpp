@@ -2,6 +2,8 @@
 // stays within the bound returned.
 #include "property/same_shape.h"
 
+namespace compatible_test {
+
 using namespace support;
 
 namespace {
@@ -307,3 +309,5 @@ TEST(SnapKnots, the_bound_holds_for_every_form) {
 }
 
 } // namespace
+
+} // namespace compatible_test

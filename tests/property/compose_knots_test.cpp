@@ -1,6 +1,8 @@
 // Composition where f meets the knots of g: periods, knot lines, clusters of knots, steep pieces.
 #include "property/compositions.h"
 
+namespace compose_knots_test {
+
 using namespace support;
 using namespace support::compositions;
 using reference::Rational;
@@ -215,3 +217,5 @@ TEST(Compose, far_away_costs_and_loses_no_more_than_the_place) {
 }
 
 } // namespace
+
+} // namespace compose_knots_test

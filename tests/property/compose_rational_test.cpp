@@ -1,6 +1,8 @@
 // Composition with rational curves: exact values, circles, rational linear maps.
 #include "property/compositions.h"
 
+namespace compose_rational_test {
+
 using namespace support;
 using namespace support::compositions;
 using reference::Rational;
@@ -156,3 +158,5 @@ TEST(ComposeRational, with_equal_weights_wherever_it_lies) {
 }
 
 } // namespace
+
+} // namespace compose_rational_test

@@ -1,6 +1,8 @@
 // Composition: g(f(t)) against exact values, knots against the continuity, laws.
 #include "property/compositions.h"
 
+namespace compose_test {
+
 using namespace support;
 using namespace support::compositions;
 using reference::Rational;
@@ -167,3 +169,5 @@ TEST(Compose, is_scale_free) {
 }
 
 } // namespace
+
+} // namespace compose_test

@@ -1,6 +1,8 @@
 // Conics by points, tangents, foci and shoulders: the equations that their points fulfil.
 #include "property/made_curves.h"
 
+namespace conic_conditions_test {
+
 using namespace support;
 using namespace support::curves;
 
@@ -92,9 +94,9 @@ KnownConic known_hyperbola(Random &random) { // x y = 64
     return conic;
 }
 
-// To 4 eps of the size, as the map back and the gradient of the equation carry it.
+// To 4 double_eps of the size, as the map back and the gradient of the equation carry it.
 void expect_on(const nurbs *g, const KnownConic &conic, const IntegerMap &map, uint64_t seed) {
-    const double bound = 4 * eps * size_of(g) * map.stretch_back() * conic.slope;
+    const double bound = 4 * double_eps * size_of(g) * map.stretch_back() * conic.slope;
     Random random(seed);
     const Vec points = eval(g, random_params(random, 200));
     for (size_t i = 0; i < points.size(); i += 2) {
@@ -151,8 +153,8 @@ TEST(Curves, focal_conics_keep_the_ratio_of_distances) {
             const long double x = points[i] - static_cast<long double>(focus[0]),
                               y = points[i + 1] - static_cast<long double>(focus[1]);
             const long double off = std::sqrt(x * x + y * y) - e * (d - x * unit[0] - y * unit[1]);
-            // The foot is rounded: its distance and direction by eps of the focus' size over d.
-            const double bound = 16 * eps * (1 + e) * size * (1 + largest(focus) / d);
+            // The foot is rounded: its distance and direction by double_eps of the focus' size over d.
+            const double bound = 16 * double_eps * (1 + e) * size * (1 + largest(focus) / d);
             ASSERT_LE(std::fabs(off), bound) << "seed " << seed;
             worst = std::max(worst, static_cast<double>(std::fabs(off)) / bound);
         }
@@ -160,7 +162,7 @@ TEST(Curves, focal_conics_keep_the_ratio_of_distances) {
     std::printf("focal conics: at most %.2f of the bound\n", worst);
 }
 
-// Largest |x^2 + y^2 - R^2| / (2 R^2) in eps, without rounding.
+// Largest |x^2 + y^2 - R^2| / (2 R^2) in double_eps, without rounding.
 double off_integer_circle(const nurbs *g, double radius) {
     using reference::exact;
     Random random(40700);
@@ -170,7 +172,7 @@ double off_integer_circle(const nurbs *g, double radius) {
     for (size_t i = 0; i < points.size(); i += 2) {
         const reference::Rational x = exact(points[i]), y = exact(points[i + 1]);
         const reference::Rational off = (x * x + y * y - square) / (2 * square);
-        worst = std::max(worst, std::fabs(static_cast<double>(off)) / eps);
+        worst = std::max(worst, std::fabs(static_cast<double>(off)) / double_eps);
     }
     return worst;
 }
@@ -201,7 +203,7 @@ TEST(Curves, nearly_full_turns_are_as_accurate_as_their_data) {
             }
         }
     }
-    std::printf("nearly full turns: %.2f eps\n", worst);
+    std::printf("nearly full turns: %.2f double_eps\n", worst);
 }
 
 // From (0, 0) along x to (1, 1) along y through (1 - h, h): with barycentric coordinates 1 - x, x - y, y it
@@ -223,7 +225,8 @@ TEST(Curves, sharp_hyperbolas_are_accurate) {
             const long double f = (x - y) * (x - y) - four * (1 - x) * y;
             const long double gradient = std::hypot(2 * (x - y) + four * y, -2 * (x - y) - four * (1 - x));
             // Near the vertex the curve turns within h: there the first order says less than all.
-            ASSERT_LE(std::fabs(f), 16 * eps * gradient + 64 * eps * eps * four) << "h 2^-" << k;
+            ASSERT_LE(std::fabs(f), 16 * double_eps * gradient + 64 * double_eps * double_eps * four)
+                << "h 2^-" << k;
         }
     }
 }
@@ -254,7 +257,8 @@ TEST(Curves, shoulders_stand_where_rho_says_at_small_angles_too) {
         require_ok(status);
         const Vec corner = read_back(g.get()).points;
         for (size_t c = 0; c < static_cast<size_t>(dim); ++c) {
-            ASSERT_NEAR(corner[static_cast<size_t>(dim) + c], a[c] + u[c], 4 * eps * 256) << "seed " << seed;
+            ASSERT_NEAR(corner[static_cast<size_t>(dim) + c], a[c] + u[c], 4 * double_eps * 256)
+                << "seed " << seed;
         }
     });
 }
@@ -273,7 +277,7 @@ TEST(Curves, focal_conics_near_their_asymptotes_and_beyond) {
             const double size = size_of(g.get());
             for (size_t i = 0; i < points.size(); i += 2) {
                 const long double x = points[i], y = points[i + 1];
-                ASSERT_LE(std::fabs(std::hypot(x, y) - e * (1 - x)), 8 * (1 + e) * eps * size)
+                ASSERT_LE(std::fabs(std::hypot(x, y) - e * (1 - x)), 8 * (1 + e) * double_eps * size)
                     << e << " " << gap;
             }
         }
@@ -290,3 +294,5 @@ TEST(Curves, focal_conics_near_their_asymptotes_and_beyond) {
 }
 
 } // namespace
+
+} // namespace conic_conditions_test

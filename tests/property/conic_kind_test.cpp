@@ -7,6 +7,8 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
+namespace conic_kind_test {
+
 using namespace support;
 using reference::exact;
 using reference::Rational;
@@ -167,3 +169,5 @@ TEST(ConicAxes, give_back_the_equation) {
 }
 
 } // namespace
+
+} // namespace conic_kind_test

@@ -1,6 +1,8 @@
 // Constraints that are not linear: costs of weights, curvature.
 #include "property/constraints.h"
 
+namespace constrain_curvature_test {
+
 using namespace support;
 using namespace support::constraints;
 
@@ -240,3 +242,5 @@ TEST(Constrain, curvature_is_not_excused_where_a_curve_stands_still) {
 }
 
 } // namespace
+
+} // namespace constrain_curvature_test

@@ -2,6 +2,8 @@
 // high precision.
 #include "property/constraints.h"
 
+namespace constrain_test {
+
 using namespace support;
 using namespace support::constraints;
 
@@ -282,3 +284,5 @@ TEST(Constrain, homogeneous_splines_change_like_rational_ones) {
 }
 
 } // namespace
+
+} // namespace constrain_test

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+namespace constructors_test {
+
 using namespace support;
 
 namespace {
@@ -223,3 +225,5 @@ TEST(Constructors, strided_points_and_weights) {
 }
 
 } // namespace
+
+} // namespace constructors_test

@@ -1,6 +1,8 @@
 // Splines continued beyond their ends, unclamped and made periodic, against exact polynomials.
 #include "property/same_shape.h"
 
+namespace continuation_test {
+
 using namespace support;
 
 namespace {
@@ -292,3 +294,5 @@ TEST(PeriodicForm, moves_an_open_curve_within_its_bound) {
 }
 
 } // namespace
+
+} // namespace continuation_test

@@ -1,6 +1,8 @@
 // Continuity at knots and between ends against exact derivatives from both sides.
 #include "property/same_shape.h"
 
+namespace continuity_test {
+
 using namespace support;
 
 namespace {
@@ -186,3 +188,5 @@ TEST(Continuity, has_no_size) {
 }
 
 } // namespace
+
+} // namespace continuity_test

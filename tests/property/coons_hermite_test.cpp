@@ -3,6 +3,8 @@
 
 #include <optional>
 
+namespace coons_hermite_test {
+
 using namespace support;
 using reference::BoundaryBlend;
 using reference::operator*;
@@ -467,3 +469,5 @@ TEST(CoonsHermite, gaps_have_their_sizes) {
         }
     });
 }
+
+} // namespace coons_hermite_test

@@ -1,6 +1,8 @@
 // Bilinearly blended surfaces: boundaries and the defining formula against exact values.
 #include "property/coons_cases.h"
 
+namespace coons_test {
+
 using namespace support;
 
 namespace {
@@ -266,3 +268,5 @@ TEST(Coons, is_free_of_scale) {
         ASSERT_TRUE(same_bits(surface.weights, other.weights));
     });
 }
+
+} // namespace coons_test

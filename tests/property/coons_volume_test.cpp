@@ -1,6 +1,8 @@
 // Volumes blended from six faces: the defining formula, faces and edges against exact values.
 #include "property/coons_cases.h"
 
+namespace coons_volume_test {
+
 using namespace support;
 using reference::Point;
 using reference::Rational;
@@ -278,3 +280,5 @@ TEST(CoonsVolume, gaps_are_found_and_split) {
         ASSERT_GE(face_error(volume, faces, random), gap / 8) << where(seed, whole);
     });
 }
+
+} // namespace coons_volume_test

@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <numbers>
 
+namespace critical_curve_test {
+
 using namespace support;
 
 namespace {
@@ -148,3 +150,5 @@ TEST(ClosestAll, an_arc_around_its_centre_is_a_continuum) {
 }
 
 } // namespace
+
+} // namespace critical_curve_test

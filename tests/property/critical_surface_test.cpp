@@ -8,6 +8,8 @@
 #include <cstdio>
 #include <map>
 
+namespace critical_surface_test {
+
 using namespace support;
 
 namespace {
@@ -166,3 +168,5 @@ TEST(CriticalSurface, the_edge_of_a_wedge) {
 }
 
 } // namespace
+
+} // namespace critical_surface_test

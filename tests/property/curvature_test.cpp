@@ -6,6 +6,8 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
+namespace curvature_test {
+
 using namespace support;
 using reference::eps;
 
@@ -271,3 +273,5 @@ TEST(Curvature, scales_change_nothing) {
 }
 
 } // namespace
+
+} // namespace curvature_test

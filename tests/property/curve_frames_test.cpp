@@ -8,6 +8,8 @@
 #include <gtest/gtest.h>
 #include <limits>
 
+namespace curve_frames_test {
+
 using namespace support;
 using reference::eps;
 
@@ -347,3 +349,5 @@ TEST(CurveFrames, same_bits_alone_and_in_a_batch) {
 }
 
 } // namespace
+
+} // namespace curve_frames_test

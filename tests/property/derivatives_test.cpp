@@ -8,6 +8,8 @@
 #include <gtest/gtest.h>
 #include <numeric>
 
+namespace derivatives_test {
+
 using namespace support;
 using reference::eps;
 
@@ -182,3 +184,5 @@ TEST(Derivatives, orders_above_the_degree) {
 }
 
 } // namespace
+
+} // namespace derivatives_test

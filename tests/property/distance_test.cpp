@@ -8,6 +8,8 @@
 #include <gtest/gtest.h>
 #include <numbers>
 
+namespace distance_test {
+
 using namespace support;
 
 namespace {
@@ -382,3 +384,5 @@ TEST(Hausdorff, no_sample_is_farther) {
         EXPECT_LE(found.at_least[0], found.at_most[0]);
     }
 }
+
+} // namespace distance_test

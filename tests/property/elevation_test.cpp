@@ -11,6 +11,8 @@
 #include <cstdio>
 #include <gtest/gtest.h>
 
+namespace elevation_test {
+
 using namespace support;
 using reference::eps;
 using reference::Rational;
@@ -215,3 +217,5 @@ TEST(Elevation, steps_compose) {
 }
 
 } // namespace
+
+} // namespace elevation_test

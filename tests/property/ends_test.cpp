@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 
+namespace ends_test {
+
 using namespace support;
 
 namespace {
@@ -88,3 +90,5 @@ TEST(Ends, the_sign_of_zero_is_kept) {
 }
 
 } // namespace
+
+} // namespace ends_test

@@ -7,6 +7,8 @@
 #include <cfloat>
 #include <gtest/gtest.h>
 
+namespace extraction_test {
+
 using namespace support;
 using reference::eps;
 using reference::exact;
@@ -155,3 +157,5 @@ TEST(Extraction, axes_of_surfaces_and_volumes) {
 }
 
 } // namespace
+
+} // namespace extraction_test

@@ -9,6 +9,8 @@
 #include <gtest/gtest.h>
 #include <limits>
 
+namespace extreme_sizes_test {
+
 using namespace support;
 
 namespace {
@@ -220,3 +222,5 @@ TEST(ExtremeSizes, nothing_is_certified_that_is_no_number) {
 }
 
 } // namespace
+
+} // namespace extreme_sizes_test

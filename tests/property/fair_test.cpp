@@ -1,6 +1,8 @@
 // Fairing: the energy against exact quadrature, and that it is the least.
 #include "property/deform_cases.h"
 
+namespace fair_test {
+
 using namespace support;
 using namespace support::deform;
 
@@ -195,3 +197,5 @@ TEST(Fair, keeps_what_it_does_not_move) {
 }
 
 } // namespace
+
+} // namespace fair_test

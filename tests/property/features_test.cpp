@@ -10,6 +10,8 @@
 #include <gtest/gtest.h>
 #include <numbers>
 
+namespace features_test {
+
 using namespace support;
 
 namespace {
@@ -338,3 +340,5 @@ TEST(CurveFeatures, of_every_size) {
         }
     }
 }
+
+} // namespace features_test

@@ -9,6 +9,8 @@
 #include <gtest/gtest.h>
 #include <numeric>
 
+namespace forms_test {
+
 using namespace support;
 using reference::eps;
 
@@ -194,3 +196,5 @@ TEST(Homogeneous, there_and_back) {
 }
 
 } // namespace
+
+} // namespace forms_test

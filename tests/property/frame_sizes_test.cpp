@@ -2,6 +2,8 @@
 // scale curvatures exactly.
 #include "property/surface_normals.h"
 
+namespace frame_sizes_test {
+
 using namespace support;
 using reference::eps;
 using surface_normals::Exact;
@@ -255,3 +257,5 @@ TEST(FrameSizes, of_surfaces_with_short_spans) {
 }
 
 } // namespace
+
+} // namespace frame_sizes_test

@@ -1,6 +1,8 @@
 // Free-form deformations against the exact image and the bound that they state.
 #include "property/deform_cases.h"
 
+namespace free_form_test {
+
 using namespace support;
 using namespace support::deform;
 
@@ -68,3 +70,5 @@ TEST(FreeForm, is_within_the_bound_of_the_exact_image) {
 }
 
 } // namespace
+
+} // namespace free_form_test

@@ -19,6 +19,8 @@ constexpr const char *source_dir = NURBS_SOURCE_DIR;
 constexpr const char *source_dir = nullptr;
 #endif
 
+namespace golden_test {
+
 void check_place(const SplineData &data, GoldenWords &words) {
     const int order = words.whole();
     const auto param = words.numbers(data.axes());
@@ -72,5 +74,7 @@ TEST(Golden, surfaces) {
 TEST(Golden, volumes) {
     check_file("volumes.txt", 12);
 }
+
+} // namespace golden_test
 
 } // namespace

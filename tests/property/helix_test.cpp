@@ -1,6 +1,8 @@
 // Helices: their proven error, and how their pieces join.
 #include "property/made_curves.h"
 
+namespace helix_test {
+
 using namespace support;
 using namespace support::curves;
 
@@ -46,8 +48,8 @@ TEST(Curves, helices_keep_their_proven_error) {
             const double worst = helix_error(g.get(), h, 20000);
             ASSERT_GT(error, 0);
             ASSERT_LE(error, tolerance);
-            ASSERT_LE(worst, error + 8 * eps * size);
-            ASSERT_GE(worst + 8 * eps * size, 0.8 * error); // the bound is a close one
+            ASSERT_LE(worst, error + 8 * double_eps * size);
+            ASSERT_GE(worst + 8 * double_eps * size, 0.8 * error); // the bound is a close one
         }
     }
 }
@@ -78,3 +80,5 @@ TEST(Curves, pieces_of_a_helix_join_with_their_curvature) {
 }
 
 } // namespace
+
+} // namespace helix_test

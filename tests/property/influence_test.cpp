@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+namespace influence_test {
+
 using namespace support;
 
 namespace {
@@ -245,3 +247,5 @@ TEST(Influence, weights_that_no_parameter_sees) {
 }
 
 } // namespace
+
+} // namespace influence_test

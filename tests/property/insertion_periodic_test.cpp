@@ -7,6 +7,8 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
+namespace insertion_periodic_test {
+
 using namespace support;
 
 namespace {
@@ -127,3 +129,5 @@ TEST(PeriodicInsertion, both_ends_are_one_knot) {
 }
 
 } // namespace
+
+} // namespace insertion_periodic_test

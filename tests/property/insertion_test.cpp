@@ -10,6 +10,8 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
+namespace insertion_test {
+
 using namespace support;
 using reference::eps;
 using reference::Rational;
@@ -212,3 +214,5 @@ TEST(Insertion, commutes_with_evaluation) {
 }
 
 } // namespace
+
+} // namespace insertion_test

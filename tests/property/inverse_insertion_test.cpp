@@ -1,6 +1,8 @@
 // Inverse knot insertion: the knot by its formula, the shape kept, and the point of the leg a control point.
 #include "property/same_shape.h"
 
+namespace inverse_insertion_test {
+
 using namespace support;
 
 namespace {
@@ -226,3 +228,5 @@ TEST(InsertAtPoint, finds_the_leg) {
 }
 
 } // namespace
+
+} // namespace inverse_insertion_test

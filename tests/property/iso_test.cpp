@@ -6,6 +6,8 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
+namespace iso_test {
+
 using namespace support;
 using reference::eps;
 
@@ -85,3 +87,5 @@ TEST(Iso, at_clamped_ends_the_layer_itself) {
 }
 
 } // namespace
+
+} // namespace iso_test

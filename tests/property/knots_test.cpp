@@ -8,6 +8,8 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
+namespace knots_test {
+
 using namespace support;
 using reference::eps;
 using reference::Rational;
@@ -232,3 +234,5 @@ TEST(Generators, periodic_knots) {
 }
 
 } // namespace
+
+} // namespace knots_test

@@ -1,6 +1,8 @@
 // Lengths of curves, and the parameters of lengths: closed forms, quadrature in fifty digits, laws.
 #include "property/measures.h"
 
+namespace length_test {
+
 using namespace support;
 using namespace support::measures;
 
@@ -17,7 +19,8 @@ TEST(Measure, a_cusp_keeps_its_tolerance) {
         const long double exact = part(b) + (a < 0 ? part(a) : -part(a));
         for (const double tolerance : {1e-4, 1e-8, 1e-12}) {
             const Measured m = length(create(data).get(), tolerance);
-            EXPECT_LE(std::fabs(static_cast<double>(m.value - exact)), std::max(m.error, 4 * eps)) << start;
+            EXPECT_LE(std::fabs(static_cast<double>(m.value - exact)), std::max(m.error, 4 * double_eps))
+                << start;
             EXPECT_LE(m.error, 2 * tolerance * m.value) << start;
         }
     }
@@ -43,7 +46,7 @@ TEST(Measure, lengths_agree_with_fifty_digits) {
             const Measured m = length(create(data).get(), tolerance);
             const double off = static_cast<double>(abs(exact_length(data, -1, 1e9, 1e-18) - m.value));
             EXPECT_LE(off, m.error) << describe(data);
-            EXPECT_LE(m.error, 1.5 * tolerance * m.value + 100 * (degree + 1) * eps * extent(data) * 8)
+            EXPECT_LE(m.error, 1.5 * tolerance * m.value + 100 * (degree + 1) * double_eps * extent(data) * 8)
                 << describe(data);
         }
     }
@@ -63,7 +66,8 @@ TEST(Measure, chebyshev_polynomials_vary_by_twice_their_degree) {
             const Measured m = length(g.get(), tolerance);
             EXPECT_LE(std::fabs(m.value - 2 * n), m.error) << n;
             EXPECT_LE(m.error,
-                      std::max(2 * tolerance, 64 * n * eps * *std::ranges::max_element(points)) * m.value);
+                      std::max(2 * tolerance, 64 * n * double_eps * *std::ranges::max_element(points)) *
+                          m.value);
         }
     }
 }
@@ -93,16 +97,16 @@ TEST(Measure, lengths_and_parameters_are_inverse) {
             lengths.push_back(random.unit() * total);
         }
         lengths.push_back(length(g.get()).value);
-        EXPECT_NEAR(lengths.back(), total, 16 * eps * total);
+        EXPECT_NEAR(lengths.back(), total, 16 * double_eps * total);
         const std::vector<double> params = params_at(g.get(), lengths), again = lengths_at(g.get(), params);
         EXPECT_EQ(params[0], data.lower(0));
         EXPECT_EQ(params[1], data.upper(0));
         for (size_t k = 0; k < lengths.size(); ++k) {
-            EXPECT_NEAR(again[k], lengths[k], 16 * eps * total) << describe(data);
+            EXPECT_NEAR(again[k], lengths[k], 16 * double_eps * total) << describe(data);
         }
         for (size_t k = 2; k < 4; ++k) {
             const double exact = static_cast<double>(exact_length(data, -1, params[k], 1e-18));
-            EXPECT_NEAR(exact, lengths[k], 32 * eps * total);
+            EXPECT_NEAR(exact, lengths[k], 32 * double_eps * total);
         }
     }
 }
@@ -161,7 +165,7 @@ TEST(Measure, equal_lengths_and_equal_chords) {
         require_ok(nurbs_curve_divide(g.get(), nullptr, parts, 1e-12, 0, params.data(), &size));
         const std::vector<double> at = lengths_at(g.get(), params);
         for (size_t k = 1; k < at.size(); ++k) {
-            EXPECT_NEAR(at[k] - at[k - 1], size, 64 * eps * at.back());
+            EXPECT_NEAR(at[k] - at[k - 1], size, 64 * double_eps * at.back());
         }
         const nurbs_status status =
             nurbs_curve_divide(g.get(), nullptr, parts, 1e-9, NURBS_EQUAL_CHORDS, params.data(), &size);
@@ -183,7 +187,7 @@ TEST(Measure, equal_lengths_and_equal_chords) {
             EXPECT_GT(params[k], params[k - 1]);
             const double apart =
                 std::hypot(points[2 * k] - points[2 * k - 2], points[2 * k + 1] - points[2 * k - 1]);
-            EXPECT_NEAR(apart, size, 2e-9 * size + 64 * eps) << describe(data);
+            EXPECT_NEAR(apart, size, 2e-9 * size + 64 * double_eps) << describe(data);
         }
     }
     std::vector<double> params(7);
@@ -230,3 +234,5 @@ TEST(Measure, tangles_divide_into_a_few_equal_chords) {
 }
 
 } // namespace
+
+} // namespace length_test

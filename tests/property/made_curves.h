@@ -12,7 +12,7 @@
 
 namespace support::curves {
 
-inline constexpr double eps = 0x1p-52;
+inline constexpr double double_eps = 0x1p-52;
 inline constexpr double pi = std::numbers::pi;
 using Vec = std::vector<double>;
 

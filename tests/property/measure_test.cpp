@@ -1,6 +1,8 @@
 // Lengths, areas and moments: closed forms, and the laws of integrals.
 #include "property/measures.h"
 
+namespace measure_test {
+
 using namespace support;
 using namespace support::measures;
 
@@ -12,14 +14,14 @@ TEST(Measure, circles_and_ellipses_have_their_lengths_and_areas) {
         for (const double r : {1.0, 1e-6, 3e6, 1e-150, 1e120}) {
             const Handle circle = ellipse(r, r, form);
             const Measured m = length(circle.get());
-            EXPECT_NEAR(m.value / (2 * pi * r), 1, 16 * eps) << form << ' ' << r;
+            EXPECT_NEAR(m.value / (2 * pi * r), 1, 16 * double_eps) << form << ' ' << r;
             EXPECT_LE(std::fabs(m.value - 2 * pi * r), m.error);
             EXPECT_LE(m.error, 1e-13 * m.value);
             if (r < 1e100 && r > 1e-50) {
                 const Body disc = enclosed_area({circle.get()});
-                EXPECT_NEAR(disc.content / (pi * r * r), 1, 16 * eps);
-                EXPECT_NEAR(disc.inertia[0] / (pi / 4 * r * r * r * r), 1, 32 * eps);
-                EXPECT_NEAR(disc.inertia[3] / (pi / 4 * r * r * r * r), 1, 32 * eps);
+                EXPECT_NEAR(disc.content / (pi * r * r), 1, 16 * double_eps);
+                EXPECT_NEAR(disc.inertia[0] / (pi / 4 * r * r * r * r), 1, 32 * double_eps);
+                EXPECT_NEAR(disc.inertia[3] / (pi / 4 * r * r * r * r), 1, 32 * double_eps);
             }
         }
         for (const double ratio : {0.9, 0.5, 0.1, 1e-3}) {
@@ -80,7 +82,7 @@ TEST(Measure, parts_add_up_and_forms_agree) {
         ++curves;
         // elevation moves points
         const double allowed =
-            4 * whole.error + 64 * eps * extent(data) * static_cast<double>(data.counts[0]);
+            4 * whole.error + 64 * double_eps * extent(data) * static_cast<double>(data.counts[0]);
         if (t > lower && t < upper) {
             const double sum =
                 length(g.get(), 1e-9, {lower, t}).value + length(g.get(), 1e-9, {t, upper}).value;
@@ -129,13 +131,13 @@ TEST(Measure, faces_enclose_what_a_volume_holds) {
         }
         nurbs_list_destroy(list);
         const Body inside = moments(g.get(), 3), outside = enclosed_volume(all);
-        EXPECT_NEAR(outside.content, inside.content, 64 * eps);
-        EXPECT_LE(outside.openness, 64 * eps);
+        EXPECT_NEAR(outside.content, inside.content, 64 * double_eps);
+        EXPECT_LE(outside.openness, 64 * double_eps);
         for (size_t k = 0; k < 3; ++k) {
-            EXPECT_NEAR(outside.centroid[k], inside.centroid[k], 64 * eps);
+            EXPECT_NEAR(outside.centroid[k], inside.centroid[k], 64 * double_eps);
         }
         for (size_t k = 0; k < 9; ++k) {
-            EXPECT_NEAR(outside.inertia[k], inside.inertia[k], 64 * eps);
+            EXPECT_NEAR(outside.inertia[k], inside.inertia[k], 64 * double_eps);
         }
     }
 }
@@ -258,3 +260,5 @@ TEST(Measure, periodic_curves_enclose_without_a_tolerance) {
 }
 
 } // namespace
+
+} // namespace measure_test

@@ -13,7 +13,7 @@
 
 namespace support::measures {
 
-inline constexpr double eps = 0x1p-52;
+inline constexpr double double_eps = 0x1p-52;
 inline constexpr double pi = std::numbers::pi;
 inline constexpr double origin[] = {0, 0, 0}, up[] = {0, 0, 1}, right[] = {1, 0, 0};
 

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
+namespace minimal_frames_test {
+
 using namespace support;
 
 namespace {
@@ -190,3 +192,5 @@ TEST(MinimalFrames, scales_change_nothing) {
 }
 
 } // namespace
+
+} // namespace minimal_frames_test

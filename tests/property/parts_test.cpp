@@ -1,6 +1,8 @@
 // Splines cut into parts and joined again, ends clamped, seams moved: the shape never moves.
 #include "property/same_shape.h"
 
+namespace parts_test {
+
 using namespace support;
 
 namespace {
@@ -381,3 +383,5 @@ TEST(Parts, a_gap_is_measured_and_closed_or_kept) {
 }
 
 } // namespace
+
+} // namespace parts_test

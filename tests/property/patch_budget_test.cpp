@@ -9,6 +9,8 @@
 #include <gtest/gtest.h>
 #include <limits>
 
+namespace patch_budget_test {
+
 using namespace support;
 
 namespace {
@@ -217,3 +219,5 @@ TEST(PatchBudget, what_is_spent_is_worth_a_grid_of_as_many_points) {
 }
 
 } // namespace
+
+} // namespace patch_budget_test

@@ -8,6 +8,8 @@
 #include <cstdio>
 #include <gtest/gtest.h>
 
+namespace patch_minima_test {
+
 using namespace support;
 
 namespace {
@@ -230,3 +232,5 @@ TEST(PatchMinima, those_on_creases_are_where_descents_end) {
 }
 
 } // namespace
+
+} // namespace patch_minima_test

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
+namespace patch_poles_test {
+
 using namespace support;
 
 namespace {
@@ -94,3 +96,5 @@ TEST(PatchPoles, that_are_not_critical_are_not_found) {
 }
 
 } // namespace
+
+} // namespace patch_poles_test

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 
+namespace points_test {
+
 using namespace support;
 using reference::eps;
 
@@ -88,3 +90,5 @@ TEST(Points, volumes) {
 }
 
 } // namespace
+
+} // namespace points_test

@@ -2,6 +2,8 @@
 #include "property/same_shape.h"
 #include "reference/exact_spline.h"
 
+namespace power_test {
+
 using namespace support;
 using reference::Sides;
 
@@ -282,3 +284,5 @@ TEST(ToHermite, gives_the_curve_back) {
 }
 
 } // namespace
+
+} // namespace power_test

@@ -1,6 +1,8 @@
 // Products and sums of splines: laws of calculus and of vectors, at points.
 #include "property/products.h"
 
+namespace product_laws_test {
+
 using namespace support;
 using namespace support::products;
 using reference::eps;
@@ -147,3 +149,5 @@ TEST(Sum, is_the_sum_at_every_point) {
 }
 
 } // namespace
+
+} // namespace product_laws_test

@@ -1,6 +1,8 @@
 // Products of splines: control points against their definition, knots against the continuity.
 #include "property/products.h"
 
+namespace product_test {
+
 using namespace support;
 using namespace support::products;
 using reference::eps;
@@ -200,3 +202,5 @@ TEST(Product, with_one_is_elevation) {
 }
 
 } // namespace
+
+} // namespace product_test

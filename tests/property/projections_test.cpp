@@ -1,6 +1,8 @@
 // Reflections and projections against exact rational arithmetic on the homogeneous control points.
 #include "property/same_shape.h"
 
+namespace projections_test {
+
 using namespace support;
 
 namespace {
@@ -127,3 +129,5 @@ TEST(Projections, a_perspective_image_lies_on_rays_and_in_the_plane) {
 }
 
 } // namespace
+
+} // namespace projections_test

@@ -14,6 +14,8 @@
 #include <numbers>
 #include <string>
 
+namespace quadrics_test {
+
 using namespace support;
 using reference::eps;
 
@@ -427,3 +429,5 @@ TEST(Quadrics, hyperboloids_bound_their_volume) {
 }
 
 } // namespace
+
+} // namespace quadrics_test

@@ -4,6 +4,8 @@
 
 #include <functional>
 
+namespace real_files_test {
+
 using namespace support;
 
 namespace {
@@ -148,3 +150,5 @@ TEST_F(RealFiles, pieces_keep_the_shape) {
 }
 
 } // namespace
+
+} // namespace real_files_test

@@ -8,6 +8,8 @@
 #include <gtest/gtest.h>
 #include <numbers>
 
+namespace recognize_made_test {
+
 using namespace support;
 
 namespace {
@@ -411,3 +413,5 @@ TEST(RecognizeMade, what_was_moved_by_ten_tolerances_is_refused) {
 }
 
 } // namespace
+
+} // namespace recognize_made_test

@@ -5,6 +5,8 @@
 #include "property/made_shapes.h"
 #include "property/shape_distance.h"
 
+namespace recognize_test {
+
 using namespace support;
 
 namespace {
@@ -353,3 +355,5 @@ TEST(Recognition, of_points_of_every_size) {
 }
 
 } // namespace
+
+} // namespace recognize_test

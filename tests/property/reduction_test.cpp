@@ -1,6 +1,8 @@
 // Fewer knots and lower degrees: bounds hold, tolerances hold, what was refined and elevated comes back.
 #include "property/dense_samples.h"
 
+namespace reduction_test {
+
 using namespace support;
 
 namespace {
@@ -242,3 +244,5 @@ TEST(Reduction, bounds_of_homogeneous_splines_are_bounds) {
 }
 
 } // namespace
+
+} // namespace reduction_test

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
+namespace reference_test {
+
 using namespace support;
 using reference::exact;
 using reference::Fraction;
@@ -124,3 +126,5 @@ TEST(Reference, magnitudes_of_terms_of_one_sign) {
 }
 
 } // namespace
+
+} // namespace reference_test

@@ -6,6 +6,8 @@
 #include <iterator>
 #include <limits>
 
+namespace refinement_test {
+
 using namespace support;
 
 namespace {
@@ -282,3 +284,5 @@ TEST(Refinement, a_knot_too_many_is_named) {
 }
 
 } // namespace
+
+} // namespace refinement_test

@@ -1,6 +1,8 @@
 // Knots removed: the bound returned holds, the tolerance holds, what was inserted comes back.
 #include "property/dense_samples.h"
 
+namespace removal_test {
+
 using namespace support;
 
 namespace {
@@ -123,3 +125,5 @@ TEST(Removal, tolerances_hold) {
 }
 
 } // namespace
+
+} // namespace removal_test

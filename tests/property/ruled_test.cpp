@@ -2,6 +2,8 @@
 #include "exact_points.h"
 #include "reference/exact_basis.h"
 
+namespace ruled_test {
+
 using namespace support;
 
 namespace {
@@ -145,3 +147,5 @@ TEST(Ruled, volumes) {
 }
 
 } // namespace
+
+} // namespace ruled_test

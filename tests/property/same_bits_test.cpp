@@ -9,6 +9,8 @@
 #include <numeric>
 #include <thread>
 
+namespace same_bits_test {
+
 using namespace support;
 
 namespace {
@@ -320,3 +322,5 @@ TEST(SameBits, from_several_threads) {
 }
 
 } // namespace
+
+} // namespace same_bits_test

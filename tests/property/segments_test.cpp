@@ -1,6 +1,8 @@
 // Basis matrices against exact products: inverse of each other, composable, and true to evaluation.
 #include "property/same_shape.h"
 
+namespace segments_test {
+
 using namespace support;
 
 namespace {
@@ -113,3 +115,5 @@ TEST(Hermite, curves_pass_through_points_with_their_tangents) {
 }
 
 } // namespace
+
+} // namespace segments_test

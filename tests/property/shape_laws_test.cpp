@@ -7,6 +7,8 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
+namespace shape_laws_test {
+
 using namespace support;
 using reference::eps;
 
@@ -215,3 +217,5 @@ TEST(ShapeLaws, linear_precision_of_derivatives) {
 }
 
 } // namespace
+
+} // namespace shape_laws_test

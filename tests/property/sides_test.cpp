@@ -8,6 +8,8 @@
 #include <gtest/gtest.h>
 #include <limits>
 
+namespace sides_test {
+
 using namespace support;
 using reference::eps;
 
@@ -234,3 +236,5 @@ TEST(Sides, nan_marks_what_cannot_be_evaluated) {
 }
 
 } // namespace
+
+} // namespace sides_test

@@ -1,6 +1,8 @@
 // Boundaries that are moved onto each other: one curve, and one tangent plane.
 #include "property/deform_cases.h"
 
+namespace snap_boundary_test {
+
 using namespace support;
 using namespace support::deform;
 
@@ -100,3 +102,5 @@ TEST(SnapBoundary, surfaces_meet_with_one_tangent_plane) {
 }
 
 } // namespace
+
+} // namespace snap_boundary_test

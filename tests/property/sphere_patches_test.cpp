@@ -12,6 +12,8 @@
 #include <map>
 #include <string>
 
+namespace sphere_patches_test {
+
 using namespace support;
 using reference::eps;
 using Real = reference::Float50;
@@ -218,3 +220,5 @@ TEST(SpherePatches, areas_add_up) {
 }
 
 } // namespace
+
+} // namespace sphere_patches_test

@@ -1,6 +1,8 @@
 // Unit normals of surfaces against exact derivatives, closed forms, and what must not change them.
 #include "property/surface_normals.h"
 
+namespace surface_frames_test {
+
 using namespace surface_normals;
 
 namespace {
@@ -138,3 +140,5 @@ TEST(SurfaceFrames, exchanged_axes_turn_the_normal_over) {
 }
 
 } // namespace
+
+} // namespace surface_frames_test

@@ -2,6 +2,8 @@
 // one side or the other, and where there is no limit.
 #include "property/surface_normals.h"
 
+namespace surface_limits_test {
+
 using namespace surface_normals;
 
 namespace {
@@ -240,3 +242,5 @@ TEST(SurfaceLimits, where_there_is_no_limit) {
 }
 
 } // namespace
+
+} // namespace surface_limits_test

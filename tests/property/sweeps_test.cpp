@@ -7,6 +7,8 @@
 #include <numbers>
 #include <string>
 
+namespace sweeps_test {
+
 using namespace support;
 
 namespace {
@@ -307,3 +309,5 @@ TEST(Sweeps, areas_of_revolution) {
 }
 
 } // namespace
+
+} // namespace sweeps_test

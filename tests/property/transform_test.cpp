@@ -9,6 +9,8 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
+namespace transform_test {
+
 using namespace support;
 using reference::eps;
 using reference::exact;
@@ -174,3 +176,5 @@ TEST(Transform, commutes_with_evaluation) {
 }
 
 } // namespace
+
+} // namespace transform_test

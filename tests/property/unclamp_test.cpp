@@ -3,6 +3,8 @@
 #include "property/real_files.h"
 #include "reference/definition.h"
 
+namespace unclamp_test {
+
 using namespace support;
 
 namespace {
@@ -228,3 +230,5 @@ TEST_F(RealFiles, unclamped_with_weights_as_without) {
 }
 
 } // namespace
+
+} // namespace unclamp_test

@@ -1,6 +1,8 @@
 // Warps and flattened regions against their formulas.
 #include "property/deform_cases.h"
 
+namespace warp_test {
+
 using namespace support;
 using namespace support::deform;
 
@@ -141,3 +143,5 @@ TEST(Flatten, makes_the_middle_flat_and_keeps_the_outside) {
 }
 
 } // namespace
+
+} // namespace warp_test

@@ -2,6 +2,8 @@
 // exact points of what comes out.
 #include "property/influences.h"
 
+namespace weights_edit_test {
+
 using namespace support;
 
 namespace {
@@ -337,3 +339,5 @@ TEST(MostInfluential, has_the_largest_basis_function) {
 }
 
 } // namespace
+
+} // namespace weights_edit_test

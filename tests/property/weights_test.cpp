@@ -10,6 +10,8 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
+namespace weights_test {
+
 using namespace support;
 using reference::eps;
 using reference::exact;
@@ -197,3 +199,5 @@ TEST(NormalizedWeights, have_the_largest_at_one) {
 }
 
 } // namespace
+
+} // namespace weights_test

@@ -10,6 +10,8 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
+namespace worst_curves_test {
+
 using namespace support;
 using reference::eps;
 
@@ -231,3 +233,5 @@ TEST(WorstSurfaces, of_every_balance) {
 }
 
 } // namespace
+
+} // namespace worst_curves_test

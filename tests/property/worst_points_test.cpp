@@ -10,6 +10,8 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
+namespace worst_points_test {
+
 using namespace support;
 using reference::eps;
 
@@ -118,3 +120,5 @@ TEST(WorstPoints, known_hard_knots) {
 }
 
 } // namespace
+
+} // namespace worst_points_test

@@ -29,7 +29,7 @@ long double c_of(const SplineData &data) {
 
 namespace {
 
-using Record = std::vector<long double>;
+using LongRecord = std::vector<long double>;
 
 // One axis at one parameter, with its knots counted from the first active function: knot(i) is t_(span -
 // degree + i).
@@ -43,10 +43,10 @@ struct Axis {
 
 // Magnitudes on the span of the functions of a lower degree: the recurrence of Cox and de Boor with every
 // factor made positive. Inside the domain all factors are, and these are the functions themselves.
-Record basis_values(const Axis &axis, int degree) {
-    Record values = {1};
+LongRecord basis_values(const Axis &axis, int degree) {
+    LongRecord values = {1};
     for (int r = 1; r <= degree; ++r) {
-        Record upper(values.size() + 1);
+        LongRecord upper(values.size() + 1);
         for (int j = 0; j < r; ++j) {
             const int first = axis.degree - r + 1 + j;
             const long double part =
@@ -62,7 +62,7 @@ Record basis_values(const Axis &axis, int degree) {
 // How the points of the last step become one: by the largest, or by the value at t.
 enum class Last { largest, value };
 
-Record magnitude(Record record) {
+LongRecord magnitude(LongRecord record) {
     for (long double &x : record) {
         x = std::fabs(x);
     }
@@ -70,10 +70,10 @@ Record magnitude(Record record) {
 }
 
 // What stands for the sum of the magnitudes of neighbours in the first step of a polynomial curve.
-std::vector<Record> differences(const std::vector<Record> &points) {
-    std::vector<Record> steps;
+std::vector<LongRecord> differences(const std::vector<LongRecord> &points) {
+    std::vector<LongRecord> steps;
     for (size_t i = 0; i + 1 < points.size(); ++i) {
-        Record step = points[i + 1];
+        LongRecord step = points[i + 1];
         for (size_t c = 0; c < step.size(); ++c) {
             const long double sum = std::fabs(points[i][c]) + std::fabs(step[c]);
             step[c] = std::fabs(step[c] - points[i][c]) + 0x1p-48L * sum;
@@ -84,12 +84,12 @@ std::vector<Record> differences(const std::vector<Record> &points) {
 }
 
 // H_a along one axis: k steps on magnitudes, then the last. `first`: the first step by differences.
-Record contract(const Axis &axis, int order, Last last, bool first, std::vector<Record> points) {
+LongRecord contract(const Axis &axis, int order, Last last, bool first, std::vector<LongRecord> points) {
     const size_t width = points[0].size();
     if (order > axis.degree) {
-        return Record(width, 0);
+        return LongRecord(width, 0);
     }
-    const std::vector<Record> steps = first ? differences(points) : std::vector<Record>();
+    const std::vector<LongRecord> steps = first ? differences(points) : std::vector<LongRecord>();
     std::transform(points.begin(), points.end(), points.begin(), magnitude);
     for (int k = 1; k <= order; ++k) {
         for (size_t i = 0; i + 1 < points.size(); ++i) {
@@ -102,10 +102,10 @@ Record contract(const Axis &axis, int order, Last last, bool first, std::vector<
         }
         points.pop_back();
     }
-    const Record values = basis_values(axis, axis.degree - order);
+    const LongRecord values = basis_values(axis, axis.degree - order);
     // Inside the domain the values add up to 1; outside they say how far rounding is magnified.
     const long double total = std::accumulate(values.begin(), values.end(), 0.0L);
-    Record sum(width);
+    LongRecord sum(width);
     for (size_t i = 0; i < points.size(); ++i) {
         for (size_t c = 0; c < width; ++c) {
             sum[c] = last == Last::value ? sum[c] + values[i] * points[i][c]
@@ -116,11 +116,11 @@ Record contract(const Axis &axis, int order, Last last, bool first, std::vector<
 }
 
 // Contracts the last axis of `points` first; the order does not matter for a sum of positive terms.
-Record contract_all(const std::vector<Axis> &axes, const MultiIndex &a, Last last, bool first,
-                    std::vector<Record> points) {
+LongRecord contract_all(const std::vector<Axis> &axes, const MultiIndex &a, Last last, bool first,
+                        std::vector<LongRecord> points) {
     for (size_t k = axes.size(); k-- > 0;) {
         const auto width = static_cast<size_t>(axes[k].degree) + 1;
-        std::vector<Record> fewer;
+        std::vector<LongRecord> fewer;
         for (size_t i = 0; i < points.size(); i += width) {
             const auto from = points.begin() + static_cast<std::ptrdiff_t>(i);
             fewer.push_back(
@@ -132,15 +132,15 @@ Record contract_all(const std::vector<Axis> &axes, const MultiIndex &a, Last las
 }
 
 // E_a = (H_a[wP] + sum over 0 < b <= a of binomial(a, b) H_b[w] E_(a-b)) / w(t).
-std::vector<Record> divide_by_weight(const std::vector<MultiIndex> &indices, const std::vector<Record> &h,
-                                     long double weight) {
-    std::vector<Record> e;
+std::vector<LongRecord> divide_by_weight(const std::vector<MultiIndex> &indices,
+                                         const std::vector<LongRecord> &h, long double weight) {
+    std::vector<LongRecord> e;
     for (size_t slot = 0; slot < indices.size(); ++slot) {
-        Record sum(h[slot].begin(), h[slot].end() - 1);
+        LongRecord sum(h[slot].begin(), h[slot].end() - 1);
         for (const auto &term : support::leibniz_terms(indices[slot])) {
             const long double factor = static_cast<long double>(term.factor) *
                                        h[static_cast<size_t>(support::slot_of(term.b))].back();
-            const Record &rest = e[static_cast<size_t>(support::slot_of(term.rest))];
+            const LongRecord &rest = e[static_cast<size_t>(support::slot_of(term.rest))];
             for (size_t c = 0; c < sum.size(); ++c) {
                 sum[c] += factor * rest[c];
             }
@@ -154,9 +154,10 @@ std::vector<Record> divide_by_weight(const std::vector<MultiIndex> &indices, con
 }
 
 // Whether the weights, the last components, differ by a factor of more than 4.
-bool uneven(const std::vector<Record> &points) {
-    const auto [smallest, largest] = std::minmax_element(
-        points.begin(), points.end(), [](const Record &a, const Record &b) { return a.back() < b.back(); });
+bool uneven(const std::vector<LongRecord> &points) {
+    const auto [smallest, largest] =
+        std::minmax_element(points.begin(), points.end(),
+                            [](const LongRecord &a, const LongRecord &b) { return a.back() < b.back(); });
     return !(smallest->back() > 0 && largest->back() <= 4 * smallest->back());
 }
 
@@ -206,9 +207,9 @@ std::vector<std::vector<long double>> magnitudes_from(const std::vector<double> 
         axes.push_back({data.knots[k].data() + first[k], data.degrees[k], param[k]});
     }
     const auto seen_from = [&](const std::vector<double> &from) {
-        std::vector<Record> points;
+        std::vector<LongRecord> points;
         for (const int64_t i : active_points(data, first)) {
-            Record record;
+            LongRecord record;
             for (int c = 0; c < data.dim; ++c) {
                 record.push_back(
                     static_cast<long double>(data.weight(i)) *
@@ -221,11 +222,11 @@ std::vector<std::vector<long double>> magnitudes_from(const std::vector<double> 
         }
         return points;
     };
-    const std::vector<Record> stored = seen_from(std::vector<double>(static_cast<size_t>(data.dim)));
-    const std::vector<Record> points = seen_from(origin);
+    const std::vector<LongRecord> stored = seen_from(std::vector<double>(static_cast<size_t>(data.dim)));
+    const std::vector<LongRecord> points = seen_from(origin);
     const Last last = data.rational() && uneven(points) ? Last::value : Last::largest;
     const auto indices = support::graded_indices(data.axes(), order);
-    std::vector<Record> h;
+    std::vector<LongRecord> h;
     for (const MultiIndex &a : indices) {
         h.push_back(contract_all(axes, a, last, first_step, points));
     }

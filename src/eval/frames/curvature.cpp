@@ -1,19 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "eval/frames/curvature.h"
 
+#include "base/numbers.h"
 #include "eval/blocks.h"
 #include "eval/frames/jet.h"
 #include "eval/frames/shape_operator.h"
 #include "eval/frames/waiting_outputs.h"
-
-#include <limits>
 
 namespace nrb::eval {
 
 namespace {
 
 constexpr int dim = 3;
-constexpr double nan_value = std::numeric_limits<double>::quiet_NaN();
 
 SurfaceDerivatives derivatives_at(const double *rows, int64_t i) noexcept {
     constexpr int64_t slot_rows = dim * block_size;

@@ -147,7 +147,8 @@ private:
     DerivativeErrors errors_;
 };
 
-void usual_frames(const Spline &spline, const AxisRules &rules, ConstRecords params, const CurveFrames &out) {
+void frames_of_usual_size(const Spline &spline, const AxisRules &rules, ConstRecords params,
+                          const CurveFrames &out) {
     const int order = out.torsions.data == nullptr ? 2 : 3;
     CurveSink sink(spline, rules, params, order, out);
     evaluate_points(spline, rules, order, params, sink);
@@ -160,14 +161,14 @@ void frames_of_any_size(const Spline &spline, const AxisRules &rules, ConstRecor
         params.count);
     const std::vector<int64_t> order =
         for_each_magnitude(spline, rules, params, [&](const MagnitudeRun &run) {
-            usual_frames(run.spline, run.rules, run.params,
-                         {{},
-                          waiting.part(0, run),
-                          waiting.part(1, run),
-                          waiting.part(2, run),
-                          waiting.part(3, run),
-                          waiting.part(4, run),
-                          waiting.status(run)});
+            frames_of_usual_size(run.spline, run.rules, run.params,
+                                 {{},
+                                  waiting.part(0, run),
+                                  waiting.part(1, run),
+                                  waiting.part(2, run),
+                                  waiting.part(3, run),
+                                  waiting.part(4, run),
+                                  waiting.status(run)});
             waiting.finish(run);
         });
     if (out.points.data != nullptr) {
@@ -179,7 +180,7 @@ void frames_of_any_size(const Spline &spline, const AxisRules &rules, ConstRecor
 } // namespace
 
 void curve_frames(const Spline &spline, const AxisRules &rules, ConstRecords params, const CurveFrames &out) {
-    usual_magnitude(spline) ? usual_frames(spline, rules, params, out)
+    usual_magnitude(spline) ? frames_of_usual_size(spline, rules, params, out)
                             : frames_of_any_size(spline, rules, params, out);
 }
 

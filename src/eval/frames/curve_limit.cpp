@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "eval/frames/curve_limit.h"
 
+#include "base/numbers.h"
+
 #include <array>
 #include <cmath>
-#include <limits>
 
 namespace nrb::eval {
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double nan_value = std::numeric_limits<double>::quiet_NaN();
 
 // The coefficients of a curve and their errors, each times a power of two that brings it near 1: a span may
 // be much shorter than its neighbours, and products of its coefficients may leave the range of double
@@ -118,7 +116,7 @@ void complete_in_space(const Coefficients &jet, double side, LeadingOrders order
 }
 
 // Derivatives of a polynomial end at its degree; torsion needs the third one.
-int highest_order(const Spline &spline) noexcept {
+int highest_frame_order(const Spline &spline) noexcept {
     return spline.rational() ? max_jet_order : std::min(max_jet_order, std::max(spline.axis(0).degree(), 3));
 }
 
@@ -131,7 +129,7 @@ CurveFrame undefined_frame() noexcept {
 
 CurveTangent curve_tangent(const Spline &spline, const AxisRules &rules, double t) noexcept {
     Jet jet;
-    for (int order = 1; order <= highest_order(spline); ++order) {
+    for (int order = 1; order <= highest_frame_order(spline); ++order) {
         if (!jet.evaluate(spline, rules, &t, order)) {
             break;
         }
@@ -144,7 +142,7 @@ CurveTangent curve_tangent(const Spline &spline, const AxisRules &rules, double 
 
 CurveFrame limit_frame(const Spline &spline, const AxisRules &rules, double t) noexcept {
     Jet jet;
-    const int order = highest_order(spline);
+    const int order = highest_frame_order(spline);
     if (!jet.evaluate(spline, rules, &t, order)) {
         return undefined_frame();
     }

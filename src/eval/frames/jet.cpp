@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "eval/frames/jet.h"
 
+#include "base/numbers.h"
 #include "basis/bspline.h"
 #include "spline/at_origin.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace nrb::eval {
 
 namespace {
 
-constexpr double eps = std::numeric_limits<double>::epsilon();
 constexpr int orders = max_jet_order + 1;
 constexpr int slots = orders * (orders + 1) / 2;
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "eval/frames/minimal_frames.h"
 
+#include "base/numbers.h"
 #include "eval/blocks.h"
 #include "eval/derivative_errors.h"
 #include "eval/evaluate.h"
@@ -9,16 +10,11 @@
 #include "eval/frames/magnitude.h"
 
 #include <hwy/base.h>
-#include <limits>
 #include <optional>
 
 namespace nrb::eval {
 
 namespace {
-
-constexpr int dim = 3;
-constexpr double eps = std::numeric_limits<double>::epsilon();
-constexpr double nan_value = std::numeric_limits<double>::quiet_NaN();
 
 // Reflection in the plane through 0 across v; v may have any length except 0.
 Vector3 reflected(const Vector3 &a, const Vector3 &v) noexcept {
@@ -129,7 +125,7 @@ private:
 };
 
 Vector3 derivative_at(ConstRecords values, int64_t i) noexcept {
-    return row_vector(values.data + dim * block_size, dim, i);
+    return row_vector(values.data + space_dim * block_size, space_dim, i);
 }
 
 class MinimalSink final : public BlockSink {
@@ -143,7 +139,7 @@ public:
         write_rows(values.data, first, values.count, points_);
         for (int64_t i = 0; i < values.count; ++i) {
             const CurveTangent tangent = tangents_(derivative_at(values, i), params_(first + i, 0));
-            transport_(first + i, row_vector(values.data, dim, i), tangent);
+            transport_(first + i, row_vector(values.data, space_dim, i), tangent);
         }
     }
 
@@ -168,7 +164,7 @@ public:
 
     void operator()(int64_t first, ConstRecords values) noexcept override {
         for (int64_t i = 0; i < values.count; ++i) {
-            const Vector3 p = row_vector(values.data, dim, i);
+            const Vector3 p = row_vector(values.data, space_dim, i);
             out_[first + i] = {{std::ldexp(p.x, power_), std::ldexp(p.y, power_), std::ldexp(p.z, power_)},
                                tangents_(derivative_at(values, i), params_(first + i, 0))};
         }
@@ -210,8 +206,8 @@ std::optional<Vector3> checked_normal(const double *normal, const std::optional<
     return given;
 }
 
-void usual_frames(const Spline &spline, const AxisRules &rules, ConstRecords params,
-                  const double *first_normal, const MinimalFrames &out) {
+void frames_of_usual_size(const Spline &spline, const AxisRules &rules, ConstRecords params,
+                          const double *first_normal, const MinimalFrames &out) {
     std::optional<Vector3> normal;
     if (first_normal != nullptr) {
         normal = checked_normal(first_normal, first_tangent(spline, rules, params));
@@ -254,7 +250,7 @@ void frames_of_any_size(const Spline &spline, const AxisRules &rules, ConstRecor
 
 void minimal_frames(const Spline &spline, const AxisRules &rules, ConstRecords params,
                     const double *first_normal, const MinimalFrames &out) {
-    usual_magnitude(spline) ? usual_frames(spline, rules, params, first_normal, out)
+    usual_magnitude(spline) ? frames_of_usual_size(spline, rules, params, first_normal, out)
                             : frames_of_any_size(spline, rules, params, first_normal, out);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "eval/frames/surface_frames.h"
 
+#include "base/numbers.h"
 #include "eval/blocks.h"
 #include "eval/derivative_errors.h"
 #include "eval/frames/surface_limit.h"
@@ -9,14 +10,10 @@
 #include "eval/kernels/triple_stream.h"
 
 #include <bit>
-#include <limits>
 
 namespace nrb::eval {
 
 namespace {
-
-constexpr int dim = 3;
-constexpr double nan_value = std::numeric_limits<double>::quiet_NaN();
 
 // The parameters of point i of a list.
 class ListParameters {
@@ -60,8 +57,8 @@ public:
     }
 
     void operator()(int64_t first, ConstRecords values) noexcept override {
-        const double *du = values.data + dim * block_size;
-        const double *dv = du + dim * block_size;
+        const double *du = values.data + space_dim * block_size;
+        const double *dv = du + space_dim * block_size;
         points_.write(values.data, first, values.count);
         du_.write(du, first, values.count);
         dv_.write(dv, first, values.count);
@@ -78,7 +75,7 @@ private:
         uint64_t doubtful = unit_normals(du, dv, count, errors_.u, errors_.v, normals_.data());
         for (; doubtful != 0; doubtful &= doubtful - 1) {
             const int64_t i = std::countr_zero(doubtful);
-            look_closer(first, i, row_vector(du, dim, i), row_vector(dv, dim, i));
+            look_closer(first, i, row_vector(du, space_dim, i), row_vector(dv, space_dim, i));
         }
         normal_stream_.write(normals_.data(), first, count);
     }
@@ -115,7 +112,7 @@ private:
         for (const Records *out : {&out_.points, &out_.du, &out_.dv, &out_.normals}) {
             arrays += out->data != nullptr ? 1 : 0;
         }
-        return TripleStream::are_large(arrays * dim * params_.count());
+        return TripleStream::are_large(arrays * space_dim * params_.count());
     }
 
     const Spline &spline_;
@@ -127,17 +124,17 @@ private:
     TripleStream dv_;
     TripleStream normal_stream_;
     DerivativeErrors errors_;
-    std::array<double, dim * block_size> normals_{};
+    std::array<double, space_dim * block_size> normals_{};
 };
 
-void usual_frames(const Spline &spline, const AxisRules &rules, ConstRecords params,
-                  const SurfaceFrames &out) {
+void frames_of_usual_size(const Spline &spline, const AxisRules &rules, ConstRecords params,
+                          const SurfaceFrames &out) {
     FrameSink sink(spline, rules, ListParameters(params), out);
     evaluate_points(spline, rules, 1, params, sink);
 }
 
-void usual_frames(const Spline &spline, const AxisRules &rules,
-                  const std::array<ConstRecords, max_axes> &params, const SurfaceFrames &out) {
+void frames_of_usual_size(const Spline &spline, const AxisRules &rules,
+                          const std::array<ConstRecords, max_axes> &params, const SurfaceFrames &out) {
     FrameSink sink(spline, rules, GridParameters(params), out);
     evaluate_grid(spline, rules, 1, params, sink);
 }
@@ -150,12 +147,12 @@ void frames_of_any_size(const Spline &spline, const AxisRules &rules, ConstRecor
     std::vector<int64_t> order;
     if (out.normals.data != nullptr || out.status != nullptr) {
         order = for_each_magnitude(spline, rules, list, [&](const MagnitudeRun &run) {
-            usual_frames(run.spline, run.rules, run.params,
-                         {{}, {}, {}, waiting.part(0, run), waiting.status(run)});
+            frames_of_usual_size(run.spline, run.rules, run.params,
+                                 {{}, {}, {}, waiting.part(0, run), waiting.status(run)});
         });
     }
     if (out.points.data != nullptr || out.du.data != nullptr || out.dv.data != nullptr) {
-        usual_frames(spline, rules, params, {out.points, out.du, out.dv, {}, nullptr});
+        frames_of_usual_size(spline, rules, params, SurfaceFrames{out.points, out.du, out.dv, {}, nullptr});
     }
     waiting.write(order);
 }
@@ -175,14 +172,14 @@ std::vector<double> list_of(const std::array<ConstRecords, max_axes> &params) {
 
 void surface_frames(const Spline &spline, const AxisRules &rules, ConstRecords params,
                     const SurfaceFrames &out) {
-    usual_magnitude(spline) ? usual_frames(spline, rules, params, out)
+    usual_magnitude(spline) ? frames_of_usual_size(spline, rules, params, out)
                             : frames_of_any_size(spline, rules, params, params, out);
 }
 
 void surface_frames(const Spline &spline, const AxisRules &rules,
                     const std::array<ConstRecords, max_axes> &params, const SurfaceFrames &out) {
     if (usual_magnitude(spline)) {
-        return usual_frames(spline, rules, params, out);
+        return frames_of_usual_size(spline, rules, params, out);
     }
     const std::vector<double> list = list_of(params);
     frames_of_any_size(spline, rules, {list.data(), std::ssize(list) / 2, 2, 2, 1}, params, out);

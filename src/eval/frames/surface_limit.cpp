@@ -67,7 +67,7 @@ bool leading_term(const Jet &jet, int d, SurfaceNormal &normal) noexcept {
 }
 
 // S_u x S_v of a polynomial surface of degrees (p, q) has terms to order 2 p + 2 q - 2.
-int highest_order(const Spline &spline) noexcept {
+int highest_normal_order(const Spline &spline) noexcept {
     const int sum = spline.axis(0).degree() + spline.axis(1).degree();
     return spline.rational() ? max_jet_order : std::min(max_jet_order, std::max(2 * sum - 1, 1));
 }
@@ -77,7 +77,7 @@ int highest_order(const Spline &spline) noexcept {
 SurfaceNormal surface_normal(const Spline &spline, const AxisRules &rules, const double *param) noexcept {
     SurfaceNormal normal;
     Jet jet;
-    for (int order = 1; order <= highest_order(spline); ++order) {
+    for (int order = 1; order <= highest_normal_order(spline); ++order) {
         if (!jet.evaluate(spline, rules, param, order) || leading_term(jet, order - 1, normal)) {
             break;
         }

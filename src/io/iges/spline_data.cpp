@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "base/limits.h"
+#include "base/numbers.h"
 #include "io/iges/spline.h"
 
 #include "base/checked.h"
-
-#include <limits>
 
 namespace nrb::io::iges {
 namespace {
@@ -45,7 +44,6 @@ void read_knots(Record &record, SplineData::Axis &axis, const char *name) {
 // The range of one axis. An end that is left out is the domain's. Both ends are if they are equal, because
 // nobody filled them in.
 void read_range(Record &record, SplineData::Axis &axis, const char *name) {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
     const bool lower_blank = record.next_is_blank();
     const double lower = record.real(name, 0);
     const bool upper_blank = record.next_is_blank();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "modify/deform/bend_bound.h"
 
+#include "base/numbers.h"
 #include "fit/span_samples.h"
 #include "numeric/binomial.h"
 #include "numeric/norm.h"
@@ -16,8 +17,6 @@
 namespace nrb::modify {
 
 namespace {
-
-constexpr double infinite = std::numeric_limits<double>::infinity();
 
 using Series = std::vector<double>; // coefficients from order 0 on, none negative
 
@@ -83,7 +82,7 @@ struct CellPieces {
     [[nodiscard]] double least_weight() const { return *std::min_element(weights.begin(), weights.end()); }
     // The range of a, whose values are means of these quotients.
     [[nodiscard]] Interval range() const {
-        Interval range{infinite, -infinite};
+        Interval range{infinity, -infinity};
         for (size_t i = 0; i < along.size(); ++i) {
             const double a = along[i] / weights[i];
             range = {std::min(range.lower, a), std::max(range.upper, a)};
@@ -143,7 +142,7 @@ public:
             cuts[at].assign(breaks_[at].size() - 1, 0);
         }
         double bound = 0;
-        for (int64_t i = 0; i < net_->pieces() && bound < infinite; ++i) {
+        for (int64_t i = 0; i < net_->pieces() && bound < infinity; ++i) {
             const CellBound cell = cell_bound(i);
             bound = std::max(bound, cell.bound);
             if (cell.crosses && cell.bound > tolerance) {
@@ -189,7 +188,7 @@ private:
         const CellPieces cell = pieces_of(piece);
         const double least = cell.least_weight();
         if (!(least > 0)) {
-            return {infinite, false};
+            return {infinity, false};
         }
         largest_ = std::max(largest_, net_->size(piece));
         const auto [lower, upper] = cell.range();

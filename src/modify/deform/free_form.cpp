@@ -3,6 +3,7 @@
 
 #include "base/finite.h"
 #include "base/limits.h"
+#include "base/numbers.h"
 #include "bounds/deviation.h"
 #include "eval/evaluate.h"
 #include "refine/algebra/compose.h"
@@ -10,13 +11,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace nrb::modify {
 
 namespace {
-
-constexpr double eps = std::numeric_limits<double>::epsilon();
 
 class Box {
 public:

@@ -8,9 +8,9 @@ namespace nrb::inline numeric {
 
 namespace {
 
-using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-std::vector<double> values_of(const Eigen::VectorXd &x) {
+std::vector<double> coordinates(const Eigen::VectorXd &x) {
     return {x.data(), x.data() + x.size()};
 }
 
@@ -29,8 +29,8 @@ SmallSvd::SmallSvd(const std::vector<double> &rows, int n, const std::vector<dou
     : unknowns_(static_cast<size_t>(n)) {
     const Eigen::Index given = static_cast<Eigen::Index>(rows.size()) / n,
                        m = std::max<Eigen::Index>(given, n);
-    Matrix matrix = Matrix::Zero(m, n);
-    matrix.topRows(given) = Eigen::Map<const Matrix>(rows.data(), given, n);
+    Rows matrix = Rows::Zero(m, n);
+    matrix.topRows(given) = Eigen::Map<const Rows>(rows.data(), given, n);
     Eigen::VectorXd values = Eigen::VectorXd::Zero(m);
     values.head(static_cast<Eigen::Index>(right.size())) =
         Eigen::Map<const Eigen::VectorXd>(right.data(), static_cast<Eigen::Index>(right.size()));
@@ -50,7 +50,7 @@ std::vector<double> SmallSvd::direction(int rank) const {
         return std::vector<double>(unknowns_, std::numeric_limits<double>::quiet_NaN());
     }
     const Eigen::MatrixXd &v = decomposition_->svd.matrixV();
-    return values_of(v.col(v.cols() - 1 - rank));
+    return coordinates(v.col(v.cols() - 1 - rank));
 }
 
 std::vector<double> SmallSvd::solution(double cutoff) const {
@@ -59,7 +59,7 @@ std::vector<double> SmallSvd::solution(double cutoff) const {
     }
     Rotations &svd = decomposition_->svd;
     svd.setThreshold(cutoff);
-    return values_of(svd.solve(decomposition_->right));
+    return coordinates(svd.solve(decomposition_->right));
 }
 
 } // namespace nrb::inline numeric

@@ -7,11 +7,11 @@ namespace nrb::inline numeric {
 
 namespace {
 
-using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, max_axes, max_axes>;
-using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, max_axes, 1>;
+using SmallMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, max_axes, max_axes>;
+using SmallVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, max_axes, 1>;
 
-Matrix matrix_of(int n, const AxisMatrix &a) {
-    Matrix result(n, n);
+SmallMatrix small_matrix(int n, const AxisMatrix &a) {
+    SmallMatrix result(n, n);
     for (int i = 0; i < n; ++i) {
         for (int j = 0; j < n; ++j) {
             result(i, j) = a[static_cast<size_t>(i)][static_cast<size_t>(j)];
@@ -20,7 +20,7 @@ Matrix matrix_of(int n, const AxisMatrix &a) {
     return result;
 }
 
-AxisVector values_of(const Vector &x) {
+AxisVector axis_values(const SmallVector &x) {
     AxisVector result{};
     std::copy(x.data(), x.data() + x.size(), result.begin());
     return result;
@@ -29,16 +29,16 @@ AxisVector values_of(const Vector &x) {
 } // namespace
 
 AxisVector symmetric_eigenvalues(int n, const AxisMatrix &a) {
-    const Eigen::SelfAdjointEigenSolver<Matrix> solver(matrix_of(n, a), Eigen::EigenvaluesOnly);
-    return values_of(solver.eigenvalues());
+    const Eigen::SelfAdjointEigenSolver<SmallMatrix> solver(small_matrix(n, a), Eigen::EigenvaluesOnly);
+    return axis_values(solver.eigenvalues());
 }
 
 std::optional<AxisMatrix> inverse(int n, const AxisMatrix &a) {
-    const Eigen::FullPivLU<Matrix> factors(matrix_of(n, a));
+    const Eigen::FullPivLU<SmallMatrix> factors(small_matrix(n, a));
     if (!factors.isInvertible()) {
         return std::nullopt;
     }
-    const Matrix inverse = factors.inverse();
+    const SmallMatrix inverse = factors.inverse();
     AxisMatrix result{};
     for (int i = 0; i < n; ++i) {
         for (int j = 0; j < n; ++j) {
@@ -49,8 +49,8 @@ std::optional<AxisMatrix> inverse(int n, const AxisMatrix &a) {
 }
 
 AxisVector shortest_solution(int n, const AxisMatrix &a, const AxisVector &right) {
-    const Vector values = Eigen::Map<const Eigen::VectorXd>(right.data(), n);
-    return values_of(matrix_of(n, a).completeOrthogonalDecomposition().solve(values));
+    const SmallVector values = Eigen::Map<const Eigen::VectorXd>(right.data(), n);
+    return axis_values(small_matrix(n, a).completeOrthogonalDecomposition().solve(values));
 }
 
 } // namespace nrb::inline numeric

@@ -1,21 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "refine/algebra/crossings.h"
 
+#include "base/numbers.h"
 #include "numeric/binomial.h"
 #include "refine/algebra/derivative.h"
 #include "refine/knots/blossom.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace nrb::refine {
-
-namespace {
-
-constexpr double eps = std::numeric_limits<double>::epsilon();
-
-} // namespace
 
 CurvePiece::CurvePiece(const Spline &curve, int64_t span) : curve_(&curve), span_(span) {
     if (curve.rational()) {

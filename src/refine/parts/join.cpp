@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "refine/parts/join.h"
 
+#include "base/numbers.h"
 #include "numeric/norm.h"
 #include "refine/degree/elevate.h"
 #include "refine/forms/homogeneous.h"
@@ -14,8 +15,6 @@
 namespace nrb::refine {
 
 namespace {
-
-constexpr double eps = std::numeric_limits<double>::epsilon();
 
 void check_same(int64_t found, int64_t expected, size_t part, const char *what, int k) {
     if (found != expected) {

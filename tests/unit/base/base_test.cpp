@@ -8,6 +8,8 @@
 #include <thread>
 #include <vector>
 
+namespace base_test {
+
 namespace {
 
 TEST(Checked, refuses_sizes_beyond_the_address_space) {
@@ -69,3 +71,5 @@ TEST(Scratch, hands_out_separate_blocks) {
 }
 
 } // namespace
+
+} // namespace base_test

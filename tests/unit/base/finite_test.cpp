@@ -4,6 +4,8 @@
 #include <limits>
 #include <vector>
 
+namespace finite_test {
+
 namespace {
 
 constexpr double inf = std::numeric_limits<double>::infinity();
@@ -54,3 +56,5 @@ TEST(Finite, extremes_stand_anywhere) {
 }
 
 } // namespace
+
+} // namespace finite_test

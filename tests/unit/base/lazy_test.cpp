@@ -8,6 +8,8 @@
 #include <thread>
 #include <vector>
 
+namespace lazy_test {
+
 namespace {
 
 // Starts `count` threads at one moment and waits for them.
@@ -110,3 +112,5 @@ TEST(Lazy, drops_the_table_that_comes_second) {
 }
 
 } // namespace
+
+} // namespace lazy_test

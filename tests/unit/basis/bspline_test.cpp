@@ -4,6 +4,8 @@
 #include <limits>
 #include <vector>
 
+namespace bspline_test {
+
 namespace {
 
 TEST(BasisValues, are_exactly_one_where_a_function_is_alone) {
@@ -69,3 +71,5 @@ TEST(BernsteinDerivs, are_the_polynomials_of_the_binomial_formula) {
 }
 
 } // namespace
+
+} // namespace bspline_test

@@ -9,6 +9,8 @@
 
 #include <cmath>
 
+namespace power_spans_test {
+
 using namespace support;
 using nrb::Piece;
 using reference::exact;
@@ -261,3 +263,5 @@ TEST_P(Pieces, of_curves_are_the_exact_sums_rounded) {
 INSTANTIATE_TEST_SUITE_P(All, Pieces, targets::every_target(), targets::target_name);
 
 } // namespace
+
+} // namespace power_spans_test

@@ -7,6 +7,8 @@
 #include <random>
 #include <vector>
 
+namespace span_table_test {
+
 namespace {
 
 using nrb::SpanTable;
@@ -126,3 +128,5 @@ TEST(SpanTable, lists_only_spans_that_are_not_empty) {
 }
 
 } // namespace
+
+} // namespace span_table_test

@@ -1,6 +1,7 @@
 // de Casteljau's algorithm and the Bernstein functions, against their definition.
 #include "bernstein/de_casteljau.h"
 
+#include "base/numbers.h"
 #include "numeric/binomial.h"
 #include "support/generators.h"
 
@@ -8,12 +9,12 @@
 #include <gtest/gtest.h>
 #include <vector>
 
+namespace de_casteljau_test {
+
 using namespace nrb;
 using support::Random;
 
 namespace {
-
-constexpr double eps = std::numeric_limits<double>::epsilon();
 
 double function_at(int degree, int i, double t) {
     return i < 0 || i > degree ? 0 : binomial(degree, i) * std::pow(t, i) * std::pow(1 - t, degree - i);
@@ -114,3 +115,5 @@ TEST(DeCasteljau, functions_and_derivatives_are_those_of_the_definition) {
 }
 
 } // namespace
+
+} // namespace de_casteljau_test

@@ -9,6 +9,8 @@
 #include <functional>
 #include <gtest/gtest.h>
 
+namespace products_test {
+
 using namespace nrb;
 using support::Random;
 
@@ -136,3 +138,5 @@ TEST(LargestQuotient, a_negative_denominator_is_one) {
 }
 
 } // namespace
+
+} // namespace products_test

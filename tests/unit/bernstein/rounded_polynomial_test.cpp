@@ -7,6 +7,8 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
+namespace rounded_polynomial_test {
+
 namespace {
 
 using nrb::RoundedPolynomial;
@@ -158,3 +160,5 @@ TEST(RoundedPolynomial, signs_that_rounding_hides_are_none) {
     EXPECT_EQ(a.sign(0), 1);
     EXPECT_EQ(a.sign(1), 0);
 }
+
+} // namespace rounded_polynomial_test

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+namespace sign_profile_test {
+
 using namespace nrb;
 
 namespace {
@@ -44,3 +46,5 @@ TEST(SignProfile, uncertainties_count_times_weights) {
 }
 
 } // namespace
+
+} // namespace sign_profile_test

@@ -9,6 +9,8 @@
 #include <gtest/gtest.h>
 #include <limits>
 
+namespace sign_runs_test {
+
 namespace {
 
 using nrb::RoundedPolynomial;
@@ -161,3 +163,5 @@ TEST(ZeroPlaces, of_vectors) {
     ASSERT_EQ(nothing.size(), 1U);
     EXPECT_TRUE(!nothing[0].certain && nothing[0].from == 0 && nothing[0].to == 1);
 }
+
+} // namespace sign_runs_test

@@ -10,6 +10,8 @@
 #include <numbers>
 #include <random>
 
+namespace arc_test {
+
 using nrb::build::Angle;
 using nrb::build::Arc;
 using nrb::build::Direction;
@@ -177,3 +179,5 @@ TEST(Arc, hyperbolas_are_on_theirs) {
 }
 
 } // namespace
+
+} // namespace arc_test

@@ -7,6 +7,8 @@
 
 #include <cmath>
 
+namespace points_in_rotation_test {
+
 using nrb::DoubleDouble;
 using nrb::Form;
 using nrb::build::PointsInRotation;
@@ -84,3 +86,5 @@ TEST_P(RotatingPoints, records_turn_about_a_line) {
 INSTANTIATE_TEST_SUITE_P(All, RotatingPoints, targets::every_target(), targets::target_name);
 
 } // namespace
+
+} // namespace points_in_rotation_test

@@ -8,6 +8,8 @@
 #include <gtest/gtest.h>
 #include <limits>
 
+namespace pair_bound_test {
+
 using namespace nrb;
 using support::Random;
 
@@ -155,3 +157,5 @@ TEST(MatchedBound, no_point_is_farther) {
         EXPECT_LE(bound.upper(a, a, {0.5, 0.5, 0.5}, 0), 1e-11);
     }
 }
+
+} // namespace pair_bound_test

@@ -1,5 +1,6 @@
 // The squares of patches against exact arithmetic on every instruction set, discs against points in them, and
 // proofs against dense samples: what is proved holds.
+#include "base/numbers.h"
 #include "closest/patch/patch_search.h"
 
 #include "eval/kernels/contraction.h"
@@ -10,12 +11,12 @@
 #include <cmath>
 #include <numeric>
 
+namespace patch_proof_test {
+
 using namespace nrb;
 using support::Random;
 
 namespace {
-
-constexpr double eps = std::numeric_limits<double>::epsilon();
 
 // A Bezier patch with the coordinates, weights and degrees of a random one.
 SplinePtr random_patch(Random &random, int axes, int degree, bool weighted) {
@@ -215,3 +216,5 @@ TEST_P(PatchKernel, what_is_proved_holds) {
 INSTANTIATE_TEST_SUITE_P(All, PatchKernel, targets::every_target(), targets::target_name);
 
 } // namespace
+
+} // namespace patch_proof_test

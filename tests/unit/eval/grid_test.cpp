@@ -8,6 +8,8 @@
 #include <limits>
 #include <random>
 
+namespace grid_test {
+
 namespace {
 
 using nrb::Form;
@@ -119,3 +121,5 @@ TEST(Weights, may_all_be_the_smallest_number) {
 }
 
 } // namespace
+
+} // namespace grid_test

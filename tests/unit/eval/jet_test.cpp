@@ -8,6 +8,8 @@
 #include <gtest/gtest.h>
 #include <limits>
 
+namespace jet_test {
+
 namespace {
 
 using nrb::Vector3;
@@ -151,3 +153,5 @@ TEST(Vector3, the_default_normal_is_across_the_smallest_coordinate) {
 }
 
 } // namespace
+
+} // namespace jet_test

@@ -6,6 +6,8 @@
 #include <limits>
 #include <nurbs/nurbs.h>
 
+namespace parameters_test {
+
 namespace {
 
 using nrb::eval::AxisRule;
@@ -65,3 +67,5 @@ TEST(DecodeRules, refuses_bits_of_missing_axes_and_contradictions) {
 }
 
 } // namespace
+
+} // namespace parameters_test

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 #include <set>
 
+namespace slots_test {
+
 namespace {
 
 TEST(Slots, for_each_visits_them_in_order) {
@@ -41,3 +43,5 @@ TEST(ContractionSteps, fill_every_slot_once) {
 }
 
 } // namespace
+
+} // namespace slots_test

@@ -11,6 +11,8 @@
 #include <map>
 #include <numeric>
 
+namespace targets_test {
+
 using namespace support;
 using nrb::eval::slot_count;
 using reference::eps;
@@ -382,3 +384,5 @@ TEST(AllTargets, differ_only_by_fused_multiplication) {
 }
 
 } // namespace
+
+} // namespace targets_test

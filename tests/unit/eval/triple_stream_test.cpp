@@ -6,6 +6,8 @@
 #include <random>
 #include <vector>
 
+namespace triple_stream_test {
+
 using namespace nrb;
 
 namespace {
@@ -116,3 +118,5 @@ TEST(TripleStream, leaves_other_layouts_to_ordinary_stores) {
         }
     }
 }
+
+} // namespace triple_stream_test

@@ -9,6 +9,8 @@
 #include <limits>
 #include <vector>
 
+namespace span_samples_test {
+
 namespace {
 
 using nrb::SplinePtr;
@@ -81,3 +83,5 @@ TEST(FitImage, of_an_affine_map_is_exact) {
 }
 
 } // namespace
+
+} // namespace span_samples_test

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+namespace formats_test {
+
 namespace {
 
 using iges_test::IgesBuilder;
@@ -59,3 +61,5 @@ TEST(Formats, settings_are_checked_before_the_format) {
 }
 
 } // namespace
+
+} // namespace formats_test

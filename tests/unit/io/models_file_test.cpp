@@ -8,6 +8,8 @@
 #include <iterator>
 #include <limits>
 
+namespace models_file_test {
+
 namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
@@ -196,3 +198,5 @@ TEST(ModelsFile, the_teapot_closes) {
 }
 
 } // namespace
+
+} // namespace models_file_test

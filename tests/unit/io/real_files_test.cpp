@@ -9,6 +9,8 @@
 #include <map>
 #include <utility>
 
+namespace real_files_test {
+
 namespace {
 
 using Degrees = std::map<std::pair<int, int>, int>; // (degree, degree of the second axis or 0): how many
@@ -126,3 +128,5 @@ TEST(RealFiles, unit_and_names_of_the_blade) {
 }
 
 } // namespace
+
+} // namespace real_files_test

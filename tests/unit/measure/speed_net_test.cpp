@@ -7,6 +7,8 @@
 #include <random>
 #include <vector>
 
+namespace speed_net_test {
+
 using namespace nrb;
 using reference::Rational;
 
@@ -124,3 +126,5 @@ TEST(SpeedNet, shapes_are_even_within_their_limits) {
     EXPECT_EQ(shape(0, 1).bound(), INFINITY);
     EXPECT_FALSE(shape(-0.5, 1).even);
 }
+
+} // namespace speed_net_test

@@ -9,6 +9,8 @@
 #include <limits>
 #include <vector>
 
+namespace constrain_test {
+
 namespace {
 
 using nrb::SplinePtr;
@@ -68,3 +70,5 @@ TEST(Constrain, no_influence_is_told) {
 }
 
 } // namespace
+
+} // namespace constrain_test

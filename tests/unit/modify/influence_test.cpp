@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 #include <vector>
 
+namespace influence_test {
+
 namespace {
 
 using nrb::SplinePtr;
@@ -70,3 +72,5 @@ TEST(MostInfluential, is_the_first_of_several_and_counts_copies_together) {
 }
 
 } // namespace
+
+} // namespace influence_test

@@ -8,6 +8,8 @@
 #include <gtest/gtest.h>
 #include <vector>
 
+namespace net_editor_test {
+
 namespace {
 
 using nrb::SplinePtr;
@@ -81,3 +83,5 @@ TEST(KeptPoints, of_an_unclamped_end) {
 }
 
 } // namespace
+
+} // namespace net_editor_test

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
+namespace banded_least_squares_test {
+
 using nrb::BandedLeastSquares;
 using support::Random;
 
@@ -91,3 +93,5 @@ TEST(BandedLeastSquares, a_column_that_no_row_has_is_not_solved_for) {
 }
 
 } // namespace
+
+} // namespace banded_least_squares_test

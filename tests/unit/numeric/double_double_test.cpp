@@ -7,6 +7,8 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
+namespace double_double_test {
+
 using nrb::DoubleDouble;
 using reference::exact;
 using reference::Rational;
@@ -76,3 +78,5 @@ TEST(DoubleDouble, square_roots) {
 }
 
 } // namespace
+
+} // namespace double_double_test

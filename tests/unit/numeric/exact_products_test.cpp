@@ -6,6 +6,8 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
+namespace exact_products_test {
+
 using reference::exact;
 using reference::Rational;
 
@@ -58,3 +60,5 @@ TEST(ExactProducts, are_compared_at_any_size) {
 }
 
 } // namespace
+
+} // namespace exact_products_test

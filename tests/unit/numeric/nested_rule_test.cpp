@@ -5,6 +5,8 @@
 #include <numeric>
 #include <vector>
 
+namespace nested_rule_test {
+
 using namespace nrb;
 
 namespace {
@@ -106,3 +108,5 @@ TEST(NestedRule, errors_of_analytic_functions_and_of_kinks) {
     EXPECT_EQ(rule_decay(4, near_pole.data()).error(smooth), 0);
     EXPECT_GT(rule_decay(2, near_pole.data()).error(smooth), 0);
 }
+
+} // namespace nested_rule_test

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+namespace small_cholesky_test {
+
 using Cholesky = nrb::SmallCholesky<3>;
 
 TEST(SmallCholesky, solves_and_factors) {
@@ -27,3 +29,5 @@ TEST(SmallCholesky, refuses_what_may_be_singular) {
     EXPECT_TRUE(factor.factorise({{{1, 0, 0}, {1, 1 + 0x1p-40, 0}, {}}}, 2, 1e-13));
     EXPECT_TRUE(factor.factorise({{{1, 0, 0}, {2, 3, 0}, {0, 0, 1}}}, 1, 0));
 }
+
+} // namespace small_cholesky_test

@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 #include <limits>
 
+namespace small_svd_test {
+
 namespace {
 
 std::vector<double> random_values(support::Random &random, size_t n) {
@@ -94,3 +96,5 @@ TEST(SmallSvd, squares_that_overflow_are_not_finite) {
 }
 
 } // namespace
+
+} // namespace small_svd_test

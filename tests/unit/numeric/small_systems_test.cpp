@@ -1,15 +1,15 @@
 // Systems of a few unknowns: residuals, and what is refused.
+#include "base/numbers.h"
 #include "numeric/solvers/small_systems.h"
 
 #include <gtest/gtest.h>
-#include <limits>
 #include <numeric>
+
+namespace small_systems_test {
 
 using namespace nrb;
 
 namespace {
-
-constexpr double eps = std::numeric_limits<double>::epsilon();
 
 double row_times(const AxisMatrix &a, size_t row, const AxisVector &x) {
     return std::inner_product(x.begin(), x.end(), a[row].begin(), 0.0);
@@ -44,3 +44,5 @@ TEST(SmallSystems, shortest_solutions_leave_null_directions_out) {
 }
 
 } // namespace
+
+} // namespace small_systems_test

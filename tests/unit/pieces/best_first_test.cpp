@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+namespace best_first_test {
+
 using nrb::pieces::BestFirst;
 
 TEST(BestFirst, looks_at_the_best_first_within_the_budget) {
@@ -41,3 +43,5 @@ TEST(BestFirst, ends_where_nothing_counts) {
     EXPECT_EQ(looked, 2);
     EXPECT_EQ(budget, 2);
 }
+
+} // namespace best_first_test

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+namespace bezier_piece_test {
+
 using namespace nrb;
 using support::Random;
 
@@ -107,3 +109,5 @@ TEST(BezierPiece, is_sound_where_a_whole_coefficient_is_nothing) {
     EXPECT_FALSE(piece.has_point(1));
     EXPECT_TRUE(piece.has_point(0));
 }
+
+} // namespace bezier_piece_test

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+namespace damped_descent_test {
+
 using namespace nrb::pieces;
 
 namespace {
@@ -48,3 +50,5 @@ TEST(DampedDescent, finds_maxima_at_corners) {
     EXPECT_TRUE(descend(0, 0, -1, at).converged);
     EXPECT_EQ(at, (Vector{1, 1}));
 }
+
+} // namespace damped_descent_test

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+namespace derivative_pieces_test {
+
 namespace {
 
 using namespace support;
@@ -163,3 +165,5 @@ TEST(DerivativePieces, of_surfaces_and_volumes) {
         }
     });
 }
+
+} // namespace derivative_pieces_test

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
+namespace shape_bound_test {
+
 using nrb::Form;
 using nrb::SplinePtr;
 using nrb::pieces::Enclosure;
@@ -94,3 +96,5 @@ TEST(ShapeBound, is_infinite_where_the_weight_has_no_certain_sign) {
 }
 
 } // namespace
+
+} // namespace shape_bound_test

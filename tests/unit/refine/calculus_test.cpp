@@ -10,6 +10,8 @@
 
 #include <gtest/gtest.h>
 
+namespace calculus_test {
+
 using namespace nrb;
 using namespace shapes;
 
@@ -75,3 +77,5 @@ TEST(Compose, meets_a_corner_of_knot_lines_once) {
 }
 
 } // namespace
+
+} // namespace calculus_test

@@ -1,4 +1,5 @@
 // Knots of products and raised splines, and the choices among them.
+#include "base/numbers.h"
 #include "refine/algebra/common_knots.h"
 #include "refine/knots/blossom.h"
 #include "unit/shapes.h"
@@ -6,15 +7,14 @@
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
-#include <limits>
 #include <numeric>
+
+namespace common_knots_test {
 
 using namespace nrb;
 using namespace shapes;
 
 namespace {
-
-constexpr double eps = std::numeric_limits<double>::epsilon();
 
 TEST(CommonKnots, counts_copies_by_continuity) {
     const KnotVector quadratic(2, {0, 0, 0, 1, 2, 2, 2}), linear(1, {0, 0, 1.5, 2, 2});
@@ -79,3 +79,5 @@ TEST(BlossomRow, is_symmetric_and_affine) {
 }
 
 } // namespace
+
+} // namespace common_knots_test

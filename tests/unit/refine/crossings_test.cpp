@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+namespace crossings_test {
+
 using namespace nrb;
 using namespace shapes;
 using refine::strictly_monotone;
@@ -77,3 +79,5 @@ TEST(Monotony, is_decided_by_signs) {
 }
 
 } // namespace
+
+} // namespace crossings_test

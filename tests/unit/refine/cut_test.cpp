@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+namespace cut_test {
+
 using namespace nrb;
 using namespace shapes;
 
@@ -41,3 +43,5 @@ TEST(Cut, a_part_of_a_part_is_that_part) {
 }
 
 } // namespace
+
+} // namespace cut_test

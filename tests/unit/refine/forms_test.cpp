@@ -9,6 +9,8 @@
 
 #include <gtest/gtest.h>
 
+namespace forms_test {
+
 using namespace nrb;
 using namespace shapes;
 
@@ -71,3 +73,5 @@ TEST(AxisTable, merges_sorted_knots) {
 }
 
 } // namespace
+
+} // namespace forms_test

@@ -11,6 +11,8 @@
 #include <numeric>
 #include <random>
 
+namespace insert_test {
+
 namespace {
 
 using nrb::Form;
@@ -108,3 +110,5 @@ TEST(InsertKnot, leaves_points_out_of_reach_bit_for_bit) {
 }
 
 } // namespace
+
+} // namespace insert_test

@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+namespace maps_test {
+
 using namespace nrb;
 using namespace shapes;
 
@@ -68,3 +70,5 @@ TEST(Mirror, in_a_coordinate_plane) {
 }
 
 } // namespace
+
+} // namespace maps_test

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 
+namespace periods_test {
+
 using namespace nrb;
 using namespace shapes;
 
@@ -81,3 +83,5 @@ TEST(Seam, at_a_knot_moves_layers_only) {
 }
 
 } // namespace
+
+} // namespace periods_test

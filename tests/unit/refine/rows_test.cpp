@@ -11,6 +11,8 @@
 #include <limits>
 #include <random>
 
+namespace rows_test {
+
 namespace {
 
 using nrb::KnotVector;
@@ -154,3 +156,5 @@ TEST(Rows, of_elevation_are_right_in_long_runs_of_one_multiplicity) {
 }
 
 } // namespace
+
+} // namespace rows_test

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
+namespace at_origin_test {
+
 namespace {
 
 using nrb::at_origin;
@@ -58,3 +60,5 @@ TEST(AtOrigin, depends_on_points_with_influence_only) {
 }
 
 } // namespace
+
+} // namespace at_origin_test

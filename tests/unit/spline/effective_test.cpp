@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+namespace effective_test {
+
 namespace {
 
 using nrb::Form;
@@ -67,3 +69,5 @@ TEST(Effective, looks_at_every_axis) {
 }
 
 } // namespace
+
+} // namespace effective_test

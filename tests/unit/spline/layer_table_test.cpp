@@ -6,6 +6,8 @@
 #include <limits>
 #include <random>
 
+namespace layer_table_test {
+
 namespace {
 
 using nrb::Form;
@@ -139,3 +141,5 @@ TEST(Contract, has_the_bits_of_the_definition_for_every_length) {
 }
 
 } // namespace
+
+} // namespace layer_table_test

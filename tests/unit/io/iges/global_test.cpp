@@ -1,6 +1,8 @@
 // The global section: delimiters, unit and model scale.
 #include "support/iges_reading.h"
 
+namespace global_test {
+
 namespace {
 
 using namespace iges_test;
@@ -143,3 +145,5 @@ TEST(IgesGlobal, too_large) {
 }
 
 } // namespace
+
+} // namespace global_test

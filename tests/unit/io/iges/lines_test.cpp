@@ -1,6 +1,8 @@
 // Lines, sections and their counts; whole-file failures.
 #include "support/iges_reading.h"
 
+namespace lines_test {
+
 namespace {
 
 using namespace iges_test;
@@ -142,3 +144,5 @@ TEST(IgesLines, every_truncation_is_noticed) {
 }
 
 } // namespace
+
+} // namespace lines_test

@@ -2,6 +2,8 @@
 // out or doubled.
 #include "support/iges_reading.h"
 
+namespace mutation_test {
+
 namespace {
 
 using namespace iges_test;
@@ -81,3 +83,5 @@ TEST(IgesMutation, every_truncation) {
 }
 
 } // namespace
+
+} // namespace mutation_test

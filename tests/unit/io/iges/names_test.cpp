@@ -2,6 +2,8 @@
 #include "io/iges/names.h"
 #include "support/iges_reading.h"
 
+namespace names_test {
+
 namespace {
 
 using namespace iges_test;
@@ -112,3 +114,5 @@ TEST(IgesNames, of_types) {
 }
 
 } // namespace
+
+} // namespace names_test

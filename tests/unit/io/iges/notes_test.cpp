@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+namespace notes_test {
+
 namespace {
 
 using namespace iges_test;
@@ -129,3 +131,5 @@ TEST(IgesNotes, parameter_data_belong_to_one_entity) {
 }
 
 } // namespace
+
+} // namespace notes_test

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+namespace record_test {
+
 namespace {
 
 using nrb::io::iges::Delimiters;
@@ -92,3 +94,5 @@ TEST(IgesRecord, names_the_wrong_value) {
 }
 
 } // namespace
+
+} // namespace record_test

@@ -3,6 +3,8 @@
 
 #include <map>
 
+namespace roles_test {
+
 namespace {
 
 using namespace iges_test;
@@ -108,3 +110,5 @@ TEST(IgesRoles, broken_references) {
 }
 
 } // namespace
+
+} // namespace roles_test

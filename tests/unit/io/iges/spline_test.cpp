@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+namespace spline_test {
+
 namespace {
 
 using namespace iges_test;
@@ -286,3 +288,5 @@ TEST(IgesCurve, conversion_that_overflows) {
 }
 
 } // namespace
+
+} // namespace spline_test

@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 #include <limits>
 
+namespace text_test {
+
 namespace {
 
 using nrb::io::iges::excerpt;
@@ -114,3 +116,5 @@ TEST(IgesText, names_keep_letters_and_lose_controls) {
 }
 
 } // namespace
+
+} // namespace text_test

@@ -1,6 +1,8 @@
 // Transformation matrices (124): alone, chained, scaled, and broken.
 #include "support/iges_reading.h"
 
+namespace transform_test {
+
 namespace {
 
 using namespace iges_test;
@@ -125,3 +127,5 @@ TEST(IgesTransform, a_long_chain_adds_up) {
 }
 
 } // namespace
+
+} // namespace transform_test
