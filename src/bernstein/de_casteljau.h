@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // de Casteljau's algorithm on plain arrays: [degree + 1][inner] coefficients of a polynomial of one variable over
 // [0, 1], `inner` values each, which may be those of other variables; and the Bernstein functions, which the same recurrence gives the other way round. Each
 // step takes means, so that a value is within 3 / 2 degree eps of itself, relative to the same means of magnitudes,

@@ -38,9 +38,9 @@ struct Foot {
     std::array<double, max_axes> params{};
     double distance = 0;
     int32_t status = 0;
-    double noise = 0;   // the uncertainty of the distance by rounding
-    uint32_t left = 0;  // bit k: at parameter k the limit from below is meant
-    int64_t looked = 0; // number of pieces that were examined
+    double noise = 0;     // the uncertainty of the distance by rounding
+    uint32_t left = 0;    // bit k: at parameter k the limit from below is meant
+    int64_t examined = 0; // number of pieces that were examined
 };
 
 // A place where the distance is critical. Kind: a critical_ constant.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "measure/chord_path.h"
 
 #include "eval/evaluate.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Chains of points on a curve at equal distances, followed as their distance changes.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "measure/curve_length.h"
 
 #include "base/error.h"

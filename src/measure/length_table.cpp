@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "measure/length_table.h"
 
 #include "base/error.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What the coefficients of a speed tell without a node, and their halves.
 #pragma once
 

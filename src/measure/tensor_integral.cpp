@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "measure/tensor_integral.h"
 
 #include "bernstein/de_casteljau.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Tolerances below rounding ask for what double precision and the limit of work give.
 #pragma once
 

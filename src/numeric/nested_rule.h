@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Quadrature rules that contain each other: T. N. L. Patterson, "The optimum addition of points to quadrature
 // formulae", Math. Comp. 22 (1968), from the three points of Gauss.
 #pragma once

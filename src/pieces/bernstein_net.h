@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // All Bernstein pieces of a spline in one net, over breaks that may be more than its own.
 #pragma once
 

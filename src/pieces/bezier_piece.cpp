@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "pieces/bezier_piece.h"
 
 #include "numeric/norm.h"

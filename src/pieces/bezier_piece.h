@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // One Bezier piece of a spline in a frame, with proof of how far rounding may have moved it: what searches over one
 // spline or two look at, bound, and halve.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "pieces/largest_quotient.h"
 
 #include "base/finite.h"

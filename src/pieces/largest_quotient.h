@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The largest value of |N(t)| / W(t), or of N(t) / W(t), over Bernstein pieces, enclosed by branch and bound.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "pieces/spline_pieces.h"
 
 #include "numeric/norm.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How far a spline is from a shape, with proof.
 #pragma once
 

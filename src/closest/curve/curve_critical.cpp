@@ -47,7 +47,7 @@ struct Ends {
     int zeros_at_start = 0;
     int zeros_at_end = 0;
     bool nothing = false;
-    bool looked_at = false;
+    bool examined = false;
     std::vector<double> start;
     std::vector<double> end;
 };
@@ -119,7 +119,7 @@ private:
     // Records the critical places inside the piece.
     Ends look_at(int64_t i) {
         Ends ends;
-        if (++looked_ > question_.budget) {
+        if (++examined_ > question_.budget) {
             out_of_budget_ = true;
             return ends;
         }
@@ -131,7 +131,7 @@ private:
         }
         const SignRuns signs =
             sign_runs(dot(offset_from(piece, question_.point), pieces::tangent_numerator(piece, 0)));
-        ends.looked_at = true;
+        ends.examined = true;
         ends.nothing = signs.nothing;
         ends.first_sign = signs.runs.front().sign;
         ends.last_sign = signs.runs.back().sign;
@@ -167,7 +167,7 @@ private:
             start_arc(above, t);
             return;
         }
-        if (!below.looked_at || !above.looked_at || below.nothing || above.nothing) {
+        if (!below.examined || !above.examined || below.nothing || above.nothing) {
             return; // too far away, or part of a continuum
         }
         const bool zero = below.zeros_at_end > 0 || above.zeros_at_start > 0;
@@ -176,12 +176,12 @@ private:
         }
     }
     void end_arc(const Ends &ends, double t) {
-        if (ends.looked_at && !ends.nothing) {
+        if (ends.examined && !ends.nothing) {
             events_.push_back({t, ends.last_sign, Event::missing, true, false});
         }
     }
     void start_arc(const Ends &ends, double t) {
-        if (ends.looked_at && !ends.nothing) {
+        if (ends.examined && !ends.nothing) {
             events_.push_back({t, Event::missing, ends.first_sign, false, false});
         }
     }
@@ -248,7 +248,7 @@ private:
     const Spline &curve_;
     const CriticalQuestion &question_;
     pieces::PieceMaker maker_;
-    int64_t looked_ = 0;
+    int64_t examined_ = 0;
     bool out_of_budget_ = false;
     std::vector<Event> events_;
 };

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "closest/pair/hausdorff.h"
 
 #include "base/error.h"
@@ -135,7 +136,7 @@ private:
         NearPoint near;
         near.foot = locator_.nearest({query_.data(), nullptr, frame_.unscaled(tolerance_ / 4),
                                       std::clamp<int64_t>(budget_, 1, pieces::default_budget)});
-        budget_ -= near.foot.looked;
+        budget_ -= near.foot.examined;
         eval::AxisRules rules{};
         for (size_t k = 0; k < max_axes; ++k) {
             rules[k].left = (near.foot.left >> k & 1) != 0;

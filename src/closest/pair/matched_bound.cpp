@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "closest/pair/matched_bound.h"
 
 #include "bernstein/rounded_polynomial.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How far a piece is from another one, at most, if its points are matched with points of the other one.
 #pragma once
 

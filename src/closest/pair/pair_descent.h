@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Nearest points of two pieces.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "closest/pair/parameter_map.h"
 
 #include "closest/locator.h"

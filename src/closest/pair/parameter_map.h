@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Maps between the parameters of two splines under which their points may be the same.
 #pragma once
 

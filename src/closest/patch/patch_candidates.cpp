@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "closest/patch/patch_candidates.h"
 
 #include "closest/patch/patch_place.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The leaves of the tree that a query has to look at.
 #pragma once
 

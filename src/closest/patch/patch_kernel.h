@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The arithmetic of patches in vectors.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The Bezier pieces of a spline, prepared for the search for nearest points.
 //
 // Everything is about the centre of the control points and divided by a power of two, so that the shape has a

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // One query: its point among the pieces, and what is done with places on them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A tree of discs around the pieces of a spline: what a query looks at before any polynomial.
 //
 // A disc is the set of points across a unit normal n that are within a radius of the line through the centre,
