@@ -10,7 +10,7 @@
 #pragma once
 
 #include "closest/locator.h"
-#include "closest/patch/patch_tree.h"
+#include "closest/patch/tree/patch_tree.h"
 
 #include <vector>
 

@@ -2,7 +2,7 @@
 // The search for the nearest or farthest points of one query: branch and bound.
 #pragma once
 
-#include "closest/patch/patch_candidates.h"
+#include "closest/patch/tree/patch_candidates.h"
 #include "closest/patch/patch_minima.h"
 #include "closest/patch/patch_proof.h"
 #include "pieces/best_first.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "closest/patch/patch_candidates.h"
+#include "closest/patch/tree/patch_candidates.h"
 
 #include "closest/patch/patch_place.h"
 

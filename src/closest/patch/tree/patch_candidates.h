@@ -4,7 +4,7 @@
 
 #include "closest/foot.h"
 #include "closest/patch/patch_memory.h"
-#include "closest/patch/patch_tree.h"
+#include "closest/patch/tree/patch_tree.h"
 
 namespace nrb::closest {
 
