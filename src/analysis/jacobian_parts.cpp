@@ -5,8 +5,8 @@
 
 namespace nrb::analysis {
 
-Ends divide_boundaries(RoundedPolynomial &f, int axes) {
-    Ends divided{};
+BoundaryZeros divide_boundaries(RoundedPolynomial &f, int axes) {
+    BoundaryZeros divided{};
     for (int k = 0; k < axes && !vanishes(f); ++k) {
         for (const bool upper : {false, true}) {
             const int axis = max_axes - axes + k;

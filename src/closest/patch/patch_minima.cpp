@@ -41,7 +41,7 @@ bool PatchMinima::improve_to(const PatchItem &item, const AxisValues &at, double
 }
 
 void PatchMinima::consider(const PatchItem &item, const AxisValues &at, double distance, bool strict) {
-    Place place{item.piece, {}, sign_ * distance, item.moved};
+    FootCandidate place{item.piece, {}, sign_ * distance, item.moved};
     if (!(place.value <= upper()) || (not_unique_ && !all_)) {
         return;
     }
@@ -52,7 +52,7 @@ void PatchMinima::consider(const PatchItem &item, const AxisValues &at, double d
     if (same_as_best(place)) {
         return;
     }
-    const Place before = place;
+    const FootCandidate before = place;
     walk(place);
     if (place.value < best_.value - noise_) {
         improve_to(items_.whole(place.piece), place.at, sign_ * place.value);
@@ -63,7 +63,7 @@ void PatchMinima::consider(const PatchItem &item, const AxisValues &at, double d
 }
 
 // A place from which a descent led to another one that is not the best one.
-void PatchMinima::keep(const Place &before, const Place &after, bool strict) {
+void PatchMinima::keep(const FootCandidate &before, const FootCandidate &after, bool strict) {
     if (!all_) {
         not_unique_ = true;
         return;
@@ -77,7 +77,7 @@ void PatchMinima::keep(const Place &before, const Place &after, bool strict) {
 
 // Whether no descent leads on, neither into other pieces nor from a saddle. What is as near as the best point
 // is one in any case.
-bool PatchMinima::is_minimum(const Place &place) {
+bool PatchMinima::is_minimum(const FootCandidate &place) {
     if (place.certain || place.value <= best_.value + noise_) {
         return true;
     }
@@ -86,7 +86,7 @@ bool PatchMinima::is_minimum(const Place &place) {
     if (is_saddle(place)) {
         return false;
     }
-    Place other = place;
+    FootCandidate other = place;
     const PatchItem item = items_.whole(place.piece);
     other.value = sign_ * descent_.descend(item.values, box(place.piece), sign_, floor_, other.at).distance;
     walk(other);
@@ -94,7 +94,7 @@ bool PatchMinima::is_minimum(const Place &place) {
 }
 
 // Whether the distance bends downwards along an axis inside the piece.
-bool PatchMinima::is_saddle(const Place &place) const {
+bool PatchMinima::is_saddle(const FootCandidate &place) const {
     const PatchJet jet = descent_.jet(items_.whole(place.piece).values, place.at);
     for (size_t k = 0; k < static_cast<size_t>(pieces_.shape().axes); ++k) {
         const double bend = sign_ * (jet.metric[k][k] + jet.curvature[k][k]);
@@ -105,13 +105,13 @@ bool PatchMinima::is_saddle(const Place &place) const {
     return false;
 }
 
-std::vector<PatchQuery::Place> PatchMinima::distinct_minima() {
+std::vector<PatchQuery::FootCandidate> PatchMinima::distinct_minima() {
     others_.push_back(best_);
     std::sort(others_.begin(), others_.end(),
-              [](const Place &a, const Place &b) { return a.value < b.value; });
-    std::vector<Place> kept;
-    for (const Place &place : others_) {
-        const auto same = [&](const Place &other) { return same_point(place, other); };
+              [](const FootCandidate &a, const FootCandidate &b) { return a.value < b.value; });
+    std::vector<FootCandidate> kept;
+    for (const FootCandidate &place : others_) {
+        const auto same = [&](const FootCandidate &other) { return same_point(place, other); };
         if (place.value <= upper() && std::none_of(kept.begin(), kept.end(), same) && is_minimum(place)) {
             kept.push_back(place);
         }

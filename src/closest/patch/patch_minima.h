@@ -23,20 +23,20 @@ protected:
     // A minimum of an item as near as the best one: whether it is one of the spline, and elsewhere.
     void consider(const PatchItem &item, const AxisValues &at, double distance, bool strict);
     // The minima that are as near as the best one to the tolerance, each once, in rising order of distances.
-    [[nodiscard]] std::vector<Place> distinct_minima();
+    [[nodiscard]] std::vector<FootCandidate> distinct_minima();
 
-    Place best_;
-    std::vector<Place> others_;
+    FootCandidate best_;
+    std::vector<FootCandidate> others_;
     bool all_ = false;        // the others are wanted
     bool not_unique_ = false; // points elsewhere are as near
     bool connected_ = false;  // and not isolated
     bool doubtful_ = false;   // a minimum may be none, or missing
 
 private:
-    [[nodiscard]] bool same_as_best(const Place &place) { return same_point(place, best_); }
-    void keep(const Place &before, const Place &after, bool strict);
-    bool is_minimum(const Place &place);
-    [[nodiscard]] bool is_saddle(const Place &place) const;
+    [[nodiscard]] bool same_as_best(const FootCandidate &place) { return same_point(place, best_); }
+    void keep(const FootCandidate &before, const FootCandidate &after, bool strict);
+    bool is_minimum(const FootCandidate &place);
+    [[nodiscard]] bool is_saddle(const FootCandidate &place) const;
 };
 
 } // namespace nrb::closest

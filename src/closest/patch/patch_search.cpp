@@ -17,7 +17,7 @@ constexpr double eps = std::numeric_limits<double>::epsilon();
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr int deepest = 48;    // halvings of an axis
 constexpr int most_rounds = 8; // of improvements by one item
-constexpr int64_t turn = 12;   // items of a leaf, or of what was put off, that are looked at on end
+constexpr int64_t turn = 12;   // items of a leaf, or of a part that was put off, that are looked at in a row
 
 } // namespace
 
@@ -28,7 +28,7 @@ PatchSearch::PatchSearch(const PatchPieces &pieces, const PatchTree &tree, const
 }
 
 // From the best centre.
-void PatchSearch::start(const PatchTree::Place &centre) {
+void PatchSearch::start(const PatchTree::Centre &centre) {
     const PatchMemory::Hold hold(memory_);
     const PatchItem whole = items_.whole(centre.piece);
     const PatchBox part = box(centre.piece);
@@ -369,11 +369,11 @@ std::vector<Foot> PatchSearch::all() {
         all_ = true;
         search();
     }
-    const std::vector<Place> kept = distinct_minima();
+    const std::vector<FootCandidate> kept = distinct_minima();
     int32_t status = incomplete_ ? closest_budget : connected_ || doubtful_ ? 0 : closest_certified;
     status |= kept.size() > 1 || connected_ ? closest_not_unique : 0;
     std::vector<Foot> result;
-    for (const Place &place : kept) {
+    for (const FootCandidate &place : kept) {
         result.push_back(foot(place));
         result.back().status |= status;
     }

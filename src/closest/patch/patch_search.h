@@ -2,9 +2,9 @@
 // The search for the nearest or farthest points of one query: branch and bound.
 #pragma once
 
-#include "closest/patch/tree/patch_candidates.h"
 #include "closest/patch/patch_minima.h"
 #include "closest/patch/patch_proof.h"
+#include "closest/patch/tree/patch_candidates.h"
 #include "pieces/best_first.h"
 
 #include <vector>
@@ -30,7 +30,7 @@ private:
         std::vector<double> values; // of the item
     };
 
-    void start(const PatchTree::Place &centre);
+    void start(const PatchTree::Centre &centre);
     void search();
     void search_piece(const PatchCandidates::Group &group);
     void search_later();
@@ -66,7 +66,7 @@ private:
     int64_t spent_ = 0;
     int64_t pause_ = 0;               // what may be spent before parts are put off
     pieces::BestFirst<PutOff> later_; // by order(), negated
-    int overdraft_ = 16; // descents from the middles of leaves that are left after the budget has ended
+    int overdraft_ = 16; // descents that are still allowed after the budget, from middles of leaves
     int extra_ = 0;      // items looked at only because there may be others
 };
 

@@ -191,10 +191,10 @@ PatchTree::Leaf PatchTree::leaf(int64_t node) const noexcept {
     return result;
 }
 
-PatchTree::Place PatchTree::centre(int level, int64_t node) const noexcept {
+PatchTree::Centre PatchTree::centre(int level, int64_t node) const noexcept {
     if (level == levels() - 1 && parts() > 1) {
         const Leaf part = leaf(node);
-        Place result{part.piece, {}};
+        Centre result{part.piece, {}};
         for (size_t k = 0; k < result.at.size(); ++k) {
             result.at[k] = (part.part[k] + 0.5) / parts();
         }

@@ -54,11 +54,11 @@ public:
     [[nodiscard]] Leaf leaf(int64_t node) const noexcept;
     [[nodiscard]] int parts() const noexcept { return leaves_.parts(); }
     // Of the disc of a node, as a place of a piece.
-    struct Place {
+    struct Centre {
         int64_t piece;
         AxisValues at;
     };
-    [[nodiscard]] Place centre(int level, int64_t node) const noexcept;
+    [[nodiscard]] Centre centre(int level, int64_t node) const noexcept;
     // Gives part i of an axis of the shape.
     [[nodiscard]] const double *matrix(int axis, int part) const noexcept {
         return leaves_.matrix(axis, part);
