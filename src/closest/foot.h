@@ -3,6 +3,7 @@
 #pragma once
 
 #include "basis/knot_vector.h"
+#include "pieces/best_first.h"
 #include "spline/spline.h"
 
 #include <array>
@@ -54,8 +55,12 @@ struct Query {
     const double *point;   // [dim], finite
     const Interval *range; // [axes], in the domain; or null for all of it
     double tolerance;      // how much nearer another point may be
-    int64_t budget;        // most pieces examined
+    int64_t budget;        // most pieces examined; 0: the usual number
     bool farthest = false; // the farthest point instead of the nearest one
+
+    [[nodiscard]] int64_t most_pieces() const noexcept {
+        return budget > 0 ? budget : pieces::default_budget;
+    }
 };
 
 } // namespace nrb::closest

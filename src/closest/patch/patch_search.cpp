@@ -349,7 +349,7 @@ void PatchSearch::search_minima() {
     }
     Query rest = query_;
     rest.tolerance = 0;
-    rest.budget = std::max<int64_t>(1, (query_.budget > 0 ? query_.budget : pieces::default_budget) - spent_);
+    rest.budget = std::max<int64_t>(1, query_.most_pieces() - spent_);
     const MinimumCandidates found = minimum_candidates(pieces_, rest, pieces, upper());
     for (const MinimumCandidate &candidate : found.candidates) {
         others_.push_back({candidate.piece, candidate.at, candidate.distance, 0, candidate.certain});

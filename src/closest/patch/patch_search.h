@@ -51,9 +51,7 @@ private:
     void split(PatchItem &item, int axis);
     void put_off(const PatchItem &item, int axis);
     [[nodiscard]] double order(const PatchItem &item) const;
-    [[nodiscard]] bool spent() const noexcept {
-        return spent_ + cost_ > (query_.budget > 0 ? query_.budget : pieces::default_budget);
-    }
+    [[nodiscard]] bool spent() const noexcept { return spent_ + cost_ > query_.most_pieces(); }
     bool improve(const PatchItem &item, AxisValues at);
     [[nodiscard]] PatchGoal goal(double value, const PatchItem &item) const noexcept;
     [[nodiscard]] bool asks_for_others() const noexcept { return all_ || (!not_unique_ && extra_ < 24); }

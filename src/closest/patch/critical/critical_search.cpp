@@ -2,7 +2,6 @@
 #include "closest/patch/critical/critical_search.h"
 
 #include "closest/patch/critical/critical_kind.h"
-#include "pieces/best_first.h"
 
 #include <algorithm>
 #include <limits>
@@ -19,8 +18,7 @@ constexpr int shallow = 8;  // before a singular matrix is looked at
 
 CriticalSearch::CriticalSearch(const PatchPieces &pieces, const Query &query, bool minima)
     : query_(pieces, query), minima_(minima), points_(query_), poles_(query_, minima, points_, gaps_),
-      votes_(pieces.shape().dim, query_.near()),
-      budget_(query.budget > 0 ? query.budget : pieces::default_budget) {
+      votes_(pieces.shape().dim, query_.near()), budget_(query.most_pieces()) {
     const int64_t count = pieces.shape().coefficients();
     cost_ = std::max<int64_t>(1, count * count / 65536);
 }
