@@ -7,6 +7,7 @@
 #pragma once
 
 #include "closest/patch/patch_pieces.h"
+#include "closest/patch/tree/disc_kernel.h"
 #include "closest/patch/tree/patch_disc.h"
 
 #include <span>
