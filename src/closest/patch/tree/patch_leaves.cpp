@@ -66,7 +66,7 @@ void PatchLeaves::set_matrices(const PatchShape &shape) {
     }
 }
 
-void PatchLeaves::build(const PatchPieces &pieces, bool normals, const std::vector<int64_t> &order) {
+void PatchLeaves::build(const PatchPieces &pieces, bool normals, const std::vector<int32_t> &order) {
     const PatchShape &shape = pieces.shape();
     normals_ = normals;
     parts_ = parts_of(pieces, normals);

@@ -18,7 +18,7 @@ namespace nrb::closest {
 class PatchLeaves {
 public:
     // The pieces in the order of their nodes.
-    void build(const PatchPieces &pieces, bool normals, const std::vector<int64_t> &order);
+    void build(const PatchPieces &pieces, bool normals, const std::vector<int32_t> &order);
 
     // Along each axis of the shape; with 1, pieces have no leaves of their own.
     [[nodiscard]] int parts() const noexcept { return parts_; }

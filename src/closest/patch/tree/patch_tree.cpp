@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <new>
 
 namespace nrb::closest {
 
@@ -13,6 +14,9 @@ public:
     explicit Builder(PatchTree &tree) : tree_(tree), pieces_(tree.pieces_) {}
 
     void build() {
+        if (pieces_.count() > std::numeric_limits<int32_t>::max()) {
+            throw std::bad_alloc(); // the tree would take more than 10^11 bytes
+        }
         set_grids();
         tree_.nodes_.push_back({0});
         for (size_t level = 1; level < tree_.grids_.size(); ++level) {
@@ -46,10 +50,10 @@ private:
         std::reverse(tree_.blocks_.begin(), tree_.blocks_.end());
     }
 
-    std::vector<int64_t> children(size_t level) {
+    std::vector<int32_t> children(size_t level) {
         const PatchPieces::Index &grid = tree_.grids_[level], &coarse = tree_.blocks_[level - 1],
                                  &fine = tree_.blocks_[level];
-        std::vector<int64_t> nodes;
+        std::vector<int32_t> nodes;
         std::vector<Family> families;
         nodes.reserve(static_cast<size_t>(grid[0] * grid[1] * grid[2]));
         families.reserve(tree_.nodes_.back().size());
@@ -63,7 +67,7 @@ private:
             }
             const auto first = std::ssize(nodes);
             for_each(block, [&](const PatchPieces::Index &i) {
-                nodes.push_back((i[0] * grid[1] + i[1]) * grid[2] + i[2]);
+                nodes.push_back(static_cast<int32_t>((i[0] * grid[1] + i[1]) * grid[2] + i[2]));
             });
             families.push_back(family(first, std::ssize(nodes) - first));
             int64_t column = 0;

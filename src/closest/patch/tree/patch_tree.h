@@ -72,7 +72,7 @@ private:
     const PatchPieces &pieces_;
     bool normals_;
     std::vector<std::vector<Family>> families_;
-    std::vector<std::vector<int64_t>> nodes_; // in the grids of the levels of pieces and their groups
+    std::vector<std::vector<int32_t>> nodes_; // in the grids of the levels of pieces and their groups
     std::vector<PatchPieces::Index> grids_;   // nodes of such a level along each axis
     std::vector<PatchPieces::Index> blocks_;  // pieces in a node of it
     std::vector<double> discs_;
