@@ -19,8 +19,6 @@ using namespace nrb::capi;
 
 namespace {
 
-constexpr int64_t default_budget = 20000;
-
 bool check_flag(uint32_t flags) {
     if ((flags & ~NURBS_NAN_POINTS) != 0) {
         fail(Status::flags, "flags = 0x%08x, expected NURBS_NAN_POINTS or 0", flags);
@@ -88,7 +86,7 @@ void extremal_points(const PointBatch &batch, const double *range, double tolera
     check_tolerance(tolerance);
     const Part part = checked_part(batch.spline, range);
     const closest::Query query{nullptr, range == nullptr ? nullptr : part.data(), tolerance,
-                               checked_budget(budget, default_budget), farthest};
+                               checked_budget(budget, pieces::default_budget), farthest};
     arrays.outputs.check(memory("range", range, 2 * int64_t{batch.spline.axes()}));
     batch.check_values();
     closest::closest_points(batch.spline, batch.points, query, arrays.feet);
@@ -103,7 +101,7 @@ struct PointQuery {
         part = checked_part(spline, range);
         check_tolerance(tolerance);
         query = {point, range == nullptr ? nullptr : part.data(), tolerance,
-                 checked_budget(budget, default_budget)};
+                 checked_budget(budget, pieces::default_budget)};
     }
     [[nodiscard]] const closest::Locator &locator() const { return closest::locator_of(spline); }
 
@@ -243,7 +241,8 @@ nurbs_status nurbs_curve_signed_distances(const nurbs *g, int64_t n, const doubl
         const FeetArrays arrays(batch, {"params", params, 1, param_stride, 0}, {"feet", nullptr, 2, 0, 0},
                                 {"distances", distances, 1, distance_stride, 0}, status);
         check_tolerance(tolerance);
-        const closest::Query query{nullptr, nullptr, tolerance, checked_budget(budget, default_budget)};
+        const closest::Query query{nullptr, nullptr, tolerance,
+                                   checked_budget(budget, pieces::default_budget)};
         batch.check_values();
         closest::signed_distances(batch.spline, batch.points, query, arrays.feet);
     });

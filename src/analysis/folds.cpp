@@ -198,7 +198,7 @@ private:
     pieces::PieceMaker maker_;
     Vector reference_{};
     std::vector<Part> pieces_;
-    std::vector<Ends> ends_;
+    std::vector<BoundaryZeros> ends_;
     std::deque<JacobianPart> parts_;
     bool hidden_ = false;
     FoldTest test_;

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "analysis/jacobian_parts.h"
 
+#include "pieces/best_first.h"
+
 #include <algorithm>
 
 namespace nrb::analysis {
 
-Ends divide_boundaries(RoundedPolynomial &f, int axes) {
-    Ends divided{};
+BoundaryZeros divide_boundaries(RoundedPolynomial &f, int axes) {
+    BoundaryZeros divided{};
     for (int k = 0; k < axes && !vanishes(f); ++k) {
         for (const bool upper : {false, true}) {
             const int axis = max_axes - axes + k;
@@ -40,8 +42,8 @@ bool halve_longest(JacobianPart &part, int axes, const std::array<double, max_ax
 }
 
 int64_t halvings_for(const RoundedPolynomial &f) noexcept {
-    constexpr int64_t most = 20000, room = int64_t{1} << 25; // doubles
-    return std::min(most, room / std::max<int64_t>(1, f.shape.values()));
+    constexpr int64_t room = int64_t{1} << 25; // doubles
+    return std::min(pieces::default_budget, room / std::max<int64_t>(1, f.shape.values()));
 }
 
 } // namespace nrb::analysis

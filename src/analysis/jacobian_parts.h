@@ -17,9 +17,9 @@ struct JacobianPart {
 };
 
 // The boundaries of a piece that a polynomial was divided by, lower and upper of each axis.
-using Ends = std::array<std::array<bool, 2>, max_axes>;
+using BoundaryZeros = std::array<std::array<bool, 2>, max_axes>;
 // Divides by the boundaries on which all coefficients vanish to rounding, as often as they do.
-Ends divide_boundaries(RoundedPolynomial &f, int axes);
+BoundaryZeros divide_boundaries(RoundedPolynomial &f, int axes);
 
 // Halves a part along the axis on which it is longest, in units of `scale`, among the axes with a degree;
 // false if no side is longer than `least`. The part becomes the upper half.

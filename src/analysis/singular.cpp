@@ -106,7 +106,7 @@ private:
             add(e, {{0, 0, 0}, {1, 1, 1}}, {0.5, 0.5, 0.5});
             return;
         }
-        const Ends ends = divide_boundaries(*f, axes_);
+        const BoundaryZeros ends = divide_boundaries(*f, axes_);
         for (size_t k = 0; k < static_cast<size_t>(axes_); ++k) {
             for (const size_t upper : {size_t{0}, size_t{1}}) {
                 if (ends[k][upper]) {

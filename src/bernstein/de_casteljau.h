@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // de Casteljau's algorithm on plain arrays: [degree + 1][inner] coefficients of a polynomial of one variable over
 // [0, 1], `inner` values each, which may be those of other variables; and the Bernstein functions, which the same recurrence gives the other way round. Each
 // step takes means, so that a value is within 3 / 2 degree eps of itself, relative to the same means of magnitudes,
@@ -10,7 +11,7 @@
 
 namespace nrb::inline bernstein {
 
-// The means (1 - t) b_i + t b_(i+1) in place of the first `count` values b_i.
+// The means (1 - t) b_i + t b_(i+1) replace the first `count` values b_i.
 [[gnu::always_inline]] inline void casteljau_step(int64_t count, int64_t inner, double t,
                                                   double *b) noexcept {
     const double s = 1 - t;
@@ -54,7 +55,7 @@ inline void subdivide(const AxisLayers &layers, double t, double *values, double
     }
 }
 
-// Coefficients over [lower, upper] in place of those over [0, 1]. All means are taken of the ends, so that coefficients
+// Coefficients over [lower, upper] replace those over [0, 1]. All means are taken of the ends, so that coefficients
 // of one size and sign keep their relative accuracy. Precondition: 0 <= lower < upper <= 1.
 inline void restrict_to(int degree, double lower, double upper, double *values) noexcept {
     for (int r = 1; upper < 1 && r <= degree; ++r) {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "bernstein/products.h"
 
 #include "base/numbers.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Tensor products of Bernstein polynomials as plain arrays: the pieces on which bounds are proved, because a
 // polynomial lies in the convex hull of its coefficients (Farouki & Rajan, "Algorithms for polynomials in
 // Bernstein form", CAGD 5 (1988)).

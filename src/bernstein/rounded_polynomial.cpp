@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "bernstein/rounded_polynomial.h"
 
 #include "base/numbers.h"

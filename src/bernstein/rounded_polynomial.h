@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Bernstein polynomials that know how far rounding may have moved their coefficients.
 #pragma once
 

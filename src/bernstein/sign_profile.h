@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Where a function of one variable changes its sign, as told by Bernstein coefficients that are known to a stated
 // uncertainty: quick, and blind to less than that. sign_runs.h proves more, at the price of running error bounds.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "bernstein/sign_runs.h"
 
 #include "base/numbers.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Where a polynomial has which sign, with proof.
 #pragma once
 

@@ -26,7 +26,7 @@ pieces::LargestValue face(const pieces::SplinePieces &pieces, int coordinate, do
     const pieces::PieceSource source = [&](int64_t i, pieces::QuotientPiece &out) {
         pieces.fill(i, coordinate, sign, out);
     };
-    return pieces::largest_value(pieces.count(), source, tolerance, most_halvings);
+    return pieces::largest_value(pieces.count(), source, tolerance, pieces::default_budget);
 }
 
 // How far an evaluated point may be from the exact one, by the accuracy contract: c eps times the largest
@@ -92,7 +92,7 @@ ExtremePoint extreme_point(const Spline &spline, const double *direction, const 
         pieces.fill(i, unit.data(), out);
     };
     const pieces::LargestValue found =
-        pieces::largest_value(pieces.count(), source, tolerance * length, most_halvings);
+        pieces::largest_value(pieces.count(), source, tolerance * length, pieces::default_budget);
     if (found.piece < 0) {
         fail(Status::not_representable,
              "no value is known: the weights cannot be shown to be positive anywhere");

@@ -39,7 +39,4 @@ struct ExtremePoint {
 // finite and not 0.
 ExtremePoint extreme_point(const Spline &spline, const double *direction, const Part &part, double tolerance);
 
-// How many halvings a search may take.
-inline constexpr int most_halvings = 20000;
-
 } // namespace nrb::bounds

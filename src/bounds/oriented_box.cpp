@@ -33,7 +33,7 @@ Extents extents(const pieces::SplinePieces &pieces, const std::vector<double> &a
         const pieces::PieceSource source = [&](int64_t i, pieces::QuotientPiece &out) {
             pieces.fill(i, direction.data(), out);
         };
-        return pieces::largest_value(pieces.count(), source, tolerance, most_halvings).bounds.upper;
+        return pieces::largest_value(pieces.count(), source, tolerance, pieces::default_budget).bounds.upper;
     };
     for (size_t r = 0; r < dim; ++r) {
         found.lower.push_back(-largest(-1, r));

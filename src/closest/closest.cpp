@@ -36,9 +36,9 @@ bool copy(const ConstRecords &from, int64_t i, std::vector<double> &to) noexcept
 // Turns the answers of locators into results: points and distances are those of the parameters.
 class Feet {
 public:
-    // asked: null for local searches, which prove nothing.
-    Feet(const Spline &spline, const ConstRecords &points, const Query *asked, const FeetOutputs &out)
-        : spline_(spline), points_(points), asked_(asked), out_(out),
+    // query: null for local searches, which prove nothing.
+    Feet(const Spline &spline, const ConstRecords &points, const Query *query, const FeetOutputs &out)
+        : spline_(spline), points_(points), query_(query), out_(out),
           params_(static_cast<size_t>(block * spline.axes())),
           feet_(static_cast<size_t>(block * spline.dim())), found_(static_cast<size_t>(block)) {}
 
@@ -61,7 +61,7 @@ private:
         evaluate(count);
         for (int64_t k = 0; k < count; ++k) {
             Foot &foot = found_[static_cast<size_t>(k)];
-            settle(foot, distance(first + k, point(k)));
+            finish(foot, distance(first + k, point(k)));
             for (int64_t c = 0; out_.params.data != nullptr && c < spline_.axes(); ++c) {
                 out_.params(first + k, c) = foot.params[static_cast<size_t>(c)];
             }
@@ -78,7 +78,7 @@ private:
     }
     // The proof holds for the place that was found. The distance of its parameter, which is rounded, may
     // differ, or overflow.
-    void settle(Foot &foot, double distance) const {
+    void finish(Foot &foot, double distance) const {
         if ((foot.status & closest_certified) != 0 && !keeps(foot, distance)) {
             foot.status ^= closest_certified | closest_coarse;
         }
@@ -86,9 +86,9 @@ private:
         foot.status |= static_cast<int32_t>(foot.left) * closest_left;
     }
     [[nodiscard]] bool keeps(const Foot &foot, double distance) const noexcept {
-        const double worse = asked_->farthest ? foot.distance - distance : distance - foot.distance;
+        const double worse = query_->farthest ? foot.distance - distance : distance - foot.distance;
         return std::isfinite(distance) && std::isfinite(foot.noise) &&
-               worse <= asked_->tolerance + foot.noise;
+               worse <= query_->tolerance + foot.noise;
     }
     [[nodiscard]] double *point(int64_t k) noexcept { return feet_.data() + k * spline_.dim(); }
     [[nodiscard]] double distance(int64_t i, const double *foot) const noexcept {
@@ -121,7 +121,7 @@ private:
 
     const Spline &spline_;
     const ConstRecords &points_;
-    const Query *asked_;
+    const Query *query_;
     const FeetOutputs &out_;
     std::vector<double> params_;
     std::vector<double> feet_;
@@ -136,13 +136,13 @@ const Locator &locator_of(const Spline &spline) {
     return *static_cast<const Locator *>(table.get());
 }
 
-void closest_points(const Spline &spline, const ConstRecords &points, const Query &asked,
+void closest_points(const Spline &spline, const ConstRecords &points, const Query &common,
                     const FeetOutputs &out) {
     const Locator &locator = locator_of(spline);
     std::vector<double> point(static_cast<size_t>(spline.dim()));
-    Query query = asked;
+    Query query = common;
     query.point = point.data();
-    Feet feet(spline, points, &asked, out);
+    Feet feet(spline, points, &common, out);
     for (int64_t i = 0; i < points.count; ++i) {
         if (copy(points, i, point)) {
             feet.set(i, locator.nearest(query));

@@ -15,9 +15,9 @@ struct FeetOutputs {
     int32_t *status = nullptr;
 };
 
-// Answers each query whose point is finite; the others get NaN and closest_invalid. `asked` holds what the
+// Answers each query whose point is finite; the others get NaN and closest_invalid. `query` holds what the
 // queries have in common.
-void closest_points(const Spline &spline, const ConstRecords &points, const Query &asked,
+void closest_points(const Spline &spline, const ConstRecords &points, const Query &query,
                     const FeetOutputs &out);
 void closest_local(const Spline &spline, const ConstRecords &points, const ConstRecords &guesses,
                    const FeetOutputs &out);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "basis/knot_vector.h"
+#include "pieces/best_first.h"
 #include "spline/spline.h"
 
 #include <array>
@@ -38,9 +39,9 @@ struct Foot {
     std::array<double, max_axes> params{};
     double distance = 0;
     int32_t status = 0;
-    double noise = 0;   // the uncertainty of the distance by rounding
-    uint32_t left = 0;  // bit k: at parameter k the limit from below is meant
-    int64_t looked = 0; // number of pieces that were examined
+    double noise = 0;     // the uncertainty of the distance by rounding
+    uint32_t left = 0;    // bit k: at parameter k the limit from below is meant
+    int64_t examined = 0; // number of pieces that were examined
 };
 
 // A place where the distance is critical. Kind: a critical_ constant.
@@ -54,8 +55,12 @@ struct Query {
     const double *point;   // [dim], finite
     const Interval *range; // [axes], in the domain; or null for all of it
     double tolerance;      // how much nearer another point may be
-    int64_t budget;        // most pieces examined
+    int64_t budget;        // most pieces examined; 0: the usual number
     bool farthest = false; // the farthest point instead of the nearest one
+
+    [[nodiscard]] int64_t most_pieces() const noexcept {
+        return budget > 0 ? budget : pieces::default_budget;
+    }
 };
 
 } // namespace nrb::closest

@@ -14,7 +14,7 @@ struct CriticalSet {
     int32_t status = 0;                // closest_ bits
 
     // Nothing is certified of a distance that overflows.
-    void settle() noexcept {
+    void revoke_infinite() noexcept {
         for (const CriticalPoint &point : points) {
             if (!std::isfinite(point.foot.distance)) {
                 status &= ~closest_certified;

@@ -111,7 +111,7 @@ struct Block {
 
 } // namespace
 
-void signed_distances(const Spline &curve, const ConstRecords &points, const Query &asked,
+void signed_distances(const Spline &curve, const ConstRecords &points, const Query &query,
                       const FeetOutputs &out) {
     const Sides sides(curve);
     eval::AxisRules rules;
@@ -125,7 +125,7 @@ void signed_distances(const Spline &curve, const ConstRecords &points, const Que
                           {block.feet.data(), part.count, 2, 2, 1},
                           {block.distances.data(), part.count, 1, 1, 1},
                           block.status.data()};
-        closest_points(curve, part, asked, found);
+        closest_points(curve, part, query, found);
         eval::evaluate_points(curve, rules, 1, {block.params.data(), part.count, 1, 1, 1},
                               {block.derivs.data(), part.count, 4, 4, 1});
         for (int64_t i = 0; i < part.count; ++i) {

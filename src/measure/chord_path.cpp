@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "measure/chord_path.h"
 
 #include "eval/evaluate.h"
@@ -35,7 +36,7 @@ ChordPath::ChordPath(const Spline &curve, Interval range, std::vector<double> pa
     : curve_(curve), range_(range), count_(params.size() - 1), params_(std::move(params)), chord_(chord),
       start_(chord), longest_step_(longest_step), length_(chord / 16),
       values_(2 * (count_ + 1) * static_cast<size_t>(curve.dim())), speeds_(count_ + 1), ahead_(count_),
-      behind_(count_), misses_(count_), tangent_(count_ + 1), change_(count_ + 1), diagonal_(count_),
+      back_(count_), misses_(count_), tangent_(count_ + 1), change_(count_ + 1), diagonal_(count_),
       upper_(count_), border_(count_), right_(count_) {
     tangent_[0] = 1;
 }
@@ -69,14 +70,14 @@ bool ChordPath::evaluate() {
             at_start += along * from[dim + c];
             at_end += along * to[dim + c];
         }
-        behind_[i] = at_start / speeds_[i];
+        back_[i] = at_start / speeds_[i];
         ahead_[i] = at_end / speeds_[i + 1];
         misses_[i] = length - chord_;
     }
     return true;
 }
 
-// ahead_i x_i - behind_i x_(i-1) - x_0 = -misses_i, or 0, and last . x = rhs, where x_0 belongs to the chord:
+// ahead_i x_i - back_i x_(i-1) - x_0 = -misses_i, or 0, and last . x = rhs, where x_0 belongs to the chord:
 // rotations make the bidiagonal rows upper ones, and all that may vanish is left in the last two equations.
 bool ChordPath::solve(const std::vector<double> &last, double rhs, bool residuals, std::vector<double> &out) {
     const size_t n = count_;
@@ -84,11 +85,11 @@ bool ChordPath::solve(const std::vector<double> &last, double rhs, bool residual
     double factor = last[1], corner = last[0];
     for (size_t i = 0; i + 1 < n; ++i) {
         const double next_right = residuals ? -misses_[i + 1] : 0;
-        const double size = std::hypot(pivot, behind_[i + 1]);
+        const double size = std::hypot(pivot, back_[i + 1]);
         if (!(size > 0)) {
             return false;
         }
-        const double c = pivot / size, s = -behind_[i + 1] / size;
+        const double c = pivot / size, s = -back_[i + 1] / size;
         diagonal_[i] = size;
         upper_[i] = s * ahead_[i + 1];
         border_[i] = c * border - s;

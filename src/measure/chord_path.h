@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Chains of points on a curve at equal distances, followed as their distance changes.
 #pragma once
 
@@ -51,9 +52,9 @@ private:
     double rounding_ = 0; // of distances
     double length_ = 0;   // of the next step
     int64_t work_ = 0;
-    std::vector<double> values_;         // [n + 1][2][dim]
-    std::vector<double> speeds_;         // [n + 1]
-    std::vector<double> ahead_, behind_; // of each chord: its cosines with the tangents at both ends
+    std::vector<double> values_;       // [n + 1][2][dim]
+    std::vector<double> speeds_;       // [n + 1]
+    std::vector<double> ahead_, back_; // of each chord: its cosines with the tangents at both ends
     std::vector<double> misses_;
     std::vector<double> tangent_, change_; // [n + 1]: d, then each point but the first
     std::vector<double> diagonal_, upper_, border_, right_;

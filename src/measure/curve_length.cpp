@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "measure/curve_length.h"
 
 #include "base/error.h"
@@ -71,9 +72,9 @@ public:
                            : first_level),
           budget_(leaves_at_least + leaves_for_a_piece * pieces.size()) {}
 
-    // `share`: what is allowed on however small a part, of the whole tolerance.
-    Integral run(double length, double share) {
-        least_ = tolerance_ * length * share;
+    // `fraction`: what is allowed on however small a part, of the whole tolerance.
+    Integral run(double length, double fraction) {
+        least_ = tolerance_ * length * fraction;
         if (leaves_ != nullptr) {
             leaves_->clear();
             nets_->clear();
@@ -88,7 +89,7 @@ public:
     [[nodiscard]] bool spent() const noexcept { return budget_ < 0; }
 
 private:
-    struct Part {
+    struct SpeedPart {
         double lower, upper;
         int halvings;
     };
@@ -99,7 +100,7 @@ private:
         std::copy_n(pieces_.net(piece), size, stack_.data());
         parts_.assign(1, {0, 1, 0});
         while (!parts_.empty()) {
-            const Part part = parts_.back();
+            const SpeedPart part = parts_.back();
             if (finish(piece, part, stack_.data() + (parts_.size() - 1) * size)) {
                 parts_.pop_back();
             } else {
@@ -108,14 +109,14 @@ private:
         }
     }
 
-    bool finish(int64_t piece, const Part &part, const double *net) {
+    bool finish(int64_t piece, const SpeedPart &part, const double *net) {
         const NetShape shape = net_shape(pieces_.form(), net);
         return shape.even ? finish_even(piece, part, net, shape)
                           : finish_uneven(piece, part, net, shape.bound());
     }
 
     // Whether a part on which rules tell their error is accepted.
-    bool finish_even(int64_t piece, const Part &part, const double *net, const NetShape &shape) {
+    bool finish_even(int64_t piece, const SpeedPart &part, const double *net, const NetShape &shape) {
         Ladder ladder(pieces_.form(), net, first_level_);
         const bool good = ladder.climb(std::max(least_, tolerance_ / 2 * ladder.value()));
         if (!good && ladder.value() < infinite && shape.bound() > least_ && may_halve(part)) {
@@ -127,7 +128,7 @@ private:
 
     // Elsewhere the net alone tells that a part has to be halved, unless it is too small to matter. Where
     // nothing bounds the length a node may show that it is infinite.
-    bool finish_uneven(int64_t piece, const Part &part, const double *net, double bound) {
+    bool finish_uneven(int64_t piece, const SpeedPart &part, const double *net, double bound) {
         if (bound > least_ && bound < infinite && may_halve(part)) {
             return false;
         }
@@ -139,10 +140,10 @@ private:
         return true;
     }
 
-    bool may_halve(const Part &part) noexcept { return part.halvings < most_halvings && --budget_ >= 0; }
+    bool may_halve(const SpeedPart &part) noexcept { return part.halvings < most_halvings && --budget_ >= 0; }
 
     // The lower half is on top.
-    void halve_top(const Part &part, size_t size) {
+    void halve_top(const SpeedPart &part, size_t size) {
         const size_t end = parts_.size() * size;
         stack_.resize(std::max(stack_.size(), end + size));
         double *net = stack_.data() + end - size;
@@ -152,7 +153,7 @@ private:
         parts_.push_back({part.lower, middle, part.halvings + 1});
     }
 
-    void accept(int64_t piece, const Part &part, const Ladder &ladder, double error, const double *net) {
+    void accept(int64_t piece, const SpeedPart &part, const Ladder &ladder, double error, const double *net) {
         total_.add(ladder.value());
         error_.add(std::isfinite(error) ? error : infinite);
         if (leaves_ != nullptr) {
@@ -171,7 +172,7 @@ private:
     CompensatedSum total_;
     CompensatedSum error_;
     std::vector<double> stack_;
-    std::vector<Part> parts_;
+    std::vector<SpeedPart> parts_;
 };
 
 // By 7 nodes a piece.
@@ -252,11 +253,11 @@ Integral integrate_to(const SpeedPieces &pieces, double tolerance, std::vector<L
                       std::vector<double> *nets) {
     LengthSearch search(pieces, tolerance, leaves, nets);
     double length = rough_length(pieces);
-    double share = 1.0 / (32.0 * static_cast<double>(pieces.size()));
+    double fraction = 1.0 / (32.0 * static_cast<double>(pieces.size()));
     Integral result{0, 0};
     for (int attempt = 0; attempt < 4; ++attempt) {
-        result = search.run(length, share);
-        share /= 64;
+        result = search.run(length, fraction);
+        fraction /= 64;
         length = result.value;
         if (search.spent() || !(result.error > std::max(tolerance * result.value, pieces.rounding()))) {
             break;
@@ -270,12 +271,12 @@ Integral integrate_to(const SpeedPieces &pieces, double tolerance, std::vector<L
 
 Integral integrate(const SpeedPieces &pieces, double relative_tolerance, std::vector<LengthLeaf> *leaves,
                    std::vector<double> *nets) {
-    Reach reach(relative_tolerance);
+    ToleranceLadder ladder(relative_tolerance);
     Integral result;
     do {
-        result = integrate_to(pieces, reach.tolerance(), leaves, nets);
-        result.good = good_enough(pieces, result, std::max(reach.tolerance(), relative_tolerance));
-    } while (!result.good && reach.loosen());
+        result = integrate_to(pieces, ladder.tolerance(), leaves, nets);
+        result.good = good_enough(pieces, result, std::max(ladder.tolerance(), relative_tolerance));
+    } while (!result.good && ladder.loosen());
     return result;
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Lengths of curves.
 #pragma once
 

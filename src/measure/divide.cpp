@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "measure/divide.h"
 
 #include "base/error.h"

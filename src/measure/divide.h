@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Division of curves into equal parts.
 #pragma once
 

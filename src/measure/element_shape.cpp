@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "measure/element_shape.h"
 
 #include <algorithm>

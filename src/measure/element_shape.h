@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What the control points of an element tell of features that are narrower than the nodes of a rule are
 // apart.
 #pragma once

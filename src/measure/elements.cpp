@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "measure/elements.h"
 
 #include "bernstein/de_casteljau.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The polynomial pieces of a spline as integrals want them: each about a point of its own, so that neither
 // the place of the model nor its size enters the rounding of derivatives.
 #pragma once

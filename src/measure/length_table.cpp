@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "measure/length_table.h"
 
 #include "base/error.h"
@@ -108,7 +109,7 @@ double LengthTable::length_at(double t, double *work) const noexcept {
 }
 
 double LengthTable::param_at(double length, double *work) const noexcept {
-    // The first leaf that ends at or behind the length.
+    // The first leaf that ends at or after the length.
     const auto end = std::lower_bound(starts_.begin() + 1, starts_.end() - 1, length);
     const auto leaf = static_cast<size_t>(end - starts_.begin() - 1);
     const LengthLeaf &at = leaves_[leaf];

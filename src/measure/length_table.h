@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Lengths along a curve as a function of the parameter, and its inverse.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "measure/moments.h"
 
 #include "base/error.h"

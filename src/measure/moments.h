@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Content, centroid and inertia of shapes and of what they enclose.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // |C'| at the nodes of a rule.
 #pragma once
 

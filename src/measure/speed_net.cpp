@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "measure/speed_net.h"
 
 #include "bernstein/de_casteljau.h"
@@ -58,10 +59,10 @@ NetShape shape_of(const SpeedForm &form, const double *net) noexcept {
         largest = std::max(largest, squares[i]);
     }
     const double upper = largest / (most_ratio * most_ratio), lower = none * none * largest;
-    const double share = least_cosine * least_cosine * square;
+    const double least = least_cosine * least_cosine * square;
     double beside = -infinite, between = -infinite; // positive where a coefficient is
     for (size_t i = 0; i < count; ++i) {
-        beside = std::max(beside, share * squares[i] - along[i] * std::abs(along[i]));
+        beside = std::max(beside, least * squares[i] - along[i] * std::abs(along[i]));
         between = std::max(between, std::min(upper - squares[i], squares[i] - lower));
     }
     const Extent weights = weight_extent(form.weight_degree, net);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What the coefficients of a speed tell without a node, and their halves.
 #pragma once
 
@@ -8,8 +9,8 @@ namespace nrb::measure {
 // What the coefficients of a net tell of features that are narrower than the nodes are apart: peaks where the
 // weights differ much, dips and zeros where the curve turns sharply.
 struct NetShape {
-    // The weights are of one sign, all coefficients of N are within 75 degrees of their sum, and both differ
-    // by a factor of at most 64; but a dip of relative width 1e-8 is worth its square, and none.
+    // The weights have one sign, all coefficients of N are within 75 degrees of their sum, and weights and coefficients
+    // differ by a factor of at most 64. Dips of relative width 1e-8 are ignored: they change a length by 1e-16 of it.
     bool even;
     double square; // of the longest coefficient of N, at most; infinite if the sum overflows
     double weight; // the smallest one if all have one sign, else not positive

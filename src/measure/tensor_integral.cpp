@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "measure/tensor_integral.h"
 
 #include "bernstein/de_casteljau.h"
@@ -26,7 +27,7 @@ constexpr int64_t budget_for_an_element = 32;
 struct Goal {
     std::vector<double> tolerances; // of each value
     double size = 0;
-    double share = 0; // of the tolerances, for however small an element
+    double fraction = 0; // of the tolerances, for however small an element
 };
 
 class TensorSearch {
@@ -112,7 +113,7 @@ private:
                                 const Goal &goal) const {
         Verdict verdict;
         double worst = 1;
-        const double part = std::max(goal.share, goal.size > 0 ? rule.magnitude(0) / goal.size / 2 : 1);
+        const double part = std::max(goal.fraction, goal.size > 0 ? rule.magnitude(0) / goal.size / 2 : 1);
         for (int k = 0; k < axes; ++k) {
             bool promising = levels[static_cast<size_t>(k)] < last_levels[static_cast<size_t>(axes - 1)];
             double most = 0;
@@ -162,7 +163,7 @@ private:
 
     // Whether an element is neither exact nor as small as its error may be.
     [[nodiscard]] static bool matters(const TensorRule &rule, const Goal &goal) noexcept {
-        return !rule.exact() && rule.magnitude(0) > goal.share * goal.tolerances[0];
+        return !rule.exact() && rule.magnitude(0) > goal.fraction * goal.tolerances[0];
     }
 
     // Derivatives are off by a few eps of the spread for each degree.
@@ -214,8 +215,8 @@ private:
     double rounding_ = 0;
 };
 
-Goal goal_of(const Integrals &known, const Integrand &integrand, double tolerance, double share) {
-    Goal goal{{}, known.size, share};
+Goal goal_of(const Integrals &known, const Integrand &integrand, double tolerance, double fraction) {
+    Goal goal{{}, known.size, fraction};
     const size_t dependent = known.values.size() - static_cast<size_t>(integrand.independent());
     for (size_t j = 0; j < known.values.size(); ++j) {
         const double own = j < dependent ? std::abs(known.values[0]) : known.size;
@@ -225,10 +226,10 @@ Goal goal_of(const Integrals &known, const Integrand &integrand, double toleranc
 }
 
 Integrals integrate_to(TensorSearch &search, const Integrand &integrand, double tolerance, Integrals known) {
-    double share = 1 / (32.0 * static_cast<double>(std::max<int64_t>(search.count(), 1)));
+    double fraction = 1 / (32.0 * static_cast<double>(std::max<int64_t>(search.count(), 1)));
     for (int attempt = 0; attempt < 3; ++attempt) {
-        known = search.run(goal_of(known, integrand, tolerance, share));
-        const Goal reached = goal_of(known, integrand, tolerance, share);
+        known = search.run(goal_of(known, integrand, tolerance, fraction));
+        const Goal reached = goal_of(known, integrand, tolerance, fraction);
         known.converged = true;
         for (size_t j = 0; j < known.values.size(); ++j) {
             const double rounding = 4 * eps * known.size + known.rounding;
@@ -237,7 +238,7 @@ Integrals integrate_to(TensorSearch &search, const Integrand &integrand, double 
         if (known.converged || search.spent()) {
             break;
         }
-        share /= 64;
+        fraction /= 64;
     }
     return known;
 }
@@ -248,11 +249,11 @@ Integrals integrate(const std::vector<Elements> &splines, const Integrand &integ
                     double relative_tolerance) {
     TensorSearch search(splines, integrand);
     const Integrals rough = search.rough();
-    Reach reach(relative_tolerance);
+    ToleranceLadder ladder(relative_tolerance);
     Integrals result;
     do {
-        result = integrate_to(search, integrand, reach.tolerance(), rough);
-    } while (!result.converged && reach.loosen());
+        result = integrate_to(search, integrand, ladder.tolerance(), rough);
+    } while (!result.converged && ladder.loosen());
     return result;
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Integrals over splines of 1 to 3 axes of functions of the place and the first derivatives.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "measure/tensor_rule.h"
 
 #include "measure/speed_kernel.h"

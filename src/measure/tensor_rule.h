@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // One tensor product of nested rules on one element.
 #pragma once
 

@@ -1,4 +1,5 @@
-// Tolerances below rounding ask for what double precision and the limit of work give.
+// SPDX-License-Identifier: MIT
+// The tolerances that an integral is computed to, one after the other.
 #pragma once
 
 #include <algorithm>
@@ -6,15 +7,16 @@
 
 namespace nrb::measure {
 
-// The tolerances that are tried one after the other, relative: the one asked for, and if that is below
-// rounding, one of nine digits and one of three. What does not reach these is taken for infinite.
-class Reach {
+// Relative tolerances. First comes the one that the caller gives. If that is below rounding, the caller wants the best that
+// double precision and the limit of work allow: then nine digits are tried next, and three digits last. An integral that
+// does not converge to three digits is taken for infinite.
+class ToleranceLadder {
 public:
-    explicit Reach(double asked) noexcept
-        : tolerance_(std::clamp(asked, rounding, 0.5)), best_(asked < rounding) {}
+    explicit ToleranceLadder(double tolerance) noexcept
+        : tolerance_(std::clamp(tolerance, rounding, 0.5)), best_(tolerance < rounding) {}
 
     [[nodiscard]] double tolerance() const noexcept { return tolerance_; }
-    // False if there is none left.
+    // False if no tolerance is left.
     bool loosen() noexcept {
         tolerance_ *= step;
         return best_ && tolerance_ <= loosest;

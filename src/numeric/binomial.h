@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Binomial coefficients as the degrees of products need them.
 #pragma once
 

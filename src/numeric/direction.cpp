@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "numeric/direction.h"
 
 #include "base/finite.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Directions of vectors of any dimension and length.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // DoubleDouble (numeric/double_double.h) in the lanes of vectors, for coefficients that are used a million times.
 // Included once for every instruction set: see base/simd.h.
 #if defined(NURBS_NUMERIC_DOUBLE_DOUBLE_INL_H_) == defined(HWY_TARGET_TOGGLE)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Values of twice the precision: unevaluated sums of two doubles (Dekker 1971). For many at a time there is
 // numeric/double_double-inl.h.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "numeric/exact_products.h"
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Products of two numbers compared without rounding, and their differences with little.
 #pragma once
 

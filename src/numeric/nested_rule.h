@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Quadrature rules that contain each other: T. N. L. Patterson, "The optimum addition of points to quadrature
 // formulae", Math. Comp. 22 (1968), from the three points of Gauss.
 #pragma once
@@ -26,7 +27,7 @@ constexpr int rule_exactness(int level) noexcept {
 // The nodes in [0, 1], and how far they are from 1.
 const double *rule_places() noexcept;
 const double *rule_rests() noexcept;
-// Weights of a level, which add up to 1: rule_size(level) of them, zeros up to 16 behind.
+// Weights of a level, which add up to 1: rule_size(level) of them, then zeros up to 16.
 const double *rule_weights(int level) noexcept;
 
 // Values and derivatives of the Bernstein polynomials of a degree at the nodes: row i is that of B_i.
@@ -43,8 +44,9 @@ struct RuleDecay {
     double last; // the largest of the highest coefficients
     double rate; // over the largest of those half as high; at most 1
 
-    // last rate^2 is a step too short for analytic functions, by rho^(2 to 5), and right or too long for
-    // others.
+    // The factor rate^2 leads from the highest coefficients on to those that the error consists of. For analytic functions
+    // it does not lead far enough, so that the estimate is too large by a factor of rho^2 to rho^5. For other functions it
+    // leads there, or too far.
     [[nodiscard]] double error(double magnitude) const noexcept {
         constexpr double noise = 64 * std::numeric_limits<double>::epsilon();
         return last <= noise * magnitude ? 0 : last * rate * rate;
@@ -56,7 +58,7 @@ struct RuleDecay {
     }
     [[nodiscard]] double two_higher() const noexcept { return one_higher() * one_higher(); }
 };
-// For each level the factors of the values at its nodes in storage whose sums tell that: the weights, and those of three
+// For each level the factors by which the values at its nodes are summed: the weights, and those of three
 // high Legendre coefficients and of three about half as high; zeros at level 0.
 inline constexpr int decay_sums = 7;
 using DecayRows = std::array<const double *, decay_sums>;

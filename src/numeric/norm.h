@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Euclidean lengths that neither overflow nor underflow on the way, and dot products, which may.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Sums that are as accurate as if they had been formed in twice the precision.
 #pragma once
 

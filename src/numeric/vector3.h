@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Vectors of space, and of the plane with z = 0.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "pieces/bernstein_net.h"
 
 #include "pieces/extraction.h"

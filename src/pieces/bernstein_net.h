@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // All Bernstein pieces of a spline in one net, over breaks that may be more than its own.
 #pragma once
 
@@ -31,7 +32,7 @@ CentredRecords centred_records(const Spline &spline, const std::vector<double> &
 
 // Coefficients of the pieces between consecutive breaks, raised to given degrees. With exact coefficients A*,
 // w* of a piece and H its size(): |w - w*| <= error() w, |A - A*| <= error() H w if the weights are positive;
-// otherwise the same with the largest weight in place of w and the largest record in place of H w.
+// otherwise the same with the largest weight instead of w and the largest record instead of H w.
 class BernsteinNet {
 public:
     using Breaks = std::array<std::vector<double>, max_axes>;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The best of what is left first, within a budget: the order in which all searches with proof look at pieces.
 #pragma once
 

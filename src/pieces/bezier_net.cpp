@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "pieces/bezier_net.h"
 
 #include "refine/knots/bezier_rows.h"

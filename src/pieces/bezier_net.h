@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The homogeneous Bezier coefficients of all pieces of a spline in a frame, with what rounding may have made of them.
 #pragma once
 

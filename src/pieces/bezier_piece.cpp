@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "pieces/bezier_piece.h"
 
 #include "numeric/norm.h"
@@ -35,8 +36,8 @@ void BezierPiece::replace(int width, std::vector<double> values, const Rounding 
     update();
 }
 
-Place BezierPiece::parameter(const Place &place) const noexcept {
-    Place result{};
+LocalParam BezierPiece::parameter(const LocalParam &place) const noexcept {
+    LocalParam result{};
     for (size_t k = 0; k < static_cast<size_t>(axes_); ++k) {
         const auto [lower, upper] = part_[k];
         const double t = lower * (1 - place[k]) + upper * place[k];
@@ -45,8 +46,8 @@ Place BezierPiece::parameter(const Place &place) const noexcept {
     return result;
 }
 
-Place BezierPiece::place(const Place &parameter) const noexcept {
-    Place result{};
+LocalParam BezierPiece::place(const LocalParam &parameter) const noexcept {
+    LocalParam result{};
     for (size_t k = 0; k < static_cast<size_t>(axes_); ++k) {
         const auto [lower, upper] = part_[k];
         result[k] = std::clamp((parameter[k] - lower) / (upper - lower), 0.0, 1.0);
@@ -126,10 +127,10 @@ double BezierPiece::legs(int axis) const noexcept {
     return longest;
 }
 
-// Of a step in which every coefficient becomes a mean of others, off by `share` of the same mean of magnitudes.
-void BezierPiece::add_rounding(double share) noexcept {
+// Of a step in which every coefficient becomes a mean of others, off by `relative` of the same mean of magnitudes.
+void BezierPiece::add_rounding(double relative) noexcept {
     if (rounding_.relative()) {
-        rounding_.apart += 1.01 * share * reach_;
+        rounding_.apart += 1.01 * relative * reach_;
         return;
     }
     double most = 0, heaviest = 0;
@@ -137,8 +138,8 @@ void BezierPiece::add_rounding(double share) noexcept {
         most = std::max(most, norm(record(i), dim()));
         heaviest = std::max(heaviest, std::abs(weight(i)));
     }
-    rounding_.record += share * most;
-    rounding_.weight += share * heaviest;
+    rounding_.record += relative * most;
+    rounding_.weight += relative * heaviest;
 }
 
 double BezierPiece::middle(int axis) const noexcept {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // One Bezier piece of a spline in a frame, with proof of how far rounding may have moved it: what searches over one
 // spline or two look at, bound, and halve.
 #pragma once
@@ -9,7 +10,7 @@
 namespace nrb::pieces {
 
 // Places between 0 and 1 on the axes of a piece, those of the spline first.
-using Place = std::array<double, max_axes>;
+using LocalParam = std::array<double, max_axes>;
 
 // Homogeneous control points (w x, w) over a part of a polynomial piece of a spline, last axis fastest.
 class BezierPiece {
@@ -54,9 +55,9 @@ public:
     [[nodiscard]] double records_moved() const noexcept { return rounding_.moved(reach_, least_weight_); }
 
     // The parameter of a place.
-    [[nodiscard]] Place parameter(const Place &place) const noexcept;
+    [[nodiscard]] LocalParam parameter(const LocalParam &place) const noexcept;
     // The place of a parameter, moved to the nearer end if it is outside.
-    [[nodiscard]] Place place(const Place &parameter) const noexcept;
+    [[nodiscard]] LocalParam place(const LocalParam &parameter) const noexcept;
 
     // Halves along an axis: the piece becomes the upper half, the lower one is returned.
     BezierPiece halve(int axis);
@@ -67,7 +68,7 @@ private:
     void update();
     bool set_points() noexcept;
     void set_box() noexcept;
-    void add_rounding(double share) noexcept;
+    void add_rounding(double relative) noexcept;
     [[nodiscard]] double middle(int axis) const noexcept;
     [[nodiscard]] double legs(int axis) const noexcept;
 

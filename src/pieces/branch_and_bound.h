@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The largest value of a function over pieces that can be halved, enclosed by branch and bound.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Local minima and maxima of a squared distance in a box of parameters: Newton's method, damped by Levenberg and
 // Marquardt's rule where the second derivatives are not positive definite or a step does not descend, with the gradient
 // projected to the box.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "pieces/derivative_pieces.h"
 
 #include "base/finite.h"

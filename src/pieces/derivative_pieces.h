@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The numerators of derivatives and normals on single Bernstein pieces.
 #pragma once
 

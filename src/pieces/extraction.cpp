@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "pieces/extraction.h"
 
 #include "refine/knots/axis_table.h"

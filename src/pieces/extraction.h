@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How the Bezier points of a piece of an axis come from its control points.
 #pragma once
 

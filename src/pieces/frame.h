@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What splines are seen from: a centre, and a power of two as unit, that bring them near 1 in size.
 #pragma once
 

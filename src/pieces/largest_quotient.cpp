@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "pieces/largest_quotient.h"
 
 #include "base/finite.h"
@@ -115,14 +116,14 @@ double ratio_bound(const QuotientPiece &piece) noexcept {
 
 // What the means of a subdivision add.
 void add_rounding(QuotientPiece &piece, int degree) {
-    const double share = eps * degree, ratio = ratio_bound(piece);
+    const double error = eps * degree, ratio = ratio_bound(piece);
     if (std::isfinite(ratio)) {
-        piece.quotient_error += share * ratio;
-        piece.denominator_factor += piece.denominators.empty() ? 0 : share;
+        piece.quotient_error += error * ratio;
+        piece.denominator_factor += piece.denominators.empty() ? 0 : error;
         return;
     }
-    piece.numerator_error += share * largest_magnitude(piece.numerators) * std::sqrt(piece.shape.width);
-    piece.denominator_error += share * largest_magnitude(piece.denominators);
+    piece.numerator_error += error * largest_magnitude(piece.numerators) * std::sqrt(piece.shape.width);
+    piece.denominator_error += error * largest_magnitude(piece.denominators);
 }
 
 // |N| / W.
@@ -201,7 +202,7 @@ private:
 // divided by the one or the other. A coefficient that is 0 without rounding, weight and all, adds nothing.
 double ValueProblem::upper(const Piece &piece) noexcept {
     const Denominators denominators(piece);
-    const double share = piece.quotient_error * (1 + 2 * piece.denominator_factor);
+    const double error = piece.quotient_error * (1 + 2 * piece.denominator_factor);
     const bool exact = piece.numerator_error == 0 && piece.denominator_error == 0;
     double largest = -infinite;
     for (int64_t i = 0; i < piece.shape.coefficients(); ++i) {
@@ -215,21 +216,21 @@ double ValueProblem::upper(const Piece &piece) noexcept {
         if (!(least > 0) || std::isnan(quotient)) {
             return infinite;
         }
-        largest = std::max(largest, quotient + share + 4 * eps * std::abs(quotient));
+        largest = std::max(largest, quotient + error + 4 * eps * std::abs(quotient));
     }
     return std::isfinite(largest) ? largest : infinite;
 }
 
 ValueProblem::Corner ValueProblem::best_corner(const Piece &piece) noexcept {
     const Denominators denominators(piece);
-    const double share = piece.quotient_error * (1 + 2 * piece.denominator_factor);
+    const double error = piece.quotient_error * (1 + 2 * piece.denominator_factor);
     Corner best{-infinite, 0};
     for (int corner = 0; corner < 8; ++corner) {
         const int64_t i = corner_index(piece.shape, corner);
         const double n = denominators.sign() * piece.numerators[static_cast<size_t>(i)];
         const double least = denominators.least(i), bottom = n - piece.numerator_error;
         const double quotient = bottom >= 0 ? bottom / denominators.most(i) : bottom / least;
-        const double lower = quotient - share - 4 * eps * std::abs(quotient);
+        const double lower = quotient - error - 4 * eps * std::abs(quotient);
         if (least > 0 && std::isfinite(lower) && lower > best.lower) {
             best = {lower, corner};
         }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The largest value of |N(t)| / W(t), or of N(t) / W(t), over Bernstein pieces, enclosed by branch and bound.
 #pragma once
 
@@ -37,7 +38,7 @@ QuotientPiece halve(QuotientPiece &piece);
 // The same along a given axis.
 QuotientPiece halve(QuotientPiece &piece, int axis);
 
-// The search ends when the bounds agree to a factor of 1 + ratio, beside rounding, or after `steps` halvings.
+// The search ends when the bounds agree to a factor of 1 + ratio, apart from rounding, or after `steps` halvings.
 struct SearchLimits {
     double ratio = 0.25;
     int steps = 600;
@@ -54,7 +55,7 @@ std::vector<double> quotient_uppers(int64_t count, const PieceSource &source);
 
 // The largest value of N / W for a scalar N, and where the lower bound is attained: in piece `piece`, at a
 // place between 0 and 1 on each of the three axes; piece -1 where W cannot be shown to have a sign anywhere.
-// The search ends when the bounds agree to `gap`, beside rounding, or after `steps` halvings; steps are fewer
+// The search ends when the bounds agree to `gap`, apart from rounding, or after `steps` halvings; steps are fewer
 // where pieces have more than some thousands of coefficients, so that memory does not run out.
 struct LargestValue {
     Enclosure bounds;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "pieces/spline_pieces.h"
 
 #include "numeric/norm.h"
@@ -57,10 +58,10 @@ std::array<double, max_axes> SplinePieces::parameter(int64_t piece,
         const std::vector<double> &breaks = breaks_[static_cast<size_t>(k)];
         const int64_t pieces = std::ssize(breaks) - 1;
         const auto at = static_cast<size_t>(piece % pieces);
-        const double share = place[static_cast<size_t>(k + max_axes - axes_)];
+        const double fraction = place[static_cast<size_t>(k + max_axes - axes_)];
         const double low = breaks[at], high = breaks[at + 1];
         result[static_cast<size_t>(k)] =
-            share == 1 ? high : std::clamp(low * (1 - share) + high * share, low, high);
+            fraction == 1 ? high : std::clamp(low * (1 - fraction) + high * fraction, low, high);
         piece /= pieces;
     }
     return result;
@@ -76,12 +77,12 @@ void SplinePieces::begin(int64_t piece, int rows, double norm, double rounding, 
     out.numerators.assign(count * static_cast<size_t>(rows), 0.0);
     out.denominators.resize(net_.weighted() ? count : 0);
     net_.copy(piece, coordinates_.data(), out.denominators.data());
-    const double share = 1.01 * norm * (net_.error() + rounding);
+    const double error = 1.01 * norm * (net_.error() + rounding);
     if (net_.positive()) {
-        out.quotient_error = share * net_.size(piece);
+        out.quotient_error = error * net_.size(piece);
         out.denominator_factor = net_.weighted() ? 1.01 * net_.error() : 0;
     } else {
-        out.numerator_error = share * net_.largest_record();
+        out.numerator_error = error * net_.largest_record();
         out.denominator_error = 1.01 * net_.error() * net_.largest_weight();
     }
 }

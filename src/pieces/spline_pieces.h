@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The Bernstein pieces of a spline over a part of its domain.
 #pragma once
 

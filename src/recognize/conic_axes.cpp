@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "recognize/conic_axes.h"
 
 #include "base/error.h"

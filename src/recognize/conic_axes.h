@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A conic from its equation.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The kinds of conics.
 #pragma once
 

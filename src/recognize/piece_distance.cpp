@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "recognize/piece_distance.h"
 
 #include "recognize/shape_forms.h"

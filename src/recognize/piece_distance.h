@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How far a Bezier piece is from a shape at most.
 #pragma once
 

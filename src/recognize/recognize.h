@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Which simple shape a curve or surface has.
 #pragma once
 

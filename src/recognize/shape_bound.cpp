@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "recognize/shape_bound.h"
 
 #include "pieces/best_first.h"

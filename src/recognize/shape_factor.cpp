@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "recognize/shape_factor.h"
 
 #include "numeric/exact_products.h"

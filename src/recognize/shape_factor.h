@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The shape factor of a conic segment.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Shapes fitted to samples.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "recognize/shape_forms.h"
 
 #include <algorithm>
@@ -12,7 +13,7 @@ constexpr double eps = std::numeric_limits<double>::epsilon();
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 // Of quotients of coefficients, of which the denominators are all >= 0. A rounding of the denominators moves
-// a mean of quotients by twice its share, and the quotients themselves take one.
+// a mean of quotients by twice its error, and the quotients themselves take one.
 FormRange range_of(const std::vector<double> &numerators, const std::vector<double> &denominators,
                    double error, double relative) noexcept {
     double least = infinite, most = -infinite;
@@ -124,12 +125,12 @@ TorusForms ShapeForms::torus(double major, double minor) const {
         other[i] = both - (major * major + minor * minor) * squares_[i];
         height[i] -= minor * minor * squares_[i];
     }
-    const double share = 1.01 * (product_error_ + 6 * eps);
-    const double sum_error = share * largest({{1, 1, 1}, 0, apart}, 0);
-    const double radius_error = share * largest({{1, 1, 0}, 0, 0}, 0);
+    const double error = 1.01 * (product_error_ + 6 * eps);
+    const double sum_error = error * largest({{1, 1, 1}, 0, apart}, 0);
+    const double radius_error = error * largest({{1, 1, 0}, 0, 0}, 0);
     const Fourth near_axis = fourth(sum, sum_error, radius, radius_error, -four);
-    const Fourth slender = fourth(other, share * largest({{1, 1, 1}, 0, major * major + minor * minor}, 0),
-                                  height, share * largest({{0, 0, 1}, 0, minor * minor}, 0), four);
+    const Fourth slender = fourth(other, error * largest({{1, 1, 1}, 0, major * major + minor * minor}, 0),
+                                  height, error * largest({{0, 0, 1}, 0, minor * minor}, 0), four);
     return {range(sum, sum_error), range(radius, radius_error),
             product(near_axis.error < slender.error ? near_axis : slender)};
 }

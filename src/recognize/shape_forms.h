@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Polynomials of the coordinates along a piece, over powers of its weight.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Lines, circles, conics, planes and the simple surfaces: where one stands, and how far a point is from it.
 #pragma once
 

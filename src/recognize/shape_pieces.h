@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The Bezier pieces of a spline in the frame of a shape.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "recognize/shape_refine.h"
 
 #include "numeric/solvers/small_svd.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A shape moved and resized until it fits points best.
 #pragma once
 

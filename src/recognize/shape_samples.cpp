@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "recognize/shape_samples.h"
 
 #include "eval/evaluate.h"

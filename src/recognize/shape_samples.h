@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Points and normals of a spline to which shapes are fitted.
 #pragma once
 

@@ -41,13 +41,13 @@ struct Event {
 };
 
 // The signs of a piece at its ends.
-struct Ends {
+struct PieceEnds {
     int first_sign = 0;
     int last_sign = 0;
     int zeros_at_start = 0;
     int zeros_at_end = 0;
     bool nothing = false;
-    bool looked_at = false;
+    bool examined = false;
     std::vector<double> start;
     std::vector<double> end;
 };
@@ -100,9 +100,9 @@ public:
 
     CriticalSet run() {
         const int64_t count = maker_.count();
-        Ends first, previous;
+        PieceEnds first, previous;
         for (int64_t i = 0; i < count; ++i) {
-            const Ends ends = look_at(i);
+            const PieceEnds ends = look_at(i);
             if (i == 0) {
                 first = ends;
             } else {
@@ -117,9 +117,9 @@ public:
 
 private:
     // Records the critical places inside the piece.
-    Ends look_at(int64_t i) {
-        Ends ends;
-        if (++looked_ > question_.budget) {
+    PieceEnds look_at(int64_t i) {
+        PieceEnds ends;
+        if (++examined_ > question_.budget) {
             out_of_budget_ = true;
             return ends;
         }
@@ -131,7 +131,7 @@ private:
         }
         const SignRuns signs =
             sign_runs(dot(offset_from(piece, question_.point), pieces::tangent_numerator(piece, 0)));
-        ends.looked_at = true;
+        ends.examined = true;
         ends.nothing = signs.nothing;
         ends.first_sign = signs.runs.front().sign;
         ends.last_sign = signs.runs.back().sign;
@@ -158,7 +158,7 @@ private:
     }
 
     // From one piece to the next.
-    void join(const Ends &below, const Ends &above, double t) {
+    void join(const PieceEnds &below, const PieceEnds &above, double t) {
         if (below.end.empty() || above.start.empty()) {
             return; // beyond the budget
         }
@@ -167,7 +167,7 @@ private:
             start_arc(above, t);
             return;
         }
-        if (!below.looked_at || !above.looked_at || below.nothing || above.nothing) {
+        if (!below.examined || !above.examined || below.nothing || above.nothing) {
             return; // too far away, or part of a continuum
         }
         const bool zero = below.zeros_at_end > 0 || above.zeros_at_start > 0;
@@ -175,19 +175,19 @@ private:
             events_.push_back({t, below.last_sign, above.first_sign, false, false});
         }
     }
-    void end_arc(const Ends &ends, double t) {
-        if (ends.looked_at && !ends.nothing) {
+    void end_arc(const PieceEnds &ends, double t) {
+        if (ends.examined && !ends.nothing) {
             events_.push_back({t, ends.last_sign, Event::missing, true, false});
         }
     }
-    void start_arc(const Ends &ends, double t) {
-        if (ends.looked_at && !ends.nothing) {
+    void start_arc(const PieceEnds &ends, double t) {
+        if (ends.examined && !ends.nothing) {
             events_.push_back({t, Event::missing, ends.first_sign, false, false});
         }
     }
 
     // The ends of the part, or the seam of a closed curve.
-    void close(const Ends &last, const Ends &first) {
+    void close(const PieceEnds &last, const PieceEnds &first) {
         const Interval part = question_.part[0];
         const auto inside = std::ssize(events_);
         const bool seam = same(part, curve_.axis(0).domain()) && !last.end.empty() && !first.start.empty() &&
@@ -200,7 +200,7 @@ private:
         std::stable_sort(events_.begin(), events_.end(),
                          [](const Event &a, const Event &b) { return a.t < b.t; });
     }
-    [[nodiscard]] bool meet(const Ends &below, const Ends &above) const noexcept {
+    [[nodiscard]] bool meet(const PieceEnds &below, const PieceEnds &above) const noexcept {
         const int dim = curve_.dim();
         const double size = norm(below.end.data(), dim) + norm(question_.point, dim);
         return distance(below.end.data(), above.start.data(), dim) <=
@@ -248,7 +248,7 @@ private:
     const Spline &curve_;
     const CriticalQuestion &question_;
     pieces::PieceMaker maker_;
-    int64_t looked_ = 0;
+    int64_t examined_ = 0;
     bool out_of_budget_ = false;
     std::vector<Event> events_;
 };

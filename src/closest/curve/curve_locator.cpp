@@ -40,7 +40,7 @@ Foot CurveLocator::nearest(const Query &query) const {
     const CurveSearchResult found = search(tree_, query);
     Foot foot = foot_of(found.place, query.range);
     foot.noise = distance_noise(tree_, query.point);
-    foot.looked = found.looked;
+    foot.examined = found.examined;
     foot.status |= found.certified ? closest_certified : closest_budget;
     foot.status |= found.unique ? 0 : closest_not_unique;
     return foot;
@@ -77,7 +77,7 @@ CriticalSet CurveLocator::critical(const Query &query, double apart, double with
 
 CriticalSet CurveLocator::critical(const Query &query) const {
     CriticalSet set = critical(query, query.tolerance, std::numeric_limits<double>::infinity());
-    set.settle();
+    set.revoke_infinite();
     return set;
 }
 
@@ -99,7 +99,7 @@ CriticalSet CurveLocator::minima(const Query &query) const {
     set.status &= ~closest_certified;
     set.status |= (certified ? closest_certified : 0) | (best.status & closest_budget);
     set.status |= set.points.size() > 1 ? closest_not_unique : 0;
-    set.settle();
+    set.revoke_infinite();
     return set;
 }
 

@@ -65,7 +65,7 @@ private:
     static constexpr double at_end = 0x1p-40;
 
     // A part [a, b] of a leaf, with a local minimum known to be at the lower end (1) or the upper end (2).
-    struct Part {
+    struct LeafPart {
         double a;
         double b;
         int known;
@@ -74,7 +74,7 @@ private:
     [[nodiscard]] double *segment(int i) noexcept { return segments_ + i * shape_.size(); }
 
     // The leaf relative to the query point, or the part of it in the range.
-    Part load(int64_t leaf, bool whole) {
+    LeafPart load(int64_t leaf, bool whole) {
         const int lanes = shape_.lanes(), dim = tree_.dim();
         const double *HWY_RESTRICT records = tree_.records(leaf);
         double *HWY_RESTRICT to = segment(0);
@@ -126,7 +126,7 @@ private:
 
     // Decides about the uppermost part, or replaces it by two.
     int step(int height) {
-        const Part part = parts_[height - 1];
+        const LeafPart part = parts_[height - 1];
         const double *records = segment(height - 1);
         if (tools_.beyond(records, best_.goal(), sign_, binomials_, norms_)) {
             note_end(records, 0, part.a);
@@ -141,7 +141,7 @@ private:
     }
 
     int divide(int height) {
-        Part &part = parts_[height - 1];
+        LeafPart &part = parts_[height - 1];
         double *records = segment(height - 1);
         double s = 0;
         int known = 0;
@@ -158,7 +158,7 @@ private:
             s = middle_of(records);
         }
         tools_.split(records, s, segment(height), records);
-        const Part whole = part;
+        const LeafPart whole = part;
         const double middle = whole.a + s * (whole.b - whole.a);
         // the lower part lies above the upper one on the stack; the upper one replaced the whole
         parts_[height - 1] = {middle, whole.b, (known & 1) | (whole.known & 2)};
@@ -232,7 +232,7 @@ private:
     }
 
     void note(double s, double square) {
-        const Part &part = parts_[current_];
+        const LeafPart &part = parts_[current_];
         best_.note({leaf_, part.a + s * (part.b - part.a), square});
     }
 
@@ -256,7 +256,7 @@ private:
     int64_t budget_used_ = 0;
     int64_t leaf_ = 0;
     int current_ = 0; // the part that is being divided
-    Part parts_[stack_height + 1];
+    LeafPart parts_[stack_height + 1];
 };
 
 template <class Task>

@@ -10,7 +10,7 @@ struct CurveSearchResult {
     CurvePlace place;
     bool certified = false;
     bool unique = true; // no place elsewhere was seen that is as near
-    int64_t looked = 0;
+    int64_t examined = 0;
 };
 
 // The uncertainty of a distance from a point in double precision: half of it is in the positions of the

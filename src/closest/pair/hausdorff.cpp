@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "closest/pair/hausdorff.h"
 
 #include "base/error.h"
@@ -44,7 +45,7 @@ public:
     }
 
     // Those that contain a place: two along an axis at a knot, none outside.
-    [[nodiscard]] std::vector<size_t> containing(const pieces::Place &place) const {
+    [[nodiscard]] std::vector<size_t> containing(const pieces::LocalParam &place) const {
         std::vector<size_t> found{0};
         for (size_t k = 0; k < ends_.size(); ++k) {
             const std::vector<double> &ends = ends_[k];
@@ -114,7 +115,7 @@ public:
     [[nodiscard]] double at_least() const noexcept { return std::max(lower_, 0.0); }
     [[nodiscard]] double at_most() const noexcept { return std::max(queue_.bound(), at_least()); }
     [[nodiscard]] double noise() const noexcept { return noise_; }
-    [[nodiscard]] const pieces::Place &best() const noexcept { return best_; }
+    [[nodiscard]] const pieces::LocalParam &best() const noexcept { return best_; }
 
 private:
     [[nodiscard]] double limit() const noexcept { return std::max(lower_, 0.0) + tolerance_ + noise_; }
@@ -135,7 +136,7 @@ private:
         NearPoint near;
         near.foot = locator_.nearest({query_.data(), nullptr, frame_.unscaled(tolerance_ / 4),
                                       std::clamp<int64_t>(budget_, 1, pieces::default_budget)});
-        budget_ -= near.foot.looked;
+        budget_ -= near.foot.examined;
         eval::AxisRules rules{};
         for (size_t k = 0; k < max_axes; ++k) {
             rules[k].left = (near.foot.left >> k & 1) != 0;
@@ -156,7 +157,7 @@ private:
         if (upper <= limit()) {
             return queue_.leave_out(upper);
         }
-        const pieces::Place middle{0.5, 0.5, 0.5};
+        const pieces::LocalParam middle{0.5, 0.5, 0.5};
         jet_.evaluate(piece, middle, false);
         const NearPoint near = nearest(jet_.value());
         const double noise = frame_.scaled(near.foot.noise) + 8 * (dim_ + 2) * eps;
@@ -177,11 +178,11 @@ private:
     // By the map, with any piece of the other spline that the middle is mapped to.
     double mapped(const pieces::BezierPiece &piece) {
         double best = infinity;
-        const pieces::Place middle = (*map_)(piece.parameter({0.5, 0.5, 0.5}));
+        const pieces::LocalParam middle = (*map_)(piece.parameter({0.5, 0.5, 0.5}));
         for (const size_t i : index_.containing(middle)) {
             const pieces::BezierPiece &other = pieces_[i];
-            std::vector<pieces::Place> corners = MatchedBound::corners_of(piece);
-            for (pieces::Place &corner : corners) {
+            std::vector<pieces::LocalParam> corners = MatchedBound::corners_of(piece);
+            for (pieces::LocalParam &corner : corners) {
                 corner = other.place((*map_)(piece.parameter(corner)));
             }
             best = std::min(best, MatchedBound::upper(piece, other, corners, limit()));
@@ -229,7 +230,7 @@ private:
     std::optional<ParameterMap> map_;
     double moved_ = 0, noise_ = 0;
     double lower_ = -infinity;
-    pieces::Place best_{};
+    pieces::LocalParam best_{};
     pieces::BestFirst<FarPiece> queue_;
     PieceJet jet_;
     MatchedBound bound_;
@@ -253,8 +254,8 @@ FarthestPoint one_sided_distance(const Spline &from, const Spline &to, double to
         return nowhere_else(from);
     }
     const pieces::Frame frame = pieces::frame_of({{&from, &to}});
-    const double asked = frame.scaled(tolerance);
-    FarthestSearch search(from, to, frame, asked, budget);
+    const double scaled_tolerance = frame.scaled(tolerance);
+    FarthestSearch search(from, to, frame, scaled_tolerance, budget);
     search.run();
     FarthestPoint result;
     result.at_least = frame.unscaled(search.at_least());
@@ -271,7 +272,7 @@ FarthestPoint one_sided_distance(const Spline &from, const Spline &to, double to
         }
     }
     const double gap = search.at_most() - search.at_least(), noise = search.noise();
-    result.certified = std::isfinite(gap + noise) && gap <= asked + 2 * noise;
+    result.certified = std::isfinite(gap + noise) && gap <= scaled_tolerance + 2 * noise;
     return result;
 }
 

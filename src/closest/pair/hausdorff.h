@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How far the point of a spline that is farthest from another one is from it.
 #pragma once
 

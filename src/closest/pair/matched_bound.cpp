@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "closest/pair/matched_bound.h"
 
 #include "bernstein/rounded_polynomial.h"
@@ -62,7 +63,7 @@ void drop_constant_axes(BernsteinShape &shape, std::vector<double> &values) {
 }
 
 Map map_of(const pieces::BezierPiece &x, const pieces::BezierPiece &y,
-           const std::vector<pieces::Place> &corners) {
+           const std::vector<pieces::LocalParam> &corners) {
     BernsteinShape cube;
     for (int k = 0; k < x.axes(); ++k) {
         cube.degrees[static_cast<size_t>(max_axes - x.axes() + k)] = x.degree(k) > 0 ? 1 : 0;
@@ -71,7 +72,7 @@ Map map_of(const pieces::BezierPiece &x, const pieces::BezierPiece &y,
     for (size_t k = 0; k < static_cast<size_t>(y.axes()); ++k) {
         BernsteinShape shape = cube;
         std::vector<double> u, rest;
-        for (const pieces::Place &corner : corners) {
+        for (const pieces::LocalParam &corner : corners) {
             u.push_back(corner[k]);
         }
         drop_constant_axes(shape, u);
@@ -154,8 +155,8 @@ double largest_norm_of(const RoundedPolynomial &numerator, const RoundedPolynomi
     return std::sqrt(largest) * (1 + 1e-15);
 }
 
-std::vector<pieces::Place> MatchedBound::corners_of(const pieces::BezierPiece &x) {
-    std::vector<pieces::Place> corners;
+std::vector<pieces::LocalParam> MatchedBound::corners_of(const pieces::BezierPiece &x) {
+    std::vector<pieces::LocalParam> corners;
     std::array<int, max_axes> ends{0, 0, 0};
     for (int k = 0; k < x.axes(); ++k) {
         ends[static_cast<size_t>(k)] = x.degree(k) > 0 ? 1 : 0;
@@ -171,12 +172,12 @@ std::vector<pieces::Place> MatchedBound::corners_of(const pieces::BezierPiece &x
 }
 
 double MatchedBound::upper(const pieces::BezierPiece &x, const pieces::BezierPiece &y,
-                           const pieces::Place &guess, double enough) {
+                           const pieces::LocalParam &guess, double enough) {
     if (!x.positive() || !y.positive()) {
         return infinity;
     }
-    std::vector<pieces::Place> corners = corners_of(x);
-    for (pieces::Place &corner : corners) {
+    std::vector<pieces::LocalParam> corners = corners_of(x);
+    for (pieces::LocalParam &corner : corners) {
         jet_.evaluate(x, corner, false);
         PairPlace at;
         at.b = guess;
@@ -187,7 +188,7 @@ double MatchedBound::upper(const pieces::BezierPiece &x, const pieces::BezierPie
 }
 
 double MatchedBound::upper(const pieces::BezierPiece &x, const pieces::BezierPiece &y,
-                           const std::vector<pieces::Place> &corners, double enough) {
+                           const std::vector<pieces::LocalParam> &corners, double enough) {
     if (!x.positive() || !y.positive()) {
         return infinity;
     }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How far a piece is from another one, at most, if its points are matched with points of the other one.
 #pragma once
 
@@ -13,14 +14,14 @@ namespace nrb::closest {
 class MatchedBound {
 public:
     // `enough`: no less is wanted.
-    double upper(const pieces::BezierPiece &x, const pieces::BezierPiece &y, const pieces::Place &guess,
+    double upper(const pieces::BezierPiece &x, const pieces::BezierPiece &y, const pieces::LocalParam &guess,
                  double enough);
 
     // The same for places on y of the corners of x that are known, in the order of corners_of(x).
     static double upper(const pieces::BezierPiece &x, const pieces::BezierPiece &y,
-                        const std::vector<pieces::Place> &corners, double enough);
+                        const std::vector<pieces::LocalParam> &corners, double enough);
     // The last axis is the fastest; axes without a degree have one end.
-    static std::vector<pieces::Place> corners_of(const pieces::BezierPiece &x);
+    static std::vector<pieces::LocalParam> corners_of(const pieces::BezierPiece &x);
 
 private:
     PieceJet jet_;

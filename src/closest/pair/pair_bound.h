@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Lower bounds of the distance of two Bezier pieces.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "closest/pair/pair_cells.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The pieces of a spline in a tree of boxes, each halved when it is first asked for.
 #pragma once
 

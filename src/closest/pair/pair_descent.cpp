@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "closest/pair/pair_descent.h"
 
 #include "numeric/norm.h"
@@ -66,7 +67,7 @@ const double *PieceJet::second(int k, int l) const noexcept {
     return values_.data() + (1 + axes_ + place) * dim_;
 }
 
-void PieceJet::set_rows(const pieces::BezierPiece &piece, const pieces::Place &place) {
+void PieceJet::set_rows(const pieces::BezierPiece &piece, const pieces::LocalParam &place) {
     rows_.resize(static_cast<size_t>(max_axes * row_size));
     for (int k = 0; k < axes_; ++k) {
         bernstein_rows(piece.degree(k), place[static_cast<size_t>(k)], rows_.data() + k * row_size);
@@ -118,7 +119,7 @@ void PieceJet::divide(bool derivatives) {
     });
 }
 
-void PieceJet::evaluate(const pieces::BezierPiece &piece, const pieces::Place &place, bool derivatives) {
+void PieceJet::evaluate(const pieces::BezierPiece &piece, const pieces::LocalParam &place, bool derivatives) {
     axes_ = piece.axes();
     dim_ = piece.dim();
     const int slots = derivatives ? 1 + axes_ + axes_ * (axes_ + 1) / 2 : 1;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Nearest points of two pieces.
 #pragma once
 
@@ -8,7 +9,7 @@ namespace nrb::closest {
 
 // A place on a piece of each of two splines.
 struct PairPlace {
-    pieces::Place a{}, b{};
+    pieces::LocalParam a{}, b{};
     double distance = 0;
     std::vector<double> from, to; // the points
 };
@@ -16,13 +17,13 @@ struct PairPlace {
 // A point of a piece, and its first and second derivatives with respect to places.
 class PieceJet {
 public:
-    void evaluate(const pieces::BezierPiece &piece, const pieces::Place &place, bool derivatives);
+    void evaluate(const pieces::BezierPiece &piece, const pieces::LocalParam &place, bool derivatives);
     [[nodiscard]] const double *value() const noexcept { return values_.data(); }
     [[nodiscard]] const double *first(int k) const noexcept { return values_.data() + (1 + k) * dim_; }
     [[nodiscard]] const double *second(int k, int l) const noexcept; // k <= l
 
 private:
-    void set_rows(const pieces::BezierPiece &piece, const pieces::Place &place);
+    void set_rows(const pieces::BezierPiece &piece, const pieces::LocalParam &place);
     void contract(const pieces::BezierPiece &piece, bool derivatives);
     void divide(bool derivatives);
     // Of a coefficient: the product of functions of all axes, derived by two of them or -1.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "closest/pair/pair_search.h"
 
 #include "base/error.h"
@@ -60,7 +61,7 @@ public:
     [[nodiscard]] double at_most() const noexcept { return upper_; }
     // The best places, with whether they are upper ends.
     struct Best {
-        pieces::Place a{}, b{};
+        pieces::LocalParam a{}, b{};
         std::array<bool, max_axes> left_a{}, left_b{};
     };
     [[nodiscard]] const Best &best() const noexcept { return best_; }
@@ -144,7 +145,7 @@ private:
     PairBound bound_;
 };
 
-std::vector<double> point_of(const Spline &spline, const pieces::Place &params,
+std::vector<double> point_of(const Spline &spline, const pieces::LocalParam &params,
                              const std::array<bool, max_axes> &left) {
     std::vector<double> x(static_cast<size_t>(spline.dim()));
     eval::AxisRules rules{};

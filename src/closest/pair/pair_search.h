@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The smallest distance of two splines.
 #pragma once
 

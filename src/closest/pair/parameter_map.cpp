@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "closest/pair/parameter_map.h"
 
 #include "closest/locator.h"
@@ -20,14 +21,14 @@ double moved(double t, Interval from, Interval to) noexcept {
     if (from.lower == to.lower && from.upper == to.upper) {
         return t;
     }
-    const double share = (t - from.lower) / (from.upper - from.lower);
-    return to.lower + share * (to.upper - to.lower);
+    const double fraction = (t - from.lower) / (from.upper - from.lower);
+    return to.lower + fraction * (to.upper - to.lower);
 }
 
 } // namespace
 
-pieces::Place ParameterMap::operator()(const pieces::Place &params) const noexcept {
-    pieces::Place image{};
+pieces::LocalParam ParameterMap::operator()(const pieces::LocalParam &params) const noexcept {
+    pieces::LocalParam image{};
     for (int k = 0; k < to_.axes(); ++k) {
         const auto at = static_cast<size_t>(k);
         const auto &[axis, range] = followers_[at];
@@ -119,7 +120,7 @@ public:
 
     // Onto a part.
     void try_part(int64_t budget) {
-        std::array<pieces::Place, max_axes + 1> feet; // of a point, and of the next ones along each axis
+        std::array<pieces::LocalParam, max_axes + 1> feet; // of a point, and of the next ones along each axis
         for (int k = -1; k < from_.axes(); ++k) {
             std::array<double, max_axes> shares{nearer, nearer, nearer};
             if (k >= 0) {
@@ -137,13 +138,13 @@ private:
     // What counts as rounding in a parameter found, as a part of the domain.
     static constexpr double standstill = 0x1p-30;
 
-    static void evaluate(const Spline &spline, const pieces::Place &params, std::vector<double> &point) {
+    static void evaluate(const Spline &spline, const pieces::LocalParam &params, std::vector<double> &point) {
         eval::evaluate_points(spline, {}, 0, {params.data(), 1, spline.axes(), spline.axes()},
                               {point.data(), 1, spline.dim(), spline.dim()});
     }
 
-    [[nodiscard]] pieces::Place at_shares(const double *shares) const noexcept {
-        pieces::Place params{};
+    [[nodiscard]] pieces::LocalParam at_shares(const double *shares) const noexcept {
+        pieces::LocalParam params{};
         for (int k = 0; k < from_.axes(); ++k) {
             const auto [lower, upper] = from_.axis(k).domain();
             params[static_cast<size_t>(k)] = std::clamp(lower + shares[k] * (upper - lower), lower, upper);
@@ -179,7 +180,8 @@ private:
     }
 
     // The nearest point, as well as it can be found; false if it is not near.
-    [[nodiscard]] bool find_foot(const pieces::Place &params, int64_t budget, pieces::Place &found) {
+    [[nodiscard]] bool find_foot(const pieces::LocalParam &params, int64_t budget,
+                                 pieces::LocalParam &found) {
         std::vector<double> point(static_cast<size_t>(from_.dim()));
         evaluate(from_, params, point);
         if (!std::all_of(point.begin(), point.end(), [](double x) { return std::isfinite(x); })) {
@@ -193,7 +195,7 @@ private:
 
     // Each axis follows the one along which it changes most.
     [[nodiscard]] Followers
-    part_followers(const std::array<pieces::Place, max_axes + 1> &feet) const noexcept {
+    part_followers(const std::array<pieces::LocalParam, max_axes + 1> &feet) const noexcept {
         Followers followers;
         for (size_t a = 0; a < static_cast<size_t>(to_.axes()); ++a) {
             const auto [lower, upper] = to_.axis(static_cast<int>(a)).domain();
@@ -222,7 +224,7 @@ private:
     double rounding_;
     double misfit_; // of the best map
     std::optional<Followers> best_;
-    std::array<pieces::Place, samples> params_{};
+    std::array<pieces::LocalParam, samples> params_{};
     std::array<std::vector<double>, samples> points_;
     std::vector<double> image_;
 };

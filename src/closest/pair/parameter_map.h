@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Maps between the parameters of two splines under which their points may be the same.
 #pragma once
 
@@ -17,7 +18,7 @@ public:
     ParameterMap(const Spline &from, const Spline &to, const std::array<Follower, max_axes> &followers)
         : from_(from), to_(to), followers_(followers) {}
 
-    [[nodiscard]] pieces::Place operator()(const pieces::Place &params) const noexcept;
+    [[nodiscard]] pieces::LocalParam operator()(const pieces::LocalParam &params) const noexcept;
     // The breaks of the image that are inside the domain of axis k of the origin, moved there.
     [[nodiscard]] std::vector<double> breaks(int k) const;
 

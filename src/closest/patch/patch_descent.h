@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The distance on a patch with its derivatives, and its local minima and maxima.
 #pragma once
 

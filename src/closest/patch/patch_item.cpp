@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "closest/patch/patch_item.h"
 
 #include "numeric/norm.h"
@@ -54,7 +55,7 @@ PatchItem PatchItems::part(const PatchItem &item, int axis, double lower, double
     return part(item, axis, lower, upper, matrix);
 }
 
-// `degree` means on end, each off by eps / 2 of the means of the magnitudes: of points and weights.
+// `degree` means one after the other, each off by eps / 2 of the means of the magnitudes: of points and weights.
 PatchItem PatchItems::halve_item(PatchItem &item, int axis) const {
     const PatchShape &shape = pieces_.shape();
     const auto at = static_cast<size_t>(axis);
@@ -113,6 +114,29 @@ void PatchItems::measure(PatchItem &item) const noexcept {
         item.sound = rounding.positive(least);
         item.moved = std::max(item.moved, 1.05 * records / least);
     }
+}
+
+int longest_axis(const PatchShape &shape, const PatchItem &item) noexcept {
+    int longest = -1;
+    double most = -1;
+    int64_t step = shape.lanes;
+    for (int k = shape.axes; k-- > 0; step *= shape.degree(k) + 1) {
+        double spread = 0;
+        const int64_t period = step * (shape.degree(k) + 1);
+        for (int64_t i = 0; i < shape.values(); i += shape.lanes) {
+            const double *q = item.values + i;
+            const double w = q[shape.dim], other = i % period + step < period ? q[step + shape.dim] : 0;
+            if (w > 0 && other > 0) {
+                spread += norm_of(shape.dim, [&](int c) { return q[c] / w - q[step + c] / other; });
+            }
+        }
+        spread *= 1 + 1.0 / shape.degree(k);
+        if (spread > most) {
+            most = spread;
+            longest = k;
+        }
+    }
+    return longest;
 }
 
 } // namespace nrb::closest

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A part of a piece about a query point.
 #pragma once
 
@@ -49,5 +50,8 @@ private:
     mutable int64_t last_ = -1; // piece that was made, which a query mostly asks for again
     double *last_values_;
 };
+
+// The axis along which the control points spread most; -1 without axes.
+int longest_axis(const PatchShape &shape, const PatchItem &item) noexcept;
 
 } // namespace nrb::closest

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "closest/patch/patch_kernel.cpp"
 #include "base/simd.h"
@@ -22,8 +23,6 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 using Four = hn::CappedTag<double, 4>;
 inline constexpr int four_lanes = static_cast<int>(hn::MaxLanes(Four()));
-using Eight = hn::CappedTag<double, 8>;
-inline constexpr int eight_lanes = static_cast<int>(hn::MaxLanes(Eight()));
 
 void shift(const PatchShape &shape, const double *HWY_RESTRICT patch, const double *HWY_RESTRICT x,
            double *HWY_RESTRICT out) {
@@ -220,81 +219,6 @@ double gap(int64_t count, const double *HWY_RESTRICT squares, const double *HWY_
     return result;
 }
 
-HWY_INLINE auto load(Eight d, const double *from) {
-    return hn::LoadU(d, from);
-}
-
-HWY_INLINE auto load(Eight d, const float *from) {
-    return hn::PromoteTo(d, hn::LoadU(hn::Rebind<float, Eight>(), from));
-}
-
-// The distance of x from all points p of a disc: |n (p - x)| >= the distance of the heights, and across n it
-// is at least |x - c| across n less the radius. The root of a difference that cancels is taken of less than
-// it.
-template <bool kNormals, bool kFarthest, class T>
-HWY_INLINE void bound_all(const T *HWY_RESTRICT family, int64_t width, int dim, const double *HWY_RESTRICT x,
-                          const DiscBounds &out) {
-    const Eight d;
-    const auto zero = hn::Zero(d);
-    const auto slack = hn::Set(d, (dim + 8) * std::numeric_limits<double>::epsilon());
-    const T *radii = family + dim * width, *normals = radii + width;
-    for (int64_t i = 0; i < width; i += eight_lanes) {
-        auto square = zero, height = zero;
-        for (int c = 0; c < dim; ++c) {
-            const auto delta = hn::Sub(hn::Set(d, x[c]), load(d, family + c * width + i));
-            square = hn::MulAdd(delta, delta, square);
-            if (kNormals) {
-                height = hn::MulAdd(delta, load(d, normals + c * width + i), height);
-            }
-        }
-        const auto radius = load(d, radii + i);
-        const auto centre = hn::Sqrt(square);
-        auto bound = zero;
-        if (kNormals) {
-            const auto low = load(d, normals + dim * width + i);
-            const auto high = load(d, normals + (dim + 1) * width + i);
-            const auto rest = hn::NegMulAdd(height, height, square);
-            const auto off = hn::Mul(slack, square);
-            if (kFarthest) {
-                const auto across = hn::Add(hn::Sqrt(hn::Max(zero, hn::Add(rest, off))), radius);
-                const auto along = hn::Max(hn::Abs(hn::Sub(height, low)), hn::Abs(hn::Sub(height, high)));
-                bound = hn::Sqrt(hn::MulAdd(along, along, hn::Mul(across, across)));
-            } else {
-                const auto root = hn::Sqrt(hn::Max(zero, hn::Sub(rest, off)));
-                const auto across = hn::Max(zero, hn::Sub(root, radius));
-                const auto along = hn::Max(zero, hn::Max(hn::Sub(height, high), hn::Sub(low, height)));
-                bound = hn::Sqrt(hn::MulAdd(along, along, hn::Mul(across, across)));
-            }
-        } else {
-            bound = kFarthest ? hn::Add(centre, radius) : hn::Max(zero, hn::Sub(centre, radius));
-        }
-        hn::StoreU(kFarthest ? hn::Neg(bound) : bound, d, out.bounds + i);
-        hn::StoreU(kFarthest ? hn::Neg(centre) : centre, d, out.centres + i);
-    }
-}
-
-template <class T>
-HWY_INLINE void bounds_of(const T *family, int64_t width, int dim, bool normals, const double *x,
-                          bool farthest, const DiscBounds &out) {
-    if (normals) {
-        farthest ? bound_all<true, true>(family, width, dim, x, out)
-                 : bound_all<true, false>(family, width, dim, x, out);
-    } else {
-        farthest ? bound_all<false, true>(family, width, dim, x, out)
-                 : bound_all<false, false>(family, width, dim, x, out);
-    }
-}
-
-void bounds(const double *family, int64_t width, int dim, bool normals, const double *x, bool farthest,
-            const DiscBounds &out) {
-    bounds_of(family, width, dim, normals, x, farthest, out);
-}
-
-void float_bounds(const float *family, int64_t width, int dim, bool normals, const double *x, bool farthest,
-                  const DiscBounds &out) {
-    bounds_of(family, width, dim, normals, x, farthest, out);
-}
-
 } // namespace HWY_NAMESPACE
 } // namespace nrb::closest
 HWY_AFTER_NAMESPACE();
@@ -307,8 +231,6 @@ HWY_EXPORT(evaluate);
 HWY_EXPORT(apply);
 HWY_EXPORT(square);
 HWY_EXPORT(gap);
-HWY_EXPORT(bounds);
-HWY_EXPORT(float_bounds);
 
 void shift_patch(const PatchShape &shape, const double *patch, const double *x, double *out) noexcept {
     HWY_DYNAMIC_DISPATCH(shift)(shape, patch, x, out);
@@ -363,20 +285,6 @@ void square_patch(const PatchShape &shape, const SquareTables &tables, const dou
 double gap_coefficients(int64_t count, const double *squares, const double *weights, double sign, double rho2,
                         double margin, double *out) noexcept {
     return HWY_DYNAMIC_DISPATCH(gap)(count, squares, weights, sign, rho2, margin, out);
-}
-
-int64_t disc_columns(int dim, bool normals) noexcept {
-    return dim + 1 + (normals ? dim + 2 : 0);
-}
-
-void bound_discs(const double *family, int64_t width, int dim, bool normals, const double *x, bool farthest,
-                 const DiscBounds &out) noexcept {
-    HWY_DYNAMIC_DISPATCH(bounds)(family, width, dim, normals, x, farthest, out);
-}
-
-void bound_discs(const float *family, int64_t width, int dim, bool normals, const double *x, bool farthest,
-                 const DiscBounds &out) noexcept {
-    HWY_DYNAMIC_DISPATCH(float_bounds)(family, width, dim, normals, x, farthest, out);
 }
 
 } // namespace nrb::closest

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The arithmetic of patches in vectors.
 #pragma once
 
@@ -33,19 +34,5 @@ void square_patch(const PatchShape &shape, const SquareTables &tables, const dou
 // out = sign (squares - rho2 weights), and the least of out - margin weights; weights null: 1.
 double gap_coefficients(int64_t count, const double *squares, const double *weights, double sign, double rho2,
                         double margin, double *out) noexcept;
-
-// Discs: a family of `width` of them is an array of columns [width]: the coordinates of the
-// centres, the radii, and, with normals, the three coordinates of the unit normals and the least and the
-// largest height over the plane through the centre.
-struct DiscBounds {
-    double *bounds;  // of sign * distance, from below
-    double *centres; // sign * distance of the centre
-};
-int64_t disc_columns(int dim, bool normals) noexcept;
-// Up to 7 more than `width` are read and written, whatever stands there.
-void bound_discs(const float *family, int64_t width, int dim, bool normals, const double *x, bool farthest,
-                 const DiscBounds &out) noexcept;
-void bound_discs(const double *family, int64_t width, int dim, bool normals, const double *x, bool farthest,
-                 const DiscBounds &out) noexcept;
 
 } // namespace nrb::closest

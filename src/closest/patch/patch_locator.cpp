@@ -1,6 +1,7 @@
+// SPDX-License-Identifier: MIT
 #include "closest/patch/patch_locator.h"
 
-#include "closest/patch/patch_critical.h"
+#include "closest/patch/critical/patch_critical.h"
 #include "closest/patch/patch_search.h"
 
 #include <algorithm>
@@ -20,14 +21,14 @@ CriticalSet PatchLocator::minima(const Query &query) const {
         set.points.push_back({foot, critical_minimum});
         set.status |= foot.status;
     }
-    set.settle();
+    set.revoke_infinite();
     return set;
 }
 
 // The nearest and the farthest point are critical, but for creases: where they are not among the points
 // found, tangents that vanish or rounding have hidden some.
 CriticalSet PatchLocator::critical(const Query &query) const {
-    CriticalSet set = PatchCritical(pieces_, query).run();
+    CriticalSet set = critical_points(pieces_, query);
     double least = std::numeric_limits<double>::infinity(), most = 0;
     for (const CriticalPoint &found : set.points) {
         least = std::min(least, found.foot.distance);
@@ -42,7 +43,7 @@ CriticalSet PatchLocator::critical(const Query &query) const {
     if (!(least <= near.distance + slack && most >= far.distance - slack)) {
         set.status &= ~closest_certified;
     }
-    set.settle();
+    set.revoke_infinite();
     return set;
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Nearest and farthest points of surfaces and volumes, with proof.
 //
 // The pieces of a spline stand in a tree of discs; a query takes those that may hold a point that counts,
@@ -9,7 +10,7 @@
 #pragma once
 
 #include "closest/locator.h"
-#include "closest/patch/patch_tree.h"
+#include "closest/patch/tree/patch_tree.h"
 
 #include <vector>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Working memory of one query: on the stack while it is small.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "closest/patch/patch_pieces.h"
 
 #include "base/finite.h"

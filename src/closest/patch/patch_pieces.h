@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The Bezier pieces of a spline, prepared for the search for nearest points.
 //
 // Everything is about the centre of the control points and divided by a power of two, so that the shape has a
@@ -27,6 +28,7 @@ public:
     [[nodiscard]] int64_t count(int axis) const noexcept {
         return std::ssize(breaks_[static_cast<size_t>(axis)]) - 1;
     }
+    [[nodiscard]] int64_t control_points() const noexcept { return counts_[0] * counts_[1] * counts_[2]; }
     // The coefficients of piece i. They are computed from the control points each time, because all of them would
     // take (p + 1)(q + 1) times the memory of these; work: as much as out.
     void patch(int64_t i, double *work, double *out) const noexcept;

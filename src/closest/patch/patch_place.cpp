@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "closest/patch/patch_place.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Places on pieces as parameters, and the part of a piece that a query asks for.
 #pragma once
 

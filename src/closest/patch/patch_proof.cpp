@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "closest/patch/patch_proof.h"
 
 #include "numeric/norm.h"

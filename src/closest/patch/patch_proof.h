@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Proofs that no point of a patch is nearer, or farther, than a distance.
 //
 // With the exact polynomials of an item, F = sign (|Q|^2 - rho^2 w^2) >= 0 over the box says so. First the

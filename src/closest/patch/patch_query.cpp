@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "closest/patch/patch_query.h"
 
 #include "numeric/norm.h"
@@ -34,7 +35,7 @@ PatchBox PatchQuery::box(int64_t piece) const noexcept {
 }
 
 // Rounding cannot tell points apart that are nearer to each other than this on a sphere about x.
-bool PatchQuery::same_point(const Place &a, const Place &b) {
+bool PatchQuery::same_point(const FootCandidate &a, const FootCandidate &b) {
     const PatchMemory::Hold hold(memory_);
     const int dim = pieces_.shape().dim;
     double *p = memory_.take(dim), *q = memory_.take(dim);
@@ -45,7 +46,7 @@ bool PatchQuery::same_point(const Place &a, const Place &b) {
 }
 
 // The pieces around a place at a side of its piece: the first in which the distance falls further.
-bool PatchQuery::walk_on(Place &place) {
+bool PatchQuery::walk_on(FootCandidate &place) {
     const PatchShape &shape = pieces_.shape();
     const PatchPieces::Index index = pieces_.index(place.piece);
     const auto subsets = 1U << static_cast<unsigned>(shape.axes);
@@ -88,7 +89,7 @@ bool PatchQuery::walk_on(Place &place) {
     return false;
 }
 
-bool PatchQuery::walk(Place &place) {
+bool PatchQuery::walk(FootCandidate &place) {
     for (int i = 0; i < 100; ++i) {
         if (!walk_on(place)) {
             return true;
@@ -133,7 +134,7 @@ void PatchQuery::polish(const PatchItem &item, Foot &foot) const {
 }
 
 // The distance is that at the parameters after their rounding.
-Foot PatchQuery::foot(const Place &place) {
+Foot PatchQuery::foot(const FootCandidate &place) {
     const PatchMemory::Hold hold(memory_);
     Foot result = foot_at(pieces_, place.piece, place.at, query_.range);
     const PatchItem item = items_.whole(place.piece);
@@ -164,7 +165,7 @@ Foot PatchQuery::local(const double *guess) {
     for (int axis = 0; axis < pieces_.spline_axes(); ++axis) {
         index[static_cast<size_t>(axis)] = pieces_.find(axis, guess[axis]);
     }
-    Place place;
+    FootCandidate place;
     place.piece = pieces_.piece(index);
     for (int k = 0; k < pieces_.shape().axes; ++k) {
         const int axis = pieces_.spline_axis(k);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // One query: its point among the pieces, and what is done with places on them.
 #pragma once
 
@@ -22,7 +23,7 @@ public:
 
 protected:
     // A point of a piece, without rounded parameters.
-    struct Place {
+    struct FootCandidate {
         int64_t piece = -1;
         AxisValues at{};
         double value = 0;     // sign * distance
@@ -33,12 +34,12 @@ protected:
     [[nodiscard]] bool far_away() const noexcept;
     [[nodiscard]] PatchBox box(int64_t piece) const noexcept;
     // Descends across pieces; false if it takes too many steps.
-    bool walk(Place &place);
-    bool walk_on(Place &place);
-    [[nodiscard]] bool same_point(const Place &a, const Place &b);
+    bool walk(FootCandidate &place);
+    bool walk_on(FootCandidate &place);
+    [[nodiscard]] bool same_point(const FootCandidate &a, const FootCandidate &b);
     [[nodiscard]] double distance_at(const PatchItem &item, const Foot &foot) const;
     void polish(const PatchItem &item, Foot &foot) const;
-    [[nodiscard]] Foot foot(const Place &place);
+    [[nodiscard]] Foot foot(const FootCandidate &place);
     [[nodiscard]] Foot any_point(); // if far_away()
 
     const PatchPieces &pieces_;

@@ -1,10 +1,13 @@
+// SPDX-License-Identifier: MIT
 #include "closest/patch/patch_search.h"
 
+#include "closest/patch/critical/patch_critical.h"
 #include "numeric/norm.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace nrb::closest {
 
@@ -14,18 +17,18 @@ constexpr double eps = std::numeric_limits<double>::epsilon();
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr int deepest = 48;    // halvings of an axis
 constexpr int most_rounds = 8; // of improvements by one item
-constexpr int64_t turn = 12;   // items of a leaf, or of what was put off, that are looked at on end
+constexpr int64_t turn = 12;   // items of a leaf, or of a part that was put off, that are looked at in a row
 
 } // namespace
 
 PatchSearch::PatchSearch(const PatchPieces &pieces, const PatchTree &tree, const Query &query)
-    : PatchQuery(pieces, query), tree_(tree) {
+    : PatchMinima(pieces, query), tree_(tree) {
     const int64_t count = pieces.shape().coefficients();
     cost_ = std::max<int64_t>(1, count * count / 65536);
 }
 
 // From the best centre.
-void PatchSearch::start(const PatchTree::Place &centre) {
+void PatchSearch::start(const PatchTree::Centre &centre) {
     const PatchMemory::Hold hold(memory_);
     const PatchItem whole = items_.whole(centre.piece);
     const PatchBox part = box(centre.piece);
@@ -51,7 +54,7 @@ void PatchSearch::search() {
         if (group.bound > upper()) {
             break;
         }
-        if (spent() && unpaid_ <= 0) {
+        if (spent() && overdraft_ <= 0) {
             incomplete_ = true;
             break;
         }
@@ -67,13 +70,13 @@ void PatchSearch::search_piece(const PatchCandidates::Group &group) {
     items_.measure(whole);
     const PatchBox part = box(group.piece);
     const bool most = std::count_if(group.first, group.last, counts) > 5 && query_.range == nullptr;
-    if (most && !spent()) { // all of it may be settled at once
+    if (most && !spent()) { // all of it may be finished at once
         const PatchMemory::Hold again(memory_);
         PatchItem item = whole;
         bool fresh = false;
         int axis = -1;
         spent_ += cost_;
-        if (item.sound && settled(item, fresh, axis)) {
+        if (item.sound && finished(item, fresh, axis)) {
             return;
         }
     }
@@ -137,36 +140,11 @@ PatchGoal PatchSearch::goal(double value, const PatchItem &item) const noexcept 
     return result;
 }
 
-// The axis along which the coefficients spread most.
-int PatchSearch::longest_axis(const PatchItem &item) const noexcept {
-    const PatchShape &shape = pieces_.shape();
-    int longest = -1;
-    double most = -1;
-    int64_t step = shape.lanes;
-    for (int k = shape.axes; k-- > 0; step *= shape.degree(k) + 1) {
-        double spread = 0;
-        const int64_t period = step * (shape.degree(k) + 1);
-        for (int64_t i = 0; i < shape.values(); i += shape.lanes) {
-            const double *q = item.values + i;
-            const double w = q[shape.dim], other = i % period + step < period ? q[step + shape.dim] : 0;
-            if (w > 0 && other > 0) {
-                spread += norm_of(shape.dim, [&](int c) { return q[c] / w - q[step + c] / other; });
-            }
-        }
-        spread *= 1 + 1.0 / shape.degree(k);
-        if (spread > most) {
-            most = spread;
-            longest = k;
-        }
-    }
-    return longest;
-}
-
 void PatchSearch::examine(PatchItem &item, bool fresh) {
     if (spent()) {
         incomplete_ = true;
-        if (fresh && unpaid_ > 0) {
-            --unpaid_;
+        if (fresh && overdraft_ > 0) {
+            --overdraft_;
             items_.measure(item);
             improve(item, {0.5, 0.5, 0.5});
         }
@@ -179,10 +157,10 @@ void PatchSearch::examine(PatchItem &item, bool fresh) {
         if (fresh) {
             improve(item, {0.5, 0.5, 0.5});
         }
-    } else if (settled(item, fresh, axis)) {
+    } else if (finished(item, fresh, axis)) {
         return;
     }
-    axis = axis >= 0 ? axis : longest_axis(item);
+    axis = axis >= 0 ? axis : longest_axis(pieces_.shape(), item);
     if (spent_ >= pause_ && later_.size() < most_put_off) {
         put_off(item, axis);
     } else {
@@ -223,7 +201,7 @@ void PatchSearch::split(PatchItem &item, int axis) {
 
 // For patches of so many coefficients that their squares cost too much: the ball of the coefficients, and the
 // half space beyond the middle.
-bool PatchSearch::settled_by_plane(const PatchItem &item) {
+bool PatchSearch::excluded_by_plane(const PatchItem &item) {
     const double limit = lower() + item.moved + best_.error + 4 * pieces_.value_error() * item.reach;
     if (query_.farthest) {
         return item.reach <= -limit;
@@ -249,20 +227,20 @@ bool PatchSearch::settled_by_plane(const PatchItem &item) {
     return true;
 }
 
-bool PatchSearch::settled_without_squares(const PatchItem &item, bool &fresh) {
-    if (settled_by_plane(item)) {
+bool PatchSearch::finished_without_squares(const PatchItem &item, bool &fresh) {
+    if (excluded_by_plane(item)) {
         return true;
     }
     const bool better = fresh && improve(item, {0.5, 0.5, 0.5});
     fresh = false;
-    return better && settled_by_plane(item);
+    return better && excluded_by_plane(item);
 }
 
 // Whether no point of the item counts any more, after what it may have shown has been kept.
-bool PatchSearch::settled(const PatchItem &item, bool &fresh, int &axis) {
+bool PatchSearch::finished(const PatchItem &item, bool &fresh, int &axis) {
     const PatchShape &shape = pieces_.shape();
     if (shape.coefficients() > most_squared) {
-        return settled_without_squares(item, fresh);
+        return finished_without_squares(item, fresh);
     }
     const PatchMemory::Hold hold(memory_);
     const int64_t products = shape.products();
@@ -275,7 +253,7 @@ bool PatchSearch::settled(const PatchItem &item, bool &fresh, int &axis) {
     for (int round = 0; round < most_rounds && verdict == Verdict::improved; ++round) {
         verdict = prove(item, gap, fresh, axis);
     }
-    return verdict == Verdict::settled;
+    return verdict == Verdict::finished;
 }
 
 // Whether all points are worse than the best one by more than what counts.
@@ -285,20 +263,10 @@ bool PatchSearch::is_worse(const PatchItem &item, const PatchGap &gap) {
                                    : sign_ > 0;
 }
 
-// The best point as a place in the item; false if it is elsewhere.
-bool PatchSearch::best_in(const PatchItem &item, AxisValues &at) const noexcept {
-    bool inside = best_.piece == item.piece;
-    for (size_t k = 0; inside && k < static_cast<size_t>(pieces_.shape().axes); ++k) {
-        at[k] = (best_.at[k] - item.lower[k]) / item.length[k];
-        inside = at[k] >= 0 && at[k] <= 1;
-    }
-    return inside;
-}
-
 PatchSearch::Verdict PatchSearch::prove(const PatchItem &item, const PatchGap &gap, bool &fresh, int &axis) {
     constexpr AxisValues middle{0.5, 0.5, 0.5};
     if (is_worse(item, gap)) {
-        return Verdict::settled;
+        return Verdict::finished;
     }
     PatchGoal least = goal(lower(), item);
     const bool beyond = least.rho <= 0 && sign_ > 0;
@@ -306,12 +274,12 @@ PatchSearch::Verdict PatchSearch::prove(const PatchItem &item, const PatchGap &g
     PatchProof proof(pieces_, descent_, item, least, gap);
     const bool not_nearer = proof.positive() || beyond;
     if (not_nearer && !asks_for_others()) {
-        return Verdict::settled;
+        return Verdict::finished;
     }
     extra_ += not_nearer ? 1 : 0;
     if (not_nearer && proof.flat(4 * noise_)) {
         consider(item, middle, descent_.distance(item.values, middle), false);
-        return Verdict::settled;
+        return Verdict::finished;
     }
     AxisValues guess{};
     const bool convex = proof.convex(best_in(item, guess) ? &guess : nullptr);
@@ -320,7 +288,7 @@ PatchSearch::Verdict PatchSearch::prove(const PatchItem &item, const PatchGap &g
     }
     if (convex && (!all_ || is_least(item, gap, proof))) {
         consider(item, proof.at(), proof.distance(), proof.strict());
-        return Verdict::settled;
+        return Verdict::finished;
     }
     if (fresh && !not_nearer) {
         fresh = false;
@@ -330,8 +298,8 @@ PatchSearch::Verdict PatchSearch::prove(const PatchItem &item, const PatchGap &g
     }
     // Rounding counts by the reach, so that now and then all axes have their turn.
     const bool wide = item.depth % 3 == 2 && item.reach > 1.25 * least.rho;
-    axis = wide ? longest_axis(item) : proof.widest_axis();
-    return not_nearer && item.depth > deepest ? Verdict::settled : Verdict::open;
+    axis = wide ? longest_axis(pieces_.shape(), item) : proof.widest_axis();
+    return not_nearer && item.depth > deepest ? Verdict::finished : Verdict::open;
 }
 
 // Weights move the minimum of F away from that of the distance where it is not near 0: whether what was found
@@ -352,24 +320,6 @@ bool PatchSearch::improve(const PatchItem &item, AxisValues at) {
     return improve_to(item, at, distance);
 }
 
-bool PatchSearch::improve_to(const PatchItem &item, const AxisValues &at, double distance) {
-    const double value = sign_ * distance;
-    if (!(value < best_.value - 1e-2 * noise_) && !(best_.value == infinite && std::isfinite(value))) {
-        return false;
-    }
-    if (all_ && best_.value < infinite) {
-        others_.push_back(best_);
-    }
-    best_.piece = item.piece;
-    best_.value = value;
-    best_.error = item.moved + pieces_.value_error() * item.reach;
-    for (int k = 0; k < pieces_.shape().axes; ++k) {
-        const auto i = static_cast<size_t>(k);
-        best_.at[i] = std::clamp(item.to_piece(k, at[i]), 0.0, 1.0);
-    }
-    return true;
-}
-
 Foot PatchSearch::nearest() {
     if (far_away()) {
         return any_point();
@@ -379,8 +329,55 @@ Foot PatchSearch::nearest() {
     const double rounded = sign_ * pieces_.scaled(result.distance) - best_.value;
     const bool unproven = incomplete_ || !std::isfinite(best_.value);
     result.status |= unproven ? closest_budget : rounded <= noise_ / 8 ? closest_certified : closest_coarse;
-    result.status |= several_ ? closest_not_unique : 0;
-    result.looked = spent_;
+    result.status |= not_unique_ ? closest_not_unique : 0;
+    result.examined = spent_;
+    return result;
+}
+
+// Where the tolerance is more than rounding: among the critical points of the pieces that come so near. The
+// proofs of search() leave what is worse by less than the tolerance alone.
+void PatchSearch::search_minima() {
+    const double tolerance = std::exchange(tolerance_, 0.0);
+    search();
+    tolerance_ = tolerance;
+    PatchCandidates candidates(pieces_, tree_, query_, x_, tolerance_ + noise_);
+    PatchCandidates::Groups groups;
+    candidates.order(upper(), groups);
+    std::vector<int64_t> pieces;
+    for (const PatchCandidates::Group &group : groups) {
+        pieces.push_back(group.piece);
+    }
+    Query rest = query_;
+    rest.tolerance = 0;
+    rest.budget = std::max<int64_t>(1, query_.most_pieces() - spent_);
+    const MinimumCandidates found = minimum_candidates(pieces_, rest, pieces, upper());
+    for (const MinimumCandidate &candidate : found.candidates) {
+        others_.push_back({candidate.piece, candidate.at, candidate.distance, 0, candidate.certain});
+    }
+    incomplete_ = incomplete_ || found.gaps.incomplete;
+    connected_ = found.gaps.connected;
+    doubtful_ = found.gaps.doubtful;
+}
+
+std::vector<Foot> PatchSearch::all() {
+    if (far_away()) {
+        return {any_point()};
+    }
+    if (tolerance_ > noise_ && pieces_.shape().coefficients() <= most_squared) {
+        search_minima();
+    } else {
+        all_ = true;
+        search();
+    }
+    const std::vector<FootCandidate> kept = distinct_minima();
+    int32_t status = incomplete_ ? closest_budget : connected_ || doubtful_ ? 0 : closest_certified;
+    status |= kept.size() > 1 || connected_ ? closest_not_unique : 0;
+    std::vector<Foot> result;
+    for (const FootCandidate &place : kept) {
+        result.push_back(foot(place));
+        result.back().status |= status;
+    }
+    std::sort(result.begin(), result.end(), [](const Foot &a, const Foot &b) { return a.params < b.params; });
     return result;
 }
 

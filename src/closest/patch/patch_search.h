@@ -1,16 +1,17 @@
+// SPDX-License-Identifier: MIT
 // The search for the nearest or farthest points of one query: branch and bound.
 #pragma once
 
-#include "closest/patch/patch_candidates.h"
+#include "closest/patch/patch_minima.h"
 #include "closest/patch/patch_proof.h"
-#include "closest/patch/patch_query.h"
+#include "closest/patch/tree/patch_candidates.h"
 #include "pieces/best_first.h"
 
 #include <vector>
 
 namespace nrb::closest {
 
-class PatchSearch : public PatchQuery {
+class PatchSearch : public PatchMinima {
 public:
     PatchSearch(const PatchPieces &pieces, const PatchTree &tree, const Query &query);
 
@@ -29,59 +30,42 @@ private:
         std::vector<double> values; // of the item
     };
 
-    void start(const PatchTree::Place &centre);
+    void start(const PatchTree::Centre &centre);
     void search();
     void search_piece(const PatchCandidates::Group &group);
     void search_later();
     void search_leaf(const PatchItem &whole, const PatchBox &part, const PatchTree::Leaf &leaf);
     // A part of a piece is proved not to matter, or its halves are searched.
     void examine(PatchItem &item, bool fresh);
-    bool settled(const PatchItem &item, bool &fresh, int &axis);
-    bool settled_without_squares(const PatchItem &item, bool &fresh);
+    bool finished(const PatchItem &item, bool &fresh, int &axis);
+    bool finished_without_squares(const PatchItem &item, bool &fresh);
     enum class Verdict {
         open,
         improved,
-        settled
+        finished
     }; // improved: by a point of it, so that it is to be proved again
     Verdict prove(const PatchItem &item, const PatchGap &gap, bool &fresh, int &axis);
     bool is_worse(const PatchItem &item, const PatchGap &gap);
-    bool best_in(const PatchItem &item, AxisValues &at) const noexcept;
     bool is_least(const PatchItem &item, const PatchGap &gap, const PatchProof &found);
-    bool settled_by_plane(const PatchItem &item);
+    bool excluded_by_plane(const PatchItem &item);
     void split(PatchItem &item, int axis);
     void put_off(const PatchItem &item, int axis);
     [[nodiscard]] double order(const PatchItem &item) const;
-    [[nodiscard]] bool spent() const noexcept {
-        return spent_ + cost_ > (query_.budget > 0 ? query_.budget : pieces::default_budget);
-    }
-    [[nodiscard]] int longest_axis(const PatchItem &item) const noexcept;
+    [[nodiscard]] bool spent() const noexcept { return spent_ + cost_ > query_.most_pieces(); }
     bool improve(const PatchItem &item, AxisValues at);
-    bool improve_to(const PatchItem &item, const AxisValues &at, double distance);
     [[nodiscard]] PatchGoal goal(double value, const PatchItem &item) const noexcept;
-    [[nodiscard]] double upper() const noexcept { return best_.value + tolerance_ + noise_; }
-    // An eighth of the noise is for the rounding of the parameters.
-    [[nodiscard]] double lower() const noexcept { return best_.value - tolerance_ - 0.875 * noise_; }
-    [[nodiscard]] bool asks_for_others() const noexcept { return all_ || (!several_ && extra_ < 24); }
+    [[nodiscard]] bool asks_for_others() const noexcept { return all_ || (!not_unique_ && extra_ < 24); }
 
-    // A minimum of an item as near as the best one: whether it is one of the spline, and elsewhere.
-    void consider(const PatchItem &item, const AxisValues &at, double distance, bool strict);
-    bool is_minimum(const Place &place);
     void search_minima();
 
     const PatchTree &tree_;
-    Place best_;
-    bool all_ = false;
-    bool several_ = false;   // points elsewhere are as near
-    bool connected_ = false; // and not isolated
-    bool doubtful_ = false;  // a minimum may be none, or missing
     bool incomplete_ = false;
     int64_t cost_ = 1; // of an item
     int64_t spent_ = 0;
     int64_t pause_ = 0;               // what may be spent before parts are put off
     pieces::BestFirst<PutOff> later_; // by order(), negated
-    int unpaid_ = 16; // leaves from whose middles descents start even so when the budget has ended
-    int extra_ = 0;   // items looked at only because there may be others
-    std::vector<Place> others_;
+    int overdraft_ = 16; // descents that are still allowed after the budget, from middles of leaves
+    int extra_ = 0;      // items looked at only because there may be others
 };
 
 } // namespace nrb::closest

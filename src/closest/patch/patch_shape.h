@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Bezier patches as the search for nearest points works on them: homogeneous coefficients of the axes that
 // have a degree.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The tables for squares of patches of one shape.
 #pragma once
 

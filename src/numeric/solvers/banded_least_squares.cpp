@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "numeric/solvers/banded_least_squares.h"
 
 #include "base/checked.h"

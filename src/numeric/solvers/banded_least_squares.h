@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Least squares with rows of few neighbouring columns, as functions with local supports have them.
 #pragma once
 

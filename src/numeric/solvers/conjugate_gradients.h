@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Linear equations with a symmetric positive matrix of which only products are known (M. Hestenes, E.
 // Stiefel, J. Res. NBS 49 (1952)).
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "numeric/solvers/minimum_norm.h"
 
 #include "base/representable.h"

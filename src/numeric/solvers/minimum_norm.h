@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Smallest solutions of linear equations, by Eigen's orthogonal factorisations.
 #pragma once
 

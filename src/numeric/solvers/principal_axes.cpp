@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "numeric/solvers/principal_axes.h"
 
 #include "base/finite.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The directions in which points spread.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Cholesky's factorisation of matrices of a few rows, on the stack.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Least squares and null directions of many equations in few unknowns, by Eigen's singular value
 // decomposition.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "numeric/solvers/small_systems.h"
 
 #include <Eigen/Dense>

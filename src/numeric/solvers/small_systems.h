@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Systems of as many unknowns as a shape has parameters, solved by Eigen.
 #pragma once
 

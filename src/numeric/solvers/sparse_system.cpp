@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "numeric/solvers/sparse_system.h"
 
 #include "base/finite.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Sparse symmetric positive systems, by Eigen's factorisation.
 #pragma once
 

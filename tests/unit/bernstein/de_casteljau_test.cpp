@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // de Casteljau's algorithm and the Bernstein functions, against their definition.
 #include "bernstein/de_casteljau.h"
 

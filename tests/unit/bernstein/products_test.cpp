@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Bernstein pieces: products, halves, and the search for the largest quotient.
 #include "bernstein/products.h"
 #include "pieces/largest_quotient.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Polynomials with bounds of their rounding errors against exact arithmetic.
 #include "bernstein/rounded_polynomial.h"
 #include "pieces/derivative_pieces.h"

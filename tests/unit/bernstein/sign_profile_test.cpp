@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Signs as far as uncertain coefficients tell them.
 #include "bernstein/sign_profile.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Signs of polynomials with known zeros, and what is not claimed where rounding hides them.
 #include "bernstein/sign_runs.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "closest/pair/matched_bound.h"
 #include "closest/pair/pair_bound.h"
 
@@ -95,7 +96,7 @@ TEST(BezierPiece, halves_have_the_points_of_the_whole) {
             std::optional<pieces::BezierPiece> lower = upper.halve();
             ASSERT_TRUE(lower.has_value());
             const pieces::BezierPiece &half = random.chance(50) ? *lower : upper;
-            const pieces::Place place{random.unit(), random.unit(), random.unit()};
+            const pieces::LocalParam place{random.unit(), random.unit(), random.unit()};
             half_jet.evaluate(half, place, false);
             whole_jet.evaluate(whole, whole.place(half.parameter(place)), false);
             for (int c = 0; c < 3; ++c) {
@@ -115,11 +116,12 @@ TEST(PieceJet, derivatives_are_limits_of_differences) {
     for (int i = 0; i < 30; ++i) {
         const SplinePtr f = random_piece(random, random.whole(1, 3), 0, 0.4, random.chance(50));
         const pieces::BezierPiece piece = pieces::bezier_pieces(*f, pieces::frame_of(*f))[0];
-        const pieces::Place at{random.between(0.1, 0.9), random.between(0.1, 0.9), random.between(0.1, 0.9)};
+        const pieces::LocalParam at{random.between(0.1, 0.9), random.between(0.1, 0.9),
+                                    random.between(0.1, 0.9)};
         jet.evaluate(piece, at, true);
         constexpr double h = 1e-5;
         for (int k = 0; k < piece.axes(); ++k) {
-            pieces::Place high = at, low = at;
+            pieces::LocalParam high = at, low = at;
             high[static_cast<size_t>(k)] += h;
             low[static_cast<size_t>(k)] -= h;
             more.evaluate(piece, high, true);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The squares of patches against exact arithmetic on every instruction set, discs against points in them, and
 // proofs against dense samples: what is proved holds.
 #include "base/numbers.h"

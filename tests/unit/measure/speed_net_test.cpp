@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "measure/speed_net.h"
 
 #include "reference/number.h"

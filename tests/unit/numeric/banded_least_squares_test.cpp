@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Banded least squares: what is consistent is solved, residuals are orthogonal to all columns.
 #include "numeric/solvers/banded_least_squares.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Sums of two doubles against rational numbers, on every instruction set: the steps that claim to be exact
 // are, the others keep the bounds that are proved for them.
 #undef HWY_TARGET_INCLUDE

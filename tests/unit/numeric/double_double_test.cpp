@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Values of twice the precision against exact arithmetic.
 #include "numeric/double_double.h"
 #include "reference/number.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "numeric/nested_rule.h"
 
 #include <cmath>

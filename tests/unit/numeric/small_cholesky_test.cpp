@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Cholesky factors of a few rows: exact solutions, and what is refused.
 #include "numeric/solvers/small_cholesky.h"
 

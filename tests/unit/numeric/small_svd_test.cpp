@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "numeric/solvers/small_svd.h"
 
 #include "support/generators.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "pieces/best_first.h"
 
 #include <gtest/gtest.h>

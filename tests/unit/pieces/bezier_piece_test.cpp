@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Pieces against exact arithmetic: long doubles are exact enough beside what doubles lose.
 #include "pieces/bezier_piece.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "pieces/damped_descent.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Numerators of derivatives on Bernstein pieces against the derivatives themselves, in exact arithmetic.
 #include "pieces/derivative_pieces.h"
 #include "property/exact_points.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Shapes beside which a curve or surface has a distance that is known.
 #include "recognize/shape_bound.h"
 

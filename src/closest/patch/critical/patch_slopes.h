@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Bounds of the derivatives of the distance on a patch, from the Bernstein coefficients of |Q|^2 and w^2.
 #pragma once
 

@@ -1,7 +1,8 @@
-#include "closest/patch/patch_slopes.h"
+// SPDX-License-Identifier: MIT
+#include "closest/patch/critical/patch_slopes.h"
 
-#include "closest/patch/patch_matrix.h"
 #include "numeric/norm.h"
+#include "numeric/solvers/small_systems.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,6 +14,24 @@ namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 constexpr double infinite = std::numeric_limits<double>::infinity();
+
+// The largest sum of a row of |A| |B|.
+double product_norm(int n, const AxisMatrix &a, const AxisMatrix &b) noexcept {
+    const auto size = static_cast<size_t>(n);
+    double largest = 0;
+    for (size_t i = 0; i < size; ++i) {
+        double sum = 0;
+        for (size_t j = 0; j < size; ++j) {
+            double entry = 0;
+            for (size_t k = 0; k < size; ++k) {
+                entry += std::abs(a[i][k]) * std::abs(b[k][j]);
+            }
+            sum += entry;
+        }
+        largest = std::max(largest, sum);
+    }
+    return largest;
+}
 
 } // namespace
 
@@ -204,7 +223,7 @@ PatchSlopes::Range PatchSlopes::second(int k, int l) const {
 // matrix are slopes of the gradient (mean value theorem), which is injective if all matrices in it are
 // regular: with the inverse of the middle as factor they differ from the identity by less than 1.
 PatchSlopes::Matrix PatchSlopes::matrix() noexcept {
-    SmallMatrix centre(shape_.axes, shape_.axes), radius(shape_.axes, shape_.axes);
+    AxisMatrix centre{}, radius{};
     double bend = -1;
     for (int k = 0; k < shape_.axes; ++k) {
         for (int l = 0; l <= k; ++l) {
@@ -214,21 +233,20 @@ PatchSlopes::Matrix PatchSlopes::matrix() noexcept {
             const Range range = second(k, l);
             const double more =
                 first_[i].size() * weight_slopes_[j] + first_[j].size() * weight_slopes_[i] + 4 * error_ * n;
-            centre(k, l) = centre(l, k) = n * (range.low / 2 + range.high / 2);
-            radius(k, l) = radius(l, k) = n * (range.high / 2 - range.low / 2) + more;
+            centre[i][j] = centre[j][i] = n * (range.low / 2 + range.high / 2);
+            radius[i][j] = radius[j][i] = n * (range.high / 2 - range.low / 2) + more;
             if (k == l && n * range.size() > bend) {
                 bend = n * range.size();
                 widest_ = k;
             }
         }
     }
-    const Eigen::FullPivLU<SmallMatrix> factors(centre);
-    if (!factors.isInvertible()) {
+    const std::optional<AxisMatrix> factor = inverse(shape_.axes, centre);
+    if (!factor) {
         return Matrix::singular;
     }
-    const SmallMatrix inverse = factors.inverse().cwiseAbs();
-    const double rounding = 64 * eps * (inverse * centre.cwiseAbs()).rowwise().sum().maxCoeff();
-    const double rest = (inverse * radius).rowwise().sum().maxCoeff() + rounding;
+    const double rounding = 64 * eps * product_norm(shape_.axes, *factor, centre);
+    const double rest = product_norm(shape_.axes, *factor, radius) + rounding;
     return rest < 1 ? Matrix::regular : Matrix::unknown;
 }
 

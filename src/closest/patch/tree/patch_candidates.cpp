@@ -1,4 +1,5 @@
-#include "closest/patch/patch_candidates.h"
+// SPDX-License-Identifier: MIT
+#include "closest/patch/tree/patch_candidates.h"
 
 #include "closest/patch/patch_place.h"
 
@@ -13,31 +14,31 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 
 } // namespace
 
-PatchCandidates::Part PatchCandidates::inside(const PatchTree::Extent &extent) const noexcept {
-    Part part = Part::all;
+PatchCandidates::Overlap PatchCandidates::inside(const PatchTree::Extent &extent) const noexcept {
+    Overlap part = Overlap::all;
     for (int k = 0; query_.range != nullptr && k < pieces_.spline_axes(); ++k) {
         const auto at = static_cast<size_t>(k);
         const double first = pieces_.break_at(k, extent.lower[at]),
                      last = pieces_.break_at(k, extent.upper[at]);
         const Interval &range = query_.range[k];
         if (last <= range.lower || first >= range.upper) {
-            return Part::none;
+            return Overlap::none;
         }
-        part = first < range.lower || last > range.upper ? Part::some : part;
+        part = first < range.lower || last > range.upper ? Overlap::some : part;
     }
     return part;
 }
 
 // Whether the centre of a node that the range cuts is in it.
 bool PatchCandidates::holds_centre(int level, int64_t node) const noexcept {
-    const PatchTree::Place centre = tree_.centre(level, node);
+    const PatchTree::Centre centre = tree_.centre(level, node);
     PatchTree::Extent piece{};
     piece.lower = piece.upper = pieces_.index(centre.piece);
     for (int64_t &i : piece.upper) {
         ++i;
     }
     const PatchBox box = box_in_range(pieces_, centre.piece, query_.range);
-    bool holds = inside(piece) != Part::none;
+    bool holds = inside(piece) != Overlap::none;
     for (size_t k = 0; k < static_cast<size_t>(pieces_.shape().axes); ++k) {
         holds = holds && centre.at[k] >= box.lower[k] && centre.at[k] <= box.upper[k];
     }
@@ -54,11 +55,11 @@ void PatchCandidates::visit_children(int level, const Candidate &parent, Candida
             continue;
         }
         const int64_t node = family.first + i;
-        const Part part = query_.range == nullptr ? Part::all : inside(tree_.extent(level + 1, node));
-        if (part == Part::none) {
+        const Overlap part = query_.range == nullptr ? Overlap::all : inside(tree_.extent(level + 1, node));
+        if (part == Overlap::none) {
             continue;
         }
-        if (centres[i] < reached_ && (part == Part::all || holds_centre(level + 1, node))) {
+        if (centres[i] < reached_ && (part == Overlap::all || holds_centre(level + 1, node))) {
             reached_ = centres[i];
             start_level_ = level + 1;
             start_node_ = node;

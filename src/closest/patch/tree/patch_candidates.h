@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: MIT
 // The leaves of the tree that a query has to look at.
 #pragma once
 
 #include "closest/foot.h"
 #include "closest/patch/patch_memory.h"
-#include "closest/patch/patch_tree.h"
+#include "closest/patch/tree/patch_tree.h"
 
 namespace nrb::closest {
 
@@ -28,13 +29,13 @@ public:
                     double margin);
 
     // The best centre seen that is in the range, or else that of a leaf which meets it.
-    [[nodiscard]] PatchTree::Place start() const noexcept { return tree_.centre(start_level_, start_node_); }
+    [[nodiscard]] PatchTree::Centre start() const noexcept { return tree_.centre(start_level_, start_node_); }
     // Those whose bounds are at most a limit, in rising order of the bounds.
     void order(double limit, Groups &groups);
 
 private:
-    enum class Part { none, some, all };
-    [[nodiscard]] Part inside(const PatchTree::Extent &extent) const noexcept;
+    enum class Overlap { none, some, all };
+    [[nodiscard]] Overlap inside(const PatchTree::Extent &extent) const noexcept;
     [[nodiscard]] bool holds_centre(int level, int64_t node) const noexcept;
     void visit_children(int level, const Candidate &parent, Candidates &next);
 

@@ -1,14 +1,16 @@
+// SPDX-License-Identifier: MIT
 // A tree of discs around the pieces of a spline: what a query looks at before any polynomial.
 //
 // A disc is the set of points across a unit normal n that are within a radius of the line through the centre,
 // and whose heights over the centre are in an interval; without normal, a ball. Centres are points of the
 // spline, so that each distance of a centre bounds the smallest one from above.
 //
-// Of a bicubic surface with more than 4096 pieces the tree takes less than 12 times the memory of its control points,
-// the pieces included, which are computed when they are looked at.
+// With the pieces, which are computed when they are looked at, the tree takes at most 1.5 (p + 1) (q + 1) times the memory
+// of the control points of a surface, and at most 12 times for a bicubic one.
 #pragma once
 
 #include "closest/patch/patch_pieces.h"
+#include "closest/patch/tree/patch_leaves.h"
 
 #include <vector>
 
@@ -23,7 +25,7 @@ public:
         int64_t first;  // child
         int64_t count;  // of children
         int64_t width;  // of the columns of discs: count, of inner nodes rounded up for vectors
-        int64_t offset; // of the discs
+        int64_t offset; // of the discs of inner nodes
     };
     // The pieces in a node, [lower, upper) along each axis of the spline.
     struct Extent {
@@ -32,13 +34,13 @@ public:
 
     // Level 0 is the root, the last level holds the leaves. Node i of a level but the last has family i.
     [[nodiscard]] int levels() const noexcept {
-        return static_cast<int>(families_.size()) + (parts_ > 1 ? 2 : 1);
+        return static_cast<int>(families_.size()) + (parts() > 1 ? 2 : 1);
     }
     [[nodiscard]] Family family(int level, int64_t node) const noexcept {
         if (level < static_cast<int>(families_.size())) {
             return families_[static_cast<size_t>(level)][static_cast<size_t>(node)];
         }
-        return {node * leaves_, leaves_, leaves_, node * leaf_size_};
+        return {node * leaves_.count(), leaves_.count(), leaves_.count(), 0};
     }
     // Bounds of all children of a node; [most_width] each.
     void bound(int level, int64_t node, const double *x, bool farthest, const DiscBounds &out) const noexcept;
@@ -50,39 +52,31 @@ public:
         std::array<int, max_axes> part;
     };
     [[nodiscard]] Leaf leaf(int64_t node) const noexcept;
-    [[nodiscard]] int parts() const noexcept { return parts_; }
+    [[nodiscard]] int parts() const noexcept { return leaves_.parts(); }
     // Of the disc of a node, as a place of a piece.
-    struct Place {
+    struct Centre {
         int64_t piece;
         AxisValues at;
     };
-    [[nodiscard]] Place centre(int level, int64_t node) const noexcept;
-    // For part i of an axis of the shape.
+    [[nodiscard]] Centre centre(int level, int64_t node) const noexcept;
+    // Gives part i of an axis of the shape.
     [[nodiscard]] const double *matrix(int axis, int part) const noexcept {
-        return matrices_[static_cast<size_t>(axis)].data() + part * matrix_size(axis);
+        return leaves_.matrix(axis, part);
     }
     static constexpr int64_t most_width = 64;
 
 private:
-    struct Disc;
     class Builder;
     [[nodiscard]] PatchPieces::Index place_in_grid(int level, int64_t node) const noexcept;
-    [[nodiscard]] int64_t matrix_size(int axis) const noexcept {
-        return int64_t{pieces_.shape().degree(axis) + 1} * (pieces_.shape().degree(axis) + 1);
-    }
 
     const PatchPieces &pieces_;
     bool normals_;
-    int parts_ = 1;
-    int64_t leaves_ = 1; // of a piece
-    std::array<std::vector<double>, max_axes> matrices_;
     std::vector<std::vector<Family>> families_;
-    std::vector<std::vector<int64_t>> nodes_; // in the grids of the levels of pieces and their groups
+    std::vector<std::vector<int32_t>> nodes_; // in the grids of the levels of pieces and their groups
     std::vector<PatchPieces::Index> grids_;   // nodes of such a level along each axis
     std::vector<PatchPieces::Index> blocks_;  // pieces in a node of it
     std::vector<double> discs_;
-    std::vector<float> leaf_discs_; // of parts of pieces, by far the most: rounded outwards
-    int64_t leaf_size_ = 0;         // of the columns of a family
+    PatchLeaves leaves_;
 };
 
 } // namespace nrb::closest

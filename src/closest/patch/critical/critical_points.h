@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// The critical points that a search has found, each of them once.
+#pragma once
+
+#include "closest/locator.h"
+#include "closest/patch/critical/critical_query.h"
+
+#include <vector>
+
+namespace nrb::closest {
+
+// A place in a piece where the distance may have a minimum.
+struct MinimumCandidate {
+    int64_t piece;
+    AxisValues at;
+    double distance;
+    bool certain = false; // it is a minimum, by second derivatives in all pieces around
+};
+
+class CriticalPoints {
+public:
+    explicit CriticalPoints(const CriticalQuery &query) : query_(query) {}
+
+    // Whether the point is nearer to one of them than the tolerance.
+    [[nodiscard]] bool has(const std::vector<double> &point) const noexcept;
+    [[nodiscard]] bool full() const noexcept { return found_.size() >= 4096; }
+    // A place of a piece as far as it is in the range.
+    void add(const PatchItem &whole, const AxisValues &at, int32_t kind);
+
+    [[nodiscard]] size_t size() const noexcept { return found_.size(); }
+    [[nodiscard]] const std::vector<double> &point(size_t i) const noexcept { return points_[i]; }
+    [[nodiscard]] const MinimumCandidate &candidate(size_t i) const noexcept { return candidates_[i]; }
+    // In the order of their parameters.
+    [[nodiscard]] std::vector<CriticalPoint> sorted() const;
+
+private:
+    const CriticalQuery &query_;
+    std::vector<CriticalPoint> found_;
+    std::vector<MinimumCandidate> candidates_; // the same
+    std::vector<std::vector<double>> points_;  // the same
+};
+
+} // namespace nrb::closest

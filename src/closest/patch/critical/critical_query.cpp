@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#include "closest/patch/critical/critical_query.h"
+
+#include "numeric/norm.h"
+
+namespace nrb::closest {
+
+CriticalQuery::CriticalQuery(const PatchPieces &pieces, const Query &query)
+    : pieces_(pieces), query_(query), x_(memory_.take(pieces.shape().lanes)), items_(pieces, x_, memory_),
+      descent_(pieces.shape(), memory_) {
+    pieces.place(query.point, x_);
+    noise_ = pieces.allowance() * pieces.weight_ratio() * (pieces.size() + pieces.magnitude(query.point));
+    near_ = pieces.scaled(query.tolerance) + 64 * noise_;
+}
+
+bool CriticalQuery::far_away() const noexcept {
+    return !(norm(x_, shape().dim) < 0x1p100);
+}
+
+PatchItem CriticalQuery::piece_in_range(int64_t piece) const {
+    PatchItem whole = items_.whole(piece);
+    items_.measure(whole);
+    const PatchBox box = box_in_range(pieces_, piece, query_.range);
+    for (int k = 0; k < shape().axes; ++k) {
+        const auto at = static_cast<size_t>(k);
+        if (box.lower[at] > 0 || box.upper[at] < 1) {
+            whole = items_.part(whole, k, box.lower[at], box.upper[at]);
+        }
+    }
+    return whole;
+}
+
+std::vector<double> CriticalQuery::point(const PatchItem &whole, const AxisValues &at) const {
+    std::vector<double> result(static_cast<size_t>(shape().dim));
+    descent_.point(whole.values, at, result.data());
+    return result;
+}
+
+double CriticalQuery::apart(const std::vector<double> &a, const std::vector<double> &b) const noexcept {
+    return distance(a.data(), b.data(), shape().dim);
+}
+
+} // namespace nrb::closest

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#include "closest/patch/critical/minimum_votes.h"
+
+#include "closest/foot.h"
+#include "numeric/norm.h"
+
+#include <algorithm>
+
+namespace nrb::closest {
+
+bool MinimumVotes::same(const std::vector<double> &a, const std::vector<double> &b) const noexcept {
+    return distance(a.data(), b.data(), dim_) <= near_;
+}
+
+void MinimumVotes::add(const std::vector<double> &point, int64_t piece, int32_t kind) {
+    const Answer answer = kind == critical_minimum     ? Answer::yes
+                          : kind == critical_undecided ? Answer::unknown
+                                                       : Answer::no;
+    const auto earlier = std::find_if(votes_.begin(), votes_.end(), [&](const Vote &vote) {
+        return vote.piece == piece && same(point, vote.point);
+    });
+    if (earlier == votes_.end()) {
+        votes_.push_back({point, piece, answer});
+    } else if (earlier->answer != answer && answer != Answer::unknown) {
+        earlier->answer = earlier->answer == Answer::unknown ? answer : Answer::unknown;
+    }
+}
+
+MinimumVotes::Result MinimumVotes::result(const std::vector<double> &point) const noexcept {
+    Result result = Result::certain;
+    for (const Vote &vote : votes_) {
+        if (same(point, vote.point)) {
+            if (vote.answer == Answer::no) {
+                return Result::denied;
+            }
+            result = vote.answer == Answer::yes ? result : Result::open;
+        }
+    }
+    return result;
+}
+
+} // namespace nrb::closest

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// Whether a point that several pieces meet in is a minimum: each piece has a vote.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace nrb::closest {
+
+class MinimumVotes {
+public:
+    // Points of `dim` coordinates that are nearer to each other than `near` are one.
+    MinimumVotes(int dim, double near) : dim_(dim), near_(near) {}
+
+    // What one face of a piece says of a point of it. Kind: a critical_ constant. A piece may have several faces
+    // there. Faces that contradict each other leave its vote open; one that decides nothing does not count beside
+    // others.
+    void add(const std::vector<double> &point, int64_t piece, int32_t kind);
+
+    enum class Result { denied, open, certain };
+    // Denied by one piece, or certain to all pieces that have a vote.
+    [[nodiscard]] Result result(const std::vector<double> &point) const noexcept;
+
+private:
+    enum class Answer { no, unknown, yes };
+    struct Vote {
+        std::vector<double> point;
+        int64_t piece;
+        Answer answer;
+    };
+    [[nodiscard]] bool same(const std::vector<double> &a, const std::vector<double> &b) const noexcept;
+
+    int dim_;
+    double near_;
+    std::vector<Vote> votes_;
+};
+
+} // namespace nrb::closest

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// The edges of a surface that are points, as at the ends of a globe, and what the distance does there.
+#pragma once
+
+#include "closest/patch/critical/critical_points.h"
+#include "closest/patch/critical/patch_face.h"
+#include "closest/patch/critical/patch_slopes.h"
+
+#include <vector>
+
+namespace nrb::closest {
+
+class PatchPoles {
+public:
+    // With `minima`, poles of other kinds are not wanted. Critical poles become points.
+    PatchPoles(const CriticalQuery &query, bool minima, CriticalPoints &points, CriticalGaps &gaps)
+        : query_(query), minima_(minima), points_(points), gaps_(gaps) {}
+
+    void find();
+    // Whether a face is such an edge, or an end of one.
+    [[nodiscard]] bool holds(const PatchFace &face) const noexcept;
+    // Whether a part belongs to a critical pole: it is as near as the tolerance, or, if distances in it agree to
+    // rounding, as rounding leaves open.
+    [[nodiscard]] bool absorbs(const PatchSlopes &slopes, bool flat);
+    [[nodiscard]] bool absorbs(const std::vector<double> &point);
+    // Whether a point is at a critical pole, or at any pole.
+    [[nodiscard]] bool critical_at(const std::vector<double> &point) const noexcept;
+    [[nodiscard]] bool any_at(const std::vector<double> &point) const noexcept;
+    // A part at a pole that is not critical, which rounding has left open, makes the pole an undecided one.
+    void leave_open(const std::vector<double> &point);
+
+private:
+    // Kind: a critical_ constant, 0 if the pole is not critical as far as is known.
+    struct Pole {
+        std::vector<double> point;
+        double radius; // in which distances do not tell points apart
+        double height; // of a strip of parameters along the edge, no more than a radius wide
+        int axis;      // the edge is the side of the domain, or of the range, where this one ends
+        int64_t piece;
+        AxisValues at;
+        int32_t kind;
+    };
+    void find(const PatchFace &face);
+    [[nodiscard]] bool collapses(const PatchFace &face, const PatchItem &whole,
+                                 std::vector<double> &point) const;
+    bool set_kind(const PatchFace &face, const std::vector<int64_t> &pieces, Pole &pole) const;
+    [[nodiscard]] std::vector<double> point_near(const PatchFace &face, const PatchItem &whole, double along,
+                                                 Pole &pole) const;
+    [[nodiscard]] bool proven(const std::vector<int64_t> &pieces, const Pole &pole) const;
+    void add(Pole pole, const std::vector<int64_t> &pieces);
+    void add_point(const Pole &pole);
+    [[nodiscard]] bool at(const Pole &pole, const std::vector<double> &point) const noexcept {
+        return query_.apart(point, pole.point) <= pole.radius;
+    }
+    bool absorb(double apart);
+
+    const CriticalQuery &query_;
+    bool minima_;
+    CriticalPoints &points_;
+    CriticalGaps &gaps_;
+    std::vector<Pole> poles_;
+};
+
+} // namespace nrb::closest

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "closest/patch/tree/disc_kernel.cpp"
+#include "base/simd.h"
+
+#include <hwy/foreach_target.h>
+
+#include "closest/patch/tree/disc_kernel.h"
+
+#include <limits>
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace nrb::closest {
+namespace HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using Eight = hn::CappedTag<double, 8>;
+inline constexpr int eight_lanes = static_cast<int>(hn::MaxLanes(Eight()));
+
+// The numbers of discs i, i + 1, ... of a family.
+struct DoubleColumns {
+    static constexpr bool unit = true; // normals
+    const double *family;
+    int64_t width;
+    int dim;
+
+    [[nodiscard]] HWY_INLINE auto column(int k, int64_t i) const {
+        return hn::LoadU(Eight(), family + k * width + i);
+    }
+    [[nodiscard]] HWY_INLINE auto centre(int c, int64_t i) const { return column(c, i); }
+    [[nodiscard]] HWY_INLINE auto radius(int64_t i) const { return column(dim, i); }
+    [[nodiscard]] HWY_INLINE auto normal(int c, int64_t i) const { return column(dim + 1 + c, i); }
+    [[nodiscard]] HWY_INLINE auto low(int64_t i) const { return column(2 * dim + 1, i); }
+    [[nodiscard]] HWY_INLINE auto high(int64_t i) const { return column(2 * dim + 2, i); }
+};
+
+struct ByteColumns {
+    static constexpr bool unit = false;
+    const int8_t *family;
+    const float *frame;
+    int64_t width;
+    int dim;
+
+    [[nodiscard]] HWY_INLINE auto column(int k, int64_t i) const {
+        const Eight d;
+        const auto bytes = hn::LoadU(hn::Rebind<int8_t, Eight>(), family + k * width + i);
+        return hn::PromoteTo(d, hn::PromoteTo(hn::Rebind<int32_t, Eight>(), bytes));
+    }
+    [[nodiscard]] HWY_INLINE auto scaled(int k, int64_t i, double scale) const {
+        return hn::Mul(hn::Set(Eight(), scale), column(k, i));
+    }
+    [[nodiscard]] HWY_INLINE auto centre(int c, int64_t i) const {
+        return hn::Add(hn::Set(Eight(), double{frame[c]}), scaled(c, i, double{frame[dim]}));
+    }
+    [[nodiscard]] HWY_INLINE auto radius(int64_t i) const { return scaled(dim, i, double{frame[dim + 1]}); }
+    [[nodiscard]] HWY_INLINE auto normal(int c, int64_t i) const {
+        const float *middle = frame + dim + 3;
+        return hn::Add(hn::Set(Eight(), double{middle[c]}), scaled(dim + 1 + c, i, double{middle[dim]}));
+    }
+    [[nodiscard]] HWY_INLINE auto low(int64_t i) const {
+        return scaled(2 * dim + 1, i, double{frame[dim + 2]});
+    }
+    [[nodiscard]] HWY_INLINE auto high(int64_t i) const {
+        return scaled(2 * dim + 2, i, double{frame[dim + 2]});
+    }
+};
+
+// The distance of x from all points p of a disc: |n (p - x)| >= the distance of the heights, and across n it
+// is at least |x - c| across n less the radius. The root of a difference that cancels is taken of less than
+// it.
+template <bool kNormals, bool kFarthest, class Columns>
+HWY_INLINE void bound_all(const Columns &family, int64_t width, int dim, const double *HWY_RESTRICT x,
+                          const DiscBounds &out) {
+    const Eight d;
+    const auto zero = hn::Zero(d);
+    const auto slack = hn::Set(d, (dim + 8) * std::numeric_limits<double>::epsilon());
+    for (int64_t i = 0; i < width; i += eight_lanes) {
+        auto square = zero, height = zero, length = zero;
+        for (int c = 0; c < dim; ++c) {
+            const auto delta = hn::Sub(hn::Set(d, x[c]), family.centre(c, i));
+            square = hn::MulAdd(delta, delta, square);
+            if (kNormals) {
+                const auto normal = family.normal(c, i);
+                height = hn::MulAdd(delta, normal, height);
+                length = Columns::unit ? length : hn::MulAdd(normal, normal, length);
+            }
+        }
+        if (kNormals && !Columns::unit) {
+            height = hn::Div(hn::Mul(hn::Set(d, unit_length), height), hn::Sqrt(length));
+        }
+        const auto radius = family.radius(i);
+        const auto centre = hn::Sqrt(square);
+        auto bound = zero;
+        if (kNormals) {
+            const auto low = family.low(i);
+            const auto high = family.high(i);
+            const auto rest = hn::NegMulAdd(height, height, square);
+            const auto off = hn::Mul(slack, square);
+            if (kFarthest) {
+                const auto across = hn::Add(hn::Sqrt(hn::Max(zero, hn::Add(rest, off))), radius);
+                const auto along = hn::Max(hn::Abs(hn::Sub(height, low)), hn::Abs(hn::Sub(height, high)));
+                bound = hn::Sqrt(hn::MulAdd(along, along, hn::Mul(across, across)));
+            } else {
+                const auto root = hn::Sqrt(hn::Max(zero, hn::Sub(rest, off)));
+                const auto across = hn::Max(zero, hn::Sub(root, radius));
+                const auto along = hn::Max(zero, hn::Max(hn::Sub(height, high), hn::Sub(low, height)));
+                bound = hn::Sqrt(hn::MulAdd(along, along, hn::Mul(across, across)));
+            }
+        } else {
+            bound = kFarthest ? hn::Add(centre, radius) : hn::Max(zero, hn::Sub(centre, radius));
+        }
+        hn::StoreU(kFarthest ? hn::Neg(bound) : bound, d, out.bounds + i);
+        hn::StoreU(kFarthest ? hn::Neg(centre) : centre, d, out.centres + i);
+    }
+}
+
+template <class Columns>
+HWY_INLINE void bounds_of(const Columns &family, int64_t width, int dim, bool normals, const double *x,
+                          bool farthest, const DiscBounds &out) {
+    if (normals) {
+        farthest ? bound_all<true, true>(family, width, dim, x, out)
+                 : bound_all<true, false>(family, width, dim, x, out);
+    } else {
+        farthest ? bound_all<false, true>(family, width, dim, x, out)
+                 : bound_all<false, false>(family, width, dim, x, out);
+    }
+}
+
+void bounds(const double *family, int64_t width, int dim, bool normals, const double *x, bool farthest,
+            const DiscBounds &out) {
+    bounds_of(DoubleColumns{family, width, dim}, width, dim, normals, x, farthest, out);
+}
+
+void byte_bounds(const ByteDiscs &family, int64_t width, int dim, bool normals, const double *x,
+                 bool farthest, const DiscBounds &out) {
+    bounds_of(ByteColumns{family.columns, family.frame, width, dim}, width, dim, normals, x, farthest, out);
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace nrb::closest
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace nrb::closest {
+
+HWY_EXPORT(bounds);
+HWY_EXPORT(byte_bounds);
+
+int64_t disc_columns(int dim, bool normals) noexcept {
+    return dim + 1 + (normals ? dim + 2 : 0);
+}
+
+int64_t disc_frame(int dim, bool normals) noexcept {
+    return dim + 3 + (normals ? dim + 1 : 0);
+}
+
+void bound_discs(const double *family, int64_t width, int dim, bool normals, const double *x, bool farthest,
+                 const DiscBounds &out) noexcept {
+    HWY_DYNAMIC_DISPATCH(bounds)(family, width, dim, normals, x, farthest, out);
+}
+
+void bound_discs(const ByteDiscs &family, int64_t width, int dim, bool normals, const double *x,
+                 bool farthest, const DiscBounds &out) noexcept {
+    HWY_DYNAMIC_DISPATCH(byte_bounds)(family, width, dim, normals, x, farthest, out);
+}
+
+} // namespace nrb::closest
+#endif

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#include "closest/patch/tree/patch_disc.h"
+
+#include "closest/patch/patch_kernel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace nrb::closest {
+
+namespace {
+
+constexpr double eps = std::numeric_limits<double>::epsilon();
+constexpr double unbounded = 0x1p200; // of patches without bounds
+
+void cross_product(const double *a, const double *b, double *out) noexcept {
+    out[0] = a[1] * b[2] - a[2] * b[1];
+    out[1] = a[2] * b[0] - a[0] * b[2];
+    out[2] = a[0] * b[1] - a[1] * b[0];
+}
+
+} // namespace
+
+PatchDisc::PatchDisc(const PatchShape &shape, const double *patch, bool with_normal) {
+    std::vector<double> work(static_cast<size_t>(evaluation_work(shape)) + 1),
+        jet(static_cast<size_t>(4 * shape.lanes));
+    evaluate_patch(shape, patch, {0.5, 0.5, 0.5}, with_normal ? 1 : 0, work.data(), jet.data());
+    const double w = jet[static_cast<size_t>(shape.dim)];
+    for (int c = 0; c < shape.dim; ++c) {
+        const double x = jet[static_cast<size_t>(c)] / w;
+        centre.push_back(std::isfinite(x) ? std::clamp(x, -far_away, far_away) : 0.0);
+    }
+    if (with_normal) {
+        set_normal(shape, jet.data());
+    }
+}
+
+void PatchDisc::set_normal(const PatchShape &shape, const double *jet) noexcept {
+    double tangents[2][3];
+    for (int k = 0; k < 2; ++k) {
+        const double *d = jet + static_cast<ptrdiff_t>((k + 1) * shape.lanes);
+        for (int c = 0; c < 3; ++c) {
+            tangents[k][c] = d[c] - d[3] * centre[static_cast<size_t>(c)];
+        }
+    }
+    double n[3];
+    cross_product(tangents[0], tangents[1], n);
+    const double length = std::hypot(n[0], n[1], n[2]) * (1 + 4 * eps);
+    if (length > 0x1p-400 && std::isfinite(length)) {
+        for (size_t c = 0; c < 3; ++c) {
+            normal[c] = n[c] / length;
+        }
+    }
+}
+
+// The difference that the radius is the root of may cancel; what it loses is given back.
+void PatchDisc::add_point(int dim, const double *point, double weight) noexcept {
+    double square = 0, height = 0;
+    for (int c = 0; c < dim; ++c) {
+        const double delta = point[c] / weight - centre[static_cast<size_t>(c)];
+        square += delta * delta;
+        height += dim == 3 ? delta * normal[static_cast<size_t>(c)] : 0.0;
+    }
+    const double across = std::max(0.0, square - height * height) + (dim + 8) * eps * square;
+    radius = std::max(radius, std::sqrt(across));
+    low = std::min(low, height);
+    high = std::max(high, height);
+}
+
+void PatchDisc::add(const PatchShape &shape, const double *patch, bool positive) noexcept {
+    const int64_t count = shape.coefficients();
+    for (int64_t i = 0; i < count; ++i, patch += shape.lanes) {
+        const double w = patch[shape.dim];
+        if (w > 0) {
+            add_point(shape.dim, patch, w);
+        } else if (!(positive && w == 0)) {
+            radius = unbounded;
+        }
+    }
+    if (!(radius < unbounded)) {
+        radius = unbounded;
+        low = -unbounded;
+        high = unbounded;
+    }
+}
+
+} // namespace nrb::closest

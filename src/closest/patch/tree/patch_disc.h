@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// One disc around a patch, in the making.
+#pragma once
+
+#include "closest/patch/patch_shape.h"
+
+#include <vector>
+
+namespace nrb::closest {
+
+inline constexpr double far_away = 1e150; // of discs that nothing comes near
+
+// Points whose component across the normal is within the radius of the line through the centre, and whose heights over
+// the centre are in an interval. The normal is no longer than 1; without it, the disc is a ball.
+struct PatchDisc {
+    std::vector<double> centre;
+    std::array<double, 3> normal{};
+    double radius = 0, low = 0, high = 0;
+
+    // Around the point in the middle of a patch, with the normal there.
+    PatchDisc(const PatchShape &shape, const double *patch, bool with_normal);
+    // Makes room for all control points. `positive`: those of weight 0 do not count.
+    void add(const PatchShape &shape, const double *patch, bool positive) noexcept;
+
+private:
+    void set_normal(const PatchShape &shape, const double *jet) noexcept;
+    void add_point(int dim, const double *point, double weight) noexcept;
+};
+
+} // namespace nrb::closest
