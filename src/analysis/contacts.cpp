@@ -3,6 +3,7 @@
 
 #include "analysis/flatness.h"
 #include "base/finite.h"
+#include "base/numbers.h"
 #include "bounds/deviation.h"
 #include "eval/evaluate.h"
 #include "numeric/norm.h"
@@ -11,13 +12,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace nrb::analysis {
 
 namespace {
-
-constexpr double eps = std::numeric_limits<double>::epsilon();
 
 eval::AxisRule side(bool upper) noexcept {
     eval::AxisRule rule;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "analysis/continuity.h"
 
+#include "base/numbers.h"
 #include "eval/frames/jet.h"
 #include "numeric/norm.h"
 #include "refine/parts/iso.h"
@@ -17,7 +18,6 @@ namespace nrb::analysis {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double eps = std::numeric_limits<double>::epsilon();
 
 std::vector<double> scaled(const double *x, int n, double factor) {
     std::vector<double> result(x, x + n);

@@ -2,6 +2,7 @@
 #include "analysis/convexity.h"
 
 #include "analysis/curve_turns.h"
+#include "base/numbers.h"
 #include "bernstein/sign_runs.h"
 
 #include <algorithm>
@@ -12,9 +13,6 @@
 namespace nrb::analysis {
 
 namespace {
-
-constexpr int along = 2; // the axis of the three that curves lie along
-constexpr double eps = std::numeric_limits<double>::epsilon();
 
 // An angle, and the largest error by rounding; infinite if the angle is not known.
 struct Turn {
@@ -38,7 +36,7 @@ Turn turn_of(RoundedPolynomial d, int depth) {
     if (depth == 0) {
         return {0, std::numeric_limits<double>::infinity()};
     }
-    const RoundedPolynomial lower = split(d, along);
+    const RoundedPolynomial lower = split(d, last_axis);
     const Turn first = turn_of(lower, depth - 1);
     if (std::isinf(first.error)) {
         return first;
@@ -98,11 +96,11 @@ private:
         const pieces::HomogeneousPiece &piece = pieces_.pieces()[e];
         unknown_ = unknown_ || !piece.positive;
         RoundedPolynomial d = pieces::tangent_numerator(piece, 0);
-        if (divide_end(d, along, false) < 0) {
+        if (divide_end(d, last_axis, false) < 0) {
             unknown_ = true;
             return;
         }
-        divide_end(d, along, true);
+        divide_end(d, last_axis, true);
         for (const ZeroPlace &zero : zero_places(d)) {
             (zero.certain ? broken_ : unknown_) = true;
         }

@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "analysis/curve_turns.h"
 
+#include "base/numbers.h"
 #include "eval/evaluate.h"
 #include "numeric/norm.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace nrb::analysis {
 
 namespace {
-
-constexpr double eps = std::numeric_limits<double>::epsilon();
-constexpr int along = 2; // the axis of the three that curves lie along
 
 // Coefficient at an end, as value and error.
 struct Bounded {
@@ -38,7 +35,7 @@ std::vector<double> point(const Spline &curve, double t, bool left) {
 
 EndTangent end_tangent(const pieces::HomogeneousPiece &piece, bool upper) {
     RoundedPolynomial d = pieces::tangent_numerator(piece, 0);
-    if (divide_end(d, along, upper) < 0) {
+    if (divide_end(d, last_axis, upper) < 0) {
         return {};
     }
     const int n = d.shape.width;

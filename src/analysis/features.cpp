@@ -4,19 +4,16 @@
 #include "analysis/curve_signs.h"
 #include "analysis/curve_turns.h"
 #include "base/error.h"
+#include "base/numbers.h"
 #include "eval/frames/curve_limit.h"
 #include "eval/frames/magnitude.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace nrb::analysis {
 
 namespace {
-
-constexpr int along = 2; // the axis of the three that curves lie along
-constexpr double infinite = std::numeric_limits<double>::infinity();
 
 // Twice M' w S + 6 M w' S - 3 M w S', or Q' w S + 6 Q w' S - 3 Q w S' for Q = M . M.
 RoundedPolynomial slope_numerator(const pieces::HomogeneousPiece &piece, const RoundedPolynomial &m) {
@@ -24,11 +21,11 @@ RoundedPolynomial slope_numerator(const pieces::HomogeneousPiece &piece, const R
     const bool plane = m.shape.width == 1;
     const RoundedPolynomial q = plane ? m : dot(m, m);
     RoundedPolynomial rise =
-        scaled(derivative(q, along) * s, plane ? 2 : 1) - scaled(q * derivative(s, along), 3);
+        scaled(derivative(q, last_axis) * s, plane ? 2 : 1) - scaled(q * derivative(s, last_axis), 3);
     if (piece.weight.shape.coefficients() == 1) {
         return rise;
     }
-    return rise * piece.weight + scaled(q * s * derivative(piece.weight, along), 6);
+    return rise * piece.weight + scaled(q * s * derivative(piece.weight, last_axis), 6);
 }
 
 // The product of two signs, if both are known.
@@ -164,8 +161,8 @@ private:
             const double at = zero.from / 2 + zero.to / 2;
             if (is_place(zero, curve_.axis(0).domain())) {
                 const bool knot = multiplicity(curve_.axis(0).knots(), at) > 0;
-                const double bend = knot ? curvature(at) : infinite;
-                add(at, feature_cusp, std::isnan(bend) ? infinite : bend);
+                const double bend = knot ? curvature(at) : infinity;
+                add(at, feature_cusp, std::isnan(bend) ? infinity : bend);
             }
         }
     }

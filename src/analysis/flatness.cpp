@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "analysis/flatness.h"
 
+#include "base/numbers.h"
 #include "eval/evaluate.h"
 #include "numeric/norm.h"
 #include "numeric/solvers/principal_axes.h"
@@ -17,7 +18,6 @@ namespace nrb::analysis {
 
 namespace {
 
-constexpr double eps = std::numeric_limits<double>::epsilon();
 constexpr pieces::SearchLimits fine{.ratio = 1e-3, .steps = 4000};
 
 // The points that are finite, one after the other.

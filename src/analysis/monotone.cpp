@@ -23,7 +23,7 @@ std::vector<double> scaled_direction(const double *direction, int dim) {
     return d;
 }
 
-RoundedPolynomial along(const RoundedPolynomial &d, const std::vector<double> &direction) {
+RoundedPolynomial component_along(const RoundedPolynomial &d, const std::vector<double> &direction) {
     RoundedPolynomial result = scaled(component(d, 0), direction[0]);
     for (size_t c = 1; c < direction.size(); ++c) {
         result = sum(result, direction[c], component(d, static_cast<int>(c)));
@@ -39,7 +39,7 @@ MonotonePieces monotone_pieces(const Spline &curve, const double *direction) {
     MonotonePieces result;
     for (size_t e = 0; e < pieces.pieces().size(); ++e) {
         const pieces::HomogeneousPiece &piece = pieces.pieces()[e];
-        const SignRuns signs = sign_runs(along(pieces::tangent_numerator(piece, 0), unit));
+        const SignRuns signs = sign_runs(component_along(pieces::tangent_numerator(piece, 0), unit));
         result.complete = result.complete && !signs.doubtful;
         bool fresh = e == 0 || pieces.jump(e) > 0;
         double from = piece.parameter(0, 0);

@@ -8,6 +8,8 @@
 
 namespace nrb::inline bernstein {
 
+inline constexpr int last_axis = 2; // of the three; the one along which curves lie
+
 // Every value is within error(i) of the exact one, by a running error analysis that follows all operations.
 // Nothing is relative to a scale of its own, so nothing depends on that of a model or of its weights.
 struct RoundedPolynomial {

@@ -2,23 +2,20 @@
 #include "bounds/box.h"
 
 #include "base/finite.h"
+#include "base/numbers.h"
 #include "eval/evaluate.h"
 #include "eval/frames/jet.h"
 #include "numeric/norm.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace nrb::bounds {
 
 namespace {
 
-constexpr double eps = std::numeric_limits<double>::epsilon();
-constexpr double infinite = std::numeric_limits<double>::infinity();
-
 double rounded_up(double x) noexcept {
-    return std::nextafter(x, infinite);
+    return std::nextafter(x, infinity);
 }
 
 // The extremes of one coordinate times a sign.
@@ -70,7 +67,7 @@ Box bounding_box(const Spline &spline, const Part &part, double tolerance) {
         const double gap = rounded_up(std::max(low.upper - low.lower, high.upper - high.lower) + pad);
         // the faces were rounded twice
         const double moved = 2 * eps * std::max(std::abs(box.lower.back()), std::abs(box.upper.back()));
-        box.gap = std::max(box.gap, std::isnan(gap + moved) ? infinite : rounded_up(gap + 2 * moved));
+        box.gap = std::max(box.gap, std::isnan(gap + moved) ? infinity : rounded_up(gap + 2 * moved));
     }
     return box;
 }

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "bounds/cone.h"
 
+#include "base/numbers.h"
 #include "numeric/norm.h"
 #include "pieces/derivative_pieces.h"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <numbers>
 #include <numeric>
 
@@ -15,7 +15,6 @@ namespace nrb::bounds {
 
 namespace {
 
-constexpr double eps = std::numeric_limits<double>::epsilon();
 constexpr double pi = std::numbers::pi;
 
 using Vector = std::vector<double>;

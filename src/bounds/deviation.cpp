@@ -2,18 +2,16 @@
 #include "bounds/deviation.h"
 
 #include "base/finite.h"
+#include "base/numbers.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <iterator>
-#include <limits>
 
 namespace nrb::bounds {
 
 namespace {
-
-constexpr double eps = std::numeric_limits<double>::epsilon();
 
 void check_comparable(const Spline &f, const Spline &g) {
     if (f.axes() != g.axes() || f.dim() != g.dim()) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "base/numbers.h"
 #include "bounds/box.h"
 
 #include "numeric/norm.h"
@@ -7,14 +8,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 namespace nrb::bounds {
 
 namespace {
-
-constexpr double eps = std::numeric_limits<double>::epsilon();
 
 // axes . (x - centre) of every point lies in [lower, upper].
 struct Extents {

@@ -1,22 +1,21 @@
 // SPDX-License-Identifier: MIT
 #include "measure/chord_path.h"
 
+#include "base/numbers.h"
 #include "eval/evaluate.h"
 #include "numeric/norm.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 namespace nrb::measure {
 
 namespace {
 
-constexpr double eps = std::numeric_limits<double>::epsilon();
 constexpr int most_corrections = 6;
 constexpr int64_t most_work = 4'000'000; // evaluations
-constexpr double shortest_step = 1e-9;   // of a chord
+constexpr double shortest_chord = 1e-9;  // of a chord
 
 double largest(const std::vector<double> &x) noexcept {
     return std::accumulate(x.begin(), x.end(), 0.0,
@@ -174,7 +173,7 @@ bool ChordPath::run(double relative_tolerance) {
     }
     tangent_ = change_;
     normalise(tangent_);
-    while (work_ < most_work && length_ > shortest_step * chord_ && chord_ > start_ / 2) {
+    while (work_ < most_work && length_ > shortest_chord * chord_ && chord_ > start_ / 2) {
         const State before{params_, chord_, tangent_};
         const double to_end = (range_.upper - params_[count_]) * speeds_[count_];
         const bool last = tangent_[count_] > 0 && length_ * tangent_[count_] >= to_end;

@@ -2,6 +2,7 @@
 #include "measure/curve_length.h"
 
 #include "base/error.h"
+#include "base/numbers.h"
 #include "measure/speed_net.h"
 #include "measure/tolerance_ladder.h"
 #include "numeric/sum.h"
@@ -9,20 +10,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 namespace nrb::measure {
 
 namespace {
 
-constexpr double eps = std::numeric_limits<double>::epsilon();
-constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr int first_level = 2; // 15 nodes
 // What 15 nodes seldom reach: 31 at once take less time, and tell more of how coefficients fall. Tables of
 // lengths want few nodes.
 constexpr double sharp = 1e-8;
-constexpr int most_halvings = 200;
+constexpr int most_halvings_of_curve = 200;
 constexpr int64_t leaves_for_a_piece = 256, leaves_at_least = 20000;
 
 // Rules of rising levels on one part of a piece.
@@ -119,7 +117,7 @@ private:
     bool finish_even(int64_t piece, const SpeedPart &part, const double *net, const NetShape &shape) {
         Ladder ladder(pieces_.form(), net, first_level_);
         const bool good = ladder.climb(std::max(least_, tolerance_ / 2 * ladder.value()));
-        if (!good && ladder.value() < infinite && shape.bound() > least_ && may_halve(part)) {
+        if (!good && ladder.value() < infinity && shape.bound() > least_ && may_halve(part)) {
             return false;
         }
         accept(piece, part, ladder, good ? ladder.error() : shape.bound(), net);
@@ -129,18 +127,20 @@ private:
     // Elsewhere the net alone tells that a part has to be halved, unless it is too small to matter. Where
     // nothing bounds the length a node may show that it is infinite.
     bool finish_uneven(int64_t piece, const SpeedPart &part, const double *net, double bound) {
-        if (bound > least_ && bound < infinite && may_halve(part)) {
+        if (bound > least_ && bound < infinity && may_halve(part)) {
             return false;
         }
         const Ladder ladder(pieces_.form(), net, first_level_);
-        if (bound == infinite && ladder.value() < infinite && may_halve(part)) {
+        if (bound == infinity && ladder.value() < infinity && may_halve(part)) {
             return false;
         }
         accept(piece, part, ladder, bound, net);
         return true;
     }
 
-    bool may_halve(const SpeedPart &part) noexcept { return part.halvings < most_halvings && --budget_ >= 0; }
+    bool may_halve(const SpeedPart &part) noexcept {
+        return part.halvings < most_halvings_of_curve && --budget_ >= 0;
+    }
 
     // The lower half is on top.
     void halve_top(const SpeedPart &part, size_t size) {
@@ -155,7 +155,7 @@ private:
 
     void accept(int64_t piece, const SpeedPart &part, const Ladder &ladder, double error, const double *net) {
         total_.add(ladder.value());
-        error_.add(std::isfinite(error) ? error : infinite);
+        error_.add(std::isfinite(error) ? error : infinity);
         if (leaves_ != nullptr) {
             leaves_->push_back({piece, part.lower, part.upper, ladder.level(), ladder.value()});
             nets_->insert(nets_->end(), net, net + pieces_.form().size());

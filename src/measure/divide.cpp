@@ -2,6 +2,7 @@
 #include "measure/divide.h"
 
 #include "base/error.h"
+#include "base/numbers.h"
 #include "eval/evaluate.h"
 #include "measure/chord_path.h"
 #include "measure/length_table.h"
@@ -9,15 +10,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace nrb::measure {
 
 namespace {
 
-constexpr double eps = std::numeric_limits<double>::epsilon();
-constexpr int most_bisections = 200, most_steps = 100000;
-constexpr double shortest_step = 1024; // of a chord: what comes that near without reaching it is left
+constexpr int most_bisections = 200, most_walks = 100000;
+constexpr double parts_of_chord = 1024; // no step is shorter than one of them
 
 // A part of a curve by its length, in units of the table.
 class Arc {
@@ -96,9 +95,9 @@ private:
     // may always be gone (as in the tracing of spheres); up to eight times that if the last step promises it.
     double next(double start, double chord) {
         double s = start, rest = -chord;
-        for (int step = 0; step < most_steps && s < arc_.length(); ++step) {
+        for (int step = 0; step < most_walks && s < arc_.length(); ++step) {
             const double before = s, missing = rest;
-            s += std::max(std::clamp(step_, -rest, -8 * rest), chord / shortest_step);
+            s += std::max(std::clamp(step_, -rest, -8 * rest), chord / parts_of_chord);
             rest = beyond(std::min(s, arc_.length()), chord);
             if (rest >= 0) {
                 return between(before, missing, s, rest, chord);

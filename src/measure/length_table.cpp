@@ -2,6 +2,7 @@
 #include "measure/length_table.h"
 
 #include "base/error.h"
+#include "base/numbers.h"
 #include "base/scratch.h"
 #include "bernstein/de_casteljau.h"
 #include "numeric/binomial.h"
@@ -10,13 +11,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 namespace nrb::measure {
 
 namespace {
 
-constexpr double eps = std::numeric_limits<double>::epsilon();
 constexpr int most_steps = 100;
 constexpr size_t max_row = max_product_degree + 1;
 

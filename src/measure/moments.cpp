@@ -2,6 +2,7 @@
 #include "measure/moments.h"
 
 #include "base/error.h"
+#include "base/numbers.h"
 #include "base/representable.h"
 #include "eval/evaluate.h"
 #include "measure/curve_length.h"
@@ -14,8 +15,6 @@
 namespace nrb::measure {
 
 namespace {
-
-constexpr double eps = std::numeric_limits<double>::epsilon();
 
 // The area between two vectors: the longer one times what of the other is across it.
 double parallelogram(const double *u, const double *v, int dim) noexcept {

@@ -1,20 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "measure/speed_net.h"
 
+#include "base/numbers.h"
 #include "bernstein/de_casteljau.h"
 #include "numeric/binomial.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace nrb::measure {
 
 namespace {
-
-constexpr double infinite = std::numeric_limits<double>::infinity();
 
 struct Extent {
     double least, most;
@@ -60,14 +58,14 @@ NetShape shape_of(const SpeedForm &form, const double *net) noexcept {
     }
     const double upper = largest / (most_ratio * most_ratio), lower = none * none * largest;
     const double least = least_cosine * least_cosine * square;
-    double beside = -infinite, between = -infinite; // positive where a coefficient is
+    double beside = -infinity, between = -infinity; // positive where a coefficient is
     for (size_t i = 0; i < count; ++i) {
         beside = std::max(beside, least * squares[i] - along[i] * std::abs(along[i]));
         between = std::max(between, std::min(upper - squares[i], squares[i] - lower));
     }
     const Extent weights = weight_extent(form.weight_degree, net);
     return {beside <= 0 && between <= 0 && weights.most <= most_ratio * weights.least,
-            square < infinite ? largest : infinite, weights.least};
+            square < infinity ? largest : infinity, weights.least};
 }
 
 // subdivide() of one row in registers: the compiler would store pairs and load them again from
@@ -134,7 +132,7 @@ void cross_terms_of_cubic(const double *a, const double *w, double *out) noexcep
 } // namespace
 
 double NetShape::bound() const noexcept {
-    return weight > 0 ? std::sqrt(square) / (weight * weight) : infinite;
+    return weight > 0 ? std::sqrt(square) / (weight * weight) : infinity;
 }
 
 NetShape net_shape(const SpeedForm &form, const double *net) noexcept {

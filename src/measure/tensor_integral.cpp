@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "measure/tensor_integral.h"
 
+#include "base/numbers.h"
 #include "bernstein/de_casteljau.h"
 #include "measure/element_shape.h"
 #include "measure/tensor_rule.h"
@@ -15,8 +16,7 @@ namespace nrb::measure {
 
 namespace {
 
-constexpr double eps = std::numeric_limits<double>::epsilon();
-constexpr int most_halvings = 200;
+constexpr int most_halvings_of_cell = 200;
 
 // By the number of axes: the level to begin with, the highest one, and how many elements may be made.
 constexpr std::array<int, max_axes> first_levels = {2, 2, 1}, last_levels = {4, 3, 2};
@@ -146,12 +146,13 @@ private:
                 rule.evaluate(nets_.data() + nets_.size() - size, element.origin, levels);
                 verdict = judge(rule, levels, axes, goal);
             } while (verdict.axis >= 0 && verdict.raise && ++levels[static_cast<size_t>(verdict.axis)] > 0);
-            if (verdict.axis < 0 && depths_.back() < most_halvings / 2 && matters(rule, goal)) {
+            if (verdict.axis < 0 && depths_.back() < most_halvings_of_cell / 2 && matters(rule, goal)) {
                 verdict.axis = shape.uneven_axis(nets_.data() + nets_.size() - size, element.spread,
                                                  integrand_.metric());
             }
             const bool good = verdict.axis < 0;
-            if (good || depths_.back() >= most_halvings || --budget_ < 0 || !std::isfinite(rule.value(0))) {
+            if (good || depths_.back() >= most_halvings_of_cell || --budget_ < 0 ||
+                !std::isfinite(rule.value(0))) {
                 accept(rule, axes, good);
                 nets_.resize(nets_.size() - size);
                 depths_.pop_back();

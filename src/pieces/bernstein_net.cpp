@@ -1,19 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "pieces/bernstein_net.h"
 
+#include "base/numbers.h"
 #include "pieces/extraction.h"
 #include "refine/knots/axis_table.h"
 #include "refine/knots/bezier_rows.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace nrb::pieces {
 
 namespace {
-
-constexpr double eps = std::numeric_limits<double>::epsilon();
 
 double length(const double *x, int n) noexcept {
     double largest = 0;
@@ -66,6 +64,14 @@ std::vector<double> active_maxima(const std::vector<double> &sizes, const AxisVi
 }
 
 } // namespace
+
+std::array<int, max_axes> degrees_of(const Spline &spline) noexcept {
+    std::array<int, max_axes> degrees{};
+    for (int k = 0; k < spline.axes(); ++k) {
+        degrees[static_cast<size_t>(k)] = spline.axis(k).degree();
+    }
+    return degrees;
+}
 
 std::vector<double> centre_of(const Spline &given) {
     const Spline &spline = given.effective();

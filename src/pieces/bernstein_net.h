@@ -30,6 +30,9 @@ int weight_exponent(const Spline &spline);
 CentredRecords centred_records(const Spline &spline, const std::vector<double> &centre, bool weighted,
                                int exponent);
 
+// Of the axes that the spline has; 0 for the others.
+std::array<int, max_axes> degrees_of(const Spline &spline) noexcept;
+
 // Coefficients of the pieces between consecutive breaks, raised to given degrees. With exact coefficients A*,
 // w* of a piece and H its size(): |w - w*| <= error() w, |A - A*| <= error() H w if the weights are positive;
 // otherwise the same with the largest weight instead of w and the largest record instead of H w.

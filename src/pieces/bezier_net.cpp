@@ -28,14 +28,6 @@ CentredRecords records_of(const Spline &spline, const std::vector<double> &centr
                            spline.rational() ? weight_exponent(spline) : 0);
 }
 
-std::array<int, max_axes> degrees_of(const Spline &spline) noexcept {
-    std::array<int, max_axes> degrees{};
-    for (int k = 0; k < spline.axes(); ++k) {
-        degrees[static_cast<size_t>(k)] = spline.axis(k).degree();
-    }
-    return degrees;
-}
-
 } // namespace
 
 BezierNet::BezierNet(const Spline &spline, Frame frame, const BernsteinNet::Breaks &more)

@@ -1,20 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "pieces/bezier_piece.h"
 
+#include "base/numbers.h"
 #include "numeric/norm.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace nrb::pieces {
-
-namespace {
-
-constexpr double eps = std::numeric_limits<double>::epsilon();
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-} // namespace
 
 BezierPiece::BezierPiece(const double *point, int dim) : values_(point, point + dim) {
     shape_.width = dim + 1;

@@ -4,12 +4,12 @@
 // projected to the box.
 #pragma once
 
+#include "base/numbers.h"
 #include "numeric/solvers/small_cholesky.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 namespace nrb::pieces {
 
@@ -63,8 +63,6 @@ public:
     }
 
 private:
-    static constexpr double eps = std::numeric_limits<double>::epsilon();
-
     [[nodiscard]] double distance() const noexcept { return std::sqrt(std::max(now_.square, 0.0)); }
     [[nodiscard]] bool at_floor() const noexcept { return sign_ > 0 && !(now_.square > floor_ * floor_); }
 

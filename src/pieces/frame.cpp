@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "pieces/frame.h"
 
+#include "base/numbers.h"
+
 #include <algorithm>
-#include <limits>
 
 namespace nrb::pieces {
 
@@ -10,7 +11,6 @@ namespace {
 
 // Of coordinate c; lower > upper where there is none.
 Interval range_of(std::span<const Spline *const> splines, int c) {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
     Interval range{infinity, -infinity};
     for (const Spline *given : splines) {
         const Spline &spline = given->effective();

@@ -2,18 +2,15 @@
 #include "pieces/largest_quotient.h"
 
 #include "base/finite.h"
+#include "base/numbers.h"
 #include "numeric/norm.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace nrb::pieces {
 
 namespace {
-
-constexpr double eps = std::numeric_limits<double>::epsilon();
-constexpr double infinite = std::numeric_limits<double>::infinity();
 
 // The denominators with one sign, and what they are at least and at most.
 class Denominators {
@@ -39,7 +36,7 @@ private:
 
 double norm_at(const QuotientPiece &piece, int64_t i) noexcept {
     const double length = norm(piece.numerators.data() + i * piece.shape.width, piece.shape.width);
-    return std::isnan(length) ? infinite : length;
+    return std::isnan(length) ? infinity : length;
 }
 
 double rounding(const QuotientPiece &piece) noexcept {
@@ -52,7 +49,7 @@ double upper_bound(const QuotientPiece &piece) noexcept {
     for (int64_t i = 0; i < piece.shape.coefficients(); ++i) {
         const double least = denominators.least(i);
         if (!(least > 0)) {
-            return infinite;
+            return infinity;
         }
         const double quotient = (norm_at(piece, i) + piece.numerator_error) / least;
         if (!(quotient <= largest)) {
@@ -61,7 +58,7 @@ double upper_bound(const QuotientPiece &piece) noexcept {
     }
     const double factor = 1 + 2 * piece.denominator_factor + rounding(piece);
     const double upper = (largest + piece.quotient_error) * factor;
-    return std::isnan(upper) ? infinite : upper;
+    return std::isnan(upper) ? infinity : upper;
 }
 
 // Index of a corner, whose bit k tells the end of axis k.
@@ -107,7 +104,7 @@ double ratio_bound(const QuotientPiece &piece) noexcept {
     for (int64_t i = 0; i < piece.shape.coefficients(); ++i) {
         const double size = norm_at(piece, i), w = denominators.value(i);
         if (w < 0 || !(size == 0 || w > 0)) {
-            return infinite;
+            return infinity;
         }
         largest = size == 0 ? largest : std::max(largest, size / w);
     }
@@ -195,7 +192,7 @@ private:
 
     const PieceSource &source_;
     double gap_;
-    LargestValue best_{{-infinite, infinite}, -1, {}};
+    LargestValue best_{{-infinity, infinity}, -1, {}};
 };
 
 // The mediant inequality. Where W* is between `least` and `most` and N* at most n, N* / W* is at most n
@@ -204,7 +201,7 @@ double ValueProblem::upper(const Piece &piece) noexcept {
     const Denominators denominators(piece);
     const double error = piece.quotient_error * (1 + 2 * piece.denominator_factor);
     const bool exact = piece.numerator_error == 0 && piece.denominator_error == 0;
-    double largest = -infinite;
+    double largest = -infinity;
     for (int64_t i = 0; i < piece.shape.coefficients(); ++i) {
         const double n = denominators.sign() * piece.numerators[static_cast<size_t>(i)];
         const double least = denominators.least(i), most = denominators.most(i);
@@ -214,17 +211,17 @@ double ValueProblem::upper(const Piece &piece) noexcept {
         const double top = n + piece.numerator_error;
         const double quotient = top >= 0 ? top / least : top / most;
         if (!(least > 0) || std::isnan(quotient)) {
-            return infinite;
+            return infinity;
         }
         largest = std::max(largest, quotient + error + 4 * eps * std::abs(quotient));
     }
-    return std::isfinite(largest) ? largest : infinite;
+    return std::isfinite(largest) ? largest : infinity;
 }
 
 ValueProblem::Corner ValueProblem::best_corner(const Piece &piece) noexcept {
     const Denominators denominators(piece);
     const double error = piece.quotient_error * (1 + 2 * piece.denominator_factor);
-    Corner best{-infinite, 0};
+    Corner best{-infinity, 0};
     for (int corner = 0; corner < 8; ++corner) {
         const int64_t i = corner_index(piece.shape, corner);
         const double n = denominators.sign() * piece.numerators[static_cast<size_t>(i)];
@@ -329,7 +326,7 @@ LargestValue largest_value(int64_t count, const PieceSource &source, double gap,
         uppers.push_back(ValueProblem::upper(piece));
     }
     const int64_t most = std::max<int64_t>(1, room / piece.shape.coefficients());
-    BranchAndBound search(problem, uppers, -infinite);
+    BranchAndBound search(problem, uppers, -infinity);
     const Enclosure found = search.run(static_cast<int>(std::min<int64_t>(steps, most)));
     LargestValue result = problem.best();
     result.bounds = found;

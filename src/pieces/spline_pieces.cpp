@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "pieces/spline_pieces.h"
 
+#include "base/numbers.h"
 #include "numeric/norm.h"
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
 
 namespace nrb::pieces {
 
 namespace {
-
-constexpr double eps = std::numeric_limits<double>::epsilon();
 
 BernsteinNet::Breaks breaks_of_part(const Spline &spline, const Part &part) {
     BernsteinNet::Breaks breaks;
@@ -20,14 +18,6 @@ BernsteinNet::Breaks breaks_of_part(const Spline &spline, const Part &part) {
         breaks[static_cast<size_t>(k)] = breaks_in(spline.axis(k), part[static_cast<size_t>(k)]);
     }
     return breaks;
-}
-
-std::array<int, max_axes> degrees_of(const Spline &spline) {
-    std::array<int, max_axes> degrees{};
-    for (int k = 0; k < spline.axes(); ++k) {
-        degrees[static_cast<size_t>(k)] = spline.axis(k).degree();
-    }
-    return degrees;
 }
 
 } // namespace

@@ -3,19 +3,17 @@
 
 #include "base/error.h"
 #include "base/finite.h"
+#include "base/numbers.h"
 #include "numeric/exact_products.h"
 #include "numeric/sum.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 namespace nrb::recognize {
 
 namespace {
-
-constexpr double eps = std::numeric_limits<double>::epsilon();
 
 struct Equation {
     double a, b, c, d, e, f;

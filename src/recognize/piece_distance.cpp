@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "recognize/piece_distance.h"
 
+#include "base/numbers.h"
 #include "recognize/shape_forms.h"
 
 #include <algorithm>
@@ -10,8 +11,6 @@
 namespace nrb::recognize {
 
 namespace {
-
-constexpr double eps = std::numeric_limits<double>::epsilon();
 
 bool straight(int32_t kind) noexcept {
     return kind == shape_point || kind == shape_line || kind == shape_plane;

@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "recognize/shape_bound.h"
 
+#include "base/numbers.h"
 #include "pieces/best_first.h"
 #include "recognize/piece_distance.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace nrb::recognize {
 
 namespace {
-
-constexpr double infinite = std::numeric_limits<double>::infinity();
 
 struct Candidate {
     double noise;
@@ -28,7 +26,7 @@ public:
     pieces::Enclosure run(std::vector<pieces::BezierPiece> pieces) {
         int64_t steps = 400 + 60 * std::ssize(pieces);
         for (pieces::BezierPiece &piece : pieces) {
-            push(std::move(piece), infinite, 0);
+            push(std::move(piece), infinity, 0);
         }
         bool halved = true;
         queue_.run(
@@ -41,7 +39,7 @@ private:
     // Rounding much above that of the points comes from a gradient that is bounded badly, which halving
     // cures.
     [[nodiscard]] bool done(const Queue::Entry &top) const noexcept {
-        const double moved = top.item.piece.records_moved();
+        const double moved = top.item.piece.sound() ? top.item.piece.records_moved() : 0;
         const bool final = top.item.depth >= 6 || top.item.noise <= 8 * moved;
         const double noise = final ? top.item.noise : 8 * moved;
         const bool hopeless = lower_ > tolerance_ || moved > tolerance_; // rounding alone is more

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "recognize/shape_factor.h"
 
+#include "base/numbers.h"
 #include "numeric/exact_products.h"
 #include "numeric/norm.h"
 #include "refine/knots/bezier_rows.h"
@@ -9,13 +10,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 namespace nrb::recognize {
 
 namespace {
-
-constexpr double eps = std::numeric_limits<double>::epsilon();
 
 void check_segment(const Spline &curve) {
     check_kind(curve, 1);

@@ -269,7 +269,7 @@ Shape torus_through(const ShapeSamples &samples, double tolerance) {
     return shape.sizes[1] > 0 ? refined_if(shape, samples.points, tolerance) : Shape{};
 }
 
-Shape point_of() noexcept {
+Shape point_at_origin() noexcept {
     Shape shape;
     shape.kind = shape_point;
     return shape;
@@ -281,7 +281,7 @@ Shape fitted_shape(int32_t kind, const ShapeSamples &samples, int dim, double to
     const Points &points = samples.points;
     switch (kind) {
     case shape_point:
-        return point_of();
+        return point_at_origin();
     case shape_line:
         return line_of(points);
     case shape_circle:

@@ -1,29 +1,27 @@
 // SPDX-License-Identifier: MIT
 #include "recognize/shape_forms.h"
 
+#include "base/numbers.h"
+
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace nrb::recognize {
 
 namespace {
 
-constexpr double eps = std::numeric_limits<double>::epsilon();
-constexpr double infinite = std::numeric_limits<double>::infinity();
-
 // Of quotients of coefficients, of which the denominators are all >= 0. A rounding of the denominators moves
 // a mean of quotients by twice its error, and the quotients themselves take one.
 FormRange range_of(const std::vector<double> &numerators, const std::vector<double> &denominators,
                    double error, double relative) noexcept {
-    double least = infinite, most = -infinite;
+    double least = infinity, most = -infinity;
     for (size_t i = 0; i < numerators.size(); ++i) {
         if (denominators[i] > 0) {
             const double quotient = numerators[i] / denominators[i];
             least = std::min(least, quotient);
             most = std::max(most, quotient);
         } else if (numerators[i] != 0 || denominators[i] < 0) {
-            return {-infinite, infinite, error};
+            return {-infinity, infinity, error};
         }
     }
     const double lost = error + (2 * relative + eps) * std::max(std::abs(least), std::abs(most));

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "recognize/shape_pieces.h"
 
+#include "base/numbers.h"
+
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace nrb::recognize {
 
 namespace {
 
-constexpr double eps = std::numeric_limits<double>::epsilon();
 // The frame is orthonormal to 10 eps: z is a unit vector to 2 eps, x across it to 2 eps more, y their
 // product; three products and sums add 3 eps.
 constexpr double frame_error = 16 * eps;

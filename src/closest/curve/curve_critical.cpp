@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "closest/curve/curve_critical.h"
 
+#include "base/numbers.h"
 #include "bernstein/sign_runs.h"
 #include "eval/evaluate.h"
 #include "numeric/norm.h"
@@ -13,8 +14,6 @@
 namespace nrb::closest {
 
 namespace {
-
-constexpr double eps = std::numeric_limits<double>::epsilon();
 
 // A place between two signs of the derivative of the distance. At an end of the curve, or of one of its arcs
 // between jumps, `before` or `after` is missing.

@@ -8,11 +8,11 @@
 #define NURBS_CLOSEST_CURVE_CURVE_KEYS_INL_H_
 #endif
 
+#include "base/numbers.h"
 #include "closest/curve/curve_tree.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <hwy/highway.h>
 
@@ -21,7 +21,6 @@ namespace nrb::closest {
 namespace HWY_NAMESPACE {
 
 constexpr int fan = CurveTree::fan;
-constexpr double infinite = std::numeric_limits<double>::infinity();
 
 // Keys are to be made as small as possible: a key is the distance, or its negative for the farthest point.
 // For eight children: no point has a smaller key than `bound`, and some point has at most `reached`.
@@ -50,7 +49,7 @@ HWY_INLINE void block_keys(const double *HWY_RESTRICT block, const double *HWY_R
         for (int k = 0; k < fan; ++k) {
             const double end = -std::sqrt(std::max(first[k], last[k]));
             keys.bound[k] = end - deviation[k];
-            keys.reached[k] = deviation[k] < infinite ? end : infinite;
+            keys.reached[k] = deviation[k] < infinity ? end : infinity;
         }
         return;
     }

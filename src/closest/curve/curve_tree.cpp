@@ -2,6 +2,7 @@
 #include "closest/curve/curve_tree.h"
 
 #include "base/finite.h"
+#include "base/numbers.h"
 #include "numeric/norm.h"
 #include "pieces/bernstein_net.h"
 #include "refine/knots/bezier_rows.h"
@@ -14,7 +15,6 @@ namespace nrb::closest {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 // How far a leaf may be from its chord, as a part of the chord, without another halving.
 constexpr double straight = 1.0 / 16;
 

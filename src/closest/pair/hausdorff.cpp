@@ -2,6 +2,7 @@
 #include "closest/pair/hausdorff.h"
 
 #include "base/error.h"
+#include "base/numbers.h"
 #include "closest/locator.h"
 #include "closest/pair/matched_bound.h"
 #include "closest/pair/parameter_map.h"
@@ -13,16 +14,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace nrb::closest {
 
 namespace {
 
-constexpr double eps = std::numeric_limits<double>::epsilon();
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr int64_t budget_of_a_match = 500; // of which nothing is taken from the caller's budget
-constexpr double rounding = 0x1p-40;       // of points that may be the same, before anything is proven
+constexpr double same_point = 0x1p-40;     // of points that may be the same, before anything is proven
 
 // Breaks of `other` where pieces of splines that are parametrized alike match, or as a map says that they are.
 pieces::BernsteinNet::Breaks alike_breaks(const Spline &spline, const Spline &other,
@@ -90,7 +88,7 @@ public:
         : to_(to), frame_(frame), locator_(locator_of(to)), index_(to),
           pieces_(pieces::bezier_pieces(to, frame)), dim_(from.dim()), tolerance_(tolerance), budget_(budget),
           query_(static_cast<size_t>(dim_)),
-          map_(matching_map(from, to, frame.unscaled(rounding), frame.unscaled(tolerance),
+          map_(matching_map(from, to, frame.unscaled(same_point), frame.unscaled(tolerance),
                             std::min(budget, budget_of_a_match))) {
         for (const pieces::BezierPiece &piece : pieces_) {
             moved_ = std::max(moved_, piece.positive() ? piece.moved() : 0);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "closest/pair/matched_bound.h"
 
+#include "base/numbers.h"
 #include "bernstein/rounded_polynomial.h"
 
 #include <algorithm>
@@ -10,8 +11,6 @@
 namespace nrb::closest {
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // Values that are exact as they are.
 RoundedPolynomial exact_polynomial(const BernsteinShape &shape, std::vector<double> values) {

@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "closest/pair/pair_bound.h"
 
+#include "base/numbers.h"
 #include "numeric/norm.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace nrb::closest {
 
 namespace {
-
-constexpr double eps = std::numeric_limits<double>::epsilon();
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // Coordinates are at most about 1.
 double rounding(int dim) noexcept {

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "closest/pair/pair_cells.h"
 
+#include "base/numbers.h"
+
 #include <algorithm>
-#include <limits>
 #include <span>
 
 namespace nrb::closest {
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 std::unique_ptr<PairCell> cell_of(pieces::BezierPiece piece) {
     auto cell = std::make_unique<PairCell>();

@@ -2,6 +2,7 @@
 #include "closest/pair/pair_search.h"
 
 #include "base/error.h"
+#include "base/numbers.h"
 #include "closest/foot.h"
 #include "closest/pair/pair_bound.h"
 #include "closest/pair/pair_cells.h"
@@ -12,14 +13,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace nrb::closest {
 
 namespace {
-
-constexpr double eps = std::numeric_limits<double>::epsilon();
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 struct CellPair {
     PairCell *a, *b;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "closest/patch/patch_item.h"
 
+#include "base/numbers.h"
 #include "numeric/norm.h"
 
 #include <algorithm>
@@ -11,7 +12,6 @@ namespace nrb::closest {
 
 namespace {
 
-constexpr double eps = std::numeric_limits<double>::epsilon();
 constexpr double smallest_weight = 0x1p-200; // beyond it squares come near underflow
 
 } // namespace

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "closest/patch/patch_minima.h"
 
+#include "base/numbers.h"
+
 #include <algorithm>
-#include <limits>
 
 namespace nrb::closest {
 
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr size_t most_others = 4096;
 
 } // namespace
@@ -24,10 +24,10 @@ bool PatchMinima::best_in(const PatchItem &item, AxisValues &at) const noexcept 
 
 bool PatchMinima::improve_to(const PatchItem &item, const AxisValues &at, double distance) {
     const double value = sign_ * distance;
-    if (!(value < best_.value - 1e-2 * noise_) && !(best_.value == infinite && std::isfinite(value))) {
+    if (!(value < best_.value - 1e-2 * noise_) && !(best_.value == infinity && std::isfinite(value))) {
         return false;
     }
-    if (all_ && best_.value < infinite) {
+    if (all_ && best_.value < infinity) {
         others_.push_back(best_);
     }
     best_.piece = item.piece;

@@ -2,6 +2,7 @@
 #include "closest/patch/patch_pieces.h"
 
 #include "base/finite.h"
+#include "base/numbers.h"
 #include "numeric/norm.h"
 #include "pieces/extraction.h"
 #include "refine/knots/bezier_rows.h"
@@ -13,9 +14,6 @@
 namespace nrb::closest {
 
 namespace {
-
-constexpr double eps = std::numeric_limits<double>::epsilon();
-constexpr double infinite = std::numeric_limits<double>::infinity();
 
 int64_t multiplicity(const KnotVector &axis, double t) noexcept {
     const auto knots = axis.knots();
@@ -134,10 +132,10 @@ void PatchPieces::copy(const Spline &spline) {
 
 // The radius is that of the control points, to whose magnitudes the net's errors are relative.
 void PatchPieces::set_sizes(const Spline &spline, const std::vector<double> &sizes) {
-    double smallest = infinite, largest = 0;
+    double smallest = infinity, largest = 0;
     for (int64_t i = 0; i < spline.point_count(); ++i) {
         const double w = spline.weight(i);
-        smallest = std::min(smallest, w > 0 ? w : infinite);
+        smallest = std::min(smallest, w > 0 ? w : infinity);
         largest = std::max(largest, std::abs(w));
         const double point = norm_of(spline.dim(), [&](int c) {
             return frame_.coordinate(static_cast<size_t>(c), spline.coordinate(i, c));

@@ -1,20 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "closest/patch/patch_proof.h"
 
+#include "base/numbers.h"
 #include "numeric/norm.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace nrb::closest {
-
-namespace {
-
-constexpr double eps = std::numeric_limits<double>::epsilon();
-constexpr double infinite = std::numeric_limits<double>::infinity();
-
-} // namespace
 
 PatchProof::PatchProof(const PatchPieces &pieces, const PatchDescent &descent, const PatchItem &item,
                        const PatchGoal &goal, const PatchGap &gap)
@@ -64,7 +57,7 @@ void PatchProof::for_face(const std::array<int, max_axes> &shrink, Visit &&visit
 }
 
 PatchProof::Range PatchProof::first_differences(int k) const noexcept {
-    Range range{infinite, -infinite};
+    Range range{infinity, -infinity};
     std::array<int, max_axes> shrink{};
     shrink[static_cast<size_t>(k)] = 1;
     const int64_t s = step_[static_cast<size_t>(k)];
@@ -77,7 +70,7 @@ PatchProof::Range PatchProof::first_differences(int k) const noexcept {
 }
 
 PatchProof::Range PatchProof::second_differences(int k, int l) const noexcept {
-    Range range{infinite, -infinite};
+    Range range{infinity, -infinity};
     std::array<int, max_axes> shrink{};
     ++shrink[static_cast<size_t>(k)];
     ++shrink[static_cast<size_t>(l)];
@@ -135,7 +128,7 @@ void PatchProof::set_matrix() noexcept {
 }
 
 PatchProof::Corner PatchProof::least_corner() const noexcept {
-    Corner least{infinite, false};
+    Corner least{infinity, false};
     for (unsigned corner = 0; corner < 1U << static_cast<unsigned>(shape_.axes); ++corner) {
         int64_t place = 0;
         for (int k = 0; k < shape_.axes; ++k) {

@@ -1,19 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "closest/patch/patch_query.h"
 
+#include "base/numbers.h"
 #include "numeric/norm.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace nrb::closest {
-
-namespace {
-
-constexpr double eps = std::numeric_limits<double>::epsilon();
-
-} // namespace
 
 PatchQuery::PatchQuery(const PatchPieces &pieces, const Query &query)
     : pieces_(pieces), query_(query), x_(memory_.take(pieces.shape().lanes)), items_(pieces, x_, memory_),

@@ -1,20 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "closest/patch/patch_search.h"
 
+#include "base/numbers.h"
 #include "closest/patch/critical/patch_critical.h"
 #include "numeric/norm.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace nrb::closest {
 
 namespace {
 
-constexpr double eps = std::numeric_limits<double>::epsilon();
-constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr int deepest = 48;    // halvings of an axis
 constexpr int most_rounds = 8; // of improvements by one item
 constexpr int64_t turn = 12;   // items of a leaf, or of a part that was put off, that are looked at in a row
@@ -39,7 +37,7 @@ void PatchSearch::start(const PatchTree::Centre &centre) {
     best_.value = sign_ * descent_.descend(whole.values, part, sign_, floor_, best_.at).distance;
     best_.error = whole.moved + pieces_.value_error() * (std::abs(best_.value) + pieces_.radius());
     if (!std::isfinite(best_.value)) {
-        best_.value = infinite;
+        best_.value = infinity;
     }
 }
 
@@ -185,7 +183,7 @@ double PatchSearch::order(const PatchItem &item) const {
         radius = std::max(radius, norm_of(shape.dim, [&](int c) { return q[c] / w - middle[c]; }));
     }
     const double order = sign_ * norm(middle, shape.dim) - (item.sound ? radius : 0);
-    return std::isfinite(order) ? order : infinite;
+    return std::isfinite(order) ? order : infinity;
 }
 
 void PatchSearch::split(PatchItem &item, int axis) {

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+namespace minimum_votes_test {
+
 using namespace nrb;
 using closest::MinimumVotes;
 using Result = MinimumVotes::Result;
@@ -53,3 +55,5 @@ TEST(MinimumVotes, a_face_that_decides_nothing_does_not_count_beside_another_one
 }
 
 } // namespace
+
+} // namespace minimum_votes_test

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+namespace patch_face_test {
+
 using namespace nrb;
 
 namespace {
@@ -68,3 +70,5 @@ TEST(PatchFace, coefficients_of_a_side_are_the_control_points_there) {
 }
 
 } // namespace
+
+} // namespace patch_face_test

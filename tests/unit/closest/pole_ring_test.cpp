@@ -5,6 +5,8 @@
 
 #include <initializer_list>
 
+namespace pole_ring_test {
+
 using namespace nrb;
 
 namespace {
@@ -40,3 +42,5 @@ TEST(PoleRing, equal_distances_decide_nothing_beside_one_sign) {
 }
 
 } // namespace
+
+} // namespace pole_ring_test

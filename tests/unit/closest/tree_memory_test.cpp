@@ -10,6 +10,8 @@
 #include <gtest/gtest.h>
 #include <malloc.h>
 
+namespace tree_memory_test {
+
 using namespace nrb;
 
 namespace {
@@ -83,3 +85,5 @@ TEST_F(TreeMemory, is_at_most_one_and_a_half_times_all_pieces) {
 }
 
 } // namespace
+
+} // namespace tree_memory_test

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+namespace small_systems_test {
+
 using namespace nrb;
 
 namespace {
@@ -34,3 +36,5 @@ TEST(SmallSystems, of_many_solutions_the_shortest_one_counts) {
 }
 
 } // namespace
+
+} // namespace small_systems_test

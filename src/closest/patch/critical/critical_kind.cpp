@@ -1,19 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "closest/patch/critical/critical_kind.h"
 
+#include "base/numbers.h"
 #include "numeric/norm.h"
 #include "numeric/solvers/small_systems.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 namespace nrb::closest {
 
 namespace {
 
-constexpr double eps = std::numeric_limits<double>::epsilon();
 constexpr std::array along{0.0, 0.25, 0.5, 0.75, 1.0}; // places on an axis
 
 // The signs of slopes and of second derivatives.

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "closest/patch/critical/critical_search.h"
 
+#include "base/numbers.h"
 #include "closest/patch/critical/critical_kind.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace nrb::closest {
 
 namespace {
 
-constexpr double eps = std::numeric_limits<double>::epsilon();
 constexpr int deepest = 26; // halvings of an axis
 constexpr int shallow = 8;  // before a singular matrix is looked at
 

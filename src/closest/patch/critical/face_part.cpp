@@ -10,7 +10,7 @@ namespace nrb::closest {
 
 namespace {
 
-constexpr int most_steps = 40;
+constexpr int most_newton_steps = 40;
 
 enum class Step { on, converged, lost };
 
@@ -72,7 +72,7 @@ int FacePart::longest_axis(const PatchFace &face) const noexcept {
 std::optional<NewtonResult> newton(const CriticalQuery &query, const PatchFace &face, const PatchItem &whole,
                                    const FacePart &part) {
     NewtonResult result{part.middle(face), false};
-    for (int i = 0; i < most_steps && !result.converged; ++i) {
+    for (int i = 0; i < most_newton_steps && !result.converged; ++i) {
         const Step step = newton_step(face, part, query.descent().jet(whole.values, result.at), result.at);
         if (step == Step::lost) {
             return std::nullopt;

@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "closest/patch/critical/patch_slopes.h"
 
+#include "base/numbers.h"
 #include "numeric/norm.h"
 #include "numeric/solvers/small_systems.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace nrb::closest {
 
 namespace {
-
-constexpr double eps = std::numeric_limits<double>::epsilon();
-constexpr double infinite = std::numeric_limits<double>::infinity();
 
 // The largest sum of a row of |A| |B|.
 double product_norm(int n, const AxisMatrix &a, const AxisMatrix &b) noexcept {
@@ -56,14 +53,14 @@ PatchSlopes::PatchSlopes(const PatchShape &shape, const PatchSquares &squares, c
 }
 
 void PatchSlopes::measure(const double *patch) noexcept {
-    least_weight_ = infinite;
+    least_weight_ = infinity;
     for (int64_t i = 0; i < shape_.coefficients(); ++i, patch += shape_.lanes) {
         const double w = patch[shape_.dim];
         least_weight_ = std::min(least_weight_, w);
         most_weight_ = std::max(most_weight_, w);
         reach_ = std::max(reach_, norm(patch, shape_.dim) / w);
     }
-    least_ = infinite;
+    least_ = infinity;
     for (int64_t i = 0; i < shape_.products(); ++i) {
         least_ = std::min(least_, squares_[i] / weights_[i]);
         most_ = std::max(most_, squares_[i] / weights_[i]);
@@ -102,7 +99,7 @@ bool PatchSlopes::monotone() noexcept {
         const int64_t s = step(k);
         std::array<int, max_axes> shrink{};
         shrink[i] = 1;
-        Range range{infinite, -infinite};
+        Range range{infinity, -infinity};
         double weight = 0;
         for_products(shrink, [&](int64_t at) {
             const double d = squares_[at + s] - squares_[at], w = weights_[at + s] - weights_[at];
@@ -129,7 +126,7 @@ bool PatchSlopes::slanted() const noexcept {
     for (int c = 0; c < dim; ++c) {
         centre_[c] = middle[c] / middle[dim];
     }
-    Range heights{infinite, -infinite};
+    Range heights{infinity, -infinity};
     double radius = 0;
     const double *q = patch_;
     for (int64_t i = 0; i < shape_.coefficients(); ++i, q += shape_.lanes) {
@@ -158,7 +155,7 @@ bool PatchSlopes::slanted_along(int axis, const double *centre, const Range &hei
         step *= shape_.degree(k) + 1;
     }
     const int64_t period = step * (shape_.degree(axis) + 1);
-    Range slope{infinite, -infinite};
+    Range slope{infinity, -infinity};
     double longest = 0, weight = 0;
     for (int64_t i = 0; i < shape_.values(); i += shape_.lanes) {
         if (i % period + step >= period) {
@@ -209,7 +206,7 @@ PatchSlopes::Range PatchSlopes::second(int k, int l) const {
     std::array<int, max_axes> shrink{};
     ++shrink[static_cast<size_t>(k)];
     ++shrink[static_cast<size_t>(l)];
-    Range range{infinite, -infinite};
+    Range range{infinity, -infinity};
     for_products(shrink, [&](int64_t at) {
         const auto twice = [&](const double *g) { return (g[at + s + t] - g[at + s]) - (g[at + t] - g[at]); };
         const double d = twice(squares_), w = twice(weights_);

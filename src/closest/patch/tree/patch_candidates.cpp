@@ -1,18 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "closest/patch/tree/patch_candidates.h"
 
+#include "base/numbers.h"
 #include "closest/patch/patch_place.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace nrb::closest {
-
-namespace {
-
-constexpr double infinite = std::numeric_limits<double>::infinity();
-
-} // namespace
 
 PatchCandidates::Overlap PatchCandidates::inside(const PatchTree::Extent &extent) const noexcept {
     Overlap part = Overlap::all;
@@ -63,7 +57,7 @@ void PatchCandidates::visit_children(int level, const Candidate &parent, Candida
             reached_ = centres[i];
             start_level_ = level + 1;
             start_node_ = node;
-        } else if (leaves && reached_ == infinite && (start_level_ < 0 || centres[i] < outside_)) {
+        } else if (leaves && reached_ == infinity && (start_level_ < 0 || centres[i] < outside_)) {
             outside_ = centres[i];
             start_level_ = level + 1;
             start_node_ = node;
@@ -78,8 +72,8 @@ PatchCandidates::PatchCandidates(const PatchPieces &pieces, const PatchTree &tre
     Candidates &leaves = leaves_;
     Candidates other;
     Candidates *now = &leaves, *next = &other;
-    reached_ = infinite;
-    now->push_back({-infinite, 0});
+    reached_ = infinity;
+    now->push_back({-infinity, 0});
     for (int level = 0; level + 1 < tree_.levels(); ++level) {
         next->clear();
         for (const Candidate &candidate : *now) {

@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "closest/patch/tree/patch_disc.h"
 
+#include "base/numbers.h"
 #include "closest/patch/patch_kernel.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace nrb::closest {
 
 namespace {
 
-constexpr double eps = std::numeric_limits<double>::epsilon();
 constexpr double unbounded = 0x1p200; // of patches without bounds
 
 void cross_product(const double *a, const double *b, double *out) noexcept {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "closest/patch/tree/patch_leaves.h"
 
+#include "base/numbers.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,7 +11,6 @@ namespace nrb::closest {
 
 namespace {
 
-constexpr double eps = std::numeric_limits<double>::epsilon();
 constexpr double most_byte = 127;
 constexpr double largest = 1e36;    // that scales stand for, of patches without bounds too
 constexpr double far_centre = 1e30; // products of bytes and scales stay finite
