@@ -7,6 +7,7 @@
 
 #include "closest/patch/patch_kernel.h"
 
+#include "bernstein/de_casteljau.h"
 #include "eval/kernels/contraction.h"
 #include "numeric/binomial.h"
 
@@ -67,25 +68,6 @@ HWY_INLINE void combine(const double *factors, int n, const double *rows, int64_
 
 inline constexpr int most_rows = max_degree + 1;
 
-// From the values of degree n - 1 those of degree n.
-HWY_INLINE void raise_bernstein(int n, double t, double *values) {
-    const double s = 1 - t;
-    values[n] = t * values[n - 1];
-    for (int i = n - 1; i > 0; --i) {
-        values[i] = s * values[i] + t * values[i - 1];
-    }
-    values[0] *= s;
-}
-
-// out = degree * (backward differences of the values of one degree less).
-HWY_INLINE void difference(int degree, const double *values, double *out) {
-    out[0] = -degree * values[0];
-    for (int i = 1; i < degree; ++i) {
-        out[i] = degree * (values[i - 1] - values[i]);
-    }
-    out[degree] = degree * values[degree - 1];
-}
-
 // Bernstein polynomials and their derivatives at t.
 HWY_INLINE void bernstein_functions(int degree, double t, int order, double (*out)[most_rows]) {
     double *values = out[0];
@@ -93,13 +75,13 @@ HWY_INLINE void bernstein_functions(int degree, double t, int order, double (*ou
     for (int n = 1; n <= degree; ++n) {
         if (n == degree - 1 && order > 1) { // values hold degree - 2
             double once[most_rows];
-            difference(degree - 1, values, once);
-            difference(degree, once, out[2]);
+            differentiate_functions(degree - 1, values, once);
+            differentiate_functions(degree, once, out[2]);
         }
         if (n == degree && order > 0) {
-            difference(degree, values, out[1]);
+            differentiate_functions(degree, values, out[1]);
         }
-        raise_bernstein(n, t, values);
+        raise_functions(n, t, values);
     }
     if (degree < 2 && order > 1) {
         std::fill_n(out[2], degree + 1, 0.0);
@@ -139,6 +121,15 @@ void apply(const PatchShape &shape, int axis, const double *matrix, const double
     for (int64_t o = 0; o < outer; ++o, patch += n * inner) {
         for (int i = 0; i < n; ++i, out += inner) {
             combine(matrix + i * n, n, patch, inner, inner, out);
+        }
+    }
+}
+
+// The same along the first axis of a part of a larger net, whose rows lie apart.
+void gather(const NetPart &net, int n, const double *matrix, double *HWY_RESTRICT out) {
+    for (int i = 0; i < n; ++i) {
+        for (int64_t m = 0; m < net.middle; ++m, out += net.run) {
+            combine(matrix + i * n, n, net.first + m * net.middle_stride, net.stride, net.run, out);
         }
     }
 }
@@ -229,6 +220,7 @@ namespace nrb::closest {
 HWY_EXPORT(shift);
 HWY_EXPORT(evaluate);
 HWY_EXPORT(apply);
+HWY_EXPORT(gather);
 HWY_EXPORT(square);
 HWY_EXPORT(gap);
 
@@ -271,6 +263,10 @@ void part_matrix(int degree, double lower, double upper, double *matrix) noexcep
 void apply_matrix(const PatchShape &shape, int axis, const double *matrix, const double *patch,
                   double *out) noexcept {
     HWY_DYNAMIC_DISPATCH(apply)(shape, axis, matrix, patch, out);
+}
+
+void apply_to_part(const NetPart &net, int n, const double *matrix, double *out) noexcept {
+    HWY_DYNAMIC_DISPATCH(gather)(net, n, matrix, out);
 }
 
 int64_t product_work(const PatchShape &shape) noexcept {

@@ -21,6 +21,17 @@ void part_matrix(int degree, double lower, double upper, double *matrix) noexcep
 void apply_matrix(const PatchShape &shape, int axis, const double *matrix, const double *patch,
                   double *out) noexcept;
 
+// The records of a larger net that act on a patch: rows along its first axis, `stride` apart, each of `middle` runs of
+// `run` doubles.
+struct NetPart {
+    const double *first = nullptr;
+    int64_t stride = 0;
+    int64_t middle = 1, middle_stride = 0;
+    int64_t run = 0;
+};
+// Out of its rows the matrix [n][n] makes those of a patch.
+void apply_to_part(const NetPart &net, int n, const double *matrix, double *out) noexcept;
+
 // Bernstein coefficients of |Q|^2 and w^2 (not written unless weighted), [products]. work: [product_work()].
 struct SquareTables {
     const double *binomials = nullptr; // [coefficients] of the patch

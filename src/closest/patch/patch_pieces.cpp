@@ -78,29 +78,35 @@ void PatchPieces::set_extraction(const Spline &spline) {
     }
 }
 
-void PatchPieces::gather(int64_t piece, double *out) const noexcept {
+// Axes without a degree have one layer for each piece.
+NetPart PatchPieces::records_of(const Index &spans) const noexcept {
     Index first{};
-    for (auto k = static_cast<size_t>(axes_); k-- > 0; piece /= count(static_cast<int>(k))) {
-        first[k] = first_[k][static_cast<size_t>(piece % count(static_cast<int>(k)))];
+    for (size_t k = 0; k < static_cast<size_t>(axes_); ++k) {
+        first[k] = first_[k][static_cast<size_t>(spans[k])];
     }
-    const int64_t run = layers_[2] * shape_.lanes;
-    for (int64_t i = first[0]; i < first[0] + layers_[0]; ++i) {
-        for (int64_t j = first[1]; j < first[1] + layers_[1]; ++j) {
-            const int64_t record = (i * counts_[1] + j) * counts_[2] + first[2];
-            out = std::copy_n(records_.data() + record * shape_.lanes, run, out);
-        }
-    }
+    const int along = shape_.axes > 0 ? spline_axis(0) : max_axes - 1;
+    NetPart net;
+    net.first = records_.data() + ((first[0] * counts_[1] + first[1]) * counts_[2] + first[2]) * shape_.lanes;
+    net.middle = along == 0 ? layers_[1] : 1;
+    net.middle_stride = counts_[2] * shape_.lanes;
+    net.run = (along < 2 ? layers_[2] : 1) * shape_.lanes;
+    net.stride = (along == 0 ? counts_[1] * counts_[2] : along == 1 ? counts_[2] : 1) * shape_.lanes;
+    return net;
 }
 
 // The same sums as in a BernsteinNet, with no more roundings.
 void PatchPieces::patch(int64_t i, double *work, double *out) const noexcept {
-    double *from = shape_.axes % 2 == 0 ? out : work, *to = shape_.axes % 2 == 0 ? work : out;
-    gather(i, from);
     const Index spans = index(i);
+    const NetPart records = records_of(spans);
+    if (shape_.axes == 0) {
+        std::copy_n(records.first, shape_.lanes, out);
+    }
+    double *from = shape_.axes % 2 == 0 ? out : work, *to = shape_.axes % 2 == 0 ? work : out;
     for (int k = 0; k < shape_.axes; ++k) {
         const auto axis = static_cast<size_t>(spline_axis(k));
-        const int64_t n = shape_.degree(k) + 1;
-        apply_matrix(shape_, k, extraction_[axis].data() + spans[axis] * n * n, from, to);
+        const int n = shape_.degree(k) + 1;
+        const double *matrix = extraction_[axis].data() + spans[axis] * n * n;
+        k == 0 ? apply_to_part(records, n, matrix, to) : apply_matrix(shape_, k, matrix, from, to);
         std::swap(from, to);
     }
     if (out[shape_.dim] < 0) { // of one sign they may be > 0 as well

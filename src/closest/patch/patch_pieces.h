@@ -5,6 +5,7 @@
 // size near 1 whatever its units; weights are divided by another one.
 #pragma once
 
+#include "closest/patch/patch_kernel.h"
 #include "closest/patch/patch_squares.h"
 #include "pieces/bezier_net.h"
 
@@ -72,7 +73,7 @@ private:
     void set_axes(const Spline &spline);
     void set_extraction(const Spline &spline);
     void copy(const Spline &spline);
-    void gather(int64_t piece, double *out) const noexcept;
+    [[nodiscard]] NetPart records_of(const Index &spans) const noexcept;
     void set_sizes(const Spline &spline, const std::vector<double> &sizes);
 
     PatchShape shape_;
