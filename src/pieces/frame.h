@@ -2,22 +2,25 @@
 // What splines are seen from: a centre, and a power of two as unit, that bring them near 1 in size.
 #pragma once
 
+#include "numeric/power_of_two.h"
 #include "spline/spline.h"
 
-#include <cmath>
 #include <span>
 #include <vector>
 
 namespace nrb::pieces {
 
-// A point x is (x - centre) 2^-exponent in the frame, and a distance d is d 2^-exponent. Not by a factor, which would
-// overflow for the smallest models.
+// A point x is (x - centre) 2^-exponent in the frame, and a distance d is d 2^-exponent.
 struct Frame {
     std::vector<double> centre;
     int exponent = 0;
 
-    [[nodiscard]] double scaled(double length) const noexcept { return std::ldexp(length, -exponent); }
-    [[nodiscard]] double unscaled(double length) const noexcept { return std::ldexp(length, exponent); }
+    [[nodiscard]] double scaled(double length) const noexcept {
+        return times_power_of_two(length, -exponent);
+    }
+    [[nodiscard]] double unscaled(double length) const noexcept {
+        return times_power_of_two(length, exponent);
+    }
     // Coordinate c of a point.
     [[nodiscard]] double coordinate(size_t c, double x) const noexcept { return scaled(x - centre[c]); }
     [[nodiscard]] double original(size_t c, double x) const noexcept { return centre[c] + unscaled(x); }

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace nrb::closest {
 
@@ -16,19 +15,28 @@ constexpr double smallest_weight = 0x1p-200; // beyond it squares come near unde
 
 } // namespace
 
+const double *PatchItems::made(int64_t piece) const {
+    const PatchShape &shape = pieces_.shape();
+    const auto found = std::find(made_.begin(), made_.begin() + kept_, piece);
+    if (found != made_.begin() + kept_) {
+        return values_ + (found - made_.begin()) * shape.values();
+    }
+    const PatchMemory::Hold hold(memory_);
+    double *work = memory_.take(shape.values()), *patch = memory_.take(shape.values());
+    double *values = values_ + next_ * shape.values();
+    pieces_.patch(piece, work, patch);
+    shift_patch(shape, patch, x_, values);
+    made_[static_cast<size_t>(next_)] = piece;
+    next_ = (next_ + 1) % kept_;
+    return values;
+}
+
 // w x and the difference are rounded, and x - c was: eps / 2 of |x - c| each, and of the result.
 PatchItem PatchItems::whole(int64_t piece) const {
     PatchItem item;
-    const int64_t size = pieces_.shape().values();
-    if (piece != last_) {
-        const PatchMemory::Hold hold(memory_);
-        double *work = memory_.take(size), *patch = memory_.take(size);
-        pieces_.patch(piece, work, patch);
-        shift_patch(pieces_.shape(), patch, x_, last_values_);
-        last_ = piece;
-    }
-    item.values = memory_.take(size);
-    std::copy_n(last_values_, size, item.values);
+    const double *values = made(piece);
+    item.values = memory_.take(pieces_.shape().values());
+    std::copy_n(values, pieces_.shape().values(), item.values);
     item.piece = piece;
     item.moved = pieces_.moved() + 2 * eps * (norm(x_, pieces_.shape().dim) + pieces_.radius());
     return item;
@@ -72,24 +80,40 @@ PatchItem PatchItems::halve_item(PatchItem &item, int axis) const {
 }
 
 void PatchItems::measure(PatchItem &item) const noexcept {
+    switch (pieces_.shape().dim) {
+    case 2:
+        return measure<2>(item);
+    case 3:
+        return measure<3>(item);
+    default:
+        return measure<-1>(item);
+    }
+}
+
+// kDim < 0: any number of coordinates.
+template <int kDim>
+void PatchItems::measure(PatchItem &item) const noexcept {
     const PatchShape &shape = pieces_.shape();
     const int64_t count = shape.coefficients();
+    const int dim = kDim < 0 ? shape.dim : kDim;
     const double *q = item.values;
-    double least = std::numeric_limits<double>::infinity(), most = 0, square = 0, quotient = 0;
+    double least = infinity, most = 0, square = 0, quotient = 0;
     bool negative = false;
     for (int64_t i = 0; i < count; ++i, q += shape.lanes) {
         double sum = q[0] * q[0];
-        for (int c = 1; c < shape.dim; ++c) {
+        for (int c = 1; c < dim; ++c) {
             sum += q[c] * q[c];
         }
-        const double w = q[shape.dim];
+        const double w = q[dim];
         square = std::max(square, sum);
-        if (w == 0 && sum == 0 && pieces_.positive()) {
-            continue;
+        if (!(w > 0)) {
+            if (w == 0 && sum == 0 && pieces_.positive()) {
+                continue;
+            }
+            negative = true;
         }
         least = std::min(least, w);
         most = std::max(most, w);
-        negative = negative || !(w > 0);
     }
     item.sound = !negative && least >= smallest_weight && std::isfinite(square);
     if (!item.sound) {

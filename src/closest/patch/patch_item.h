@@ -30,7 +30,9 @@ class PatchItems {
 public:
     // x: as placed by the pieces.
     PatchItems(const PatchPieces &pieces, const double *x, PatchMemory &memory)
-        : pieces_(pieces), x_(x), memory_(memory), last_values_(memory.take(pieces.shape().values())) {}
+        : pieces_(pieces), x_(x), memory_(memory),
+          kept_(pieces.shape().values() <= small_piece ? most_kept : 1),
+          values_(memory.take(kept_ * pieces.shape().values())) {}
 
     // The whole piece.
     [[nodiscard]] PatchItem whole(int64_t piece) const;
@@ -44,11 +46,21 @@ public:
     void measure(PatchItem &item) const noexcept;
 
 private:
+    template <int kDim>
+    void measure(PatchItem &item) const noexcept;
+    // The coefficients of a whole piece.
+    [[nodiscard]] const double *made(int64_t piece) const;
+
     const PatchPieces &pieces_;
     const double *x_;
     PatchMemory &memory_;
-    mutable int64_t last_ = -1; // piece that was made, which a query mostly asks for again
-    double *last_values_;
+    // The pieces that were made last, for which a query mostly asks again.
+    static constexpr int most_kept = 4;
+    static constexpr int64_t small_piece = 512; // doubles
+    int kept_;
+    double *values_; // [kept_][values()]
+    mutable std::array<int64_t, most_kept> made_{-1, -1, -1, -1};
+    mutable int next_ = 0;
 };
 
 // The axis along which the control points spread most; -1 without axes.

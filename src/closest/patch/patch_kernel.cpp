@@ -68,26 +68,6 @@ HWY_INLINE void combine(const double *factors, int n, const double *rows, int64_
 
 inline constexpr int most_rows = max_degree + 1;
 
-// Bernstein polynomials and their derivatives at t.
-HWY_INLINE void bernstein_functions(int degree, double t, int order, double (*out)[most_rows]) {
-    double *values = out[0];
-    values[0] = 1;
-    for (int n = 1; n <= degree; ++n) {
-        if (n == degree - 1 && order > 1) { // values hold degree - 2
-            double once[most_rows];
-            differentiate_functions(degree - 1, values, once);
-            differentiate_functions(degree, once, out[2]);
-        }
-        if (n == degree && order > 0) {
-            differentiate_functions(degree, values, out[1]);
-        }
-        raise_functions(n, t, values);
-    }
-    if (degree < 2 && order > 1) {
-        std::fill_n(out[2], degree + 1, 0.0);
-    }
-}
-
 void evaluate(const PatchShape &shape, const double *HWY_RESTRICT patch, const AxisValues &at, int order,
               double *HWY_RESTRICT work, double *HWY_RESTRICT out) {
     int64_t length = shape.values();
@@ -99,7 +79,7 @@ void evaluate(const PatchShape &shape, const double *HWY_RESTRICT patch, const A
     for (int k = 0; k < shape.axes; ++k) {
         const int n = shape.degree(k) + 1;
         double functions[3][most_rows];
-        bernstein_functions(n - 1, at[static_cast<size_t>(k)], order, functions);
+        bernstein_functions(n - 1, at[static_cast<size_t>(k)], order, most_rows, functions[0]);
         const int64_t whole = length;
         length /= n;
         double *to = k + 1 == shape.axes ? out : work;

@@ -69,9 +69,11 @@ void PatchCandidates::visit_children(int level, const Candidate &parent, Candida
 PatchCandidates::PatchCandidates(const PatchPieces &pieces, const PatchTree &tree, const Query &query,
                                  const double *x, double margin)
     : pieces_(pieces), tree_(tree), query_(query), x_(x), margin_(margin) {
-    Candidates &leaves = leaves_;
     Candidates other;
-    Candidates *now = &leaves, *next = &other;
+    Candidates *now = &leaves_, *next = &other;
+    if (tree_.levels() % 2 == 0) { // so that the last ones are in leaves_
+        std::swap(now, next);
+    }
     reached_ = infinity;
     now->push_back({-infinity, 0});
     for (int level = 0; level + 1 < tree_.levels(); ++level) {
@@ -82,12 +84,6 @@ PatchCandidates::PatchCandidates(const PatchPieces &pieces, const PatchTree &tre
             }
         }
         std::swap(now, next);
-    }
-    if (now != &leaves) {
-        leaves.clear();
-        for (const Candidate &candidate : *now) {
-            leaves.push_back(candidate);
-        }
     }
 }
 
