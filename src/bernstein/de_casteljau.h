@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// de Casteljau's algorithm on plain arrays: [degree + 1][inner] coefficients of a polynomial of one variable over
-// [0, 1], `inner` values each, which may be those of other variables; and the Bernstein functions, which the same recurrence gives the other way round. Each
-// step takes means, so that a value is within 3 / 2 degree eps of itself, relative to the same means of magnitudes,
-// and in the middle within degree eps / 2. Inline, because loops compiled for an instruction set or for one degree
-// use it.
+// de Casteljau's algorithm on plain arrays: [degree + 1][inner] coefficients of a polynomial of one variable
+// over [0, 1], `inner` values each, which may be those of other variables; and the Bernstein functions, which
+// the same recurrence gives the other way round. Each step takes means, so that a value is within 3 / 2
+// degree eps of itself, relative to the same means of magnitudes, and in the middle within degree eps / 2.
+// Inline, because loops compiled for an instruction set or for one degree use it.
 #pragma once
 
 #include <algorithm>
@@ -55,8 +55,8 @@ inline void subdivide(const AxisLayers &layers, double t, double *values, double
     }
 }
 
-// Coefficients over [lower, upper] replace those over [0, 1]. All means are taken of the ends, so that coefficients
-// of one size and sign keep their relative accuracy. Precondition: 0 <= lower < upper <= 1.
+// Coefficients over [lower, upper] replace those over [0, 1]. All means are taken of the ends, so that
+// coefficients of one size and sign keep their relative accuracy. Precondition: 0 <= lower < upper <= 1.
 inline void restrict_to(int degree, double lower, double upper, double *values) noexcept {
     for (int r = 1; upper < 1 && r <= degree; ++r) {
         for (int i = degree; i >= r; --i) {
@@ -89,8 +89,8 @@ inline void restrict_to(int degree, double lower, double upper, double *values) 
     }
 }
 
-// Derivatives of the functions of a degree from the values, or derivatives, of those of one degree less. The two may be
-// the same array.
+// Derivatives of the functions of a degree from the values, or derivatives, of those of one degree less. The
+// two may be the same array.
 [[gnu::always_inline]] inline void differentiate_functions(int degree, const double *lower,
                                                            double *out) noexcept {
     out[degree] = degree * lower[degree - 1];

@@ -33,8 +33,8 @@ struct BernsteinShape {
 double elevation_coefficient(int low, int high, int i, int j) noexcept;
 
 // The product of polynomials of these shapes, b a scalar one: the degrees add up. Every value is within
-// product_error() of itself, relative to the sum of the magnitudes of its terms. Precondition: b.width == 1; all
-// degrees of the product are at most max_product_degree.
+// product_error() of itself, relative to the sum of the magnitudes of its terms. Precondition: b.width == 1;
+// all degrees of the product are at most max_product_degree.
 BernsteinShape product_shape(const BernsteinShape &a, const BernsteinShape &b) noexcept;
 double product_error(const BernsteinShape &a, const BernsteinShape &b) noexcept;
 
@@ -45,7 +45,8 @@ std::vector<double> binomial_factors(const BernsteinShape &shape);
 void add_convolution(const BernsteinShape &a, const double *left, const BernsteinShape &b,
                      const double *right, double *out) noexcept;
 
-// Halves along an axis of the three: `values` becomes the upper one. Precondition: lower does not overlap values.
+// Halves along an axis of the three: `values` becomes the upper one. Precondition: lower does not overlap
+// values.
 inline void halve(const BernsteinShape &shape, int axis, double *values, double *lower) noexcept {
     subdivide(shape.along(axis), 0.5, values, lower);
 }

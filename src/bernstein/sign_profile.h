@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Where a function of one variable changes its sign, as told by Bernstein coefficients that are known to a stated
-// uncertainty: quick, and blind to less than that. sign_runs.h proves more, at the price of running error bounds.
+// Where a function of one variable changes its sign, as told by Bernstein coefficients that are known to a
+// stated uncertainty: quick, and blind to less than that. sign_runs.h proves more, at the price of running
+// error bounds.
 #pragma once
 
 #include "bernstein/de_casteljau.h"
@@ -47,9 +48,9 @@ struct SignProfile {
 };
 
 // By halving until coefficients change their sign at most once on each part (Lane & Riesenfeld, "Bounds on a
-// polynomial", BIT 21 (1981)), then bisection of `value`, the function itself, to neighbouring doubles. Of places where
-// it touches 0 without crossing it nothing is reported but the side. Cost: degree^2 for each halving, at most some 50
-// degree of them, and an evaluation for each bit of a crossing.
+// polynomial", BIT 21 (1981)), then bisection of `value`, the function itself, to neighbouring doubles. Of
+// places where it touches 0 without crossing it nothing is reported but the side. Cost: degree^2 for each
+// halving, at most some 50 degree of them, and an evaluation for each bit of a crossing.
 template <size_t kSize, class Value>
 class SignWalk {
 public:

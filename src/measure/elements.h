@@ -10,8 +10,8 @@
 
 namespace nrb::measure {
 
-// Of all control points, with a unit by whose inverse lengths can be multiplied. The ratio of a scaled content of some
-// axes to the true one is 2^-(exponent axes).
+// Of all control points, with a unit by whose inverse lengths can be multiplied. The ratio of a scaled
+// content of some axes to the true one is 2^-(exponent axes).
 pieces::Frame integral_frame(std::span<const Spline *const> splines);
 inline pieces::Frame integral_frame(const Spline &spline) {
     const Spline *one = &spline;

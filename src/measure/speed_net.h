@@ -9,8 +9,9 @@ namespace nrb::measure {
 // What the coefficients of a net tell of features that are narrower than the nodes are apart: peaks where the
 // weights differ much, dips and zeros where the curve turns sharply.
 struct NetShape {
-    // The weights have one sign, all coefficients of N are within 75 degrees of their sum, and weights and coefficients
-    // differ by a factor of at most 64. Dips of relative width 1e-8 are ignored: they change a length by 1e-16 of it.
+    // The weights have one sign, all coefficients of N are within 75 degrees of their sum, and weights and
+    // coefficients differ by a factor of at most 64. Dips of relative width 1e-8 are ignored: they change a
+    // length by 1e-16 of it.
     bool even;
     double square; // of the longest coefficient of N, at most; infinite if the sum overflows
     double weight; // the smallest one if all have one sign, else not positive

@@ -7,9 +7,9 @@
 
 namespace nrb::measure {
 
-// Relative tolerances. First comes the one that the caller gives. If that is below rounding, the caller wants the best that
-// double precision and the limit of work allow: then nine digits are tried next, and three digits last. An integral that
-// does not converge to three digits is taken for infinite.
+// Relative tolerances. First comes the one that the caller gives. If that is below rounding, the caller wants
+// the best that double precision and the limit of work allow: then nine digits are tried next, and three
+// digits last. An integral that does not converge to three digits is taken for infinite.
 class ToleranceLadder {
 public:
     explicit ToleranceLadder(double tolerance) noexcept

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// DoubleDouble (numeric/double_double.h) in the lanes of vectors, for coefficients that are used a million times.
-// Included once for every instruction set: see base/simd.h.
+// DoubleDouble (numeric/double_double.h) in the lanes of vectors, for coefficients that are used a million
+// times. Included once for every instruction set: see base/simd.h.
 #if defined(NURBS_NUMERIC_DOUBLE_DOUBLE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef NURBS_NUMERIC_DOUBLE_DOUBLE_INL_H_
 #undef NURBS_NUMERIC_DOUBLE_DOUBLE_INL_H_
@@ -17,7 +17,8 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// The constructors are written out, because those that a compiler adds are not compiled for the instruction set.
+// The constructors are written out, because those that a compiler adds are not compiled for the instruction
+// set.
 template <class V>
 struct DoubleDoubleLanes {
     HWY_INLINE DoubleDoubleLanes() {}
@@ -42,9 +43,9 @@ HWY_INLINE DoubleDoubleLanes<V> ordered_sum(V a, V b) {
     return {sum, hn::Sub(b, hn::Sub(sum, a))};
 }
 
-// The upper half of a number of 53 bits: rounded to 26, so that what is left has 26, too, and a sign. By way of
-// its bits, because Dekker's multiplication by 2^27 + 1 overflows for numbers that do not; cut off where rounding
-// would do so.
+// The upper half of a number of 53 bits: rounded to 26, so that what is left has 26, too, and a sign. By way
+// of its bits, because Dekker's multiplication by 2^27 + 1 overflows for numbers that do not; cut off where
+// rounding would do so.
 template <class V>
 HWY_INLINE V upper_half(V a) {
     const hn::DFromV<V> d;

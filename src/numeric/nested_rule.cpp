@@ -152,8 +152,8 @@ constexpr double legendre(int n, double x) {
     return value;
 }
 
-// The factors (2 k + 1) P_k(x_i) w_i of six Legendre coefficients: three high ones, up to half the exactness, and
-// three about half as high.
+// The factors (2 k + 1) P_k(x_i) w_i of six Legendre coefficients: three high ones, up to half the exactness,
+// and three about half as high.
 constexpr int coefficients = decay_sums - 1;
 constexpr int degrees[rule_levels][coefficients] = {{0, 0, 0, 0, 0, 0},
                                                     {5, 4, 3, 3, 2, 1},

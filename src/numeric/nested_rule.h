@@ -44,9 +44,9 @@ struct RuleDecay {
     double last; // the largest of the highest coefficients
     double rate; // over the largest of those half as high; at most 1
 
-    // The factor rate^2 leads from the highest coefficients on to those that the error consists of. For analytic functions
-    // it does not lead far enough, so that the estimate is too large by a factor of rho^2 to rho^5. For other functions it
-    // leads there, or too far.
+    // The factor rate^2 leads from the highest coefficients on to those that the error consists of. For
+    // analytic functions it does not lead far enough, so that the estimate is too large by a factor of rho^2
+    // to rho^5. For other functions it leads there, or too far.
     [[nodiscard]] double error(double magnitude) const noexcept {
         constexpr double noise = 64 * std::numeric_limits<double>::epsilon();
         return last <= noise * magnitude ? 0 : last * rate * rate;

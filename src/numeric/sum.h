@@ -4,9 +4,9 @@
 
 namespace nrb::inline numeric {
 
-// D. Knuth's two-sum gives the rounding error of an addition exactly; the errors are added up on their own (T.
-// Ogita, S. Rump, S. Oishi, "Accurate sum and dot product", SIAM J. Sci. Comput. 26 (2005), Sum2): the value is
-// off by at most eps / 2 of itself and (n eps / 2)^2 of the sum of the magnitudes of n terms.
+// D. Knuth's two-sum gives the rounding error of an addition exactly; the errors are added up on their own
+// (T. Ogita, S. Rump, S. Oishi, "Accurate sum and dot product", SIAM J. Sci. Comput. 26 (2005), Sum2): the
+// value is off by at most eps / 2 of itself and (n eps / 2)^2 of the sum of the magnitudes of n terms.
 struct CompensatedSum {
     double sum = 0;
     double rest = 0;

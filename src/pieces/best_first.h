@@ -13,8 +13,9 @@ namespace nrb::pieces {
 // Pieces looked at for an answer where the caller sets no limit.
 inline constexpr int64_t default_budget = 20000;
 
-// Items with an upper bound of what may be found in them, for the largest value; searches for the smallest one negate
-// lower bounds. What is left out leaves its bound, so that bound() holds of everything at any time.
+// Items with an upper bound of what may be found in them, for the largest value; searches for the smallest
+// one negate lower bounds. What is left out leaves its bound, so that bound() holds of everything at any
+// time.
 template <class Item>
 class BestFirst {
 public:
@@ -50,8 +51,8 @@ public:
     }
     void leave_out(double bound) noexcept { left_out_ = std::max(left_out_, bound); }
 
-    // Calls look(Entry) while there is something left that counts(const Entry &), at most `budget` times, of which
-    // look() may take more itself.
+    // Calls look(Entry) while there is something left that counts(const Entry &), at most `budget` times, of
+    // which look() may take more itself.
     template <class Counts, class Look>
     void run(int64_t &budget, Counts &&counts, Look &&look) {
         while (!empty() && counts(best()) && budget-- > 0) {

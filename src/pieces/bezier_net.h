@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The homogeneous Bezier coefficients of all pieces of a spline in a frame, with what rounding may have made of them.
+// The homogeneous Bezier coefficients of all pieces of a spline in a frame, with what rounding may have made
+// of them.
 #pragma once
 
 #include "pieces/bernstein_net.h"
@@ -7,9 +8,10 @@
 
 namespace nrb::pieces {
 
-// How far coefficients (A, w) may be from the exact ones (A*, w*), about the centre of the frame. Where all weights
-// are positive for certain, errors are relative to them: every point A / w is within `apart` of one of the exact
-// piece, and the other way round, whatever the weights. Otherwise |A - A*| <= record and |w - w*| <= weight.
+// How far coefficients (A, w) may be from the exact ones (A*, w*), about the centre of the frame. Where all
+// weights are positive for certain, errors are relative to them: every point A / w is within `apart` of one
+// of the exact piece, and the other way round, whatever the weights. Otherwise |A - A*| <= record and |w -
+// w*| <= weight.
 struct Rounding {
     double apart = 0;
     double record = 0;

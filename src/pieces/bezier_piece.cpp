@@ -120,7 +120,8 @@ double BezierPiece::legs(int axis) const noexcept {
     return longest;
 }
 
-// Of a step in which every coefficient becomes a mean of others, off by `relative` of the same mean of magnitudes.
+// Of a step in which every coefficient becomes a mean of others, off by `relative` of the same mean of
+// magnitudes.
 void BezierPiece::add_rounding(double relative) noexcept {
     if (rounding_.relative()) {
         rounding_.apart += 1.01 * relative * reach_;

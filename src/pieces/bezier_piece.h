@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One Bezier piece of a spline in a frame, with proof of how far rounding may have moved it: what searches over one
-// spline or two look at, bound, and halve.
+// One Bezier piece of a spline in a frame, with proof of how far rounding may have moved it: what searches
+// over one spline or two look at, bound, and halve.
 #pragma once
 
 #include "pieces/bezier_net.h"
@@ -35,8 +35,8 @@ public:
     [[nodiscard]] const BernsteinShape &shape() const noexcept { return shape_; }
     [[nodiscard]] const Rounding &rounding() const noexcept { return rounding_; }
 
-    // Whether all weights are positive for certain; sound(): or 0 where the whole coefficient is 0 for certain, which
-    // has no control point. The rest presumes the one or the other.
+    // Whether all weights are positive for certain; sound(): or 0 where the whole coefficient is 0 for
+    // certain, which has no control point. The rest presumes the one or the other.
     [[nodiscard]] bool positive() const noexcept { return positive_; }
     [[nodiscard]] bool sound() const noexcept { return sound_; }
     // The control points.
@@ -49,8 +49,8 @@ public:
     [[nodiscard]] double size() const noexcept { return size_; }
     // No control point is farther from the centre.
     [[nodiscard]] double reach() const noexcept { return reach_; }
-    // Every point is within moved() of one of the spline, and the other way round; of the control points as they
-    // are rounded, and of the coefficients.
+    // Every point is within moved() of one of the spline, and the other way round; of the control points as
+    // they are rounded, and of the coefficients.
     [[nodiscard]] double moved() const noexcept { return moved_; }
     [[nodiscard]] double records_moved() const noexcept { return rounding_.moved(reach_, least_weight_); }
 
@@ -61,7 +61,8 @@ public:
 
     // Halves along an axis: the piece becomes the upper half, the lower one is returned.
     BezierPiece halve(int axis);
-    // The same along the axis with the longest legs. None if it has no degree or its parameters cannot be halved.
+    // The same along the axis with the longest legs. None if it has no degree or its parameters cannot be
+    // halved.
     std::optional<BezierPiece> halve();
 
 private:

@@ -33,8 +33,8 @@ class BranchAndBound {
 public:
     using Piece = typename Problem::Piece;
 
-    // Upper bounds of all pieces of the source, infinite where they are no numbers; `least` is a lower bound that
-    // needs no piece.
+    // Upper bounds of all pieces of the source, infinite where they are no numbers; `least` is a lower bound
+    // that needs no piece.
     BranchAndBound(Problem &problem, std::span<const double> uppers, double least)
         : problem_(problem), queue_(unloaded(uppers)), lower_(least), least_(least) {}
 
@@ -82,8 +82,8 @@ private:
         return half.has_value();
     }
 
-    // A part has no larger values than the whole, and no other bound where its own is not a number. What cannot
-    // exceed the lower bound is not kept.
+    // A part has no larger values than the whole, and no other bound where its own is not a number. What
+    // cannot exceed the lower bound is not kept.
     void push(Piece &&piece, const Entry &whole) {
         const Enclosure bounds = problem_.bounds(piece);
         if (bounds.lower > lower_) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Local minima and maxima of a squared distance in a box of parameters: Newton's method, damped by Levenberg and
-// Marquardt's rule where the second derivatives are not positive definite or a step does not descend, with the gradient
-// projected to the box.
+// Local minima and maxima of a squared distance in a box of parameters: Newton's method, damped by Levenberg
+// and Marquardt's rule where the second derivatives are not positive definite or a step does not descend,
+// with the gradient projected to the box.
 #pragma once
 
 #include "base/numbers.h"
@@ -13,8 +13,8 @@
 
 namespace nrb::pieces {
 
-// |S|^2 of a vector S of up to N parameters, and the derivatives of |S|^2 / 2, which are the sum of metric and
-// curvature.
+// |S|^2 of a vector S of up to N parameters, and the derivatives of |S|^2 / 2, which are the sum of metric
+// and curvature.
 template <size_t N>
 struct SquareJet {
     using Vector = std::array<double, N>;
@@ -133,8 +133,8 @@ private:
         return moves;
     }
 
-    // A last step is taken without looking where it decreases |S|^2 by less than rounding: Newton's method has squared
-    // the error by then.
+    // A last step is taken without looking where it decreases |S|^2 by less than rounding: Newton's method
+    // has squared the error by then.
     bool descend(Vector &at) {
         const SquareJet<N> then = jet_(next_);
         const double gain = sign_ * (now_.square - then.square);

@@ -26,8 +26,8 @@ struct Frame {
     [[nodiscard]] double original(size_t c, double x) const noexcept { return centre[c] + unscaled(x); }
 };
 
-// About the middle of the box of all control points that have influence and are not at infinity, which are within 1
-// of it along every axis. Precondition: one or more splines of one dimension.
+// About the middle of the box of all control points that have influence and are not at infinity, which are
+// within 1 of it along every axis. Precondition: one or more splines of one dimension.
 Frame frame_of(std::span<const Spline *const> splines);
 inline Frame frame_of(const Spline &spline) {
     const Spline *one = &spline;

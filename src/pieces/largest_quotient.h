@@ -38,7 +38,8 @@ QuotientPiece halve(QuotientPiece &piece);
 // The same along a given axis.
 QuotientPiece halve(QuotientPiece &piece, int axis);
 
-// The search ends when the bounds agree to a factor of 1 + ratio, apart from rounding, or after `steps` halvings.
+// The search ends when the bounds agree to a factor of 1 + ratio, apart from rounding, or after `steps`
+// halvings.
 struct SearchLimits {
     double ratio = 0.25;
     int steps = 600;
@@ -55,8 +56,8 @@ std::vector<double> quotient_uppers(int64_t count, const PieceSource &source);
 
 // The largest value of N / W for a scalar N, and where the lower bound is attained: in piece `piece`, at a
 // place between 0 and 1 on each of the three axes; piece -1 where W cannot be shown to have a sign anywhere.
-// The search ends when the bounds agree to `gap`, apart from rounding, or after `steps` halvings; steps are fewer
-// where pieces have more than some thousands of coefficients, so that memory does not run out.
+// The search ends when the bounds agree to `gap`, apart from rounding, or after `steps` halvings; steps are
+// fewer where pieces have more than some thousands of coefficients, so that memory does not run out.
 struct LargestValue {
     Enclosure bounds;
     int64_t piece = -1;

@@ -71,9 +71,9 @@ bool wider_than(const ShapeSamples &samples, double width) {
                                            [&](const Vector3 &p) { return length(cross(along, p)) > width; });
 }
 
-// Whether the samples of a surface tell at once that it is larger than a point, or wider than a line: if all were
-// within the tolerance of one, the middle of their box would be within twice that of it, and so would the line
-// from there to the farthest sample be of all others.
+// Whether the samples of a surface tell at once that it is larger than a point, or wider than a line: if all
+// were within the tolerance of one, the middle of their box would be within twice that of it, and so would
+// the line from there to the farthest sample be of all others.
 bool too_large(int32_t kind, const ShapeSamples &samples, double tolerance) {
     if (kind == shape_point) {
         return samples.size > 2 * tolerance;
@@ -81,8 +81,8 @@ bool too_large(int32_t kind, const ShapeSamples &samples, double tolerance) {
     return wider_than(samples, 16 * tolerance);
 }
 
-// Whether rounding alone tells the samples from those of a point (for a line), or from those of a line or point (for a
-// plane): then they have no direction, or no plane, of their own.
+// Whether rounding alone tells the samples from those of a point (for a line), or from those of a line or
+// point (for a plane): then they have no direction, or no plane, of their own.
 bool undetermined(int32_t kind, const ShapeSamples &samples) {
     const double rounding =
         64 * std::numeric_limits<double>::epsilon() * (length(samples.centre) + samples.size);

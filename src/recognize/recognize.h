@@ -13,11 +13,11 @@ struct Recognition {
 };
 
 // The first shape from which no point is farther than the tolerance: of a curve a point, line, circle,
-// parabola, ellipse, hyperbola, of a surface a point, line, plane, sphere, cylinder, cone, torus: a surface that
-// is no larger than the tolerance, or no wider, has no normal that could be told. Parabolas come before
-// ellipses, which come as near to a parabola as one likes. Throws Status::axes, dimension,
-// not_representable. Cost: some hundred evaluations and, for each shape that the samples have to the
-// tolerance, a few products of each Bezier piece.
+// parabola, ellipse, hyperbola, of a surface a point, line, plane, sphere, cylinder, cone, torus: a surface
+// that is no larger than the tolerance, or no wider, has no normal that could be told. Parabolas come before
+// ellipses, which come as near to a parabola as one likes. Throws Status::axes, dimension, not_representable.
+// Cost: some hundred evaluations and, for each shape that the samples have to the tolerance, a few products
+// of each Bezier piece.
 Recognition recognize(const Spline &spline, double tolerance);
 
 } // namespace nrb::recognize

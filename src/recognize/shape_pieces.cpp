@@ -30,8 +30,9 @@ double spread(const pieces::BezierPiece &piece, int axis) noexcept {
     return sum / static_cast<double>(piece.coefficients()) * (piece.degree(axis) + 1);
 }
 
-// A Moebius map of the parameter of every axis, by which the weights at its ends come near each other, so that the
-// middle of the parameter is near that of the piece. Exact, since weights are multiplied by powers of two.
+// A Moebius map of the parameter of every axis, by which the weights at its ends come near each other, so
+// that the middle of the parameter is near that of the piece. Exact, since weights are multiplied by powers
+// of two.
 void balance(const BernsteinShape &shape, std::vector<double> &values) noexcept {
     int64_t step = 1;
     for (size_t k = shape.degrees.size(); k-- > 0; step *= shape.degrees[k] + 1) {

@@ -9,7 +9,8 @@
 
 namespace nrb::recognize {
 
-// Of dimension 3, about the origin of the shape. Cost: linear in the number of pieces. Precondition: dimension 2 or 3.
+// Of dimension 3, about the origin of the shape. Cost: linear in the number of pieces. Precondition:
+// dimension 2 or 3.
 std::vector<pieces::BezierPiece> shape_pieces(const Spline &spline, const Shape &shape);
 
 inline Vector3 point_of(const pieces::BezierPiece &piece, int64_t i) noexcept {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-// The record of all outputs (recorded/), by which builds of the library are compared: it is the same in a second run and
-// for handles that were asked before, and another one where the kernels round in another way.
+// The record of all outputs (recorded/), by which builds of the library are compared: it is the same in a
+// second run and for handles that were asked before, and another one where the kernels round in another way.
 #include "check.h"
 
 #include "recorded/record.h"

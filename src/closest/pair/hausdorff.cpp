@@ -22,7 +22,8 @@ namespace {
 constexpr int64_t budget_of_a_match = 500; // of which nothing is taken from the caller's budget
 constexpr double same_point = 0x1p-40;     // of points that may be the same, before anything is proven
 
-// Breaks of `other` where pieces of splines that are parametrized alike match, or as a map says that they are.
+// Breaks of `other` where pieces of splines that are parametrized alike match, or as a map says that they
+// are.
 pieces::BernsteinNet::Breaks alike_breaks(const Spline &spline, const Spline &other,
                                           const ParameterMap *map) {
     pieces::BernsteinNet::Breaks breaks;

@@ -6,8 +6,8 @@
 
 namespace nrb::closest {
 
-// From the parameters of one spline to those of another, linear along each axis: an axis of the image follows one axis
-// of the origin, in either direction, or stands still.
+// From the parameters of one spline to those of another, linear along each axis: an axis of the image follows
+// one axis of the origin, in either direction, or stands still.
 class ParameterMap {
 public:
     // An axis of the image.
@@ -30,11 +30,12 @@ private:
 // Domain to domain, axis to axis. Precondition: the numbers of axes agree.
 ParameterMap straight_map(const Spline &from, const Spline &to);
 
-// The map under which the points of a small sample are nearest to each other, if it brings them to within `tolerance`
-// and `rounding`, which is what distances of coincident points may amount to: the parameters themselves, from domain to
-// domain with the axes in any order and direction, or onto the part of `to` that the nearest points of a few points of
-// `from` span. `budget`: most pieces looked at for such a point. Cost: some evaluations; unless the samples coincide,
-// one nearest point, and as many more as `from` has axes if it is near.
+// The map under which the points of a small sample are nearest to each other, if it brings them to within
+// `tolerance` and `rounding`, which is what distances of coincident points may amount to: the parameters
+// themselves, from domain to domain with the axes in any order and direction, or onto the part of `to` that
+// the nearest points of a few points of `from` span. `budget`: most pieces looked at for such a point. Cost:
+// some evaluations; unless the samples coincide, one nearest point, and as many more as `from` has axes if it
+// is near.
 std::optional<ParameterMap> matching_map(const Spline &from, const Spline &to, double rounding,
                                          double tolerance, int64_t budget);
 

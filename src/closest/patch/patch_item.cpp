@@ -63,7 +63,8 @@ PatchItem PatchItems::part(const PatchItem &item, int axis, double lower, double
     return part(item, axis, lower, upper, matrix);
 }
 
-// `degree` means one after the other, each off by eps / 2 of the means of the magnitudes: of points and weights.
+// `degree` means one after the other, each off by eps / 2 of the means of the magnitudes: of points and
+// weights.
 PatchItem PatchItems::halve_item(PatchItem &item, int axis) const {
     const PatchShape &shape = pieces_.shape();
     const auto at = static_cast<size_t>(axis);

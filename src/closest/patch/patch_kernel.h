@@ -21,8 +21,8 @@ void part_matrix(int degree, double lower, double upper, double *matrix) noexcep
 void apply_matrix(const PatchShape &shape, int axis, const double *matrix, const double *patch,
                   double *out) noexcept;
 
-// The records of a larger net that act on a patch: rows along its first axis, `stride` apart, each of `middle` runs of
-// `run` doubles.
+// The records of a larger net that act on a patch: rows along its first axis, `stride` apart, each of
+// `middle` runs of `run` doubles.
 struct NetPart {
     const double *first = nullptr;
     int64_t stride = 0;

@@ -30,8 +30,8 @@ public:
         return std::ssize(breaks_[static_cast<size_t>(axis)]) - 1;
     }
     [[nodiscard]] int64_t control_points() const noexcept { return counts_[0] * counts_[1] * counts_[2]; }
-    // The coefficients of piece i. They are computed from the control points each time, because all of them would
-    // take (p + 1)(q + 1) times the memory of these; work: as much as out.
+    // The coefficients of piece i. They are computed from the control points each time, because all of them
+    // would take (p + 1)(q + 1) times the memory of these; work: as much as out.
     void patch(int64_t i, double *work, double *out) const noexcept;
     [[nodiscard]] Index index(int64_t piece) const noexcept;
     [[nodiscard]] int64_t piece(const Index &index) const noexcept;

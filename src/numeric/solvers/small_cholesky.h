@@ -14,8 +14,8 @@ public:
     using Vector = std::array<double, N>;
     using Matrix = std::array<Vector, N>;
 
-    // Of the first n rows and columns, whose lower half is read. False unless every pivot is more than `least` times
-    // the diagonal element that it is left of: then the matrix may not be positive definite.
+    // Of the first n rows and columns, whose lower half is read. False unless every pivot is more than
+    // `least` times the diagonal element that it is left of: then the matrix may not be positive definite.
     [[nodiscard]] bool factorise(const Matrix &a, int n, double least) noexcept {
         n_ = static_cast<size_t>(n);
         for (size_t i = 0; i < n_; ++i) {

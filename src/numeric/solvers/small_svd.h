@@ -10,8 +10,8 @@ namespace nrb::inline numeric {
 
 class SmallSvd {
 public:
-    // `rows` is [m][n], `right` [m] or empty. Where a value is not finite, or its square overflows, all results are
-    // NaN.
+    // `rows` is [m][n], `right` [m] or empty. Where a value is not finite, or its square overflows, all
+    // results are NaN.
     SmallSvd(const std::vector<double> &rows, int n, const std::vector<double> &right = {});
     SmallSvd(const SmallSvd &) = delete;
     SmallSvd &operator=(const SmallSvd &) = delete;

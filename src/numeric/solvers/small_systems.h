@@ -17,7 +17,8 @@ using AxisMatrix = std::array<AxisVector, max_axes>;
 AxisVector symmetric_eigenvalues(int n, const AxisMatrix &a);
 // None where a pivot of Gauss' elimination with full pivoting counts as 0 to rounding.
 std::optional<AxisMatrix> inverse(int n, const AxisMatrix &a);
-// The shortest vector of those for which A x is closest to right, directions that A shrinks to rounding left out.
+// The shortest vector of those for which A x is closest to right, directions that A shrinks to rounding left
+// out.
 AxisVector shortest_solution(int n, const AxisMatrix &a, const AxisVector &right);
 
 } // namespace nrb::inline numeric

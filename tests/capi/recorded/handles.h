@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-// What handles hold: everything that they can be asked for, by the library's functions themselves. No question fails, for
-// messages stay those of the calls that are recorded.
+// What handles hold: everything that they can be asked for, by the library's functions themselves. No
+// question fails, for messages stay those of the calls that are recorded.
 #ifndef NURBS_TESTS_CAPI_RECORDED_HANDLES_H
 #define NURBS_TESTS_CAPI_RECORDED_HANDLES_H
 

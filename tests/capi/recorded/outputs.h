@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-// Calls whose outputs are recorded: arrays, statuses and messages, and what the handles hold that they make. Outputs are
-// written to memory that was filled before, so that what a call leaves alone is the same every time.
+// Calls whose outputs are recorded: arrays, statuses and messages, and what the handles hold that they make.
+// Outputs are written to memory that was filled before, so that what a call leaves alone is the same every
+// time.
 #ifndef NURBS_TESTS_CAPI_RECORDED_OUTPUTS_H
 #define NURBS_TESTS_CAPI_RECORDED_OUTPUTS_H
 

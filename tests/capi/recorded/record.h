@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-// The record of a run: for every output of every function a number of calls and a hash of all values, by sections; on
-// demand the values too.
+// The record of a run: for every output of every function a number of calls and a hash of all values, by
+// sections; on demand the values too.
 #ifndef NURBS_TESTS_CAPI_RECORDED_RECORD_H
 #define NURBS_TESTS_CAPI_RECORDED_RECORD_H
 

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-// Everything that is recorded, in its sections: good calls of every function, and batteries of calls for many splines.
+// Everything that is recorded, in its sections: good calls of every function, and batteries of calls for many
+// splines.
 #ifndef NURBS_TESTS_CAPI_RECORDED_SECTIONS_H
 #define NURBS_TESTS_CAPI_RECORDED_SECTIONS_H
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-// A spline whose answers are recorded, and arguments that suit it: parameters, points near it, other splines. All follow
-// from the spline and a seed.
+// A spline whose answers are recorded, and arguments that suit it: parameters, points near it, other splines.
+// All follow from the spline and a seed.
 #ifndef NURBS_TESTS_CAPI_RECORDED_SUBJECT_H
 #define NURBS_TESTS_CAPI_RECORDED_SUBJECT_H
 

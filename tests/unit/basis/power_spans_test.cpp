@@ -67,8 +67,9 @@ private:
     Rational scale_;
 };
 
-// What the roundings of double-doubles are relative to: the largest magnitude among the terms that are added up to the
-// coefficients of power k, from the functions of degree p - k and the difference formula without its signs.
+// What the roundings of double-doubles are relative to: the largest magnitude among the terms that are added
+// up to the coefficients of power k, from the functions of degree p - k and the difference formula without
+// its signs.
 std::vector<double> magnitudes(const nrb::KnotVector &axis, int64_t span, const std::vector<double> &piece,
                                int k) {
     const int p = axis.degree();

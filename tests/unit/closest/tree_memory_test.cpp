@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How much memory the pieces of a surface and the tree over them take, compared with the control points. Small surfaces
-// are left out: some kilobytes do not depend on the size.
+// How much memory the pieces of a surface and the tree over them take, compared with the control points.
+// Small surfaces are left out: some kilobytes do not depend on the size.
 #include "closest/patch/patch_locator.h"
 
 #include "unit/shapes.h"

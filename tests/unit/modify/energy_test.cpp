@@ -78,7 +78,8 @@ TEST(Energy, is_symmetric_and_constants_have_none) {
         for (const auto &[at, value] : matrix) {
             ASSERT_LT(at.first, unknowns); // the first copies alone
             ASSERT_LT(at.second, unknowns);
-            // Terms of the spans, none above the root of the product of both diagonal elements, in another order.
+            // Terms of the spans, none above the root of the product of both diagonal elements, in another
+            // order.
             const double size =
                 std::sqrt(matrix.at({at.first, at.first}) * matrix.at({at.second, at.second}));
             EXPECT_NEAR(value, matrix.at({at.second, at.first}), 4 * eps * size);

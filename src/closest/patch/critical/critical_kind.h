@@ -11,8 +11,9 @@ namespace nrb::closest {
 int32_t kind_at(const CriticalQuery &query, const PatchFace &face, const PatchItem &whole,
                 const AxisValues &at);
 
-// Where a tangent vanishes at a pole the derivative along it does too, whatever the point: there all directions count.
-// At a cusp, where points elsewhere along the axis are others, the place is critical all the same.
+// Where a tangent vanishes at a pole the derivative along it does too, whatever the point: there all
+// directions count. At a cusp, where points elsewhere along the axis are others, the place is critical all
+// the same.
 bool is_critical(const CriticalQuery &query, const PatchFace &face, const PatchItem &whole,
                  const AxisValues &at);
 

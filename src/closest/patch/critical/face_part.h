@@ -23,8 +23,8 @@ struct NewtonResult {
     AxisValues at; // in the piece
     bool converged;
 };
-// From the middle of a part to a place in it where the distance is critical along the face. None if the steps lead
-// out of the part.
+// From the middle of a part to a place in it where the distance is critical along the face. None if the steps
+// lead out of the part.
 std::optional<NewtonResult> newton(const CriticalQuery &query, const PatchFace &face, const PatchItem &whole,
                                    const FacePart &part);
 

@@ -12,9 +12,9 @@ public:
     // Points of `dim` coordinates that are nearer to each other than `near` are one.
     MinimumVotes(int dim, double near) : dim_(dim), near_(near) {}
 
-    // What one face of a piece says of a point of it. Kind: a critical_ constant. A piece may have several faces
-    // there. Faces that contradict each other leave its vote open; one that decides nothing does not count beside
-    // others.
+    // What one face of a piece says of a point of it. Kind: a critical_ constant. A piece may have several
+    // faces there. Faces that contradict each other leave its vote open; one that decides nothing does not
+    // count beside others.
     void add(const std::vector<double> &point, int64_t piece, int32_t kind);
 
     enum class Result { denied, open, certain };

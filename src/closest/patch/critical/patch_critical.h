@@ -16,8 +16,8 @@ namespace nrb::closest {
 
 CriticalSet critical_points(const PatchPieces &pieces, const Query &query);
 
-// The places in some pieces where the distance, if it is at most a limit, may have a minimum: critical points of the
-// pieces, of their faces and edges, and corners.
+// The places in some pieces where the distance, if it is at most a limit, may have a minimum: critical points
+// of the pieces, of their faces and edges, and corners.
 struct MinimumCandidates {
     std::vector<MinimumCandidate> candidates;
     CriticalGaps gaps;

@@ -9,7 +9,8 @@
 
 namespace nrb::closest {
 
-// side[k] of axis k of the shape is 0 or 1 where the face is at that end of the axis, -1 where it has all of the axis.
+// side[k] of axis k of the shape is 0 or 1 where the face is at that end of the axis, -1 where it has all of
+// the axis.
 struct PatchFace {
     std::array<int, max_axes> side{};
     std::array<int, max_axes> axis{}; // of the shape, for each axis of the face

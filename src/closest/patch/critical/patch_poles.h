@@ -19,8 +19,8 @@ public:
     void find();
     // Whether a face is such an edge, or an end of one.
     [[nodiscard]] bool holds(const PatchFace &face) const noexcept;
-    // Whether a part belongs to a critical pole: it is as near as the tolerance, or, if distances in it agree to
-    // rounding, as rounding leaves open.
+    // Whether a part belongs to a critical pole: it is as near as the tolerance, or, if distances in it agree
+    // to rounding, as rounding leaves open.
     [[nodiscard]] bool absorbs(const PatchSlopes &slopes, bool flat);
     [[nodiscard]] bool absorbs(const std::vector<double> &point);
     // Whether a point is at a critical pole, or at any pole.

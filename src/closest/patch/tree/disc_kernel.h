@@ -17,8 +17,8 @@ int64_t disc_columns(int dim, bool normals) noexcept;
 void bound_discs(const double *family, int64_t width, int dim, bool normals, const double *x, bool farthest,
                  const DiscBounds &out) noexcept;
 
-// The same in bytes q: centres are frame[c] + frame[dim] q, radii frame[dim + 1] q, heights frame[dim + 2] q, and normals
-// frame[dim + 3 + c] + frame[dim + 6] q divided by their length, which is not near 0.
+// The same in bytes q: centres are frame[c] + frame[dim] q, radii frame[dim + 1] q, heights frame[dim + 2] q,
+// and normals frame[dim + 3 + c] + frame[dim + 6] q divided by their length, which is not near 0.
 struct ByteDiscs {
     const int8_t *columns;
     const float *frame;

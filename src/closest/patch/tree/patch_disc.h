@@ -10,8 +10,8 @@ namespace nrb::closest {
 
 inline constexpr double far_away = 1e150; // of discs that nothing comes near
 
-// Points whose component across the normal is within the radius of the line through the centre, and whose heights over
-// the centre are in an interval. The normal is no longer than 1; without it, the disc is a ball.
+// Points whose component across the normal is within the radius of the line through the centre, and whose
+// heights over the centre are in an interval. The normal is no longer than 1; without it, the disc is a ball.
 struct PatchDisc {
     std::vector<double> centre;
     std::array<double, 3> normal{};

@@ -32,8 +32,9 @@ int8_t byte_of(double x) noexcept {
 
 } // namespace
 
-// As many as the memory allows, which is at most 1.5 (p + 1) (q + 1) times that of the control points with all else, and
-// 12 times for a bicubic surface. Fewer leaves for a piece when there are many pieces, which are small then.
+// As many as the memory allows, which is at most 1.5 (p + 1) (q + 1) times that of the control points with
+// all else, and 12 times for a bicubic surface. Fewer leaves for a piece when there are many pieces, which
+// are small then.
 int PatchLeaves::parts_of(const PatchPieces &pieces, bool normals) noexcept {
     const PatchShape &shape = pieces.shape();
     if (shape.axes == 0 || pieces.count() > 32768) {

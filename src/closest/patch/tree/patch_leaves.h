@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The leaves of the tree: equal parts of each piece, with discs around them.
 //
-// These discs are by far the most, so that each of their numbers takes one byte: centres relative to the middle of
-// those of a piece, radii and heights relative to the largest one, and normals relative to the middle of theirs. Centres and normals are rounded first, then the discs
-// make room for all points, so that they hold them whatever the bytes lose.
+// These discs are by far the most, so that each of their numbers takes one byte: centres relative to the
+// middle of those of a piece, radii and heights relative to the largest one, and normals relative to the
+// middle of theirs. Centres and normals are rounded first, then the discs make room for all points, so that
+// they hold them whatever the bytes lose.
 #pragma once
 
 #include "closest/patch/patch_pieces.h"

@@ -5,8 +5,8 @@
 // and whose heights over the centre are in an interval; without normal, a ball. Centres are points of the
 // spline, so that each distance of a centre bounds the smallest one from above.
 //
-// With the pieces, which are computed when they are looked at, the tree takes at most 1.5 (p + 1) (q + 1) times the memory
-// of the control points of a surface, and at most 12 times for a bicubic one.
+// With the pieces, which are computed when they are looked at, the tree takes at most 1.5 (p + 1) (q + 1)
+// times the memory of the control points of a surface, and at most 12 times for a bicubic one.
 #pragma once
 
 #include "closest/patch/patch_pieces.h"

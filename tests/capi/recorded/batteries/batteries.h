@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-// Calls for any spline, of every function that takes one, most of them with several choices of the other arguments. What
-// does not suit a spline is refused, which is an answer too.
+// Calls for any spline, of every function that takes one, most of them with several choices of the other
+// arguments. What does not suit a spline is refused, which is an answer too.
 #ifndef NURBS_TESTS_CAPI_RECORDED_BATTERIES_H
 #define NURBS_TESTS_CAPI_RECORDED_BATTERIES_H
 

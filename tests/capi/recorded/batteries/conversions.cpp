@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-// The same spline again: from its own data in each of the ways to state them, with weights and without, in other forms.
+// The same spline again: from its own data in each of the ways to state them, with weights and without, in
+// other forms.
 #include "recorded/batteries/batteries.h"
 
 #include <numeric>
