@@ -25,13 +25,13 @@ struct Parts {
 // rounding of the larger part, and at the ends the parts are exactly 0 and the value. If each part were
 // rounded on its own, the sums would drift with the degree.
 inline Parts split(double value, double left, double t, double right) noexcept {
-    const double behind = t - left;
+    const double after = t - left;
     const double ahead = right - t;
-    const double smaller = value * (std::min(behind, ahead) / (right - left));
+    const double smaller = value * (std::min(after, ahead) / (right - left));
     const double larger = value - smaller;
     // A branch here would be mispredicted every other time.
     const auto difference = std::bit_cast<uint64_t>(smaller) ^ std::bit_cast<uint64_t>(larger);
-    const uint64_t swap = behind < ahead ? difference : 0;
+    const uint64_t swap = after < ahead ? difference : 0;
     return {std::bit_cast<double>(std::bit_cast<uint64_t>(larger) ^ swap),
             std::bit_cast<double>(std::bit_cast<uint64_t>(smaller) ^ swap)};
 }

@@ -48,21 +48,21 @@ public:
 
     // knots: [2 degree][lanes], those before the middle first; the local parameter is (t - middle) * scale.
     HWY_INLINE CentredFunctions(D d, int degree, const double *knots, V middle, V scale) : d_(d) {
-        Number behind[most];
+        Number after[most];
         Number ahead[most];
         const auto lanes = static_cast<int>(hn::Lanes(d));
 #pragma GCC unroll 4
         for (int i = 0; i < degree; ++i) {
-            behind[i] =
+            after[i] =
                 scaled(exact_sum(middle, hn::Neg(hn::LoadU(d, knots + (degree - 1 - i) * lanes))), scale);
             ahead[i] = scaled(exact_sum(hn::LoadU(d, knots + (degree + i) * lanes), hn::Neg(middle)), scale);
         }
         for_each<kDegree>(1, degree, [&](int e) HWY_ATTR {
 #pragma GCC unroll 4
             for (int r = 0; r < e; ++r) {
-                const Number slope = inverse(behind[e - 1 - r] + ahead[r]);
+                const Number slope = inverse(after[e - 1 - r] + ahead[r]);
                 slope_[e - 1][r] = slope;
-                behind_[e - 1][r] = behind[e - 1 - r] * slope;
+                behind_[e - 1][r] = after[e - 1 - r] * slope;
                 ahead_[e - 1][r] = ahead[r] * slope;
             }
         });

@@ -44,9 +44,9 @@ public:
     [[nodiscard]] double least_weight() const noexcept {
         double least = infinity, mean = infinity;
         for (int i = 0; i < size_; ++i) {
-            const double before = weight(std::max(i - 1, 0)), behind = weight(std::min(i + 1, size_ - 1));
+            const double before = weight(std::max(i - 1, 0)), after = weight(std::min(i + 1, size_ - 1));
             least = std::min(least, weight(i));
-            mean = std::min(mean, before / 4 + weight(i) / 2 + behind / 4);
+            mean = std::min(mean, before / 4 + weight(i) / 2 + after / 4);
         }
         return least > 0 ? least : mean;
     }
@@ -158,19 +158,19 @@ bool GreedyKnotRemoval::locate(int64_t knot, Window &window) noexcept {
     window.multiplicity = 1;
     double shift = 0;
     int64_t back = knot, layer = -1;
-    window.behind = degree_;
-    for (int i = 1; i <= window.behind; ++i) {
+    window.after = degree_;
+    for (int i = 1; i <= window.after; ++i) {
         shift -= back == head_ ? period_ : 0;
         back = at(back).previous;
         last[-i] = at(back).value + shift;
         if (last[-i] == *last && ++window.multiplicity > degree_) {
-            window.behind = degree_ + 1; // a jump reaches one knot farther
+            window.after = degree_ + 1; // a jump reaches one knot farther
         }
         layer = i == degree_ ? at(back).layer : layer;
     }
     layer = degree_ == 0 ? at(knot).layer : layer;
     if (degree_ == 0) {
-        window.behind = 1;
+        window.after = 1;
         back = at(knot).previous;
     }
     window.first_knot = back;
@@ -302,7 +302,7 @@ int64_t GreedyKnotRemoval::run(double tolerance) {
 template <class Body>
 void GreedyKnotRemoval::for_each_span(const Window &window, Body &&body) {
     int64_t knot = window.first_knot;
-    for (int i = 0; i < window.behind + window.ahead; ++i) {
+    for (int i = 0; i < window.after + window.ahead; ++i) {
         Knot &at = knots_[static_cast<size_t>(knot)];
         body(at);
         knot = at.next;

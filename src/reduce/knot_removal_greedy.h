@@ -50,8 +50,8 @@ private:
     // The knots and layers around the last copy of a knot that a removal needs.
     struct Window {
         int multiplicity;
-        int size;   // layers
-        int behind; // knots from the first affected span to the last copy
+        int size;  // layers
+        int after; // knots from the first affected span to the last copy
         int ahead;
         double knots[3 * max_basis]; // last[-degree] on
         const double *last;

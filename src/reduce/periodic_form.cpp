@@ -59,14 +59,14 @@ void add_seam_row(const KnotVector &axis, std::span<const double> knots, int ord
                   LayerTable &table) {
     const int64_t p = axis.degree(), n = axis.count(), copies = p - order;
     const auto at = static_cast<size_t>(p);
-    const auto fresh = static_cast<size_t>(ahead), behind = static_cast<size_t>(order - ahead);
+    const auto fresh = static_cast<size_t>(ahead), after = static_cast<size_t>(order - ahead);
     if (2 * ahead <= order) {
         const size_t upper = knots.size() - 1 - at;
         refine::add_continued_row(axis, n - order + ahead, n + copies, knots.subspan(upper + 1, fresh),
                                   table);
     } else {
-        const size_t first = at + 1 - static_cast<size_t>(copies) - behind;
-        refine::add_continued_row(axis, p + 1 - copies, p + 1 + ahead, knots.subspan(first, behind), table);
+        const size_t first = at + 1 - static_cast<size_t>(copies) - after;
+        refine::add_continued_row(axis, p + 1 - copies, p + 1 + ahead, knots.subspan(first, after), table);
     }
 }
 

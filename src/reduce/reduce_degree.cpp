@@ -58,8 +58,8 @@ KnotVectorPtr lowered_periodic_axis(const KnotVector &axis, int times) {
         }
         int64_t copies = lowered(multiplicity, times);
         if (knot == lower) {
-            const int64_t behind = multiplicity - seam_copies_before(axis);
-            const int64_t kept = std::clamp<int64_t>(behind - times, 0, copies - 1);
+            const int64_t after = multiplicity - seam_copies_before(axis);
+            const int64_t kept = std::clamp<int64_t>(after - times, 0, copies - 1);
             ahead = copies - 1 - kept;
             copies = kept + 1;
         }

@@ -86,7 +86,7 @@ void bend_point(const Bend &bend, const double *point, double *image) noexcept {
     const double a = along_of(bend, point);
     bend_point(bend,
                a < bend.lower   ? BendPart::before
-               : a > bend.upper ? BendPart::behind
+               : a > bend.upper ? BendPart::after
                                 : BendPart::bent,
                point, image);
 }

@@ -22,7 +22,7 @@ Bend make_bend(int dim, const double *origin, const double *along, const double 
                double lower, double upper);
 
 // Where a point is: F is a different formula on each part.
-enum class BendPart { before, bent, behind };
+enum class BendPart { before, bent, after };
 
 // The formula of one part, x + (a' - a) e + (b' - b) n, whether the point lies in that part or not; and the
 // formula of the point's own part.

@@ -193,21 +193,21 @@ private:
         largest_ = std::max(largest_, net_->size(piece));
         const auto [lower, upper] = cell.range();
         if (upper <= bend_.lower || lower >= bend_.upper) {
-            return {node_error(piece, upper <= bend_.lower ? BendPart::before : BendPart::behind) / least,
+            return {node_error(piece, upper <= bend_.lower ? BendPart::before : BendPart::after) / least,
                     false};
         }
-        const double before = std::max(0.0, bend_.lower - lower), behind = std::max(0.0, upper - bend_.upper);
+        const double before = std::max(0.0, bend_.lower - lower), after = std::max(0.0, upper - bend_.upper);
         double bound = (node_error(piece, BendPart::bent) + remainder(cell)) / least +
-                       formula_gap(cell, std::max(before, behind));
-        if (before > 0 && behind == 0) {
+                       formula_gap(cell, std::max(before, after));
+        if (before > 0 && after == 0) {
             const double gap = formula_gap(cell, upper - bend_.lower);
             bound = std::min(bound, node_error(piece, BendPart::before) / least + gap);
         }
-        if (behind > 0 && before == 0) {
+        if (after > 0 && before == 0) {
             const double gap = formula_gap(cell, bend_.upper - lower);
-            bound = std::min(bound, node_error(piece, BendPart::behind) / least + gap);
+            bound = std::min(bound, node_error(piece, BendPart::after) / least + gap);
         }
-        return {bound, before > 0 || behind > 0};
+        return {bound, before > 0 || after > 0};
     }
 
     // By how much the formulas of two parts differ at most, if a is `beyond` past the end between them.

@@ -33,20 +33,20 @@ int64_t layer_of(const AxisView &view, int64_t point) noexcept {
 // w_i |Q - P_i| / (w_i |Q - P_i| + w_j |P_j - Q|). Without weights, where the Cartesian points are combined,
 // the ratio itself.
 double rational_ratio(const Spline &spline, int64_t from, int64_t to, double ratio) {
-    const double before = spline.weight(from), behind = spline.weight(to);
-    if (ratio == 0 || ratio == 1 || (before == 0 && behind == 0)) {
+    const double before = spline.weight(from), after = spline.weight(to);
+    if (ratio == 0 || ratio == 1 || (before == 0 && after == 0)) {
         return ratio;
     }
-    if (before == 0 || behind == 0 || std::signbit(before) != std::signbit(behind)) {
+    if (before == 0 || after == 0 || std::signbit(before) != std::signbit(after)) {
         fail(
             Status::weight_sign,
             "the weights at the ends of the leg from control point %lld to %lld are %s and %s: no knot makes "
             "a point inside it a control point",
             static_cast<long long>(from), static_cast<long long>(to), Number(before).text,
-            Number(behind).text);
+            Number(after).text);
     }
     // Two quotients rather than products of weights, which might overflow.
-    return ratio / (ratio + (1 - ratio) * (behind / before));
+    return ratio / (ratio + (1 - ratio) * (after / before));
 }
 
 // The knot at a ratio of the knots of leg `layer`.
@@ -95,8 +95,8 @@ void check_room(const KnotVector &axis, int k, double knot) {
 refine::AxisTable table_outside(const KnotVector &axis, double knot) {
     const bool below = knot < axis.domain().lower;
     const int p = axis.degree();
-    const auto behind = std::upper_bound(axis.knots().begin(), axis.knots().end(), knot);
-    const int64_t span = behind - axis.knots().begin() - 1;
+    const auto after = std::upper_bound(axis.knots().begin(), axis.knots().end(), knot);
+    const int64_t span = after - axis.knots().begin() - 1;
     std::vector<double> knots(axis.knots().begin(), axis.knots().end());
     knots.insert(knots.begin() + span + 1, knot);
     knots.erase(below ? knots.begin() : knots.end() - 1);

@@ -14,7 +14,7 @@ namespace {
 // How many copies of the knot at place `index` stand before that place, and how many after it.
 struct Beside {
     int before;
-    int behind;
+    int after;
 };
 
 Beside beside(std::span<const double> knots, int64_t index) noexcept {
@@ -163,12 +163,12 @@ void CommonKnots::choose_open(const std::vector<const KnotVector *> &members, in
     for (const KnotVector *member : members) {
         const int raise = degree_ - member->degree() + extra;
         most.before = std::max(most.before, beside(member->knots(), member->degree()).before + raise);
-        most.behind = std::max(most.behind, beside(member->knots(), member->count()).behind + raise);
+        most.after = std::max(most.after, beside(member->knots(), member->count()).after + raise);
     }
     const auto [lower, upper] = members.front()->domain();
     const Group &start = groups_[group_of(lower)], &end = groups_[group_of(upper)];
     first_ = start.first + std::min(most.before, degree_) - degree_;
-    const int64_t last = end.first + end.copies - 1 - std::min(most.behind, degree_) + degree_;
+    const int64_t last = end.first + end.copies - 1 - std::min(most.after, degree_) + degree_;
     axis_ = make_knot_vector(degree_, knots_between(first_, last + 1));
 }
 

@@ -116,17 +116,17 @@ void for_each_choice(const CommonKnots::Window &window, int total, Body &&body);
 namespace detail {
 
 template <class Body>
-void choose(const CommonKnots::Window &window, int at, int left, int behind, double times, int *chosen,
+void choose(const CommonKnots::Window &window, int at, int left, int after, double times, int *chosen,
             Body &body) {
     if (at == window.size) {
         body(static_cast<const int *>(chosen), times);
         return;
     }
     const int copies = window.copies[static_cast<size_t>(at)];
-    behind -= copies; // in the groups that follow
-    for (int n = left > behind ? left - behind : 0; n <= copies && n <= left; ++n) {
+    after -= copies; // in the groups that follow
+    for (int n = left > after ? left - after : 0; n <= copies && n <= left; ++n) {
         chosen[at] = n;
-        choose(window, at + 1, left - n, behind, times * binomial(copies, n), chosen, body);
+        choose(window, at + 1, left - n, after, times * binomial(copies, n), chosen, body);
     }
 }
 

@@ -61,8 +61,8 @@ public:
         at_start_ = at == raised_first(group);
         size_ = 0;
         for (int left = degree_ + 1; left > 0; ++group) {
-            const int64_t behind = raised_first(group) + this->group(group).multiplicity + 1 - at;
-            copies_[size_] = static_cast<int>(std::min<int64_t>(left, behind));
+            const int64_t after = raised_first(group) + this->group(group).multiplicity + 1 - at;
+            copies_[size_] = static_cast<int>(std::min<int64_t>(left, after));
             at += copies_[size_];
             left -= copies_[size_++];
         }
@@ -96,8 +96,8 @@ private:
     void single(const Group &only, Arguments &arguments) const noexcept {
         // Where the curve is cut the first copies end one part and the last ones begin the next.
         const bool cut = only.multiplicity > degree_;
-        const bool behind = cut && (size_ == 1 ? !at_start_ : only.knot == group(group_).knot);
-        arguments.first = only.first + (behind ? 1 : 0);
+        const bool after = cut && (size_ == 1 ? !at_start_ : only.knot == group(group_).knot);
+        arguments.first = only.first + (after ? 1 : 0);
         arguments.end = arguments.first + std::min(only.multiplicity, degree_);
         arguments.added = degree_ - std::min(only.multiplicity, degree_);
         std::fill_n(arguments.extra, arguments.added, only.first);
@@ -252,9 +252,9 @@ private:
 };
 
 int64_t group_at(const std::vector<Group> &groups, int64_t index) noexcept {
-    const auto behind = std::upper_bound(groups.begin(), groups.end(), index,
-                                         [](int64_t i, const Group &group) { return i < group.first; });
-    return behind - groups.begin() - 1;
+    const auto after = std::upper_bound(groups.begin(), groups.end(), index,
+                                        [](int64_t i, const Group &group) { return i < group.first; });
+    return after - groups.begin() - 1;
 }
 
 // Raised knots first, ..., end - 1 are those of the elevated axis.

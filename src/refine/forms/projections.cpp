@@ -90,16 +90,16 @@ SplinePtr project_from(const Spline &spline, const double *eye, const double *po
     if (vanishes(height, dim)) {
         fail(Status::direction, "eye lies in the plane: normal . (point - eye) is 0 to rounding");
     }
-    const double behind = product(n, eye, nullptr).value;
+    const double after = product(n, eye, nullptr).value;
     std::vector<double> matrix(width * width);
     for (size_t i = 0; i < dim; ++i) {
         for (size_t j = 0; j < dim; ++j) {
             matrix[i * width + j] = eye[i] * n[j] + (i == j ? height.value : 0);
         }
-        matrix[i * width + dim] = -eye[i] * (behind + height.value);
+        matrix[i * width + dim] = -eye[i] * (after + height.value);
     }
     std::copy(n.begin(), n.end(), matrix.begin() + static_cast<std::ptrdiff_t>(dim * width));
-    matrix.back() = -behind;
+    matrix.back() = -after;
     const auto size = static_cast<int64_t>(width);
     return transform_projective(spline, {size, size, matrix.data()});
 }

@@ -51,10 +51,10 @@ public:
     // Whether t lies on the side of the pole on which the domain lies.
     [[nodiscard]] bool reaches(double t) const noexcept { return denominator(t) > 0; }
     [[nodiscard]] double operator()(double t) const noexcept {
-        const double behind = t - domain_.lower, ahead = rho_ * (domain_.upper - t);
+        const double after = t - domain_.lower, ahead = rho_ * (domain_.upper - t);
         const double length = domain_.upper - domain_.lower;
-        return behind < ahead ? domain_.lower + length * (behind / denominator(t))
-                              : domain_.upper - length * (ahead / denominator(t));
+        return after < ahead ? domain_.lower + length * (after / denominator(t))
+                             : domain_.upper - length * (ahead / denominator(t));
     }
     // 1 at the lower end, rho at the upper one.
     [[nodiscard]] double factor(double t) const noexcept {

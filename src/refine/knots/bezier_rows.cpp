@@ -39,7 +39,7 @@ private:
         }
         return e > 0 ? span(e) - span(e - 1) : copies;
     }
-    [[nodiscard]] int64_t behind(int64_t e) const noexcept {
+    [[nodiscard]] int64_t after(int64_t e) const noexcept {
         if (e + 1 < std::ssize(spans_)) {
             return span(e + 1) - span(e);
         }
@@ -69,7 +69,7 @@ private:
     // returns their number.
     int terms(int64_t e, BlossomTerm *term) const noexcept {
         const double *start = knots_.data() + span(e), *end = start + 1;
-        const auto starts = static_cast<int>(before(e)), ends = static_cast<int>(behind(e));
+        const auto starts = static_cast<int>(before(e)), ends = static_cast<int>(after(e));
         const int first = shared(e) ? 1 : 0;
         for (int i = first; i <= degree_; ++i, ++term) {
             const int old_starts = std::min(starts, degree_ - i), old_ends = std::min(ends, i);

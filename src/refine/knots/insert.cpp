@@ -88,10 +88,10 @@ void check_multiplicities(const KnotVector &axis, int k, std::span<const double>
                           const std::vector<double> &sorted) {
     const std::span<const double> old = axis.knots();
     size_t at = 0; // the first old knot that is not below
-    for (size_t group = 0, behind = 0; group < sorted.size(); group = behind) {
+    for (size_t group = 0, after = 0; group < sorted.size(); group = after) {
         const double knot = sorted[group];
-        while (behind < sorted.size() && sorted[behind] == knot) {
-            ++behind;
+        while (after < sorted.size() && sorted[after] == knot) {
+            ++after;
         }
         while (at < old.size() && old[at] < knot) {
             ++at;
@@ -100,7 +100,7 @@ void check_multiplicities(const KnotVector &axis, int k, std::span<const double>
         while (last < old.size() && old[last] == knot) {
             ++last;
         }
-        if (behind - group + (last - at) > static_cast<size_t>(axis.degree()) + 1) {
+        if (after - group + (last - at) > static_cast<size_t>(axis.degree()) + 1) {
             fail_multiplicity(axis, k, knots, knot, static_cast<int64_t>(last - at));
         }
     }

@@ -25,19 +25,19 @@ Refinement::Refinement(int degree, std::span<const double> coarse, std::span<con
             old_first_[at(begin)] = old_last_[at(begin)] = old;
         }
         const int64_t first = old;
-        int64_t behind = old + 1, end = begin + 1;
-        while (behind < std::ssize(coarse) && coarse[at(behind)] == knot) {
-            ++behind;
+        int64_t after = old + 1, end = begin + 1;
+        while (after < std::ssize(coarse) && coarse[at(after)] == knot) {
+            ++after;
         }
         while (end < rows && fine[at(end)] == knot) {
             ++end;
         }
         for (; begin < end; ++begin) {
             old_first_[at(begin)] = old;
-            old_last_[at(begin)] = std::max(first, behind - (end - begin));
-            old = std::min(old + 1, behind);
+            old_last_[at(begin)] = std::max(first, after - (end - begin));
+            old = std::min(old + 1, after);
         }
-        old = behind;
+        old = after;
     }
     std::fill(old_first_.get() + begin, old_first_.get() + rows + 1, old);
     std::fill(old_last_.get() + begin, old_last_.get() + rows + 1, old);

@@ -35,9 +35,9 @@ public:
     // Whether new layer j equals the one before: all arguments of both are the same knot, at which the spline
     // is not cut.
     [[nodiscard]] bool repeats(int64_t j) const noexcept {
-        const auto i = static_cast<size_t>(j), behind = i + static_cast<size_t>(degree_);
-        return fine_[i] == fine_[behind] && old_last_[i + 1] == old_last_[i] &&
-               old_first_[behind] == old_first_[behind + 1];
+        const auto i = static_cast<size_t>(j), after = i + static_cast<size_t>(degree_);
+        return fine_[i] == fine_[after] && old_last_[i + 1] == old_last_[i] &&
+               old_first_[after] == old_first_[after + 1];
     }
     // With n arguments that are not old knots new layer j has n + 1 coefficients, each accurate to 3 n eps
     // relative to itself; with n = 0 it is an old layer. If only some arguments of a row are new, they are
@@ -67,12 +67,12 @@ public:
     // between the same old knots. Precondition: layer j has no old knot among them.
     int64_t alike(int64_t j, int64_t end) const noexcept {
         const size_t reach = static_cast<size_t>(degree_) + 1;
-        auto behind = static_cast<size_t>(j) + reach;
-        const int64_t old = old_first_[behind];
-        while (behind < static_cast<size_t>(end) + reach && old_first_[behind] == old) {
-            ++behind;
+        auto after = static_cast<size_t>(j) + reach;
+        const int64_t old = old_first_[after];
+        while (after < static_cast<size_t>(end) + reach && old_first_[after] == old) {
+            ++after;
         }
-        return static_cast<int64_t>(behind - reach) - j;
+        return static_cast<int64_t>(after - reach) - j;
     }
 
 private:

@@ -17,8 +17,8 @@ struct Shifted {
 
 Shifted shifted(const LayerTable &table, int64_t layer, int64_t period) noexcept {
     static constexpr double copied = 1;
-    const int64_t behind = layer % table.rows();
-    const int64_t place = behind < 0 ? behind + table.rows() : behind;
+    const int64_t after = layer % table.rows();
+    const int64_t place = after < 0 ? after + table.rows() : after;
     const LayerTable::Row &row = table.row(place);
     const int64_t first = row.first + (layer - place) / table.rows() * period;
     return row.size == 0 ? Shifted{&copied, first, 1} : Shifted{table.coefficients(row), first, row.size};
