@@ -28,9 +28,10 @@ if(NURBS_SANITIZE)
     add_compile_definitions(NURBS_SANITIZED)
     add_compile_options(-fsanitize=${NURBS_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
     add_link_options(-fsanitize=${NURBS_SANITIZE} -fno-sanitize-recover=all)
-    # Programs in C hold what the sanitizer of the library's C++ needs.
+    # clang leaves what the library's C++ needs of the sanitizer to the executables, of which many are in C.
     if(CMAKE_CXX_COMPILER_ID MATCHES "Clang" AND NURBS_SANITIZE MATCHES "undefined")
         add_link_options(-fsanitize-link-c++-runtime)
+        link_libraries($<$<LINK_LANGUAGE:C>:stdc++>)
     endif()
 endif()
 

@@ -115,11 +115,11 @@ static void slopes_of_the_circle(void) {
             memcpy(net, circle().points, sizeof net);
             memcpy(w, circle().weights, sizeof w);
             memcpy(at, params, sizeof at);
-            *(i < 18 ? net + i : i < 27 ? w + i - 18 : at + i - 27) += side ? h : -h;
+            *(i < 18 ? net + i : i < 27 ? w + (i - 18) : at + (i - 27)) += side ? h : -h;
             both[side] = loss(g, net, w, at, cotangents);
         }
         wanted = (both[1] - both[0]) / (2 * h);
-        CHECK_NEAR(i < 18 ? points + i : i < 27 ? weights + i - 18 : slopes + i - 27, &wanted, 1, 1e-6);
+        CHECK_NEAR(i < 18 ? points + i : i < 27 ? weights + (i - 18) : slopes + (i - 27), &wanted, 1, 1e-6);
     }
     nurbs_destroy(g);
 }
