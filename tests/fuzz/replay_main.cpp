@@ -13,7 +13,7 @@
 #include <iterator>
 #include <unistd.h>
 #include <vector>
-#ifdef __SANITIZE_ADDRESS__
+#ifdef NURBS_SANITIZED
 #include <sanitizer/common_interface_defs.h>
 #endif
 
@@ -112,7 +112,7 @@ void on_signal(int) {
 void watch_for_failures() {
     std::signal(SIGABRT, on_signal);
     std::signal(SIGILL, on_signal);
-#ifdef __SANITIZE_ADDRESS__
+#ifdef NURBS_SANITIZED
     __sanitizer_set_death_callback(keep_failing_input);
 #else
     std::signal(SIGSEGV, on_signal);
@@ -129,6 +129,13 @@ void run(const Bytes &bytes) {
     current = nullptr;
 }
 
+// NURBS_TEST_SCALE (environment, default 1) times `count`.
+size_t scaled(size_t count) {
+    const char *text = std::getenv("NURBS_TEST_SCALE");
+    return text == nullptr ? count
+                           : static_cast<size_t>(static_cast<double>(count) * std::strtod(text, nullptr));
+}
+
 // Small files get many mutations and large ones few: about the same number of bytes for each, within limits.
 size_t mutation_count(size_t size) {
     return std::clamp<size_t>((size_t{8} << 20) / (size + 1), 200, 2000);
@@ -136,14 +143,15 @@ size_t mutation_count(size_t size) {
 
 void run_with_mutations(const Bytes &bytes, Random &random) {
     run(bytes);
-    const size_t count = mutation_count(bytes.size());
+    const size_t count = scaled(mutation_count(bytes.size()));
     for (size_t i = 0; i < count; ++i) {
         run(mutated(bytes, random));
     }
 }
 
 void run_noise(Random &random) {
-    for (size_t size = 0; size < 1000; ++size) {
+    const size_t largest = scaled(1000);
+    for (size_t size = 0; size < largest; ++size) {
         Bytes noise(size);
         std::generate(noise.begin(), noise.end(), [&] { return random.byte(); });
         run(noise);

@@ -72,7 +72,7 @@ Handle segment(const Triangle &triangle) {
 TEST(ConicKind, of_segments_is_that_of_the_discriminant) {
     int parabolas = 0;
     Random random(550100);
-    for (int i = 0; i < 100000; ++i) {
+    for (int i = 0; i < support::scaled(100000); ++i) {
         const Triangle triangle = random_triangle(random);
         double factor = 0;
         int32_t type = 0;
@@ -87,7 +87,7 @@ TEST(ConicKind, of_segments_is_that_of_the_discriminant) {
         ASSERT_LE(abs(exact(factor) * ends - square), square * exact(2 * 0x1p-52)) << "case " << i;
         parabolas += sign == 0 ? 1 : 0;
     }
-    EXPECT_GE(parabolas, 4000);
+    EXPECT_GE(parabolas, support::of_whole_run(4000));
 }
 
 // The canonical equation of the axes, turned and moved back, in long double.

@@ -306,7 +306,7 @@ SplineData in_dimension(SplineData data, int dim) {
 // Whatever the tolerance and however a shape folds over itself: with a budget that no search gets along with.
 TEST(Hausdorff, the_same_set_is_told_at_once) {
     Random random(6606);
-    for (int i = 0; i < 12; ++i) {
+    for (int i = 0; i < support::scaled(12); ++i) {
         const int axes = 1 + i % 3;
         const SplineData data = in_dimension(random_net(random, axes, random.whole(1, axes == 3 ? 2 : 4),
                                                         random.whole(5, 6), 0, random.chance(50)),

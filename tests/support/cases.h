@@ -10,8 +10,10 @@
 
 namespace support {
 
-// Calls body(random, seed) for seeds base, base + 1, ...: count * NURBS_PROPERTY_SCALE (environment, default
-// 1) times, at least once. Prints the seeds; stops at the first case that fails, which is enough to repeat
+// count * NURBS_TEST_SCALE (environment, default 1), at least 1.
+int scaled(int count);
+
+// Calls body(random, seed) for seeds base, base + 1, ..., scaled(count) times. Prints the seeds; stops at the first case that fails, which is enough to repeat
 // it. An exception counts as a failure.
 void for_each_case(uint64_t base, int count, const std::function<void(Random &, uint64_t)> &body);
 
