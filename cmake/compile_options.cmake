@@ -21,7 +21,7 @@ endif()
 # g++ takes every file but the first for a header. The builds that compile each file alone have both warnings.
 if(NURBS_UNITY)
     target_compile_options(nurbs_warnings INTERFACE
-        $<$<CXX_COMPILER_ID:GNU>:-Wshadow=local;-Wno-subobject-linkage>)
+        $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-Wshadow=local;-Wno-subobject-linkage>)
 else()
     target_compile_options(nurbs_warnings INTERFACE -Wshadow)
 endif()
