@@ -88,15 +88,15 @@ const SpanTable *KnotVector::spans_after(int64_t uses) const {
     return spans_.peek() != nullptr || searches_.pay(uses, count() / 4) ? &spans() : nullptr;
 }
 
-const PieceArray *KnotVector::pieces_after(int64_t uses) const {
-    if (pieces_.peek() != nullptr || evaluations_.pay(uses, count() / 4)) {
-        return &pieces_.get([this] { return basis_pieces(*this); });
+const PowerSpans *KnotVector::power_spans_after(int64_t uses) const {
+    if (power_spans_.peek() != nullptr || evaluations_.pay(uses, count() / 4)) {
+        return &power_spans_.get([this] { return basis_power_spans(*this); });
     }
     return nullptr;
 }
 
-bool KnotVector::has_piece(int64_t span) const noexcept {
-    if (!piece_degree(degree_)) {
+bool KnotVector::has_power_span(int64_t span) const noexcept {
+    if (!power_span_degree(degree_)) {
         return false;
     }
     constexpr double shortest = 0x1p-100;

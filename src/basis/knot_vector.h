@@ -48,13 +48,14 @@ public:
     [[nodiscard]] const SpanTable &spans() const;
     // The search structure if it exists, or if `uses` more searches make it worth having; else null.
     [[nodiscard]] const SpanTable *spans_after(int64_t uses) const;
-    // The pieces of the basis functions of every non-empty span, if they exist or if `uses` more evaluations
-    // make them worth having; else null. A span without a piece has NaN bounds. Precondition:
-    // piece_degree(degree()).
-    [[nodiscard]] const PieceArray *pieces_after(int64_t uses) const;
-    // Whether a span can be evaluated from a piece: the degree is one for pieces, and neither the span's
-    // length nor its ratio to its neighbours or to its position comes near the limits of double precision.
-    [[nodiscard]] bool has_piece(int64_t span) const noexcept;
+    // The power spans of the basis functions of every non-empty span, if they exist or if `uses` more
+    // evaluations make them worth having; else null. A span without a power span has NaN bounds.
+    // Precondition: power_span_degree(degree()).
+    [[nodiscard]] const PowerSpans *power_spans_after(int64_t uses) const;
+    // Whether a span can be evaluated from a power span: the degree is one for power spans, and neither the
+    // span's length nor its ratio to its neighbours or to its position comes near the limits of double
+    // precision.
+    [[nodiscard]] bool has_power_span(int64_t span) const noexcept;
     // Index of the span that holds t, as by SpanTable::find(), with the table if it exists.
     [[nodiscard]] int64_t find_span(double t, bool left) const noexcept;
 
@@ -63,7 +64,7 @@ private:
     bool periodic_;
     std::vector<double> knots_;
     Lazy<SpanTable> spans_;
-    Lazy<PieceArray> pieces_;
+    Lazy<PowerSpans> power_spans_;
     Uses searches_;
     Uses evaluations_;
 };

@@ -42,7 +42,7 @@ HWY_INLINE void for_each(int first, int last, const Body &body) {
 template <int kDegree, class D>
 class CentredFunctions {
 public:
-    static constexpr int most = kDegree > 0 ? kDegree : max_piece_degree;
+    static constexpr int most = kDegree > 0 ? kDegree : max_power_span_degree;
     using V = hn::Vec<D>;
     using Number = DoubleDoubleLanes<V>;
 
@@ -62,7 +62,7 @@ public:
             for (int r = 0; r < e; ++r) {
                 const Number slope = inverse(after[e - 1 - r] + ahead[r]);
                 slope_[e - 1][r] = slope;
-                behind_[e - 1][r] = after[e - 1 - r] * slope;
+                after_[e - 1][r] = after[e - 1 - r] * slope;
                 ahead_[e - 1][r] = ahead[r] * slope;
             }
         });
@@ -75,7 +75,7 @@ public:
         for (int r = 0; r < e; ++r) {
             const Number before = functions[r];
             functions[r] = carried + before * ahead_[e - 1][r];
-            carried = before * behind_[e - 1][r];
+            carried = before * after_[e - 1][r];
         }
         functions[e] = carried;
     }
@@ -99,15 +99,15 @@ private:
     }
 
     D d_;
-    Number slope_[most][most];  // [e - 1][r]: 1 / length of the support of function r of degree e - 1
-    Number behind_[most][most]; // the part of the support before the middle
+    Number slope_[most][most]; // [e - 1][r]: 1 / length of the support of function r of degree e - 1
+    Number after_[most][most]; // the part of the support before the middle
     Number ahead_[most][most];
 };
 
-// Lane l of the coefficients to the pieces of span l.
+// Lane l of the coefficients to the power spans of span l.
 template <class D>
 HWY_INLINE void store_row(D d, const DoubleDoubleLanes<hn::Vec<D>> *row, int degree, double factor,
-                          int64_t offset, int count, double *const *pieces, double *const *rests) {
+                          int64_t offset, int count, double *const *power_spans, double *const *rests) {
     HWY_ALIGN double high[8] = {};
     HWY_ALIGN double low[8] = {};
 #pragma GCC unroll 4
@@ -118,7 +118,7 @@ HWY_INLINE void store_row(D d, const DoubleDoubleLanes<hn::Vec<D>> *row, int deg
         hn::Store(value.high, d, high);
         hn::Store(value.low, d, low);
         for (int l = 0; l < count; ++l) {
-            pieces[l][offset + j] = high[l];
+            power_spans[l][offset + j] = high[l];
             if (rests != nullptr) {
                 rests[l][offset + j] = low[l];
             }
@@ -126,22 +126,22 @@ HWY_INLINE void store_row(D d, const DoubleDoubleLanes<hn::Vec<D>> *row, int deg
     }
 }
 
-// Coefficients of the pieces of `count` spans, at most one for each lane; the heads are there. knots as for
-// CentredFunctions. kDegree < 0 stands for any degree.
+// Coefficients of the power spans of `count` spans, at most one for each lane; the heads are there. knots as
+// for CentredFunctions. kDegree < 0 stands for any degree.
 template <int kDegree, class D>
-HWY_INLINE void fill_pieces(D d, int any_degree, const double *knots, int count, double *const *pieces,
-                            double *const *rests) {
+HWY_INLINE void fill_power_spans(D d, int any_degree, const double *knots, int count,
+                                 double *const *power_spans, double *const *rests) {
     using Number = DoubleDoubleLanes<hn::Vec<D>>;
-    constexpr int most = kDegree > 0 ? kDegree : max_piece_degree;
+    constexpr int most = kDegree > 0 ? kDegree : max_power_span_degree;
     const int degree = kDegree > 0 ? kDegree : any_degree;
     HWY_ALIGN double middles[8];
     HWY_ALIGN double scales[8];
     for (int l = 0; l < static_cast<int>(hn::Lanes(d)); ++l) {
-        middles[l] = pieces[std::min(l, count - 1)][Piece::middle];
-        scales[l] = pieces[std::min(l, count - 1)][Piece::scale];
+        middles[l] = power_spans[std::min(l, count - 1)][PowerSpan::middle];
+        scales[l] = power_spans[std::min(l, count - 1)][PowerSpan::scale];
     }
     const CentredFunctions<kDegree, D> centred(d, degree, knots, hn::Load(d, middles), hn::Load(d, scales));
-    const int lanes = Piece::lanes(degree + 1);
+    const int lanes = PowerSpan::lanes(degree + 1);
     Number functions[most + 1];
     Number row[most + 1];
     functions[0] = {hn::Set(d, 1.0), hn::Zero(d)};
@@ -154,29 +154,29 @@ HWY_INLINE void fill_pieces(D d, int any_degree, const double *knots, int count,
         // The factors degree, ..., e + 1 of the difference formula, over the factorial of the order.
         const int order = degree - e;
         const double factor = binomial(degree, order);
-        store_row(d, row, degree, factor, Piece::head_size + static_cast<int64_t>(order) * lanes, count,
-                  pieces, rests);
+        store_row(d, row, degree, factor, PowerSpan::head_size + static_cast<int64_t>(order) * lanes, count,
+                  power_spans, rests);
     });
 }
 
 template <class D>
-HWY_INLINE void fill_pieces_of(D d, int degree, const double *knots, int count, double *const *pieces,
-                               double *const *rests) {
+HWY_INLINE void fill_power_spans_of(D d, int degree, const double *knots, int count,
+                                    double *const *power_spans, double *const *rests) {
     switch (degree) {
     case 1:
-        return fill_pieces<1>(d, degree, knots, count, pieces, rests);
+        return fill_power_spans<1>(d, degree, knots, count, power_spans, rests);
     case 2:
-        return fill_pieces<2>(d, degree, knots, count, pieces, rests);
+        return fill_power_spans<2>(d, degree, knots, count, power_spans, rests);
     case 3:
-        return fill_pieces<3>(d, degree, knots, count, pieces, rests);
+        return fill_power_spans<3>(d, degree, knots, count, power_spans, rests);
     default:
-        return fill_pieces<-1>(d, degree, knots, count, pieces, rests);
+        return fill_power_spans<-1>(d, degree, knots, count, power_spans, rests);
     }
 }
 
-void make_pieces(const double *knots, int degree, const int64_t *spans, int count, double *const *pieces,
-                 double *const *rests) {
-    HWY_ALIGN double local[2 * max_piece_degree * 8];
+void make_power_spans(const double *knots, int degree, const int64_t *spans, int count,
+                      double *const *power_spans, double *const *rests) {
+    HWY_ALIGN double local[2 * max_power_span_degree * 8];
     const int lanes = count == 1 ? 1 : static_cast<int>(hn::Lanes(Vec8()));
     for (int i = 0; i < 2 * degree; ++i) {
         for (int l = 0; l < lanes; ++l) {
@@ -184,13 +184,13 @@ void make_pieces(const double *knots, int degree, const int64_t *spans, int coun
         }
     }
     if (count == 1) {
-        fill_pieces_of(hn::CappedTag<double, 1>(), degree, local, count, pieces, rests);
+        fill_power_spans_of(hn::CappedTag<double, 1>(), degree, local, count, power_spans, rests);
     } else {
-        fill_pieces_of(Vec8(), degree, local, count, pieces, rests);
+        fill_power_spans_of(Vec8(), degree, local, count, power_spans, rests);
     }
 }
 
-int piece_lanes() {
+int power_span_lanes() {
     return static_cast<int>(hn::Lanes(Vec8()));
 }
 
@@ -201,9 +201,9 @@ HWY_INLINE void combine_degree(const double *HWY_RESTRICT basis, const double *H
                                const double *HWY_RESTRICT points, int lanes, double *HWY_RESTRICT powers) {
     const hn::CappedTag<double, 4> d;
     using V = hn::Vec<hn::CappedTag<double, 4>>;
-    constexpr int most = kDegree > 0 ? kDegree : max_piece_degree;
+    constexpr int most = kDegree > 0 ? kDegree : max_power_span_degree;
     const int degree = kDegree > 0 ? kDegree : any_degree;
-    const int functions = Piece::lanes(degree + 1);
+    const int functions = PowerSpan::lanes(degree + 1);
     for (int c = 0; c < lanes; c += static_cast<int>(hn::Lanes(d))) {
         DoubleDoubleLanes<V> products[most + 1];
 #pragma GCC unroll 4
@@ -246,40 +246,40 @@ namespace nrb::inline basis {
 
 namespace {
 
-void write_head(double lower, double upper, double *piece) noexcept {
+void write_head(double lower, double upper, double *power_span) noexcept {
     const double middle = lower / 2 + upper / 2;
     const double radius = std::max(middle - lower, upper - middle);
     constexpr int largest_exponent = 1023;
-    piece[Piece::lower] = lower;
-    piece[Piece::upper] = upper;
-    piece[Piece::middle] = middle;
-    piece[Piece::scale] = std::ldexp(1.0, std::min(-std::ilogb(radius) - 1, largest_exponent));
+    power_span[PowerSpan::lower] = lower;
+    power_span[PowerSpan::upper] = upper;
+    power_span[PowerSpan::middle] = middle;
+    power_span[PowerSpan::scale] = std::ldexp(1.0, std::min(-std::ilogb(radius) - 1, largest_exponent));
 }
 
-HWY_EXPORT(make_pieces);
-HWY_EXPORT(piece_lanes);
+HWY_EXPORT(make_power_spans);
+HWY_EXPORT(power_span_lanes);
 HWY_EXPORT(combine);
 
 } // namespace
 
-void basis_pieces(const double *knots, int degree, const int64_t *spans, int count, double *const *pieces,
-                  double *const *rests) noexcept {
-    const int lanes = Piece::lanes(degree + 1);
+void basis_power_spans(const double *knots, int degree, const int64_t *spans, int count,
+                       double *const *power_spans, double *const *rests) noexcept {
+    const int lanes = PowerSpan::lanes(degree + 1);
     for (int l = 0; l < count; ++l) {
-        write_head(knots[spans[l]], knots[spans[l] + 1], pieces[l]);
-        std::fill_n(pieces[l] + Piece::head_size, static_cast<int64_t>(degree + 1) * lanes, 0.0);
+        write_head(knots[spans[l]], knots[spans[l] + 1], power_spans[l]);
+        std::fill_n(power_spans[l] + PowerSpan::head_size, static_cast<int64_t>(degree + 1) * lanes, 0.0);
     }
-    HWY_DYNAMIC_DISPATCH(make_pieces)(knots, degree, spans, count, pieces, rests);
+    HWY_DYNAMIC_DISPATCH(make_power_spans)(knots, degree, spans, count, power_spans, rests);
 }
 
-int pieces_together() noexcept {
-    return HWY_DYNAMIC_DISPATCH(piece_lanes)();
+int power_spans_together() noexcept {
+    return HWY_DYNAMIC_DISPATCH(power_span_lanes)();
 }
 
-void combine_pieces(const double *basis, const double *rests, int degree, const double *weights,
-                    const double *points, int lanes, double *powers) noexcept {
+void combine_power_spans(const double *basis, const double *rests, int degree, const double *weights,
+                         const double *points, int lanes, double *powers) noexcept {
     HWY_DYNAMIC_DISPATCH(combine)
-    (basis + Piece::head_size, rests + Piece::head_size, degree, weights, points, lanes, powers);
+    (basis + PowerSpan::head_size, rests + PowerSpan::head_size, degree, weights, points, lanes, powers);
 }
 
 } // namespace nrb::inline basis

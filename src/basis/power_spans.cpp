@@ -8,32 +8,32 @@
 
 namespace nrb::inline basis {
 
-PieceArray::PieceArray(int64_t count, int64_t size) : size_(size) {
+PowerSpans::PowerSpans(int64_t count, int64_t size) : size_(size) {
     constexpr size_t line = 64 / sizeof(double);
     storage_.resize(static_cast<size_t>(count * size) + line - 1);
     const size_t offset = reinterpret_cast<uintptr_t>(storage_.data()) / sizeof(double) % line;
     first_ = storage_.data() + (line - offset) % line;
 }
 
-PieceArray basis_pieces(const KnotVector &axis) {
+PowerSpans basis_power_spans(const KnotVector &axis) {
     const SpanTable &spans = axis.spans();
-    PieceArray pieces(spans.size(), Piece::size(axis.degree(), axis.degree() + 1));
-    for (int64_t first = 0; first < spans.size(); first += pieces_together()) {
-        const auto count = static_cast<int>(std::min<int64_t>(pieces_together(), spans.size() - first));
-        double *together[most_pieces_together];
+    PowerSpans power_spans(spans.size(), PowerSpan::size(axis.degree(), axis.degree() + 1));
+    for (int64_t first = 0; first < spans.size(); first += power_spans_together()) {
+        const auto count = static_cast<int>(std::min<int64_t>(power_spans_together(), spans.size() - first));
+        double *together[most_power_spans_together];
         for (int l = 0; l < count; ++l) {
-            together[l] = pieces[first + l];
+            together[l] = power_spans[first + l];
         }
-        basis_pieces(axis.knots().data(), axis.degree(), spans.indices().data() + first, count, together,
-                     nullptr);
+        basis_power_spans(axis.knots().data(), axis.degree(), spans.indices().data() + first, count, together,
+                          nullptr);
         for (int l = 0; l < count; ++l) {
-            if (!axis.has_piece(spans.indices()[static_cast<size_t>(first + l)])) {
-                std::fill_n(together[l], static_cast<int>(Piece::head_size),
+            if (!axis.has_power_span(spans.indices()[static_cast<size_t>(first + l)])) {
+                std::fill_n(together[l], static_cast<int>(PowerSpan::head_size),
                             std::numeric_limits<double>::quiet_NaN());
             }
         }
     }
-    return pieces;
+    return power_spans;
 }
 
 } // namespace nrb::inline basis

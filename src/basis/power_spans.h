@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Polynomial pieces in powers of a centred local parameter: the form in which spans of low degree are
-// evaluated.
+// Power spans: polynomials on the spans in powers of a centred local parameter:
+// the form in which spans of low degree are evaluated.
 //
 // On a span the parameter becomes x = (t - middle) * scale with a power of two as scale, |x| <= 1. Powers of
 // an x that starts at the span's end would lose 3^p eps. Centred powers amplify rounding by 2.5 at degree 3
@@ -14,16 +14,16 @@ namespace nrb::inline basis {
 
 class KnotVector;
 
-// Up to this degree spans are evaluated from pieces, above it by the Cox-de Boor recurrence. At degree 0
+// Up to this degree spans are evaluated from power spans, above it by the Cox-de Boor recurrence. At degree 0
 // control points are copied.
-inline constexpr int max_piece_degree = 9;
-constexpr bool piece_degree(int degree) noexcept {
-    return degree >= 1 && degree <= max_piece_degree;
+inline constexpr int max_power_span_degree = 9;
+constexpr bool power_span_degree(int degree) noexcept {
+    return degree >= 1 && degree <= max_power_span_degree;
 }
 
-// A piece is one record of doubles: the head, then for each power 0, ..., p the coefficients of all
+// A power span is one record of doubles: the head, then for each power 0, ..., p the coefficients of all
 // components, padded with zeros to a multiple of the width of a vector register.
-struct Piece {
+struct PowerSpan {
     enum Head { lower, upper, middle, scale, head_size };
 
     // Doubles for each power: components rounded up to a multiple of 4.
@@ -33,34 +33,35 @@ struct Piece {
     }
 };
 
-// Largest size of the piece of a basis: powers 0 to 9 of 10 functions.
-inline constexpr int64_t max_basis_piece = Piece::size(max_piece_degree, max_piece_degree + 1);
+// Largest size of the power span of a basis: powers 0 to 9 of 10 functions.
+inline constexpr int64_t max_basis_power_span =
+    PowerSpan::size(max_power_span_degree, max_power_span_degree + 1);
 
-// The most pieces that are made together, and how many of them this processor makes at once.
-inline constexpr int most_pieces_together = 8;
-int pieces_together() noexcept;
+// The most power spans that are made together, and how many of them this processor makes at once.
+inline constexpr int most_power_spans_together = 8;
+int power_spans_together() noexcept;
 
-// Writes the pieces of the functions N_(s-p), ..., N_s of `count` spans s. Coefficient k of N_j is its k-th
-// derivative with respect to x at x = 0, divided by k!. It is accurate to about 2^-100 of the terms that it
-// is the sum of, and so correctly rounded except for rare ties and sums that cancel: the recurrences of
+// Writes the power spans of the functions N_(s-p), ..., N_s of `count` spans s. Coefficient k of N_j is its
+// k-th derivative with respect to x at x = 0, divided by k!. It is accurate to about 2^-100 of the terms that
+// it is the sum of, and so correctly rounded except for rare ties and sums that cancel: the recurrences of
 // basis_values() and basis_derivs() are computed in twice the precision. The rounding errors go to `rests`,
-// records like the pieces, or null. A piece has the same bits whatever is made together with it.
-// Preconditions: piece_degree(degree), count <= pieces_together(), and those of basis_values().
-void basis_pieces(const double *knots, int degree, const int64_t *spans, int count, double *const *pieces,
-                  double *const *rests) noexcept;
+// records like the power spans, or null. A power span has the same bits whatever is made together with it.
+// Preconditions: power_span_degree(degree), count <= power_spans_together(), and those of basis_values().
+void basis_power_spans(const double *knots, int degree, const int64_t *spans, int count,
+                       double *const *power_spans, double *const *rests) noexcept;
 
-// The powers of a curve's piece from those of its basis and rests: component c of power k is the sum over j
-// of coefficient [k][j] times weights[j] * points[j * lanes + c], rounded once.
-void combine_pieces(const double *basis, const double *rests, int degree, const double *weights,
-                    const double *points, int lanes, double *powers) noexcept;
+// The powers of a curve's power span from those of its basis and rests: component c of power k is the sum
+// over j of coefficient [k][j] times weights[j] * points[j * lanes + c], rounded once.
+void combine_power_spans(const double *basis, const double *rests, int degree, const double *weights,
+                         const double *points, int lanes, double *powers) noexcept;
 
-// An array of pieces of one size, aligned to cache lines.
-class PieceArray {
+// An array of power spans of one size, aligned to cache lines.
+class PowerSpans {
 public:
-    PieceArray(int64_t count, int64_t size);
-    PieceArray(PieceArray &&) noexcept = default;
-    PieceArray(const PieceArray &) = delete;
-    PieceArray &operator=(const PieceArray &) = delete;
+    PowerSpans(int64_t count, int64_t size);
+    PowerSpans(PowerSpans &&) noexcept = default;
+    PowerSpans(const PowerSpans &) = delete;
+    PowerSpans &operator=(const PowerSpans &) = delete;
 
     [[nodiscard]] const double *operator[](int64_t i) const noexcept { return first_ + i * size_; }
     [[nodiscard]] double *operator[](int64_t i) noexcept { return first_ + i * size_; }
@@ -72,7 +73,7 @@ private:
     double *first_;
 };
 
-// The pieces of the basis functions of every non-empty span of a knot vector.
-PieceArray basis_pieces(const KnotVector &axis);
+// The power spans of the basis functions of every non-empty span of a knot vector.
+PowerSpans basis_power_spans(const KnotVector &axis);
 
 } // namespace nrb::inline basis

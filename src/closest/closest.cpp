@@ -131,8 +131,8 @@ private:
 } // namespace
 
 const Locator &locator_of(const Spline &spline) {
-    const Spline::AnyTable &table =
-        spline.slot(Spline::Table::locator).get([&spline] { return Spline::AnyTable(make_locator(spline)); });
+    const Spline::AnyCache &table =
+        spline.slot(Spline::Cache::locator).get([&spline] { return Spline::AnyCache(make_locator(spline)); });
     return *static_cast<const Locator *>(table.get());
 }
 

@@ -26,44 +26,43 @@ class CurveEvaluator {
 public:
     CurveEvaluator(const Spline &curve, const AxisRule &rule, int order, int64_t uses)
         : shape_(curve, order), scratch_(scratch_size(curve, shape_)),
-          quotient_(make_rule(rule_, shape_, scratch_)),
-          pieces_(curve.pieces_after(uses)), job_{curve,
-                                                  rule,
-                                                  shape_,
-                                                  quotient_,
-                                                  pieces_ != nullptr ? &curve.axis(0).spans() : nullptr,
-                                                  pieces_,
-                                                  net_after(curve, uses),
-                                                  scratch_.take_aligned(
-                                                      static_cast<size_t>(curve_group * shape_.size())),
-                                                  scratch_.take(static_cast<size_t>(shape_.slots)),
-                                                  scratch_.take(piece_size(curve, shape_)),
-                                                  scratch_.take(values_size(curve, shape_)),
-                                                  scratch_.take(piece_size(curve, shape_))} {}
+          quotient_(make_rule(rule_, shape_, scratch_)), power_spans_(curve.power_spans_after(uses)),
+          job_{curve,
+               rule,
+               shape_,
+               quotient_,
+               power_spans_ != nullptr ? &curve.axis(0).spans() : nullptr,
+               power_spans_,
+               net_after(curve, uses),
+               scratch_.take_aligned(static_cast<size_t>(curve_group * shape_.size())),
+               scratch_.take(static_cast<size_t>(shape_.slots)),
+               scratch_.take(power_span_size(curve, shape_)),
+               scratch_.take(values_size(curve, shape_)),
+               scratch_.take(power_span_size(curve, shape_))} {}
 
     void operator()(const ConstRecords &params, const Records &out) noexcept { run(job_, params, out); }
 
 private:
-    // Spans of low degree need records only if their weights are too far apart for pieces.
+    // Spans of low degree need records only if their weights are too far apart for power spans.
     static const double *net_after(const Spline &curve, int64_t uses) {
-        return curve.has_pieces(0) ? nullptr : curve.records_after(uses);
+        return curve.has_power_spans(0) ? nullptr : curve.records_after(uses);
     }
-    static size_t piece_size(const Spline &curve, const RecordShape &shape) noexcept {
-        return static_cast<size_t>(Piece::size(curve.axis(0).degree(), shape.width));
+    static size_t power_span_size(const Spline &curve, const RecordShape &shape) noexcept {
+        return static_cast<size_t>(PowerSpan::size(curve.axis(0).degree(), shape.width));
     }
     static size_t values_size(const Spline &curve, const RecordShape &shape) noexcept {
         return static_cast<size_t>(shape.slots) * static_cast<size_t>(curve.axis(0).degree() + 1);
     }
     static size_t scratch_size(const Spline &curve, const RecordShape &shape) noexcept {
-        return record_scratch(shape, curve_group) + 2 * piece_size(curve, shape) + values_size(curve, shape) +
-               Scratch::line;
+        return record_scratch(shape, curve_group) + 2 * power_span_size(curve, shape) +
+               values_size(curve, shape) + Scratch::line;
     }
 
     RecordShape shape_;
     Scratch scratch_;
     std::optional<QuotientRule> rule_;
     const QuotientRule *quotient_;
-    const PieceArray *pieces_;
+    const PowerSpans *power_spans_;
     CurveJob job_;
 };
 

@@ -50,8 +50,8 @@ LengthTable::LengthTable(const Spline &curve) : pieces_(curve, curve.axis(0).dom
 }
 
 const LengthTable &LengthTable::of(const Spline &curve) {
-    const Spline::AnyTable &table = curve.slot(Spline::Table::lengths).get([&] {
-        return Spline::AnyTable(std::make_shared<const LengthTable>(curve));
+    const Spline::AnyCache &table = curve.slot(Spline::Cache::lengths).get([&] {
+        return Spline::AnyCache(std::make_shared<const LengthTable>(curve));
     });
     return *static_cast<const LengthTable *>(table.get());
 }

@@ -157,7 +157,7 @@ LayerTable rotated(const LayerTable &table, int64_t shift, int64_t period) {
 }
 
 // How many copies of the lower end stand after the copy that begins the domain.
-int64_t copies_behind(const KnotVector &axis) {
+int64_t copies_after(const KnotVector &axis) {
     const auto knots = axis.knots();
     return std::upper_bound(knots.begin(), knots.end(), axis.domain().lower) - knots.begin() - 1 -
            axis.degree();
@@ -274,7 +274,7 @@ double unify_periodic_knots(Set &set, int k) {
     double deviation = 0;
     for (const auto &[axis, members] : groups) {
         refine::AxisTable made = refine::refine_periodic(*axis, missing(all, one_period(*axis)));
-        const int64_t shift = copies_behind(*made.axis), period = std::ssize(all);
+        const int64_t shift = copies_after(*made.axis), period = std::ssize(all);
         made.table = rotated(made.table, shift, period);
         const std::span<const double> kept = made.axis->knots().subspan(static_cast<size_t>(shift));
         const bool exact = std::equal(kept.begin(), kept.end(), common->knots().begin());

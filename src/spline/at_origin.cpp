@@ -88,11 +88,11 @@ SplinePtr moved(const Spline &spline, const std::vector<double> &corner) {
 
 } // namespace
 
-const Spline::AnyTable &make_at_origin(const Spline &spline) {
-    return spline.slot(Spline::Table::at_origin).get([&spline] {
+const Spline::AnyCache &make_at_origin(const Spline &spline) {
+    return spline.slot(Spline::Cache::at_origin).get([&spline] {
         const Spline &effective = spline.effective();
         const std::vector<double> corner = far_corner(effective);
-        return corner.empty() ? Spline::AnyTable() : Spline::AnyTable(moved(effective, corner));
+        return corner.empty() ? Spline::AnyCache() : Spline::AnyCache(moved(effective, corner));
     });
 }
 

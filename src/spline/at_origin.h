@@ -8,7 +8,7 @@
 
 namespace nrb::inline spline {
 
-const Spline::AnyTable &make_at_origin(const Spline &spline);
+const Spline::AnyCache &make_at_origin(const Spline &spline);
 
 // Let E be the longest side of the box of the control points that have influence (a weight other than 0, and
 // a support in the domain). If every coordinate of some point of the box is at most 8 E, the result is the
@@ -17,8 +17,8 @@ const Spline::AnyTable &make_at_origin(const Spline &spline);
 // E; Cartesian points in it are moved without error, homogeneous records with one rounding. The moved spline
 // is a table of the stored one, made at first use, which may throw std::bad_alloc.
 inline const Spline &at_origin(const Spline &spline) {
-    const Spline::AnyTable *ready = spline.slot(Spline::Table::at_origin).peek();
-    const Spline::AnyTable &table = ready != nullptr ? *ready : make_at_origin(spline);
+    const Spline::AnyCache *ready = spline.slot(Spline::Cache::at_origin).peek();
+    const Spline::AnyCache &table = ready != nullptr ? *ready : make_at_origin(spline);
     return table == nullptr ? spline : *static_cast<const Spline *>(table.get());
 }
 

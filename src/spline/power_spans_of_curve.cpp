@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which spans have polynomial pieces, and the pieces of a curve.
+// Which spans have power spans, and the power spans of a curve.
 #include "base/finite.h"
 #include "spline/spline.h"
 
@@ -33,9 +33,9 @@ Spline::WeightRange Spline::weight_range(int64_t first, int64_t count) const noe
     return range;
 }
 
-bool Spline::has_piece(int64_t span) const noexcept {
+bool Spline::has_power_span(int64_t span) const noexcept {
     const int degree = axis(0).degree();
-    return axis(0).has_piece(span) && (even_weights_ || even(weight_range(span - degree, degree + 1))) &&
+    return axis(0).has_power_span(span) && (even_weights_ || even(weight_range(span - degree, degree + 1))) &&
            (moderate_.load(std::memory_order_relaxed) || moderate_window(span));
 }
 
@@ -55,10 +55,10 @@ bool Spline::moderate_window(int64_t span) const noexcept {
 
 // From the basis of a span, whose points are copied to `points`: [degree + 1][lanes].
 void Spline::combine(int64_t span, const double *basis, const double *rests, double *points,
-                     double *piece) const noexcept {
+                     double *power_span) const noexcept {
     const int degree = axis(0).degree();
-    const int lanes = Piece::lanes(width());
-    double weights[max_piece_degree + 1];
+    const int lanes = PowerSpan::lanes(width());
+    double weights[max_power_span_degree + 1];
     for (int j = 0; j <= degree; ++j) {
         const int64_t i = span - degree + j;
         double *point = points + static_cast<int64_t>(j) * lanes;
@@ -70,52 +70,54 @@ void Spline::combine(int64_t span, const double *basis, const double *rests, dou
             weights[j] = scaled_weight(i);
         }
     }
-    std::copy_n(basis, static_cast<int>(Piece::head_size), piece);
-    combine_pieces(basis, rests, degree, weights, points, lanes, piece + Piece::head_size);
+    std::copy_n(basis, static_cast<int>(PowerSpan::head_size), power_span);
+    combine_power_spans(basis, rests, degree, weights, points, lanes, power_span + PowerSpan::head_size);
 }
 
-void Spline::curve_piece(int64_t span, double *points, double *piece) const noexcept {
-    double basis[max_basis_piece];
-    double rests[max_basis_piece];
-    double *const pieces[1] = {basis};
+void Spline::curve_power_span(int64_t span, double *points, double *power_span) const noexcept {
+    double basis[max_basis_power_span];
+    double rests[max_basis_power_span];
+    double *const power_spans[1] = {basis};
     double *const low[1] = {rests};
-    basis_pieces(axis(0).knots().data(), axis(0).degree(), &span, 1, pieces, low);
-    combine(span, basis, rests, points, piece);
+    basis_power_spans(axis(0).knots().data(), axis(0).degree(), &span, 1, power_spans, low);
+    combine(span, basis, rests, points, power_span);
 }
 
-PieceArray Spline::curve_pieces() const {
+PowerSpans Spline::curve_power_spans() const {
     static_cast<void>(moderate()); // which makes it unnecessary to look at every window
     const SpanTable &spans = axis(0).spans();
     const int degree = axis(0).degree();
-    PieceArray pieces(spans.size(), Piece::size(degree, width()));
-    std::vector<double> points(static_cast<size_t>(degree + 1) * static_cast<size_t>(Piece::lanes(width())));
-    double basis[most_pieces_together][max_basis_piece];
-    double rests[most_pieces_together][max_basis_piece];
-    double *together[most_pieces_together];
-    double *low[most_pieces_together];
-    for (int l = 0; l < most_pieces_together; ++l) {
+    PowerSpans power_spans(spans.size(), PowerSpan::size(degree, width()));
+    std::vector<double> points(static_cast<size_t>(degree + 1) *
+                               static_cast<size_t>(PowerSpan::lanes(width())));
+    double basis[most_power_spans_together][max_basis_power_span];
+    double rests[most_power_spans_together][max_basis_power_span];
+    double *together[most_power_spans_together];
+    double *low[most_power_spans_together];
+    for (int l = 0; l < most_power_spans_together; ++l) {
         together[l] = basis[l];
         low[l] = rests[l];
     }
-    for (int64_t first = 0; first < spans.size(); first += pieces_together()) {
-        const auto count = static_cast<int>(std::min<int64_t>(pieces_together(), spans.size() - first));
+    for (int64_t first = 0; first < spans.size(); first += power_spans_together()) {
+        const auto count = static_cast<int>(std::min<int64_t>(power_spans_together(), spans.size() - first));
         const int64_t *indices = spans.indices().data() + first;
-        basis_pieces(axis(0).knots().data(), degree, indices, count, together, low);
+        basis_power_spans(axis(0).knots().data(), degree, indices, count, together, low);
         for (int l = 0; l < count; ++l) {
-            if (has_piece(indices[l])) {
-                combine(indices[l], basis[l], rests[l], points.data(), pieces[first + l]);
+            if (has_power_span(indices[l])) {
+                combine(indices[l], basis[l], rests[l], points.data(), power_spans[first + l]);
             } else {
-                std::fill_n(pieces[first + l], static_cast<int>(Piece::head_size),
+                std::fill_n(power_spans[first + l], static_cast<int>(PowerSpan::head_size),
                             std::numeric_limits<double>::quiet_NaN());
             }
         }
     }
-    return pieces;
+    return power_spans;
 }
 
-const PieceArray *Spline::pieces_after(int64_t uses) const {
-    if (pieces_.peek() != nullptr || (piece_degree(axis(0).degree()) && uses_.pay(uses, count(0) / 3))) {
-        return &pieces_.get([this] { return curve_pieces(); });
+const PowerSpans *Spline::power_spans_after(int64_t uses) const {
+    if (power_spans_.peek() != nullptr ||
+        (power_span_degree(axis(0).degree()) && uses_.pay(uses, count(0) / 3))) {
+        return &power_spans_.get([this] { return curve_power_spans(); });
     }
     return nullptr;
 }

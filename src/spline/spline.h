@@ -87,28 +87,28 @@ public:
     [[nodiscard]] const Spline &effective() const;
 
     // Whether span `span` of a curve, or every span of an axis of any spline, is evaluated from polynomial
-    // pieces. The degree has to be at most max_piece_degree. The weights (of an axis: the weights that have
-    // influence) have to be positive with a ratio of at most 4, so that rounding relative to the largest
-    // weight is harmless. For a curve, no difference of its records may overflow. Other spans use the
+    // power spans. The degree has to be at most max_power_span_degree. The weights (of an axis: the weights
+    // that have influence) have to be positive with a ratio of at most 4, so that rounding relative to the
+    // largest weight is harmless. For a curve, no difference of its records may overflow. Other spans use the
     // recurrences, whose basis functions are accurate relative to themselves.
-    [[nodiscard]] bool has_piece(int64_t span) const noexcept;
-    [[nodiscard]] bool has_pieces(int k) const noexcept {
-        return even_weights_ && piece_degree(axis(k).degree());
+    [[nodiscard]] bool has_power_span(int64_t span) const noexcept;
+    [[nodiscard]] bool has_power_spans(int k) const noexcept {
+        return even_weights_ && power_span_degree(axis(k).degree());
     }
 
-    // The pieces of a curve, if they exist or if `uses` more evaluations make them worth having; else null.
-    // Component c < width() of a piece is that of the records. A span without a piece has NaN bounds.
-    [[nodiscard]] const PieceArray *pieces_after(int64_t uses) const;
-    // The piece of one span without the table, with the same bits; points: [degree + 1][lanes], working
-    // memory. Precondition: has_piece(span).
-    void curve_piece(int64_t span, double *points, double *piece) const noexcept;
+    // The power spans of a curve, if they exist or if `uses` more evaluations make them worth having; else
+    // null. Component c < width() of a power span is that of the records. A span without a power span has NaN
+    // bounds.
+    [[nodiscard]] const PowerSpans *power_spans_after(int64_t uses) const;
+    // The power span of one span without the table, with the same bits; points: [degree + 1][lanes], working
+    // memory. Precondition: has_power_span(span).
+    void curve_power_span(int64_t span, double *points, double *power_span) const noexcept;
 
-    // Tables of the rooms that use splines. Only those rooms know their types; each table is built at first
-    // use.
-    enum class Table { at_origin, locator, lengths, magnitude, count };
-    using AnyTable = std::shared_ptr<const void>;
-    [[nodiscard]] const Lazy<AnyTable> &slot(Table table) const noexcept {
-        return slots_[static_cast<size_t>(table)];
+    // What other rooms keep with a spline. Only those rooms know the types; each thing is made at first use.
+    enum class Cache { at_origin, locator, lengths, magnitude, count };
+    using AnyCache = std::shared_ptr<const void>;
+    [[nodiscard]] const Lazy<AnyCache> &slot(Cache cache) const noexcept {
+        return slots_[static_cast<size_t>(cache)];
     }
 
 private:
@@ -118,9 +118,9 @@ private:
     [[nodiscard]] WeightRange active_weight_range() const noexcept;
     [[nodiscard]] bool moderate_window(int64_t span) const noexcept;
     [[nodiscard]] SplinePtr without_inert_points() const;
-    [[nodiscard]] PieceArray curve_pieces() const;
+    [[nodiscard]] PowerSpans curve_power_spans() const;
     void combine(int64_t span, const double *basis, const double *rests, double *points,
-                 double *piece) const noexcept;
+                 double *power_span) const noexcept;
     [[nodiscard]] const double *weight_data() const noexcept {
         return form_ == Form::rational ? weights_.data() : points_.data() + dim_;
     }
@@ -138,9 +138,9 @@ private:
     bool even_weights_ = true; // of the control points that have influence
     bool inert_ = false;       // some control points have no influence
     Lazy<std::vector<double>> records_;
-    Lazy<PieceArray> pieces_;
+    Lazy<PowerSpans> power_spans_;
     Lazy<SplinePtr> effective_;
-    std::array<Lazy<AnyTable>, static_cast<size_t>(Table::count)> slots_;
+    std::array<Lazy<AnyCache>, static_cast<size_t>(Cache::count)> slots_;
     Uses uses_;
     mutable std::atomic<bool> moderate_{false}; // known to be
 };

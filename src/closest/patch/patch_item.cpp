@@ -15,7 +15,16 @@ constexpr double smallest_weight = 0x1p-200; // beyond it squares come near unde
 
 } // namespace
 
-const double *PatchItems::made(int64_t piece) const {
+// w x and the difference are rounded, and x - c was: eps / 2 of |x - c| each, and of the result.
+PatchItems::PatchItems(const PatchPieces &pieces, const double *point, PatchMemory &memory)
+    : pieces_(pieces), memory_(memory), x_(memory.take(pieces.shape().lanes)),
+      kept_(pieces.shape().values() <= small_piece ? most_kept : 1),
+      values_(memory.take(kept_ * pieces.shape().values())) {
+    pieces.place(point, x_);
+    moved_ = pieces.moved() + 2 * eps * (norm(x_, pieces.shape().dim) + pieces.radius());
+}
+
+const double *PatchItems::values(int64_t piece) const {
     const PatchShape &shape = pieces_.shape();
     const auto found = std::find(made_.begin(), made_.begin() + kept_, piece);
     if (found != made_.begin() + kept_) {
@@ -31,14 +40,12 @@ const double *PatchItems::made(int64_t piece) const {
     return values;
 }
 
-// w x and the difference are rounded, and x - c was: eps / 2 of |x - c| each, and of the result.
 PatchItem PatchItems::whole(int64_t piece) const {
     PatchItem item;
-    const double *values = made(piece);
     item.values = memory_.take(pieces_.shape().values());
-    std::copy_n(values, pieces_.shape().values(), item.values);
+    std::copy_n(values(piece), pieces_.shape().values(), item.values);
     item.piece = piece;
-    item.moved = pieces_.moved() + 2 * eps * (norm(x_, pieces_.shape().dim) + pieces_.radius());
+    item.moved = moved_;
     return item;
 }
 

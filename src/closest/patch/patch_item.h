@@ -28,12 +28,14 @@ struct PatchItem {
 // What makes items from pieces for one query point.
 class PatchItems {
 public:
-    // x: as placed by the pieces.
-    PatchItems(const PatchPieces &pieces, const double *x, PatchMemory &memory)
-        : pieces_(pieces), x_(x), memory_(memory),
-          kept_(pieces.shape().values() <= small_piece ? most_kept : 1),
-          values_(memory.take(kept_ * pieces.shape().values())) {}
+    PatchItems(const PatchPieces &pieces, const double *point, PatchMemory &memory);
 
+    // The query point as the pieces place it.
+    [[nodiscard]] const double *x() const noexcept { return x_; }
+    // The values of a whole piece until those of other pieces are asked for, and how far rounding may have
+    // moved the points of any.
+    [[nodiscard]] const double *values(int64_t piece) const;
+    [[nodiscard]] double moved() const noexcept { return moved_; }
     // The whole piece.
     [[nodiscard]] PatchItem whole(int64_t piece) const;
     // The part [lower, upper] in the box of an item along an axis; matrix: part_matrix() of it.
@@ -48,17 +50,16 @@ public:
 private:
     template <int kDim>
     void measure(PatchItem &item) const noexcept;
-    // The coefficients of a whole piece.
-    [[nodiscard]] const double *made(int64_t piece) const;
 
     const PatchPieces &pieces_;
-    const double *x_;
     PatchMemory &memory_;
+    double *x_;
     // The pieces that were made last, for which a query mostly asks again.
     static constexpr int most_kept = 4;
     static constexpr int64_t small_piece = 512; // doubles
     int kept_;
     double *values_; // [kept_][values()]
+    double moved_ = 0;
     mutable std::array<int64_t, most_kept> made_{-1, -1, -1, -1};
     mutable int next_ = 0;
 };

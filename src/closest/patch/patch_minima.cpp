@@ -87,15 +87,15 @@ bool PatchMinima::is_minimum(const FootCandidate &place) {
         return false;
     }
     FootCandidate other = place;
-    const PatchItem item = items_.whole(place.piece);
-    other.value = sign_ * descent_.descend(item.values, box(place.piece), sign_, floor_, other.at).distance;
+    const double *values = items_.values(place.piece);
+    other.value = sign_ * descent_.descend(values, box(place.piece), sign_, floor_, other.at).distance;
     walk(other);
     return place.value - other.value <= noise_;
 }
 
 // Whether the distance bends downwards along an axis inside the piece.
 bool PatchMinima::is_saddle(const FootCandidate &place) const {
-    const PatchJet jet = descent_.jet(items_.whole(place.piece).values, place.at);
+    const PatchJet jet = descent_.jet(items_.values(place.piece), place.at);
     for (size_t k = 0; k < static_cast<size_t>(pieces_.shape().axes); ++k) {
         const double bend = sign_ * (jet.metric[k][k] + jet.curvature[k][k]);
         if (place.at[k] > 0 && place.at[k] < 1 && bend < 0) {

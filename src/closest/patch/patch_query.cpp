@@ -10,9 +10,8 @@
 namespace nrb::closest {
 
 PatchQuery::PatchQuery(const PatchPieces &pieces, const Query &query)
-    : pieces_(pieces), query_(query), x_(memory_.take(pieces.shape().lanes)), items_(pieces, x_, memory_),
+    : pieces_(pieces), query_(query), items_(pieces, query.point, memory_), x_(items_.x()),
       descent_(pieces.shape(), memory_), sign_(query.farthest ? -1.0 : 1.0) {
-    pieces.place(query.point, x_);
     const double reach = norm(x_, pieces.shape().dim) + pieces.radius();
     tolerance_ = std::min(pieces.scaled(query.tolerance), 4 * reach); // more says no more
     noise_ = scaled_noise(pieces, query.point);
@@ -33,8 +32,8 @@ bool PatchQuery::same_point(const FootCandidate &a, const FootCandidate &b) {
     const PatchMemory::Hold hold(memory_);
     const int dim = pieces_.shape().dim;
     double *p = memory_.take(dim), *q = memory_.take(dim);
-    descent_.point(items_.whole(a.piece).values, a.at, p);
-    descent_.point(items_.whole(b.piece).values, b.at, q);
+    descent_.point(items_.values(a.piece), a.at, p);
+    descent_.point(items_.values(b.piece), b.at, q);
     const double apart = 8 * std::sqrt(noise_ * (std::abs(a.value) + noise_));
     return distance(p, q, dim) <= apart;
 }
@@ -73,10 +72,9 @@ bool PatchQuery::walk_on(FootCandidate &place) {
         if (!exists) {
             continue;
         }
-        const PatchItem item = items_.whole(piece);
-        const double value = sign_ * descent_.descend(item.values, part, sign_, floor_, at).distance;
+        const double value = sign_ * descent_.descend(items_.values(piece), part, sign_, floor_, at).distance;
         if (value < place.value - 1e-2 * noise_) {
-            place = {piece, at, value, item.moved};
+            place = {piece, at, value, items_.moved()};
             return true;
         }
     }
@@ -93,8 +91,8 @@ bool PatchQuery::walk(FootCandidate &place) {
 }
 
 // At the parameters of a foot, which are rounded.
-double PatchQuery::distance_at(const PatchItem &item, const Foot &foot) const {
-    const PatchPieces::Index index = pieces_.index(item.piece);
+double PatchQuery::distance_at(int64_t piece, const Foot &foot) const {
+    const PatchPieces::Index index = pieces_.index(piece);
     AxisValues at{};
     for (int k = 0; k < pieces_.shape().axes; ++k) {
         const int axis = pieces_.spline_axis(k);
@@ -102,13 +100,13 @@ double PatchQuery::distance_at(const PatchItem &item, const Foot &foot) const {
         const double first = pieces_.break_at(axis, index[i]), last = pieces_.break_at(axis, index[i] + 1);
         at[static_cast<size_t>(k)] = std::clamp((foot.params[i] - first) / (last - first), 0.0, 1.0);
     }
-    return descent_.distance(item.values, at);
+    return descent_.distance(items_.values(piece), at);
 }
 
 // The best of the parameters around, where rounding them moves the point by more than it may.
-void PatchQuery::polish(const PatchItem &item, Foot &foot) const {
+void PatchQuery::polish(int64_t piece, Foot &foot) const {
     const Foot centre = foot;
-    const PatchPieces::Index index = pieces_.index(item.piece);
+    const PatchPieces::Index index = pieces_.index(piece);
     for (int i = 0; i < 27; ++i) {
         Foot other = centre;
         for (int k = 0, rest = i; k < pieces_.spline_axes(); ++k, rest /= 3) {
@@ -120,7 +118,7 @@ void PatchQuery::polish(const PatchItem &item, Foot &foot) const {
                 query_.range == nullptr || (moved >= query_.range[k].lower && moved <= query_.range[k].upper);
             other.params[at] = inside && (centre.left >> k & 1U) == 0 && moved < high ? moved : t;
         }
-        other.distance = pieces_.unscaled(distance_at(item, other));
+        other.distance = pieces_.unscaled(distance_at(piece, other));
         if (sign_ * other.distance < sign_ * foot.distance) {
             foot = other;
         }
@@ -131,10 +129,9 @@ void PatchQuery::polish(const PatchItem &item, Foot &foot) const {
 Foot PatchQuery::foot(const FootCandidate &place) {
     const PatchMemory::Hold hold(memory_);
     Foot result = foot_at(pieces_, place.piece, place.at, query_.range);
-    const PatchItem item = items_.whole(place.piece);
-    result.distance = pieces_.unscaled(distance_at(item, result));
+    result.distance = pieces_.unscaled(distance_at(place.piece, result));
     if (!(sign_ * pieces_.scaled(result.distance) - place.value <= noise_ / 8)) {
-        polish(item, result);
+        polish(place.piece, result);
     }
     result.status = boundary_bit(pieces_, result, query_.range);
     return result;
@@ -167,8 +164,7 @@ Foot PatchQuery::local(const double *guess) {
         const double first = pieces_.break_at(axis, i), last = pieces_.break_at(axis, i + 1);
         place.at[static_cast<size_t>(k)] = std::clamp((guess[axis] - first) / (last - first), 0.0, 1.0);
     }
-    const PatchItem item = items_.whole(place.piece);
-    const auto found = descent_.descend(item.values, {}, sign_, floor_, place.at, 100);
+    const auto found = descent_.descend(items_.values(place.piece), {}, sign_, floor_, place.at, 100);
     place.value = sign_ * found.distance;
     const bool done = found.converged && walk(place);
     Foot result = foot(place);

@@ -37,16 +37,16 @@ protected:
     bool walk(FootCandidate &place);
     bool walk_on(FootCandidate &place);
     [[nodiscard]] bool same_point(const FootCandidate &a, const FootCandidate &b);
-    [[nodiscard]] double distance_at(const PatchItem &item, const Foot &foot) const;
-    void polish(const PatchItem &item, Foot &foot) const;
+    [[nodiscard]] double distance_at(int64_t piece, const Foot &foot) const;
+    void polish(int64_t piece, Foot &foot) const;
     [[nodiscard]] Foot foot(const FootCandidate &place);
     [[nodiscard]] Foot any_point(); // if far_away()
 
     const PatchPieces &pieces_;
     const Query &query_;
     mutable PatchMemory memory_;
-    double *x_;
     PatchItems items_;
+    const double *x_;
     PatchDescent descent_;
     double sign_;
     double tolerance_ = 0;

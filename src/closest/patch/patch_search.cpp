@@ -28,14 +28,14 @@ PatchSearch::PatchSearch(const PatchPieces &pieces, const PatchTree &tree, const
 // From the best centre.
 void PatchSearch::start(const PatchTree::Centre &centre) {
     const PatchMemory::Hold hold(memory_);
-    const PatchItem whole = items_.whole(centre.piece);
+    const double *values = items_.values(centre.piece);
     const PatchBox part = box(centre.piece);
     best_.piece = centre.piece;
     for (size_t k = 0; k < static_cast<size_t>(pieces_.shape().axes); ++k) {
         best_.at[k] = std::clamp(centre.at[k], part.lower[k], part.upper[k]);
     }
-    best_.value = sign_ * descent_.descend(whole.values, part, sign_, floor_, best_.at).distance;
-    best_.error = whole.moved + pieces_.value_error() * (std::abs(best_.value) + pieces_.radius());
+    best_.value = sign_ * descent_.descend(values, part, sign_, floor_, best_.at).distance;
+    best_.error = items_.moved() + pieces_.value_error() * (std::abs(best_.value) + pieces_.radius());
     if (!std::isfinite(best_.value)) {
         best_.value = infinity;
     }

@@ -171,8 +171,8 @@ Extent find_extent(const Spline &given) {
 }
 
 const Extent &extent_of(const Spline &spline) {
-    const Spline::AnyTable &found = spline.slot(Spline::Table::magnitude).get([&] {
-        return Spline::AnyTable(std::make_shared<const Extent>(find_extent(spline)));
+    const Spline::AnyCache &found = spline.slot(Spline::Cache::magnitude).get([&] {
+        return Spline::AnyCache(std::make_shared<const Extent>(find_extent(spline)));
     });
     return *static_cast<const Extent *>(found.get());
 }

@@ -46,14 +46,15 @@ static HWY_NOINLINE AxisPoint special_values(const AxisSource &source, int order
     const int64_t span = source.spans != nullptr ? source.spans->find(t, source.rule.left)
                                                  : source.axis->find_span(t, source.rule.left);
     const double *knots = source.axis->knots().data();
-    if (!source.has_pieces || !source.axis->has_piece(span)) {
+    if (!source.has_power_spans || !source.axis->has_power_span(span)) {
         recurrence_values(source, span, order, t, values);
-    } else if (source.pieces != nullptr && source.spans != nullptr) { // there are never pieces without spans
-        const double *piece = (*source.pieces)[source.spans->number(t, source.rule.left)];
-        horner(order, piece, source.degree, source.lanes, t, values);
+    } else if (source.power_spans != nullptr &&
+               source.spans != nullptr) { // there are never power spans without spans
+        const double *power_span = (*source.power_spans)[source.spans->number(t, source.rule.left)];
+        horner(order, power_span, source.degree, source.lanes, t, values);
     } else {
-        double *const pieces[1] = {source.work};
-        basis_pieces(knots, source.degree, &span, 1, pieces, nullptr);
+        double *const power_spans[1] = {source.work};
+        basis_power_spans(knots, source.degree, &span, 1, power_spans, nullptr);
         horner(order, source.work, source.degree, source.lanes, t, values);
     }
     return {span - source.degree, sole_function(knots, source.degree, span, t)};
@@ -61,28 +62,28 @@ static HWY_NOINLINE AxisPoint special_values(const AxisSource &source, int order
 
 // values: [order + 1][lanes]. first < 0 when the parameter gives NaN.
 HWY_INLINE AxisPoint axis_values(const AxisSource &source, int order, double t, double *values) {
-    if (source.pieces != nullptr && t > source.domain.lower && t < source.domain.upper) {
+    if (source.power_spans != nullptr && t > source.domain.lower && t < source.domain.upper) {
         const int64_t number = source.spans->number(t, false);
-        const double *piece = (*source.pieces)[number];
-        if (t > piece[Piece::lower]) {
-            horner(order, piece, source.degree, source.lanes, t, values);
+        const double *power_span = (*source.power_spans)[number];
+        if (t > power_span[PowerSpan::lower]) {
+            horner(order, power_span, source.degree, source.lanes, t, values);
             return {source.spans->indices()[static_cast<size_t>(number)] - source.degree, -1};
         }
     }
     return special_values(source, order, t, values);
 }
 
-// The pieces and first layers of parameters that all lie strictly inside the domain and in a span with a
-// piece; false if some parameter does not. It is separate from its caller, so that everything it needs stays
-// in registers.
+// The power spans and first layers of parameters that all lie strictly inside the domain and in a span with a
+// power span; false if some parameter does not. It is separate from its caller, so that everything it needs
+// stays in registers.
 static HWY_NOINLINE HWY_MAYBE_UNUSED bool locate(const AxisSource &source, const double *HWY_RESTRICT params,
                                                  int64_t stride, int64_t count,
                                                  AxisPoint *HWY_RESTRICT points,
                                                  const double **HWY_RESTRICT found) {
     const SpanTable::Finder find = source.spans->finder();
     const int64_t *spans = source.spans->indices().data();
-    const double *pieces = (*source.pieces)[0];
-    const int64_t piece_size = source.pieces->size();
+    const double *power_spans = (*source.power_spans)[0];
+    const int64_t power_span_size = source.power_spans->size();
     const Interval domain = source.domain;
     const int degree = source.degree;
     bool ordinary = true;
@@ -92,10 +93,10 @@ static HWY_NOINLINE HWY_MAYBE_UNUSED bool locate(const AxisSource &source, const
             return false;
         }
         const int64_t number = find.number_inside(t);
-        const double *piece = pieces + number * piece_size;
+        const double *power_span = power_spans + number * power_span_size;
         points[i] = {spans[number] - degree, -1};
-        found[i] = piece;
-        ordinary &= t > piece[Piece::lower];
+        found[i] = power_span;
+        ordinary &= t > power_span[PowerSpan::lower];
     }
     return ordinary;
 }
@@ -108,7 +109,7 @@ HWY_INLINE bool axis_block(const AxisSource &source, int order, const double *pa
                            int64_t count, AxisPoint *points, double *values) {
     const int64_t size = source.values_size(order);
     const double *found[axis_block_size];
-    if (source.pieces == nullptr || !locate(source, params, stride, count, points, found)) {
+    if (source.power_spans == nullptr || !locate(source, params, stride, count, points, found)) {
         bool special = false;
         for (int64_t i = 0; i < count; ++i) {
             points[i] = axis_values(source, order, params[i * stride], values + i * size);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Where the basis functions of one axis come from: tables while they exist, the same code without them, or
-// the recurrence if there are no pieces.
+// the recurrence if there are no power spans.
 #pragma once
 
 #include "base/scratch.h"
@@ -26,9 +26,11 @@ struct AxisSource {
     AxisSource() noexcept = default;
     AxisSource(const Spline &spline, int k, const AxisRule &axis_rule, int order, int64_t uses)
         : axis(&spline.axis(k)), rule(axis_rule), domain(axis->domain()), degree(axis->degree()),
-          lanes(Piece::lanes(degree + 1)), has_pieces(spline.has_pieces(k)), spans(axis->spans_after(uses)),
-          pieces(has_pieces ? axis->pieces_after(uses) : nullptr), work_size(size_of_work(order)) {
-        spans = pieces != nullptr ? &axis->spans() : spans;
+          lanes(PowerSpan::lanes(degree + 1)), has_power_spans(spline.has_power_spans(k)),
+          spans(axis->spans_after(uses)),
+          power_spans(has_power_spans ? axis->power_spans_after(uses) : nullptr),
+          work_size(size_of_work(order)) {
+        spans = power_spans != nullptr ? &axis->spans() : spans;
     }
 
     [[nodiscard]] int64_t values_size(int order) const noexcept {
@@ -41,16 +43,17 @@ struct AxisSource {
     Interval domain{};
     int degree = 0;
     int lanes = 0;
-    bool has_pieces = false;
+    bool has_power_spans = false;
     const SpanTable *spans = nullptr;
-    const PieceArray *pieces = nullptr; // null: no table yet
+    const PowerSpans *power_spans = nullptr; // null: no table yet
     size_t work_size = 0;
     double *work = nullptr;
 
 private:
     [[nodiscard]] size_t size_of_work(int order) const noexcept {
         const auto recurrence = static_cast<size_t>(order + 1) * static_cast<size_t>(degree + 1);
-        return std::max(recurrence, has_pieces ? static_cast<size_t>(Piece::size(degree, degree + 1)) : 0);
+        return std::max(recurrence,
+                        has_power_spans ? static_cast<size_t>(PowerSpan::size(degree, degree + 1)) : 0);
     }
 };
 

@@ -23,27 +23,27 @@ static_assert(curve_group == group_size);
 // Read by the loops over ordinary parameters; kept in registers.
 struct CurveTables {
     explicit CurveTables(const CurveJob &job)
-        : domain(job.spline.axis(0).domain()), find(job.spans->finder()), pieces((*job.pieces)[0]),
-          piece_size(job.pieces->size()), degree(job.spline.axis(0).degree()), lanes(job.shape.lanes),
-          dim(job.shape.dim) {}
+        : domain(job.spline.axis(0).domain()), find(job.spans->finder()), power_spans((*job.power_spans)[0]),
+          power_span_size(job.power_spans->size()), degree(job.spline.axis(0).degree()),
+          lanes(job.shape.lanes), dim(job.shape.dim) {}
 
-    // The pieces of `count` parameters inside the domain; false unless each parameter lies strictly inside
-    // its span, and the span has a piece.
+    // The power spans of `count` parameters inside the domain; false unless each parameter lies strictly
+    // inside its span, and the span has a power span.
     [[nodiscard]] HWY_INLINE bool locate(const double *HWY_RESTRICT params, int count,
                                          const double **HWY_RESTRICT found) const {
         bool all = true;
         for (int i = 0; i < count; ++i) {
-            const double *piece = pieces + find.number_inside(params[i]) * piece_size;
-            found[i] = piece;
-            all &= params[i] > piece[Piece::lower];
+            const double *power_span = power_spans + find.number_inside(params[i]) * power_span_size;
+            found[i] = power_span;
+            all &= params[i] > power_span[PowerSpan::lower];
         }
         return all;
     }
 
     Interval domain;
     SpanTable::Finder find;
-    const double *pieces;
-    int64_t piece_size;
+    const double *power_spans;
+    int64_t power_span_size;
     int degree;
     int lanes;
     int dim;
@@ -76,7 +76,7 @@ public:
           write_records_(job.shape, job.quotient, job.weights, out), write_rows_(job.shape, out) {}
 
     void run() {
-        switch (job_.pieces == nullptr ? -1 : job_.shape.order) {
+        switch (job_.power_spans == nullptr ? -1 : job_.shape.order) {
         case -1:
             return run_without_tables();
         case 0:
@@ -115,28 +115,28 @@ private:
     HWY_NOINLINE void run_params() {
         const CurveTables tables(job_);
         const ConstRecords &params = params_;
-        const double *piece = nullptr;
+        const double *power_span = nullptr;
         double copy[curve_block];
         for (int64_t first = 0; first < params.count; first += curve_block) {
             const int count = static_cast<int>(std::min<int64_t>(curve_block, params.count - first));
             const double *block = block_of(params, first, count, copy);
-            const double *pieces[curve_block];
-            if (piece != nullptr && count == curve_block &&
-                between(block, count, piece[Piece::lower], piece[Piece::upper])) {
-                run_in_piece<kOrders, kDegree>(block, piece, first);
+            const double *power_spans[curve_block];
+            if (power_span != nullptr && count == curve_block &&
+                between(block, count, power_span[PowerSpan::lower], power_span[PowerSpan::upper])) {
+                run_in_piece<kOrders, kDegree>(block, power_span, first);
                 continue;
             }
             if (!between(block, count, tables.domain.lower, tables.domain.upper) ||
-                !tables.locate(block, count, pieces)) {
+                !tables.locate(block, count, power_spans)) {
                 run_specially(block, count, first);
-                piece = nullptr;
+                power_span = nullptr;
                 continue;
             }
-            piece = pieces[count - 1];
+            power_span = power_spans[count - 1];
             if constexpr (kLanes > 0) {
-                run_quads<kOrders, kDegree, kLanes>(tables, block, pieces, count, first);
+                run_quads<kOrders, kDegree, kLanes>(tables, block, power_spans, count, first);
             } else {
-                run_records<kOrders, kDegree>(tables, block, pieces, count, first);
+                run_records<kOrders, kDegree>(tables, block, power_spans, count, first);
             }
         }
     }
@@ -155,9 +155,9 @@ private:
     }
 
     template <int kOrders, int kDegree>
-    HWY_NOINLINE void run_in_piece(const double *block, const double *piece, int64_t first) {
+    HWY_NOINLINE void run_in_piece(const double *block, const double *power_span, int64_t first) {
         for (int i = 0; i < curve_block; i += group_size) {
-            horner_rows<kOrders, kDegree>(block + i, piece);
+            horner_rows<kOrders, kDegree>(block + i, power_span);
             if (job_.quotient != nullptr) {
                 divide_group(job_.shape, *job_.quotient, job_.records);
             }
@@ -166,30 +166,30 @@ private:
     }
 
     template <int kOrders, int kDegree>
-    HWY_INLINE void run_records(const CurveTables &tables, const double *block, const double *const *pieces,
-                                int count, int64_t first) {
+    HWY_INLINE void run_records(const CurveTables &tables, const double *block,
+                                const double *const *power_spans, int count, int64_t first) {
         for (int i = 0; i < count; ++i) {
-            horner_record<kOrders, kDegree>(job_.shape.order, pieces[i], tables.degree, tables.lanes,
+            horner_record<kOrders, kDegree>(job_.shape.order, power_spans[i], tables.degree, tables.lanes,
                                             block[i], job_.records);
             write_records_(first + i, 1, job_.records);
         }
     }
 
     template <int kOrders, int kDegree>
-    HWY_INLINE void horner_rows(const double *HWY_RESTRICT params, const double *HWY_RESTRICT piece) {
+    HWY_INLINE void horner_rows(const double *HWY_RESTRICT params, const double *HWY_RESTRICT power_span) {
         using V = hn::Vec<Vec8>;
         const Vec8 d;
         const int width = job_.shape.width;
         const int64_t slot_size = static_cast<int64_t>(width) * group_size;
         double *rows = job_.records;
-        const double scale = piece[Piece::scale];
+        const double scale = power_span[PowerSpan::scale];
         for (int i = 0; i < group_size; i += vec8_lanes) {
-            const V x = hn::Mul(hn::Sub(hn::LoadU(d, params + i), hn::Set(d, piece[Piece::middle])),
+            const V x = hn::Mul(hn::Sub(hn::LoadU(d, params + i), hn::Set(d, power_span[PowerSpan::middle])),
                                 hn::Set(d, scale));
             for (int c = 0; c < width; ++c) {
                 V y[kOrders];
-                horner_vector<kOrders, kDegree>(d, OneComponent(), piece + Piece::head_size + c, degree(),
-                                                job_.shape.lanes, x, scale, y);
+                horner_vector<kOrders, kDegree>(d, OneComponent(), power_span + PowerSpan::head_size + c,
+                                                degree(), job_.shape.lanes, x, scale, y);
                 for (int k = 0; k < kOrders; ++k) {
                     if (kOrders < most_orders || k < job_.shape.slots) {
                         hn::Store(y[k], d, rows + k * slot_size + c * group_size + i);
@@ -204,8 +204,8 @@ private:
 
     // Records of four or eight lanes, in registers from the coefficients to the caller's array.
     template <int kOrders, int kDegree, int kLanes>
-    HWY_INLINE void run_quads(const CurveTables &tables, const double *block, const double *const *pieces,
-                              int count, int64_t first) {
+    HWY_INLINE void run_quads(const CurveTables &tables, const double *block,
+                              const double *const *power_spans, int count, int64_t first) {
         const Vec4 d;
         QuadWriter write(job_.shape, out_);
         const int degree = tables.degree;
@@ -213,12 +213,13 @@ private:
         const bool rational = job_.quotient != nullptr;
         for (int i = 0; i < count; ++i) {
             QuadRecord<kOrders, kLanes> record;
-            const double *piece = pieces[i];
-            const double scale = piece[Piece::scale];
-            const auto x = hn::Set(d, (block[i] - piece[Piece::middle]) * scale);
+            const double *power_span = power_spans[i];
+            const double scale = power_span[PowerSpan::scale];
+            const auto x = hn::Set(d, (block[i] - power_span[PowerSpan::middle]) * scale);
             for (int part = 0; part < record.parts; ++part) {
-                horner_vector<kOrders, kDegree>(d, Components(), piece + Piece::head_size + part * vec4_lanes,
-                                                degree, kLanes, x, scale, record.values[part]);
+                horner_vector<kOrders, kDegree>(d, Components(),
+                                                power_span + PowerSpan::head_size + part * vec4_lanes, degree,
+                                                kLanes, x, scale, record.values[part]);
             }
             if (rational) {
                 record.template divide_by_weight<1, kOrders - 1>(dim);
@@ -240,7 +241,7 @@ private:
             return write_nan(job_.shape.values(), out_, i);
         }
         const int64_t span = axis_.find_span(t, job_.rule.left);
-        if (job_.spline.has_piece(span)) {
+        if (job_.spline.has_power_span(span)) {
             horner(job_.shape.order, piece_of(span, t), degree(), job_.shape.lanes, t, job_.records);
             write_records_(i, 1, job_.records);
         } else {
@@ -271,7 +272,7 @@ private:
             contract_derivatives(span, rows);
             return write_records_(i, 1, job_.records);
         }
-        double *point = job_.piece;
+        double *point = job_.power_span;
         std::copy_n(job_.records, job_.shape.lanes, point);
         divide_record<1, 0>(job_.shape, point);
         const ActiveRows moved = rows_from(point, span, rows);
@@ -363,11 +364,11 @@ private:
 
     // From the table, or made by the same code.
     const double *piece_of(int64_t span, double t) {
-        if (job_.pieces != nullptr) {
-            return (*job_.pieces)[job_.spans->number(t, job_.rule.left)];
+        if (job_.power_spans != nullptr) {
+            return (*job_.power_spans)[job_.spans->number(t, job_.rule.left)];
         }
-        job_.spline.curve_piece(span, job_.window, job_.piece);
-        return job_.piece;
+        job_.spline.curve_power_span(span, job_.window, job_.power_span);
+        return job_.power_span;
     }
 
     [[nodiscard]] HWY_INLINE int degree() const { return axis_.degree(); }

@@ -11,15 +11,15 @@ struct CurveJob {
     const Spline &spline;
     AxisRule rule;
     const RecordShape &shape;
-    const QuotientRule *quotient; // null for a polynomial curve
-    const SpanTable *spans;       // null with `pieces`
-    const PieceArray *pieces;     // null while there is no table: then every piece is made anew
-    const double *net;            // the records, if the recurrence needs them; null while there is no table
-    double *records;              // working memory: [group][slots][lanes], a group being curve_group points
-    double *weights;              // [slots]
-    double *piece;                // Piece::size(degree, width)
-    double *values;               // [order + 1][degree + 1]
-    double *window;               // [degree + 1][lanes]
+    const QuotientRule *quotient;  // null for a polynomial curve
+    const SpanTable *spans;        // null with `power_spans`
+    const PowerSpans *power_spans; // null while there is no table: then every power span is made anew
+    const double *net;             // the records, if the recurrence needs them; null while there is no table
+    double *records;               // working memory: [group][slots][lanes], a group being curve_group points
+    double *weights;               // [slots]
+    double *power_span;            // PowerSpan::size(degree, width)
+    double *values;                // [order + 1][degree + 1]
+    double *window;                // [degree + 1][lanes]
 };
 
 inline constexpr int curve_group = 8;

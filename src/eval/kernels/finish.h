@@ -17,7 +17,7 @@ namespace nrb::eval {
 struct RecordShape {
     RecordShape(const Spline &spline, int highest_order) noexcept
         : axes(spline.axes()), order(highest_order), dim(spline.dim()), width(spline.width()),
-          lanes(Piece::lanes(spline.width())), slots(slot_count(spline.axes(), highest_order)),
+          lanes(PowerSpan::lanes(spline.width())), slots(slot_count(spline.axes(), highest_order)),
           rational(spline.rational()) {}
 
     [[nodiscard]] int64_t size() const noexcept { return slots * lanes; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Horner's rule on polynomial pieces. Included once for every instruction set: see base/simd.h.
+// Horner's rule on power spans. Included once for every instruction set: see base/simd.h.
 #if defined(NURBS_EVAL_KERNELS_HORNER_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef NURBS_EVAL_KERNELS_HORNER_INL_H_
 #undef NURBS_EVAL_KERNELS_HORNER_INL_H_
@@ -75,15 +75,15 @@ HWY_INLINE void horner_vector(D d, Load load, const double *HWY_RESTRICT powers,
 }
 
 // Number of orders that a kernel for `order` computes; derivatives above the degree are 0.
-inline constexpr int most_orders = max_piece_degree + 1;
+inline constexpr int most_orders = max_power_span_degree + 1;
 
-// Components l, l + 1, ... of a piece at x, as many as a vector holds.
+// Components l, l + 1, ... of a power span at x, as many as a vector holds.
 template <int kOrders, int kDegree, class D>
-HWY_INLINE void horner_lanes(D d, int order, const double *HWY_RESTRICT piece, int degree, int lanes, int l,
-                             double x, double *HWY_RESTRICT out) {
+HWY_INLINE void horner_lanes(D d, int order, const double *HWY_RESTRICT power_span, int degree, int lanes,
+                             int l, double x, double *HWY_RESTRICT out) {
     hn::Vec<D> y[kOrders];
-    horner_vector<kOrders, kDegree>(d, Components(), piece + Piece::head_size + l, degree, lanes,
-                                    hn::Set(d, x), piece[Piece::scale], y);
+    horner_vector<kOrders, kDegree>(d, Components(), power_span + PowerSpan::head_size + l, degree, lanes,
+                                    hn::Set(d, x), power_span[PowerSpan::scale], y);
     for (int k = 0; k < kOrders; ++k) {
         if (kOrders < most_orders || k <= order) {
             hn::StoreU(y[k], d, out + static_cast<int64_t>(k) * lanes + l);
@@ -91,17 +91,17 @@ HWY_INLINE void horner_lanes(D d, int order, const double *HWY_RESTRICT piece, i
     }
 }
 
-// All components of a piece at t. out: [order + 1][lanes].
+// All components of a power span at t. out: [order + 1][lanes].
 template <int kOrders, int kDegree>
-HWY_INLINE void horner_record(int order, const double *HWY_RESTRICT piece, int degree, int lanes, double t,
-                              double *HWY_RESTRICT out) {
-    const double x = (t - piece[Piece::middle]) * piece[Piece::scale];
+HWY_INLINE void horner_record(int order, const double *HWY_RESTRICT power_span, int degree, int lanes,
+                              double t, double *HWY_RESTRICT out) {
+    const double x = (t - power_span[PowerSpan::middle]) * power_span[PowerSpan::scale];
     int l = 0;
     for (; l + vec8_lanes <= lanes; l += vec8_lanes) {
-        horner_lanes<kOrders, kDegree>(Vec8(), order, piece, degree, lanes, l, x, out);
+        horner_lanes<kOrders, kDegree>(Vec8(), order, power_span, degree, lanes, l, x, out);
     }
     for (; l < lanes; l += vec4_lanes) {
-        horner_lanes<kOrders, kDegree>(Vec4(), order, piece, degree, lanes, l, x, out);
+        horner_lanes<kOrders, kDegree>(Vec4(), order, power_span, degree, lanes, l, x, out);
     }
     if constexpr (kOrders == most_orders) {
         std::fill_n(out + static_cast<int64_t>(kOrders) * lanes,
@@ -109,16 +109,16 @@ HWY_INLINE void horner_record(int order, const double *HWY_RESTRICT piece, int d
     }
 }
 
-HWY_INLINE void horner(int order, const double *piece, int degree, int lanes, double t, double *out) {
+HWY_INLINE void horner(int order, const double *power_span, int degree, int lanes, double t, double *out) {
     switch (order) {
     case 0:
-        return horner_record<1, -1>(order, piece, degree, lanes, t, out);
+        return horner_record<1, -1>(order, power_span, degree, lanes, t, out);
     case 1:
-        return horner_record<2, -1>(order, piece, degree, lanes, t, out);
+        return horner_record<2, -1>(order, power_span, degree, lanes, t, out);
     case 2:
-        return horner_record<3, -1>(order, piece, degree, lanes, t, out);
+        return horner_record<3, -1>(order, power_span, degree, lanes, t, out);
     default:
-        return horner_record<most_orders, -1>(order, piece, degree, lanes, t, out);
+        return horner_record<most_orders, -1>(order, power_span, degree, lanes, t, out);
     }
 }
 

@@ -151,7 +151,7 @@ public:
 private:
     void append_knots(double t, int copies, size_t cell) {
         knots_.insert(knots_.end(), static_cast<size_t>(copies), t);
-        cell_behind_.insert(cell_behind_.end(), static_cast<size_t>(copies), cell);
+        cell_after_.insert(cell_after_.end(), static_cast<size_t>(copies), cell);
     }
 
     // If polar values of f overshoot its values, weights of the result may overshoot to below 0.
@@ -175,7 +175,7 @@ private:
         for (int64_t span = layer + 1; span <= layer + degree_; ++span) {
             best = length(span) > length(best) ? span : best;
         }
-        return cells_[cell_behind_[static_cast<size_t>(best)]];
+        return cells_[cell_after_[static_cast<size_t>(best)]];
     }
 
     // Distinct knots among the arguments of a layer.
@@ -343,8 +343,8 @@ private:
     std::vector<CurvePiece> pieces_;
     Spline::Axes axes_; // of g, with the periods that f runs through
     std::vector<SpanCell> cells_;
-    std::vector<double> knots_;       // of the result
-    std::vector<size_t> cell_behind_; // of each knot
+    std::vector<double> knots_;      // of the result
+    std::vector<size_t> cell_after_; // of each knot
 
     // Data of the layer that is being made.
     const SpanCell *cell_ = nullptr;

@@ -1,4 +1,4 @@
-// The coefficients of polynomial pieces against rational numbers, on every instruction set.
+// The coefficients of power spans against rational numbers, on every instruction set.
 #include "unit/targets.h"
 
 #include "basis/knot_vector.h"
@@ -12,7 +12,7 @@
 namespace power_spans_test {
 
 using namespace support;
-using nrb::Piece;
+using nrb::PowerSpan;
 using reference::exact;
 using reference::Rational;
 
@@ -20,38 +20,39 @@ namespace {
 
 using Pieces = targets::Targets;
 
-// Pieces and rests of some spans of one knot vector, made in one call.
+// Power spans and rests of some spans of one knot vector, made in one call.
 struct Together {
-    std::vector<std::vector<double>> pieces;
+    std::vector<std::vector<double>> power_spans;
     std::vector<std::vector<double>> rests;
 
     Together(const nrb::KnotVector &axis, const std::vector<int64_t> &spans, bool with_rests = true) {
-        const auto size = static_cast<size_t>(Piece::size(axis.degree(), axis.degree() + 1));
-        pieces.assign(spans.size(), std::vector<double>(size, std::nan("")));
+        const auto size = static_cast<size_t>(PowerSpan::size(axis.degree(), axis.degree() + 1));
+        power_spans.assign(spans.size(), std::vector<double>(size, std::nan("")));
         rests.assign(spans.size(), std::vector<double>(size, 0.0));
         std::vector<double *> piece_records;
         std::vector<double *> rest_records;
         for (size_t i = 0; i < spans.size(); ++i) {
-            piece_records.push_back(pieces[i].data());
+            piece_records.push_back(power_spans[i].data());
             rest_records.push_back(rests[i].data());
         }
-        nrb::basis_pieces(axis.knots().data(), axis.degree(), spans.data(), static_cast<int>(spans.size()),
-                          piece_records.data(), with_rests ? rest_records.data() : nullptr);
+        nrb::basis_power_spans(axis.knots().data(), axis.degree(), spans.data(),
+                               static_cast<int>(spans.size()), piece_records.data(),
+                               with_rests ? rest_records.data() : nullptr);
     }
 };
 
 size_t place(int degree, int k, int j) {
-    return static_cast<size_t>(Piece::head_size + k * Piece::lanes(degree + 1) + j);
+    return static_cast<size_t>(PowerSpan::head_size + k * PowerSpan::lanes(degree + 1) + j);
 }
 
 // Powers of the local parameter in place of derivatives: D^k / (k! scale^k).
 class ExactPiece {
 public:
-    ExactPiece(const nrb::KnotVector &axis, const std::vector<double> &piece)
+    ExactPiece(const nrb::KnotVector &axis, const std::vector<double> &power_span)
         : basis_(reference::exact_basis({axis.knots().begin(), axis.knots().end()}, axis.degree(),
-                                        piece[Piece::middle], axis.degree(),
-                                        piece[Piece::middle] == piece[Piece::upper])),
-          scale_(exact(piece[Piece::scale])) {}
+                                        power_span[PowerSpan::middle], axis.degree(),
+                                        power_span[PowerSpan::middle] == power_span[PowerSpan::upper])),
+          scale_(exact(power_span[PowerSpan::scale])) {}
 
     [[nodiscard]] int64_t span() const { return basis_.span; }
     [[nodiscard]] Rational operator()(int k, int j) const {
@@ -70,8 +71,8 @@ private:
 // What the roundings of double-doubles are relative to: the largest magnitude among the terms that are added
 // up to the coefficients of power k, from the functions of degree p - k and the difference formula without
 // its signs.
-std::vector<double> magnitudes(const nrb::KnotVector &axis, int64_t span, const std::vector<double> &piece,
-                               int k) {
+std::vector<double> magnitudes(const nrb::KnotVector &axis, int64_t span,
+                               const std::vector<double> &power_span, int k) {
     const int p = axis.degree();
     std::vector<double> values = {1};
     double factor = 1;
@@ -81,10 +82,12 @@ std::vector<double> magnitudes(const nrb::KnotVector &axis, int64_t span, const 
             const double first = axis[span - r + 1 + j];
             const double last = axis[span + 1 + j];
             const double part = values[static_cast<size_t>(j)] / (last - first);
-            const double middle = piece[Piece::middle];
+            const double middle = power_span[PowerSpan::middle];
             const bool differs = r > p - k;
-            upper[static_cast<size_t>(j)] += part * (differs ? 1 / piece[Piece::scale] : last - middle);
-            upper[static_cast<size_t>(j) + 1] += part * (differs ? 1 / piece[Piece::scale] : middle - first);
+            upper[static_cast<size_t>(j)] +=
+                part * (differs ? 1 / power_span[PowerSpan::scale] : last - middle);
+            upper[static_cast<size_t>(j) + 1] +=
+                part * (differs ? 1 / power_span[PowerSpan::scale] : middle - first);
         }
         values = std::move(upper);
         factor *= r > p - k ? static_cast<double>(r) / (r - p + k) : 1;
@@ -95,22 +98,23 @@ std::vector<double> magnitudes(const nrb::KnotVector &axis, int64_t span, const 
     return values;
 }
 
-// A piece's coefficients, tallied: how many that did not come from cancellation are not the exact ones
+// A power span's coefficients, tallied: how many that did not come from cancellation are not the exact ones
 // rounded, and the errors of all with their rests.
 struct Tally {
     int64_t count = 0;
     int64_t other = 0;
     double worst_rest = 0; // in units of 2^-104 times the magnitudes
 
-    void add(const nrb::KnotVector &axis, int64_t span, const std::vector<double> &piece,
+    void add(const nrb::KnotVector &axis, int64_t span, const std::vector<double> &power_span,
              const std::vector<double> &rest) {
         const int p = axis.degree();
-        const ExactPiece want(axis, piece);
+        const ExactPiece want(axis, power_span);
         ASSERT_EQ(want.span(), span);
         for (int k = 0; k <= p; ++k) {
-            const auto sizes = magnitudes(axis, span, piece, k);
+            const auto sizes = magnitudes(axis, span, power_span, k);
             for (int j = 0; j <= p; ++j) {
-                add(piece[place(p, k, j)], rest[place(p, k, j)], want(k, j), sizes[static_cast<size_t>(j)]);
+                add(power_span[place(p, k, j)], rest[place(p, k, j)], want(k, j),
+                    sizes[static_cast<size_t>(j)]);
             }
         }
     }
@@ -136,7 +140,7 @@ nrb::KnotVectorPtr random_axis_of(Random &random, int degree) {
 std::vector<int64_t> spans_with_pieces(const nrb::KnotVector &axis) {
     std::vector<int64_t> spans;
     for (const int64_t span : axis.spans().indices()) {
-        if (axis.has_piece(span)) {
+        if (axis.has_power_span(span)) {
             spans.push_back(span);
         }
     }
@@ -145,14 +149,14 @@ std::vector<int64_t> spans_with_pieces(const nrb::KnotVector &axis) {
 
 TEST_P(Pieces, have_heads_that_map_their_span_to_unit_size) {
     for_each_case(96000, 200, [](Random &random, uint64_t) {
-        const auto axis = random_axis_of(random, random.whole(1, nrb::max_piece_degree));
+        const auto axis = random_axis_of(random, random.whole(1, nrb::max_power_span_degree));
         for (const int64_t span : spans_with_pieces(*axis)) {
-            const auto piece = Together(*axis, {span}).pieces[0];
-            const double scale = piece[Piece::scale];
-            EXPECT_EQ(piece[Piece::lower], (*axis)[span]);
-            EXPECT_EQ(piece[Piece::upper], (*axis)[span + 1]);
-            const double behind = piece[Piece::middle] - piece[Piece::lower];
-            const double ahead = piece[Piece::upper] - piece[Piece::middle];
+            const auto power_span = Together(*axis, {span}).power_spans[0];
+            const double scale = power_span[PowerSpan::scale];
+            EXPECT_EQ(power_span[PowerSpan::lower], (*axis)[span]);
+            EXPECT_EQ(power_span[PowerSpan::upper], (*axis)[span + 1]);
+            const double behind = power_span[PowerSpan::middle] - power_span[PowerSpan::lower];
+            const double ahead = power_span[PowerSpan::upper] - power_span[PowerSpan::middle];
             EXPECT_LE(std::fabs(behind - ahead), 0.05 * (behind + ahead));
             int exponent = 0;
             EXPECT_EQ(std::frexp(scale, &exponent), 0.5);
@@ -165,13 +169,13 @@ TEST_P(Pieces, have_heads_that_map_their_span_to_unit_size) {
 // Rounding a number of twice the precision misses the nearest double only close to a tie. Coefficients whose
 // terms cancel are known to twice the precision of the terms, no more: zeros come out as some 1e-32 of them.
 TEST_P(Pieces, are_the_exact_ones_rounded) {
-    for (int degree = 1; degree <= nrb::max_piece_degree; ++degree) {
+    for (int degree = 1; degree <= nrb::max_power_span_degree; ++degree) {
         Tally tally;
         for_each_case(97000 + 100 * static_cast<uint64_t>(degree), 8, [&](Random &random, uint64_t) {
             const auto axis = random_axis_of(random, degree);
             for (const int64_t span : spans_with_pieces(*axis)) {
                 const Together one(*axis, {span});
-                tally.add(*axis, span, one.pieces[0], one.rests[0]);
+                tally.add(*axis, span, one.power_spans[0], one.rests[0]);
             }
         });
         std::printf("degree %d: %lld of %lld coefficients not the nearest, with rests within %.2f * 2^-104\n",
@@ -184,18 +188,18 @@ TEST_P(Pieces, are_the_exact_ones_rounded) {
 
 TEST_P(Pieces, have_the_same_bits_whatever_is_made_together) {
     for_each_case(98000, 300, [](Random &random, uint64_t) {
-        const auto axis = random_axis_of(random, random.whole(1, nrb::max_piece_degree));
+        const auto axis = random_axis_of(random, random.whole(1, nrb::max_power_span_degree));
         const auto spans = spans_with_pieces(*axis);
         if (spans.empty()) {
             return;
         }
         std::vector<std::vector<double>> alone;
         for (const int64_t span : spans) {
-            alone.push_back(Together(*axis, {span}).pieces[0]);
-            ASSERT_TRUE(same_bits(Together(*axis, {span}, false).pieces[0], alone.back()));
+            alone.push_back(Together(*axis, {span}).power_spans[0]);
+            ASSERT_TRUE(same_bits(Together(*axis, {span}, false).power_spans[0], alone.back()));
         }
-        const nrb::PieceArray table = nrb::basis_pieces(*axis);
-        for (int count = 1; count <= nrb::pieces_together(); ++count) {
+        const nrb::PowerSpans table = nrb::basis_power_spans(*axis);
+        for (int count = 1; count <= nrb::power_spans_together(); ++count) {
             std::vector<int64_t> chosen;
             std::vector<size_t> numbers;
             for (int i = 0; i < count; ++i) {
@@ -204,7 +208,7 @@ TEST_P(Pieces, have_the_same_bits_whatever_is_made_together) {
             }
             const Together together(*axis, chosen);
             for (size_t i = 0; i < chosen.size(); ++i) {
-                ASSERT_TRUE(same_bits(together.pieces[i], alone[numbers[i]])) << count << " together";
+                ASSERT_TRUE(same_bits(together.power_spans[i], alone[numbers[i]])) << count << " together";
                 const auto &indices = axis->spans().indices();
                 const auto number = std::find(indices.begin(), indices.end(), chosen[i]) - indices.begin();
                 const std::vector<double> stored(table[number], table[number] + table.size());
@@ -218,7 +222,7 @@ TEST_P(Pieces, have_the_same_bits_whatever_is_made_together) {
 TEST_P(Pieces, of_curves_are_the_exact_sums_rounded) {
     long double worst = 0; // beyond half a unit, in units of 2^-104 times the sum of magnitudes
     for_each_case(99000, 40, [&](Random &random, uint64_t) {
-        const int degree = random.whole(1, nrb::max_piece_degree);
+        const int degree = random.whole(1, nrb::max_power_span_degree);
         const auto axis = random_axis_of(random, degree);
         const auto spans = spans_with_pieces(*axis);
         if (spans.empty()) {
@@ -237,8 +241,8 @@ TEST_P(Pieces, of_curves_are_the_exact_sums_rounded) {
             }
         }
         std::vector<double> powers(functions * static_cast<size_t>(lanes));
-        nrb::combine_pieces(one.pieces[0].data(), one.rests[0].data(), degree, weights.data(), points.data(),
-                            lanes, powers.data());
+        nrb::combine_power_spans(one.power_spans[0].data(), one.rests[0].data(), degree, weights.data(),
+                                 points.data(), lanes, powers.data());
         for (size_t i = 0; i < powers.size(); ++i) {
             const auto k = static_cast<int>(i) / lanes;
             Rational sum = 0;
@@ -246,7 +250,7 @@ TEST_P(Pieces, of_curves_are_the_exact_sums_rounded) {
             for (size_t j = 0; j < functions; ++j) {
                 const size_t at = place(degree, k, static_cast<int>(j));
                 const Rational term =
-                    (exact(one.pieces[0][at]) + exact(one.rests[0][at])) * exact(weights[j]) *
+                    (exact(one.power_spans[0][at]) + exact(one.rests[0][at])) * exact(weights[j]) *
                     exact(points[j * static_cast<size_t>(lanes) + i % static_cast<size_t>(lanes)]);
                 sum += term;
                 size += abs(term);

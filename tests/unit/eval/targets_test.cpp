@@ -282,7 +282,7 @@ void check_bits(Random &random, const SplineData &data) {
 TEST_P(Targets, are_chosen_for_the_kernels) {
     const bool widest = (GetParam() & (HWY_AVX3 | HWY_AVX3_DL)) != 0;
     const int lanes = widest ? 8 : GetParam() == HWY_AVX2 ? 4 : GetParam() == HWY_SCALAR ? 1 : 2;
-    EXPECT_EQ(nrb::pieces_together(), lanes);
+    EXPECT_EQ(nrb::power_spans_together(), lanes);
 }
 
 TEST_P(Targets, keep_the_accuracy_of_curves) {

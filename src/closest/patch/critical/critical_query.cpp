@@ -6,15 +6,14 @@
 namespace nrb::closest {
 
 CriticalQuery::CriticalQuery(const PatchPieces &pieces, const Query &query)
-    : pieces_(pieces), query_(query), x_(memory_.take(pieces.shape().lanes)), items_(pieces, x_, memory_),
+    : pieces_(pieces), query_(query), items_(pieces, query.point, memory_),
       descent_(pieces.shape(), memory_) {
-    pieces.place(query.point, x_);
     noise_ = pieces.allowance() * pieces.weight_ratio() * (pieces.size() + pieces.magnitude(query.point));
     near_ = pieces.scaled(query.tolerance) + 64 * noise_;
 }
 
 bool CriticalQuery::far_away() const noexcept {
-    return !(norm(x_, shape().dim) < 0x1p100);
+    return !(norm(items_.x(), shape().dim) < 0x1p100);
 }
 
 PatchItem CriticalQuery::piece_in_range(int64_t piece) const {

@@ -42,7 +42,6 @@ private:
     const PatchPieces &pieces_;
     const Query &query_;
     mutable PatchMemory memory_;
-    double *x_;
     PatchItems items_;
     PatchDescent descent_;
     double noise_ = 0, near_ = 0;

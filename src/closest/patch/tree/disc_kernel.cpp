@@ -22,7 +22,7 @@ inline constexpr int eight_lanes = static_cast<int>(hn::MaxLanes(Eight()));
 
 // The numbers of discs i, i + 1, ... of a family.
 struct DoubleColumns {
-    static constexpr bool unit = true; // normals
+    static constexpr double apart = 0; // of a centre and a point of the surface
     const double *family;
     int64_t width;
     int dim;
@@ -30,7 +30,9 @@ struct DoubleColumns {
     [[nodiscard]] HWY_INLINE auto column(int k, int64_t i) const {
         return hn::LoadU(Eight(), family + k * width + i);
     }
-    [[nodiscard]] HWY_INLINE auto centre(int c, int64_t i) const { return column(c, i); }
+    [[nodiscard]] HWY_INLINE auto from_centre(double x, int c, int64_t i) const {
+        return hn::Sub(hn::Set(Eight(), x), column(c, i));
+    }
     [[nodiscard]] HWY_INLINE auto radius(int64_t i) const { return column(dim, i); }
     [[nodiscard]] HWY_INLINE auto normal(int c, int64_t i) const { return column(dim + 1 + c, i); }
     [[nodiscard]] HWY_INLINE auto low(int64_t i) const { return column(2 * dim + 1, i); }
@@ -38,11 +40,11 @@ struct DoubleColumns {
 };
 
 struct ByteColumns {
-    static constexpr bool unit = false;
     const int8_t *family;
     const float *frame;
     int64_t width;
     int dim;
+    double apart;
 
     [[nodiscard]] HWY_INLINE auto column(int k, int64_t i) const {
         const Eight d;
@@ -52,13 +54,20 @@ struct ByteColumns {
     [[nodiscard]] HWY_INLINE auto scaled(int k, int64_t i, double scale) const {
         return hn::Mul(hn::Set(Eight(), scale), column(k, i));
     }
-    [[nodiscard]] HWY_INLINE auto centre(int c, int64_t i) const {
-        return hn::Add(hn::Set(Eight(), double{frame[c]}), scaled(c, i, double{frame[dim]}));
+    [[nodiscard]] HWY_INLINE auto from_centre(double x, int c, int64_t i) const {
+        const Eight d;
+        return hn::NegMulAdd(hn::Set(d, double{frame[dim]}), column(c, i), hn::Set(d, x - double{frame[c]}));
     }
-    [[nodiscard]] HWY_INLINE auto radius(int64_t i) const { return scaled(dim, i, double{frame[dim + 1]}); }
+    [[nodiscard]] HWY_INLINE auto radius(int64_t i) const {
+        const Eight d;
+        const double scale = frame[dim + 1];
+        return hn::MulAdd(hn::Set(d, scale), column(dim, i), hn::Set(d, 127 * scale));
+    }
     [[nodiscard]] HWY_INLINE auto normal(int c, int64_t i) const {
+        const Eight d;
         const float *middle = frame + dim + 3;
-        return hn::Add(hn::Set(Eight(), double{middle[c]}), scaled(dim + 1 + c, i, double{middle[dim]}));
+        return hn::MulAdd(hn::Set(d, double{middle[dim]}), column(dim + 1 + c, i),
+                          hn::Set(d, double{middle[c]}));
     }
     [[nodiscard]] HWY_INLINE auto low(int64_t i) const {
         return scaled(2 * dim + 1, i, double{frame[dim + 2]});
@@ -76,20 +85,16 @@ HWY_INLINE void bound_all(const Columns &family, int64_t width, int dim, const d
                           const DiscBounds &out) {
     const Eight d;
     const auto zero = hn::Zero(d);
+    const auto apart = hn::Set(d, family.apart);
     const auto slack = hn::Set(d, (dim + 8) * std::numeric_limits<double>::epsilon());
     for (int64_t i = 0; i < width; i += eight_lanes) {
-        auto square = zero, height = zero, length = zero;
+        auto square = zero, height = zero;
         for (int c = 0; c < dim; ++c) {
-            const auto delta = hn::Sub(hn::Set(d, x[c]), family.centre(c, i));
+            const auto delta = family.from_centre(x[c], c, i);
             square = hn::MulAdd(delta, delta, square);
             if (kNormals) {
-                const auto normal = family.normal(c, i);
-                height = hn::MulAdd(delta, normal, height);
-                length = Columns::unit ? length : hn::MulAdd(normal, normal, length);
+                height = hn::MulAdd(delta, family.normal(c, i), height);
             }
-        }
-        if (kNormals && !Columns::unit) {
-            height = hn::Div(hn::Mul(hn::Set(d, unit_length), height), hn::Sqrt(length));
         }
         const auto radius = family.radius(i);
         const auto centre = hn::Sqrt(square);
@@ -113,7 +118,7 @@ HWY_INLINE void bound_all(const Columns &family, int64_t width, int dim, const d
             bound = kFarthest ? hn::Add(centre, radius) : hn::Max(zero, hn::Sub(centre, radius));
         }
         hn::StoreU(kFarthest ? hn::Neg(bound) : bound, d, out.bounds + i);
-        hn::StoreU(kFarthest ? hn::Neg(centre) : centre, d, out.centres + i);
+        hn::StoreU(hn::Add(kFarthest ? hn::Neg(centre) : centre, apart), d, out.centres + i);
     }
 }
 
@@ -136,7 +141,8 @@ void bounds(const double *family, int64_t width, int dim, bool normals, const do
 
 void byte_bounds(const ByteDiscs &family, int64_t width, int dim, bool normals, const double *x,
                  bool farthest, const DiscBounds &out) {
-    bounds_of(ByteColumns{family.columns, family.frame, width, dim}, width, dim, normals, x, farthest, out);
+    bounds_of(ByteColumns{family.columns, family.frame, width, dim, family.apart}, width, dim, normals, x,
+              farthest, out);
 }
 
 } // namespace HWY_NAMESPACE

@@ -6,9 +6,11 @@
 
 namespace nrb::closest {
 
-// Discs: a family of `width` of them is an array of columns [width]: the coordinates of the
-// centres, the radii, and, with normals, the three coordinates of the unit normals and the least and the
-// largest height over the plane through the centre.
+// Discs: a family of `width` of them is an array of columns [width]: the coordinates of the centres, the
+// radii, and, with normals, the three coordinates of the normals n, |n| <= 1, and the least and the largest
+// height n (p - c) of the points p over the centre c. A point is sqrt(|p - c|^2 - height^2) across n, at most
+// the radius. Of every v, (n v, its length across n) has the length of v, as (I - n n^T)^(1/2) v with n v
+// has; a normal shorter than 1 bounds as well as one of 1.
 struct DiscBounds {
     double *bounds;  // of sign * distance, from below
     double *centres; // sign * distance of the centre
@@ -17,14 +19,14 @@ int64_t disc_columns(int dim, bool normals) noexcept;
 void bound_discs(const double *family, int64_t width, int dim, bool normals, const double *x, bool farthest,
                  const DiscBounds &out) noexcept;
 
-// The same in bytes q: centres are frame[c] + frame[dim] q, radii frame[dim + 1] q, heights frame[dim + 2] q,
-// and normals frame[dim + 3 + c] + frame[dim + 6] q divided by their length, which is not near 0.
+// The same in bytes q: centres are frame[c] + frame[dim] q, radii frame[dim + 1] (q + 127), heights frame[dim
+// + 2] q, and normals frame[dim + 3 + c] + frame[dim + 6] q.
 struct ByteDiscs {
     const int8_t *columns;
     const float *frame;
+    double apart; // the most that a centre is from a point of the surface
 };
 int64_t disc_frame(int dim, bool normals) noexcept; // numbers in it
-inline constexpr double unit_length = 1 - 0x1p-50;  // of such a normal, so that it is not above 1
 // Up to 7 more than `width` are read and written, whatever stands there.
 void bound_discs(const ByteDiscs &family, int64_t width, int dim, bool normals, const double *x,
                  bool farthest, const DiscBounds &out) noexcept;

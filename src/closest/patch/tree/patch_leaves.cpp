@@ -152,6 +152,7 @@ void PatchLeaves::round_centres(int dim, std::vector<PatchDisc> &discs, float *f
 }
 
 // Any direction will do, for patches without a normal as well. What is small are the differences of normals.
+// They are made a little shorter first, so that none is longer than 1 after rounding.
 void PatchLeaves::round_normals(std::vector<PatchDisc> &discs, float *frame, int8_t *out) const {
     std::array<double, 3> any{0, 0, 1}, low{1, 1, 1}, high{-1, -1, -1};
     for (PatchDisc &disc : discs) {
@@ -167,16 +168,15 @@ void PatchLeaves::round_normals(std::vector<PatchDisc> &discs, float *frame, int
         frame[c] = static_cast<float>(low[c] / 2 + high[c] / 2);
         reach = std::max({reach, high[c] - frame[c], frame[c] - low[c]});
     }
-    const double scale = frame[3] = scale_of(reach);
+    const double scale = frame[3] = scale_of(reach * most_byte / (most_byte - 1));
+    const double length = 1 - scale; // rounding adds at most sqrt(3) / 2 of the scale
     for (size_t i = 0; i < discs.size(); ++i) {
-        std::array<double, 3> &normal = discs[i].normal;
         for (size_t c = 0; c < 3; ++c) {
-            const int8_t q = byte_of(scale > 0 ? std::round((normal[c] - frame[c]) / scale) : 0);
+            double &x = discs[i].normal[c];
+            const int8_t q = byte_of(scale > 0 ? std::round((length * x - frame[c]) / scale) : 0);
             out[static_cast<int64_t>(c) * count_ + static_cast<int64_t>(i)] = q;
-            normal[c] = frame[c] + scale * q;
+            x = frame[c] + scale * q;
         }
-        const double length = std::hypot(normal[0], normal[1], normal[2]);
-        std::for_each(normal.begin(), normal.end(), [=](double &x) { x *= unit_length / length; });
     }
 }
 
@@ -188,13 +188,13 @@ void PatchLeaves::round_sizes(int dim, double rounding, const std::vector<PatchD
         radius = std::max(radius, disc.radius + rounding);
         height = std::max({height, disc.high + rounding, rounding - disc.low});
     }
-    frame[dim + 1] = scale_of(radius);
+    frame[dim + 1] = scale_of(radius / 2); // bytes from -127 on
     frame[dim + 2] = scale_of(height);
     const auto units = [](double size, float scale) { return scale > 0 ? size / scale * (1 + 2 * eps) : 0; };
     for (size_t i = 0; i < discs.size(); ++i) {
         const PatchDisc &disc = discs[i];
         const auto at = static_cast<int64_t>(i);
-        out[at] = byte_of(std::ceil(units(disc.radius + rounding, frame[dim + 1])));
+        out[at] = byte_of(std::ceil(units(disc.radius + rounding, frame[dim + 1])) - most_byte);
         if (normals_) {
             int8_t *heights = out + (dim + 1) * count_ + at;
             heights[0] = byte_of(std::floor(units(disc.low - rounding, frame[dim + 2])));
@@ -206,10 +206,9 @@ void PatchLeaves::round_sizes(int dim, double rounding, const std::vector<PatchD
 void PatchLeaves::bound(int64_t node, int dim, const double *x, bool farthest,
                         const DiscBounds &out) const noexcept {
     const float *frame = this->frame(node, dim);
-    const ByteDiscs discs{discs_.data() + node * count_ * disc_columns(dim, normals_), frame};
+    const ByteDiscs discs{discs_.data() + node * count_ * disc_columns(dim, normals_), frame,
+                          off_ * double{frame[dim]}};
     bound_discs(discs, count_, dim, normals_, x, farthest, out);
-    const double off = off_ * double{frame[dim]};
-    std::for_each_n(out.centres, count_, [off](double &centre) { centre += off; });
 }
 
 } // namespace nrb::closest
