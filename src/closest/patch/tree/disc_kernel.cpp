@@ -21,14 +21,14 @@ using Eight = hn::CappedTag<double, 8>;
 inline constexpr int eight_lanes = static_cast<int>(hn::MaxLanes(Eight()));
 
 // The numbers of discs i, i + 1, ... of a family.
-struct DoubleColumns {
-    static constexpr double apart = 0; // of a centre and a point of the surface
-    const double *family;
+struct FloatColumns {
+    const float *family;
     int64_t width;
     int dim;
+    double apart;
 
     [[nodiscard]] HWY_INLINE auto column(int k, int64_t i) const {
-        return hn::LoadU(Eight(), family + k * width + i);
+        return hn::PromoteTo(Eight(), hn::LoadU(hn::Rebind<float, Eight>(), family + k * width + i));
     }
     [[nodiscard]] HWY_INLINE auto from_centre(double x, int c, int64_t i) const {
         return hn::Sub(hn::Set(Eight(), x), column(c, i));
@@ -41,16 +41,18 @@ struct DoubleColumns {
 
 struct ByteColumns {
     const int8_t *family;
+    const int16_t *normals;
     const float *frame;
     int64_t width;
     int dim;
     double apart;
 
-    [[nodiscard]] HWY_INLINE auto column(int k, int64_t i) const {
-        const Eight d;
-        const auto bytes = hn::LoadU(hn::Rebind<int8_t, Eight>(), family + k * width + i);
-        return hn::PromoteTo(d, hn::PromoteTo(hn::Rebind<int32_t, Eight>(), bytes));
+    template <class Integer>
+    [[nodiscard]] HWY_INLINE auto doubles(const Integer *from) const {
+        const auto integers = hn::LoadU(hn::Rebind<Integer, Eight>(), from);
+        return hn::PromoteTo(Eight(), hn::PromoteTo(hn::Rebind<int32_t, Eight>(), integers));
     }
+    [[nodiscard]] HWY_INLINE auto column(int k, int64_t i) const { return doubles(family + k * width + i); }
     [[nodiscard]] HWY_INLINE auto scaled(int k, int64_t i, double scale) const {
         return hn::Mul(hn::Set(Eight(), scale), column(k, i));
     }
@@ -64,17 +66,10 @@ struct ByteColumns {
         return hn::MulAdd(hn::Set(d, scale), column(dim, i), hn::Set(d, 127 * scale));
     }
     [[nodiscard]] HWY_INLINE auto normal(int c, int64_t i) const {
-        const Eight d;
-        const float *middle = frame + dim + 3;
-        return hn::MulAdd(hn::Set(d, double{middle[dim]}), column(dim + 1 + c, i),
-                          hn::Set(d, double{middle[c]}));
+        return hn::Mul(hn::Set(Eight(), normal_unit), doubles(normals + c * width + i));
     }
-    [[nodiscard]] HWY_INLINE auto low(int64_t i) const {
-        return scaled(2 * dim + 1, i, double{frame[dim + 2]});
-    }
-    [[nodiscard]] HWY_INLINE auto high(int64_t i) const {
-        return scaled(2 * dim + 2, i, double{frame[dim + 2]});
-    }
+    [[nodiscard]] HWY_INLINE auto low(int64_t i) const { return scaled(dim + 1, i, double{frame[dim + 2]}); }
+    [[nodiscard]] HWY_INLINE auto high(int64_t i) const { return scaled(dim + 2, i, double{frame[dim + 2]}); }
 };
 
 // The distance of x from all points p of a disc: |n (p - x)| >= the distance of the heights, and across n it
@@ -134,15 +129,15 @@ HWY_INLINE void bounds_of(const Columns &family, int64_t width, int dim, bool no
     }
 }
 
-void bounds(const double *family, int64_t width, int dim, bool normals, const double *x, bool farthest,
+void bounds(const FloatDiscs &family, int64_t width, int dim, bool normals, const double *x, bool farthest,
             const DiscBounds &out) {
-    bounds_of(DoubleColumns{family, width, dim}, width, dim, normals, x, farthest, out);
+    bounds_of(FloatColumns{family.columns, width, dim, family.apart}, width, dim, normals, x, farthest, out);
 }
 
 void byte_bounds(const ByteDiscs &family, int64_t width, int dim, bool normals, const double *x,
                  bool farthest, const DiscBounds &out) {
-    bounds_of(ByteColumns{family.columns, family.frame, width, dim, family.apart}, width, dim, normals, x,
-              farthest, out);
+    bounds_of(ByteColumns{family.columns, family.normals, family.frame, width, dim, family.apart}, width, dim,
+              normals, x, farthest, out);
 }
 
 } // namespace HWY_NAMESPACE
@@ -159,12 +154,8 @@ int64_t disc_columns(int dim, bool normals) noexcept {
     return dim + 1 + (normals ? dim + 2 : 0);
 }
 
-int64_t disc_frame(int dim, bool normals) noexcept {
-    return dim + 3 + (normals ? dim + 1 : 0);
-}
-
-void bound_discs(const double *family, int64_t width, int dim, bool normals, const double *x, bool farthest,
-                 const DiscBounds &out) noexcept {
+void bound_discs(const FloatDiscs &family, int64_t width, int dim, bool normals, const double *x,
+                 bool farthest, const DiscBounds &out) noexcept {
     HWY_DYNAMIC_DISPATCH(bounds)(family, width, dim, normals, x, farthest, out);
 }
 

@@ -53,6 +53,16 @@ void PatchDisc::set_normal(const PatchShape &shape, const double *jet) noexcept 
     }
 }
 
+// The normal is made shorter first, so that it is not longer than 1 afterwards.
+void PatchDisc::make_single() noexcept {
+    for (double &x : centre) {
+        x = static_cast<float>(x);
+    }
+    for (double &x : normal) {
+        x = static_cast<float>(x * (1 - 0x1p-22));
+    }
+}
+
 // The difference that the radius is the root of may cancel; what it loses is given back.
 void PatchDisc::add_point(int dim, const double *point, double weight) noexcept {
     double square = 0, height = 0;

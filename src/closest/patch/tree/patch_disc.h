@@ -4,11 +4,18 @@
 
 #include "closest/patch/patch_shape.h"
 
+#include <cmath>
+#include <limits>
 #include <vector>
 
 namespace nrb::closest {
 
-inline constexpr double far_away = 1e150; // of discs that nothing comes near
+inline constexpr double far_away = 1e30; // of discs that nothing comes near
+
+inline float above(double x) noexcept {
+    const auto rounded = static_cast<float>(x);
+    return rounded < x ? std::nextafter(rounded, std::numeric_limits<float>::infinity()) : rounded;
+}
 
 // Points whose component across the normal is within the radius of the line through the centre, and whose
 // heights over the centre are in an interval. The normal is no longer than 1; without it, the disc is a ball.
@@ -19,6 +26,8 @@ struct PatchDisc {
 
     // Around the point in the middle of a patch, with the normal there.
     PatchDisc(const PatchShape &shape, const double *patch, bool with_normal);
+    // Rounds the centre and the normal to single precision, before there is room for points.
+    void make_single() noexcept;
     // Makes room for all control points. `positive`: those of weight 0 do not count.
     void add(const PatchShape &shape, const double *patch, bool positive) noexcept;
 

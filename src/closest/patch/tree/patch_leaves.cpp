@@ -12,14 +12,8 @@ namespace nrb::closest {
 namespace {
 
 constexpr double most_byte = 127;
-constexpr double largest = 1e36;    // that scales stand for, of patches without bounds too
-constexpr double far_centre = 1e30; // products of bytes and scales stay finite
-constexpr int64_t read_over = 7;    // numbers after the last disc that are read
-
-float above(double x) noexcept {
-    const auto rounded = static_cast<float>(x);
-    return rounded < x ? std::nextafter(rounded, std::numeric_limits<float>::infinity()) : rounded;
-}
+constexpr double largest = 1e36; // that scales stand for, of patches without bounds too
+constexpr int64_t read_over = 7; // numbers after the last disc that are read
 
 // The scale of numbers up to a magnitude: 0 if they are.
 float scale_of(double magnitude) noexcept {
@@ -44,10 +38,11 @@ int PatchLeaves::parts_of(const PatchPieces &pieces, bool normals) noexcept {
     const int64_t columns = disc_columns(shape.dim, normals);
     const double most = 1.5 * std::min<double>(static_cast<double>(shape.coefficients()), 8);
     const auto data = static_cast<double>(pieces.control_points() * shape.dim * 8);
-    const auto others =
-        static_cast<double>((columns + shape.lanes + 2) * 8 + disc_frame(shape.dim, normals) * 4);
+    // The control points, the discs of the pieces and of a third as many groups, frames, and the rest.
+    const auto others = static_cast<double>(shape.lanes * 8 + disc_frame(shape.dim) * 4 + 8) +
+                        1.4 * static_cast<double>(columns * 4);
     for (int parts = wanted; parts > 1; parts /= 2) {
-        const double leaves = std::pow(parts, shape.axes) * static_cast<double>(columns);
+        const double leaves = std::pow(parts, shape.axes) * static_cast<double>(columns + (normals ? 3 : 0));
         if ((leaves + others) * static_cast<double>(pieces.count()) <= most * data) {
             return parts;
         }
@@ -70,7 +65,7 @@ void PatchLeaves::set_matrices(const PatchShape &shape) {
 
 void PatchLeaves::build(const PatchPieces &pieces, bool normals, const std::vector<int32_t> &order) {
     const PatchShape &shape = pieces.shape();
-    normals_ = normals;
+    has_normals_ = normals;
     parts_ = parts_of(pieces, normals);
     set_matrices(shape);
     if (parts_ == 1) {
@@ -78,8 +73,9 @@ void PatchLeaves::build(const PatchPieces &pieces, bool normals, const std::vect
     }
     off_ = 0.5 * std::sqrt(static_cast<double>(shape.dim)) * (1 + 16 * eps);
     const auto nodes = std::ssize(order);
-    discs_.resize(static_cast<size_t>(nodes * count_ * disc_columns(shape.dim, normals) + read_over));
-    frames_.resize(static_cast<size_t>(nodes * disc_frame(shape.dim, normals)));
+    normals_.resize(static_cast<size_t>(normals ? nodes * count_ * 3 + read_over : 0));
+    discs_.resize(static_cast<size_t>(nodes * count_ * byte_columns(shape.dim) + read_over));
+    frames_.resize(static_cast<size_t>(nodes * disc_frame(shape.dim)));
     // Rounding of the pieces, of their parts and of the bounds.
     const double rounding = pieces.moved() + 4 * pieces.value_error() * pieces.radius();
     std::vector<double> patch(static_cast<size_t>(shape.values())), work(patch);
@@ -116,10 +112,10 @@ void PatchLeaves::split(const PatchShape &shape, const std::vector<double> &patc
 
 void PatchLeaves::write(int64_t node, int dim, double rounding, std::vector<PatchDisc> &discs,
                         const std::vector<double> &parts, const PatchPieces &pieces) {
-    int8_t *out = discs_.data() + node * count_ * disc_columns(dim, normals_);
+    int8_t *out = discs_.data() + node * count_ * byte_columns(dim);
     round_centres(dim, discs, frame(node, dim), out);
-    if (normals_) {
-        round_normals(discs, frame(node, dim) + dim + 3, out + (dim + 1) * count_);
+    if (has_normals_) {
+        round_normals(discs, normals_.data() + node * count_ * 3);
     }
     for (size_t i = 0; i < discs.size(); ++i) {
         const double *part = parts.data() + static_cast<int64_t>(i) * pieces.shape().values();
@@ -132,9 +128,8 @@ void PatchLeaves::round_centres(int dim, std::vector<PatchDisc> &discs, float *f
     double reach = 0;
     for (int c = 0; c < dim; ++c) {
         const auto at = static_cast<size_t>(c);
-        double low = far_centre, high = -far_centre;
-        for (PatchDisc &disc : discs) {
-            disc.centre[at] = std::clamp(disc.centre[at], -far_centre, far_centre);
+        double low = far_away, high = -far_away;
+        for (const PatchDisc &disc : discs) {
             low = std::min(low, disc.centre[at]);
             high = std::max(high, disc.centre[at]);
         }
@@ -151,31 +146,14 @@ void PatchLeaves::round_centres(int dim, std::vector<PatchDisc> &discs, float *f
     }
 }
 
-// Any direction will do, for patches without a normal as well. What is small are the differences of normals.
 // They are made a little shorter first, so that none is longer than 1 after rounding.
-void PatchLeaves::round_normals(std::vector<PatchDisc> &discs, float *frame, int8_t *out) const {
-    std::array<double, 3> any{0, 0, 1}, low{1, 1, 1}, high{-1, -1, -1};
-    for (PatchDisc &disc : discs) {
-        any = disc.normal != std::array<double, 3>{} ? disc.normal : any;
-        disc.normal = any;
-        for (size_t c = 0; c < 3; ++c) {
-            low[c] = std::min(low[c], any[c]);
-            high[c] = std::max(high[c], any[c]);
-        }
-    }
-    double reach = 0;
-    for (size_t c = 0; c < 3; ++c) {
-        frame[c] = static_cast<float>(low[c] / 2 + high[c] / 2);
-        reach = std::max({reach, high[c] - frame[c], frame[c] - low[c]});
-    }
-    const double scale = frame[3] = scale_of(reach * most_byte / (most_byte - 1));
-    const double length = 1 - scale; // rounding adds at most sqrt(3) / 2 of the scale
+void PatchLeaves::round_normals(std::vector<PatchDisc> &discs, int16_t *out) const {
     for (size_t i = 0; i < discs.size(); ++i) {
         for (size_t c = 0; c < 3; ++c) {
             double &x = discs[i].normal[c];
-            const int8_t q = byte_of(scale > 0 ? std::round((length * x - frame[c]) / scale) : 0);
+            const auto q = static_cast<int16_t>(std::round((1 - normal_unit) * x / normal_unit));
             out[static_cast<int64_t>(c) * count_ + static_cast<int64_t>(i)] = q;
-            x = frame[c] + scale * q;
+            x = normal_unit * q;
         }
     }
 }
@@ -195,8 +173,8 @@ void PatchLeaves::round_sizes(int dim, double rounding, const std::vector<PatchD
         const PatchDisc &disc = discs[i];
         const auto at = static_cast<int64_t>(i);
         out[at] = byte_of(std::ceil(units(disc.radius + rounding, frame[dim + 1])) - most_byte);
-        if (normals_) {
-            int8_t *heights = out + (dim + 1) * count_ + at;
+        if (has_normals_) {
+            int8_t *heights = out + count_ + at;
             heights[0] = byte_of(std::floor(units(disc.low - rounding, frame[dim + 2])));
             heights[count_] = byte_of(std::ceil(units(disc.high + rounding, frame[dim + 2])));
         }
@@ -206,9 +184,9 @@ void PatchLeaves::round_sizes(int dim, double rounding, const std::vector<PatchD
 void PatchLeaves::bound(int64_t node, int dim, const double *x, bool farthest,
                         const DiscBounds &out) const noexcept {
     const float *frame = this->frame(node, dim);
-    const ByteDiscs discs{discs_.data() + node * count_ * disc_columns(dim, normals_), frame,
-                          off_ * double{frame[dim]}};
-    bound_discs(discs, count_, dim, normals_, x, farthest, out);
+    const ByteDiscs discs{discs_.data() + node * count_ * byte_columns(dim),
+                          normals_.data() + node * count_ * 3, frame, off_ * double{frame[dim]}};
+    bound_discs(discs, count_, dim, has_normals_, x, farthest, out);
 }
 
 } // namespace nrb::closest

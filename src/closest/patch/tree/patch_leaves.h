@@ -2,9 +2,9 @@
 // The leaves of the tree: equal parts of each piece, with discs around them.
 //
 // These discs are by far the most, so that each of their numbers takes one byte: centres relative to the
-// middle of those of a piece, radii and heights relative to the largest one, and normals relative to the
-// middle of theirs. Centres and normals are rounded first, then the discs make room for all points, so that
-// they hold them whatever the bytes lose.
+// middle of those of a piece, radii and heights relative to the largest one. Normals take two bytes, because
+// what they lose counts by the distance of the query. Centres and normals are rounded first, then the discs
+// make room for all points, so that they hold them whatever the bytes lose.
 #pragma once
 
 #include "closest/patch/patch_pieces.h"
@@ -39,23 +39,25 @@ private:
     void write(int64_t node, int dim, double rounding, std::vector<PatchDisc> &discs,
                const std::vector<double> &parts, const PatchPieces &pieces);
     void round_centres(int dim, std::vector<PatchDisc> &discs, float *frame, int8_t *out) const;
-    void round_normals(std::vector<PatchDisc> &discs, float *frame, int8_t *out) const;
+    void round_normals(std::vector<PatchDisc> &discs, int16_t *out) const;
     void round_sizes(int dim, double rounding, const std::vector<PatchDisc> &discs, float *frame,
                      int8_t *out) const;
+    [[nodiscard]] int64_t byte_columns(int dim) const noexcept { return dim + (has_normals_ ? 3 : 1); }
     [[nodiscard]] float *frame(int64_t node, int dim) noexcept {
-        return frames_.data() + node * disc_frame(dim, normals_);
+        return frames_.data() + node * disc_frame(dim);
     }
     [[nodiscard]] const float *frame(int64_t node, int dim) const noexcept {
-        return frames_.data() + node * disc_frame(dim, normals_);
+        return frames_.data() + node * disc_frame(dim);
     }
 
-    bool normals_ = false;
+    bool has_normals_ = false;
     int parts_ = 1;
     int64_t count_ = 1;
     std::array<std::vector<double>, max_axes> matrices_;
-    std::vector<int8_t> discs_; // [node][column][leaf]
-    std::vector<float> frames_; // [node]: as ByteDiscs have it
-    double off_ = 0;            // how far a centre is from the surface, relative to its scale
+    std::vector<int8_t> discs_;    // [node][column][leaf]
+    std::vector<int16_t> normals_; // [node][coordinate][leaf]
+    std::vector<float> frames_;    // [node]: as ByteDiscs have it
+    double off_ = 0;               // how far a centre is from the surface, relative to its scale
 };
 
 } // namespace nrb::closest

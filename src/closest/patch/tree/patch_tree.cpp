@@ -95,8 +95,8 @@ private:
         const Family made{first, count, width, std::ssize(tree_.discs_)};
         tree_.discs_.resize(
             static_cast<size_t>(made.offset + width * disc_columns(pieces_.shape().dim, tree_.normals_)),
-            0.0);
-        std::fill_n(tree_.discs_.begin() + made.offset, dim * width, far_away);
+            0.0F);
+        std::fill_n(tree_.discs_.begin() + made.offset, dim * width, static_cast<float>(far_away));
         return made;
     }
 
@@ -111,6 +111,7 @@ private:
             middle[at] = (inside.lower[at] + inside.upper[at]) / 2;
         }
         PatchDisc disc(pieces_.shape(), load(pieces_.piece(middle)), tree_.normals_);
+        disc.make_single();
         for_each(inside, [&](const PatchPieces::Index &i) {
             disc.add(pieces_.shape(), load(pieces_.piece(i)), pieces_.positive());
         });
@@ -128,17 +129,17 @@ private:
     }
 
     void write(const Family &family, int64_t i, const PatchDisc &disc) {
-        double *column = tree_.discs_.data() + family.offset + i;
+        float *column = tree_.discs_.data() + family.offset + i;
         const auto put = [&](double value) {
-            *column = value;
+            *column = static_cast<float>(value);
             column += family.width;
         };
         std::for_each_n(disc.centre.begin(), pieces_.shape().dim, put);
-        put(disc.radius + rounding());
+        put(above(disc.radius + rounding()));
         if (tree_.normals_) {
             std::for_each(disc.normal.begin(), disc.normal.end(), put);
-            put(disc.low - rounding());
-            put(disc.high + rounding());
+            put(-above(rounding() - disc.low));
+            put(above(disc.high + rounding()));
         }
     }
 
@@ -149,7 +150,8 @@ private:
 };
 
 PatchTree::PatchTree(const PatchPieces &pieces)
-    : pieces_(pieces), normals_(pieces.shape().dim == 3 && pieces.shape().axes == 2) {
+    : pieces_(pieces), normals_(pieces.shape().dim == 3 && pieces.shape().axes == 2),
+      apart_(0x1p-24 * pieces.shape().dim * pieces.radius()) {
     Builder(*this).build();
 }
 
@@ -158,7 +160,8 @@ void PatchTree::bound(int level, int64_t node, const double *x, bool farthest,
     const int dim = pieces_.shape().dim;
     if (level < static_cast<int>(families_.size())) {
         const Family children = family(level, node);
-        bound_discs(discs_.data() + children.offset, children.width, dim, normals_, x, farthest, out);
+        bound_discs({discs_.data() + children.offset, apart_}, children.width, dim, normals_, x, farthest,
+                    out);
     } else {
         leaves_.bound(node, dim, x, farthest, out);
     }

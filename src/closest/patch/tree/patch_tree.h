@@ -75,7 +75,8 @@ private:
     std::vector<std::vector<int32_t>> nodes_; // in the grids of the levels of pieces and their groups
     std::vector<PatchPieces::Index> grids_;   // nodes of such a level along each axis
     std::vector<PatchPieces::Index> blocks_;  // pieces in a node of it
-    std::vector<double> discs_;
+    std::vector<float> discs_;
+    double apart_; // a centre and the point of the surface that was rounded to it
     PatchLeaves leaves_;
 };
 
