@@ -24,7 +24,7 @@ struct Parts {
 // both parts are then accurate relative to themselves (4 and 5 roundings), their sum is the value to one
 // rounding of the larger part, and at the ends the parts are exactly 0 and the value. If each part were
 // rounded on its own, the sums would drift with the degree.
-inline Parts split(double value, double left, double t, double right) noexcept {
+inline Parts divide_in_ratio(double value, double left, double t, double right) noexcept {
     const double after = t - left;
     const double ahead = right - t;
     const double smaller = value * (std::min(after, ahead) / (right - left));
@@ -46,7 +46,7 @@ inline void append_argument(const double *left, const double *right, int d, doub
     left -= d;
     double carried = 0;
     for (int r = 0; r < d; ++r) {
-        const auto [alpha, beta] = split(coefficients[r], left[r], t, right[r]);
+        const auto [alpha, beta] = divide_in_ratio(coefficients[r], left[r], t, right[r]);
         coefficients[r] = carried + beta;
         carried = alpha;
     }

@@ -49,7 +49,7 @@ RemovalStep removal_step(const double *last, int degree, int multiplicity) noexc
     RemovalStep step{};
     step.rows = degree - multiplicity + 1;
     for (int i = 0; i < step.rows; ++i) {
-        const auto [alpha, beta] = split(1.0, last[i - degree], *last, last[i + 1]);
+        const auto [alpha, beta] = divide_in_ratio(1.0, last[i - degree], *last, last[i + 1]);
         step.alpha[i] = alpha;
         step.beta[i] = beta;
     }

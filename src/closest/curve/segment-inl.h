@@ -46,7 +46,7 @@ public:
     // work: size() doubles.
     SegmentTools(const Shape &shape, double *work) noexcept : shape_(shape), work_(work) {}
 
-    // de Casteljau's triangle, whose last three layers give value, first and second derivative.
+    // de Casteljau's triangle, whose last three levels give value, first and second derivative.
     [[nodiscard]] HWY_INLINE Slope slope(const double *HWY_RESTRICT segment, double s) const noexcept {
         const int p = shape_.degree(), lanes = shape_.lanes();
         double *HWY_RESTRICT b = work_;

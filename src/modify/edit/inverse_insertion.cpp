@@ -107,7 +107,7 @@ refine::AxisTable table_outside(const KnotVector &axis, double knot) {
         } else if (i > span) {
             table.add_copy(i - 1);
         } else {
-            const auto [alpha, beta] = split(1, axis[i], knot, axis[i + p]);
+            const auto [alpha, beta] = divide_in_ratio(1, axis[i], knot, axis[i + p]);
             const double coefficients[] = {beta, alpha};
             table.add_row(i - 1, coefficients, 2);
         }

@@ -55,7 +55,7 @@ struct Halves {
     Vector carried; // to the next one
 };
 
-// As in split(); see the comments there.
+// As in divide_in_ratio(); see the comments there.
 template <class Load>
 HWY_INLINE Halves split_value(const BlossomTerm &term, const Load &load, int step, int r, Vector t,
                               Vector value) {

@@ -22,7 +22,9 @@ std::vector<double> checked_new_knots(const KnotVector &axis, int k, std::span<c
 // overflow; not_representable if a span has too few doubles for its parts.
 std::vector<double> uniform_new_knots(const KnotVector &axis, int k, int64_t parts);
 
-// Precondition: checked_new_knots() or uniform_new_knots() made the list.
+// Each new layer is a polar form of old ones: rows_of() makes the coefficients (append_argument() of
+// basis/bspline.h is the arithmetic), apply_along() applies them to the net. Precondition:
+// checked_new_knots() or uniform_new_knots() made the list.
 SplinePtr refine(const SplinePtr &spline, int axis, std::span<const double> sorted_knots);
 
 } // namespace nrb::refine

@@ -45,14 +45,14 @@ int64_t target_named(const std::string &name) {
     throw std::runtime_error("this machine does not offer " + name);
 }
 
-// Takes the option's value, if it has one, from the arguments behind.
-void read_option(const std::string &option, std::span<char *> &behind, Choice &choice) {
+// Takes the option's value, if it has one, from the rest of the arguments.
+void read_option(const std::string &option, std::span<char *> &rest, Choice &choice) {
     const auto value = [&] {
-        if (behind.empty()) {
+        if (rest.empty()) {
             throw std::runtime_error(option + " lacks its value");
         }
-        const std::string text = behind.front();
-        behind = behind.subspan(1);
+        const std::string text = rest.front();
+        rest = rest.subspan(1);
         return text;
     };
     if (option == "--target") {

@@ -113,8 +113,8 @@ TEST_P(PatchKernel, discs_hold_their_patches) {
         const closest::PatchTree::Family leaves = tree.family(tree.levels() - 2, 0);
         double nearest[closest::PatchTree::most_width], farthest[closest::PatchTree::most_width],
             centres[closest::PatchTree::most_width];
-        tree.bound(tree.levels() - 2, 0, x.data(), false, {nearest, centres});
-        tree.bound(tree.levels() - 2, 0, x.data(), true, {farthest, centres});
+        tree.bound(tree.levels() - 2, 0, items.x(), false, {nearest, centres});
+        tree.bound(tree.levels() - 2, 0, items.x(), true, {farthest, centres});
         for (int64_t i = 0; i < leaves.count; ++i) {
             const closest::PatchTree::Leaf leaf = tree.leaf(leaves.first + i);
             for (int sample = 0; sample < 10; ++sample) {
