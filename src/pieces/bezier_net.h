@@ -18,8 +18,9 @@ struct Rounding {
     double weight = 0;
 
     [[nodiscard]] bool relative() const noexcept { return weight == 0; }
-    // Whether a weight is positive for certain.
-    [[nodiscard]] bool positive(double w) const noexcept { return w > 64 * weight && w > 0; }
+    // Whether a weight is positive for certain, and not so small beside the largest one, which is near 1,
+    // that products with it underflow.
+    [[nodiscard]] bool positive(double w) const noexcept { return w > 64 * weight && w >= 0x1p-900; }
     // How far a point may be away, if all weights are at least `least` and all control points within `reach`.
     [[nodiscard]] double moved(double reach, double least) const noexcept {
         return relative() ? apart : apart + 1.05 * (record + reach * weight) / least;

@@ -16,8 +16,8 @@ BezierPiece::BezierPiece(const double *point, int dim) : values_(point, point + 
 }
 
 BezierPiece::BezierPiece(BezierNet &net, int64_t index, int axes)
-    : axes_(axes), index_(index), shape_(net.shape()), values_(static_cast<size_t>(shape_.values())),
-      part_(net.part(index)), rounding_(net.rounding(index)) {
+    : axes_(axes), shape_(net.shape()), values_(static_cast<size_t>(shape_.values())), part_(net.part(index)),
+      rounding_(net.rounding(index)) {
     net.copy(index, values_.data(), shape_.width);
     update();
 }

@@ -29,7 +29,6 @@ public:
         return shape_.degrees[static_cast<size_t>(max_axes - axes_ + k)];
     }
     [[nodiscard]] int64_t coefficients() const noexcept { return shape_.coefficients(); }
-    [[nodiscard]] int64_t index() const noexcept { return index_; } // of the piece of the spline
     [[nodiscard]] const double *record(int64_t i) const noexcept { return values_.data() + i * shape_.width; }
     [[nodiscard]] double weight(int64_t i) const noexcept { return record(i)[dim()]; }
     [[nodiscard]] const BernsteinShape &shape() const noexcept { return shape_; }
@@ -74,7 +73,6 @@ private:
     [[nodiscard]] double legs(int axis) const noexcept;
 
     int axes_ = 1;
-    int64_t index_ = 0;
     BernsteinShape shape_;
     std::vector<double> values_;
     std::vector<double> points_;

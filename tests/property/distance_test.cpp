@@ -303,6 +303,31 @@ SplineData in_dimension(SplineData data, int dim) {
 
 } // namespace
 
+// Products with a weight that underflows have lost the point; its curve passes through it all the same.
+TEST(Distance, of_a_point_whose_weight_underflows) {
+    Random random(6608);
+    for (int i = 0; i < 100; ++i) {
+        SplineData curve = random_net(random, 1, 2, 3, 0, false);
+        curve.weights = {std::ldexp(1.0, -random.whole(1000, 1070)), 1, 1};
+        SplineData line = curve;
+        line.weights.clear();
+        line.degrees = {1};
+        line.counts = {2};
+        line.knots = {{0, 0, 1, 1}};
+        line.points.resize(static_cast<size_t>(2 * line.dim));
+        for (size_t c = 0; c < static_cast<size_t>(line.dim); ++c) {
+            const double aside = random.between(-1, 1);
+            line.points[c] -= aside;
+            line.points[static_cast<size_t>(line.dim) + c] = curve.points[c] + aside;
+        }
+        const Handle f = create(curve), g = create(line);
+        double at_least = 0, at_most = 0;
+        require_ok(
+            nurbs_distance(f.get(), g.get(), 1e-9, 300, &at_least, &at_most, nullptr, nullptr, nullptr));
+        EXPECT_LE(at_least, 1e-12) << describe(curve);
+    }
+}
+
 // Whatever the tolerance and however a shape folds over itself: with a budget that no search gets along with.
 TEST(Hausdorff, the_same_set_is_told_at_once) {
     Random random(6606);

@@ -81,6 +81,28 @@ TEST(PatchPoles, are_not_scattered_by_rounding) {
     }
 }
 
+// Poles on knots inside the domain, where nothing else is equally far: profiles that go all the way round, turned by
+// half a turn, stretched across.
+TEST(PatchPoles, inside_the_domain_are_certified) {
+    int found_all = 0, certified = 0;
+    for (uint64_t seed = 2600300; seed < 2600320; ++seed) {
+        Random random(seed);
+        const double a = random.between(0.8, 1.2), c = random.between(0.8, 1.2), half = std::acos(0.0);
+        const Handle round =
+            create(revolved(ellipse_arc(0, 0, a, c, 0, 4 * half), random.between(-3, 3), 2 * half));
+        const double matrix[] = {1.3, 0.2, 0, 0.2, 0.8, 0, 0, 0, 1};
+        const Handle g =
+            made([&](nurbs **out) { return nurbs_transform(round.get(), 3, matrix, nullptr, out); });
+        const Critical found = critical(g.get(), {0, 0, random.between(4, 6)}, 1e-4);
+        const bool poles =
+            !kinds_near(g.get(), found, c, 1e-4).empty() && !kinds_near(g.get(), found, -c, 1e-4).empty();
+        found_all += poles ? 1 : 0;
+        certified += found.status == NURBS_CLOSEST_CERTIFIED ? 1 : 0;
+    }
+    EXPECT_EQ(found_all, 20);
+    EXPECT_EQ(certified, 20);
+}
+
 // A point beside the axis has two feet on a sphere, on the line through the centre: no pole is one.
 TEST(PatchPoles, that_are_not_critical_are_not_found) {
     for (uint64_t seed = 2620000; seed < 2620060; ++seed) {

@@ -92,9 +92,9 @@ double least_distance(const pieces::HomogeneousPiece &piece, const double *x) no
     });
 }
 
-class CriticalSearch {
+class CurveCriticalSearch {
 public:
-    CriticalSearch(const Spline &curve, const CriticalQuestion &question)
+    CurveCriticalSearch(const Spline &curve, const CriticalQuestion &question)
         : curve_(curve), question_(question), maker_(curve, question.part) {}
 
     CriticalSet run() {
@@ -255,7 +255,7 @@ private:
 } // namespace
 
 CriticalSet critical_points(const Spline &curve, const CriticalQuestion &question) {
-    return CriticalSearch(curve, question).run();
+    return CurveCriticalSearch(curve, question).run();
 }
 
 } // namespace nrb::closest

@@ -138,8 +138,6 @@ double largest_quotient_of(const RoundedPolynomial &numerator, const RoundedPoly
     return largest * (1 + 1e-14 * static_cast<double>(width + 4));
 }
 
-} // namespace
-
 // The same by the squares, whose coefficients do not turn with the vectors: equal for concentric arcs.
 double largest_norm_of(const RoundedPolynomial &numerator, const RoundedPolynomial &denominator) {
     const RoundedPolynomial squares = dot(numerator, numerator), weights = denominator * denominator;
@@ -153,6 +151,8 @@ double largest_norm_of(const RoundedPolynomial &numerator, const RoundedPolynomi
     }
     return std::sqrt(largest) * (1 + 1e-15);
 }
+
+} // namespace
 
 std::vector<pieces::LocalParam> MatchedBound::corners_of(const pieces::BezierPiece &x) {
     std::vector<pieces::LocalParam> corners;

@@ -140,8 +140,6 @@ double PairBound::spheres(const pieces::BezierPiece &a, const pieces::BezierPiec
             if (square > 1e-20 && depth > 1e-6 * square) {
                 radii.least = std::min(radii.least, square / (2 * depth));
                 radii.most = std::max(radii.most, square / (2 * depth));
-            } else if (square > 1e-20 && depth > -1e-6 * square) {
-                radii.most = infinity;
             } else if (square > 1e-20) {
                 radii.most = infinity;
             }

@@ -133,16 +133,16 @@ void PatchPieces::copy(const Spline &spline) {
     }
     positive_ = net.positive();
     set_sizes(spline.effective(), net.sizes());
+    if (!positive_) {
+        set_ratio(net);
+    }
     rounding_ = net.rounding_of_all(radius_);
 }
 
 // The radius is that of the control points, to whose magnitudes the net's errors are relative.
 void PatchPieces::set_sizes(const Spline &spline, const std::vector<double> &sizes) {
-    double smallest = infinity, largest = 0;
     for (int64_t i = 0; i < spline.point_count(); ++i) {
         const double w = spline.weight(i);
-        smallest = std::min(smallest, w > 0 ? w : infinity);
-        largest = std::max(largest, std::abs(w));
         const double point = norm_of(spline.dim(), [&](int c) {
             return frame_.coordinate(static_cast<size_t>(c), spline.coordinate(i, c));
         });
@@ -156,7 +156,23 @@ void PatchPieces::set_sizes(const Spline &spline, const std::vector<double> &siz
     if (!positive_) {
         radius_ = frame_.scaled(*std::max_element(sizes.begin(), sizes.end()));
     }
-    ratio_ = positive_ ? 1 : largest / smallest;
+}
+
+// Of the weights of pieces, which may be far smaller than those of the control points.
+void PatchPieces::set_ratio(pieces::BezierNet &net) {
+    const int width = net.shape().width;
+    std::vector<double> piece(static_cast<size_t>(net.shape().values()));
+    double smallest = infinity, largest = 0;
+    for (int64_t i = 0; i < net.count(); ++i) {
+        net.copy(i, piece.data(), width);
+        for (size_t at = static_cast<size_t>(width) - 1; at < piece.size();
+             at += static_cast<size_t>(width)) {
+            const double w = std::abs(piece[at]);
+            smallest = w > 0 ? std::min(smallest, w) : smallest;
+            largest = std::max(largest, w);
+        }
+    }
+    ratio_ = largest / smallest;
 }
 
 PatchPieces::Index PatchPieces::index(int64_t piece) const noexcept {

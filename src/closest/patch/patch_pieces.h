@@ -75,6 +75,7 @@ private:
     void copy(const Spline &spline);
     [[nodiscard]] NetPart records_of(const Index &spans) const noexcept;
     void set_sizes(const Spline &spline, const std::vector<double> &sizes);
+    void set_ratio(pieces::BezierNet &net);
 
     PatchShape shape_;
     int axes_ = 0;

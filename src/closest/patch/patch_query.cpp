@@ -38,6 +38,16 @@ bool PatchQuery::same_point(const FootCandidate &a, const FootCandidate &b) {
     return distance(p, q, dim) <= apart;
 }
 
+double PatchQuery::moved(int64_t piece, const AxisValues &at) const {
+    if (pieces_.positive()) {
+        return items_.moved();
+    }
+    const PatchValues found = descent_.values(items_.values(piece), at);
+    const double weight = std::abs(found.weight),
+                 reach = found.length / weight + norm(x_, pieces_.shape().dim);
+    return std::min(items_.moved() + 8 * pieces_.rounding().moved(reach, weight), 0x1p100);
+}
+
 // The pieces around a place at a side of its piece: the first in which the distance falls further.
 bool PatchQuery::walk_on(FootCandidate &place) {
     const PatchShape &shape = pieces_.shape();
@@ -74,7 +84,7 @@ bool PatchQuery::walk_on(FootCandidate &place) {
         }
         const double value = sign_ * descent_.descend(items_.values(piece), part, sign_, floor_, at).distance;
         if (value < place.value - 1e-2 * noise_) {
-            place = {piece, at, value, items_.moved()};
+            place = {piece, at, value, moved(piece, at)};
             return true;
         }
     }

@@ -33,6 +33,8 @@ protected:
 
     [[nodiscard]] bool far_away() const noexcept;
     [[nodiscard]] PatchBox box(int64_t piece) const noexcept;
+    // How far rounding may have moved a point of a piece.
+    [[nodiscard]] double moved(int64_t piece, const AxisValues &at) const;
     // Descends across pieces; false if it takes too many steps.
     bool walk(FootCandidate &place);
     bool walk_on(FootCandidate &place);

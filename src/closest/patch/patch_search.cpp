@@ -35,7 +35,8 @@ void PatchSearch::start(const PatchTree::Centre &centre) {
         best_.at[k] = std::clamp(centre.at[k], part.lower[k], part.upper[k]);
     }
     best_.value = sign_ * descent_.descend(values, part, sign_, floor_, best_.at).distance;
-    best_.error = items_.moved() + pieces_.value_error() * (std::abs(best_.value) + pieces_.radius());
+    best_.error =
+        moved(centre.piece, best_.at) + pieces_.value_error() * (std::abs(best_.value) + pieces_.radius());
     if (!std::isfinite(best_.value)) {
         best_.value = infinity;
     }

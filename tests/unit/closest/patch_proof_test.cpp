@@ -5,10 +5,12 @@
 #include "closest/patch/patch_search.h"
 
 #include "eval/kernels/contraction.h"
+#include "numeric/norm.h"
 #include "reference/number.h"
 #include "support/generators.h"
 #include "unit/targets.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -126,6 +128,43 @@ TEST_P(PatchKernel, discs_hold_their_patches) {
                 ASSERT_LE(nearest[i], d);
                 ASSERT_GE(-farthest[i], d);
             }
+        }
+    }
+}
+
+// Where weights of both signs nearly cancel, records count by a weight that is far smaller than theirs: the corner of
+// such a piece, of exact numbers, is no nearer than the disc.
+TEST_P(PatchKernel, discs_hold_corners_of_small_weight) {
+    Random random(56);
+    const auto across = std::make_shared<const KnotVector>(2, std::vector<double>{0, 0, 0, 1, 3, 3, 3}),
+               along = std::make_shared<const KnotVector>(1, std::vector<double>{0, 0, 1, 1});
+    for (int round = 0; round < 300; ++round) {
+        const double sum = random.magnitude(1e-8, 1e-5);
+        const double weights[] = {1, 1, sum - 2, 1};
+        std::vector<double> records;
+        for (int i = 0; i < 8; ++i) {
+            for (int c = 0; c < 3; ++c) {
+                records.push_back(random.between(-1, 1));
+            }
+            records.push_back(weights[i / 2]);
+        }
+        const SplinePtr spline = make_spline({across, along}, 3, Form::homogeneous, records, {});
+        // At u = 1, v = 0: (2 R_1 + R_2) / 3 of the layers.
+        std::array<double, 3> corner{};
+        for (size_t c = 0; c < 3; ++c) {
+            const auto exact = [&](size_t i) { return 2.0L * records[8 + i] + records[16 + i]; };
+            corner[c] = static_cast<double>(exact(c) / exact(3));
+        }
+        const closest::PatchPieces pieces(*spline);
+        const closest::PatchTree tree(pieces);
+        closest::PatchMemory memory;
+        const closest::PatchItems items(pieces, corner.data(), memory);
+        double bounds[closest::PatchTree::most_width], centres[closest::PatchTree::most_width];
+        const double rounding = 4 * eps * norm(items.x(), 3);
+        for (int level = 0; level + 1 < tree.levels(); ++level) {
+            tree.bound(level, 0, items.x(), false, {bounds, centres});
+            const auto count = tree.family(level, 0).count;
+            EXPECT_LE(*std::min_element(bounds, bounds + count), rounding) << round << ", level " << level;
         }
     }
 }

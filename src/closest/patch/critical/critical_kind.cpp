@@ -51,7 +51,8 @@ bool is_critical_point(const CriticalQuery &query, const PatchFace &face, const 
         at[axis] = t;
         const PatchJet jet = query.descent().jet(whole.values, at);
         bool critical = true;
-        for (size_t j = 0; j < face.side.size(); ++j) { // an edge that is a point: like a corner
+        const auto axes = static_cast<size_t>(query.shape().axes);
+        for (size_t j = 0; j < axes; ++j) { // an edge that is a point: like a corner
             critical = critical && (face.side[j] < 0 || jet.gradient[j] * here.gradient[j] > 0);
         }
         for (int l = 0; l < face.shape.axes; ++l) {

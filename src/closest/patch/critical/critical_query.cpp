@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "closest/patch/critical/critical_query.h"
 
+#include "closest/patch/patch_query.h"
+
 #include "numeric/norm.h"
 
 namespace nrb::closest {
@@ -8,7 +10,7 @@ namespace nrb::closest {
 CriticalQuery::CriticalQuery(const PatchPieces &pieces, const Query &query)
     : pieces_(pieces), query_(query), items_(pieces, query.point, memory_),
       descent_(pieces.shape(), memory_) {
-    noise_ = pieces.allowance() * pieces.weight_ratio() * (pieces.size() + pieces.magnitude(query.point));
+    noise_ = PatchQuery::scaled_noise(pieces, query.point);
     near_ = pieces.scaled(query.tolerance) + 64 * noise_;
 }
 

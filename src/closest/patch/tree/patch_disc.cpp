@@ -3,6 +3,7 @@
 
 #include "base/numbers.h"
 #include "closest/patch/patch_kernel.h"
+#include "numeric/norm.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +12,7 @@ namespace nrb::closest {
 
 namespace {
 
-constexpr double unbounded = 0x1p200; // of patches without bounds
+constexpr double roundings_of_parts = 8; // times those of the pieces
 
 void cross_product(const double *a, const double *b, double *out) noexcept {
     out[0] = a[1] * b[2] - a[2] * b[1];
@@ -64,7 +65,8 @@ void PatchDisc::make_single() noexcept {
 }
 
 // The difference that the radius is the root of may cancel; what it loses is given back.
-void PatchDisc::add_point(int dim, const double *point, double weight) noexcept {
+void PatchDisc::add_point(int dim, const double *point, double weight,
+                          const pieces::Rounding &rounding) noexcept {
     double square = 0, height = 0;
     for (int c = 0; c < dim; ++c) {
         const double delta = point[c] / weight - centre[static_cast<size_t>(c)];
@@ -72,18 +74,20 @@ void PatchDisc::add_point(int dim, const double *point, double weight) noexcept 
         height += dim == 3 ? delta * normal[static_cast<size_t>(c)] : 0.0;
     }
     const double across = std::max(0.0, square - height * height) + (dim + 8) * eps * square;
-    radius = std::max(radius, std::sqrt(across));
-    low = std::min(low, height);
-    high = std::max(high, height);
+    const double moved =
+        rounding.relative() ? 0 : roundings_of_parts * rounding.moved(norm(point, dim) / weight, weight);
+    radius = std::max(radius, std::sqrt(across) + moved);
+    low = std::min(low, height - moved);
+    high = std::max(high, height + moved);
 }
 
-void PatchDisc::add(const PatchShape &shape, const double *patch, bool positive) noexcept {
+void PatchDisc::add(const PatchShape &shape, const double *patch, const pieces::Rounding &rounding) noexcept {
     const int64_t count = shape.coefficients();
     for (int64_t i = 0; i < count; ++i, patch += shape.lanes) {
         const double w = patch[shape.dim];
-        if (w > 0) {
-            add_point(shape.dim, patch, w);
-        } else if (!(positive && w == 0)) {
+        if (rounding.positive(w)) {
+            add_point(shape.dim, patch, w, rounding);
+        } else if (!(rounding.relative() && w == 0)) {
             radius = unbounded;
         }
     }

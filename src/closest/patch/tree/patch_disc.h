@@ -3,16 +3,21 @@
 #pragma once
 
 #include "closest/patch/patch_shape.h"
+#include "pieces/bezier_net.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
 
 namespace nrb::closest {
 
-inline constexpr double far_away = 1e30; // of discs that nothing comes near
+inline constexpr double far_away = 1e30;  // of centres
+inline constexpr double unbounded = 1e36; // of patches without bounds
 
+// In single precision, not below x; at most `unbounded`.
 inline float above(double x) noexcept {
+    x = std::min(x, unbounded);
     const auto rounded = static_cast<float>(x);
     return rounded < x ? std::nextafter(rounded, std::numeric_limits<float>::infinity()) : rounded;
 }
@@ -28,12 +33,13 @@ struct PatchDisc {
     PatchDisc(const PatchShape &shape, const double *patch, bool with_normal);
     // Rounds the centre and the normal to single precision, before there is room for points.
     void make_single() noexcept;
-    // Makes room for all control points. `positive`: those of weight 0 do not count.
-    void add(const PatchShape &shape, const double *patch, bool positive) noexcept;
+    // Makes room for all control points, and for what rounding may have made of them where it is not relative
+    // to their weights. Where it is, those of weight 0 do not count.
+    void add(const PatchShape &shape, const double *patch, const pieces::Rounding &rounding) noexcept;
 
 private:
     void set_normal(const PatchShape &shape, const double *jet) noexcept;
-    void add_point(int dim, const double *point, double weight) noexcept;
+    void add_point(int dim, const double *point, double weight, const pieces::Rounding &rounding) noexcept;
 };
 
 } // namespace nrb::closest

@@ -119,7 +119,7 @@ void PatchLeaves::write(int64_t node, int dim, double rounding, std::vector<Patc
     }
     for (size_t i = 0; i < discs.size(); ++i) {
         const double *part = parts.data() + static_cast<int64_t>(i) * pieces.shape().values();
-        discs[i].add(pieces.shape(), part, pieces.positive());
+        discs[i].add(pieces.shape(), part, pieces.rounding());
     }
     round_sizes(dim, rounding, discs, frame(node, dim), out + dim * count_);
 }
@@ -185,7 +185,8 @@ void PatchLeaves::bound(int64_t node, int dim, const double *x, bool farthest,
                         const DiscBounds &out) const noexcept {
     const float *frame = this->frame(node, dim);
     const ByteDiscs discs{discs_.data() + node * count_ * byte_columns(dim),
-                          normals_.data() + node * count_ * 3, frame, off_ * double{frame[dim]}};
+                          has_normals_ ? normals_.data() + node * count_ * 3 : nullptr, frame,
+                          off_ * double{frame[dim]}};
     bound_discs(discs, count_, dim, has_normals_, x, farthest, out);
 }
 

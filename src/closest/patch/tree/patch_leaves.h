@@ -11,7 +11,6 @@
 #include "closest/patch/tree/disc_kernel.h"
 #include "closest/patch/tree/patch_disc.h"
 
-#include <span>
 #include <vector>
 
 namespace nrb::closest {

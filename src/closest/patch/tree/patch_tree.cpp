@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "closest/patch/tree/patch_tree.h"
 
+#include "numeric/norm.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -113,7 +115,7 @@ private:
         PatchDisc disc(pieces_.shape(), load(pieces_.piece(middle)), tree_.normals_);
         disc.make_single();
         for_each(inside, [&](const PatchPieces::Index &i) {
-            disc.add(pieces_.shape(), load(pieces_.piece(i)), pieces_.positive());
+            disc.add(pieces_.shape(), load(pieces_.piece(i)), pieces_.rounding());
         });
         return disc;
     }
@@ -135,6 +137,7 @@ private:
             column += family.width;
         };
         std::for_each_n(disc.centre.begin(), pieces_.shape().dim, put);
+        tree_.apart_ = std::max(tree_.apart_, 0x1p-24 * norm(disc.centre.data(), pieces_.shape().dim));
         put(above(disc.radius + rounding()));
         if (tree_.normals_) {
             std::for_each(disc.normal.begin(), disc.normal.end(), put);
@@ -150,8 +153,7 @@ private:
 };
 
 PatchTree::PatchTree(const PatchPieces &pieces)
-    : pieces_(pieces), normals_(pieces.shape().dim == 3 && pieces.shape().axes == 2),
-      apart_(0x1p-24 * pieces.shape().dim * pieces.radius()) {
+    : pieces_(pieces), normals_(pieces.shape().dim == 3 && pieces.shape().axes == 2) {
     Builder(*this).build();
 }
 

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
-// A tree of discs around the pieces of a spline: what a query looks at before any polynomial.
+// A tree of discs around the pieces of a spline: what a query looks at before
+// any polynomial.
 //
-// A disc is the set of points across a unit normal n that are within a radius of the line through the centre,
-// and whose heights over the centre are in an interval; without normal, a ball. Centres are points of the
-// spline, so that each distance of a centre bounds the smallest one from above.
+// A disc is the set of points across a normal n that are within a radius of the line through the centre, and
+// whose heights over the centre are in an interval; without normal, a ball. Centres are points of the spline
+// but for their rounding, so that each distance of a centre bounds the smallest one from above.
 //
-// With the pieces, which are computed when they are looked at, the tree takes at most 1.5 (p + 1) (q + 1)
-// times the memory of the control points of a surface, and at most 12 times for a bicubic one.
+// With the pieces, which are computed when they are looked at, the tree of a surface of several spans along
+// both axes takes at most 1.5 (p + 1) (q + 1) times the memory of the control points, and at most 12 times
+// for a bicubic one.
 #pragma once
 
 #include "closest/patch/patch_pieces.h"
@@ -76,7 +78,7 @@ private:
     std::vector<PatchPieces::Index> grids_;   // nodes of such a level along each axis
     std::vector<PatchPieces::Index> blocks_;  // pieces in a node of it
     std::vector<float> discs_;
-    double apart_; // a centre and the point of the surface that was rounded to it
+    double apart_ = 0; // a centre and the point of the surface that was rounded to it
     PatchLeaves leaves_;
 };
 
