@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The best of what is left first, within a budget: the order in which all searches with proof look at pieces.
+// The best of what is left first, within a budget: the order of most searches with proof.
 #pragma once
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One Bezier piece of a spline in a frame, with proof of how far rounding may have moved it: what searches
-// over one spline or two look at, bound, and halve.
+// One Bezier piece of a spline in a frame, with proof of how far rounding may have moved it, to be bounded
+// and halved.
 #pragma once
 
 #include "pieces/bezier_net.h"

@@ -305,7 +305,7 @@ std::vector<double> quotient_uppers(int64_t count, const PieceSource &source) {
     for (int64_t i = 0; i < count; ++i) {
         source(i, piece);
         double upper = upper_bound(piece);
-        if (bounded && std::isinf(upper)) { // a coefficient of 0 is none of the parts
+        if (bounded && std::isinf(upper)) { // which a coefficient of 0 may not do to its halves
             const PieceSource itself = [&piece](int64_t, QuotientPiece &out) { out = piece; };
             upper = largest_quotient({&upper, 1}, itself, few).upper;
             bounded = std::isfinite(upper);

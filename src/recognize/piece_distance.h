@@ -17,7 +17,7 @@ struct DistanceBound {
 // The equation of the shape along the piece bounds the value of that equation: of circles, spheres and
 // cylinders the square of the distance from the middle, of a torus that from its central circle times a
 // factor which has a bound from below, of the other quadrics a distance by their gradient. Where the gradient
-// is small beside the value, the distance of one point and the extent of the piece have to do.
+// is small beside the value, the bound is the distance of one point with the extent of the piece.
 class PieceDistance {
 public:
     explicit PieceDistance(const Shape &shape);

@@ -81,7 +81,7 @@ bool too_large(int32_t kind, const ShapeSamples &samples, double tolerance) {
     return wider_than(samples, 16 * tolerance);
 }
 
-// Whether rounding alone tells the samples from those of a point (for a line), or from those of a line or
+// Whether the samples differ only by rounding from those of a point (for a line), or from those of a line or
 // point (for a plane): then they have no direction, or no plane, of their own.
 bool undetermined(int32_t kind, const ShapeSamples &samples) {
     const double rounding =

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "closest/pair/pair_descent.h"
 
+#include "bernstein/de_casteljau.h"
 #include "numeric/norm.h"
 
 #include <algorithm>
@@ -11,35 +12,7 @@ namespace nrb::closest {
 namespace {
 
 constexpr int most_steps = 60;
-constexpr int row_size = 3 * (max_degree + 1);
-
-// Bernstein polynomials and two derivatives at t: rows of degree + 1.
-void bernstein_rows(int degree, double t, double *out) {
-    const int n = degree + 1;
-    double lower[3][max_degree + 1]; // of degree, degree - 1, degree - 2
-    for (int drop = 0; drop < 3; ++drop) {
-        const int p = degree - drop;
-        double *row = lower[drop];
-        if (p < 0) {
-            continue;
-        }
-        row[0] = 1;
-        for (int d = 1; d <= p; ++d) { // each from the one below
-            row[d] = t * row[d - 1];
-            for (int i = d - 1; i > 0; --i) {
-                row[i] = t * row[i - 1] + (1 - t) * row[i];
-            }
-            row[0] *= 1 - t;
-        }
-    }
-    for (int i = 0; i < n; ++i) {
-        const auto at = [&](int drop, int k) { return k >= 0 && k <= degree - drop ? lower[drop][k] : 0.0; };
-        out[i] = lower[0][i];
-        out[n + i] = degree > 0 ? degree * (at(1, i - 1) - at(1, i)) : 0;
-        out[2 * n + i] =
-            degree > 1 ? degree * (degree - 1) * (at(2, i - 2) - 2 * at(2, i - 1) + at(2, i)) : 0;
-    }
-}
+constexpr int row_length = max_degree + 1, row_size = 3 * row_length;
 
 // visit(slot, first, second) for a value, the derivatives by one axis and those by two; -1 for none.
 template <class Visit>
@@ -70,16 +43,16 @@ const double *PieceJet::second(int k, int l) const noexcept {
 void PieceJet::set_rows(const pieces::BezierPiece &piece, const pieces::LocalParam &place) {
     rows_.resize(static_cast<size_t>(max_axes * row_size));
     for (int k = 0; k < axes_; ++k) {
-        bernstein_rows(piece.degree(k), place[static_cast<size_t>(k)], rows_.data() + k * row_size);
+        bernstein_functions(piece.degree(k), place[static_cast<size_t>(k)], 2, row_length,
+                            rows_.data() + k * row_size);
     }
 }
 
-double PieceJet::factor(const pieces::BezierPiece &piece, const std::array<int, max_axes> &at, int first,
-                        int second) const noexcept {
+double PieceJet::factor(const std::array<int, max_axes> &at, int first, int second) const noexcept {
     double product = 1;
     for (int k = 0; k < axes_; ++k) {
         const int order = (first == k ? 1 : 0) + (second == k ? 1 : 0), i = at[static_cast<size_t>(k)];
-        product *= rows_[static_cast<size_t>(k * row_size + order * (piece.degree(k) + 1) + i)];
+        product *= rows_[static_cast<size_t>(k * row_size + order * row_length + i)];
     }
     return product;
 }
@@ -90,7 +63,7 @@ void PieceJet::contract(const pieces::BezierPiece &piece, bool derivatives) {
     for (int64_t i = 0; i < piece.coefficients(); ++i) {
         const double *record = piece.record(i);
         for_slots(axes_, derivatives, [&](int slot, int first, int second) {
-            const double product = factor(piece, at, first, second);
+            const double product = factor(at, first, second);
             double *out = records_.data() + slot * width;
             for (int c = 0; c < width; ++c) {
                 out[c] += product * record[c];

@@ -27,8 +27,7 @@ private:
     void contract(const pieces::BezierPiece &piece, bool derivatives);
     void divide(bool derivatives);
     // Of a coefficient: the product of functions of all axes, derived by two of them or -1.
-    [[nodiscard]] double factor(const pieces::BezierPiece &piece, const std::array<int, max_axes> &at,
-                                int first, int second) const noexcept;
+    [[nodiscard]] double factor(const std::array<int, max_axes> &at, int first, int second) const noexcept;
 
     int axes_ = 1, dim_ = 1;
     std::vector<double> values_, records_, rows_;

@@ -16,7 +16,7 @@ public:
     PatchMemory(const PatchMemory &) = delete;
     PatchMemory &operator=(const PatchMemory &) = delete;
 
-    // Uninitialised, at the start of a cache line.
+    // Uninitialised, a multiple of a cache line long.
     double *take(int64_t size) {
         const auto rounded = (static_cast<size_t>(size) + 7) / 8 * 8;
         if (block_ == 0 && used_ + rounded <= inline_size) {

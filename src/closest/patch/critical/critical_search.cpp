@@ -129,8 +129,8 @@ void CriticalSearch::add_all(const Target &target, const FacePart &part, const P
     }
 }
 
-// A critical point in the part; false if there is none that can be told, or if it is a pole, where the matrix
-// is singular for no other reason.
+// A critical point in the part; false if none is found, or if it is a pole, where the matrix is singular for
+// no other reason.
 bool CriticalSearch::find(const Target &target, const FacePart &part, bool singular) {
     const std::optional<NewtonResult> found = newton(query_, target.face, target.whole, part);
     if (!found || (singular && poles_.critical_at(query_.point(target.whole, found->at)))) {
