@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <memory>
 #include <span>
-#include <vector>
 
 namespace nrb::inline spline {
 
@@ -32,9 +31,9 @@ public:
         rows_.reserve(static_cast<size_t>(rows));
         room((rows + more) * width);
     }
-    void add_copy(int64_t layer) { rows_.push_back({layer, 0, 0}); }
+    void add_copy(int64_t layer) { rows_.add({layer, 0, 0}); }
     // Precondition: there is a row.
-    void repeat_row() { rows_.push_back(rows_.back()); }
+    void repeat_row() { rows_.add(Row(all().back())); }
     // Zeros at both ends are dropped; a single 1 becomes a copy.
     void add_row(int64_t first, const double *coefficients, int size) {
         while (size > 1 && coefficients[size - 1] == 0) {
@@ -47,68 +46,93 @@ public:
         add_written(first, size);
     }
     // Where the coefficients of the next row may be written before add_written() makes it a row.
-    double *room(int64_t size) {
-        const size_t end = used_ + static_cast<size_t>(size);
-        if (capacity_ < end) {
-            grow(used_ == 0 ? end : 2 * end);
-        }
-        return coefficients_.get() + used_;
-    }
+    double *room(int64_t size) { return coefficients_.room(static_cast<size_t>(size)); }
     void add_written(int64_t first, int size) {
-        if (size == 1 && coefficients_[used_] == 1) {
+        if (size == 1 && *coefficients_.end() == 1) {
             return add_copy(first);
         }
-        rows_.push_back({first, size, used_});
-        used_ += static_cast<size_t>(size);
+        add_later(first, size);
     }
 
     // Adds a row whose coefficients are written at the returned place before the next room() and before the
     // table is used. Precondition: reserve() made room for it.
     double *add_later(int64_t first, int size) {
-        rows_.push_back({first, size, used_});
-        used_ += static_cast<size_t>(size);
-        return coefficients_.get() + rows_.back().offset;
+        double *const place = coefficients_.end();
+        rows_.add({first, size, coefficients_.size()});
+        coefficients_.take(static_cast<size_t>(size));
+        return place;
     }
     // Adds rows that repeat `count` times, `stride` layers and `pitch` coefficients further on each time.
     // Their offsets count from room(), where the coefficients have been written; copies have none.
     void add_pattern(std::span<const Row> pattern, int64_t count, int64_t stride, int64_t pitch) {
-        const size_t rows = rows_.size();
-        rows_.resize(rows + static_cast<size_t>(count) * pattern.size());
-        Row *row = rows_.data() + rows;
+        const size_t used = coefficients_.size(), rows = static_cast<size_t>(count) * pattern.size();
+        Row *row = rows_.room(rows);
         for (int64_t i = 0; i < count; ++i) {
             for (const Row &next : pattern) {
                 *row++ = {next.first + i * stride, next.size,
-                          used_ + static_cast<size_t>(i * pitch) + next.offset};
+                          used + static_cast<size_t>(i * pitch) + next.offset};
             }
         }
-        used_ += static_cast<size_t>(count * pitch);
+        rows_.take(rows);
+        coefficients_.take(static_cast<size_t>(count * pitch));
     }
 
     // Whether every row is a copy, so that no value is computed.
     [[nodiscard]] bool copies_only() const noexcept {
-        return std::all_of(rows_.begin(), rows_.end(), [](const Row &row) { return row.size == 0; });
+        return std::ranges::all_of(all(), [](const Row &row) { return row.size == 0; });
     }
     [[nodiscard]] int64_t rows() const noexcept { return static_cast<int64_t>(rows_.size()); }
-    [[nodiscard]] const Row &row(int64_t r) const noexcept { return rows_[static_cast<size_t>(r)]; }
-    [[nodiscard]] std::span<const Row> all() const noexcept { return rows_; }
+    [[nodiscard]] const Row &row(int64_t r) const noexcept { return rows_.data()[r]; }
+    [[nodiscard]] std::span<const Row> all() const noexcept { return {rows_.data(), rows_.size()}; }
     // All coefficients; the offsets refer to them.
-    [[nodiscard]] const double *coefficients() const noexcept { return coefficients_.get(); }
+    [[nodiscard]] const double *coefficients() const noexcept { return coefficients_.data(); }
     [[nodiscard]] const double *coefficients(const Row &row) const noexcept {
-        return coefficients_.get() + row.offset;
+        return coefficients_.data() + row.offset;
     }
 
 private:
-    void grow(size_t capacity) {
-        auto grown = std::make_unique_for_overwrite<double[]>(capacity);
-        std::copy_n(coefficients_.get(), used_, grown.get());
-        coefficients_ = std::move(grown);
-        capacity_ = capacity;
-    }
+    // An array that grows. What is written at its end counts once it is taken.
+    template <class T>
+    class Growing {
+    public:
+        void reserve(size_t size) {
+            if (static_cast<size_t>(limit_ - data_.get()) < size) {
+                grow(size);
+            }
+        }
+        T *room(size_t more) {
+            if (static_cast<size_t>(limit_ - end_) < more) {
+                grow(end_ == data_.get() ? more : 2 * (size() + more));
+            }
+            return end_;
+        }
+        void take(size_t more) noexcept { end_ += more; }
+        void add(const T &value) {
+            if (end_ == limit_) {
+                grow(2 * size() + 1);
+            }
+            *end_++ = value;
+        }
+        [[nodiscard]] T *end() noexcept { return end_; }
+        [[nodiscard]] const T *data() const noexcept { return data_.get(); }
+        [[nodiscard]] size_t size() const noexcept { return static_cast<size_t>(end_ - data_.get()); }
 
-    std::vector<Row> rows_;
-    std::unique_ptr<double[]> coefficients_; // the first used_ are in use
-    size_t used_ = 0;
-    size_t capacity_ = 0;
+    private:
+        void grow(size_t capacity) {
+            const size_t size = this->size();
+            auto grown = std::make_unique_for_overwrite<T[]>(capacity);
+            std::copy_n(data_.get(), size, grown.get());
+            data_ = std::move(grown);
+            end_ = data_.get() + size;
+            limit_ = data_.get() + capacity;
+        }
+
+        std::unique_ptr<T[]> data_;
+        T *end_ = nullptr, *limit_ = nullptr;
+    };
+
+    Growing<Row> rows_;
+    Growing<double> coefficients_;
 };
 
 struct Net {

@@ -20,11 +20,14 @@ namespace {
 
 // Alternating records of two arrays.
 std::vector<double> interleaved(std::span<const double> a, std::span<const double> b, int64_t width) {
+    const auto size = static_cast<size_t>(checked_product(std::ssize(a), 2, "points"));
     std::vector<double> both;
-    both.reserve(static_cast<size_t>(checked_product(std::ssize(a), 2, "points")) + Spline::padding);
+    both.reserve(size + Spline::padding);
+    both.resize(size);
+    double *out = both.data();
     for (auto x = a.begin(), y = b.begin(); x != a.end(); x += width, y += width) {
-        both.insert(both.end(), x, x + width);
-        both.insert(both.end(), y, y + width);
+        out = std::copy_n(x, width, out);
+        out = std::copy_n(y, width, out);
     }
     return both;
 }
