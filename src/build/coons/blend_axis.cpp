@@ -152,11 +152,12 @@ std::vector<SplinePtr> over_common_axis(std::vector<SplinePtr> functions) {
 // not 0.
 std::vector<std::vector<double>> linear_blends(const KnotVector &axis) {
     const auto [lower, upper] = axis.domain();
-    std::vector<std::vector<double>> blends(2);
-    for (int64_t i = 0; i < axis.count(); ++i) {
+    const int64_t count = axis.count();
+    std::vector<std::vector<double>> blends(2, std::vector<double>(static_cast<size_t>(count)));
+    for (int64_t i = 0; i < count; ++i) {
         const double t = greville(axis, i);
-        blends[0].push_back((upper - t) / (upper - lower));
-        blends[1].push_back((t - lower) / (upper - lower));
+        blends[0][static_cast<size_t>(i)] = (upper - t) / (upper - lower);
+        blends[1][static_cast<size_t>(i)] = (t - lower) / (upper - lower);
     }
     return blends;
 }
