@@ -3,8 +3,8 @@
 // whatever the answer, no call ends the program or finds a defect of the library, and the splines stay what
 // they were.
 #include "calls/calls.h"
+#include "support/scale.h"
 
-#include <algorithm>
 #include <cfloat>
 #include <cmath>
 #include <cstdio>
@@ -150,18 +150,13 @@ void run(const calls::Call &call, const calls::Inputs &in, uint64_t seed) {
     calls::destroy(o);
 }
 
-int usual_count() {
-    const char *text = std::getenv("NURBS_TEST_SCALE");
-    return std::max(1, static_cast<int>(6 * (text == nullptr ? 1 : std::strtod(text, nullptr))));
-}
-
 } // namespace
 
 // Seeds from the first argument on, as many as the second says: else 6 * NURBS_TEST_SCALE (environment, default 1).
 int main(int argc, char **argv) {
     const uint64_t first = argc > 1 ? std::strtoull(argv[1], nullptr, 10) : 0,
-                   count =
-                       argc > 2 ? std::strtoull(argv[2], nullptr, 10) : static_cast<uint64_t>(usual_count());
+                   count = argc > 2 ? std::strtoull(argv[2], nullptr, 10)
+                                    : static_cast<uint64_t>(support::scaled(6));
     const char *const path = "extremes_test.igs";
     CHECK(calls::write_file(path));
     for (uint64_t seed = first; seed < first + count; ++seed) {

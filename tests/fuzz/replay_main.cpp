@@ -1,6 +1,8 @@
 // Runs a fuzz target without a fuzzer: on every file of a corpus folder, on fixed mutations of each, and on
 // noise. The inputs are the same on every run and machine. An input that ends the program is left in the file
 // failing_input.
+#include "support/scale.h"
+
 #include <algorithm>
 #include <csignal>
 #include <cstddef>
@@ -129,13 +131,6 @@ void run(const Bytes &bytes) {
     current = nullptr;
 }
 
-// NURBS_TEST_SCALE (environment, default 1) times `count`.
-size_t scaled(size_t count) {
-    const char *text = std::getenv("NURBS_TEST_SCALE");
-    return text == nullptr ? count
-                           : static_cast<size_t>(static_cast<double>(count) * std::strtod(text, nullptr));
-}
-
 // Small files get many mutations and large ones few: about the same number of bytes for each, within limits.
 size_t mutation_count(size_t size) {
     return std::clamp<size_t>((size_t{8} << 20) / (size + 1), 200, 2000);
@@ -143,14 +138,14 @@ size_t mutation_count(size_t size) {
 
 void run_with_mutations(const Bytes &bytes, Random &random) {
     run(bytes);
-    const size_t count = scaled(mutation_count(bytes.size()));
-    for (size_t i = 0; i < count; ++i) {
+    const int64_t count = support::scaled(static_cast<int64_t>(mutation_count(bytes.size())));
+    for (int64_t i = 0; i < count; ++i) {
         run(mutated(bytes, random));
     }
 }
 
 void run_noise(Random &random) {
-    const size_t largest = scaled(1000);
+    const auto largest = static_cast<size_t>(support::scaled(1000));
     for (size_t size = 0; size < largest; ++size) {
         Bytes noise(size);
         std::generate(noise.begin(), noise.end(), [&] { return random.byte(); });

@@ -7,25 +7,12 @@
 
 namespace support {
 
-namespace {
-
-double scale() {
-    const char *text = std::getenv("NURBS_TEST_SCALE");
-    return text == nullptr ? 1 : std::strtod(text, nullptr);
-}
-
-} // namespace
-
-int scaled(int count) {
-    return std::max(1, static_cast<int>(count * scale()));
-}
-
 int64_t of_whole_run(int64_t n) {
     return scale() < 1 ? -1 : n;
 }
 
 void for_each_case(uint64_t base, int count, const std::function<void(Random &, uint64_t)> &body) {
-    const int cases = scaled(count);
+    const int64_t cases = scaled(count);
     std::printf("seeds %llu to %llu\n", static_cast<unsigned long long>(base),
                 static_cast<unsigned long long>(base) + static_cast<unsigned long long>(cases) - 1);
     for (uint64_t seed = base; seed < base + static_cast<uint64_t>(cases); ++seed) {

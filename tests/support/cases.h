@@ -2,6 +2,7 @@
 #pragma once
 
 #include "support/generators.h"
+#include "support/scale.h"
 
 #include <cstdint>
 #include <functional>
@@ -9,9 +10,6 @@
 #include <string>
 
 namespace support {
-
-// count * NURBS_TEST_SCALE (environment, default 1), at least 1.
-int scaled(int count);
 
 // Calls body(random, seed) for seeds base, base + 1, ..., scaled(count) times. Prints the seeds; stops at the first case that fails, which is enough to repeat
 // it. An exception counts as a failure.
