@@ -20,7 +20,7 @@ std::shared_ptr<const Locator> make_locator(const Spline &spline) {
     if (spline.axes() == 1) {
         return std::make_shared<CurveLocator>(spline);
     }
-    return std::make_shared<PatchLocator>(spline);
+    return std::make_shared<PatchLocator>(pieces::piece_tree_of(spline));
 }
 
 // Copies a record; returns whether it is finite.
@@ -131,9 +131,7 @@ private:
 } // namespace
 
 const Locator &locator_of(const Spline &spline) {
-    const Spline::AnyCache &table =
-        spline.slot(Spline::Cache::locator).get([&spline] { return Spline::AnyCache(make_locator(spline)); });
-    return *static_cast<const Locator *>(table.get());
+    return spline.kept<Locator>(Spline::Cache::locator, [&] { return make_locator(spline); });
 }
 
 void closest_points(const Spline &spline, const ConstRecords &points, const Query &common,

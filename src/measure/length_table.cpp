@@ -50,10 +50,8 @@ LengthTable::LengthTable(const Spline &curve) : pieces_(curve, curve.axis(0).dom
 }
 
 const LengthTable &LengthTable::of(const Spline &curve) {
-    const Spline::AnyCache &table = curve.slot(Spline::Cache::lengths).get([&] {
-        return Spline::AnyCache(std::make_shared<const LengthTable>(curve));
-    });
-    return *static_cast<const LengthTable *>(table.get());
+    return curve.kept<LengthTable>(Spline::Cache::lengths,
+                                   [&] { return std::make_shared<const LengthTable>(curve); });
 }
 
 // Over [lower, upper] of a leaf.

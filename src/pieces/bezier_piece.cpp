@@ -22,6 +22,12 @@ BezierPiece::BezierPiece(BezierNet &net, int64_t index, int axes)
     update();
 }
 
+BezierPiece::BezierPiece(int axes, const BernsteinShape &shape, std::vector<double> values,
+                         const std::array<Interval, max_axes> &part, const Rounding &rounding)
+    : axes_(axes), shape_(shape), values_(std::move(values)), part_(part), rounding_(rounding) {
+    update();
+}
+
 void BezierPiece::replace(int width, std::vector<double> values, const Rounding &rounding) {
     shape_.width = width;
     values_ = std::move(values);

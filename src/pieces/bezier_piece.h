@@ -20,6 +20,9 @@ public:
     BezierPiece(const double *point, int dim);
     // Piece `index` of a net.
     BezierPiece(BezierNet &net, int64_t index, int axes);
+    // Coefficients of the shape, over the parameters of a part.
+    BezierPiece(int axes, const BernsteinShape &shape, std::vector<double> values,
+                const std::array<Interval, max_axes> &part, const Rounding &rounding);
     // Any other coefficients (w x, w), about the same centre, of the same axes.
     void replace(int width, std::vector<double> values, const Rounding &rounding);
 

@@ -105,10 +105,16 @@ public:
     void curve_power_span(int64_t span, double *points, double *power_span) const noexcept;
 
     // What other rooms keep with a spline. Only those rooms know the types; each thing is made at first use.
-    enum class Cache { at_origin, locator, lengths, magnitude, count };
+    enum class Cache { at_origin, pieces, locator, lengths, magnitude, count };
     using AnyCache = std::shared_ptr<const void>;
     [[nodiscard]] const Lazy<AnyCache> &slot(Cache cache) const noexcept {
         return slots_[static_cast<size_t>(cache)];
+    }
+    // What make() returns a std::shared_ptr of, for a slot that is never empty.
+    template <class T, class Make>
+    [[nodiscard]] const T &kept(Cache cache, Make &&make) const {
+        const AnyCache &found = slot(cache).get([&] { return AnyCache(std::shared_ptr<const T>(make())); });
+        return *static_cast<const T *>(found.get());
     }
 
 private:

@@ -9,11 +9,12 @@
 #include "eval/evaluate.h"
 #include "numeric/norm.h"
 #include "pieces/best_first.h"
-#include "refine/knots/bezier_rows.h"
+#include "pieces/tree/framed_pieces.h"
 #include "spline/kind.h"
 
 #include <algorithm>
 #include <cmath>
+#include <unordered_map>
 
 namespace nrb::closest {
 
@@ -34,39 +35,38 @@ pieces::BernsteinNet::Breaks alike_breaks(const Spline &spline, const Spline &ot
     return breaks;
 }
 
-// Finds pieces::bezier_pieces() of a spline by their parameters.
-class PieceIndex {
+using Others = std::vector<const pieces::BezierPiece *>;
+
+// The pieces of a spline, made when they are first asked for.
+class KnownPieces {
 public:
-    explicit PieceIndex(const Spline &spline) {
-        for (int k = 0; k < spline.axes(); ++k) {
-            ends_.push_back(refine::breaks_of(spline.axis(k)));
-        }
-    }
+    KnownPieces(const Spline &spline, const pieces::Frame &frame)
+        : pieces_(pieces::piece_tree_of(spline), frame) {}
 
     // Those that contain a place: two along an axis at a knot, none outside.
-    [[nodiscard]] std::vector<size_t> containing(const pieces::LocalParam &place) const {
-        std::vector<size_t> found{0};
-        for (size_t k = 0; k < ends_.size(); ++k) {
-            const std::vector<double> &ends = ends_[k];
-            const size_t count = ends.size() - 1;
-            const auto above = std::lower_bound(ends.begin(), ends.end(), place[k]);
-            const auto at = static_cast<size_t>(above - ends.begin());
-            std::vector<size_t> next;
-            for (const size_t base : found) {
-                if (at > 0 && at <= count) {
-                    next.push_back(base * count + at - 1);
-                }
-                if (at < count && *above == place[k]) {
-                    next.push_back(base * count + at);
-                }
-            }
-            found = std::move(next);
+    [[nodiscard]] Others containing(const pieces::LocalParam &place) {
+        Others found;
+        for (const int64_t i : pieces_.tree().grid().containing(place)) {
+            found.push_back(&piece(i));
         }
         return found;
     }
+    // The most that rounding does to one made so far whose weights are positive.
+    [[nodiscard]] double moved() const noexcept { return moved_; }
 
 private:
-    std::vector<std::vector<double>> ends_;
+    const pieces::BezierPiece &piece(int64_t i) {
+        const auto [found, fresh] = made_.try_emplace(i);
+        if (fresh) {
+            found->second = pieces_.piece(i);
+            moved_ = std::max(moved_, found->second.positive() ? found->second.moved() : 0);
+        }
+        return found->second;
+    }
+
+    pieces::FramedPieces pieces_;
+    std::unordered_map<int64_t, pieces::BezierPiece> made_; // whose places in memory do not change
+    double moved_ = 0;
 };
 
 struct FarPiece {
@@ -86,20 +86,15 @@ class FarthestSearch {
 public:
     FarthestSearch(const Spline &from, const Spline &to, const pieces::Frame &frame, double tolerance,
                    int64_t budget)
-        : to_(to), frame_(frame), locator_(locator_of(to)), index_(to),
-          pieces_(pieces::bezier_pieces(to, frame)), dim_(from.dim()), tolerance_(tolerance), budget_(budget),
-          query_(static_cast<size_t>(dim_)),
+        : to_(to), frame_(frame), locator_(locator_of(to)), known_(to, frame), dim_(from.dim()),
+          tolerance_(tolerance), budget_(budget), query_(static_cast<size_t>(dim_)),
           map_(matching_map(from, to, frame.unscaled(same_point), frame.unscaled(tolerance),
                             std::min(budget, budget_of_a_match))) {
-        for (const pieces::BezierPiece &piece : pieces_) {
-            moved_ = std::max(moved_, piece.positive() ? piece.moved() : 0);
-        }
         for (pieces::BezierPiece &piece :
              pieces::bezier_pieces(from, frame, alike_breaks(from, to, map_ ? &*map_ : nullptr))) {
-            noise_ = std::max(noise_, piece.positive() ? piece.moved() : 0);
+            moved_ = std::max(moved_, piece.positive() ? piece.moved() : 0);
             push(infinity, std::move(piece), false);
         }
-        noise_ = 8 * (noise_ + moved_) + 256 * eps;
     }
 
     void run() {
@@ -113,11 +108,12 @@ public:
 
     [[nodiscard]] double at_least() const noexcept { return std::max(lower_, 0.0); }
     [[nodiscard]] double at_most() const noexcept { return std::max(queue_.bound(), at_least()); }
-    [[nodiscard]] double noise() const noexcept { return noise_; }
+    // Of the pieces looked at, and of nearest points.
+    [[nodiscard]] double noise() const noexcept { return 8 * (moved_ + known_.moved()) + 256 * eps; }
     [[nodiscard]] const pieces::LocalParam &best() const noexcept { return best_; }
 
 private:
-    [[nodiscard]] double limit() const noexcept { return std::max(lower_, 0.0) + tolerance_ + noise_; }
+    [[nodiscard]] double limit() const noexcept { return std::max(lower_, 0.0) + tolerance_ + noise(); }
 
     void push(double upper, pieces::BezierPiece piece, bool bounded) {
         if (upper <= limit()) {
@@ -159,6 +155,7 @@ private:
         const pieces::LocalParam middle{0.5, 0.5, 0.5};
         jet_.evaluate(piece, middle, false);
         const NearPoint near = nearest(jet_.value());
+        const Others others = known_.containing(near.foot.params); // whose rounding counts for the point
         const double noise = frame_.scaled(near.foot.noise) + 8 * (dim_ + 2) * eps;
         if ((near.foot.status & (closest_certified | closest_coarse)) != 0) {
             const double lower = near.distance - tolerance_ / 4 - noise - piece.moved();
@@ -167,9 +164,9 @@ private:
                 best_ = piece.parameter(middle);
             }
         }
-        upper = std::min(upper, from_point(piece, near.point) + noise + moved_ + piece.moved());
+        upper = std::min(upper, from_point(piece, near.point) + noise + known_.moved() + piece.moved());
         if (upper > limit()) {
-            upper = std::min(upper, matched(piece, near.foot));
+            upper = std::min(upper, matched(piece, near.foot.params, others));
         }
         push(upper, std::move(top.item.piece), true);
     }
@@ -178,13 +175,12 @@ private:
     double mapped(const pieces::BezierPiece &piece) {
         double best = infinity;
         const pieces::LocalParam middle = (*map_)(piece.parameter({0.5, 0.5, 0.5}));
-        for (const size_t i : index_.containing(middle)) {
-            const pieces::BezierPiece &other = pieces_[i];
+        for (const pieces::BezierPiece *other : known_.containing(middle)) {
             std::vector<pieces::LocalParam> corners = MatchedBound::corners_of(piece);
             for (pieces::LocalParam &corner : corners) {
-                corner = other.place((*map_)(piece.parameter(corner)));
+                corner = other->place((*map_)(piece.parameter(corner)));
             }
-            best = std::min(best, MatchedBound::upper(piece, other, corners, limit()));
+            best = std::min(best, MatchedBound::upper(piece, *other, corners, limit()));
         }
         return best;
     }
@@ -200,10 +196,10 @@ private:
     }
 
     // Both pieces beside a knot may match.
-    double matched(const pieces::BezierPiece &piece, const Foot &foot) {
+    double matched(const pieces::BezierPiece &piece, const pieces::LocalParam &foot, const Others &others) {
         double best = infinity;
-        for (const size_t i : index_.containing(foot.params)) {
-            best = std::min(best, bound_.upper(piece, pieces_[i], pieces_[i].place(foot.params), limit()));
+        for (const pieces::BezierPiece *other : others) {
+            best = std::min(best, bound_.upper(piece, *other, other->place(foot), limit()));
         }
         return best;
     }
@@ -220,14 +216,13 @@ private:
     const Spline &to_;
     const pieces::Frame &frame_;
     const Locator &locator_;
-    PieceIndex index_;
-    std::vector<pieces::BezierPiece> pieces_; // of the other spline
+    KnownPieces known_; // of the other spline
     int dim_;
     double tolerance_;
     int64_t budget_;
     std::vector<double> query_;
     std::optional<ParameterMap> map_;
-    double moved_ = 0, noise_ = 0;
+    double moved_ = 0; // what rounding does to pieces
     double lower_ = -infinity;
     pieces::LocalParam best_{};
     pieces::BestFirst<FarPiece> queue_;

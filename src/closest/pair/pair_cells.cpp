@@ -4,87 +4,118 @@
 #include "base/numbers.h"
 
 #include <algorithm>
-#include <span>
+#include <utility>
 
 namespace nrb::closest {
 
-namespace {
-
-std::unique_ptr<PairCell> cell_of(pieces::BezierPiece piece) {
-    auto cell = std::make_unique<PairCell>();
-    const auto dim = static_cast<size_t>(piece.dim());
-    if (piece.positive()) {
-        cell->box.assign(piece.lower(), piece.lower() + 2 * dim);
-        cell->size = piece.size();
-        cell->moved = piece.moved();
+void PairCell::set_piece(pieces::BezierPiece made) {
+    const auto dim = static_cast<size_t>(made.dim());
+    if (made.positive()) {
+        box.assign(made.lower(), made.lower() + 2 * dim);
+        size = made.size();
+        moved = made.moved();
     } else {
-        cell->box.assign(dim, -infinity);
-        cell->box.insert(cell->box.end(), dim, infinity);
-        cell->size = infinity;
+        box.assign(dim, -infinity);
+        box.insert(box.end(), dim, infinity);
+        size = infinity;
     }
-    cell->piece = std::move(piece);
-    return cell;
+    piece = std::move(made);
 }
 
-std::unique_ptr<PairCell> group(std::unique_ptr<PairCell> a, std::unique_ptr<PairCell> b) {
-    auto cell = std::make_unique<PairCell>();
-    const size_t dim = a->box.size() / 2;
-    cell->box = a->box;
+void PairCell::set_size() noexcept {
+    const size_t dim = box.size() / 2;
+    size = 0;
     for (size_t c = 0; c < dim; ++c) {
-        cell->box[c] = std::min(a->box[c], b->box[c]);
-        cell->box[dim + c] = std::max(a->box[dim + c], b->box[dim + c]);
-        cell->size = std::max(cell->size, cell->box[dim + c] - cell->box[c]);
+        size = std::max(size, box[dim + c] - box[c]);
     }
-    cell->moved = std::max(a->moved, b->moved);
-    cell->children = {std::move(a), std::move(b)};
-    return cell;
 }
 
-// Halves the list across the widest side of the middles.
-std::unique_ptr<PairCell> tree_of(std::span<std::unique_ptr<PairCell>> cells) {
-    if (cells.size() == 1) {
-        return std::move(cells.front());
+PairCells::PairCells(const Spline &spline, const pieces::Frame &frame)
+    : pieces_(pieces::piece_tree_of(spline), frame) {
+    root_.box.assign(static_cast<size_t>(spline.dim()), -infinity);
+    root_.box.insert(root_.box.end(), static_cast<size_t>(spline.dim()), infinity);
+    root_.size = infinity;
+    skip_single_children(root_);
+}
+
+// A node is the same set of pieces as its only child.
+void PairCells::skip_single_children(PairCell &cell) const {
+    while (!of_pieces(cell.level) && pieces_.tree().family(cell.level, cell.node).count == 1) {
+        cell.node = pieces_.tree().family(cell.level++, cell.node).first;
     }
-    const size_t dim = cells.front()->box.size() / 2;
-    size_t widest = 0;
-    double width = -1;
-    for (size_t c = 0; c < dim; ++c) {
-        const auto [low, high] = std::minmax_element(
-            cells.begin(), cells.end(), [c](const auto &x, const auto &y) { return x->box[c] < y->box[c]; });
-        if ((*high)->box[c] - (*low)->box[c] > width) {
-            width = (*high)->box[c] - (*low)->box[c];
-            widest = c;
+}
+
+void PairCells::make_piece(PairCell &cell) {
+    cell.set_piece(pieces_.piece(pieces_.tree().order()[static_cast<size_t>(cell.node)]));
+    cell.tight = true;
+    moved_ = std::max(moved_, cell.moved);
+}
+
+void PairCells::enclose_children(PairCell &cell) {
+    const auto dim = static_cast<size_t>(pieces_.dim());
+    std::fill_n(cell.box.begin(), dim, infinity);
+    std::fill_n(cell.box.begin() + static_cast<std::ptrdiff_t>(dim), dim, -infinity);
+    for (const auto &child : cell.children) {
+        make_piece(*child);
+        for (size_t c = 0; c < dim; ++c) {
+            cell.box[c] = std::min(cell.box[c], child->box[c]);
+            cell.box[dim + c] = std::max(cell.box[dim + c], child->box[dim + c]);
         }
+        cell.moved = std::max(cell.moved, child->moved);
     }
-    const size_t half = cells.size() / 2;
-    std::nth_element(cells.begin(), cells.begin() + static_cast<std::ptrdiff_t>(half), cells.end(),
-                     [widest](const auto &x, const auto &y) { return x->box[widest] < y->box[widest]; });
-    auto lower = tree_of(cells.first(half)), upper = tree_of(cells.subspan(half));
-    return group(std::move(lower), std::move(upper));
+    cell.set_size();
 }
 
-} // namespace
-
-bool PairCell::split() {
-    if (children[0]) {
-        return true;
+void PairCells::tighten(PairCell &cell) {
+    if (std::exchange(cell.tight, true)) {
+        return;
     }
-    pieces::BezierPiece upper = *piece;
+    if (of_pieces(cell.level)) {
+        make_piece(cell);
+    } else if (of_pieces(cell.level + 1)) {
+        split(cell);
+        enclose_children(cell);
+    }
+}
+
+bool PairCells::halve(PairCell &cell) {
+    pieces::BezierPiece upper = *cell.piece;
     std::optional<pieces::BezierPiece> lower = upper.halve();
     if (!lower) {
         return false;
     }
-    children = {cell_of(std::move(*lower)), cell_of(std::move(upper))};
+    for (pieces::BezierPiece *half : {&*lower, &upper}) {
+        cell.children.push_back(std::make_unique<PairCell>());
+        cell.children.back()->set_piece(std::move(*half));
+        cell.children.back()->tight = true;
+    }
     return true;
 }
 
-std::unique_ptr<PairCell> pair_cells(std::vector<pieces::BezierPiece> pieces) {
-    std::vector<std::unique_ptr<PairCell>> cells;
-    cells.reserve(pieces.size());
-    for (pieces::BezierPiece &piece : pieces) {
-        cells.push_back(cell_of(std::move(piece)));
+void PairCells::add_children(PairCell &cell) const {
+    const pieces::PieceTree::Family family = pieces_.tree().family(cell.level, cell.node);
+    const auto dim = static_cast<size_t>(pieces_.dim());
+    for (int64_t i = 0; i < family.count; ++i) {
+        auto child = std::make_unique<PairCell>();
+        child->level = cell.level + 1;
+        child->node = family.first + i;
+        child->box.resize(2 * dim);
+        pieces_.box(cell.level, cell.node, i, child->box.data());
+        child->set_size();
+        skip_single_children(*child);
+        cell.children.push_back(std::move(child));
     }
-    return tree_of(cells);
+}
+
+bool PairCells::split(PairCell &cell) {
+    if (!cell.children.empty()) {
+        return true;
+    }
+    if (cell.piece) {
+        return halve(cell);
+    }
+    add_children(cell);
+    return true;
 }
 
 } // namespace nrb::closest

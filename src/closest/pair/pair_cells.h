@@ -1,25 +1,52 @@
 // SPDX-License-Identifier: MIT
-// The pieces of a spline in a tree of boxes, each halved when it is first asked for.
+// Nodes of the tree of pieces of a spline, and below them parts of its pieces, each made when it is first
+// asked for.
 #pragma once
 
-#include "pieces/bezier_piece.h"
+#include "pieces/tree/framed_pieces.h"
 
 #include <memory>
+#include <vector>
 
 namespace nrb::closest {
 
 struct PairCell {
-    std::optional<pieces::BezierPiece> piece; // none: a group
-    std::vector<double> box;                  // [2][dim]; infinite where weights are not positive
-    double moved = 0;                         // of all pieces in it, at most
+    int level = 0;
+    int64_t node = 0; // of the tree
+    std::optional<pieces::BezierPiece> piece;
+    std::vector<double> box; // [2][dim]; infinite where weights are not positive
+    double moved = 0;        // what rounding does to the pieces, where the box has no room for it
     double size = 0;
-    std::array<std::unique_ptr<PairCell>, 2> children;
+    bool tight = false; // the box is as small as the pieces make it
+    std::vector<std::unique_ptr<PairCell>> children;
 
-    // Makes the children; false if there can be none.
-    bool split();
+    void set_piece(pieces::BezierPiece made);
+    void set_size() noexcept;
 };
 
-// Precondition: there is a piece.
-std::unique_ptr<PairCell> pair_cells(std::vector<pieces::BezierPiece> pieces);
+class PairCells {
+public:
+    PairCells(const Spline &spline, const pieces::Frame &frame);
+
+    [[nodiscard]] PairCell &root() noexcept { return root_; }
+    // Makes the children; false if there can be none.
+    bool split(PairCell &cell);
+    // Makes the piece of a cell that is one, or those of its children, which make its box smaller.
+    void tighten(PairCell &cell);
+    // The most that rounding does to a piece made so far whose weights are positive.
+    [[nodiscard]] double moved() const noexcept { return moved_; }
+
+private:
+    void skip_single_children(PairCell &cell) const;
+    void make_piece(PairCell &cell);
+    void enclose_children(PairCell &cell);
+    static bool halve(PairCell &cell);
+    void add_children(PairCell &cell) const;
+    [[nodiscard]] bool of_pieces(int level) const noexcept { return level + 1 == pieces_.tree().levels(); }
+
+    pieces::FramedPieces pieces_;
+    PairCell root_;
+    double moved_ = 0;
+};
 
 } // namespace nrb::closest

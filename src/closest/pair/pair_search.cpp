@@ -37,14 +37,17 @@ class PairSearch {
 public:
     // tolerance: in the frame.
     PairSearch(const Spline &a, const Spline &b, const pieces::Frame &frame, double tolerance, int64_t budget)
-        : a_(pair_cells(pieces::bezier_pieces(a, frame))), b_(pair_cells(pieces::bezier_pieces(b, frame))),
-          dim_(a.dim()), noise_(noise_of(a, b)), allowed_(tolerance + noise_), budget_(budget) {}
+        : a_(a, frame), b_(b, frame), dim_(a.dim()), degrees_(highest_degree(a) + highest_degree(b)),
+          tolerance_(tolerance), budget_(budget) {}
 
-    // What rounding leaves open.
-    [[nodiscard]] double noise() const noexcept { return noise_; }
+    // What rounding leaves open: of the pieces looked at, and of the points that are evaluated in the end, at
+    // both splines.
+    [[nodiscard]] double noise() const noexcept {
+        return 4 * (a_.moved() + b_.moved()) + 64 * (degrees_ + 2) * eps;
+    }
 
     void run() {
-        push(a_.get(), b_.get(), 0);
+        push(&a_.root(), &b_.root(), 0);
         queue_.run(
             budget_, [&](const Entry &top) { return -top.bound < limit(); },
             [&](const Entry &top) {
@@ -64,11 +67,7 @@ public:
     [[nodiscard]] const Best &best() const noexcept { return best_; }
 
 private:
-    // Of the pieces and of the points that are evaluated in the end, at both splines.
-    [[nodiscard]] double noise_of(const Spline &a, const Spline &b) const noexcept {
-        return 4 * (a_->moved + b_->moved) + 64 * (highest_degree(a) + highest_degree(b) + 2) * eps;
-    }
-    [[nodiscard]] double limit() const noexcept { return upper_ - allowed_; }
+    [[nodiscard]] double limit() const noexcept { return upper_ - tolerance_ - noise(); }
 
     // Whether there are bounds of the pair that it does not have yet.
     static bool bounds(const CellPair &pair) noexcept {
@@ -76,9 +75,16 @@ private:
                !pair.bounded;
     }
 
+    // Pieces are made where discs do not separate them.
     void push(PairCell *a, PairCell *b, double least) {
-        const double apart = box_distance(a->box.data(), b->box.data(), dim_) - a->moved - b->moved;
-        push({a, b, false}, std::max(least, apart - 16 * eps));
+        if (apart(*a, *b) < limit()) {
+            a_.tighten(*a);
+            b_.tighten(*b);
+        }
+        push({a, b, false}, std::max(least, apart(*a, *b)));
+    }
+    [[nodiscard]] double apart(const PairCell &a, const PairCell &b) const noexcept {
+        return box_distance(a.box.data(), b.box.data(), dim_) - a.moved - b.moved - 16 * eps;
     }
     void push(const CellPair &pair, double lower) {
         if (lower >= limit()) {
@@ -120,20 +126,19 @@ private:
     }
 
     bool split(const CellPair &pair, double lower, bool first) {
-        PairCell *cell = first ? pair.a : pair.b;
-        if (!cell->split()) {
+        PairCell &cell = first ? *pair.a : *pair.b;
+        if (!(first ? a_ : b_).split(cell)) {
             return false;
         }
-        for (const auto &child : cell->children) {
+        for (const auto &child : cell.children) {
             push(first ? child.get() : pair.a, first ? pair.b : child.get(), lower);
         }
         return true;
     }
 
-    std::unique_ptr<PairCell> a_, b_;
-    int dim_;
-    double noise_;
-    double allowed_; // between both bounds
+    PairCells a_, b_;
+    int dim_, degrees_;
+    double tolerance_;
     int64_t budget_;
     double upper_ = infinity; // proven
     Best best_;

@@ -29,14 +29,14 @@ int64_t second(int axes, int k, int l) noexcept {
 
 double PatchDescent::distance(const double *values, const AxisValues &at) const {
     const PatchMemory::Hold hold(memory_);
-    double *work = memory_.take(evaluation_work(shape_)), *q = memory_.take(shape_.lanes);
+    double *work = memory_.take(pieces::evaluation_work(shape_)), *q = memory_.take(shape_.lanes);
     evaluate_patch(shape_, values, at, 0, work, q);
     return std::sqrt(product(q, q, shape_.dim)) / std::abs(q[shape_.dim]);
 }
 
 void PatchDescent::point(const double *values, const AxisValues &at, double *out) const {
     const PatchMemory::Hold hold(memory_);
-    double *work = memory_.take(evaluation_work(shape_)), *q = memory_.take(shape_.lanes);
+    double *work = memory_.take(pieces::evaluation_work(shape_)), *q = memory_.take(shape_.lanes);
     evaluate_patch(shape_, values, at, 0, work, q);
     for (int c = 0; c < shape_.dim; ++c) {
         out[c] = q[c] / q[shape_.dim];
@@ -45,7 +45,7 @@ void PatchDescent::point(const double *values, const AxisValues &at, double *out
 
 PatchValues PatchDescent::values(const double *values, const AxisValues &at) const {
     const PatchMemory::Hold hold(memory_);
-    double *work = memory_.take(evaluation_work(shape_));
+    double *work = memory_.take(pieces::evaluation_work(shape_));
     double *q = memory_.take(eval::slot_count(max_axes, 1) * shape_.lanes);
     evaluate_patch(shape_, values, at, 1, work, q);
     PatchValues result;
@@ -65,7 +65,7 @@ PatchValues PatchDescent::values(const double *values, const AxisValues &at) con
 PatchJet PatchDescent::jet(const double *values, const AxisValues &at) const {
     const PatchMemory::Hold hold(memory_);
     const int dim = shape_.dim, axes = shape_.axes;
-    double *work = memory_.take(evaluation_work(shape_));
+    double *work = memory_.take(pieces::evaluation_work(shape_));
     double *q = memory_.take(eval::slot_count(max_axes, 2) * shape_.lanes);
     evaluate_patch(shape_, values, at, 2, work, q);
     const double inverse = 1 / q[dim];

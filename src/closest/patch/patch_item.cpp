@@ -16,12 +16,16 @@ constexpr double smallest_weight = 0x1p-200; // beyond it squares come near unde
 } // namespace
 
 // w x and the difference are rounded, and x - c was: eps / 2 of |x - c| each, and of the result.
-PatchItems::PatchItems(const PatchPieces &pieces, const double *point, PatchMemory &memory)
+PatchItems::PatchItems(const PieceGrid &pieces, const double *point, PatchMemory &memory)
     : pieces_(pieces), memory_(memory), x_(memory.take(pieces.shape().lanes)),
       kept_(pieces.shape().values() <= small_piece ? most_kept : 1),
       values_(memory.take(kept_ * pieces.shape().values())) {
     pieces.place(point, x_);
     moved_ = pieces.moved() + 2 * eps * (norm(x_, pieces.shape().dim) + pieces.radius());
+}
+
+bool PatchItems::far_away() const noexcept {
+    return !(norm(x_, pieces_.shape().dim) < 0x1p100);
 }
 
 const double *PatchItems::values(int64_t piece) const {
@@ -66,7 +70,7 @@ PatchItem PatchItems::part(const PatchItem &item, int axis, double lower, double
 
 PatchItem PatchItems::part(const PatchItem &item, int axis, double lower, double upper) const {
     double matrix[(max_degree + 1) * (max_degree + 1)];
-    part_matrix(pieces_.shape().degree(axis), lower, upper, matrix);
+    pieces::part_matrix(pieces_.shape().degree(axis), lower, upper, matrix);
     return part(item, axis, lower, upper, matrix);
 }
 
@@ -140,11 +144,9 @@ void PatchItems::measure(PatchItem &item) const noexcept {
     item.least_weight = least;
     item.most_weight = most;
     if (!pieces_.positive()) { // errors of records and weights, and of halving, count by the smallest weight
-        const pieces::Rounding &rounding = pieces_.rounding();
-        const double distance = item.reach + norm(x_, shape.dim);
-        const double records = (rounding.record + distance * rounding.weight) * (8 + item.depth);
-        item.sound = rounding.positive(least);
-        item.moved = std::max(item.moved, 1.05 * records / least);
+        const double reach = item.reach + norm(x_, shape.dim);
+        item.sound = pieces_.rounding().positive(least);
+        item.moved = std::max(item.moved, pieces_.moved_by_weights(reach, least, item.depth));
     }
 }
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "closest/patch/patch_memory.h"
-#include "closest/patch/patch_pieces.h"
+#include "closest/patch/patch_names.h"
 
 namespace nrb::closest {
 
@@ -28,17 +28,19 @@ struct PatchItem {
 // What makes items from pieces for one query point.
 class PatchItems {
 public:
-    PatchItems(const PatchPieces &pieces, const double *point, PatchMemory &memory);
+    PatchItems(const PieceGrid &pieces, const double *point, PatchMemory &memory);
 
     // The query point as the pieces place it.
     [[nodiscard]] const double *x() const noexcept { return x_; }
+    // Whether all points of the spline are equally far from it to rounding.
+    [[nodiscard]] bool far_away() const noexcept;
     // The values of a whole piece until those of other pieces are asked for, and how far rounding may have
     // moved the points of any.
     [[nodiscard]] const double *values(int64_t piece) const;
     [[nodiscard]] double moved() const noexcept { return moved_; }
     // The whole piece.
     [[nodiscard]] PatchItem whole(int64_t piece) const;
-    // The part [lower, upper] in the box of an item along an axis; matrix: part_matrix() of it.
+    // The part [lower, upper] in the box of an item along an axis; matrix: pieces::part_matrix() of it.
     [[nodiscard]] PatchItem part(const PatchItem &item, int axis, double lower, double upper,
                                  const double *matrix) const;
     [[nodiscard]] PatchItem part(const PatchItem &item, int axis, double lower, double upper) const;
@@ -51,7 +53,7 @@ private:
     template <int kDim>
     void measure(PatchItem &item) const noexcept;
 
-    const PatchPieces &pieces_;
+    const PieceGrid &pieces_;
     PatchMemory &memory_;
     double *x_;
     // The pieces that were made last, for which a query mostly asks again.

@@ -18,7 +18,7 @@ namespace nrb::closest {
 
 class PatchLocator final : public Locator {
 public:
-    explicit PatchLocator(const Spline &spline) : pieces_(spline), tree_(pieces_) {}
+    explicit PatchLocator(const pieces::PieceTree &tree) : pieces_(tree.grid()), tree_(tree) {}
 
     [[nodiscard]] Foot nearest(const Query &query) const override;
     [[nodiscard]] Foot local(const double *point, const double *guess) const override;
@@ -26,7 +26,7 @@ public:
     [[nodiscard]] CriticalSet minima(const Query &query) const override;
 
 private:
-    PatchPieces pieces_;
+    const PieceGrid &pieces_;
     PatchTree tree_;
 };
 

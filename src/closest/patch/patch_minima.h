@@ -10,7 +10,7 @@ namespace nrb::closest {
 
 class PatchMinima : public PatchQuery {
 protected:
-    PatchMinima(const PatchPieces &pieces, const Query &query) : PatchQuery(pieces, query) {}
+    PatchMinima(const PieceGrid &pieces, const Query &query) : PatchQuery(pieces, query) {}
 
     // Values below are better than the best one by more than counts, or worse by no more.
     [[nodiscard]] double upper() const noexcept { return best_.value + tolerance_ + noise_; }

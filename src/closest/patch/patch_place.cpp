@@ -5,12 +5,12 @@
 
 namespace nrb::closest {
 
-PatchBox box_in_range(const PatchPieces &pieces, int64_t piece, const Interval *range) noexcept {
+PatchBox box_in_range(const PieceGrid &pieces, int64_t piece, const Interval *range) noexcept {
     PatchBox result;
     if (range == nullptr) {
         return result;
     }
-    const PatchPieces::Index index = pieces.index(piece);
+    const PieceGrid::Index index = pieces.index(piece);
     for (int k = 0; k < pieces.shape().axes; ++k) {
         const int axis = pieces.spline_axis(k);
         const int64_t i = index[static_cast<size_t>(axis)];
@@ -22,7 +22,7 @@ PatchBox box_in_range(const PatchPieces &pieces, int64_t piece, const Interval *
     return result;
 }
 
-int32_t boundary_bit(const PatchPieces &pieces, const Foot &foot, const Interval *range) noexcept {
+int32_t boundary_bit(const PieceGrid &pieces, const Foot &foot, const Interval *range) noexcept {
     for (int axis = 0; axis < pieces.spline_axes(); ++axis) {
         const double t = foot.params[static_cast<size_t>(axis)];
         const double first = pieces.break_at(axis, 0), last = pieces.break_at(axis, pieces.count(axis));
@@ -35,9 +35,9 @@ int32_t boundary_bit(const PatchPieces &pieces, const Foot &foot, const Interval
     return 0;
 }
 
-Foot foot_at(const PatchPieces &pieces, int64_t piece, const AxisValues &at, const Interval *range) noexcept {
+Foot foot_at(const PieceGrid &pieces, int64_t piece, const AxisValues &at, const Interval *range) noexcept {
     Foot foot;
-    const PatchPieces::Index index = pieces.index(piece);
+    const PieceGrid::Index index = pieces.index(piece);
     std::array<int, max_axes> shape_axis{};
     shape_axis.fill(-1);
     for (int k = 0; k < pieces.shape().axes; ++k) {

@@ -8,11 +8,11 @@
 namespace nrb::closest {
 
 // The box in a piece, along the axes of the shape, that is in the range of a query.
-PatchBox box_in_range(const PatchPieces &pieces, int64_t piece, const Interval *range) noexcept;
+PatchBox box_in_range(const PieceGrid &pieces, int64_t piece, const Interval *range) noexcept;
 
 // Parameters, sides and whether they are on the boundary, of a place in a piece.
-Foot foot_at(const PatchPieces &pieces, int64_t piece, const AxisValues &at, const Interval *range) noexcept;
+Foot foot_at(const PieceGrid &pieces, int64_t piece, const AxisValues &at, const Interval *range) noexcept;
 // closest_boundary or 0.
-int32_t boundary_bit(const PatchPieces &pieces, const Foot &foot, const Interval *range) noexcept;
+int32_t boundary_bit(const PieceGrid &pieces, const Foot &foot, const Interval *range) noexcept;
 
 } // namespace nrb::closest

@@ -9,7 +9,7 @@
 
 namespace nrb::closest {
 
-PatchProof::PatchProof(const PatchPieces &pieces, const PatchDescent &descent, const PatchItem &item,
+PatchProof::PatchProof(const PieceGrid &pieces, const PatchDescent &descent, const PatchItem &item,
                        const PatchGoal &goal, const PatchGap &gap)
     : pieces_(pieces), shape_(pieces.shape()), descent_(descent), item_(item), goal_(goal), gap_(gap) {
     const double size = item.reach * item.reach + goal.rho * goal.rho;
@@ -25,8 +25,9 @@ PatchProof::PatchProof(const PatchPieces &pieces, const PatchDescent &descent, c
 // of itself.
 bool PatchProof::positive() noexcept {
     const double size = item_.reach * item_.reach + goal_.rho * goal_.rho;
-    return gap_coefficients(shape_.products(), gap_.squares, gap_.weights, goal_.sign, goal_.rho * goal_.rho,
-                            1.1 * pieces_.product_error() * size, gap_.values) >= 0;
+    return pieces::gap_coefficients(shape_.products(), gap_.squares, gap_.weights, goal_.sign,
+                                    goal_.rho * goal_.rho, 1.1 * pieces_.product_error() * size,
+                                    gap_.values) >= 0;
 }
 
 bool PatchProof::flat(double by) const noexcept {

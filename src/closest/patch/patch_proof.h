@@ -28,7 +28,7 @@ struct PatchGap {
 
 class PatchProof {
 public:
-    PatchProof(const PatchPieces &pieces, const PatchDescent &descent, const PatchItem &item,
+    PatchProof(const PieceGrid &pieces, const PatchDescent &descent, const PatchItem &item,
                const PatchGoal &goal, const PatchGap &gap);
 
     // Whether all coefficients of F are >= 0 beyond rounding; fills in gap.values.
@@ -68,7 +68,7 @@ private:
     // 1/2 g^T (C + diag(more))^-1 g; negative if that matrix is not positive definite.
     [[nodiscard]] double loss(const AxisValues &gradient, double more) const noexcept;
 
-    const PatchPieces &pieces_;
+    const PieceGrid &pieces_;
     const PatchShape &shape_;
     const PatchDescent &descent_;
     const PatchItem &item_;

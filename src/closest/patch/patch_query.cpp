@@ -9,18 +9,13 @@
 
 namespace nrb::closest {
 
-PatchQuery::PatchQuery(const PatchPieces &pieces, const Query &query)
-    : pieces_(pieces), query_(query), items_(pieces, query.point, memory_), x_(items_.x()),
-      descent_(pieces.shape(), memory_), sign_(query.farthest ? -1.0 : 1.0) {
-    const double reach = norm(x_, pieces.shape().dim) + pieces.radius();
+PatchQuery::PatchQuery(const PieceGrid &pieces, const Query &query)
+    : pieces_(pieces), query_(query), items_(pieces, query.point, memory_), descent_(pieces.shape(), memory_),
+      sign_(query.farthest ? -1.0 : 1.0) {
+    const double reach = norm(items_.x(), pieces.shape().dim) + pieces.radius();
     tolerance_ = std::min(pieces.scaled(query.tolerance), 4 * reach); // more says no more
     noise_ = scaled_noise(pieces, query.point);
     floor_ = 8 * eps * (pieces.size() + pieces.magnitude(query.point));
-}
-
-// Where all points of the spline are equally far to rounding.
-bool PatchQuery::far_away() const noexcept {
-    return !(norm(x_, pieces_.shape().dim) < 0x1p100);
 }
 
 PatchBox PatchQuery::box(int64_t piece) const noexcept {
@@ -44,17 +39,17 @@ double PatchQuery::moved(int64_t piece, const AxisValues &at) const {
     }
     const PatchValues found = descent_.values(items_.values(piece), at);
     const double weight = std::abs(found.weight),
-                 reach = found.length / weight + norm(x_, pieces_.shape().dim);
-    return std::min(items_.moved() + 8 * pieces_.rounding().moved(reach, weight), 0x1p100);
+                 reach = found.length / weight + norm(items_.x(), pieces_.shape().dim);
+    return std::min(items_.moved() + pieces_.moved_by_weights(reach, weight), 0x1p100);
 }
 
 // The pieces around a place at a side of its piece: the first in which the distance falls further.
 bool PatchQuery::walk_on(FootCandidate &place) {
     const PatchShape &shape = pieces_.shape();
-    const PatchPieces::Index index = pieces_.index(place.piece);
+    const PieceGrid::Index index = pieces_.index(place.piece);
     const auto subsets = 1U << static_cast<unsigned>(shape.axes);
     for (unsigned subset = 1; subset < subsets; ++subset) {
-        PatchPieces::Index next = index;
+        PieceGrid::Index next = index;
         AxisValues at = place.at;
         bool exists = true;
         for (int k = 0; k < shape.axes; ++k) {
@@ -102,7 +97,7 @@ bool PatchQuery::walk(FootCandidate &place) {
 
 // At the parameters of a foot, which are rounded.
 double PatchQuery::distance_at(int64_t piece, const Foot &foot) const {
-    const PatchPieces::Index index = pieces_.index(piece);
+    const PieceGrid::Index index = pieces_.index(piece);
     AxisValues at{};
     for (int k = 0; k < pieces_.shape().axes; ++k) {
         const int axis = pieces_.spline_axis(k);
@@ -116,7 +111,7 @@ double PatchQuery::distance_at(int64_t piece, const Foot &foot) const {
 // The best of the parameters around, where rounding them moves the point by more than it may.
 void PatchQuery::polish(int64_t piece, Foot &foot) const {
     const Foot centre = foot;
-    const PatchPieces::Index index = pieces_.index(piece);
+    const PieceGrid::Index index = pieces_.index(piece);
     for (int i = 0; i < 27; ++i) {
         Foot other = centre;
         for (int k = 0, rest = i; k < pieces_.spline_axes(); ++k, rest /= 3) {
@@ -148,21 +143,21 @@ Foot PatchQuery::foot(const FootCandidate &place) {
 }
 
 Foot PatchQuery::any_point() {
-    PatchPieces::Index index{};
+    PieceGrid::Index index{};
     for (int axis = 0; axis < pieces_.spline_axes(); ++axis) {
         const Interval whole{pieces_.break_at(axis, 0), pieces_.break_at(axis, pieces_.count(axis))};
         const Interval range = query_.range != nullptr ? query_.range[axis] : whole;
         index[static_cast<size_t>(axis)] = pieces_.find(axis, range.lower / 2 + range.upper / 2);
     }
     Foot result = foot_at(pieces_, pieces_.piece(index), {0.5, 0.5, 0.5}, query_.range);
-    result.distance = pieces_.unscaled(norm(x_, pieces_.shape().dim));
+    result.distance = pieces_.unscaled(norm(items_.x(), pieces_.shape().dim));
     result.status |= closest_certified;
     return result;
 }
 
 Foot PatchQuery::local(const double *guess) {
     const PatchMemory::Hold hold(memory_);
-    PatchPieces::Index index{};
+    PieceGrid::Index index{};
     for (int axis = 0; axis < pieces_.spline_axes(); ++axis) {
         index[static_cast<size_t>(axis)] = pieces_.find(axis, guess[axis]);
     }

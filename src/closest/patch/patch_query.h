@@ -8,13 +8,13 @@ namespace nrb::closest {
 
 class PatchQuery {
 public:
-    PatchQuery(const PatchPieces &pieces, const Query &query);
+    PatchQuery(const PieceGrid &pieces, const Query &query);
 
     // What is allowed for rounding, as a distance of the caller.
-    static double noise(const PatchPieces &pieces, const double *point) noexcept {
+    static double noise(const PieceGrid &pieces, const double *point) noexcept {
         return pieces.unscaled(scaled_noise(pieces, point));
     }
-    static double scaled_noise(const PatchPieces &pieces, const double *point) noexcept {
+    static double scaled_noise(const PieceGrid &pieces, const double *point) noexcept {
         return pieces.allowance() * pieces.weight_ratio() * (pieces.size() + pieces.magnitude(point)) +
                pieces.scaled(underflow_noise);
     }
@@ -31,7 +31,6 @@ protected:
         bool certain = false; // that it is a minimum
     };
 
-    [[nodiscard]] bool far_away() const noexcept;
     [[nodiscard]] PatchBox box(int64_t piece) const noexcept;
     // How far rounding may have moved a point of a piece.
     [[nodiscard]] double moved(int64_t piece, const AxisValues &at) const;
@@ -42,13 +41,12 @@ protected:
     [[nodiscard]] double distance_at(int64_t piece, const Foot &foot) const;
     void polish(int64_t piece, Foot &foot) const;
     [[nodiscard]] Foot foot(const FootCandidate &place);
-    [[nodiscard]] Foot any_point(); // if far_away()
+    [[nodiscard]] Foot any_point(); // if the query point is far away
 
-    const PatchPieces &pieces_;
+    const PieceGrid &pieces_;
     const Query &query_;
     mutable PatchMemory memory_;
     PatchItems items_;
-    const double *x_;
     PatchDescent descent_;
     double sign_;
     double tolerance_ = 0;

@@ -19,7 +19,7 @@ constexpr int64_t turn = 12;   // items of a leaf, or of a part that was put off
 
 } // namespace
 
-PatchSearch::PatchSearch(const PatchPieces &pieces, const PatchTree &tree, const Query &query)
+PatchSearch::PatchSearch(const PieceGrid &pieces, const PatchTree &tree, const Query &query)
     : PatchMinima(pieces, query), tree_(tree) {
     const int64_t count = pieces.shape().coefficients();
     cost_ = std::max<int64_t>(1, count * count / 65536);
@@ -45,7 +45,7 @@ void PatchSearch::start(const PatchTree::Centre &centre) {
 // What may hold the best point comes first, so that little is left to look at, and that the best point is a
 // good one where the budget ends before.
 void PatchSearch::search() {
-    PatchCandidates candidates(pieces_, tree_, query_, x_, tolerance_ + noise_);
+    PatchCandidates candidates(pieces_, tree_, query_, items_.x(), tolerance_ + noise_);
     start(candidates.start());
     PatchCandidates::Groups groups;
     candidates.order(upper(), groups);
@@ -238,12 +238,12 @@ bool PatchSearch::finished_without_squares(const PatchItem &item, bool &fresh) {
 // Whether no point of the item counts any more, after what it may have shown has been kept.
 bool PatchSearch::finished(const PatchItem &item, bool &fresh, int &axis) {
     const PatchShape &shape = pieces_.shape();
-    if (shape.coefficients() > most_squared) {
+    if (shape.coefficients() > pieces::most_squared) {
         return finished_without_squares(item, fresh);
     }
     const PatchMemory::Hold hold(memory_);
     const int64_t products = shape.products();
-    double *work = memory_.take(product_work(shape));
+    double *work = memory_.take(pieces::product_work(shape));
     double *squares = memory_.take(products), *values = memory_.take(products);
     double *weights = shape.weighted ? memory_.take(products) : nullptr;
     square_patch(shape, pieces_.tables(), item.values, work, squares, weights);
@@ -320,7 +320,7 @@ bool PatchSearch::improve(const PatchItem &item, AxisValues at) {
 }
 
 Foot PatchSearch::nearest() {
-    if (far_away()) {
+    if (items_.far_away()) {
         return any_point();
     }
     search();
@@ -339,7 +339,7 @@ void PatchSearch::search_minima() {
     const double tolerance = std::exchange(tolerance_, 0.0);
     search();
     tolerance_ = tolerance;
-    PatchCandidates candidates(pieces_, tree_, query_, x_, tolerance_ + noise_);
+    PatchCandidates candidates(pieces_, tree_, query_, items_.x(), tolerance_ + noise_);
     PatchCandidates::Groups groups;
     candidates.order(upper(), groups);
     std::vector<int64_t> pieces;
@@ -359,10 +359,10 @@ void PatchSearch::search_minima() {
 }
 
 std::vector<Foot> PatchSearch::all() {
-    if (far_away()) {
+    if (items_.far_away()) {
         return {any_point()};
     }
-    if (tolerance_ > noise_ && pieces_.shape().coefficients() <= most_squared) {
+    if (tolerance_ > noise_ && pieces_.shape().coefficients() <= pieces::most_squared) {
         search_minima();
     } else {
         all_ = true;

@@ -13,7 +13,7 @@ namespace nrb::closest {
 
 class PatchSearch : public PatchMinima {
 public:
-    PatchSearch(const PatchPieces &pieces, const PatchTree &tree, const Query &query);
+    PatchSearch(const PieceGrid &pieces, const PatchTree &tree, const Query &query);
 
     Foot nearest();
     // All minima that are as near as the nearest one to the tolerance, in rising order of parameters.

@@ -171,10 +171,8 @@ Extent find_extent(const Spline &given) {
 }
 
 const Extent &extent_of(const Spline &spline) {
-    const Spline::AnyCache &found = spline.slot(Spline::Cache::magnitude).get([&] {
-        return Spline::AnyCache(std::make_shared<const Extent>(find_extent(spline)));
-    });
-    return *static_cast<const Extent *>(found.get());
+    return spline.kept<Extent>(Spline::Cache::magnitude,
+                               [&] { return std::make_shared<const Extent>(find_extent(spline)); });
 }
 
 int exponent_of(double size) noexcept {

@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: MIT
-#include "closest/patch/tree/patch_disc.h"
+#include "pieces/tree/disc.h"
 
 #include "base/numbers.h"
-#include "closest/patch/patch_kernel.h"
 #include "numeric/norm.h"
+#include "pieces/tree/patch_kernel.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace nrb::closest {
+namespace nrb::pieces {
 
 namespace {
-
-constexpr double roundings_of_parts = 8; // times those of the pieces
 
 void cross_product(const double *a, const double *b, double *out) noexcept {
     out[0] = a[1] * b[2] - a[2] * b[1];
@@ -22,7 +20,7 @@ void cross_product(const double *a, const double *b, double *out) noexcept {
 
 } // namespace
 
-PatchDisc::PatchDisc(const PatchShape &shape, const double *patch, bool with_normal) {
+Disc::Disc(const PatchShape &shape, const double *patch, bool with_normal) {
     std::vector<double> work(static_cast<size_t>(evaluation_work(shape)) + 1),
         jet(static_cast<size_t>(4 * shape.lanes));
     evaluate_patch(shape, patch, {0.5, 0.5, 0.5}, with_normal ? 1 : 0, work.data(), jet.data());
@@ -36,7 +34,7 @@ PatchDisc::PatchDisc(const PatchShape &shape, const double *patch, bool with_nor
     }
 }
 
-void PatchDisc::set_normal(const PatchShape &shape, const double *jet) noexcept {
+void Disc::set_normal(const PatchShape &shape, const double *jet) noexcept {
     double tangents[2][3];
     for (int k = 0; k < 2; ++k) {
         const double *d = jet + static_cast<ptrdiff_t>((k + 1) * shape.lanes);
@@ -55,7 +53,7 @@ void PatchDisc::set_normal(const PatchShape &shape, const double *jet) noexcept 
 }
 
 // The normal is made shorter first, so that it is not longer than 1 afterwards.
-void PatchDisc::make_single() noexcept {
+void Disc::make_single() noexcept {
     for (double &x : centre) {
         x = static_cast<float>(x);
     }
@@ -65,8 +63,8 @@ void PatchDisc::make_single() noexcept {
 }
 
 // The difference that the radius is the root of may cancel; what it loses is given back.
-void PatchDisc::add_point(int dim, const double *point, double weight,
-                          const pieces::Rounding &rounding) noexcept {
+void Disc::add_point(const PieceGrid &pieces, const double *point, double weight) noexcept {
+    const int dim = pieces.shape().dim;
     double square = 0, height = 0;
     for (int c = 0; c < dim; ++c) {
         const double delta = point[c] / weight - centre[static_cast<size_t>(c)];
@@ -74,20 +72,20 @@ void PatchDisc::add_point(int dim, const double *point, double weight,
         height += dim == 3 ? delta * normal[static_cast<size_t>(c)] : 0.0;
     }
     const double across = std::max(0.0, square - height * height) + (dim + 8) * eps * square;
-    const double moved =
-        rounding.relative() ? 0 : roundings_of_parts * rounding.moved(norm(point, dim) / weight, weight);
+    const double moved = pieces.moved_by_weights(norm(point, dim) / weight, weight);
     radius = std::max(radius, std::sqrt(across) + moved);
     low = std::min(low, height - moved);
     high = std::max(high, height + moved);
 }
 
-void PatchDisc::add(const PatchShape &shape, const double *patch, const pieces::Rounding &rounding) noexcept {
+void Disc::add(const PieceGrid &pieces, const double *patch) noexcept {
+    const PatchShape &shape = pieces.shape();
     const int64_t count = shape.coefficients();
     for (int64_t i = 0; i < count; ++i, patch += shape.lanes) {
         const double w = patch[shape.dim];
-        if (rounding.positive(w)) {
-            add_point(shape.dim, patch, w, rounding);
-        } else if (!(rounding.relative() && w == 0)) {
+        if (pieces.rounding().positive(w)) {
+            add_point(pieces, patch, w);
+        } else if (!(pieces.positive() && w == 0)) {
             radius = unbounded;
         }
     }
@@ -98,4 +96,4 @@ void PatchDisc::add(const PatchShape &shape, const double *patch, const pieces::
     }
 }
 
-} // namespace nrb::closest
+} // namespace nrb::pieces

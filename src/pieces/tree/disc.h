@@ -2,15 +2,14 @@
 // One disc around a patch, in the making.
 #pragma once
 
-#include "closest/patch/patch_shape.h"
-#include "pieces/bezier_net.h"
+#include "pieces/tree/piece_grid.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
 
-namespace nrb::closest {
+namespace nrb::pieces {
 
 inline constexpr double far_away = 1e30;  // of centres
 inline constexpr double unbounded = 1e36; // of patches without bounds
@@ -24,22 +23,22 @@ inline float above(double x) noexcept {
 
 // Points whose component across the normal is within the radius of the line through the centre, and whose
 // heights over the centre are in an interval. The normal is no longer than 1; without it, the disc is a ball.
-struct PatchDisc {
+struct Disc {
     std::vector<double> centre;
     std::array<double, 3> normal{};
     double radius = 0, low = 0, high = 0;
 
     // Around the point in the middle of a patch, with the normal there.
-    PatchDisc(const PatchShape &shape, const double *patch, bool with_normal);
+    Disc(const PatchShape &shape, const double *patch, bool with_normal);
     // Rounds the centre and the normal to single precision, before there is room for points.
     void make_single() noexcept;
-    // Makes room for all control points, and for what rounding may have made of them where it is not relative
-    // to their weights. Where it is, those of weight 0 do not count.
-    void add(const PatchShape &shape, const double *patch, const pieces::Rounding &rounding) noexcept;
+    // Makes room for all control points, and for what rounding may have made of them by their weights. Where
+    // it is relative to these, those of weight 0 do not count.
+    void add(const PieceGrid &pieces, const double *patch) noexcept;
 
 private:
     void set_normal(const PatchShape &shape, const double *jet) noexcept;
-    void add_point(int dim, const double *point, double weight, const pieces::Rounding &rounding) noexcept;
+    void add_point(const PieceGrid &pieces, const double *point, double weight) noexcept;
 };
 
-} // namespace nrb::closest
+} // namespace nrb::pieces

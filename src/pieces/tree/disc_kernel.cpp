@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: MIT
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "closest/patch/tree/disc_kernel.cpp"
+#define HWY_TARGET_INCLUDE "pieces/tree/disc_kernel.cpp"
 #include "base/simd.h"
 
 #include <hwy/foreach_target.h>
 
-#include "closest/patch/tree/disc_kernel.h"
+#include "pieces/tree/disc_kernel.h"
 
 #include <limits>
 
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
-namespace nrb::closest {
+namespace nrb::pieces {
 namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
@@ -141,11 +141,11 @@ void byte_bounds(const ByteDiscs &family, int64_t width, int dim, bool normals, 
 }
 
 } // namespace HWY_NAMESPACE
-} // namespace nrb::closest
+} // namespace nrb::pieces
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace nrb::closest {
+namespace nrb::pieces {
 
 HWY_EXPORT(bounds);
 HWY_EXPORT(byte_bounds);
@@ -164,5 +164,5 @@ void bound_discs(const ByteDiscs &family, int64_t width, int dim, bool normals, 
     HWY_DYNAMIC_DISPATCH(byte_bounds)(family, width, dim, normals, x, farthest, out);
 }
 
-} // namespace nrb::closest
+} // namespace nrb::pieces
 #endif

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-namespace nrb::closest {
+namespace nrb::pieces {
 
 struct DiscBounds {
     double *bounds;  // of sign * distance, from below
@@ -40,4 +40,4 @@ inline constexpr double normal_unit = 0x1p-15;
 void bound_discs(const ByteDiscs &family, int64_t width, int dim, bool normals, const double *x,
                  bool farthest, const DiscBounds &out) noexcept;
 
-} // namespace nrb::closest
+} // namespace nrb::pieces

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "closest/patch/patch_kernel.cpp"
+#define HWY_TARGET_INCLUDE "pieces/tree/patch_kernel.cpp"
 #include "base/simd.h"
 
 #include <hwy/foreach_target.h>
 
-#include "closest/patch/patch_kernel.h"
+#include "pieces/tree/patch_kernel.h"
 
 #include "bernstein/de_casteljau.h"
 #include "eval/kernels/contraction.h"
@@ -17,7 +17,7 @@
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
-namespace nrb::closest {
+namespace nrb::pieces {
 namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
@@ -191,11 +191,11 @@ double gap(int64_t count, const double *HWY_RESTRICT squares, const double *HWY_
 }
 
 } // namespace HWY_NAMESPACE
-} // namespace nrb::closest
+} // namespace nrb::pieces
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace nrb::closest {
+namespace nrb::pieces {
 
 HWY_EXPORT(shift);
 HWY_EXPORT(evaluate);
@@ -263,5 +263,5 @@ double gap_coefficients(int64_t count, const double *squares, const double *weig
     return HWY_DYNAMIC_DISPATCH(gap)(count, squares, weights, sign, rho2, margin, out);
 }
 
-} // namespace nrb::closest
+} // namespace nrb::pieces
 #endif

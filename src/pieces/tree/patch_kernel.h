@@ -2,9 +2,9 @@
 // The arithmetic of patches in vectors.
 #pragma once
 
-#include "closest/patch/patch_shape.h"
+#include "pieces/tree/patch_shape.h"
 
-namespace nrb::closest {
+namespace nrb::pieces {
 
 // Q = A - w x, with x = (x, y, ..., 0, ...) padded to the lanes.
 void shift_patch(const PatchShape &shape, const double *patch, const double *x, double *out) noexcept;
@@ -46,4 +46,4 @@ void square_patch(const PatchShape &shape, const SquareTables &tables, const dou
 double gap_coefficients(int64_t count, const double *squares, const double *weights, double sign, double rho2,
                         double margin, double *out) noexcept;
 
-} // namespace nrb::closest
+} // namespace nrb::pieces

@@ -8,7 +8,7 @@
 #include <array>
 #include <cstdint>
 
-namespace nrb::closest {
+namespace nrb::pieces {
 
 // Most coefficients of patches whose squares are worth their cost.
 inline constexpr int64_t most_squared = 1024;
@@ -44,4 +44,4 @@ struct PatchShape {
 // Numbers for each axis.
 using AxisValues = std::array<double, max_axes>;
 
-} // namespace nrb::closest
+} // namespace nrb::pieces

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "closest/patch/patch_squares.h"
+#include "pieces/tree/patch_squares.h"
 
 #include <algorithm>
 #include <limits>
 
-namespace nrb::closest {
+namespace nrb::pieces {
 
 // Factors and the quotient by binomials are rounded twice each, then there is a rounding for every term, of
 // which there are (coefficients + 2) / 2 at most, since each pair of them is taken once, and one for each
@@ -29,4 +29,4 @@ PatchSquares::PatchSquares(const PatchShape &shape) {
     error_ = std::numeric_limits<double>::epsilon() / 2 * (terms + shape.dim + 6);
 }
 
-} // namespace nrb::closest
+} // namespace nrb::pieces

@@ -2,11 +2,11 @@
 // The tables for squares of patches of one shape.
 #pragma once
 
-#include "closest/patch/patch_kernel.h"
+#include "pieces/tree/patch_kernel.h"
 
 #include <vector>
 
-namespace nrb::closest {
+namespace nrb::pieces {
 
 class PatchSquares {
 public:
@@ -24,4 +24,4 @@ private:
     double error_ = 0;
 };
 
-} // namespace nrb::closest
+} // namespace nrb::pieces

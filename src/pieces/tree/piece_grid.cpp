@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "closest/patch/patch_pieces.h"
+#include "pieces/tree/piece_grid.h"
 
 #include "base/finite.h"
 #include "base/numbers.h"
@@ -11,7 +11,7 @@
 #include <cmath>
 #include <limits>
 
-namespace nrb::closest {
+namespace nrb::pieces {
 
 namespace {
 
@@ -27,14 +27,14 @@ int exponent_of(double x) noexcept {
 
 } // namespace
 
-PatchPieces::PatchPieces(const Spline &spline) : axes_(spline.axes()), frame_(pieces::frame_of(spline)) {
+PieceGrid::PieceGrid(const Spline &spline) : axes_(spline.axes()), frame_(frame_of(spline)) {
     set_axes(spline);
     squares_ = std::make_unique<PatchSquares>(shape_);
     set_extraction(spline);
     copy(spline);
 }
 
-void PatchPieces::set_axes(const Spline &spline) {
+void PieceGrid::set_axes(const Spline &spline) {
     shape_.dim = spline.dim();
     shape_.lanes = (spline.dim() + 1 + 3) / 4 * 4;
     shape_.weighted = spline.rational();
@@ -59,15 +59,15 @@ void PatchPieces::set_axes(const Spline &spline) {
     allowance_ = 64 * steps * eps;
 }
 
-void PatchPieces::set_extraction(const Spline &spline) {
+void PieceGrid::set_extraction(const Spline &spline) {
     for (int k = 0; k < axes_; ++k) {
         const KnotVector &axis = spline.axis(k);
         const auto at = static_cast<size_t>(k);
         const int n = axis.degree() + 1;
         layers_[at] = n;
         counts_[at] = axis.count();
-        first_[at] = pieces::first_layers(axis, breaks_[at]);
-        const LayerTable rows = pieces::piece_rows(axis, breaks_[at]);
+        first_[at] = first_layers(axis, breaks_[at]);
+        const LayerTable rows = piece_rows(axis, breaks_[at]);
         extraction_[at].assign(static_cast<size_t>(rows.rows() * n), 0.0);
         for (int64_t r = 0; r < rows.rows(); ++r) {
             const LayerTable::Row &row = rows.row(r);
@@ -79,7 +79,7 @@ void PatchPieces::set_extraction(const Spline &spline) {
 }
 
 // Axes without a degree have one layer for each piece.
-NetPart PatchPieces::records_of(const Index &spans) const noexcept {
+NetPart PieceGrid::records_of(const Index &spans) const noexcept {
     Index first{};
     for (size_t k = 0; k < static_cast<size_t>(axes_); ++k) {
         first[k] = first_[k][static_cast<size_t>(spans[k])];
@@ -95,7 +95,7 @@ NetPart PatchPieces::records_of(const Index &spans) const noexcept {
 }
 
 // The same sums as in a BernsteinNet, with no more roundings.
-void PatchPieces::patch(int64_t i, double *work, double *out) const noexcept {
+void PieceGrid::patch(int64_t i, double *work, double *out) const noexcept {
     const Index spans = index(i);
     const NetPart records = records_of(spans);
     if (shape_.axes == 0) {
@@ -114,14 +114,14 @@ void PatchPieces::patch(int64_t i, double *work, double *out) const noexcept {
     }
 }
 
-void PatchPieces::copy(const Spline &spline) {
-    pieces::BezierNet net(spline, {frame_.centre, 0});
+void PieceGrid::copy(const Spline &spline) {
+    BezierNet net(spline, {frame_.centre, 0});
     const double largest = largest_magnitude(net.sizes());
     const bool overflows =
         !std::isfinite(largest) && spline.form() != Form::homogeneous; // norms, no coordinates
     frame_.exponent = overflows ? std::numeric_limits<double>::max_exponent : exponent_of(largest);
     net.rescale(frame_.exponent);
-    const pieces::CentredRecords &records = net.records();
+    const CentredRecords &records = net.records();
     const auto width = static_cast<size_t>(records.width), dim = static_cast<size_t>(shape_.dim);
     records_.assign(records.sizes.size() * static_cast<size_t>(shape_.lanes), 0.0);
     double *out = records_.data();
@@ -133,16 +133,16 @@ void PatchPieces::copy(const Spline &spline) {
     }
     positive_ = net.positive();
     set_sizes(spline.effective(), net.sizes());
-    if (!positive_) {
-        set_ratio(net);
-    }
     rounding_ = net.rounding_of_all(radius_);
 }
 
 // The radius is that of the control points, to whose magnitudes the net's errors are relative.
-void PatchPieces::set_sizes(const Spline &spline, const std::vector<double> &sizes) {
+void PieceGrid::set_sizes(const Spline &spline, const std::vector<double> &sizes) {
+    double smallest = infinity, largest = 0;
     for (int64_t i = 0; i < spline.point_count(); ++i) {
         const double w = spline.weight(i);
+        smallest = std::min(smallest, w > 0 ? w : infinity);
+        largest = std::max(largest, std::abs(w));
         const double point = norm_of(spline.dim(), [&](int c) {
             return frame_.coordinate(static_cast<size_t>(c), spline.coordinate(i, c));
         });
@@ -156,26 +156,10 @@ void PatchPieces::set_sizes(const Spline &spline, const std::vector<double> &siz
     if (!positive_) {
         radius_ = frame_.scaled(*std::max_element(sizes.begin(), sizes.end()));
     }
+    ratio_ = positive_ ? 1 : largest / smallest;
 }
 
-// Of the weights of pieces, which may be far smaller than those of the control points.
-void PatchPieces::set_ratio(pieces::BezierNet &net) {
-    const int width = net.shape().width;
-    std::vector<double> piece(static_cast<size_t>(net.shape().values()));
-    double smallest = infinity, largest = 0;
-    for (int64_t i = 0; i < net.count(); ++i) {
-        net.copy(i, piece.data(), width);
-        for (size_t at = static_cast<size_t>(width) - 1; at < piece.size();
-             at += static_cast<size_t>(width)) {
-            const double w = std::abs(piece[at]);
-            smallest = w > 0 ? std::min(smallest, w) : smallest;
-            largest = std::max(largest, w);
-        }
-    }
-    ratio_ = largest / smallest;
-}
-
-PatchPieces::Index PatchPieces::index(int64_t piece) const noexcept {
+PieceGrid::Index PieceGrid::index(int64_t piece) const noexcept {
     Index result{};
     for (int k = axes_; k-- > 0; piece /= count(k)) {
         result[static_cast<size_t>(k)] = piece % count(k);
@@ -183,7 +167,7 @@ PatchPieces::Index PatchPieces::index(int64_t piece) const noexcept {
     return result;
 }
 
-int64_t PatchPieces::piece(const Index &index) const noexcept {
+int64_t PieceGrid::piece(const Index &index) const noexcept {
     int64_t result = 0;
     for (int k = 0; k < axes_; ++k) {
         result = result * count(k) + index[static_cast<size_t>(k)];
@@ -191,7 +175,17 @@ int64_t PatchPieces::piece(const Index &index) const noexcept {
     return result;
 }
 
-int64_t PatchPieces::neighbour(int axis, int64_t i, bool up) const noexcept {
+std::array<Interval, max_axes> PieceGrid::part(int64_t piece) const noexcept {
+    const Index at = index(piece);
+    std::array<Interval, max_axes> result{};
+    for (int k = 0; k < axes_; ++k) {
+        const int64_t i = at[static_cast<size_t>(k)];
+        result[static_cast<size_t>(k)] = {break_at(k, i), break_at(k, i + 1)};
+    }
+    return result;
+}
+
+int64_t PieceGrid::neighbour(int axis, int64_t i, bool up) const noexcept {
     const int64_t n = count(axis), next = up ? i + 1 : i - 1;
     const bool wraps = (next < 0 || next == n) && periodic(axis);
     if ((next < 0 || next == n) && !wraps) {
@@ -201,29 +195,49 @@ int64_t PatchPieces::neighbour(int axis, int64_t i, bool up) const noexcept {
     return jump ? -1 : (next + n) % n;
 }
 
-int64_t PatchPieces::find(int axis, double t) const noexcept {
+int64_t PieceGrid::find(int axis, double t) const noexcept {
     const auto &breaks = breaks_[static_cast<size_t>(axis)];
     const auto above = std::upper_bound(breaks.begin() + 1, breaks.end() - 1, t);
     return above - breaks.begin() - 1;
 }
 
-void PatchPieces::place(const double *x, double *out) const noexcept {
+std::vector<int64_t> PieceGrid::containing(const AxisValues &parameters) const {
+    std::vector<int64_t> found{0};
+    for (int k = 0; k < axes_; ++k) {
+        const auto &ends = breaks_[static_cast<size_t>(k)];
+        const double t = parameters[static_cast<size_t>(k)];
+        const auto at = std::lower_bound(ends.begin(), ends.end(), t) - ends.begin();
+        std::vector<int64_t> next;
+        for (const int64_t base : found) {
+            if (at > 0 && at <= count(k)) {
+                next.push_back(base * count(k) + at - 1);
+            }
+            if (at < count(k) && break_at(k, at) == t) {
+                next.push_back(base * count(k) + at);
+            }
+        }
+        found = std::move(next);
+    }
+    return found;
+}
+
+void PieceGrid::place(const double *x, double *out) const noexcept {
     std::fill_n(out, shape_.lanes, 0.0);
     for (int c = 0; c < shape_.dim; ++c) {
         out[c] = frame_.scaled(x[c]) - frame_.scaled(frame_.centre[static_cast<size_t>(c)]);
     }
 }
 
-double PatchPieces::scaled(double length) const noexcept {
+double PieceGrid::scaled(double length) const noexcept {
     return frame_.scaled(length);
 }
 
-double PatchPieces::unscaled(double length) const noexcept {
+double PieceGrid::unscaled(double length) const noexcept {
     return frame_.unscaled(length);
 }
 
-double PatchPieces::magnitude(const double *x) const noexcept {
+double PieceGrid::magnitude(const double *x) const noexcept {
     return norm_of(shape_.dim, [&](int c) { return frame_.scaled(x[c]); });
 }
 
-} // namespace nrb::closest
+} // namespace nrb::pieces

@@ -5,18 +5,18 @@
 // size near 1 whatever its units; weights are divided by another one.
 #pragma once
 
-#include "closest/patch/patch_kernel.h"
-#include "closest/patch/patch_squares.h"
 #include "pieces/bezier_net.h"
+#include "pieces/tree/patch_kernel.h"
+#include "pieces/tree/patch_squares.h"
 
 #include <memory>
 #include <vector>
 
-namespace nrb::closest {
+namespace nrb::pieces {
 
-class PatchPieces {
+class PieceGrid {
 public:
-    explicit PatchPieces(const Spline &spline);
+    explicit PieceGrid(const Spline &spline);
 
     using Index = std::array<int64_t, max_axes>; // along the axes of the spline
 
@@ -46,6 +46,12 @@ public:
     [[nodiscard]] int64_t neighbour(int axis, int64_t i, bool up) const noexcept;
     [[nodiscard]] bool periodic(int axis) const noexcept { return periodic_[static_cast<size_t>(axis)]; }
     [[nodiscard]] int64_t find(int axis, double t) const noexcept;
+    // The pieces that contain parameters: two along an axis at a break, none outside.
+    [[nodiscard]] std::vector<int64_t> containing(const AxisValues &parameters) const;
+
+    [[nodiscard]] const Frame &frame() const noexcept { return frame_; }
+    // The parameters of a piece, along each axis of the spline.
+    [[nodiscard]] std::array<Interval, max_axes> part(int64_t piece) const noexcept;
 
     // x of the caller in these units; lanes() values.
     void place(const double *x, double *out) const noexcept;
@@ -61,7 +67,12 @@ public:
     // the exact one. Otherwise records and weights have errors of their own.
     [[nodiscard]] bool positive() const noexcept { return positive_; }
     [[nodiscard]] double moved() const noexcept { return rounding_.apart; }
-    [[nodiscard]] const pieces::Rounding &rounding() const noexcept { return rounding_; }
+    [[nodiscard]] const Rounding &rounding() const noexcept { return rounding_; }
+    // The same of a part, halved `depth` times, whose errors count by its weights, all of them at least
+    // `least`, and its control points, within `reach` of the centre: 0 where moved() says all.
+    [[nodiscard]] double moved_by_weights(double reach, double least, int depth = 0) const noexcept {
+        return positive_ ? 0 : (8 + depth) * rounding_.moved(reach, least);
+    }
     // Relative to the sum of the magnitudes: of coefficients of squares, and of values at a place, where
     // Bernstein functions take three roundings for each degree and sums one for each term.
     [[nodiscard]] double product_error() const noexcept { return squares_->error(); }
@@ -75,7 +86,6 @@ private:
     void copy(const Spline &spline);
     [[nodiscard]] NetPart records_of(const Index &spans) const noexcept;
     void set_sizes(const Spline &spline, const std::vector<double> &sizes);
-    void set_ratio(pieces::BezierNet &net);
 
     PatchShape shape_;
     int axes_ = 0;
@@ -84,7 +94,7 @@ private:
     std::array<std::vector<char>, max_axes> jumps_; // at each break
     std::array<bool, max_axes> periodic_{};
     int64_t count_ = 1;
-    pieces::Frame frame_;
+    Frame frame_;
     std::array<int, max_axes> layers_{1, 1, 1};            // active on a piece along each axis of the spline
     std::array<int64_t, max_axes> counts_{1, 1, 1};        // of control points
     std::array<std::vector<int64_t>, max_axes> first_;     // active layer of each span
@@ -93,8 +103,8 @@ private:
     std::unique_ptr<const PatchSquares> squares_;
     double size_ = 0, radius_ = 0, ratio_ = 1;
     bool positive_ = true;
-    pieces::Rounding rounding_;
+    Rounding rounding_;
     double value_error_ = 0, allowance_ = 0;
 };
 
-} // namespace nrb::closest
+} // namespace nrb::pieces

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "closest/patch/tree/patch_tree.h"
+#include "pieces/tree/piece_tree.h"
 
+#include "base/numbers.h"
 #include "numeric/norm.h"
 
 #include <algorithm>
@@ -8,12 +9,12 @@
 #include <limits>
 #include <new>
 
-namespace nrb::closest {
+namespace nrb::pieces {
 
 // Grids of nodes, each of the blocks of the finer one, from the root down.
-class PatchTree::Builder {
+class PieceTree::Builder {
 public:
-    explicit Builder(PatchTree &tree) : tree_(tree), pieces_(tree.pieces_) {}
+    explicit Builder(PieceTree &tree) : tree_(tree), pieces_(tree.grid_) {}
 
     void build() {
         if (pieces_.count() > std::numeric_limits<int32_t>::max()) {
@@ -25,14 +26,13 @@ public:
             tree_.nodes_.push_back(children(level));
         }
         tree_.discs_.shrink_to_fit();
-        tree_.leaves_.build(pieces_, tree_.normals_, tree_.nodes_.back());
     }
 
 private:
     // The number of nodes along each axis, and of the pieces in each of them; root first.
     void set_grids() {
-        std::vector<PatchPieces::Index> &grids = tree_.grids_;
-        PatchPieces::Index grid{1, 1, 1}, block{1, 1, 1};
+        std::vector<PieceGrid::Index> &grids = tree_.grids_;
+        PieceGrid::Index grid{1, 1, 1}, block{1, 1, 1};
         for (int k = 0; k < pieces_.spline_axes(); ++k) {
             grid[static_cast<size_t>(k)] = pieces_.count(k);
         }
@@ -53,8 +53,8 @@ private:
     }
 
     std::vector<int32_t> children(size_t level) {
-        const PatchPieces::Index &grid = tree_.grids_[level], &coarse = tree_.blocks_[level - 1],
-                                 &fine = tree_.blocks_[level];
+        const PieceGrid::Index &grid = tree_.grids_[level], &coarse = tree_.blocks_[level - 1],
+                               &fine = tree_.blocks_[level];
         std::vector<int32_t> nodes;
         std::vector<Family> families;
         nodes.reserve(static_cast<size_t>(grid[0] * grid[1] * grid[2]));
@@ -68,13 +68,13 @@ private:
                 block.upper[k] = std::min(block.lower[k] + side, grid[k]);
             }
             const auto first = std::ssize(nodes);
-            for_each(block, [&](const PatchPieces::Index &i) {
+            for_each(block, [&](const PieceGrid::Index &i) {
                 nodes.push_back(static_cast<int32_t>((i[0] * grid[1] + i[1]) * grid[2] + i[2]));
             });
             families.push_back(family(first, std::ssize(nodes) - first));
             int64_t column = 0;
             for_each(block,
-                     [&](const PatchPieces::Index &i) { write(families.back(), column++, group(i, fine)); });
+                     [&](const PieceGrid::Index &i) { write(families.back(), column++, group(i, fine)); });
         }
         tree_.families_.push_back(std::move(families));
         return nodes;
@@ -82,7 +82,7 @@ private:
 
     template <class Visit>
     static void for_each(const Extent &block, Visit &&visit) {
-        PatchPieces::Index i{};
+        PieceGrid::Index i{};
         for (i[0] = block.lower[0]; i[0] < block.upper[0]; ++i[0]) {
             for (i[1] = block.lower[1]; i[1] < block.upper[1]; ++i[1]) {
                 for (i[2] = block.lower[2]; i[2] < block.upper[2]; ++i[2]) {
@@ -103,20 +103,18 @@ private:
     }
 
     // All coefficients of the pieces in a node, about the middle of one in its midst.
-    PatchDisc group(const PatchPieces::Index &node, const PatchPieces::Index &block) {
+    Disc group(const PieceGrid::Index &node, const PieceGrid::Index &block) {
         Extent inside{{}, {1, 1, 1}};
-        PatchPieces::Index middle{};
+        PieceGrid::Index middle{};
         for (int k = 0; k < pieces_.spline_axes(); ++k) {
             const auto at = static_cast<size_t>(k);
             inside.lower[at] = node[at] * block[at];
             inside.upper[at] = std::min(inside.lower[at] + block[at], pieces_.count(k));
             middle[at] = (inside.lower[at] + inside.upper[at]) / 2;
         }
-        PatchDisc disc(pieces_.shape(), load(pieces_.piece(middle)), tree_.normals_);
+        Disc disc(pieces_.shape(), load(pieces_.piece(middle)), tree_.normals_);
         disc.make_single();
-        for_each(inside, [&](const PatchPieces::Index &i) {
-            disc.add(pieces_.shape(), load(pieces_.piece(i)), pieces_.rounding());
-        });
+        for_each(inside, [&](const PieceGrid::Index &i) { disc.add(pieces_, load(pieces_.piece(i))); });
         return disc;
     }
 
@@ -125,12 +123,7 @@ private:
         return patch_.data();
     }
 
-    // Rounding of the pieces, of their parts and of the bounds is in the discs.
-    [[nodiscard]] double rounding() const noexcept {
-        return pieces_.moved() + 4 * pieces_.value_error() * pieces_.radius();
-    }
-
-    void write(const Family &family, int64_t i, const PatchDisc &disc) {
+    void write(const Family &family, int64_t i, const Disc &disc) {
         float *column = tree_.discs_.data() + family.offset + i;
         const auto put = [&](double value) {
             *column = static_cast<float>(value);
@@ -138,83 +131,86 @@ private:
         };
         std::for_each_n(disc.centre.begin(), pieces_.shape().dim, put);
         tree_.apart_ = std::max(tree_.apart_, 0x1p-24 * norm(disc.centre.data(), pieces_.shape().dim));
-        put(above(disc.radius + rounding()));
+        put(above(disc.radius + tree_.rounding()));
         if (tree_.normals_) {
             std::for_each(disc.normal.begin(), disc.normal.end(), put);
-            put(-above(rounding() - disc.low));
-            put(above(disc.high + rounding()));
+            put(-above(tree_.rounding() - disc.low));
+            put(above(disc.high + tree_.rounding()));
         }
     }
 
-    PatchTree &tree_;
-    const PatchPieces &pieces_;
+    PieceTree &tree_;
+    const PieceGrid &pieces_;
     std::vector<double> patch_ = std::vector<double>(static_cast<size_t>(pieces_.shape().values()));
     std::vector<double> work_ = patch_;
 };
 
-PatchTree::PatchTree(const PatchPieces &pieces)
-    : pieces_(pieces), normals_(pieces.shape().dim == 3 && pieces.shape().axes == 2) {
+PieceTree::PieceTree(const Spline &spline)
+    : grid_(spline), normals_(grid_.shape().dim == 3 && grid_.shape().axes == 2) {
     Builder(*this).build();
 }
 
-void PatchTree::bound(int level, int64_t node, const double *x, bool farthest,
+void PieceTree::bound(int level, int64_t node, const double *x, bool farthest,
                       const DiscBounds &out) const noexcept {
-    const int dim = pieces_.shape().dim;
-    if (level < static_cast<int>(families_.size())) {
-        const Family children = family(level, node);
-        bound_discs({discs_.data() + children.offset, apart_}, children.width, dim, normals_, x, farthest,
-                    out);
-    } else {
-        leaves_.bound(node, dim, x, farthest, out);
+    const Family children = family(level, node);
+    bound_discs({discs_.data() + children.offset, apart_}, children.width, grid_.shape().dim, normals_, x,
+                farthest, out);
+}
+
+// A point c + v has v = (n v) n + M M v with M^2 = I - n n^T, where n v is a height and |M v| at most the
+// radius, and row i of M has the length (1 - n_i^2)^(1/2). All this is rounded by few eps of its terms.
+void PieceTree::box(int level, int64_t node, int64_t i, double *out) const noexcept {
+    const Family children = family(level, node);
+    const int dim = grid_.shape().dim;
+    const auto column = [&](int c) -> double {
+        return discs_[static_cast<size_t>(children.offset + c * children.width + i)];
+    };
+    const double radius = column(dim), low = normals_ ? column(dim + 4) : 0,
+                 high = normals_ ? column(dim + 5) : 0;
+    if (radius >= unbounded) {
+        std::fill_n(out, dim, -infinity);
+        std::fill_n(out + dim, dim, infinity);
+        return;
+    }
+    for (int c = 0; c < dim; ++c) {
+        const double n = normals_ ? column(dim + 1 + c) : 0, centre = column(c);
+        const double across = radius * std::sqrt(std::max(0.0, 1 - n * n));
+        const double rounded = 8 * eps * (std::abs(centre) + across + std::max(-low, high));
+        out[c] = centre + std::min(low * n, high * n) - across - rounded;
+        out[dim + c] = centre + std::max(low * n, high * n) + across + rounded;
     }
 }
 
-PatchPieces::Index PatchTree::place_in_grid(int level, int64_t node) const noexcept {
-    const PatchPieces::Index &grid = grids_[static_cast<size_t>(level)];
+PieceGrid::Index PieceTree::place_in_grid(int level, int64_t node) const noexcept {
+    const PieceGrid::Index &grid = grids_[static_cast<size_t>(level)];
     const int64_t place = nodes_[static_cast<size_t>(level)][static_cast<size_t>(node)];
     return {place / grid[2] / grid[1], place / grid[2] % grid[1], place % grid[2]};
 }
 
-PatchTree::Extent PatchTree::extent(int level, int64_t node) const noexcept {
-    if (level == levels() - 1 && parts() > 1) {
-        --level;
-        node /= leaves_.count();
-    }
-    const PatchPieces::Index &block = blocks_[static_cast<size_t>(level)];
-    const PatchPieces::Index at = place_in_grid(level, node);
+PieceTree::Extent PieceTree::extent(int level, int64_t node) const noexcept {
+    const PieceGrid::Index &block = blocks_[static_cast<size_t>(level)];
+    const PieceGrid::Index at = place_in_grid(level, node);
     Extent result{};
-    for (int k = 0; k < pieces_.spline_axes(); ++k) {
+    for (int k = 0; k < grid_.spline_axes(); ++k) {
         const auto i = static_cast<size_t>(k);
         result.lower[i] = at[i] * block[i];
-        result.upper[i] = std::min(result.lower[i] + block[i], pieces_.count(k));
+        result.upper[i] = std::min(result.lower[i] + block[i], grid_.count(k));
     }
     return result;
 }
 
-PatchTree::Leaf PatchTree::leaf(int64_t node) const noexcept {
-    Leaf result{nodes_.back()[static_cast<size_t>(node / leaves_.count())], {}};
-    int64_t rest = node % leaves_.count();
-    for (int k = pieces_.shape().axes; k-- > 0; rest /= parts()) {
-        result.part[static_cast<size_t>(k)] = static_cast<int>(rest % parts());
-    }
-    return result;
-}
-
-PatchTree::Centre PatchTree::centre(int level, int64_t node) const noexcept {
-    if (level == levels() - 1 && parts() > 1) {
-        const Leaf part = leaf(node);
-        Centre result{part.piece, {}};
-        for (size_t k = 0; k < result.at.size(); ++k) {
-            result.at[k] = (part.part[k] + 0.5) / parts();
-        }
-        return result;
-    }
+int64_t PieceTree::middle(int level, int64_t node) const noexcept {
     const Extent pieces = extent(level, node);
-    PatchPieces::Index middle{};
+    PieceGrid::Index middle{};
     for (size_t k = 0; k < middle.size(); ++k) {
         middle[k] = (pieces.lower[k] + pieces.upper[k]) / 2;
     }
-    return {pieces_.piece(middle), {0.5, 0.5, 0.5}};
+    return grid_.piece(middle);
 }
 
-} // namespace nrb::closest
+const PieceTree &piece_tree_of(const Spline &spline) {
+    return spline.kept<PieceTree>(Spline::Cache::pieces,
+                                  [&] { return std::make_shared<const PieceTree>(spline); });
+}
+
+} // namespace nrb::pieces

@@ -25,7 +25,7 @@ SplinePtr strip() {
 
 TEST(PatchFace, codes_are_all_sides_edges_and_corners) {
     const SplinePtr spline = strip();
-    const closest::PatchPieces pieces(*spline);
+    const pieces::PieceGrid pieces(*spline);
     EXPECT_EQ(closest::face_count(pieces.shape()), 9);
     const closest::PatchFace inside = closest::face_of(pieces.shape(), 0);
     EXPECT_EQ(inside.shape.axes, 2);
@@ -41,7 +41,7 @@ TEST(PatchFace, codes_are_all_sides_edges_and_corners) {
 
 TEST(PatchFace, only_pieces_at_an_end_touch_a_side) {
     const SplinePtr spline = strip();
-    const closest::PatchPieces pieces(*spline);
+    const pieces::PieceGrid pieces(*spline);
     const double point[3] = {};
     const closest::Query query{point, nullptr, 0, 0};
     const auto at = [&](int code) {
@@ -58,8 +58,8 @@ TEST(PatchFace, only_pieces_at_an_end_touch_a_side) {
 
 TEST(PatchFace, coefficients_of_a_side_are_the_control_points_there) {
     const SplinePtr spline = strip();
-    const closest::PatchPieces pieces(*spline);
-    const closest::PatchShape &shape = pieces.shape();
+    const pieces::PieceGrid pieces(*spline);
+    const pieces::PatchShape &shape = pieces.shape();
     std::vector<double> work(static_cast<size_t>(shape.values())), patch(work);
     pieces.patch(1, work.data(), patch.data());
     const closest::PatchFace side = closest::face_of(shape, 2);

@@ -51,14 +51,14 @@ TEST_P(PatchKernel, squares_are_those_of_exact_arithmetic) {
     Random random(51);
     for (int round = 0; round < 30; ++round) {
         const SplinePtr spline = random_patch(random, 2, 5, true);
-        const closest::PatchPieces pieces(*spline);
-        const closest::PatchShape &shape = pieces.shape();
-        std::vector<double> work(static_cast<size_t>(closest::product_work(shape)));
+        const pieces::PieceGrid pieces(*spline);
+        const pieces::PatchShape &shape = pieces.shape();
+        std::vector<double> work(static_cast<size_t>(pieces::product_work(shape)));
         std::vector<double> squares(static_cast<size_t>(shape.products())), weights(squares);
         std::vector<double> patch(static_cast<size_t>(shape.values())), other(patch);
         pieces.patch(0, other.data(), patch.data());
-        closest::square_patch(shape, pieces.tables(), patch.data(), work.data(), squares.data(),
-                              weights.data());
+        pieces::square_patch(shape, pieces.tables(), patch.data(), work.data(), squares.data(),
+                             weights.data());
         const int m = shape.degree(0), n = shape.degree(1);
         const auto at = [&](int i, int j, int c) {
             return reference::exact(patch.data()[(i * (n + 1) + j) * shape.lanes + c]);
@@ -102,8 +102,9 @@ TEST_P(PatchKernel, discs_hold_their_patches) {
     Random random(52);
     for (int round = 0; round < 60; ++round) {
         const SplinePtr spline = random_patch(random, random.whole(2, 3), 4, random.chance(50));
-        const closest::PatchPieces pieces(*spline);
-        const closest::PatchTree tree(pieces);
+        const pieces::PieceTree all(*spline);
+        const pieces::PieceGrid &pieces = all.grid();
+        const closest::PatchTree tree(all);
         std::vector<double> x(static_cast<size_t>(pieces.shape().lanes), 0.0);
         for (size_t c = 0; c < 3; ++c) {
             x[c] = random.between(-3, 3);
@@ -155,8 +156,9 @@ TEST_P(PatchKernel, discs_hold_corners_of_small_weight) {
             const auto exact = [&](size_t i) { return 2.0L * records[8 + i] + records[16 + i]; };
             corner[c] = static_cast<double>(exact(c) / exact(3));
         }
-        const closest::PatchPieces pieces(*spline);
-        const closest::PatchTree tree(pieces);
+        const pieces::PieceTree all(*spline);
+        const pieces::PieceGrid &pieces = all.grid();
+        const closest::PatchTree tree(all);
         closest::PatchMemory memory;
         const closest::PatchItems items(pieces, corner.data(), memory);
         double bounds[closest::PatchTree::most_width], centres[closest::PatchTree::most_width];
@@ -174,7 +176,7 @@ TEST_P(PatchKernel, parts_are_parts) {
     Random random(53);
     for (int round = 0; round < 60; ++round) {
         const SplinePtr spline = random_patch(random, random.whole(2, 3), 4, random.chance(50));
-        const closest::PatchPieces pieces(*spline);
+        const pieces::PieceGrid pieces(*spline);
         const std::vector<double> x(static_cast<size_t>(pieces.shape().lanes), 0.0);
         closest::PatchMemory memory;
         const closest::PatchDescent descent(pieces.shape(), memory);
@@ -206,8 +208,8 @@ TEST_P(PatchKernel, what_is_proved_holds) {
     int proved = 0, by_shape = 0;
     for (int round = 0; round < 3000; ++round) {
         const SplinePtr spline = random_patch(random, random.whole(2, 3), 3, random.chance(50));
-        const closest::PatchPieces pieces(*spline);
-        const closest::PatchShape &shape = pieces.shape();
+        const pieces::PieceGrid pieces(*spline);
+        const pieces::PatchShape &shape = pieces.shape();
         std::vector<double> x(static_cast<size_t>(shape.lanes), 0.0);
         const double reach = random.magnitude(0.3, 30);
         for (size_t c = 0; c < 3; ++c) {
@@ -231,10 +233,10 @@ TEST_P(PatchKernel, what_is_proved_holds) {
         closest::PatchGoal goal;
         goal.sign = random.chance(50) ? 1 : -1;
         goal.rho = goal.sign > 0 ? *least * random.between(0.8, 1.01) : *most * random.between(0.99, 1.2);
-        std::vector<double> work(static_cast<size_t>(closest::product_work(shape)));
+        std::vector<double> work(static_cast<size_t>(pieces::product_work(shape)));
         std::vector<double> squares(static_cast<size_t>(shape.products())), weights(squares), values(squares);
-        closest::square_patch(shape, pieces.tables(), item.values, work.data(), squares.data(),
-                              weights.data());
+        pieces::square_patch(shape, pieces.tables(), item.values, work.data(), squares.data(),
+                             weights.data());
         const closest::PatchGap gap{squares.data(), shape.weighted ? weights.data() : nullptr, values.data()};
         closest::PatchProof proof(pieces, descent, item, goal, gap);
         const bool positive = proof.positive(), convex = proof.convex(nullptr);

@@ -51,7 +51,8 @@ SplinePtr wavy(int p, int q, int64_t count, bool rational) {
 // Of the locator, relative to the points and weights.
 double memory_ratio(const Spline &spline) {
     const size_t before = allocated();
-    const closest::PatchLocator locator(spline);
+    const pieces::PieceTree tree(spline);
+    const closest::PatchLocator locator(tree);
     const size_t data = (spline.points().size() + spline.weights().size()) * sizeof(double);
     return static_cast<double>(allocated() - before) / static_cast<double>(data);
 }

@@ -12,7 +12,7 @@ bool CriticalPoints::has(const std::vector<double> &point) const noexcept {
 }
 
 void CriticalPoints::add(const PatchItem &whole, const AxisValues &at, int32_t kind) {
-    const PatchPieces &pieces = query_.pieces();
+    const PieceGrid &pieces = query_.pieces();
     AxisValues place{};
     for (int k = 0; k < query_.shape().axes; ++k) {
         place[static_cast<size_t>(k)] = std::clamp(whole.to_piece(k, at[static_cast<size_t>(k)]), 0.0, 1.0);

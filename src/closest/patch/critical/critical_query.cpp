@@ -2,20 +2,15 @@
 #include "closest/patch/critical/critical_query.h"
 
 #include "closest/patch/patch_query.h"
-
 #include "numeric/norm.h"
 
 namespace nrb::closest {
 
-CriticalQuery::CriticalQuery(const PatchPieces &pieces, const Query &query)
+CriticalQuery::CriticalQuery(const PieceGrid &pieces, const Query &query)
     : pieces_(pieces), query_(query), items_(pieces, query.point, memory_),
       descent_(pieces.shape(), memory_) {
     noise_ = PatchQuery::scaled_noise(pieces, query.point);
     near_ = pieces.scaled(query.tolerance) + 64 * noise_;
-}
-
-bool CriticalQuery::far_away() const noexcept {
-    return !(norm(items_.x(), shape().dim) < 0x1p100);
 }
 
 PatchItem CriticalQuery::piece_in_range(int64_t piece) const {

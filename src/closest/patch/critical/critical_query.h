@@ -17,10 +17,10 @@ struct CriticalGaps {
 
 class CriticalQuery {
 public:
-    CriticalQuery(const PatchPieces &pieces, const Query &query);
+    CriticalQuery(const PieceGrid &pieces, const Query &query);
 
     [[nodiscard]] const PatchShape &shape() const noexcept { return pieces_.shape(); }
-    [[nodiscard]] const PatchPieces &pieces() const noexcept { return pieces_; }
+    [[nodiscard]] const PieceGrid &pieces() const noexcept { return pieces_; }
     [[nodiscard]] const Query &query() const noexcept { return query_; }
     [[nodiscard]] const PatchItems &items() const noexcept { return items_; }
     [[nodiscard]] const PatchDescent &descent() const noexcept { return descent_; }
@@ -30,16 +30,13 @@ public:
     [[nodiscard]] double noise() const noexcept { return noise_; }
     // Points nearer to each other are one.
     [[nodiscard]] double near() const noexcept { return near_; }
-    // Whether all points of the spline are equally far to rounding.
-    [[nodiscard]] bool far_away() const noexcept;
-
     // A piece about the query point, as far as it is in the range.
     [[nodiscard]] PatchItem piece_in_range(int64_t piece) const;
     [[nodiscard]] std::vector<double> point(const PatchItem &whole, const AxisValues &at) const;
     [[nodiscard]] double apart(const std::vector<double> &a, const std::vector<double> &b) const noexcept;
 
 private:
-    const PatchPieces &pieces_;
+    const PieceGrid &pieces_;
     const Query &query_;
     mutable PatchMemory memory_;
     PatchItems items_;

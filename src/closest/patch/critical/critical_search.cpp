@@ -15,7 +15,7 @@ constexpr int shallow = 8;  // before a singular matrix is looked at
 
 } // namespace
 
-CriticalSearch::CriticalSearch(const PatchPieces &pieces, const Query &query, bool minima)
+CriticalSearch::CriticalSearch(const PieceGrid &pieces, const Query &query, bool minima)
     : query_(pieces, query), minima_(minima), points_(query_), poles_(query_, minima, points_, gaps_),
       votes_(pieces.shape().dim, query_.near()), budget_(query.most_pieces()) {
     const int64_t count = pieces.shape().coefficients();
@@ -23,14 +23,14 @@ CriticalSearch::CriticalSearch(const PatchPieces &pieces, const Query &query, bo
 }
 
 void CriticalSearch::search(const PatchFace &face, const std::vector<int64_t> &pieces) {
-    const PatchSquares squares(face.shape);
+    const pieces::PatchSquares squares(face.shape);
     for (const int64_t piece : pieces) {
         const PatchMemory::Hold hold(query_.memory());
         search_piece(face, squares, piece);
     }
 }
 
-void CriticalSearch::search_piece(const PatchFace &face, const PatchSquares &squares, int64_t piece) {
+void CriticalSearch::search_piece(const PatchFace &face, const pieces::PatchSquares &squares, int64_t piece) {
     const PatchItem whole = query_.piece_in_range(piece);
     const Target target{face, squares, whole};
     if (face.shape.axes == 0) {

@@ -14,7 +14,7 @@ namespace nrb::closest {
 class CriticalSearch {
 public:
     // With `minima`, other kinds are not wanted.
-    CriticalSearch(const PatchPieces &pieces, const Query &query, bool minima);
+    CriticalSearch(const PieceGrid &pieces, const Query &query, bool minima);
 
     [[nodiscard]] const CriticalQuery &query() const noexcept { return query_; }
     [[nodiscard]] const CriticalPoints &points() const noexcept { return points_; }
@@ -32,10 +32,10 @@ private:
     // The face of one piece.
     struct Target {
         const PatchFace &face;
-        const PatchSquares &squares;
+        const pieces::PatchSquares &squares;
         const PatchItem &whole;
     };
-    void search_piece(const PatchFace &face, const PatchSquares &squares, int64_t piece);
+    void search_piece(const PatchFace &face, const pieces::PatchSquares &squares, int64_t piece);
     void examine_corner(const Target &target);
     void examine(const Target &target, FacePart &part);
     bool finished(const Target &target, const FacePart &part, int &axis);

@@ -16,9 +16,9 @@ int32_t status_of(const CriticalGaps &gaps) noexcept {
 
 } // namespace
 
-CriticalSet critical_points(const PatchPieces &pieces, const Query &query) {
+CriticalSet critical_points(const PieceGrid &pieces, const Query &query) {
     CriticalSearch search(pieces, query, false);
-    if (search.query().far_away() || pieces.shape().coefficients() > most_squared) {
+    if (search.query().items().far_away() || pieces.shape().coefficients() > pieces::most_squared) {
         return {{}, closest_budget};
     }
     search.find_poles();
@@ -32,7 +32,7 @@ CriticalSet critical_points(const PatchPieces &pieces, const Query &query) {
 }
 
 // Faces of pieces inside the domain are searched too, because creases may have minima, and so are seams.
-MinimumCandidates minimum_candidates(const PatchPieces &pieces, const Query &query,
+MinimumCandidates minimum_candidates(const PieceGrid &pieces, const Query &query,
                                      const std::vector<int64_t> &among, double limit) {
     CriticalSearch search(pieces, query, true);
     search.set_limit(limit);

@@ -14,7 +14,7 @@
 
 namespace nrb::closest {
 
-CriticalSet critical_points(const PatchPieces &pieces, const Query &query);
+CriticalSet critical_points(const PieceGrid &pieces, const Query &query);
 
 // The places in some pieces where the distance, if it is at most a limit, may have a minimum: critical points
 // of the pieces, of their faces and edges, and corners.
@@ -22,7 +22,7 @@ struct MinimumCandidates {
     std::vector<MinimumCandidate> candidates;
     CriticalGaps gaps;
 };
-MinimumCandidates minimum_candidates(const PatchPieces &pieces, const Query &query,
+MinimumCandidates minimum_candidates(const PieceGrid &pieces, const Query &query,
                                      const std::vector<int64_t> &among, double limit);
 
 } // namespace nrb::closest

@@ -8,8 +8,8 @@ namespace nrb::closest {
 namespace {
 
 // Whether a piece has points on the face that are in the range of the query.
-bool touches(const PatchPieces &pieces, const Query &query, const PatchFace &face, int64_t piece) noexcept {
-    const PatchPieces::Index index = pieces.index(piece);
+bool touches(const PieceGrid &pieces, const Query &query, const PatchFace &face, int64_t piece) noexcept {
+    const PieceGrid::Index index = pieces.index(piece);
     std::array<int, max_axes> side{};
     side.fill(-1);
     for (int k = 0; k < pieces.shape().axes; ++k) {
@@ -64,7 +64,7 @@ PatchFace face_of(const PatchShape &shape, int code) noexcept {
     return face;
 }
 
-bool is_boundary(const PatchPieces &pieces, const Query &query, const PatchFace &face) noexcept {
+bool is_boundary(const PieceGrid &pieces, const Query &query, const PatchFace &face) noexcept {
     for (int k = 0; k < pieces.shape().axes; ++k) {
         const bool seam = pieces.periodic(pieces.spline_axis(k)) && query.range == nullptr;
         if (face.side[static_cast<size_t>(k)] >= 0 && seam) {
@@ -74,7 +74,7 @@ bool is_boundary(const PatchPieces &pieces, const Query &query, const PatchFace 
     return true;
 }
 
-std::vector<int64_t> pieces_at(const PatchPieces &pieces, const Query &query, const PatchFace &face) {
+std::vector<int64_t> pieces_at(const PieceGrid &pieces, const Query &query, const PatchFace &face) {
     std::vector<int64_t> result;
     for (int64_t piece = 0; piece < pieces.count(); ++piece) {
         if (touches(pieces, query, face, piece)) {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "closest/foot.h"
-#include "closest/patch/patch_pieces.h"
+#include "closest/patch/patch_names.h"
 
 #include <vector>
 
@@ -28,9 +28,9 @@ int face_count(const PatchShape &shape) noexcept;
 // The face of which side k is digit k of `code` to the base 3, less 1.
 PatchFace face_of(const PatchShape &shape, int code) noexcept;
 // False for sides where a periodic spline goes on.
-bool is_boundary(const PatchPieces &pieces, const Query &query, const PatchFace &face) noexcept;
+bool is_boundary(const PieceGrid &pieces, const Query &query, const PatchFace &face) noexcept;
 // The pieces that have points on the face in the range of the query.
-std::vector<int64_t> pieces_at(const PatchPieces &pieces, const Query &query, const PatchFace &face);
+std::vector<int64_t> pieces_at(const PieceGrid &pieces, const Query &query, const PatchFace &face);
 // The coefficients on a face of a patch of this shape.
 void copy_face(const PatchShape &shape, const PatchFace &face, const double *patch, double *out) noexcept;
 

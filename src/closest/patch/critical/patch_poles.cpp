@@ -21,7 +21,7 @@ int end_axis(const PatchFace &face) noexcept {
 } // namespace
 
 void PatchPoles::find() {
-    const PatchPieces &pieces = query_.pieces();
+    const PieceGrid &pieces = query_.pieces();
     if (query_.shape().axes != 2 || pieces.spline_axes() != 2) {
         return;
     }
@@ -140,7 +140,7 @@ bool PatchPoles::set_kind(const PatchFace &face, const std::vector<int64_t> &pie
 // than rounding. What samples say of a saddle is not proven.
 bool PatchPoles::proven(const std::vector<int64_t> &pieces, const Pole &pole) const {
     const PatchShape &shape = query_.shape();
-    const PatchSquares squares(shape);
+    const pieces::PatchSquares squares(shape);
     const double length = norm(pole.point.data(), shape.dim), noise = query_.noise();
     const bool upper = pole.at[static_cast<size_t>(pole.axis)] > 0;
     return pole.kind != critical_saddle && std::all_of(pieces.begin(), pieces.end(), [&](int64_t piece) {

@@ -41,12 +41,13 @@ double PatchSlopes::Range::size() const noexcept {
     return std::max(std::abs(low), std::abs(high));
 }
 
-PatchSlopes::PatchSlopes(const PatchShape &shape, const PatchSquares &squares, const double *patch,
+PatchSlopes::PatchSlopes(const PatchShape &shape, const pieces::PatchSquares &squares, const double *patch,
                          double moved, PatchMemory &memory)
     : shape_(shape), patch_(patch), squares_(memory.take(shape.products())),
       weights_(memory.take(shape.products())), centre_(memory.take(shape.dim)), moved_(moved) {
     std::fill_n(weights_, shape.products(), 1.0);
-    square_patch(shape, squares.tables(), patch, memory.take(product_work(shape)), squares_, weights_);
+    square_patch(shape, squares.tables(), patch, memory.take(pieces::product_work(shape)), squares_,
+                 weights_);
     measure(patch);
     const double magnitude = 1.05 * squares.error() * (reach_ * reach_ + most_);
     error_ = (magnitude + 2.2 * moved * reach_) * most_weight_ * most_weight_;

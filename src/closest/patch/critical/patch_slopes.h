@@ -11,8 +11,8 @@ namespace nrb::closest {
 class PatchSlopes {
 public:
     // moved: how far rounding may have moved the points.
-    PatchSlopes(const PatchShape &shape, const PatchSquares &squares, const double *patch, double moved,
-                PatchMemory &memory);
+    PatchSlopes(const PatchShape &shape, const pieces::PatchSquares &squares, const double *patch,
+                double moved, PatchMemory &memory);
 
     // Whether all weights are > 0; all else presumes it.
     [[nodiscard]] bool sound() const noexcept { return least_weight_ > 0x1p-200; }

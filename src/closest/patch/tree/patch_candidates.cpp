@@ -66,7 +66,7 @@ void PatchCandidates::visit_children(int level, const Candidate &parent, Candida
     }
 }
 
-PatchCandidates::PatchCandidates(const PatchPieces &pieces, const PatchTree &tree, const Query &query,
+PatchCandidates::PatchCandidates(const PieceGrid &pieces, const PatchTree &tree, const Query &query,
                                  const double *x, double margin)
     : pieces_(pieces), tree_(tree), query_(query), x_(x), margin_(margin) {
     Candidates other;

@@ -25,7 +25,7 @@ public:
 
     // Those that may hold a point that is worse than the best one by no more than the margin; x as placed by
     // the pieces.
-    PatchCandidates(const PatchPieces &pieces, const PatchTree &tree, const Query &query, const double *x,
+    PatchCandidates(const PieceGrid &pieces, const PatchTree &tree, const Query &query, const double *x,
                     double margin);
 
     // The best centre seen that is in the range, or else that of a leaf which meets it.
@@ -39,7 +39,7 @@ private:
     [[nodiscard]] bool holds_centre(int level, int64_t node) const noexcept;
     void visit_children(int level, const Candidate &parent, Candidates &next);
 
-    const PatchPieces &pieces_;
+    const PieceGrid &pieces_;
     const PatchTree &tree_;
     const Query &query_;
     const double *x_;

@@ -7,9 +7,8 @@
 // make room for all points, so that they hold them whatever the bytes lose.
 #pragma once
 
-#include "closest/patch/patch_pieces.h"
-#include "closest/patch/tree/disc_kernel.h"
-#include "closest/patch/tree/patch_disc.h"
+#include "closest/patch/patch_names.h"
+#include "pieces/tree/piece_tree.h"
 
 #include <vector>
 
@@ -17,8 +16,8 @@ namespace nrb::closest {
 
 class PatchLeaves {
 public:
-    // The pieces in the order of their nodes.
-    void build(const PatchPieces &pieces, bool normals, const std::vector<int32_t> &order);
+    // Of the pieces in the order of their nodes.
+    explicit PatchLeaves(const pieces::PieceTree &tree);
 
     // Along each axis of the shape; with 1, pieces have no leaves of their own.
     [[nodiscard]] int parts() const noexcept { return parts_; }
@@ -29,24 +28,25 @@ public:
         return matrices.data() + std::ssize(matrices) / parts_ * part;
     }
     // Bounds of the leaves of a node.
-    void bound(int64_t node, int dim, const double *x, bool farthest, const DiscBounds &out) const noexcept;
+    void bound(int64_t node, int dim, const double *x, bool farthest,
+               const pieces::DiscBounds &out) const noexcept;
 
 private:
-    [[nodiscard]] static int parts_of(const PatchPieces &pieces, bool normals) noexcept;
+    [[nodiscard]] static int parts_of(const PieceGrid &pieces, bool normals) noexcept;
     void set_matrices(const PatchShape &shape);
     void split(const PatchShape &shape, const std::vector<double> &patch, std::vector<double> &parts) const;
-    void write(int64_t node, int dim, double rounding, std::vector<PatchDisc> &discs,
-               const std::vector<double> &parts, const PatchPieces &pieces);
-    void round_centres(int dim, std::vector<PatchDisc> &discs, float *frame, int8_t *out) const;
-    void round_normals(std::vector<PatchDisc> &discs, int16_t *out) const;
-    void round_sizes(int dim, double rounding, const std::vector<PatchDisc> &discs, float *frame,
+    void write(int64_t node, int dim, double rounding, std::vector<pieces::Disc> &discs,
+               const std::vector<double> &parts, const PieceGrid &pieces);
+    void round_centres(int dim, std::vector<pieces::Disc> &discs, float *frame, int8_t *out) const;
+    void round_normals(std::vector<pieces::Disc> &discs, int16_t *out) const;
+    void round_sizes(int dim, double rounding, const std::vector<pieces::Disc> &discs, float *frame,
                      int8_t *out) const;
     [[nodiscard]] int64_t byte_columns(int dim) const noexcept { return dim + (has_normals_ ? 3 : 1); }
     [[nodiscard]] float *frame(int64_t node, int dim) noexcept {
-        return frames_.data() + node * disc_frame(dim);
+        return frames_.data() + node * pieces::disc_frame(dim);
     }
     [[nodiscard]] const float *frame(int64_t node, int dim) const noexcept {
-        return frames_.data() + node * disc_frame(dim);
+        return frames_.data() + node * pieces::disc_frame(dim);
     }
 
     bool has_normals_ = false;

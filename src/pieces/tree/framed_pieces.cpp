@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#include "pieces/tree/framed_pieces.h"
+
+#include "base/numbers.h"
+#include "numeric/norm.h"
+
+#include <cmath>
+
+namespace nrb::pieces {
+
+FramedPieces::FramedPieces(const PieceTree &tree, const Frame &frame)
+    : tree_(tree), exponent_(tree.grid().frame().exponent - frame.exponent) {
+    const std::vector<double> &centre = tree.grid().frame().centre;
+    for (size_t c = 0; c < centre.size(); ++c) {
+        shift_.push_back(frame.scaled(centre[c]) - frame.scaled(frame.centre[c]));
+    }
+    const PatchShape &shape = tree.grid().shape();
+    shape_.width = shape.dim + 1;
+    for (int k = 0; k < shape.axes; ++k) {
+        const auto axis =
+            static_cast<size_t>(max_axes - tree.grid().spline_axes() + tree.grid().spline_axis(k));
+        shape_.degrees[axis] = shape.degree(k);
+    }
+    set_rounding();
+}
+
+// A 2^exponent + w shift has one rounding more in w shift, in the sum and in the shift itself. Where errors
+// are not relative to the weights, which are below 2, that of w counts by the shift; that of a record is at
+// least eps times the largest one.
+void FramedPieces::set_rounding() noexcept {
+    const PieceGrid &grid = tree_.grid();
+    const Rounding &own = grid.rounding();
+    const double shift = norm(shift_.data(), dim());
+    if (own.relative()) {
+        rounding_.apart =
+            times_power_of_two(own.apart + 2 * eps * grid.radius(), exponent_) + 2 * eps * shift;
+        return;
+    }
+    rounding_.record = 2 * times_power_of_two(own.record, exponent_) + (own.weight + 4 * eps) * shift;
+    rounding_.weight = own.weight;
+}
+
+void FramedPieces::box(int level, int64_t node, int64_t i, double *out) const noexcept {
+    tree_.box(level, node, i, out);
+    for (int c = 0; c < dim(); ++c) {
+        const double shift = shift_[static_cast<size_t>(c)];
+        double &low = out[c], &high = out[dim() + c];
+        low = times_power_of_two(low, exponent_) + shift;
+        high = times_power_of_two(high, exponent_) + shift;
+        low -= 2 * eps * (std::abs(low) + std::abs(shift));
+        high += 2 * eps * (std::abs(high) + std::abs(shift));
+    }
+}
+
+BezierPiece FramedPieces::piece(int64_t index) const {
+    const PieceGrid &grid = tree_.grid();
+    std::vector<double> patch(static_cast<size_t>(grid.shape().values())), work(patch);
+    grid.patch(index, work.data(), patch.data());
+    std::vector<double> values;
+    values.reserve(static_cast<size_t>(shape_.values()));
+    for (const double *record = patch.data(); record < patch.data() + std::ssize(patch);
+         record += grid.shape().lanes) {
+        const double w = record[dim()];
+        for (int c = 0; c < dim(); ++c) {
+            values.push_back(times_power_of_two(record[c], exponent_) + w * shift_[static_cast<size_t>(c)]);
+        }
+        values.push_back(w);
+    }
+    return {grid.spline_axes(), shape_, std::move(values), grid.part(index), rounding_};
+}
+
+} // namespace nrb::pieces
