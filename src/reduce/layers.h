@@ -41,5 +41,8 @@ struct LayerSource {
 // origin.
 SplinePtr spline_of_layers(const Spline &old, int axis, KnotVectorPtr knots,
                            std::span<const LayerSource> layers);
+// The same by make_result_if_valid(): null if the weights are not allowed.
+SplinePtr spline_of_layers_if_valid(const Spline &old, int axis, KnotVectorPtr knots,
+                                    std::span<const LayerSource> layers);
 
 } // namespace nrb::reduce
