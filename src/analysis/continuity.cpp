@@ -11,13 +11,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 namespace nrb::analysis {
 
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 std::vector<double> scaled(const double *x, int n, double factor) {
     std::vector<double> result(x, x + n);
@@ -105,7 +102,7 @@ void compare_curvatures(const closest::CurveSide &before, const Tangent &tangent
 Continuity continuity(const closest::CurveSide &before, const closest::CurveSide &after,
                       const ContinuityRule &rule) {
     Continuity found{parametric_order(before, after, rule), -1,
-                     distance(before.at(0), after.at(0), before.dim()), nan, nan};
+                     distance(before.at(0), after.at(0), before.dim()), nan_value, nan_value};
     found.geometric = std::min(found.order, 0);
     const Tangent a = tangent_of(before, true), b = tangent_of(after, false);
     if (a.order == 0 || b.order == 0) {
@@ -209,7 +206,7 @@ Normal normal_of(const closest::CurveSide &u, const closest::CurveSide &v) {
 // The angle between the normals instead of that between tangents.
 void compare_normals(const Normal &a, const Normal &b, const ContinuityRule &rule, Continuity &found) {
     found.geometric = std::min(found.order, 0);
-    found.angle = found.curvature_gap = nan;
+    found.angle = found.curvature_gap = nan_value;
     if (a.unit.empty() || b.unit.empty()) {
         return;
     }
@@ -226,7 +223,7 @@ public:
         : spline_(spline), axis_(axis), rule_(rule), places_(std::move(places)),
           accuracy_(accuracy_of(*spline)) {
         for (const Place &place : places_) {
-            worst_.push_back({spline->axis(axis).degree(), 2, 0, nan, nan});
+            worst_.push_back({spline->axis(axis).degree(), 2, 0, nan_value, nan_value});
             if (has_normals()) {
                 below_.push_back(refine::iso(*spline, axis, place.below, {.left = true}));
                 above_.push_back(refine::iso(*spline, axis, place.above, {}));

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace nrb::recognize {
 
@@ -29,7 +28,7 @@ double hull_bound(const pieces::BezierPiece &piece, Distance distance) {
 }
 
 double smallest_coordinate(const pieces::BezierPiece &piece, double Vector3::*coordinate) noexcept {
-    double least = std::numeric_limits<double>::infinity();
+    double least = infinity;
     for (int64_t i = 0; i < piece.coefficients(); ++i) {
         if (piece.has_point(i)) {
             least = std::min(least, point_of(piece, i).*coordinate);
