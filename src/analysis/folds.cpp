@@ -84,7 +84,7 @@ Vector unit_of(const double *reference) {
 class FoldSearch {
 public:
     FoldSearch(const Spline &spline, const double *reference)
-        : spline_(spline), maker_(spline, whole_domain(spline)) {
+        : spline_(spline), maker_(spline, whole_domain(spline)), parts_(spline.axes()) {
         if (spline.dim() == 3 && spline.axes() == 2) {
             reference_ = reference != nullptr ? unit_of(reference) : area_direction(maker_);
         }
@@ -94,20 +94,12 @@ public:
         for (int64_t e = 0; e < maker_.count() && !found(); ++e) {
             start(maker_.piece(e));
         }
-        int64_t halvings = parts_.empty() ? 0 : halvings_for(parts_.front().f);
         while (!parts_.empty() && !found()) {
-            JacobianPart part = std::move(parts_.front()), lower;
-            parts_.pop_front();
+            JacobianPart part = parts_.take();
             look(part);
-            if (certain_sign(part.f) != 0) {
-                continue;
-            }
-            if (halvings-- <= 0 || !halve_longest(part, spline_.axes(), {1, 1, 1}, 0x1p-26, lower)) {
+            if (certain_sign(part.f) == 0 && !parts_.halve(part, {1, 1, 1}, 0x1p-26)) {
                 hidden_ = true;
-                continue;
             }
-            parts_.push_back(std::move(lower));
-            parts_.push_back(std::move(part));
         }
         test_.result = found() ? fold_found : hidden_ ? fold_undecided : fold_none;
         return test_;
@@ -146,7 +138,7 @@ private:
             hidden_ = true;
             return;
         }
-        parts_.push_back({std::move(f), e, {}, {1, 1, 1}});
+        parts_.add({std::move(f), e, {}, {1, 1, 1}});
     }
 
     // A coefficient at a corner has the sign of J, unless the corner is on a boundary where J is 0; then the
@@ -199,7 +191,7 @@ private:
     Vector reference_{};
     std::vector<Part> pieces_;
     std::vector<BoundaryZeros> ends_;
-    std::deque<JacobianPart> parts_;
+    PartQueue parts_;
     bool hidden_ = false;
     FoldTest test_;
 };

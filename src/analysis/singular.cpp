@@ -59,29 +59,18 @@ class SingularSearch {
 public:
     SingularSearch(const Spline &spline, double tolerance)
         : axes_(spline.axes()), tolerance_(tolerance), maker_(spline, whole_domain(spline)),
-          domain_(whole_domain(spline)) {}
+          domain_(whole_domain(spline)), parts_(axes_) {}
 
     SingularPlaces run() {
         for (int64_t e = 0; e < maker_.count(); ++e) {
             start(maker_.piece(e));
         }
         left_.resize(pieces_.size());
-        int64_t halvings = parts_.empty() ? 0 : halvings_for(parts_.front().f);
         while (!parts_.empty()) {
-            JacobianPart part = std::move(parts_.front()), lower;
-            parts_.pop_front();
-            if (regular(part.f)) {
-                continue;
-            }
-            const bool halved =
-                halvings > 0 && halve_longest(part, axes_, scales_[part.piece], tolerance_, lower);
-            if (!halved) {
+            JacobianPart part = parts_.take();
+            if (!regular(part.f) && !parts_.halve(part, scales_[part.piece], tolerance_)) {
                 left_[part.piece].push_back({part.from, part.to});
-                continue;
             }
-            --halvings;
-            parts_.push_back(std::move(lower));
-            parts_.push_back(std::move(part));
         }
         for (size_t e = 0; e < pieces_.size(); ++e) {
             gather(e);
@@ -118,7 +107,7 @@ private:
                 }
             }
         }
-        parts_.push_back({std::move(*f), e, {}, {1, 1, 1}});
+        parts_.add({std::move(*f), e, {}, {1, 1, 1}});
     }
 
     [[nodiscard]] double parameter(size_t piece, size_t k, double place) const noexcept {
@@ -248,7 +237,7 @@ private:
     Part domain_;
     std::vector<Part> pieces_;
     std::vector<std::array<double, max_axes>> scales_; // length of a piece as a part of the domain
-    std::deque<JacobianPart> parts_;
+    PartQueue parts_;
     std::vector<std::vector<Box>> left_; // for each piece, what could not be shown to be regular
     SingularPlaces result_;
 };
