@@ -155,20 +155,18 @@ private:
         const int axes = spline_.axes();
         for (int corner = 0; corner < 1 << axes; ++corner) {
             std::array<double, max_axes> at{};
-            size_t i = 0;
             bool zero = false;
             for (int k = 0; k < axes; ++k) {
                 const auto a = static_cast<size_t>(k);
                 const bool upper = (corner >> k & 1) != 0;
-                const auto n =
-                    static_cast<size_t>(part.f.shape.degrees[static_cast<size_t>(max_axes - axes + k)]);
-                i = i * (n + 1) + (upper ? n : 0);
                 at[a] = upper ? part.to[a] : part.from[a];
                 zero = zero || (at[a] == 0 && ends_[part.piece][a][0]) ||
                        (at[a] == 1 && ends_[part.piece][a][1]);
             }
-            if (!zero && part.f.sign(i) != 0) {
-                note(part.piece, part.f.sign(i), at);
+            const int sign_here =
+                part.f.sign(static_cast<size_t>(part.f.shape.corner(corner << (max_axes - axes))));
+            if (!zero && sign_here != 0) {
+                note(part.piece, sign_here, at);
             }
         }
     }
@@ -180,9 +178,7 @@ private:
         }
         where.emplace();
         for (size_t k = 0; k < static_cast<size_t>(spline_.axes()); ++k) {
-            const Interval range = pieces_[piece][k];
-            (*where)[k] =
-                std::clamp(range.lower * (1 - place[k]) + range.upper * place[k], range.lower, range.upper);
+            (*where)[k] = parameter_in(pieces_[piece][k], place[k]);
         }
     }
 

@@ -110,18 +110,12 @@ private:
         parts_.add({std::move(*f), e, {}, {1, 1, 1}});
     }
 
-    [[nodiscard]] double parameter(size_t piece, size_t k, double place) const noexcept {
-        const Interval range = pieces_[piece][k];
-        return place == 1
-                   ? range.upper
-                   : std::clamp(range.lower * (1 - place) + range.upper * place, range.lower, range.upper);
-    }
-
     void add(size_t piece, const Box &box, const std::array<double, max_axes> &at) {
         SingularPlace place;
         for (size_t k = 0; k < static_cast<size_t>(axes_); ++k) {
-            place.at[k] = parameter(piece, k, at[k]);
-            place.box[k] = {parameter(piece, k, box.from[k]), parameter(piece, k, box.to[k])};
+            const Interval range = pieces_[piece][k];
+            place.at[k] = parameter_in(range, at[k]);
+            place.box[k] = {parameter_in(range, box.from[k]), parameter_in(range, box.to[k])};
         }
         result_.places.push_back(place);
     }
@@ -171,10 +165,9 @@ private:
         std::array<double, max_axes> best{};
         double nearest = -1;
         for (const size_t i : list) {
-            std::array<double, max_axes> middle{};
+            const std::array<double, max_axes> middle = middle_of(boxes[i]);
             double away = 0;
             for (size_t k = 0; k < max_axes; ++k) {
-                middle[k] = boxes[i].from[k] / 2 + boxes[i].to[k] / 2;
                 away = std::max(away, std::abs(middle[k] - all.from[k] / 2 - all.to[k] / 2));
             }
             if (nearest < 0 || away < nearest) {
