@@ -120,8 +120,8 @@ Continuity continuity(const closest::CurveSide &before, const closest::CurveSide
 
 namespace {
 
-// A place on the axis, and the two parameters on its two sides.
-struct Place {
+// The parameters on the two sides of a place on the axis.
+struct Sides {
     double below;
     double above;
 };
@@ -219,10 +219,10 @@ void compare_normals(const Normal &a, const Normal &b, const ContinuityRule &rul
 // Both sides of all places of a spline, one sample of the other axes at a time.
 class Inspection {
 public:
-    Inspection(const SplinePtr &spline, int axis, const ContinuityRule &rule, std::vector<Place> places)
+    Inspection(const SplinePtr &spline, int axis, const ContinuityRule &rule, std::vector<Sides> places)
         : spline_(spline), axis_(axis), rule_(rule), places_(std::move(places)),
           accuracy_(accuracy_of(*spline)) {
-        for (const Place &place : places_) {
+        for (const Sides &place : places_) {
             worst_.push_back({spline->axis(axis).degree(), 2, 0, nan_value, nan_value});
             if (has_normals()) {
                 below_.push_back(refine::iso(*spline, axis, place.below, {.left = true}));
@@ -262,7 +262,7 @@ private:
     const SplinePtr &spline_;
     int axis_;
     const ContinuityRule &rule_;
-    std::vector<Place> places_;
+    std::vector<Sides> places_;
     std::vector<SplinePtr> below_;
     std::vector<SplinePtr> above_;
     std::vector<Continuity> worst_;
@@ -282,7 +282,7 @@ std::vector<KnotContinuity> usual_continuity(const SplinePtr &spline, int axis, 
                                  names = distinct_knots(named.knots());
     const auto [lower, upper] = knots.domain();
     std::vector<KnotContinuity> rows;
-    std::vector<Place> places;
+    std::vector<Sides> places;
     for (size_t i = 0; i < groups.size(); ++i) {
         const double knot = groups[i].knot;
         if (knot > lower && knot < upper) {
