@@ -25,7 +25,7 @@ BoundaryZeros divide_boundaries(RoundedPolynomial &f, int axes);
 // Parts that wait to be examined, from the largest to the smallest.
 class PartQueue {
 public:
-    explicit PartQueue(int axes) noexcept : axes_(axes) {}
+    explicit PartQueue(int axes) : axes_(axes) {} // an empty deque allocates
 
     void add(JacobianPart part);
     [[nodiscard]] bool empty() const noexcept { return parts_.empty(); }
