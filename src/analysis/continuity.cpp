@@ -11,13 +11,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 namespace nrb::analysis {
 
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 std::vector<double> scaled(const double *x, int n, double factor) {
     std::vector<double> result(x, x + n);
@@ -105,7 +102,7 @@ void compare_curvatures(const closest::CurveSide &before, const Tangent &tangent
 Continuity continuity(const closest::CurveSide &before, const closest::CurveSide &after,
                       const ContinuityRule &rule) {
     Continuity found{parametric_order(before, after, rule), -1,
-                     distance(before.at(0), after.at(0), before.dim()), nan, nan};
+                     distance(before.at(0), after.at(0), before.dim()), nan_value, nan_value};
     found.geometric = std::min(found.order, 0);
     const Tangent a = tangent_of(before, true), b = tangent_of(after, false);
     if (a.order == 0 || b.order == 0) {
@@ -123,8 +120,8 @@ Continuity continuity(const closest::CurveSide &before, const closest::CurveSide
 
 namespace {
 
-// A place on the axis, and the two parameters on its two sides.
-struct Place {
+// The parameters on the two sides of a place on the axis.
+struct Sides {
     double below;
     double above;
 };
@@ -209,7 +206,7 @@ Normal normal_of(const closest::CurveSide &u, const closest::CurveSide &v) {
 // The angle between the normals instead of that between tangents.
 void compare_normals(const Normal &a, const Normal &b, const ContinuityRule &rule, Continuity &found) {
     found.geometric = std::min(found.order, 0);
-    found.angle = found.curvature_gap = nan;
+    found.angle = found.curvature_gap = nan_value;
     if (a.unit.empty() || b.unit.empty()) {
         return;
     }
@@ -222,11 +219,11 @@ void compare_normals(const Normal &a, const Normal &b, const ContinuityRule &rul
 // Both sides of all places of a spline, one sample of the other axes at a time.
 class Inspection {
 public:
-    Inspection(const SplinePtr &spline, int axis, const ContinuityRule &rule, std::vector<Place> places)
+    Inspection(const SplinePtr &spline, int axis, const ContinuityRule &rule, std::vector<Sides> places)
         : spline_(spline), axis_(axis), rule_(rule), places_(std::move(places)),
           accuracy_(accuracy_of(*spline)) {
-        for (const Place &place : places_) {
-            worst_.push_back({spline->axis(axis).degree(), 2, 0, nan, nan});
+        for (const Sides &place : places_) {
+            worst_.push_back({spline->axis(axis).degree(), 2, 0, nan_value, nan_value});
             if (has_normals()) {
                 below_.push_back(refine::iso(*spline, axis, place.below, {.left = true}));
                 above_.push_back(refine::iso(*spline, axis, place.above, {}));
@@ -265,7 +262,7 @@ private:
     const SplinePtr &spline_;
     int axis_;
     const ContinuityRule &rule_;
-    std::vector<Place> places_;
+    std::vector<Sides> places_;
     std::vector<SplinePtr> below_;
     std::vector<SplinePtr> above_;
     std::vector<Continuity> worst_;
@@ -285,7 +282,7 @@ std::vector<KnotContinuity> usual_continuity(const SplinePtr &spline, int axis, 
                                  names = distinct_knots(named.knots());
     const auto [lower, upper] = knots.domain();
     std::vector<KnotContinuity> rows;
-    std::vector<Place> places;
+    std::vector<Sides> places;
     for (size_t i = 0; i < groups.size(); ++i) {
         const double knot = groups[i].knot;
         if (knot > lower && knot < upper) {

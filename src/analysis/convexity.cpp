@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 namespace nrb::analysis {
@@ -34,7 +33,7 @@ Turn turn_of(RoundedPolynomial d, int depth) {
         return {std::atan2(ax * by - ay * bx, ax * bx + ay * by), 1.01 * error + 8 * eps};
     }
     if (depth == 0) {
-        return {0, std::numeric_limits<double>::infinity()};
+        return {0, infinity};
     }
     const RoundedPolynomial lower = split(d, last_axis);
     const Turn first = turn_of(lower, depth - 1);

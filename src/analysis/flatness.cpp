@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 namespace nrb::analysis {
 
@@ -246,8 +245,7 @@ Flatness planarity(const Spline &spline) {
     }
     std::vector<double> back = normal;
     std::for_each(back.begin(), back.end(), [](double &x) { x = -x; });
-    constexpr double any = std::numeric_limits<double>::infinity();
-    const double tolerance = 1e-3 * (reach_of(pieces, normal, any) + reach_of(pieces, back, any));
+    const double tolerance = 1e-3 * (reach_of(pieces, normal, infinity) + reach_of(pieces, back, infinity));
     const double high = reach_of(pieces, normal, tolerance), low = -reach_of(pieces, back, tolerance);
     Flatness result{pieces.centre(), normal, 0};
     for (size_t c = 0; c < 3; ++c) {

@@ -84,7 +84,7 @@ Vector unit_of(const double *reference) {
 class FoldSearch {
 public:
     FoldSearch(const Spline &spline, const double *reference)
-        : spline_(spline), maker_(spline, whole_domain(spline)) {
+        : spline_(spline), maker_(spline, whole_domain(spline)), parts_(spline.axes()) {
         if (spline.dim() == 3 && spline.axes() == 2) {
             reference_ = reference != nullptr ? unit_of(reference) : area_direction(maker_);
         }
@@ -94,20 +94,12 @@ public:
         for (int64_t e = 0; e < maker_.count() && !found(); ++e) {
             start(maker_.piece(e));
         }
-        int64_t halvings = parts_.empty() ? 0 : halvings_for(parts_.front().f);
         while (!parts_.empty() && !found()) {
-            JacobianPart part = std::move(parts_.front()), lower;
-            parts_.pop_front();
+            JacobianPart part = parts_.take();
             look(part);
-            if (certain_sign(part.f) != 0) {
-                continue;
-            }
-            if (halvings-- <= 0 || !halve_longest(part, spline_.axes(), {1, 1, 1}, 0x1p-26, lower)) {
+            if (certain_sign(part.f) == 0 && !parts_.halve(part, {1, 1, 1}, 0x1p-26)) {
                 hidden_ = true;
-                continue;
             }
-            parts_.push_back(std::move(lower));
-            parts_.push_back(std::move(part));
         }
         test_.result = found() ? fold_found : hidden_ ? fold_undecided : fold_none;
         return test_;
@@ -146,7 +138,7 @@ private:
             hidden_ = true;
             return;
         }
-        parts_.push_back({std::move(f), e, {}, {1, 1, 1}});
+        parts_.add({std::move(f), e, {}, {1, 1, 1}});
     }
 
     // A coefficient at a corner has the sign of J, unless the corner is on a boundary where J is 0; then the
@@ -163,20 +155,18 @@ private:
         const int axes = spline_.axes();
         for (int corner = 0; corner < 1 << axes; ++corner) {
             std::array<double, max_axes> at{};
-            size_t i = 0;
             bool zero = false;
             for (int k = 0; k < axes; ++k) {
                 const auto a = static_cast<size_t>(k);
                 const bool upper = (corner >> k & 1) != 0;
-                const auto n =
-                    static_cast<size_t>(part.f.shape.degrees[static_cast<size_t>(max_axes - axes + k)]);
-                i = i * (n + 1) + (upper ? n : 0);
                 at[a] = upper ? part.to[a] : part.from[a];
                 zero = zero || (at[a] == 0 && ends_[part.piece][a][0]) ||
                        (at[a] == 1 && ends_[part.piece][a][1]);
             }
-            if (!zero && part.f.sign(i) != 0) {
-                note(part.piece, part.f.sign(i), at);
+            const int sign_here =
+                part.f.sign(static_cast<size_t>(part.f.shape.corner(corner << (max_axes - axes))));
+            if (!zero && sign_here != 0) {
+                note(part.piece, sign_here, at);
             }
         }
     }
@@ -188,9 +178,7 @@ private:
         }
         where.emplace();
         for (size_t k = 0; k < static_cast<size_t>(spline_.axes()); ++k) {
-            const Interval range = pieces_[piece][k];
-            (*where)[k] =
-                std::clamp(range.lower * (1 - place[k]) + range.upper * place[k], range.lower, range.upper);
+            (*where)[k] = parameter_in(pieces_[piece][k], place[k]);
         }
     }
 
@@ -199,7 +187,7 @@ private:
     Vector reference_{};
     std::vector<Part> pieces_;
     std::vector<BoundaryZeros> ends_;
-    std::deque<JacobianPart> parts_;
+    PartQueue parts_;
     bool hidden_ = false;
     FoldTest test_;
 };

@@ -5,6 +5,7 @@
 #include "pieces/derivative_pieces.h"
 
 #include <deque>
+#include <optional>
 
 namespace nrb::analysis {
 
@@ -21,12 +22,24 @@ using BoundaryZeros = std::array<std::array<bool, 2>, max_axes>;
 // Divides by the boundaries on which all coefficients vanish to rounding, as often as they do.
 BoundaryZeros divide_boundaries(RoundedPolynomial &f, int axes);
 
-// Halves a part along the axis on which it is longest, in units of `scale`, among the axes with a degree;
-// false if no side is longer than `least`. The part becomes the upper half.
-bool halve_longest(JacobianPart &part, int axes, const std::array<double, max_axes> &scale, double least,
-                   JacobianPart &lower);
+// Parts that wait to be examined, from the largest to the smallest.
+class PartQueue {
+public:
+    explicit PartQueue(int axes) : axes_(axes) {} // an empty deque allocates
 
-// Parts are examined from the largest to the smallest, as many as `halvings` and memory allow.
-int64_t halvings_for(const RoundedPolynomial &f) noexcept;
+    void add(JacobianPart part);
+    [[nodiscard]] bool empty() const noexcept { return parts_.empty(); }
+    // Precondition: not empty.
+    JacobianPart take();
+    // Adds the halves of a part, which is cut along the axis on which it is longest, in units of `scale`,
+    // among the axes with a degree. False, with the part unchanged, if no side is longer than `least`, or if
+    // as many parts have been halved as memory allows.
+    bool halve(JacobianPart &part, const std::array<double, max_axes> &scale, double least);
+
+private:
+    int axes_;
+    std::optional<int64_t> halvings_; // that are left
+    std::deque<JacobianPart> parts_;
+};
 
 } // namespace nrb::analysis

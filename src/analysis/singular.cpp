@@ -59,29 +59,18 @@ class SingularSearch {
 public:
     SingularSearch(const Spline &spline, double tolerance)
         : axes_(spline.axes()), tolerance_(tolerance), maker_(spline, whole_domain(spline)),
-          domain_(whole_domain(spline)) {}
+          domain_(whole_domain(spline)), parts_(axes_) {}
 
     SingularPlaces run() {
         for (int64_t e = 0; e < maker_.count(); ++e) {
             start(maker_.piece(e));
         }
         left_.resize(pieces_.size());
-        int64_t halvings = parts_.empty() ? 0 : halvings_for(parts_.front().f);
         while (!parts_.empty()) {
-            JacobianPart part = std::move(parts_.front()), lower;
-            parts_.pop_front();
-            if (regular(part.f)) {
-                continue;
-            }
-            const bool halved =
-                halvings > 0 && halve_longest(part, axes_, scales_[part.piece], tolerance_, lower);
-            if (!halved) {
+            JacobianPart part = parts_.take();
+            if (!regular(part.f) && !parts_.halve(part, scales_[part.piece], tolerance_)) {
                 left_[part.piece].push_back({part.from, part.to});
-                continue;
             }
-            --halvings;
-            parts_.push_back(std::move(lower));
-            parts_.push_back(std::move(part));
         }
         for (size_t e = 0; e < pieces_.size(); ++e) {
             gather(e);
@@ -118,21 +107,15 @@ private:
                 }
             }
         }
-        parts_.push_back({std::move(*f), e, {}, {1, 1, 1}});
-    }
-
-    [[nodiscard]] double parameter(size_t piece, size_t k, double place) const noexcept {
-        const Interval range = pieces_[piece][k];
-        return place == 1
-                   ? range.upper
-                   : std::clamp(range.lower * (1 - place) + range.upper * place, range.lower, range.upper);
+        parts_.add({std::move(*f), e, {}, {1, 1, 1}});
     }
 
     void add(size_t piece, const Box &box, const std::array<double, max_axes> &at) {
         SingularPlace place;
         for (size_t k = 0; k < static_cast<size_t>(axes_); ++k) {
-            place.at[k] = parameter(piece, k, at[k]);
-            place.box[k] = {parameter(piece, k, box.from[k]), parameter(piece, k, box.to[k])};
+            const Interval range = pieces_[piece][k];
+            place.at[k] = parameter_in(range, at[k]);
+            place.box[k] = {parameter_in(range, box.from[k]), parameter_in(range, box.to[k])};
         }
         result_.places.push_back(place);
     }
@@ -182,10 +165,9 @@ private:
         std::array<double, max_axes> best{};
         double nearest = -1;
         for (const size_t i : list) {
-            std::array<double, max_axes> middle{};
+            const std::array<double, max_axes> middle = middle_of(boxes[i]);
             double away = 0;
             for (size_t k = 0; k < max_axes; ++k) {
-                middle[k] = boxes[i].from[k] / 2 + boxes[i].to[k] / 2;
                 away = std::max(away, std::abs(middle[k] - all.from[k] / 2 - all.to[k] / 2));
             }
             if (nearest < 0 || away < nearest) {
@@ -248,7 +230,7 @@ private:
     Part domain_;
     std::vector<Part> pieces_;
     std::vector<std::array<double, max_axes>> scales_; // length of a piece as a part of the domain
-    std::deque<JacobianPart> parts_;
+    PartQueue parts_;
     std::vector<std::vector<Box>> left_; // for each piece, what could not be shown to be regular
     SingularPlaces result_;
 };

@@ -19,14 +19,14 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 using Doubles = hn::ScalableTag<double>;
-using Vector = hn::Vec<Doubles>;
+using Register = hn::Vec<Doubles>;
 
 // Comparisons with NaN are false.
-HWY_INLINE Vector larger(Vector known, Vector value) {
+HWY_INLINE Register larger(Register known, Register value) {
     return hn::IfThenElse(hn::Lt(known, value), value, known);
 }
 
-HWY_INLINE Vector smaller(Vector known, Vector value) {
+HWY_INLINE Register smaller(Register known, Register value) {
     return hn::IfThenElse(hn::Lt(value, known), value, known);
 }
 
@@ -61,7 +61,7 @@ bool find_below(std::span<const double> values, uint64_t mask) {
     bool all = true;
     visit(
         values,
-        [&](Vector v, size_t k) HWY_ATTR {
+        [&](Register v, size_t k) HWY_ATTR {
             const auto high = hn::Eq(hn::And(hn::BitCast(bits, v), exponent), exponent);
             found[k] = hn::Or(found[k], hn::VecFromMask(bits, high));
         },
@@ -72,10 +72,10 @@ bool find_below(std::span<const double> values, uint64_t mask) {
 
 double find_largest(std::span<const double> values) {
     const Doubles d;
-    Vector found[strands] = {hn::Zero(d), hn::Zero(d), hn::Zero(d), hn::Zero(d)};
+    Register found[strands] = {hn::Zero(d), hn::Zero(d), hn::Zero(d), hn::Zero(d)};
     double last = 0;
     visit(
-        values, [&](Vector v, size_t k) HWY_ATTR { found[k] = larger(found[k], hn::Abs(v)); },
+        values, [&](Register v, size_t k) HWY_ATTR { found[k] = larger(found[k], hn::Abs(v)); },
         [&](double x) { last = std::max(last, std::abs(x)); });
     const auto all = hn::Max(hn::Max(found[0], found[1]), hn::Max(found[2], found[3]));
     return std::max(last, hn::GetLane(hn::MaxOfLanes(d, all)));
@@ -84,12 +84,12 @@ double find_largest(std::span<const double> values) {
 Extremes find_extremes(std::span<const double> values) {
     const Doubles d;
     const auto first = hn::Set(d, values[0]);
-    Vector low[strands] = {first, first, first, first};
-    Vector high[strands] = {first, first, first, first};
+    Register low[strands] = {first, first, first, first};
+    Register high[strands] = {first, first, first, first};
     Extremes last{values[0], values[0]};
     visit(
         values,
-        [&](Vector v, size_t k) HWY_ATTR {
+        [&](Register v, size_t k) HWY_ATTR {
             low[k] = smaller(low[k], v);
             high[k] = larger(high[k], v);
         },

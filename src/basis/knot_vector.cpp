@@ -3,11 +3,11 @@
 
 #include "base/error.h"
 #include "base/limits.h"
+#include "base/numbers.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <limits>
 
 namespace nrb::inline basis {
 
@@ -103,7 +103,7 @@ bool KnotVector::has_power_span(int64_t span) const noexcept {
     constexpr double largest_ratio = 0x1p500;
     // The middle of a span of a few units of rounding is off by up to half a unit, and at an end of the span
     // the powers amplify rounding by 3^p.
-    constexpr double fewest_units = 32 * std::numeric_limits<double>::epsilon();
+    constexpr double fewest_units = 32 * eps;
     const double length = (*this)[span + 1] - (*this)[span];
     const double position = std::max(std::abs((*this)[span]), std::abs((*this)[span + 1]));
     const double extent = (*this)[span + degree_] - (*this)[span + 1 - degree_];
@@ -159,8 +159,7 @@ int64_t first_not_repeated(int degree, std::span<const double> knots) noexcept {
     const size_t distinct = count - p;
     const double period = knots[count] - knots[p];
     // Each of the sums and differences below may be off by half an ulp of the largest knot.
-    const double rounding = 4 * std::numeric_limits<double>::epsilon() *
-                            std::max(std::abs(knots.front()), std::abs(knots.back()));
+    const double rounding = 4 * eps * std::max(std::abs(knots.front()), std::abs(knots.back()));
     for (size_t i = 0; i + distinct < knots.size(); ++i) {
         if (!(std::abs(knots[i + distinct] - knots[i] - period) <= rounding)) {
             return static_cast<int64_t>(i);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "basis/power_spans.h"
 
+#include "base/numbers.h"
 #include "basis/knot_vector.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace nrb::inline basis {
 
@@ -28,8 +28,7 @@ PowerSpans basis_power_spans(const KnotVector &axis) {
                           nullptr);
         for (int l = 0; l < count; ++l) {
             if (!axis.has_power_span(spans.indices()[static_cast<size_t>(first + l)])) {
-                std::fill_n(together[l], static_cast<int>(PowerSpan::head_size),
-                            std::numeric_limits<double>::quiet_NaN());
+                std::fill_n(together[l], static_cast<int>(PowerSpan::head_size), nan_value);
             }
         }
     }

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "basis/span_table.h"
 
+#include "base/numbers.h"
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace nrb::inline basis {
@@ -43,13 +44,13 @@ bool SpanTable::fill(size_t buckets) {
         finder_.scale_ = std::nextafter(finder_.scale_, 0.0);
     }
     finder_.last_bucket_ = static_cast<double>(buckets - 1);
-    buckets_.assign(buckets + 1, Bucket{std::numeric_limits<double>::infinity(), 0});
+    buckets_.assign(buckets + 1, Bucket{infinity, 0});
     finder_.buckets_ = buckets_.data();
     bool single = true;
     for (size_t i = 1; i < span_.size(); ++i) {
         Bucket &own = buckets_[static_cast<size_t>(finder_.bucket(breaks_[i]))];
         const bool alone = own.before == 0;
-        own.inner = alone ? breaks_[i] : std::numeric_limits<double>::quiet_NaN();
+        own.inner = alone ? breaks_[i] : nan_value;
         ++own.before;
         single = single && alone;
     }

@@ -25,6 +25,15 @@ struct BernsteinShape {
         return int64_t{degrees[0] + 1} * (degrees[1] + 1) * (degrees[2] + 1);
     }
     [[nodiscard]] int64_t values() const noexcept { return coefficients() * width; }
+    // The coefficient at a corner: where bit k of its number is 1, the upper end of axis k.
+    [[nodiscard]] int64_t corner(int number) const noexcept {
+        int64_t i = 0;
+        for (int k = 0; k < max_axes; ++k) {
+            const int degree = degrees[static_cast<size_t>(k)];
+            i = i * (degree + 1) + ((number >> k & 1) != 0 ? degree : 0);
+        }
+        return i;
+    }
     [[nodiscard]] AxisLayers along(int axis) const noexcept;
 };
 

@@ -136,11 +136,7 @@ private:
     [[nodiscard]] double lower(const RoundedPolynomial &a) const noexcept {
         double largest = 0;
         for (int corner = 0; corner < 8; ++corner) {
-            size_t i = 0;
-            for (int k = 0; k < max_axes; ++k) {
-                const auto n = static_cast<size_t>(a.shape.degrees[static_cast<size_t>(k)]);
-                i = i * (n + 1) + ((corner >> k & 1) != 0 ? n : 0);
-            }
+            const auto i = static_cast<size_t>(a.shape.corner(corner));
             const double *v = a.values.data() + i * static_cast<size_t>(a.shape.width);
             const double off = turned(a, i, norm(v, a.shape.width));
             if (off < pi) {

@@ -6,7 +6,6 @@
 #include "spline/at_origin.h"
 
 #include <cmath>
-#include <limits>
 
 namespace nrb::eval {
 
@@ -103,8 +102,8 @@ DerivativeErrors derivative_errors(const Spline &spline, const AxisRules &rules,
     const double e_uv = u.first * v.first * m * (1 + w) + w * (u.first * e_v + v.first * e_u);
     const double e_vv = v.second * m * (1 + w) + 2 * v.first * w * e_v;
     // Twice the bound, for the rounding of the bounds themselves.
-    const double first = 4 * (c + 2) * std::numeric_limits<double>::epsilon();
-    const double second = 4 * (c + 4) * std::numeric_limits<double>::epsilon();
+    const double first = 4 * (c + 2) * eps;
+    const double second = 4 * (c + 4) * eps;
     return {first * e_u, first * e_v, second * e_uu, second * e_uv, second * e_vv};
 }
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "eval/parameters.h"
 
+#include "base/numbers.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <limits>
 
 namespace nrb::eval {
 
@@ -94,24 +95,23 @@ double place(double t, const AxisRule &rule, Interval domain) noexcept {
     if (inside(t, domain) && rule.outside != Outside::wrap) {
         return t;
     }
-    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     if (std::isnan(t)) {
-        return nan;
+        return nan_value;
     }
     switch (rule.outside) {
     case Outside::clamp:
         return std::clamp(t, domain.lower, domain.upper);
     case Outside::extrapolate:
-        return std::isfinite(t) ? t : nan;
+        return std::isfinite(t) ? t : nan_value;
     case Outside::wrap:
         if (t > domain.lower && t < domain.upper) {
             return t;
         }
-        return std::isfinite(t) ? wrap(t, rule.left, domain) : nan;
+        return std::isfinite(t) ? wrap(t, rule.left, domain) : nan_value;
     case Outside::refuse:
         break;
     }
-    return nan;
+    return nan_value;
 }
 
 } // namespace nrb::eval

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "fit/span_samples.h"
 
+#include "base/numbers.h"
 #include "basis/bspline.h"
 #include "numeric/solvers/banded_least_squares.h"
 #include "reduce/layers.h"
@@ -9,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 namespace nrb::fit {
@@ -113,7 +113,7 @@ public:
     }
 
 private:
-    static constexpr double anchor = std::numeric_limits<double>::epsilon(); // changes no image by more
+    static constexpr double anchor = eps; // changes no image by more
     static constexpr double pin = 0x1p30; // the square of which is beyond the others' rounding
 
     // The layers after those that act on the span of row r, or before them; all layers at the last row.

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "measure/element_shape.h"
 
+#include "base/numbers.h"
+
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace nrb::measure {
 
@@ -104,7 +105,7 @@ double ElementShape::turn(int axis, int along) const noexcept {
 }
 
 int ElementShape::uneven_axis(const double *net, double spread, bool legs) {
-    constexpr double rounding = 256 * std::numeric_limits<double>::epsilon();
+    constexpr double rounding = 256 * eps;
     noise_ = rounding * spread * (rounding * spread);
     if (rational_ && !even_weights(net + dim_ * coefficients_)) {
         for (int tried = 0; tried < axes_; ++tried) { // in turn

@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace nrb::measure {
 
@@ -263,7 +262,7 @@ void check_closed(const std::vector<SplinePtr> &curves, double tolerance) {
         add_ends(*curves[static_cast<size_t>(i)], i, starts, ends);
     }
     for (const CurveEnd &end : ends) {
-        double gap = std::numeric_limits<double>::infinity();
+        double gap = infinity;
         for (const CurveEnd &start : starts) {
             gap = std::min(gap, distance(start.place.data(), end.place.data(), 2));
         }

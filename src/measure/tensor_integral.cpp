@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace nrb::measure {
 
@@ -199,7 +198,7 @@ private:
             for (int k = 0; k < axes; ++k) {
                 error += good ? rule.error(k, static_cast<int>(j)) : rule.decay(k, static_cast<int>(j)).last;
             }
-            errors_[j].add(std::isfinite(error) ? error : std::numeric_limits<double>::infinity());
+            errors_[j].add(std::isfinite(error) ? error : infinity);
         }
         size_.add(rule.magnitude(0));
     }

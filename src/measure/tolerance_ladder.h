@@ -2,8 +2,9 @@
 // The tolerances that an integral is computed to, one after the other.
 #pragma once
 
+#include "base/numbers.h"
+
 #include <algorithm>
-#include <limits>
 
 namespace nrb::measure {
 
@@ -23,7 +24,7 @@ public:
     }
 
 private:
-    static constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
+    static constexpr double rounding = 4 * eps;
     static constexpr double step = 0x1p20, loosest = 1e-3;
 
     double tolerance_;

@@ -3,10 +3,11 @@
 // formulae", Math. Comp. 22 (1968), from the three points of Gauss.
 #pragma once
 
+#include "base/numbers.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 namespace nrb::inline numeric {
 
@@ -48,7 +49,7 @@ struct RuleDecay {
     // analytic functions it does not lead far enough, so that the estimate is too large by a factor of rho^2
     // to rho^5. For other functions it leads there, or too far.
     [[nodiscard]] double error(double magnitude) const noexcept {
-        constexpr double noise = 64 * std::numeric_limits<double>::epsilon();
+        constexpr double noise = 64 * eps;
         return last <= noise * magnitude ? 0 : last * rate * rate;
     }
     // What the error of a rule will be that is one or two levels higher, relative to the integral.

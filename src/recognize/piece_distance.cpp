@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace nrb::recognize {
 
@@ -29,7 +28,7 @@ double hull_bound(const pieces::BezierPiece &piece, Distance distance) {
 }
 
 double smallest_coordinate(const pieces::BezierPiece &piece, double Vector3::*coordinate) noexcept {
-    double least = std::numeric_limits<double>::infinity();
+    double least = infinity;
     for (int64_t i = 0; i < piece.coefficients(); ++i) {
         if (piece.has_point(i)) {
             least = std::min(least, point_of(piece, i).*coordinate);
@@ -87,12 +86,8 @@ DistanceBound PieceDistance::upper(const pieces::BezierPiece &piece) const {
 
 double PieceDistance::lower(const pieces::BezierPiece &piece, double noise) const {
     double largest = 0;
-    const auto &degrees = piece.shape().degrees;
     for (int corner = 0; corner < 8; ++corner) {
-        int64_t i = 0;
-        for (size_t k = 0; k < degrees.size(); ++k) {
-            i = i * (degrees[k] + 1) + ((corner >> k & 1) != 0 ? degrees[k] : 0);
-        }
+        const int64_t i = piece.shape().corner(corner);
         if (piece.has_point(i)) {
             largest = std::max(largest, least_distance(shape_, point_of(piece, i)));
         }

@@ -2,15 +2,14 @@
 // How far a Bezier piece is from a shape at most.
 #pragma once
 
+#include "base/numbers.h"
 #include "recognize/shape_forms.h"
 #include "recognize/shape_pieces.h"
-
-#include <limits>
 
 namespace nrb::recognize {
 
 struct DistanceBound {
-    double upper = std::numeric_limits<double>::infinity();
+    double upper = infinity;
     double noise = 0; // what rounding has in it
 };
 

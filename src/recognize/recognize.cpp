@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "recognize/recognize.h"
 
+#include "base/numbers.h"
 #include "base/representable.h"
 #include "recognize/shape_bound.h"
 #include "recognize/shape_fit.h"
@@ -11,7 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace nrb::recognize {
 
@@ -29,7 +29,7 @@ void check_admitted(const Spline &spline) {
 int size_exponent(const Spline &spline) {
     double largest = 0, extent = 0;
     for (int c = 0; c < spline.dim(); ++c) {
-        double low = std::numeric_limits<double>::infinity(), high = -low;
+        double low = infinity, high = -low;
         for (int64_t i = 0; i < spline.point_count(); ++i) {
             const double x = spline.coordinate(i, c);
             if (std::isfinite(x)) {
@@ -84,8 +84,7 @@ bool too_large(int32_t kind, const ShapeSamples &samples, double tolerance) {
 // Whether the samples differ only by rounding from those of a point (for a line), or from those of a line or
 // point (for a plane): then they have no direction, or no plane, of their own.
 bool undetermined(int32_t kind, const ShapeSamples &samples) {
-    const double rounding =
-        64 * std::numeric_limits<double>::epsilon() * (length(samples.centre) + samples.size);
+    const double rounding = 64 * eps * (length(samples.centre) + samples.size);
     return (kind == shape_line && samples.size <= rounding) ||
            (kind == shape_plane && !wider_than(samples, rounding));
 }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "recognize/shape_refine.h"
 
+#include "base/numbers.h"
 #include "numeric/solvers/small_svd.h"
 
 #include <cmath>
-#include <limits>
 
 namespace nrb::recognize {
 
@@ -100,7 +100,7 @@ double sum_of_squares(const std::vector<double> &values) noexcept {
     for (const double x : values) {
         sum += x * x;
     }
-    return std::isfinite(sum) ? sum : std::numeric_limits<double>::infinity();
+    return std::isfinite(sum) ? sum : infinity;
 }
 
 // A step for differences: small beside the shape and what it is fitted to.
@@ -193,7 +193,7 @@ double largest_distance(const Shape &shape, std::span<const Vector3> points) noe
     for (const Vector3 &p : points) {
         const double d = least_distance(shape, shape.local(p));
         if (!(d <= largest)) {
-            largest = std::isnan(d) ? std::numeric_limits<double>::infinity() : d;
+            largest = std::isnan(d) ? infinity : d;
         }
     }
     return largest;

@@ -150,15 +150,16 @@ bool GreedyKnotRemoval::removable(int64_t knot) const noexcept {
     return at.present && at.movable && last_copy(knot);
 }
 
-bool GreedyKnotRemoval::locate(int64_t knot, Window &window) noexcept {
+// Counts the copies of the knot as well; returns the layer whose support begins degree knots before it.
+int64_t GreedyKnotRemoval::collect_knots_before(int64_t knot, Window &window) const noexcept {
     const auto at = [this](int64_t i) -> const Knot & { return knots_[static_cast<size_t>(i)]; };
     double *last = window.knots + max_basis;
     window.last = last;
     *last = at(knot).value;
     window.multiplicity = 1;
-    double shift = 0;
-    int64_t back = knot, layer = -1;
     window.after = degree_;
+    double shift = 0;
+    int64_t back = knot, layer = at(knot).layer;
     for (int i = 1; i <= window.after; ++i) {
         shift -= back == head_ ? period_ : 0;
         back = at(back).previous;
@@ -168,32 +169,44 @@ bool GreedyKnotRemoval::locate(int64_t knot, Window &window) noexcept {
         }
         layer = i == degree_ ? at(back).layer : layer;
     }
-    layer = degree_ == 0 ? at(knot).layer : layer;
     if (degree_ == 0) {
         window.after = 1;
         back = at(knot).previous;
     }
     window.first_knot = back;
+    return layer;
+}
+
+void GreedyKnotRemoval::collect_knots_after(int64_t knot, Window &window) const noexcept {
     window.ahead = std::max(1, degree_ - window.multiplicity + 1);
-    shift = 0;
+    double shift = 0;
     int64_t front = knot;
     for (int i = 1; i <= window.ahead; ++i) {
-        front = at(front).next;
+        front = knots_[static_cast<size_t>(front)].next;
         shift += front == head_ ? period_ : 0;
-        last[i] = at(front).value + shift;
+        window.knots[max_basis + i] = knots_[static_cast<size_t>(front)].value + shift;
     }
+}
+
+void GreedyKnotRemoval::collect_layers(int64_t first, Window &window) noexcept {
     window.size = window.multiplicity > degree_ ? 2 : degree_ - window.multiplicity + 3;
-    layer = layers_[static_cast<size_t>(layer)].previous;
+    int64_t layer = first;
     for (int i = 0; i < window.size; ++i) {
         window.layers[i] = layer;
         window.points[i] = points_.data() + layer * length_;
         layer = layers_[static_cast<size_t>(layer)].next;
     }
+}
+
+bool GreedyKnotRemoval::locate(int64_t knot, Window &window) noexcept {
+    const int64_t layer = collect_knots_before(knot, window);
+    collect_knots_after(knot, window);
+    collect_layers(layers_[static_cast<size_t>(layer)].previous, window);
     if (period_ != 0 && layers_left_ < window.size) {
         return false;
     }
     if (window.multiplicity <= degree_) {
-        window.step = removal_step(last, degree_, window.multiplicity);
+        window.step = removal_step(window.last, degree_, window.multiplicity);
     }
     return true;
 }

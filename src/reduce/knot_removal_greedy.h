@@ -77,6 +77,10 @@ private:
     [[nodiscard]] bool removable(int64_t knot) const noexcept;
     // False if the window meets itself.
     bool locate(int64_t knot, Window &window) noexcept;
+    // The parts of locate(), in this order.
+    int64_t collect_knots_before(int64_t knot, Window &window) const noexcept;
+    void collect_knots_after(int64_t knot, Window &window) const noexcept;
+    void collect_layers(int64_t first, Window &window) noexcept;
     void find_gap(const Window &window) noexcept;
     double cost(const Window &window) noexcept;
     double column_cost(const Window &window, int64_t at) const noexcept;

@@ -21,6 +21,33 @@ void put_records(const double *records, int64_t count, int dim, double *points, 
     }
 }
 
+Net net_of_layers(const Spline &old, int axis, std::span<const LayerSource> layers) {
+    const AxisView points = axis_view(old, axis, old.stored_width());
+    const AxisView weights = axis_view(old, axis, 1);
+    const bool rational = old.form() == Form::rational;
+    const int64_t count = std::ssize(layers), record = weights.inner * old.width();
+    Net net{std::vector<double>(static_cast<size_t>(points.outer * count * points.inner)),
+            std::vector<double>(rational ? static_cast<size_t>(weights.outer * count * weights.inner) : 0)};
+    for (int64_t l = 0; l < count; ++l) {
+        const auto [stored, records] = layers[static_cast<size_t>(l)];
+        for (int64_t o = 0; o < points.outer; ++o) {
+            const int64_t from = o * points.count + stored, to = o * count + l;
+            double *point = net.points.data() + to * points.inner;
+            double *weight = rational ? net.weights.data() + to * weights.inner : nullptr;
+            if (stored < 0 && rational) {
+                put_records(records + o * record, weights.inner, old.dim(), point, weight);
+            } else if (stored < 0) {
+                std::copy_n(records + o * record, record, point);
+            } else {
+                std::copy_n(old.points().data() + from * points.inner, points.inner, point);
+                std::copy_n(old.weights().data() + (rational ? from * weights.inner : 0),
+                            rational ? weights.inner : 0, weight);
+            }
+        }
+    }
+    return net;
+}
+
 } // namespace
 
 Weight clear_rounding(double *record, int dim, const RecordRounding &rounding) noexcept {
@@ -62,31 +89,16 @@ std::vector<double> layer_records(const Spline &spline, int axis) {
 
 SplinePtr spline_of_layers(const Spline &old, int axis, KnotVectorPtr knots,
                            std::span<const LayerSource> layers) {
-    const AxisView points = axis_view(old, axis, old.stored_width());
-    const AxisView weights = axis_view(old, axis, 1);
-    const bool rational = old.form() == Form::rational;
-    const int64_t count = std::ssize(layers), record = weights.inner * old.width();
-    Net net{std::vector<double>(static_cast<size_t>(points.outer * count * points.inner)),
-            std::vector<double>(rational ? static_cast<size_t>(weights.outer * count * weights.inner) : 0)};
-    for (int64_t l = 0; l < count; ++l) {
-        const auto [stored, records] = layers[static_cast<size_t>(l)];
-        for (int64_t o = 0; o < points.outer; ++o) {
-            const int64_t from = o * points.count + stored, to = o * count + l;
-            double *point = net.points.data() + to * points.inner;
-            double *weight = rational ? net.weights.data() + to * weights.inner : nullptr;
-            if (stored < 0 && rational) {
-                put_records(records + o * record, weights.inner, old.dim(), point, weight);
-            } else if (stored < 0) {
-                std::copy_n(records + o * record, record, point);
-            } else {
-                std::copy_n(old.points().data() + from * points.inner, points.inner, point);
-                std::copy_n(old.weights().data() + (rational ? from * weights.inner : 0),
-                            rational ? weights.inner : 0, weight);
-            }
-        }
-    }
+    Net net = net_of_layers(old, axis, layers);
     return make_result(refine::with_axis(old, axis, std::move(knots)), old.dim(), old.form(),
                        std::move(net.points), std::move(net.weights));
+}
+
+SplinePtr spline_of_layers_if_valid(const Spline &old, int axis, KnotVectorPtr knots,
+                                    std::span<const LayerSource> layers) {
+    Net net = net_of_layers(old, axis, layers);
+    return make_result_if_valid(refine::with_axis(old, axis, std::move(knots)), old.dim(), old.form(),
+                                std::move(net.points), std::move(net.weights));
 }
 
 } // namespace nrb::reduce

@@ -2,9 +2,9 @@
 // Control points layer by layer along an axis, in and out.
 #pragma once
 
+#include "base/numbers.h"
 #include "spline/axis_view.h"
 
-#include <limits>
 #include <vector>
 
 namespace nrb::reduce {
@@ -19,7 +19,7 @@ int64_t layer_length(const Spline &spline, int axis);
 enum class Weight { positive, zero, infinite, negative };
 // How large a value that should be 0 may be after a few operations of 2 eps each, as a part of the values
 // that it comes from.
-inline constexpr double rounding_of_zero = 32 * std::numeric_limits<double>::epsilon();
+inline constexpr double rounding_of_zero = 32 * eps;
 // Weights and coordinates of at most this size are rounding: eps times the largest ones that were computed
 // with.
 struct RecordRounding {
@@ -41,5 +41,8 @@ struct LayerSource {
 // origin.
 SplinePtr spline_of_layers(const Spline &old, int axis, KnotVectorPtr knots,
                            std::span<const LayerSource> layers);
+// The same by make_result_if_valid(): null if the weights are not allowed.
+SplinePtr spline_of_layers_if_valid(const Spline &old, int axis, KnotVectorPtr knots,
+                                    std::span<const LayerSource> layers);
 
 } // namespace nrb::reduce

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "reduce/periodic_form.h"
 
+#include "base/numbers.h"
 #include "base/tolerance.h"
 #include "reduce/layer_deviation.h"
 #include "refine/parts/continuation.h"
@@ -11,7 +12,6 @@
 
 #include <algorithm>
 #include <cstring>
-#include <limits>
 #include <optional>
 
 namespace nrb::reduce {
@@ -120,7 +120,7 @@ PeriodicForm make_periodic(const SplinePtr &spline, int k, double tolerance) {
         return {axis.periodic() ? spline : declared_periodic(*spline, k), 0, order};
     }
     const SplinePtr whole = refine::clamp_ends(spline, k);
-    double least = std::numeric_limits<double>::infinity();
+    double least = infinity;
     for (int order = static_cast<int>(std::min<int64_t>(p - 1, (whole->count(k) - 1) / 2)); order >= 0;
          --order) {
         std::optional<PeriodicForm> form = form_of_order(spline, *whole, k, order);

@@ -167,12 +167,19 @@ RecordRounding largest_around(const std::vector<double> &layers, int64_t length,
     return largest;
 }
 
+// What is left of the weights of new layers.
+struct LayerWeights {
+    bool infinite = false; // a point at infinity remains
+    double negative = 0;   // the first weight that is not allowed; 0: none
+};
+
 // Weights of Form::rational that are 0 to the rounding of the solution, 32 (degree + 1) eps of the weights
-// nearby, become 0. Returns whether a point at infinity remains.
-bool clear_rounded_weights(const Spline &spline, int degree, int64_t length, std::vector<double> &layers) {
+// nearby, become 0.
+LayerWeights clear_rounded_weights(const Spline &spline, int degree, int64_t length,
+                                   std::vector<double> &layers) {
     const double rounding = rounding_of_zero * (degree + 1);
     const int64_t count = std::ssize(layers) / length;
-    bool infinite = false;
+    LayerWeights found;
     for (int64_t i = 0; spline.form() == Form::rational && i < count * length; i += spline.width()) {
         const int64_t layer = i / length;
         const RecordRounding around =
@@ -182,17 +189,25 @@ bool clear_rounded_weights(const Spline &spline, int degree, int64_t length, std
         const double weight = record[spline.dim()];
         const Weight kind =
             clear_rounding(record, spline.dim(), {rounding * around.weight, rounding * around.coordinate});
-        infinite = infinite || kind == Weight::infinite;
+        found.infinite = found.infinite || kind == Weight::infinite;
         if (kind == Weight::negative) {
-            fail(Status::weight_sign, "weight %s of the result, expected >= 0", Number(weight).text);
+            found.negative = weight;
+            break;
         }
     }
-    return infinite;
+    return found;
 }
 
-} // namespace
+// The layers of lower degree that are closest to those of the source.
+struct Lowered {
+    SplinePtr source; // with clamped ends, unless it is periodic
+    KnotVectorPtr knots;
+    std::vector<double> layers; // of one period
+    bool fixed;                 // the ends are the layers of the source
+    LayerWeights weights;
+};
 
-SplinePtr lower_degree(const SplinePtr &spline, int axis, int times) {
+Lowered lowered_layers(const SplinePtr &spline, int axis, int times) {
     const bool periodic = spline->axis(axis).periodic();
     const SplinePtr source = periodic ? spline : refine::clamp_ends(spline, axis);
     const KnotVector &old = source->axis(axis);
@@ -211,17 +226,45 @@ SplinePtr lower_degree(const SplinePtr &spline, int axis, int times) {
     if (!ReductionSystem(raised, count, length, fixed).solve(targets, shift, layers.data())) {
         fail(Status::not_representable, "the knots of axis %d lie too close for its degree", axis);
     }
-    const bool infinite = clear_rounded_weights(*source, knots->degree(), length, layers);
-    const SplinePtr base = infinite ? refine::in_form(source, Form::homogeneous) : source;
+    const LayerWeights weights = clear_rounded_weights(*source, knots->degree(), length, layers);
+    return {source, knots, std::move(layers), fixed, weights};
+}
+
+std::vector<LayerSource> layer_sources(const Lowered &lowered, int axis) {
+    const int64_t length = layer_length(*lowered.source, axis), distinct = lowered.knots->distinct_layers();
     std::vector<LayerSource> sources;
-    for (int64_t i = 0; i < knots->count(); ++i) {
-        sources.push_back({-1, layers.data() + i % count * length});
+    for (int64_t i = 0; i < lowered.knots->count(); ++i) {
+        sources.push_back({-1, lowered.layers.data() + i % distinct * length});
     }
-    if (fixed) {
+    if (lowered.fixed) {
         sources.front().stored = 0;
-        sources.back().stored = old.count() - 1;
+        sources.back().stored = lowered.source->count(axis) - 1;
     }
-    return spline_of_layers(*base, axis, knots, sources);
+    return sources;
+}
+
+// In a form that points at infinity are allowed in, if there are some.
+SplinePtr form_of_result(const Lowered &lowered) {
+    return lowered.weights.infinite ? refine::in_form(lowered.source, Form::homogeneous) : lowered.source;
+}
+
+SplinePtr lower_degree(const SplinePtr &spline, int axis, int times) {
+    const Lowered lowered = lowered_layers(spline, axis, times);
+    if (lowered.weights.negative < 0) {
+        fail(Status::weight_sign, "weight %s of the result, expected >= 0",
+             Number(lowered.weights.negative).text);
+    }
+    return spline_of_layers(*form_of_result(lowered), axis, lowered.knots, layer_sources(lowered, axis));
+}
+
+} // namespace
+
+SplinePtr lower_degree_if_valid(const SplinePtr &spline, int axis, int times) {
+    const Lowered lowered = lowered_layers(spline, axis, times);
+    return lowered.weights.negative < 0
+               ? nullptr
+               : spline_of_layers_if_valid(*form_of_result(lowered), axis, lowered.knots,
+                                           layer_sources(lowered, axis));
 }
 
 Reduced reduce_degree(const SplinePtr &spline, int axis, int64_t times) {

@@ -12,7 +12,7 @@ namespace nrb::reduce {
 // periodic_knots, not_representable.
 Reduced reduce_degree(const SplinePtr &spline, int axis, int64_t times);
 
-// The same without the bound.
-SplinePtr lower_degree(const SplinePtr &spline, int axis, int times);
+// The same without the bound; null instead of Status::weight_sign, or if no weight is left somewhere.
+SplinePtr lower_degree_if_valid(const SplinePtr &spline, int axis, int times);
 
 } // namespace nrb::reduce

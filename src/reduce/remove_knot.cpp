@@ -252,17 +252,10 @@ void clear_rounded_negatives(const Spline &spline, int k, const LayerTable &tabl
 } // namespace
 
 SplinePtr with_axis_if_valid(const Spline &spline, int k, const refine::AxisTable &made) {
-    try {
-        Net net = apply_along(spline, k, made.table);
-        clear_rounded_negatives(spline, k, made.table, net);
-        return make_result(refine::with_axis(spline, k, made.axis), spline.dim(), spline.form(),
-                           std::move(net.points), std::move(net.weights));
-    } catch (const Error &error) {
-        if (error.status() == Status::weight_negative || error.status() == Status::weights_vanish) {
-            return nullptr;
-        }
-        throw;
-    }
+    Net net = apply_along(spline, k, made.table);
+    clear_rounded_negatives(spline, k, made.table, net);
+    return make_result_if_valid(refine::with_axis(spline, k, made.axis), spline.dim(), spline.form(),
+                                std::move(net.points), std::move(net.weights));
 }
 
 KnotRemoval remove_knot(const SplinePtr &spline, int axis, double knot, int64_t times, double tolerance) {

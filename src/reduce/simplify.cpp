@@ -27,17 +27,7 @@ SplinePtr without_weights(const Spline &given) {
 
 // One degree less; null if the weights do not allow it, or only steps would be left.
 SplinePtr one_degree_less(const SplinePtr &spline, int axis) {
-    if (spline->axis(axis).degree() <= 1) {
-        return nullptr;
-    }
-    try {
-        return lower_degree(spline, axis, 1);
-    } catch (const Error &error) {
-        if (error.status() == Status::weight_sign || error.status() == Status::weights_vanish) {
-            return nullptr;
-        }
-        throw;
-    }
+    return spline->axis(axis).degree() <= 1 ? nullptr : lower_degree_if_valid(spline, axis, 1);
 }
 
 // Takes a candidate as the result if it is within the tolerance of the original.

@@ -50,13 +50,14 @@ bool harmless_weights(const Spline &spline) noexcept {
            std::isfinite(largest * largest_magnitude(spline.points()));
 }
 
-void check_weight_values(const Spline &spline, Values values) {
+// Checks weights [0, end).
+void check_weight_values(const Spline &spline, Values values, size_t end) {
     if (harmless_weights(spline)) {
         return;
     }
     const std::span<const double> weights = spline.weights();
     const auto dim = static_cast<size_t>(spline.dim());
-    for (size_t i = 0; i < weights.size(); ++i) {
+    for (size_t i = 0; i < end; ++i) {
         check_weight(spline, i, values);
         for (size_t c = 0; c < dim; ++c) {
             const double point = spline.points()[i * dim + c];
@@ -66,6 +67,13 @@ void check_weight_values(const Spline &spline, Values values) {
             }
         }
     }
+}
+
+// The place of the first negative weight; the number of weights if there is none.
+size_t first_negative(const Spline &spline) noexcept {
+    const std::span<const double> weights = spline.weights();
+    const auto found = std::find_if(weights.begin(), weights.end(), [](double weight) { return weight < 0; });
+    return static_cast<size_t>(found - weights.begin());
 }
 
 // A run of layers of control points along one axis, at least one of which must carry a weight, and where that
@@ -126,16 +134,53 @@ std::vector<char> merge_layers(const std::vector<char> &carried, const AxisView 
     return merged;
 }
 
-[[noreturn]] void fail_vanishing(const Spline &spline, const std::vector<std::vector<Window>> &windows,
-                                 int64_t index) {
+// The windows of each axis, and which of their combinations carry a weight, the last axis fastest.
+struct Supports {
+    std::vector<std::vector<Window>> windows;
+    std::vector<char> carried;
+};
+
+// Nothing if all weights are positive.
+Supports weight_supports(const Spline &spline) {
+    Supports supports;
+    if (spline.all_weights().smallest > 0) {
+        return supports;
+    }
+    std::vector<char> &carried = supports.carried;
+    carried.resize(static_cast<size_t>(spline.point_count()));
+    for (size_t i = 0; i < carried.size(); ++i) {
+        carried[i] = spline.weight(static_cast<int64_t>(i)) != 0 ? 1 : 0;
+    }
+    AxisView view = axis_view(spline, 0, 1);
+    for (int k = 0; k < spline.axes(); ++k) {
+        const KnotVector &axis = spline.axis(k);
+        supports.windows.push_back(spline.form() == Form::homogeneous ? span_windows(axis)
+                                                                      : support_windows(axis));
+        const auto layers = static_cast<int64_t>(supports.windows.back().size());
+        carried = merge_layers(carried, view, supports.windows.back());
+        if (k + 1 < spline.axes()) {
+            view = {view.outer * layers, spline.count(k + 1), view.inner / spline.count(k + 1)};
+        }
+    }
+    return supports;
+}
+
+// The first combination of windows without a weight; -1: none.
+int64_t first_hole(const Supports &supports) noexcept {
+    const auto hole = std::find(supports.carried.begin(), supports.carried.end(), 0);
+    return hole == supports.carried.end() ? -1 : hole - supports.carried.begin();
+}
+
+[[noreturn]] void fail_vanishing(const Supports &supports, int64_t index) {
+    const size_t axes = supports.windows.size();
     char where[120] = "";
     size_t used = 0;
-    for (int k = 0; k < spline.axes(); ++k) {
+    for (size_t k = 0; k < axes; ++k) {
         int64_t inner = 1;
-        for (int j = k + 1; j < spline.axes(); ++j) {
-            inner *= static_cast<int64_t>(windows[static_cast<size_t>(j)].size());
+        for (size_t j = k + 1; j < axes; ++j) {
+            inner *= std::ssize(supports.windows[j]);
         }
-        const Window &window = windows[static_cast<size_t>(k)][static_cast<size_t>(index / inner)];
+        const Window &window = supports.windows[k][static_cast<size_t>(index / inner)];
         index %= inner;
         used += static_cast<size_t>(std::snprintf(where + used, sizeof where - used, "%s%s",
                                                   k == 0 ? "" : ", ", Number(window.parameter).text));
@@ -144,27 +189,10 @@ std::vector<char> merge_layers(const std::vector<char> &carried, const AxisView 
 }
 
 void check_weight_supports(const Spline &spline) {
-    if (spline.all_weights().smallest > 0) {
-        return;
-    }
-    std::vector<char> carried(static_cast<size_t>(spline.point_count()));
-    for (size_t i = 0; i < carried.size(); ++i) {
-        carried[i] = spline.weight(static_cast<int64_t>(i)) != 0 ? 1 : 0;
-    }
-    std::vector<std::vector<Window>> windows;
-    AxisView view = axis_view(spline, 0, 1);
-    for (int k = 0; k < spline.axes(); ++k) {
-        const KnotVector &axis = spline.axis(k);
-        windows.push_back(spline.form() == Form::homogeneous ? span_windows(axis) : support_windows(axis));
-        const auto layers = static_cast<int64_t>(windows.back().size());
-        carried = merge_layers(carried, view, windows.back());
-        if (k + 1 < spline.axes()) {
-            view = {view.outer * layers, spline.count(k + 1), view.inner / spline.count(k + 1)};
-        }
-    }
-    const auto hole = std::find(carried.begin(), carried.end(), 0);
-    if (hole != carried.end()) {
-        fail_vanishing(spline, windows, hole - carried.begin());
+    const Supports supports = weight_supports(spline);
+    const int64_t hole = first_hole(supports);
+    if (hole >= 0) {
+        fail_vanishing(supports, hole);
     }
 }
 
@@ -191,14 +219,7 @@ void check_wrapping(const Spline &spline, int k, std::span<const double> values,
     }
 }
 
-} // namespace
-
-void check_spline(const Spline &spline, Values values) {
-    check_points(spline, values);
-    check_weight_values(spline, values);
-    if (spline.rational()) {
-        check_weight_supports(spline);
-    }
+void check_periodic_axes(const Spline &spline) {
     for (int k = 0; k < spline.axes(); ++k) {
         if (spline.axis(k).periodic()) {
             check_wrapping(spline, k, spline.points(), spline.stored_width(), "points");
@@ -209,10 +230,21 @@ void check_spline(const Spline &spline, Values values) {
     }
 }
 
+} // namespace
+
+void check_spline(const Spline &spline, Values values) {
+    check_points(spline, values);
+    check_weight_values(spline, values, spline.weights().size());
+    if (spline.rational()) {
+        check_weight_supports(spline);
+    }
+    check_periodic_axes(spline);
+}
+
 namespace {
 
-SplinePtr make_checked(Spline::Axes axes, int dim, Form form, std::vector<double> points,
-                       std::vector<double> weights, Values values) {
+SplinePtr make_sized(Spline::Axes axes, int dim, Form form, std::vector<double> points,
+                     std::vector<double> weights) {
     auto spline =
         std::make_shared<const Spline>(std::move(axes), dim, form, std::move(points), std::move(weights));
     const int64_t count = spline->point_count();
@@ -222,6 +254,12 @@ SplinePtr make_checked(Spline::Axes axes, int dim, Form form, std::vector<double
              spline->points().size(), spline->weights().size(), static_cast<long long>(count),
              spline->stored_width());
     }
+    return spline;
+}
+
+SplinePtr make_checked(Spline::Axes axes, int dim, Form form, std::vector<double> points,
+                       std::vector<double> weights, Values values) {
+    SplinePtr spline = make_sized(std::move(axes), dim, form, std::move(points), std::move(weights));
     check_spline(*spline, values);
     return spline;
 }
@@ -236,6 +274,22 @@ SplinePtr make_spline(Spline::Axes axes, int dim, Form form, std::vector<double>
 SplinePtr make_result(Spline::Axes axes, int dim, Form form, std::vector<double> points,
                       std::vector<double> weights) {
     return make_checked(std::move(axes), dim, form, std::move(points), std::move(weights), Values::computed);
+}
+
+// As check_spline(), in the same order, so that what overflows before the first negative weight is a failure
+// here too.
+SplinePtr make_result_if_valid(Spline::Axes axes, int dim, Form form, std::vector<double> points,
+                               std::vector<double> weights) {
+    SplinePtr spline = make_sized(std::move(axes), dim, form, std::move(points), std::move(weights));
+    check_points(*spline, Values::computed);
+    const size_t negative = first_negative(*spline);
+    check_weight_values(*spline, Values::computed, negative);
+    if (negative < spline->weights().size() ||
+        (spline->rational() && first_hole(weight_supports(*spline)) >= 0)) {
+        return nullptr;
+    }
+    check_periodic_axes(*spline);
+    return spline;
 }
 
 } // namespace nrb::inline spline

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Control points that do not act on any parameter of the domain.
+#include "base/numbers.h"
 #include "spline/spline.h"
 
 #include <algorithm>
 #include <array>
-#include <limits>
 
 namespace nrb::inline spline {
 
@@ -55,7 +55,7 @@ private:
 } // namespace
 
 Spline::WeightRange Spline::active_weight_range() const noexcept {
-    WeightRange range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+    WeightRange range{infinity, -infinity};
     ActiveBlock(*this).for_each_row([&](int64_t first, int64_t count) {
         const WeightRange row = weight_range(first, count);
         range = {std::min(range.smallest, row.smallest), std::max(range.largest, row.largest)};

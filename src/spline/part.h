@@ -4,6 +4,7 @@
 
 #include "spline/spline.h"
 
+#include <algorithm>
 #include <array>
 
 namespace nrb::inline spline {
@@ -17,6 +18,11 @@ inline Part whole_domain(const Spline &spline) noexcept {
         part[static_cast<size_t>(k)] = spline.axis(k).domain();
     }
     return part;
+}
+
+// The parameter at a place between 0 and 1 of an interval; the ends bit for bit.
+inline double parameter_in(Interval range, double place) noexcept {
+    return std::clamp(range.lower * (1 - place) + range.upper * place, range.lower, range.upper);
 }
 
 inline bool same(Interval a, Interval b) noexcept {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Which spans have power spans, and the power spans of a curve.
 #include "base/finite.h"
+#include "base/numbers.h"
 #include "spline/spline.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace nrb::inline spline {
 
@@ -106,8 +106,7 @@ PowerSpans Spline::curve_power_spans() const {
             if (has_power_span(indices[l])) {
                 combine(indices[l], basis[l], rests[l], points.data(), power_spans[first + l]);
             } else {
-                std::fill_n(power_spans[first + l], static_cast<int>(PowerSpan::head_size),
-                            std::numeric_limits<double>::quiet_NaN());
+                std::fill_n(power_spans[first + l], static_cast<int>(PowerSpan::head_size), nan_value);
             }
         }
     }

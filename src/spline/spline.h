@@ -165,5 +165,8 @@ SplinePtr make_spline(Spline::Axes axes, int dim, Form form, std::vector<double>
 // The same for computed data.
 SplinePtr make_result(Spline::Axes axes, int dim, Form form, std::vector<double> points,
                       std::vector<double> weights = {});
+// Null where make_result() would throw Status::weight_negative or weights_vanish.
+SplinePtr make_result_if_valid(Spline::Axes axes, int dim, Form form, std::vector<double> points,
+                               std::vector<double> weights = {});
 
 } // namespace nrb::inline spline

@@ -2,6 +2,7 @@
 #include "build/coons/face_net.h"
 
 #include "base/checked.h"
+#include "base/numbers.h"
 #include "base/representable.h"
 #include "build/coons/corner.h"
 
@@ -128,8 +129,7 @@ bool has_separate_weights(const Spline &face) {
     bool separate = true;
     for (int64_t i = 0; i < face.point_count() && separate; ++i) {
         const double weight = face.weight(i);
-        separate = std::abs(weight - factors.weight(i)) <=
-                   8 * std::numeric_limits<double>::epsilon() * std::abs(weight);
+        separate = std::abs(weight - factors.weight(i)) <= 8 * eps * std::abs(weight);
     }
     return separate;
 }

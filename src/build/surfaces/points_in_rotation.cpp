@@ -17,8 +17,8 @@ namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 using namespace numeric::HWY_NAMESPACE;
 using Lanes = hn::CappedTag<double, 8>;
-using Vector = hn::Vec<Lanes>;
-using Number = DoubleDoubleLanes<Vector>;
+using Register = hn::Vec<Lanes>;
+using Number = DoubleDoubleLanes<Register>;
 
 HWY_INLINE Number loaded(const double *parts, int64_t stride, int64_t which) {
     const Lanes d;
@@ -30,15 +30,15 @@ void rotated_values(const double *parts, int64_t stride, int64_t size, double at
                     double *out) {
     const Lanes d;
     const auto lanes = static_cast<int64_t>(hn::Lanes(d));
-    const Vector x = hn::Set(d, at_x), y = hn::Set(d, at_y);
+    const Register x = hn::Set(d, at_x), y = hn::Set(d, at_y);
     HWY_ALIGN double last[8];
     for (int64_t i = 0; i < size; i += lanes) {
         const Number foot = loaded(parts + i, stride, 0), along = loaded(parts + i, stride, 1),
                      across = loaded(parts + i, stride, 2);
         const Number p = exact_product(x, along.high), q = exact_product(y, across.high);
         const Number turned = exact_sum(p.high, q.high), all = exact_sum(turned.high, foot.high);
-        const Vector rests = hn::Add(hn::MulAdd(x, along.low, p.low), hn::MulAdd(y, across.low, q.low));
-        const Vector value =
+        const Register rests = hn::Add(hn::MulAdd(x, along.low, p.low), hn::MulAdd(y, across.low, q.low));
+        const Register value =
             hn::Add(all.high, hn::Add(hn::Add(turned.low, all.low), hn::Add(rests, foot.low)));
         if (i + lanes <= size) {
             hn::StoreU(value, d, out + i);
@@ -52,8 +52,8 @@ void rotated_values(const double *parts, int64_t stride, int64_t size, double at
 // The constructor is written out, because a constructor added by the compiler is not compiled for the
 // instruction set.
 struct Point {
-    Vector high[3];
-    Vector low[3];
+    Register high[3];
+    Register low[3];
 
     HWY_INLINE Point() {}
 
@@ -63,7 +63,7 @@ struct Point {
     }
 };
 
-HWY_INLINE void store(const Point &point, const Vector *weight, double *high, double *low) {
+HWY_INLINE void store(const Point &point, const Register *weight, double *high, double *low) {
     const Lanes d;
     if (weight == nullptr) {
         hn::StoreInterleaved3(point.high[0], point.high[1], point.high[2], d, high);
@@ -82,12 +82,12 @@ HWY_INLINE Number broadcast(const DoubleDouble &x) {
 // Computed from whole vectors of records, of width 3 or 4.
 void radii(const double *points, int64_t records, int width, const AxisLine &axis, double *const *out) {
     const Lanes d;
-    const Vector zero = hn::Zero(d);
+    const Register zero = hn::Zero(d);
     const Number z[3] = {broadcast(axis.along[0]), broadcast(axis.along[1]), broadcast(axis.along[2])};
-    const Vector origin[3] = {hn::Set(d, axis.origin[0]), hn::Set(d, axis.origin[1]),
-                              hn::Set(d, axis.origin[2])};
+    const Register origin[3] = {hn::Set(d, axis.origin[0]), hn::Set(d, axis.origin[1]),
+                                hn::Set(d, axis.origin[2])};
     for (int64_t i = 0; i < records; i += static_cast<int64_t>(hn::Lanes(d))) {
-        Vector p[3], weight = hn::Set(d, 1.0);
+        Register p[3], weight = hn::Set(d, 1.0);
         if (width == 3) {
             hn::LoadInterleaved3(d, points + i * width, p[0], p[1], p[2]);
         } else {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "eval/frames/magnitude.h"
 
+#include "base/numbers.h"
 #include "spline/active_part.h"
 #include "spline/axis_view.h"
 
@@ -33,7 +34,7 @@ public:
     }
 
 private:
-    double least_ = std::numeric_limits<double>::infinity();
+    double least_ = infinity;
     double most_ = 0;
 };
 

@@ -26,7 +26,7 @@ bool is_zero(const Vector3 &v) noexcept {
     return largest(v) == 0;
 }
 
-struct Place {
+struct TransportedFrame {
     Vector3 point;
     Vector3 tangent;
     Vector3 normal;
@@ -34,13 +34,13 @@ struct Place {
 
 // The shortest rotation that takes the tangent to the next one: the reflections across a and a + b, the first
 // of which leaves the normal unchanged. Opposite tangents keep it.
-Vector3 turned_normal(const Place &from, const Vector3 &tangent) noexcept {
+Vector3 turned_normal(const TransportedFrame &from, const Vector3 &tangent) noexcept {
     const Vector3 sum = from.tangent + tangent;
     return is_zero(sum) ? from.normal : reflected(from.normal, sum);
 }
 
 // Made perpendicular again each time, so that errors do not add up along the sequence.
-HWY_INLINE Vector3 next_normal(const Place &from, const Vector3 &point, const Vector3 &tangent,
+HWY_INLINE Vector3 next_normal(const TransportedFrame &from, const Vector3 &point, const Vector3 &tangent,
                                double noise) noexcept {
     const Vector3 chord = point - from.point;
     if (!(length(chord) > noise)) {
@@ -100,7 +100,7 @@ private:
         const Vector3 normal = last_           ? next_normal(*last_, point, tangent, noise_)
                                : first_normal_ ? unit_across(scaled_to_one(*first_normal_), tangent)
                                                : any_normal(tangent);
-        last_ = Place{point, tangent, normal};
+        last_ = TransportedFrame{point, tangent, normal};
     }
 
     HWY_INLINE void write(int64_t i, int32_t status) const noexcept {
@@ -121,7 +121,7 @@ private:
     double noise_;
     std::optional<Vector3> first_normal_;
     MinimalFrames out_;
-    std::optional<Place> last_;
+    std::optional<TransportedFrame> last_;
 };
 
 Vector3 derivative_at(ConstRecords values, int64_t i) noexcept {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "eval/frames/shape_operator.h"
 
+#include "base/numbers.h"
+
 #include <cmath>
-#include <limits>
 
 namespace nrb::eval {
 
@@ -48,7 +49,7 @@ Vector3 ShapeOperator::direction() const noexcept {
 // Each factor of w11, w12 and w22 in turn, with a few eps for the operations themselves.
 double ShapeOperator::spread_error(const SurfaceDerivatives &d,
                                    const DerivativeErrors &errors) const noexcept {
-    constexpr double own = 8 * std::numeric_limits<double>::epsilon();
+    constexpr double own = 8 * eps;
     const double b = std::fabs(b_);
     const double size_v = length(d.v);
     const double turn = (a_ * errors.v + size_v * errors.u) / (a_ * c_) + own; // of the normal

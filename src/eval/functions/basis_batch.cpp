@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "eval/functions/basis_batch.h"
 
+#include "base/numbers.h"
 #include "basis/bspline.h"
 #include "eval/functions/axis_basis.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 namespace nrb::eval {
@@ -37,7 +37,7 @@ void basis_functions(const KnotVector &axis, const AxisRule &rule, int order, Co
     for (int64_t i = 0; i < params.count; ++i) {
         const bool valid = evaluate(params(i, 0), basis);
         if (!valid) {
-            std::fill(record.begin(), record.end(), std::numeric_limits<double>::quiet_NaN());
+            std::fill(record.begin(), record.end(), nan_value);
         }
         store_record(record, values, i);
         if (spans != nullptr) {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "eval/functions/collocation.h"
 
+#include "base/numbers.h"
 #include "eval/kernels/leibniz.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace nrb::eval {
 
@@ -75,7 +75,7 @@ void fill_rows(const Spline::Axes &axes, const AxisRules &rules, const Orders &o
         if (rows.values != nullptr && valid) {
             functions(active, rows.values + i * length);
         } else if (rows.values != nullptr) {
-            std::fill_n(rows.values + i * length, length, std::numeric_limits<double>::quiet_NaN());
+            std::fill_n(rows.values + i * length, length, nan_value);
         }
         if (rows.columns != nullptr) {
             int64_t *next = rows.columns + i * length;

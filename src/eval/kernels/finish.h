@@ -2,13 +2,12 @@
 // What the last step of every evaluation needs: the shape of contracted records and of the caller's records.
 #pragma once
 
+#include "base/numbers.h"
 #include "base/records.h"
 #include "basis/power_spans.h"
 #include "eval/kernels/quotient.h"
 #include "eval/kernels/slots.h"
 #include "spline/spline.h"
-
-#include <limits>
 
 namespace nrb::eval {
 
@@ -42,7 +41,7 @@ inline void write_control_point(const Spline &spline, int64_t point, const Recor
 
 inline void write_nan(int64_t values, const Records &out, int64_t i) noexcept {
     for (int64_t c = 0; c < values; ++c) {
-        out(i, c) = std::numeric_limits<double>::quiet_NaN();
+        out(i, c) = nan_value;
     }
 }
 

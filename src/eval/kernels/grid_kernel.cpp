@@ -136,33 +136,54 @@ private:
             const bool direct = group.consecutive && (separate || (packed && whole));
             for (int i = 0; i < group_size; i += vec8_lanes) {
                 V sums[kWidth][slots];
-                contract_slots<kOrders, kWidth>(values + i, functions, slab, length, sums);
-                if (kWidth == 4) {
-                    const V inverse = hn::Div(hn::Set(d, 1.0), sums[kWidth - 1][0]);
-                    for (int c = 0; c < 3; ++c) {
-                        divide<2, kOrders - 1>(sums[kWidth - 1], inverse, sums[c]);
-                    }
-                }
+                divided_slots<kOrders, kWidth>(values + i, functions, slab, length, sums);
                 if (direct && packed) {
                     double *target = job_.out.data + 3 * (start + i);
                     hn::StoreInterleaved3(sums[0][0], sums[1][0], sums[2][0], d, target);
-                    continue;
-                }
-                for (int s = 0; s < slots; ++s) {
-                    for (int c = 0; c < 3; ++c) {
-                        if (direct && i < group.count) {
-                            double *target = job_.out.data + start + (s * 3 + c) * job_.out.component_stride;
-                            store_some(sums[c][s], group.count - i, target + i);
-                        } else {
-                            hn::Store(sums[c][s], d, job_.rows + (s * kWidth + c) * group_size + i);
-                        }
-                    }
+                } else if (direct && i < group.count) {
+                    store_separate<slots>(sums, group.count - i, job_.out.data + start + i);
+                } else {
+                    store_rows<slots, kWidth>(sums, i);
                 }
             }
             if (!direct) {
                 write_group(group, first);
             }
             values += size;
+        }
+    }
+
+    // Points and derivatives at a vector of parameters.
+    template <int kOrders, int kWidth>
+    static HWY_INLINE void divided_slots(const double *HWY_RESTRICT values, int functions,
+                                         const double *HWY_RESTRICT slab, int64_t length,
+                                         hn::Vec<Vec8> (*sums)[slot_count(2, kOrders - 1)]) {
+        contract_slots<kOrders, kWidth>(values, functions, slab, length, sums);
+        if (kWidth == 4) {
+            const auto inverse = hn::Div(hn::Set(Vec8(), 1.0), sums[kWidth - 1][0]);
+            for (int c = 0; c < 3; ++c) {
+                divide<2, kOrders - 1>(sums[kWidth - 1], inverse, sums[c]);
+            }
+        }
+    }
+
+    // The first `count` lanes, to the caller's array whose components are arrays of their own.
+    template <int kSlots>
+    HWY_INLINE void store_separate(const hn::Vec<Vec8> (*sums)[kSlots], int count, double *target) const {
+        for (int s = 0; s < kSlots; ++s) {
+            for (int c = 0; c < 3; ++c) {
+                store_some(sums[c][s], count, target + (s * 3 + c) * job_.out.component_stride);
+            }
+        }
+    }
+
+    // Lane `i` of the group and those after it, for write_group().
+    template <int kSlots, int kWidth>
+    HWY_INLINE void store_rows(const hn::Vec<Vec8> (*sums)[kSlots], int i) const {
+        for (int s = 0; s < kSlots; ++s) {
+            for (int c = 0; c < 3; ++c) {
+                hn::Store(sums[c][s], Vec8(), job_.rows + (s * kWidth + c) * group_size + i);
+            }
         }
     }
 

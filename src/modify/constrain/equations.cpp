@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "modify/constrain/equations.h"
 
+#include "base/numbers.h"
 #include "numeric/norm.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 namespace nrb::modify {
@@ -38,7 +38,7 @@ double LocalEquations::length() const noexcept {
 }
 
 LocalEquations local_equations(const NetState &state, const Condition &condition, double tolerance) {
-    constexpr double rounding = 64 * std::numeric_limits<double>::epsilon();
+    constexpr double rounding = 64 * eps;
     const LocalBasis basis(state, condition);
     const int dim = state.start().dim();
     LocalEquations local;

@@ -2,6 +2,7 @@
 #include "modify/constrain/net_state.h"
 
 #include "base/finite.h"
+#include "base/numbers.h"
 #include "base/representable.h"
 #include "modify/edit/kept_layers.h"
 #include "modify/edit/net_editor.h"
@@ -10,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace nrb::modify {
 
@@ -58,18 +58,17 @@ void number(const Spline &spline, const std::vector<int64_t> &acting, Cost &&cos
 } // namespace
 
 Columns make_columns(const Spline &spline, const std::vector<Condition> &conditions, const ChangeRule &rule) {
-    constexpr double never = std::numeric_limits<double>::infinity();
     const std::vector<char> stays = kept_points(spline, rule.keep);
     const std::vector<int64_t> acting = acting_points(spline, conditions);
     const auto cost = [&](const double *costs, double usual) {
         return [&stays, costs, usual](int64_t point) {
             const double given = costs == nullptr ? usual : costs[point];
-            return stays[static_cast<size_t>(point)] != 0 ? never : given;
+            return stays[static_cast<size_t>(point)] != 0 ? infinity : given;
         };
     };
     Columns columns;
     number(spline, acting, cost(rule.costs, 1), columns.points, columns.point_costs);
-    number(spline, acting, cost(rule.weight_costs, never), columns.weights, columns.weight_costs);
+    number(spline, acting, cost(rule.weight_costs, infinity), columns.weights, columns.weight_costs);
     return columns;
 }
 

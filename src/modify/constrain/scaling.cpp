@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "modify/constrain/scaling.h"
 
+#include "base/numbers.h"
 #include "numeric/norm.h"
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
 
 namespace nrb::modify {
 
@@ -17,7 +17,7 @@ double pivot_threshold(const Spline &spline, size_t equations, int64_t unknowns)
         degrees += spline.axis(k).degree();
     }
     const double size = std::max(static_cast<double>(equations), static_cast<double>(unknowns));
-    return 16 * std::numeric_limits<double>::epsilon() * degrees * std::sqrt(size);
+    return 16 * eps * degrees * std::sqrt(size);
 }
 
 void divide_by_root(std::vector<double> &x, const std::vector<double> &costs, size_t width) noexcept {

@@ -2,12 +2,12 @@
 #include "modify/deform/bend.h"
 
 #include "base/finite.h"
+#include "base/numbers.h"
 #include "modify/deform/bend_bound.h"
 #include "numeric/norm.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace nrb::modify {
 
@@ -43,7 +43,7 @@ Bend make_bend(int dim, const double *origin, const double *along, const double 
             n[c] -= part * e[c];
         }
         const double left = norm(n.data(), dim);
-        if (!(left > 8 * dim * std::numeric_limits<double>::epsilon())) {
+        if (!(left > 8 * dim * eps)) {
             fail(Status::direction, "across is parallel to along");
         }
         normalise(n);

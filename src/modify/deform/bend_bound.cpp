@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 namespace nrb::modify {
@@ -149,7 +148,7 @@ public:
                 mark(i, cuts);
             }
         }
-        return bound + 4096 * std::numeric_limits<double>::epsilon() * largest_;
+        return bound + 4096 * eps * largest_;
     }
 
 private:

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "modify/deform/flatten.h"
 
+#include "base/numbers.h"
 #include "base/representable.h"
 #include "numeric/norm.h"
 #include "spline/axis_view.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace nrb::modify {
 
@@ -30,7 +30,7 @@ public:
         for (size_t c = 0; c < along_.size(); ++c) {
             slope += along_[c] * normal_[c];
         }
-        if (!(std::abs(slope) > 4 * dim * std::numeric_limits<double>::epsilon())) {
+        if (!(std::abs(slope) > 4 * dim * eps)) {
             fail(Status::direction, "direction is parallel to the plane, expected one that crosses it");
         }
         for (double &x : along_) {

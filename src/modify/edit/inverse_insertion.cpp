@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "modify/edit/inverse_insertion.h"
 
+#include "base/numbers.h"
 #include "basis/bspline.h"
 #include "numeric/norm.h"
 #include "refine/knots/insert.h"
@@ -8,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace nrb::modify {
 
@@ -166,7 +166,7 @@ Leg leg_at(const Spline &spline, int64_t from, int64_t to, const double *point) 
 Leg nearest_leg(const Spline &spline, int axis, const double *point) {
     check_degree_of(spline, axis);
     const AxisView view = axis_view(spline, axis, 1);
-    Leg nearest{-1, 0, std::numeric_limits<double>::infinity()};
+    Leg nearest{-1, 0, infinity};
     for (int64_t i = 0; i < spline.point_count(); ++i) {
         const int64_t next = i + view.inner;
         if (layer_of(view, i) + 1 == view.count || at_infinity(spline, i) || at_infinity(spline, next)) {

@@ -2,6 +2,7 @@
 #include "modify/edit/weight_edit.h"
 
 #include "base/finite.h"
+#include "base/numbers.h"
 #include "base/representable.h"
 #include "modify/edit/influence.h"
 #include "modify/edit/net_editor.h"
@@ -9,7 +10,6 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 
 namespace nrb::modify {
 
@@ -102,7 +102,7 @@ void copy_if(const std::vector<double> &point, double *out) noexcept {
 void weight_points(const Spline &spline, int64_t original, const double *param, double *at_zero,
                    double *at_one, double *at_weight) {
     const Contribution sums = contribution_about(spline, original, param);
-    std::vector<double> zero(sums.centre.size(), std::numeric_limits<double>::quiet_NaN());
+    std::vector<double> zero(sums.centre.size(), nan_value);
     if (sums.rest != 0) {
         zero = point_at(sums, sums.rest);
         require_representable(zero, "the point at weight 0");
@@ -161,8 +161,7 @@ double weight_cross_ratio(int dim, const double *control_point, const double *at
     }
     const double to_weight = dot(minus(at_weight, control_point), line);
     const double from_weight = dot(minus(at_zero, at_weight), line);
-    return to_weight == 0 ? std::numeric_limits<double>::infinity()
-                          : to_one / from_one * (from_weight / to_weight);
+    return to_weight == 0 ? infinity : to_one / from_one * (from_weight / to_weight);
 }
 
 namespace {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "numeric/solvers/small_svd.h"
 
+#include "base/numbers.h"
+
 #include <Eigen/QR>
 #include <Eigen/SVD>
-#include <limits>
 
 namespace nrb::inline numeric {
 
@@ -48,7 +49,7 @@ SmallSvd::~SmallSvd() = default;
 
 std::vector<double> SmallSvd::direction(int rank) const {
     if (decomposition_ == nullptr) {
-        return std::vector<double>(unknowns_, std::numeric_limits<double>::quiet_NaN());
+        return std::vector<double>(unknowns_, nan_value);
     }
     const Eigen::MatrixXd &v = decomposition_->svd.matrixV();
     return coordinates(v.col(v.cols() - 1 - rank));
@@ -56,7 +57,7 @@ std::vector<double> SmallSvd::direction(int rank) const {
 
 std::vector<double> SmallSvd::solution(double cutoff) const {
     if (decomposition_ == nullptr) {
-        return std::vector<double>(unknowns_, std::numeric_limits<double>::quiet_NaN());
+        return std::vector<double>(unknowns_, nan_value);
     }
     Rotations &svd = decomposition_->svd;
     svd.setThreshold(cutoff);

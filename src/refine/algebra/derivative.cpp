@@ -53,13 +53,13 @@ DerivedAxis derived_open(const KnotVector &axis) {
             std::move(run.layers)};
 }
 
-// The first place of a knot, and how often it occurs.
-struct Place {
+// Where a knot occurs first, and how often.
+struct KnotCopies {
     int64_t first;
-    int64_t copies;
+    int64_t count;
 };
 
-Place place_of(std::span<const double> knots, double knot) noexcept {
+KnotCopies copies_of(std::span<const double> knots, double knot) noexcept {
     const auto [first, last] = std::equal_range(knots.begin(), knots.end(), knot);
     return {first - knots.begin(), last - first};
 }
@@ -71,14 +71,14 @@ DerivedAxis derived_periodic(const KnotVector &axis) {
     const std::vector<double> old = extended_knots(axis, lead);
     Run run = derived_run(p, old);
     const auto [lower, upper] = axis.domain();
-    const Place before = place_of(axis.knots(), lower), start = place_of(run.knots, lower),
-                end = place_of(run.knots, upper);
-    const int64_t copy = std::min(p - before.first, start.copies - 1);
+    const KnotCopies before = copies_of(axis.knots(), lower), start = copies_of(run.knots, lower),
+                     end = copies_of(run.knots, upper);
+    const int64_t copy = std::min(p - before.first, start.count - 1);
     const int64_t distinct = end.first - start.first;
-    if (start.copies != end.copies) {
+    if (start.count != end.count) {
         fail(Status::periodic_knots,
              "knots: the ends of the periodic domain [%s, %s] occur %lld and %lld times", Number(lower).text,
-             Number(upper).text, static_cast<long long>(start.copies), static_cast<long long>(end.copies));
+             Number(upper).text, static_cast<long long>(start.count), static_cast<long long>(end.count));
     }
     const int64_t first = start.first + copy - (p - 1);
     const auto from = run.knots.begin() + first;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "refine/forms/projections.h"
 
+#include "base/numbers.h"
 #include "refine/forms/transform.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace nrb::refine {
 
@@ -44,8 +44,7 @@ Product product(const std::vector<double> &a, const double *x, const double *y) 
 
 // Whether a sum is no more than its rounding.
 bool vanishes(const Product &sum, size_t terms) noexcept {
-    return !(std::abs(sum.value) >
-             static_cast<double>(terms) * std::numeric_limits<double>::epsilon() * sum.size);
+    return !(std::abs(sum.value) > static_cast<double>(terms) * eps * sum.size);
 }
 
 // x - factor d (n . (x - point)) / (n . d)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "refine/forms/weights.h"
 
+#include "base/numbers.h"
 #include "basis/bspline.h"
 #include "refine/forms/homogeneous.h"
 #include "refine/forms/parametrization.h"
@@ -10,7 +11,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <numeric>
 
 namespace nrb::refine {
@@ -132,7 +132,7 @@ std::vector<double> end_weights(const Spline &spline, int axis, bool upper) {
 
 // The factor for every weight of the layer at the upper end.
 double common_ratio(const std::vector<double> &lower, const std::vector<double> &upper, int axis) {
-    constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();
+    constexpr double rounding = 8 * eps;
     double ratio = 0;
     for (size_t i = 0; i < lower.size(); ++i) {
         if (lower[i] == 0 && upper[i] == 0) {

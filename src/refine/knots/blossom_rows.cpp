@@ -16,17 +16,17 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 using Doubles = hn::CappedTag<double, row_lanes>;
-using Vector = hn::Vec<Doubles>;
+using Register = hn::Vec<Doubles>;
 inline constexpr int lanes = static_cast<int>(hn::MaxLanes(Doubles()));
 
 // Knots of rows that follow each other: next to each other,
 struct Adjacent {
     int64_t first; // row
 
-    [[nodiscard]] HWY_INLINE Vector side(KnotLanes knots) const {
+    [[nodiscard]] HWY_INLINE Register side(KnotLanes knots) const {
         return hn::LoadU(Doubles(), knots + first);
     }
-    [[nodiscard]] HWY_INLINE Vector argument(KnotLanes knots) const { return side(knots); }
+    [[nodiscard]] HWY_INLINE Register argument(KnotLanes knots) const { return side(knots); }
 };
 
 // with knots of other rows between them,
@@ -34,31 +34,31 @@ struct Spread {
     int64_t first;
     int64_t stride;
 
-    [[nodiscard]] HWY_INLINE Vector side(KnotLanes knots) const {
+    [[nodiscard]] HWY_INLINE Register side(KnotLanes knots) const {
         HWY_ALIGN double values[lanes];
         for (int l = 0; l < lanes; ++l) {
             values[l] = knots[(first + l) * stride];
         }
         return hn::Load(Doubles(), values);
     }
-    [[nodiscard]] HWY_INLINE Vector argument(KnotLanes knots) const { return side(knots); }
+    [[nodiscard]] HWY_INLINE Register argument(KnotLanes knots) const { return side(knots); }
 };
 
 // or with the same sides.
 struct Between {
-    [[nodiscard]] static HWY_INLINE Vector side(KnotLanes knots) { return hn::Set(Doubles(), *knots); }
-    [[nodiscard]] static HWY_INLINE Vector argument(KnotLanes knots) { return hn::LoadU(Doubles(), knots); }
+    [[nodiscard]] static HWY_INLINE Register side(KnotLanes knots) { return hn::Set(Doubles(), *knots); }
+    [[nodiscard]] static HWY_INLINE Register argument(KnotLanes knots) { return hn::LoadU(Doubles(), knots); }
 };
 
 struct Halves {
-    Vector kept;    // by the control point
-    Vector carried; // to the next one
+    Register kept;    // by the control point
+    Register carried; // to the next one
 };
 
 // As in divide_in_ratio(); see the comments there.
 template <class Load>
-HWY_INLINE Halves split_value(const BlossomTerm &term, const Load &load, int step, int r, Vector t,
-                              Vector value) {
+HWY_INLINE Halves split_value(const BlossomTerm &term, const Load &load, int step, int r, Register t,
+                              Register value) {
     const auto left = load.side(term.left - (step - r) * term.pitch);
     const auto right = load.side(term.right + r * term.pitch);
     const auto behind = hn::Sub(t, left);
@@ -72,7 +72,7 @@ HWY_INLINE Halves split_value(const BlossomTerm &term, const Load &load, int ste
 // The steps of append_argument() in registers.
 template <int kStep, class Load>
 struct Steps {
-    static HWY_INLINE void run(const BlossomTerm &term, const Load &load, Vector *values) {
+    static HWY_INLINE void run(const BlossomTerm &term, const Load &load, Register *values) {
         Steps<kStep - 1, Load>::run(term, load, values);
         const auto t = load.argument(term.arguments[kStep - 1]);
         auto carried = hn::Zero(Doubles());
@@ -94,13 +94,13 @@ struct Steps {
 
 template <class Load>
 struct Steps<0, Load> {
-    static HWY_INLINE void run(const BlossomTerm &term, const Load & /*load*/, Vector *values) {
+    static HWY_INLINE void run(const BlossomTerm &term, const Load & /*load*/, Register *values) {
         values[0] = hn::Set(Doubles(), term.factor);
     }
 };
 
 template <class Load>
-HWY_NOINLINE void run_steps(const BlossomTerm &term, const Load &load, Vector *values) {
+HWY_NOINLINE void run_steps(const BlossomTerm &term, const Load &load, Register *values) {
     values[0] = hn::Set(Doubles(), term.factor);
     for (int step = 1; step <= term.steps; ++step) {
         const auto t = load.argument(term.arguments[step - 1]);
@@ -122,7 +122,7 @@ struct EvenRows {
 };
 
 template <class Rows>
-HWY_INLINE void store_column(Vector sum, int column, const Rows &rows, int64_t first) {
+HWY_INLINE void store_column(Register sum, int column, const Rows &rows, int64_t first) {
     HWY_ALIGN double values[lanes];
     hn::Store(sum, Doubles(), values);
     for (int l = 0; l < lanes; ++l) {
@@ -131,8 +131,8 @@ HWY_INLINE void store_column(Vector sum, int column, const Rows &rows, int64_t f
 }
 
 template <int kSteps, class Load>
-HWY_INLINE void add_short_term(const BlossomTerm &term, const Load &load, Vector *sums) {
-    Vector values[kSteps + 1];
+HWY_INLINE void add_short_term(const BlossomTerm &term, const Load &load, Register *sums) {
+    Register values[kSteps + 1];
     Steps<kSteps, Load>::run(term, load, values);
     sums += term.target;
     sums[0] = hn::Add(sums[0], values[0]);
@@ -145,7 +145,7 @@ HWY_INLINE void add_short_term(const BlossomTerm &term, const Load &load, Vector
 }
 
 template <class Load>
-HWY_INLINE void add_term(const BlossomTerm &term, const Load &load, Vector *sums) {
+HWY_INLINE void add_term(const BlossomTerm &term, const Load &load, Register *sums) {
     switch (term.steps) {
     case 0:
         return add_short_term<0>(term, load, sums);
@@ -156,7 +156,7 @@ HWY_INLINE void add_term(const BlossomTerm &term, const Load &load, Vector *sums
     default:
         break;
     }
-    Vector values[max_basis];
+    Register values[max_basis];
     run_steps(term, load, values);
     for (int i = 0; i <= term.steps; ++i) {
         sums[term.target + i] = hn::Add(sums[term.target + i], values[i]);
@@ -165,7 +165,7 @@ HWY_INLINE void add_term(const BlossomTerm &term, const Load &load, Vector *sums
 
 template <class Load>
 HWY_INLINE void make_sums(std::span<const BlossomTerm> terms, const Load &load, int width, EvenRows rows) {
-    Vector sums[max_basis + 1];
+    Register sums[max_basis + 1];
     std::fill_n(sums, width, hn::Zero(Doubles()));
     for (const BlossomTerm &term : terms) {
         add_term(term, load, sums);
@@ -188,7 +188,7 @@ void make_rows(std::span<const BlossomTerm> terms, int64_t stride, int64_t count
 
 template <int kSteps, class Load, class Rows>
 HWY_INLINE void make_short_row(const BlossomTerm &term, const Load &load, const Rows &rows, int64_t first) {
-    Vector values[kSteps + 1];
+    Register values[kSteps + 1];
     Steps<kSteps, Load>::run(term, load, values);
     store_column(values[0], 0, rows, first);
     store_column(values[1], 1, rows, first);
@@ -213,7 +213,7 @@ HWY_INLINE void make_row(const BlossomTerm &term, const Load &load, const Rows &
     default:
         break;
     }
-    Vector values[max_basis];
+    Register values[max_basis];
     run_steps(term, load, values);
     for (int i = 0; i <= term.steps; ++i) {
         store_column(values[i], i, rows, first);

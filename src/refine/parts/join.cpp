@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace nrb::refine {
 
@@ -162,7 +161,7 @@ private:
             const auto c = static_cast<size_t>(k);
             const double x = before_.points[a * width + c], y = after_.points[b * width + c];
             if (wa == 0 || wb == 0) { // a point at infinity is close only to itself
-                return x == factor * y ? 0 : std::numeric_limits<double>::infinity();
+                return x == factor * y ? 0 : infinity;
             }
             return x / wa - y / wb;
         });
