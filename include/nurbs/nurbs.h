@@ -3113,7 +3113,7 @@ NURBS_API nurbs_status nurbs_recognize(const nurbs *g, double tolerance, int32_t
  *                      &status, 0);
  * \endcode
  * All distances are Euclidean, in the Cartesian space of the points. The first query of a handle builds a
- * locator, the Bezier pieces with bounds, which the handle keeps. Use batches.
+ * tree of its Bezier pieces with bounds, which the handle keeps. Use batches.
  *
  * A result is certified if it is proven that no point of g is nearer (of the farthest: farther) by more than
  * the tolerance and rounding, which is at most (64 n + 2 dim) eps (sqrt(dim) s + |x|): n is the sum of degree

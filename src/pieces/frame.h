@@ -5,6 +5,7 @@
 #include "numeric/power_of_two.h"
 #include "spline/spline.h"
 
+#include <cmath>
 #include <span>
 #include <vector>
 
@@ -20,6 +21,11 @@ struct Frame {
     }
     [[nodiscard]] double unscaled(double length) const noexcept {
         return times_power_of_two(length, exponent);
+    }
+    // x - y, also where it overflows in the unit of the caller.
+    [[nodiscard]] double difference(double x, double y) const noexcept {
+        const double whole = x - y;
+        return std::isfinite(whole) ? scaled(whole) : 2 * scaled(x / 2 - y / 2);
     }
     // Coordinate c of a point.
     [[nodiscard]] double coordinate(size_t c, double x) const noexcept { return scaled(x - centre[c]); }

@@ -1,4 +1,5 @@
 // Distances of two splines: closed forms, dense samples, and the laws of distances.
+#include "reference/number.h"
 #include "support/cases.h"
 #include "support/generators.h"
 #include "support/handle.h"
@@ -194,6 +195,52 @@ TEST(Distance, scales_with_the_model) {
 }
 
 // What a budget leaves open is told, and bounds stay bounds.
+// Homogeneous records are known to eps of the place of their points, however near to each other these are.
+TEST(Distance, of_homogeneous_segments_far_from_the_origin) {
+    for_each_case(4700, 400, [](Random &random, uint64_t) {
+        const double offset = random.magnitude(1e3, 1e12);
+        std::vector<double> segments[2];
+        reference::Rational ends[2][2];
+        for (int i = 0; i < 4; ++i) {
+            const double weight = random.between(0.5, 1.9), x = offset + random.unit() + (i < 2 ? 0 : 3);
+            segments[i / 2].insert(segments[i / 2].end(), {weight * x, weight});
+            ends[i / 2][i % 2] = reference::exact(weight * x) / reference::exact(weight);
+        }
+        Handle handles[2];
+        const int32_t degree = 1;
+        const int64_t count = 2;
+        const double knots[] = {0, 0, 1, 1};
+        for (int i = 0; i < 2; ++i) {
+            nurbs *made = nullptr;
+            require_ok(nurbs_create_homogeneous(1, &degree, &count, knots, 4, 1, segments[i].data(), 0, 0, 0,
+                                                &made));
+            handles[i].reset(made);
+        }
+        const Pair p = nearest(handles[0].get(), handles[1].get(), 0);
+        const reference::Rational exact = std::min(ends[1][0], ends[1][1]) - std::max(ends[0][0], ends[0][1]);
+        EXPECT_LE(reference::exact(p.at_least), exact) << offset;
+    });
+}
+
+// The centres of frames are far beyond what the unit of the shapes can hold.
+TEST(Distance, of_small_shapes_in_a_far_plane) {
+    const double knots[] = {0, 0, 1, 1};
+    const int32_t degree = 1;
+    const int64_t count = 2;
+    for (const double size : {1e-160, 1e-200}) {
+        Handle handles[2];
+        for (int i = 0; i < 2; ++i) {
+            const double points[] = {0, 2 * i * size, 1 / size, size, 2 * i * size, 1 / size};
+            nurbs *made = nullptr;
+            require_ok(nurbs_create(1, &degree, &count, knots, 4, 3, points, 0, 0, nullptr, 0, 0, &made));
+            handles[i].reset(made);
+        }
+        const Pair p = nearest(handles[0].get(), handles[1].get(), 0.01 * size);
+        EXPECT_EQ(p.status, NURBS_CLOSEST_CERTIFIED);
+        EXPECT_NEAR(p.at_least / size, 2, 0.02);
+    }
+}
+
 TEST(Distance, a_budget_that_ends) {
     Random random(6603);
     const SplineData a = random_net(random, 2, 3, 9, 0, false), b = random_net(random, 2, 3, 9, 2.3, false);

@@ -41,7 +41,7 @@ using Others = std::vector<const pieces::BezierPiece *>;
 class KnownPieces {
 public:
     KnownPieces(const Spline &spline, const pieces::Frame &frame)
-        : pieces_(pieces::piece_tree_of(spline), frame) {}
+        : pieces_(pieces::piece_tree_of(spline), frame), moved_(pieces_.moved()) {}
 
     // Those that contain a place: two along an axis at a knot, none outside.
     [[nodiscard]] Others containing(const pieces::LocalParam &place) {
@@ -51,7 +51,8 @@ public:
         }
         return found;
     }
-    // The most that rounding does to one made so far whose weights are positive.
+    // The most that rounding does to one whose weights are positive, of those made so far where no bound of all
+    // is known.
     [[nodiscard]] double moved() const noexcept { return moved_; }
 
 private:
@@ -66,7 +67,7 @@ private:
 
     pieces::FramedPieces pieces_;
     std::unordered_map<int64_t, pieces::BezierPiece> made_; // whose places in memory do not change
-    double moved_ = 0;
+    double moved_;
 };
 
 struct FarPiece {

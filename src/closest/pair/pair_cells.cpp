@@ -4,7 +4,6 @@
 #include "base/numbers.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace nrb::closest {
 
@@ -31,10 +30,10 @@ void PairCell::set_size() noexcept {
 }
 
 PairCells::PairCells(const Spline &spline, const pieces::Frame &frame)
-    : pieces_(pieces::piece_tree_of(spline), frame) {
-    root_.box.assign(static_cast<size_t>(spline.dim()), -infinity);
-    root_.box.insert(root_.box.end(), static_cast<size_t>(spline.dim()), infinity);
-    root_.size = infinity;
+    : pieces_(pieces::piece_tree_of(spline), frame), moved_(pieces_.moved()) {
+    root_.box.resize(2 * static_cast<size_t>(spline.dim()));
+    pieces_.box(0, 0, root_.box.data());
+    root_.set_size();
     skip_single_children(root_);
 }
 
@@ -47,34 +46,12 @@ void PairCells::skip_single_children(PairCell &cell) const {
 
 void PairCells::make_piece(PairCell &cell) {
     cell.set_piece(pieces_.piece(pieces_.tree().order()[static_cast<size_t>(cell.node)]));
-    cell.tight = true;
     moved_ = std::max(moved_, cell.moved);
 }
 
-void PairCells::enclose_children(PairCell &cell) {
-    const auto dim = static_cast<size_t>(pieces_.dim());
-    std::fill_n(cell.box.begin(), dim, infinity);
-    std::fill_n(cell.box.begin() + static_cast<std::ptrdiff_t>(dim), dim, -infinity);
-    for (const auto &child : cell.children) {
-        make_piece(*child);
-        for (size_t c = 0; c < dim; ++c) {
-            cell.box[c] = std::min(cell.box[c], child->box[c]);
-            cell.box[dim + c] = std::max(cell.box[dim + c], child->box[dim + c]);
-        }
-        cell.moved = std::max(cell.moved, child->moved);
-    }
-    cell.set_size();
-}
-
 void PairCells::tighten(PairCell &cell) {
-    if (std::exchange(cell.tight, true)) {
-        return;
-    }
-    if (of_pieces(cell.level)) {
+    if (!cell.piece && of_pieces(cell.level)) {
         make_piece(cell);
-    } else if (of_pieces(cell.level + 1)) {
-        split(cell);
-        enclose_children(cell);
     }
 }
 
@@ -87,20 +64,22 @@ bool PairCells::halve(PairCell &cell) {
     for (pieces::BezierPiece *half : {&*lower, &upper}) {
         cell.children.push_back(std::make_unique<PairCell>());
         cell.children.back()->set_piece(std::move(*half));
-        cell.children.back()->tight = true;
     }
     return true;
 }
 
 void PairCells::add_children(PairCell &cell) const {
     const pieces::PieceTree::Family family = pieces_.tree().family(cell.level, cell.node);
-    const auto dim = static_cast<size_t>(pieces_.dim());
     for (int64_t i = 0; i < family.count; ++i) {
         auto child = std::make_unique<PairCell>();
         child->level = cell.level + 1;
         child->node = family.first + i;
-        child->box.resize(2 * dim);
-        pieces_.box(cell.level, cell.node, i, child->box.data());
+        child->box.resize(cell.box.size());
+        if (of_pieces(child->level)) {
+            pieces_.disc_box(cell.level, cell.node, i, child->box.data());
+        } else {
+            pieces_.box(child->level, child->node, child->box.data());
+        }
         child->set_size();
         skip_single_children(*child);
         cell.children.push_back(std::move(child));
@@ -111,6 +90,7 @@ bool PairCells::split(PairCell &cell) {
     if (!cell.children.empty()) {
         return true;
     }
+    tighten(cell);
     if (cell.piece) {
         return halve(cell);
     }

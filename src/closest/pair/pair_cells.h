@@ -15,9 +15,8 @@ struct PairCell {
     int64_t node = 0; // of the tree
     std::optional<pieces::BezierPiece> piece;
     std::vector<double> box; // [2][dim]; infinite where weights are not positive
-    double moved = 0;        // what rounding does to the pieces, where the box has no room for it
+    double moved = 0;        // what rounding does to a piece; 0 for other cells, whose boxes have room for it
     double size = 0;
-    bool tight = false; // the box is as small as the pieces make it
     std::vector<std::unique_ptr<PairCell>> children;
 
     void set_piece(pieces::BezierPiece made);
@@ -31,22 +30,22 @@ public:
     [[nodiscard]] PairCell &root() noexcept { return root_; }
     // Makes the children; false if there can be none.
     bool split(PairCell &cell);
-    // Makes the piece of a cell that is one, or those of its children, which make its box smaller.
+    // Makes the piece of a cell that is one, whose box is smaller than that of its disc.
     void tighten(PairCell &cell);
-    // The most that rounding does to a piece made so far whose weights are positive.
+    // The most that rounding does to a piece whose weights are positive, of those made so far where no bound of
+    // all is known.
     [[nodiscard]] double moved() const noexcept { return moved_; }
 
 private:
     void skip_single_children(PairCell &cell) const;
     void make_piece(PairCell &cell);
-    void enclose_children(PairCell &cell);
     static bool halve(PairCell &cell);
     void add_children(PairCell &cell) const;
     [[nodiscard]] bool of_pieces(int level) const noexcept { return level + 1 == pieces_.tree().levels(); }
 
     pieces::FramedPieces pieces_;
     PairCell root_;
-    double moved_ = 0;
+    double moved_;
 };
 
 } // namespace nrb::closest

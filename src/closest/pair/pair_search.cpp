@@ -47,7 +47,7 @@ public:
     }
 
     void run() {
-        push(&a_.root(), &b_.root(), 0);
+        dive();
         queue_.run(
             budget_, [&](const Entry &top) { return -top.bound < limit(); },
             [&](const Entry &top) {
@@ -75,22 +75,63 @@ private:
                !pair.bounded;
     }
 
-    // Pieces are made where discs do not separate them.
-    void push(PairCell *a, PairCell *b, double least) {
-        if (apart(*a, *b) < limit()) {
-            a_.tighten(*a);
-            b_.tighten(*b);
+    // A first distance, so that pairs are left out from the beginning: that of the pieces which are reached by
+    // way of the nearest children.
+    void dive() {
+        Entry pair = entry({&a_.root(), &b_.root(), false}, 0);
+        while (budget_ > 0 && !(pair.item.a->piece && pair.item.b->piece)) {
+            --budget_;
+            pair = descended(pair);
         }
-        push({a, b, false}, std::max(least, apart(*a, *b)));
+        if (budget_ > 0 && bounds(pair.item)) {
+            --budget_;
+            bound(pair.item, -pair.bound);
+        } else {
+            push(pair);
+        }
+    }
+    // The nearest pair with a child of a group; the others wait.
+    Entry descended(const Entry &pair) {
+        const PairCell *a = pair.item.a, *b = pair.item.b;
+        std::vector<Entry> children =
+            divided(pair.item, -pair.bound, !a->piece && (b->piece || rank(*a) >= rank(*b)));
+        const auto nearest =
+            std::min_element(children.begin(), children.end(), [this](const Entry &x, const Entry &y) {
+                return std::pair(-x.bound, between(x.item)) < std::pair(-y.bound, between(y.item));
+            });
+        std::swap(*nearest, children.back());
+        const Entry best = children.back();
+        children.pop_back();
+        push(children);
+        return best;
+    }
+    // The distance of the middles of the boxes.
+    [[nodiscard]] double between(const CellPair &pair) const noexcept {
+        const double *a = pair.a->box.data(), *b = pair.b->box.data();
+        return norm_of(dim_, [&](int c) { return (a[c] + a[dim_ + c] - b[c] - b[dim_ + c]) / 2; });
+    }
+
+    // Pieces are made where discs do not separate them.
+    Entry entry(const CellPair &pair, double least) {
+        if (apart(*pair.a, *pair.b) < limit()) {
+            a_.tighten(*pair.a);
+            b_.tighten(*pair.b);
+        }
+        return {-std::max(least, apart(*pair.a, *pair.b)), pair};
     }
     [[nodiscard]] double apart(const PairCell &a, const PairCell &b) const noexcept {
         return box_distance(a.box.data(), b.box.data(), dim_) - a.moved - b.moved - 16 * eps;
     }
-    void push(const CellPair &pair, double lower) {
-        if (lower >= limit()) {
-            queue_.leave_out(-lower);
+    void push(const Entry &pair) {
+        if (-pair.bound >= limit()) {
+            queue_.leave_out(pair.bound);
         } else {
-            queue_.push(-lower, pair);
+            queue_.push(pair.bound, pair.item);
+        }
+    }
+    void push(const std::vector<Entry> &pairs) {
+        for (const Entry &pair : pairs) {
+            push(pair);
         }
     }
 
@@ -111,29 +152,36 @@ private:
             }
         }
         const double found = std::isfinite(place.distance) ? bound_.lower(a, b, place, limit()) : lower;
-        push({pair.a, pair.b, true}, std::max(lower, found));
+        push(Entry{-std::max(lower, found), {pair.a, pair.b, true}});
     }
 
     void divide(const CellPair &pair, double lower) {
         const bool first = rank(*pair.a) >= rank(*pair.b);
-        if (!split(pair, lower, first) && !split(pair, lower, !first)) {
+        std::vector<Entry> children = divided(pair, lower, first);
+        if (children.empty()) {
+            children = divided(pair, lower, !first);
+        }
+        if (children.empty()) {
             queue_.leave_out(-lower); // two points
         }
+        push(children);
     }
     // Groups go before pieces, pieces without bounds before all.
     [[nodiscard]] static double rank(const PairCell &cell) noexcept {
         return cell.piece ? cell.size : cell.size + 1e3;
     }
 
-    bool split(const CellPair &pair, double lower, bool first) {
+    // With the children of the first cell or the second, if there are any.
+    std::vector<Entry> divided(const CellPair &pair, double lower, bool first) {
         PairCell &cell = first ? *pair.a : *pair.b;
-        if (!(first ? a_ : b_).split(cell)) {
-            return false;
+        std::vector<Entry> pairs;
+        if ((first ? a_ : b_).split(cell)) {
+            for (const auto &child : cell.children) {
+                pairs.push_back(
+                    entry({first ? child.get() : pair.a, first ? pair.b : child.get(), false}, lower));
+            }
         }
-        for (const auto &child : cell.children) {
-            push(first ? child.get() : pair.a, first ? pair.b : child.get(), lower);
-        }
-        return true;
+        return pairs;
     }
 
     PairCells a_, b_;

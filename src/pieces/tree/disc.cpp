@@ -18,6 +18,24 @@ void cross_product(const double *a, const double *b, double *out) noexcept {
     out[2] = a[0] * b[1] - a[1] * b[0];
 }
 
+// visit(point, weight, moved) for the homogeneous control points, where `moved` is what rounding may have made
+// of them by their weights; false if some are not bounded. Where it is relative to the weights, control points
+// of weight 0 do not count.
+template <class Visit>
+bool for_points(const PieceGrid &pieces, const double *patch, Visit &&visit) noexcept {
+    const PatchShape &shape = pieces.shape();
+    bool bounded = true;
+    for (int64_t i = 0; i < shape.coefficients(); ++i, patch += shape.lanes) {
+        const double w = patch[shape.dim];
+        if (pieces.rounding().positive(w)) {
+            visit(patch, w, pieces.moved_by_weights(norm(patch, shape.dim) / w, w));
+        } else if (!(pieces.positive() && w == 0)) {
+            bounded = false;
+        }
+    }
+    return bounded;
+}
+
 } // namespace
 
 Disc::Disc(const PatchShape &shape, const double *patch, bool with_normal) {
@@ -63,8 +81,7 @@ void Disc::make_single() noexcept {
 }
 
 // The difference that the radius is the root of may cancel; what it loses is given back.
-void Disc::add_point(const PieceGrid &pieces, const double *point, double weight) noexcept {
-    const int dim = pieces.shape().dim;
+void Disc::add_point(int dim, const double *point, double weight, double moved) noexcept {
     double square = 0, height = 0;
     for (int c = 0; c < dim; ++c) {
         const double delta = point[c] / weight - centre[static_cast<size_t>(c)];
@@ -72,27 +89,34 @@ void Disc::add_point(const PieceGrid &pieces, const double *point, double weight
         height += dim == 3 ? delta * normal[static_cast<size_t>(c)] : 0.0;
     }
     const double across = std::max(0.0, square - height * height) + (dim + 8) * eps * square;
-    const double moved = pieces.moved_by_weights(norm(point, dim) / weight, weight);
     radius = std::max(radius, std::sqrt(across) + moved);
     low = std::min(low, height - moved);
     high = std::max(high, height + moved);
 }
 
 void Disc::add(const PieceGrid &pieces, const double *patch) noexcept {
-    const PatchShape &shape = pieces.shape();
-    const int64_t count = shape.coefficients();
-    for (int64_t i = 0; i < count; ++i, patch += shape.lanes) {
-        const double w = patch[shape.dim];
-        if (pieces.rounding().positive(w)) {
-            add_point(pieces, patch, w);
-        } else if (!(pieces.positive() && w == 0)) {
-            radius = unbounded;
-        }
-    }
-    if (!(radius < unbounded)) {
+    const bool bounded = for_points(pieces, patch, [&](const double *point, double weight, double moved) {
+        add_point(pieces.shape().dim, point, weight, moved);
+    });
+    if (!(bounded && radius < unbounded)) {
         radius = unbounded;
         low = -unbounded;
         high = unbounded;
+    }
+}
+
+void add_to_box(const PieceGrid &pieces, const double *patch, double *box) noexcept {
+    const int dim = pieces.shape().dim;
+    const bool bounded = for_points(pieces, patch, [&](const double *point, double weight, double moved) {
+        for (int c = 0; c < dim; ++c) {
+            const double x = point[c] / weight;
+            box[c] = std::min(box[c], x - moved);
+            box[dim + c] = std::max(box[dim + c], x + moved);
+        }
+    });
+    if (!bounded) {
+        std::fill_n(box, dim, -infinity);
+        std::fill_n(box + dim, dim, infinity);
     }
 }
 

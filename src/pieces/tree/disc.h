@@ -38,7 +38,10 @@ struct Disc {
 
 private:
     void set_normal(const PatchShape &shape, const double *jet) noexcept;
-    void add_point(const PieceGrid &pieces, const double *point, double weight) noexcept;
+    void add_point(int dim, const double *point, double weight, double moved) noexcept;
 };
+
+// A box [2][dim], the upper ends after the lower ones, grows to hold the same points.
+void add_to_box(const PieceGrid &pieces, const double *patch, double *box) noexcept;
 
 } // namespace nrb::pieces

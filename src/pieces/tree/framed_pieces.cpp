@@ -12,7 +12,7 @@ FramedPieces::FramedPieces(const PieceTree &tree, const Frame &frame)
     : tree_(tree), exponent_(tree.grid().frame().exponent - frame.exponent) {
     const std::vector<double> &centre = tree.grid().frame().centre;
     for (size_t c = 0; c < centre.size(); ++c) {
-        shift_.push_back(frame.scaled(centre[c]) - frame.scaled(frame.centre[c]));
+        shift_.push_back(frame.difference(centre[c], frame.centre[c]));
     }
     const PatchShape &shape = tree.grid().shape();
     shape_.width = shape.dim + 1;
@@ -30,21 +30,30 @@ FramedPieces::FramedPieces(const PieceTree &tree, const Frame &frame)
 void FramedPieces::set_rounding() noexcept {
     const PieceGrid &grid = tree_.grid();
     const Rounding &own = grid.rounding();
-    const double shift = norm(shift_.data(), dim());
+    const double shift = norm(shift_.data(), dim()), radius = times_power_of_two(grid.radius(), exponent_);
     if (own.relative()) {
-        rounding_.apart =
-            times_power_of_two(own.apart + 2 * eps * grid.radius(), exponent_) + 2 * eps * shift;
+        rounding_.apart = times_power_of_two(own.apart, exponent_) + 2 * eps * (shift + radius);
+        moved_ = rounding_.apart + 4 * eps * (shift + radius);
         return;
     }
     rounding_.record = 2 * times_power_of_two(own.record, exponent_) + (own.weight + 4 * eps) * shift;
     rounding_.weight = own.weight;
 }
 
-void FramedPieces::box(int level, int64_t node, int64_t i, double *out) const noexcept {
-    tree_.box(level, node, i, out);
+void FramedPieces::box(int level, int64_t node, double *out) const {
+    tree_.box(level, node, out);
+    move(out);
+}
+
+void FramedPieces::disc_box(int level, int64_t node, int64_t i, double *out) const noexcept {
+    tree_.disc_box(level, node, i, out);
+    move(out);
+}
+
+void FramedPieces::move(double *box) const noexcept {
     for (int c = 0; c < dim(); ++c) {
         const double shift = shift_[static_cast<size_t>(c)];
-        double &low = out[c], &high = out[dim() + c];
+        double &low = box[c], &high = box[dim() + c];
         low = times_power_of_two(low, exponent_) + shift;
         high = times_power_of_two(high, exponent_) + shift;
         low -= 2 * eps * (std::abs(low) + std::abs(shift));

@@ -15,19 +15,23 @@ public:
 
     [[nodiscard]] const PieceTree &tree() const noexcept { return tree_; }
     [[nodiscard]] int dim() const noexcept { return static_cast<int>(shift_.size()); }
-    // A box [2][dim] around child i of a node, with all that rounding does to its pieces; infinite where
-    // weights are not positive for certain.
-    void box(int level, int64_t node, int64_t i, double *out) const noexcept;
+    // The boxes of the tree in the frame.
+    void box(int level, int64_t node, double *out) const;
+    void disc_box(int level, int64_t node, int64_t i, double *out) const noexcept;
     [[nodiscard]] BezierPiece piece(int64_t index) const;
+    // moved() of every piece is at most this, if errors are relative to the weights; otherwise 0.
+    [[nodiscard]] double moved() const noexcept { return moved_; }
 
 private:
     void set_rounding() noexcept;
+    void move(double *box) const noexcept;
 
     const PieceTree &tree_;
     int exponent_;
     std::vector<double> shift_;
     BernsteinShape shape_; // of a piece, (A, w)
     Rounding rounding_;
+    double moved_ = 0;
 };
 
 } // namespace nrb::pieces

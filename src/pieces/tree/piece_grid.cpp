@@ -133,10 +133,13 @@ void PieceGrid::copy(const Spline &spline) {
     }
     positive_ = net.positive();
     set_sizes(spline.effective(), net.sizes());
-    rounding_ = net.rounding_of_all(radius_);
+    // Homogeneous records are accurate to the magnitudes of points and centre, not of their difference.
+    const bool centred = spline.form() != Form::homogeneous;
+    rounding_ = net.rounding_of_all(centred ? radius_ : frame_.scaled(largest));
 }
 
-// The radius is that of the control points, to whose magnitudes the net's errors are relative.
+// The radius is that of the control points; where they have no places for certain, that of what the net's
+// errors are relative to.
 void PieceGrid::set_sizes(const Spline &spline, const std::vector<double> &sizes) {
     double smallest = infinity, largest = 0;
     for (int64_t i = 0; i < spline.point_count(); ++i) {
@@ -224,7 +227,7 @@ std::vector<int64_t> PieceGrid::containing(const AxisValues &parameters) const {
 void PieceGrid::place(const double *x, double *out) const noexcept {
     std::fill_n(out, shape_.lanes, 0.0);
     for (int c = 0; c < shape_.dim; ++c) {
-        out[c] = frame_.scaled(x[c]) - frame_.scaled(frame_.centre[static_cast<size_t>(c)]);
+        out[c] = frame_.difference(x[c], frame_.centre[static_cast<size_t>(c)]);
     }
 }
 

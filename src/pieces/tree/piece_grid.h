@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The Bezier pieces of a spline, prepared for the search for nearest points.
+// The Bezier pieces of a spline in a grid, computed when they are looked at.
 //
 // Everything is about the centre of the control points and divided by a power of two, so that the shape has a
 // size near 1 whatever its units; weights are divided by another one.

@@ -159,7 +159,7 @@ void PieceTree::bound(int level, int64_t node, const double *x, bool farthest,
 
 // A point c + v has v = (n v) n + M M v with M^2 = I - n n^T, where n v is a height and |M v| at most the
 // radius, and row i of M has the length (1 - n_i^2)^(1/2). All this is rounded by few eps of its terms.
-void PieceTree::box(int level, int64_t node, int64_t i, double *out) const noexcept {
+void PieceTree::disc_box(int level, int64_t node, int64_t i, double *out) const noexcept {
     const Family children = family(level, node);
     const int dim = grid_.shape().dim;
     const auto column = [&](int c) -> double {
@@ -178,6 +178,55 @@ void PieceTree::box(int level, int64_t node, int64_t i, double *out) const noexc
         const double rounded = 8 * eps * (std::abs(centre) + across + std::max(-low, high));
         out[c] = centre + std::min(low * n, high * n) - across - rounded;
         out[dim + c] = centre + std::max(low * n, high * n) + across + rounded;
+    }
+}
+
+// Of the control points of pieces, or of the boxes of the next level.
+void PieceTree::enclose_children(int level, int64_t node, const Boxes &boxes, double *out) const {
+    const auto dim = static_cast<size_t>(grid_.shape().dim);
+    std::fill_n(out, dim, infinity);
+    std::fill_n(out + dim, dim, -infinity);
+    const Family children = family(level, node);
+    std::vector<double> patch(static_cast<size_t>(grid_.shape().values())), work(patch);
+    for (int64_t child = children.first; child < children.first + children.count; ++child) {
+        if (level + 2 == levels()) {
+            grid_.patch(order()[static_cast<size_t>(child)], work.data(), patch.data());
+            add_to_box(grid_, patch.data(), out);
+            continue;
+        }
+        const float *box =
+            boxes[static_cast<size_t>(level) + 1].data() + child * static_cast<int64_t>(2 * dim);
+        for (size_t c = 0; c < dim; ++c) {
+            out[c] = std::min<double>(out[c], box[c]);
+            out[dim + c] = std::max<double>(out[dim + c], box[dim + c]);
+        }
+    }
+}
+
+PieceTree::Boxes PieceTree::make_boxes() const {
+    const auto dim = static_cast<size_t>(grid_.shape().dim);
+    Boxes boxes(families_.size());
+    std::vector<double> box(2 * dim);
+    for (int level = levels() - 1; level-- > 0;) {
+        const double rounded = level + 2 == levels() ? rounding() : 0;
+        std::vector<float> &made = boxes[static_cast<size_t>(level)];
+        made.reserve(families_[static_cast<size_t>(level)].size() * box.size());
+        for (int64_t node = 0; node < std::ssize(families_[static_cast<size_t>(level)]); ++node) {
+            enclose_children(level, node, boxes, box.data());
+            for (size_t c = 0; c < 2 * dim; ++c) {
+                made.push_back(c < dim ? -above(rounded - box[c]) : above(box[c] + rounded));
+            }
+        }
+    }
+    return boxes;
+}
+
+void PieceTree::box(int level, int64_t node, double *out) const {
+    const int64_t dim = grid_.shape().dim;
+    const Boxes &boxes = boxes_.get([this] { return make_boxes(); });
+    const float *box = boxes[static_cast<size_t>(level)].data() + node * 2 * dim;
+    for (int64_t c = 0; c < 2 * dim; ++c) {
+        out[c] = std::abs(box[c]) >= unbounded ? (c < dim ? -infinity : infinity) : box[c];
     }
 }
 

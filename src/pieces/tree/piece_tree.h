@@ -7,6 +7,7 @@
 // each distance of a centre bounds the smallest one from above.
 #pragma once
 
+#include "base/lazy.h"
 #include "pieces/tree/disc.h"
 #include "pieces/tree/disc_kernel.h"
 #include "pieces/tree/piece_grid.h"
@@ -42,8 +43,10 @@ public:
     }
     // Bounds of all children of a node; [most_width] each.
     void bound(int level, int64_t node, const double *x, bool farthest, const DiscBounds &out) const noexcept;
-    // A box [2][dim] around child i of a node, with what rounding may have made of its points.
-    void box(int level, int64_t node, int64_t i, double *out) const noexcept;
+    // A box [2][dim] around a node with children, and around the disc of child i of a node, with what rounding
+    // may have made of the points; infinite where weights are not positive for certain.
+    void box(int level, int64_t node, double *out) const;
+    void disc_box(int level, int64_t node, int64_t i, double *out) const noexcept;
     [[nodiscard]] Extent extent(int level, int64_t node) const noexcept;
     // The piece in the midst of a node.
     [[nodiscard]] int64_t middle(int level, int64_t node) const noexcept;
@@ -58,6 +61,9 @@ public:
 private:
     class Builder;
     [[nodiscard]] PieceGrid::Index place_in_grid(int level, int64_t node) const noexcept;
+    using Boxes = std::vector<std::vector<float>>; // [level], of the nodes that are no pieces [node][2][dim]
+    [[nodiscard]] Boxes make_boxes() const;
+    void enclose_children(int level, int64_t node, const Boxes &boxes, double *out) const;
 
     PieceGrid grid_;
     bool normals_;
@@ -66,7 +72,8 @@ private:
     std::vector<PieceGrid::Index> grids_;     // nodes of a level along each axis
     std::vector<PieceGrid::Index> blocks_;    // pieces in a node of it
     std::vector<float> discs_;
-    double apart_ = 0; // a centre and the point of the spline that was rounded to it
+    Lazy<Boxes> boxes_; // at the first search that asks for one
+    double apart_ = 0;  // a centre and the point of the spline that was rounded to it
 };
 
 // Built at the first use.

@@ -111,7 +111,7 @@ void check_family(const pieces::FramedPieces &framed, const std::vector<pieces::
     std::vector<double> box(static_cast<size_t>(2 * framed.dim()));
     size_t inside = 0;
     for (int64_t i = 0; i < family.count; ++i) {
-        framed.box(level, node, i, box.data());
+        framed.disc_box(level, node, i, box.data());
         const std::vector<size_t> all = pieces_in(framed.tree(), level + 1, family.first + i);
         inside += all.size();
         for (const size_t piece : all) {
@@ -120,7 +120,14 @@ void check_family(const pieces::FramedPieces &framed, const std::vector<pieces::
             }
         }
     }
-    EXPECT_EQ(inside, pieces_in(framed.tree(), level, node).size());
+    const std::vector<size_t> all = pieces_in(framed.tree(), level, node);
+    EXPECT_EQ(inside, all.size());
+    framed.box(level, node, box.data());
+    for (const size_t piece : all) {
+        if (direct[piece].sound()) {
+            ASSERT_TRUE(holds(box.data(), direct[piece], direct[piece].moved())) << level << " " << node;
+        }
+    }
 }
 
 void check_boxes(const pieces::FramedPieces &framed, const std::vector<pieces::BezierPiece> &direct) {
