@@ -195,6 +195,19 @@ TEST(Distance, scales_with_the_model) {
 }
 
 // What a budget leaves open is told, and bounds stay bounds.
+TEST(Distance, any_two_points_are_near_enough_for_an_infinite_tolerance) {
+    for_each_case(4600, 60, [](Random &random, uint64_t) {
+        Recipe recipes[] = {random_recipe(random, random.whole(1, 3), 3),
+                            random_recipe(random, random.whole(1, 3), 0)};
+        recipes[0].dim = recipes[1].dim = 3;
+        const Handle a = create(random_spline(random, recipes[0])),
+                     b = create(random_spline(random, recipes[1]));
+        const Pair p = nearest(a.get(), b.get(), HUGE_VAL);
+        EXPECT_EQ(p.status, NURBS_CLOSEST_CERTIFIED);
+        EXPECT_TRUE(p.at_least >= 0 && p.at_least <= p.at_most);
+    });
+}
+
 // Homogeneous records are known to eps of the place of their points, however near to each other these are.
 TEST(Distance, of_homogeneous_segments_far_from_the_origin) {
     for_each_case(4700, 400, [](Random &random, uint64_t) {

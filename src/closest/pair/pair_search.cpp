@@ -67,6 +67,7 @@ public:
     [[nodiscard]] const Best &best() const noexcept { return best_; }
 
 private:
+    // Pairs that are farther do not count; NaN, which is no limit, before there is a distance if any one will do.
     [[nodiscard]] double limit() const noexcept { return upper_ - tolerance_ - noise(); }
 
     // Whether there are bounds of the pair that it does not have yet.
@@ -79,9 +80,8 @@ private:
     // way of the nearest children.
     void dive() {
         Entry pair = entry({&a_.root(), &b_.root(), false}, 0);
-        while (budget_ > 0 && !(pair.item.a->piece && pair.item.b->piece)) {
+        while (budget_ > 0 && descend(pair)) {
             --budget_;
-            pair = descended(pair);
         }
         if (budget_ > 0 && bounds(pair.item)) {
             --budget_;
@@ -90,20 +90,26 @@ private:
             push(pair);
         }
     }
-    // The nearest pair with a child of a group; the others wait.
-    Entry descended(const Entry &pair) {
+    // To the nearest pair with a child of a group; the others wait. False where there is no group.
+    bool descend(Entry &pair) {
         const PairCell *a = pair.item.a, *b = pair.item.b;
+        if (a->piece && b->piece) {
+            return false;
+        }
         std::vector<Entry> children =
             divided(pair.item, -pair.bound, !a->piece && (b->piece || rank(*a) >= rank(*b)));
+        if (children.empty()) {
+            return false;
+        }
         const auto nearest =
             std::min_element(children.begin(), children.end(), [this](const Entry &x, const Entry &y) {
                 return std::pair(-x.bound, between(x.item)) < std::pair(-y.bound, between(y.item));
             });
         std::swap(*nearest, children.back());
-        const Entry best = children.back();
+        pair = children.back();
         children.pop_back();
         push(children);
-        return best;
+        return true;
     }
     // The distance of the middles of the boxes.
     [[nodiscard]] double between(const CellPair &pair) const noexcept {
@@ -113,7 +119,7 @@ private:
 
     // Pieces are made where discs do not separate them.
     Entry entry(const CellPair &pair, double least) {
-        if (apart(*pair.a, *pair.b) < limit()) {
+        if (!(apart(*pair.a, *pair.b) >= limit())) {
             a_.tighten(*pair.a);
             b_.tighten(*pair.b);
         }
