@@ -28,7 +28,7 @@ struct Frame {
         return std::isfinite(whole) ? scaled(whole) : 2 * scaled(x / 2 - y / 2);
     }
     // Coordinate c of a point.
-    [[nodiscard]] double coordinate(size_t c, double x) const noexcept { return scaled(x - centre[c]); }
+    [[nodiscard]] double coordinate(size_t c, double x) const noexcept { return difference(x, centre[c]); }
     [[nodiscard]] double original(size_t c, double x) const noexcept { return centre[c] + unscaled(x); }
 };
 
