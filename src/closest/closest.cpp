@@ -16,6 +16,7 @@ namespace {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr int64_t block = 64;
 
+// The search of patches answers for curves as well, in 1.8 times the time of their own one.
 std::shared_ptr<const Locator> make_locator(const Spline &spline) {
     if (spline.axes() == 1) {
         return std::make_shared<CurveLocator>(spline);
