@@ -4,6 +4,7 @@
 #include "guard.h"
 #include "outputs.h"
 #include "part.h"
+#include "watched.h"
 
 #include "base/tolerance.h"
 #include "closest/closest.h"
@@ -77,6 +78,18 @@ struct FeetArrays {
         outputs.check("points", batch.points);
     }
 
+    // Calls fill(outputs), which writes as it goes.
+    template <class Fill>
+    void fill(Fill &&fill) const {
+        const StagedRecords params(feet.params), points(feet.feet), distances(feet.distances);
+        StagedStatus status(feet.status, feet.params.count);
+        fill(closest::FeetOutputs{params.view(), points.view(), distances.view(), status.data()});
+        params.commit();
+        points.commit();
+        distances.commit();
+        status.commit();
+    }
+
     Outputs outputs;
     closest::FeetOutputs feet;
 };
@@ -89,7 +102,9 @@ void extremal_points(const PointBatch &batch, const double *range, double tolera
                                checked_budget(budget, pieces::default_budget), farthest};
     arrays.outputs.check(memory("range", range, 2 * int64_t{batch.spline.axes()}));
     batch.check_values();
-    closest::closest_points(batch.spline, batch.points, query, arrays.feet);
+    arrays.fill([&](const closest::FeetOutputs &out) {
+        closest::closest_points(batch.spline, batch.points, query, out);
+    });
 }
 
 // A query at one point.
@@ -201,7 +216,9 @@ nurbs_status nurbs_closest_local(const nurbs *g, int64_t n, const double *points
         arrays.outputs.check("guesses", starts);
         check_guesses(batch.spline, starts);
         batch.check_values();
-        closest::closest_local(batch.spline, batch.points, starts, arrays.feet);
+        arrays.fill([&](const closest::FeetOutputs &out) {
+            closest::closest_local(batch.spline, batch.points, starts, out);
+        });
     });
 }
 
@@ -244,6 +261,8 @@ nurbs_status nurbs_curve_signed_distances(const nurbs *g, int64_t n, const doubl
         const closest::Query query{nullptr, nullptr, tolerance,
                                    checked_budget(budget, pieces::default_budget)};
         batch.check_values();
-        closest::signed_distances(batch.spline, batch.points, query, arrays.feet);
+        arrays.fill([&](const closest::FeetOutputs &out) {
+            closest::signed_distances(batch.spline, batch.points, query, out);
+        });
     });
 }

@@ -83,6 +83,8 @@ static_assert(static_cast<int>(Status::not_converged) == NURBS_ERROR_NOT_CONVERG
 static_assert(static_cast<int>(Status::memory) == NURBS_ERROR_MEMORY);
 static_assert(static_cast<int>(Status::file) == NURBS_ERROR_FILE);
 static_assert(static_cast<int>(Status::too_large) == NURBS_ERROR_TOO_LARGE);
+static_assert(static_cast<int>(Status::cancelled) == NURBS_ERROR_CANCELLED);
+static_assert(static_cast<int>(Status::work) == NURBS_ERROR_WORK);
 static_assert(static_cast<int>(Status::format) == NURBS_ERROR_FORMAT);
 static_assert(static_cast<int>(Status::truncated) == NURBS_ERROR_TRUNCATED);
 static_assert(static_cast<int>(Status::syntax) == NURBS_ERROR_SYNTAX);

@@ -3,6 +3,8 @@
 #include "batch.h"
 #include "guard.h"
 #include "outputs.h"
+#include "structs.h"
+#include "watched.h"
 
 #include "base/tolerance.h"
 #include "build/placement.h"
@@ -141,5 +143,24 @@ nurbs_status nurbs_constrain(const nurbs *g, int64_t count, const int32_t *kinds
         put(rank, made.rank);
         put(moved, made.moved);
         put(optimality, made.optimality);
+    });
+}
+
+nurbs_status nurbs_constrain_with(const nurbs *g, const nurbs_constraints *constraints,
+                                  nurbs_constraint_report *report, const nurbs_call_options *call,
+                                  nurbs **out) {
+    return watched(call, out, [&] {
+        const nurbs_constraints &c = checked_struct("constraints", constraints);
+        nurbs_constraint_report found{};
+        found.residuals = report == nullptr ? nullptr : checked_struct("report", report).residuals;
+        const nurbs_status status = nurbs_constrain(
+            g, c.count, c.kinds, c.orders, c.params, c.targets, c.keep, c.costs, c.weight_costs, c.tolerance,
+            found.residuals, &found.rank, &found.moved, &found.optimality, out);
+        if (status == NURBS_OK && report != nullptr) {
+            report->rank = found.rank;
+            report->moved = found.moved;
+            report->optimality = found.optimality;
+        }
+        return status;
     });
 }

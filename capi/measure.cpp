@@ -5,6 +5,7 @@
 #include "lists.h"
 #include "outputs.h"
 #include "part.h"
+#include "watched.h"
 
 #include "base/checked.h"
 #include "base/tolerance.h"
@@ -85,7 +86,9 @@ nurbs_status nurbs_curve_lengths(const nurbs *g, int64_t n, const double *params
         check_overlap("lengths", out, "params", in);
         check_tolerance(relative_tolerance, "relative_tolerance");
         eval::check_parameters(curve, {}, in);
-        measure::curve_lengths(curve, in, relative_tolerance, out);
+        const StagedRecords staged(out);
+        measure::curve_lengths(curve, in, relative_tolerance, staged.view());
+        staged.commit();
     });
 }
 
@@ -102,7 +105,9 @@ nurbs_status nurbs_curve_params_at_lengths(const nurbs *g, int64_t n, const doub
             fail(Status::flags, "flags = 0x%x, expected NURBS_CLAMP or 0", flags);
         }
         check_tolerance(relative_tolerance, "relative_tolerance");
-        measure::curve_params_at_lengths(curve, in, relative_tolerance, flags != 0, out);
+        const StagedRecords staged(out);
+        measure::curve_params_at_lengths(curve, in, relative_tolerance, flags != 0, staged.view());
+        staged.commit();
     });
 }
 

@@ -2,12 +2,12 @@
 // Reading files, and the lists that result.
 #include "checks.h"
 #include "guard.h"
+#include "structs.h"
 
 #include "base/error.h"
 #include "io/file.h"
 #include "io/formats.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -19,34 +19,11 @@ namespace {
 // Size of the struct in the first release; no caller has a smaller one.
 constexpr int64_t smallest_options = offsetof(nurbs_read_options, max_bytes) + sizeof(int64_t);
 
-// No release will have a larger one: a larger size is garbage rather than a newer header.
-constexpr int64_t largest_options = 4096;
-
-void check_options_size(int64_t size) {
-    if (size < smallest_options || size > largest_options) {
-        fail(Status::options, "options: struct_size = %lld, expected %lld to %lld",
-             static_cast<long long>(size), static_cast<long long>(smallest_options),
-             static_cast<long long>(largest_options));
-    }
-}
-
-// A caller built against a newer header may pass fields that this library does not know; they must be zero.
-void check_unknown_fields(const nurbs_read_options &options) {
-    const auto *bytes = reinterpret_cast<const unsigned char *>(&options);
-    const auto known = static_cast<int64_t>(sizeof options);
-    if (std::any_of(bytes + known, bytes + std::max(known, options.struct_size),
-                    [](unsigned char byte) { return byte != 0; })) {
-        fail(Status::options, "options: fields beyond byte %lld are unknown to this version and not zero",
-             static_cast<long long>(known));
-    }
-}
-
 io::ReadSettings settings_of(const nurbs_read_options *options) {
     if (options == nullptr) {
         return {};
     }
-    check_options_size(options->struct_size);
-    check_unknown_fields(*options);
+    checked_struct("options", options, smallest_options);
     if (!std::isfinite(options->unit) || options->unit < 0) {
         fail(Status::options, "options: unit = %s, expected a finite value >= 0", Number(options->unit).text);
     }
@@ -62,12 +39,8 @@ io::ReadSettings settings_of(const nurbs_read_options *options) {
 
 nurbs_status nurbs_read_options_init(nurbs_read_options *options, int64_t struct_size) {
     return guard([&] {
-        require(options, "options");
-        check_options_size(struct_size);
+        clear_struct("options", options, struct_size, smallest_options);
         const io::ReadSettings defaults;
-        // Checks the fields of a newer header too: zero means that nothing new is wanted.
-        std::fill_n(reinterpret_cast<unsigned char *>(options), struct_size, static_cast<unsigned char>(0));
-        options->struct_size = struct_size;
         options->unit = defaults.unit;
         options->max_bytes = defaults.max_bytes;
     });

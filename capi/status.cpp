@@ -31,6 +31,9 @@ nurbs_status translate_exception() noexcept {
     } catch (const Error &error) {
         remember(error.what());
         return static_cast<nurbs_status>(error.status());
+    } catch (const CallEnded &end) {
+        remember(end.why.what());
+        return static_cast<nurbs_status>(end.why.status());
     } catch (const std::bad_alloc &) {
         remember("an allocation failed");
         return NURBS_ERROR_MEMORY;
@@ -133,6 +136,8 @@ const char *nurbs_status_name(nurbs_status status) {
         NURBS_NAME_CASE(NURBS_ERROR_MEMORY);
         NURBS_NAME_CASE(NURBS_ERROR_FILE);
         NURBS_NAME_CASE(NURBS_ERROR_TOO_LARGE);
+        NURBS_NAME_CASE(NURBS_ERROR_CANCELLED);
+        NURBS_NAME_CASE(NURBS_ERROR_WORK);
         NURBS_NAME_CASE(NURBS_ERROR_FORMAT);
         NURBS_NAME_CASE(NURBS_ERROR_TRUNCATED);
         NURBS_NAME_CASE(NURBS_ERROR_SYNTAX);

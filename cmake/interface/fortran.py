@@ -123,11 +123,17 @@ def interface(manual, function):
     yield f"        end {kind} {function.name}"
 
 
-def structure(struct):
+def field_type(manual, entry):
+    if entry.base in manual.callbacks:
+        return "type(c_funptr)"
+    return "type(c_ptr)" if entry.pointers else NUMBERS[entry.base]
+
+
+def structure(manual, struct):
     yield from layout.comment("    !> ", struct.text, WIDTH)
     yield f"    type, bind(c) :: {struct.name}"
-    for kind, name, text in struct.fields:
-        yield from layout.with_comment(f"        {NUMBERS[kind]} :: {name}", "!", text, WIDTH)
+    for entry in struct.fields:
+        yield from layout.with_comment(f"        {field_type(manual, entry)} :: {entry.name}", "!", entry.described, WIDTH)
     yield f"    end type {struct.name}"
     yield ""
 
@@ -135,7 +141,7 @@ def structure(struct):
 def functions(manual):
     lines = [C_HEAD]
     for struct in manual.structs:
-        lines += structure(struct)
+        lines += structure(manual, struct)
     lines.append("    interface")
     for module in manual.modules:
         lines += layout.comment("        ! --- ", module.title, WIDTH)

@@ -88,9 +88,26 @@ class Macro:
 
 
 @dataclass
+class Field(Parameter):
+    """Of a struct: described as a parameter is, without a direction."""
+
+    described: str = ""  # the text as written
+
+
+@dataclass
 class Struct:
     name: str
-    fields: list  # (C type, name, text)
+    fields: list
+    text: str
+
+
+@dataclass
+class Callback:
+    """A type of functions that the library calls."""
+
+    name: str
+    result: str
+    parameters: list
     text: str
 
 
@@ -114,6 +131,7 @@ class Header:
     structs: list = field(default_factory=list)
     handles: dict = field(default_factory=dict)  # opaque type -> text
     aliases: dict = field(default_factory=dict)  # name -> (C type, text)
+    callbacks: dict = field(default_factory=dict)  # name -> Callback
 
     @property
     def constants(self):
@@ -191,6 +209,14 @@ def split_null(text):
     return before.rstrip("."), after if colon else ""
 
 
+def split_description(text):
+    """Shape, whether it may be NULL, what that means, and the rest."""
+    shape, text = split_shape(text)
+    mark = NULL_MARK.match(text)
+    null, text = split_null(text[mark.end():]) if mark else ("", text.lstrip(":,. "))
+    return shape, bool(mark), null, text
+
+
 # --- the reader ---
 
 TOKEN = re.compile(
@@ -199,6 +225,7 @@ TOKEN = re.compile(
     r"|^typedef struct (?P<handle>\w+) \w+;"
     r"|^typedef struct (?P<struct>\w+) \{(?P<fields>.*?)\} \w+;"
     r"|^typedef (?P<type>[\w ]+) (?P<alias>\w+);"
+    r"|^typedef (?P<answer>[\w ]+) \(\*(?P<callback>\w+)\)\((?P<told>[^)]*)\);"
     r"|^enum \{(?P<enum>.*?)\};"
     r"|^NURBS_API (?P<result>[^;()]*?)(?P<function>\w+)\((?P<parameters>[^)]*)\);",
     flags=re.S | re.M)
@@ -214,7 +241,7 @@ class Reader:
 
     def read(self, text):
         for match in TOKEN.finditer(text):
-            kind = next(name for name in ("comment", "macro", "handle", "struct", "alias", "enum", "function")
+            kind = next(name for name in ("comment", "macro", "handle", "struct", "alias", "callback", "enum", "function")
                         if match[name] is not None)
             getattr(self, "read_" + kind)(match)
             if kind != "comment":
@@ -286,11 +313,16 @@ class Reader:
         self.header.handles[match["handle"]] = without_tags(self.comment)
 
     def read_struct(self, match):
-        fields = re.findall(r"(\w+) (\w+);\s*/\*\*<(.*?)\*/", match["fields"], flags=re.S)
+        fields = re.findall(r"([\w ]+?[ *]+)(\w+);\s*/\*\*<(.*?)\*/", match["fields"], flags=re.S)
         if len(fields) != re.sub(r"/\*.*?\*/", "", match["fields"], flags=re.S).count(";"):
             raise HeaderError(f"{match['struct']}: a field is not of the form: TYPE NAME; /**< TEXT */")
-        members = [(kind, name, one_line(text)) for kind, name, text in fields]
+        members = [struct_field(*entry) for entry in fields]
         self.header.structs.append(Struct(match["struct"], members, without_tags(self.comment)))
+
+    def read_callback(self, match):
+        parameters = [parameter(word) for word in match["told"].split(",")]
+        name = match["callback"]
+        self.header.callbacks[name] = Callback(name, match["answer"], parameters, without_tags(self.comment))
 
     def read_alias(self, match):
         self.header.aliases[match["alias"]] = (match["type"], without_tags(self.comment))
@@ -316,12 +348,10 @@ class Reader:
 
     def description(self, function, name, seen=()):
         """Shape, whether it may be NULL, what that means, and text."""
-        shape, text = split_shape(function.described[name][1])
-        mark = NULL_MARK.match(text)
-        null, text = split_null(text[mark.end():]) if mark else ("", text.lstrip(":,. "))
+        shape, nullable, null, text = split_description(function.described[name][1])
         reference = REFERENCE.match(text)
-        if shape or mark or not reference or reference[1] == function.name or reference[1] in seen:
-            return shape, bool(mark), null, text
+        if shape or nullable or not reference or reference[1] == function.name or reference[1] in seen:
+            return shape, nullable, null, text
         other = next((entry for entry in self.header.functions if entry.name == reference[1]), None)
         if other is None or name not in other.described:
             return shape, False, "", text
@@ -353,3 +383,8 @@ def plain_type(text):
 def parameter(text):
     kind, name = re.fullmatch(r"\s*(.*?[\s*])(\w+)\s*", text, flags=re.S).groups()
     return Parameter(name, plain_type(kind))
+
+
+def struct_field(kind, name, text):
+    shape, nullable, null, rest = split_description(one_line(text))
+    return Field(name, plain_type(kind), "", shape, nullable, null, rest, one_line(text))

@@ -145,7 +145,8 @@ def constants(manual):
 
 def types(manual):
     yield ".SH TYPES"
-    named = {**manual.handles, **{name: text for name, (_, text) in manual.aliases.items()}}
+    named = {**manual.handles, **{name: text for name, (_, text) in manual.aliases.items()},
+             **{name: entry.text for name, entry in manual.callbacks.items()}}
     for name, text in named.items():
         yield ".TP"
         yield rf"\fB{name}\fP"
@@ -154,9 +155,10 @@ def types(manual):
         yield ".TP"
         yield rf"\fBstruct {struct.name}\fP"
         yield from roff.filled(struct.text)
-        for kind, name, text in struct.fields:
+        for entry in struct.fields:
+            space = "" if entry.pointers else " "
             yield ".IP"
-            yield from roff.filled(f"`{kind} {name}`: {text}.")
+            yield from roff.filled(f"`{entry.c_type}{space}{entry.name}`: {entry.described}.")
 
 
 def overview(manual):

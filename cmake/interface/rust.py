@@ -55,12 +55,19 @@ def alias(name, kind, text):
     yield ""
 
 
+def callback(entry):
+    parameters = ", ".join(f"{told.name}: {rust_type(told.c_type)}" for told in entry.parameters)
+    yield from documentation(entry.text)
+    line = f"pub type {entry.name} = Option<unsafe extern \"C\" fn({parameters}) -> {rust_type(entry.result)}>;"
+    yield from (line, "")
+
+
 def structure(struct):
     yield from documentation(struct.text)
     yield from ("#[repr(C)]", "#[derive(Clone, Copy, Debug)]", f"pub struct {struct.name} {{")
-    for kind, name, text in struct.fields:
-        yield from documentation(text, "    ")
-        yield f"    pub {name}: {rust_type(kind)},"
+    for entry in struct.fields:
+        yield from documentation(entry.described, "    ")
+        yield f"    pub {entry.name}: {rust_type(entry.c_type)},"
     yield from ("}", "")
 
 
@@ -108,6 +115,8 @@ def module(manual):
         lines += opaque(name, text)
     for name, (kind, text) in manual.aliases.items():
         lines += alias(name, kind, text)
+    for entry in manual.callbacks.values():
+        lines += callback(entry)
     for struct in manual.structs:
         lines += structure(struct)
     for group in manual.groups:

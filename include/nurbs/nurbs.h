@@ -47,7 +47,7 @@
  * threads may use one handle, or one list, at once. nurbs_destroy() and nurbs_list_destroy() must not run
  * while a call uses the same handle; they may run while other calls use its clones, or splines made from it.
  * The library has to stay loaded until the last handle is freed. It has no contexts, no initialisation and no
- * settings, starts no threads, and calls nothing back.
+ * settings, starts no threads, and calls nothing back but the callback of a long call.
  *
  * # Conventions
  * - **Degree** p, not order. Degrees run from 0 to NURBS_MAX_DEGREE.
@@ -175,11 +175,12 @@
  * reads them, and generates declarations for other languages and manual pages from them.
  *
  * - **Types.** Signatures use int32_t, int64_t, uint32_t, double, pointers to these and to float, char
- *   buffers, bytes (`const void *`) and opaque handles, nothing else; nurbs_status is an int32_t. Arrays of
- *   float are results in single precision; their strides count floats. Structs are passed by pointers, and
- *   have the layout of C. Constants are ints, except that those that end with u are uint32_t; the two macros
- *   with arguments are for a binding to write itself. Answers of yes or no are 1 or 0. Arrays are aligned as
- *   their elements are in C.
+ *   buffers, bytes (`const void *`) and opaque handles, structs of these, and one callback (nurbs_progress),
+ *   nothing else; nurbs_status is an int32_t. Arrays of float are results in single precision; their strides
+ *   count floats. Structs are passed by pointers, and have the layout of C. The texts of their fields begin
+ *   as those of parameters do, with a shape and `or NULL`. Constants are ints, except that those that end
+ *   with u are uint32_t; the two macros with arguments are for a binding to write itself. Answers of yes or
+ *   no are 1 or 0. Arrays are aligned as their elements are in C.
  * - **Functions** have a comment with `\brief`, whose first sentence can stand alone, the text that
  *   belongs to it, and, in this order, a `\param` for every parameter, `\return` unless the result is
  *   void, and `\since`, the version that brought the function. Chapters are `\defgroup`, groups of
@@ -218,8 +219,9 @@
  *   encoding, and in messages of NURBS_ERROR_FILE the path and the system's words on it.
  * - **Threads.** A message belongs to the thread of the operating system whose call failed. Where a runtime
  *   moves tasks between threads (Go), a task has to stay in its thread until it has read the message. Calls
- *   may take long and cannot be interrupted; a thread that is cancelled ends after the call, not in it. It is
- *   best to release the locks of an interpreter during a call. 128 KB of stack are enough for every call.
+ *   may take long; those whose names end with _with can be ended. A thread that is cancelled ends after the
+ *   call, not in it. It is best to release the locks of an interpreter during a call. 128 KB of stack are
+ *   enough for every call.
  */
 #ifndef NURBS_NURBS_H
 #define NURBS_NURBS_H
@@ -337,6 +339,8 @@ enum {
     NURBS_ERROR_MEMORY = 300,    /**< an allocation failed */
     NURBS_ERROR_FILE = 301,      /**< a file cannot be opened or read */
     NURBS_ERROR_TOO_LARGE = 302, /**< a file exceeds the size limit of the options */
+    NURBS_ERROR_CANCELLED = 303, /**< the callback of a long call asked for its end */
+    NURBS_ERROR_WORK = 304,      /**< the limit of work of a long call was reached before its end */
     /* file contents */
     NURBS_ERROR_FORMAT = 400, /**< not a file of a known format */
     NURBS_ERROR_TRUNCATED =
@@ -453,6 +457,53 @@ NURBS_API const char *nurbs_status_name(nurbs_status status);
  * \return the length of the whole message, without the terminating zero.
  * \since 1.0 */
 NURBS_API int64_t nurbs_last_error(char *buf, int64_t cap);
+/** @} */
+
+/** \defgroup call Long calls
+ * \code
+ * nurbs_call_options call;
+ * double length = 0;
+ * nurbs_call_options_init(&call, sizeof call);
+ * call.work = 1000000000; // a second or two
+ * nurbs_curve_length_with(curve, NULL, 1e-12, &length, NULL, &call);
+ * \endcode
+ * A function that can take long has a second form, whose name ends with _with. It has one argument more,
+ * `call`, which stands last, or before a new handle. The answer is the same, bit for bit. Where there would
+ * be more than 12 arguments, structs take their place.
+ *
+ * **Progress.** The callback is called in the thread of the call, at most every 10 ms, so that a short call
+ * may end without one. If it returns anything but 0, the call ends with NURBS_ERROR_CANCELLED and writes
+ * nothing. No lock is held meanwhile: the callback may call any function with any handle. It must not be left
+ * by an exception or by longjmp(): keep the exception, return 1, and raise it after the call. (An exception
+ * of C++ that leaves it ends the call as 1 does, and is lost.) A thread that is cancelled in it ends after
+ * the call.
+ *
+ * **Work** is counted in multiply-adds, estimated, and never measured by a clock: the load of the machine
+ * changes no answer. A processor does some 10^9 of them in a second or two. What a handle keeps for later
+ * calls is not counted. At the limit a function that answers with NURBS_CLOSEST_BUDGET or `complete` says so
+ * there, as at the end of its budget, with what is proven so far. Any other function returns NURBS_ERROR_WORK
+ * and writes nothing.
+ * @{ */
+
+/** \brief Told how much of a call is done: an estimate, from 0 to 1, which never falls. Anything but 0 ends
+ * the call. */
+typedef int32_t (*nurbs_progress)(double done, void *user);
+
+/** \brief What a caller wants of a long call; fill with nurbs_call_options_init() first. Fields are only ever
+ * appended, and struct_size is at most 4096. */
+typedef struct nurbs_call_options {
+    int64_t struct_size;     /**< size of this struct as the caller knows it */
+    int64_t work;            /**< most multiply-adds; 0 sets no limit */
+    nurbs_progress progress; /**< or NULL: called now and then */
+    void *user;              /**< or NULL: passed to progress */
+} nurbs_call_options;
+
+/** \brief Fills an options struct with the defaults: no limit, no callback.
+ * \param[out] options the struct.
+ * \param[in] struct_size sizeof(nurbs_call_options).
+ * \return NURBS_OK, NURBS_ERROR_NULL, _OPTIONS.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_call_options_init(nurbs_call_options *options, int64_t struct_size);
 /** @} */
 
 /** \defgroup create Construction
@@ -1774,6 +1825,15 @@ NURBS_API nurbs_status nurbs_antiderivative(const nurbs *g, int32_t axis, nurbs 
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_product(const nurbs *a, const nurbs *b, uint32_t flags, nurbs **out);
 
+/** \brief nurbs_product() as a call that can be watched and ended.
+ * \param[in] a,b,flags as for nurbs_product().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \param[out] out the new handle.
+ * \return as for nurbs_product(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_product_with(const nurbs *a, const nurbs *b, uint32_t flags,
+                                          const nurbs_call_options *call, nurbs **out);
+
 /** \brief The curve g(f(t)): a curve g over another parameter, or the curve in space that a curve f in the
  * parameter space of a surface or volume g traces on it. Its degree d is q (p_0 + p_1 + ...), q that of f and
  * p_k those of g, and its domain that of f. Knots of f of multiplicity m occur d - q + m times, those at
@@ -1825,6 +1885,15 @@ NURBS_API nurbs_status nurbs_product(const nurbs *a, const nurbs *b, uint32_t fl
  *   large, _WEIGHTS_VANISH if weights underflow, _OVERFLOW.
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_compose(const nurbs *g, const nurbs *f, nurbs **out);
+
+/** \brief nurbs_compose() as a call that can be watched and ended.
+ * \param[in] g,f as for nurbs_compose().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \param[out] out the new handle.
+ * \return as for nurbs_compose(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_compose_with(const nurbs *g, const nurbs *f, const nurbs_call_options *call,
+                                          nurbs **out);
 
 /** \brief The linear combination alpha a(t) + beta b(t) of two splines over the same domain on every axis.
  * If neither is rational, both are written over common knots, with the higher degree on each axis and every
@@ -2097,6 +2166,16 @@ NURBS_API nurbs_status nurbs_remove_knot(const nurbs *g, int32_t axis, double kn
 NURBS_API nurbs_status nurbs_reduce_knots(const nurbs *g, int32_t axis, double tolerance, double *bound,
                                           nurbs **out);
 
+/** \brief nurbs_reduce_knots() as a call that can be watched and ended.
+ * \param[in] g,axis,tolerance as for nurbs_reduce_knots().
+ * \param[out] bound as for nurbs_reduce_knots().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \param[out] out the new handle.
+ * \return as for nurbs_reduce_knots(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_reduce_knots_with(const nurbs *g, int32_t axis, double tolerance, double *bound,
+                                               const nurbs_call_options *call, nurbs **out);
+
 /** \brief Lowers the degree along an axis. The result has the same distinct knots, each `times` less often
  * but at least once, and its control points raised back to the degree of g are the closest to those of g:
  * least squares of coefficients (Lutterkort, Peters & Reif 1999), homogeneous points when rational, by a
@@ -2116,6 +2195,16 @@ NURBS_API nurbs_status nurbs_reduce_knots(const nurbs *g, int32_t axis, double t
 NURBS_API nurbs_status nurbs_reduce_degree(const nurbs *g, int32_t axis, int32_t times, double *bound,
                                            nurbs **out);
 
+/** \brief nurbs_reduce_degree() as a call that can be watched and ended.
+ * \param[in] g,axis,times as for nurbs_reduce_degree().
+ * \param[out] bound as for nurbs_reduce_degree().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \param[out] out the new handle.
+ * \return as for nurbs_reduce_degree(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_reduce_degree_with(const nurbs *g, int32_t axis, int32_t times, double *bound,
+                                                const nurbs_call_options *call, nurbs **out);
+
 /** \brief The simplest spline within a tolerance: weights are dropped if they may be, the degree of each axis
  * is lowered by nurbs_reduce_degree() as long as that stays within and leaves no more control points (but not
  * below 1, where steps would begin), and knots are removed by nurbs_reduce_knots(). The ends stay.
@@ -2128,6 +2217,16 @@ NURBS_API nurbs_status nurbs_reduce_degree(const nurbs *g, int32_t axis, int32_t
  *   _NOT_REPRESENTABLE if a value overflows, _WEIGHTS_VANISH if weights underflow.
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_simplify(const nurbs *g, double tolerance, double *bound, nurbs **out);
+
+/** \brief nurbs_simplify() as a call that can be watched and ended.
+ * \param[in] g,tolerance as for nurbs_simplify().
+ * \param[out] bound as for nurbs_simplify().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \param[out] out the new handle.
+ * \return as for nurbs_simplify(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_simplify_with(const nurbs *g, double tolerance, double *bound,
+                                           const nurbs_call_options *call, nurbs **out);
 /** @} */
 
 /** \defgroup transform Transformations
@@ -3102,6 +3201,16 @@ NURBS_API nurbs_status nurbs_volume_coons(const nurbs *const *faces, double tole
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_recognize(const nurbs *g, double tolerance, int32_t *shape, double *placement,
                                        double *sizes, double *deviation);
+
+/** \brief nurbs_recognize() as a call that can be watched and ended.
+ * \param[in] g,tolerance as for nurbs_recognize().
+ * \param[out] shape,placement,sizes,deviation as for nurbs_recognize().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \return as for nurbs_recognize(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_recognize_with(const nurbs *g, double tolerance, int32_t *shape,
+                                            double *placement, double *sizes, double *deviation,
+                                            const nurbs_call_options *call);
 /** @} */
 
 /** \defgroup closest Distances and closest points
@@ -3186,6 +3295,50 @@ NURBS_API nurbs_status nurbs_closest_points(const nurbs *g, int64_t n, const dou
                                             int64_t foot_component_stride, double *distances,
                                             int64_t distance_stride, int32_t *status, uint32_t flags);
 
+/** \brief What the batches of this chapter are asked as long calls. Fields that are 0 or NULL have their
+ * defaults; those that a function does not use have to be 0 or NULL (NURBS_ERROR_OPTIONS). Fields are only
+ * ever appended, and struct_size is at most 4096. */
+typedef struct nurbs_closest_query {
+    int64_t struct_size;            /**< size of this struct as the caller knows it */
+    int64_t n;                      /**< number of points */
+    const double *points;           /**< [n][dim] the points */
+    int64_t point_stride;           /**< distance between points, 0 = packed */
+    int64_t point_component_stride; /**< distance between components, 0 = 1 */
+    const double *guesses;          /**< [n][axes] or NULL: where nurbs_closest_local_with() begins */
+    int64_t guess_stride;           /**< distance between guesses, 0 = packed */
+    int64_t guess_component_stride; /**< distance between components, 0 = 1 */
+    const double *range;            /**< [axes][2] or NULL for all of it: the part of the domain */
+    double tolerance;               /**< >= 0 */
+    int64_t budget;                 /**< most pieces looked at for each point, 0 for 20000 */
+    uint32_t flags;                 /**< NURBS_NAN_POINTS or 0 */
+    uint32_t reserved;              /**< 0 */
+} nurbs_closest_query;
+
+/** \brief Where the answers of such a batch go: arrays of the caller, NULL for what is not wanted. */
+typedef struct nurbs_closest_answer {
+    int64_t struct_size;            /**< size of this struct as the caller knows it */
+    double *params;                 /**< [n][axes] or NULL: the parameters */
+    int64_t param_stride;           /**< distance between parameters, 0 = packed */
+    int64_t param_component_stride; /**< distance between components, 0 = 1 */
+    double *feet;                   /**< [n][dim] or NULL: the points of the spline */
+    int64_t foot_stride;            /**< distance between feet, 0 = packed */
+    int64_t foot_component_stride;  /**< distance between components, 0 = 1 */
+    double *distances;       /**< [n] or NULL: the distances, of nurbs_curve_signed_distances_with() signed */
+    int64_t distance_stride; /**< distance between distances, 0 = 1 */
+    int32_t *status;         /**< [n] or NULL: sums of NURBS_CLOSEST_ bits */
+} nurbs_closest_answer;
+
+/** \brief nurbs_closest_points() as a call that can be watched and ended.
+ * \param[in] g as for nurbs_closest_points().
+ * \param[in] query the points, and all else but guesses.
+ * \param[in] answer the arrays to fill.
+ * \param[in] call or NULL: the wishes of the caller.
+ * \return as for nurbs_closest_points(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_closest_points_with(const nurbs *g, const nurbs_closest_query *query,
+                                                 const nurbs_closest_answer *answer,
+                                                 const nurbs_call_options *call);
+
 /** \brief The points of a spline that are farthest from given points; otherwise as nurbs_closest_points().
  * \param[in] g a spline.
  * \param[in] n number of query points.
@@ -3209,6 +3362,17 @@ NURBS_API nurbs_status nurbs_farthest_points(
     const double *range, double tolerance, int64_t budget, double *params, int64_t param_stride,
     int64_t param_component_stride, double *feet, int64_t foot_stride, int64_t foot_component_stride,
     double *distances, int64_t distance_stride, int32_t *status, uint32_t flags);
+
+/** \brief nurbs_farthest_points() as a call that can be watched and ended.
+ * \param[in] g as for nurbs_farthest_points().
+ * \param[in] query the points, and all else but guesses.
+ * \param[in] answer the arrays to fill.
+ * \param[in] call or NULL: the wishes of the caller.
+ * \return as for nurbs_farthest_points(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_farthest_points_with(const nurbs *g, const nurbs_closest_query *query,
+                                                  const nurbs_closest_answer *answer,
+                                                  const nurbs_call_options *call);
 
 /** \brief Local minima of the distance to given points, each the one that a descent from a guess comes to:
  * Newton's method with a trust region, box-constrained to the domain, across knots. Never certified.
@@ -3238,6 +3402,17 @@ NURBS_API nurbs_status nurbs_closest_local(const nurbs *g, int64_t n, const doub
                                            double *distances, int64_t distance_stride, int32_t *status,
                                            uint32_t flags);
 
+/** \brief nurbs_closest_local() as a call that can be watched and ended.
+ * \param[in] g as for nurbs_closest_local().
+ * \param[in] query the points, guesses and flags.
+ * \param[in] answer the arrays to fill.
+ * \param[in] call or NULL: the wishes of the caller.
+ * \return as for nurbs_closest_local(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_closest_local_with(const nurbs *g, const nurbs_closest_query *query,
+                                                const nurbs_closest_answer *answer,
+                                                const nurbs_call_options *call);
+
 /** \brief All points of a spline whose distance to a point exceeds the smallest one by at most a tolerance
  * and that are local minima of it. Where they are not isolated (an arc around its centre) every piece of g
  * that has some gives at least one, and the status has NURBS_CLOSEST_NOT_UNIQUE without
@@ -3259,6 +3434,17 @@ NURBS_API nurbs_status nurbs_closest_local(const nurbs *g, int64_t n, const doub
 NURBS_API nurbs_status nurbs_closest_all(const nurbs *g, const double *point, const double *range,
                                          double tolerance, int64_t budget, int64_t cap, double *params,
                                          double *distances, int64_t *count, int32_t *status);
+
+/** \brief nurbs_closest_all() as a call that can be watched and ended.
+ * \param[in] g,point,range,tolerance,budget,cap as for nurbs_closest_all().
+ * \param[out] params,distances,count,status as for nurbs_closest_all().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \return as for nurbs_closest_all(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_closest_all_with(const nurbs *g, const double *point, const double *range,
+                                              double tolerance, int64_t budget, int64_t cap, double *params,
+                                              double *distances, int64_t *count, int32_t *status,
+                                              const nurbs_call_options *call);
 
 /** \brief All critical points of the distance from a point: where x - C is perpendicular to the tangents of
  * g, and at ends and kinks of a curve, where the distance has a minimum or maximum. Of surfaces and volumes
@@ -3284,6 +3470,18 @@ NURBS_API nurbs_status nurbs_critical_points(const nurbs *g, const double *point
                                              double *distances, int32_t *kinds, int64_t *count,
                                              int32_t *status);
 
+/** \brief nurbs_critical_points() as a call that can be watched and ended.
+ * \param[in] g,point,range,tolerance,budget,cap as for nurbs_critical_points().
+ * \param[out] params,distances,kinds,count,status as for nurbs_critical_points().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \return as for nurbs_critical_points(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_critical_points_with(const nurbs *g, const double *point, const double *range,
+                                                  double tolerance, int64_t budget, int64_t cap,
+                                                  double *params, double *distances, int32_t *kinds,
+                                                  int64_t *count, int32_t *status,
+                                                  const nurbs_call_options *call);
+
 /** \brief Signed distances of points in the plane from a curve: positive to the left of its direction, so
  * inside a closed curve that runs counterclockwise without crossing itself. At a kink the side is that of
  * the corner, beyond the end of an open curve that of the tangent there; 0 has no sign.
@@ -3308,6 +3506,17 @@ NURBS_API nurbs_status nurbs_curve_signed_distances(const nurbs *g, int64_t n, c
                                                     int64_t distance_stride, double *params,
                                                     int64_t param_stride, int32_t *status, uint32_t flags);
 
+/** \brief nurbs_curve_signed_distances() as a call that can be watched and ended.
+ * \param[in] g as for nurbs_curve_signed_distances().
+ * \param[in] query the points, and all else but guesses and range.
+ * \param[in] answer the arrays to fill.
+ * \param[in] call or NULL: the wishes of the caller.
+ * \return as for nurbs_curve_signed_distances(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_curve_signed_distances_with(const nurbs *g, const nurbs_closest_query *query,
+                                                         const nurbs_closest_answer *answer,
+                                                         const nurbs_call_options *call);
+
 /** \brief The smallest distance between two splines, of any number of axes each, enclosed: at_least <=
  * distance of the nearest points <= at_most, which is the distance of the two points returned; they differ
  * by at most the tolerance and rounding unless the budget ends. Pairs of pieces are bounded from below by
@@ -3327,6 +3536,16 @@ NURBS_API nurbs_status nurbs_curve_signed_distances(const nurbs *g, int64_t n, c
 NURBS_API nurbs_status nurbs_distance(const nurbs *a, const nurbs *b, double tolerance, int64_t budget,
                                       double *at_least, double *at_most, double *params_a, double *params_b,
                                       int32_t *status);
+
+/** \brief nurbs_distance() as a call that can be watched and ended.
+ * \param[in] a,b,tolerance,budget as for nurbs_distance().
+ * \param[out] at_least,at_most,params_a,params_b,status as for nurbs_distance().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \return as for nurbs_distance(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_distance_with(const nurbs *a, const nurbs *b, double tolerance, int64_t budget,
+                                           double *at_least, double *at_most, double *params_a,
+                                           double *params_b, int32_t *status, const nurbs_call_options *call);
 
 /** \brief The Hausdorff distances of two splines as sets of points, whatever their parameters: how far the
  * point of a that is farthest from b is from it, and the other way round; the larger of the two is the
@@ -3353,6 +3572,17 @@ NURBS_API nurbs_status nurbs_distance(const nurbs *a, const nurbs *b, double tol
 NURBS_API nurbs_status nurbs_hausdorff_distance(const nurbs *a, const nurbs *b, double tolerance,
                                                 int64_t budget, double *at_least, double *at_most,
                                                 double *params_a, double *params_b, int32_t *status);
+
+/** \brief nurbs_hausdorff_distance() as a call that can be watched and ended.
+ * \param[in] a,b,tolerance,budget as for nurbs_hausdorff_distance().
+ * \param[out] at_least,at_most,params_a,params_b,status as for nurbs_hausdorff_distance().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \return as for nurbs_hausdorff_distance(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_hausdorff_distance_with(const nurbs *a, const nurbs *b, double tolerance,
+                                                     int64_t budget, double *at_least, double *at_most,
+                                                     double *params_a, double *params_b, int32_t *status,
+                                                     const nurbs_call_options *call);
 /** @} */
 
 /** \defgroup measure Lengths, areas and moments
@@ -3391,6 +3621,15 @@ NURBS_API nurbs_status nurbs_hausdorff_distance(const nurbs *a, const nurbs *b, 
 NURBS_API nurbs_status nurbs_curve_length(const nurbs *g, const double *range, double relative_tolerance,
                                           double *length, double *error);
 
+/** \brief nurbs_curve_length() as a call that can be watched and ended.
+ * \param[in] g,range,relative_tolerance as for nurbs_curve_length().
+ * \param[out] length,error as for nurbs_curve_length().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \return as for nurbs_curve_length(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_curve_length_with(const nurbs *g, const double *range, double relative_tolerance,
+                                               double *length, double *error, const nurbs_call_options *call);
+
 /** \brief Lengths from the start of the domain to given parameters. The first call of a handle makes a table,
  * which takes as long as some lengths and which nurbs_curve_params_at_lengths() and nurbs_curve_divide()
  * share: to the length at the end of the domain belongs the end, where the curve does not stand still there.
@@ -3409,6 +3648,18 @@ NURBS_API nurbs_status nurbs_curve_lengths(const nurbs *g, int64_t n, const doub
                                            int64_t param_stride, double relative_tolerance, double *lengths,
                                            int64_t length_stride);
 
+/** \brief nurbs_curve_lengths() as a call that can be watched and ended.
+ * \param[in] g,n,params,param_stride,relative_tolerance as for nurbs_curve_lengths().
+ * \param[out] lengths as for nurbs_curve_lengths().
+ * \param[in] length_stride as for nurbs_curve_lengths().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \return as for nurbs_curve_lengths(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_curve_lengths_with(const nurbs *g, int64_t n, const double *params,
+                                                int64_t param_stride, double relative_tolerance,
+                                                double *lengths, int64_t length_stride,
+                                                const nurbs_call_options *call);
+
 /** \brief Parameters at given lengths from the start of the domain. Where the curve stands still the first
  * parameter is given. Newton's method with the speed as derivative, inside a bracket.
  * \param[in] g a curve.
@@ -3425,6 +3676,18 @@ NURBS_API nurbs_status nurbs_curve_lengths(const nurbs *g, int64_t n, const doub
 NURBS_API nurbs_status nurbs_curve_params_at_lengths(const nurbs *g, int64_t n, const double *lengths,
                                                      int64_t length_stride, double relative_tolerance,
                                                      double *params, int64_t param_stride, uint32_t flags);
+
+/** \brief nurbs_curve_params_at_lengths() as a call that can be watched and ended.
+ * \param[in] g,n,lengths,length_stride,relative_tolerance as for nurbs_curve_params_at_lengths().
+ * \param[out] params as for nurbs_curve_params_at_lengths().
+ * \param[in] param_stride,flags as for nurbs_curve_params_at_lengths().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \return as for nurbs_curve_params_at_lengths(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_curve_params_at_lengths_with(const nurbs *g, int64_t n, const double *lengths,
+                                                          int64_t length_stride, double relative_tolerance,
+                                                          double *params, int64_t param_stride,
+                                                          uint32_t flags, const nurbs_call_options *call);
 
 /** \brief Divides a curve into parts of equal length, or so that consecutive points have equal distances.
  * Each point is the first one at its distance from the one before, where there is such a division; else
@@ -3445,6 +3708,16 @@ NURBS_API nurbs_status nurbs_curve_divide(const nurbs *g, const double *range, i
                                           double relative_tolerance, uint32_t flags, double *params,
                                           double *size);
 
+/** \brief nurbs_curve_divide() as a call that can be watched and ended.
+ * \param[in] g,range,parts,relative_tolerance,flags as for nurbs_curve_divide().
+ * \param[out] params,size as for nurbs_curve_divide().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \return as for nurbs_curve_divide(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_curve_divide_with(const nurbs *g, const double *range, int64_t parts,
+                                               double relative_tolerance, uint32_t flags, double *params,
+                                               double *size, const nurbs_call_options *call);
+
 /** \brief Area of a surface, in any dimension.
  * \param[in] g a surface.
  * \param[in] range [2][2] or NULL for all of it: the part of the domain.
@@ -3455,6 +3728,15 @@ NURBS_API nurbs_status nurbs_curve_divide(const nurbs *g, const double *range, i
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_surface_area(const nurbs *g, const double *range, double relative_tolerance,
                                           double *area, double *error);
+
+/** \brief nurbs_surface_area() as a call that can be watched and ended.
+ * \param[in] g,range,relative_tolerance as for nurbs_surface_area().
+ * \param[out] area,error as for nurbs_surface_area().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \return as for nurbs_surface_area(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_surface_area_with(const nurbs *g, const double *range, double relative_tolerance,
+                                               double *area, double *error, const nurbs_call_options *call);
 
 /** \brief Content, centroid and inertia of a spline itself: of a curve as a wire, of a surface as a sheet,
  * of a volume as a body (the integral of |det J|, J its derivatives).
@@ -3471,6 +3753,16 @@ NURBS_API nurbs_status nurbs_surface_area(const nurbs *g, const double *range, d
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_moments(const nurbs *g, double relative_tolerance, double *content,
                                      double *centroid, double *inertia, double *error);
+
+/** \brief nurbs_moments() as a call that can be watched and ended.
+ * \param[in] g,relative_tolerance as for nurbs_moments().
+ * \param[out] content,centroid,inertia,error as for nurbs_moments().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \return as for nurbs_moments(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_moments_with(const nurbs *g, double relative_tolerance, double *content,
+                                          double *centroid, double *inertia, double *error,
+                                          const nurbs_call_options *call);
 
 /** \brief Area, centroid and inertia of the region of the plane that closed chains of curves enclose, by
  * Green's theorem: 1/2 integral of x dy - y dx. What a chain that runs counterclockwise encloses counts
@@ -3492,6 +3784,17 @@ NURBS_API nurbs_status nurbs_enclosed_area(int64_t count, const nurbs *const *cu
                                            double relative_tolerance, double *area, double *centroid,
                                            double *inertia, double *error);
 
+/** \brief nurbs_enclosed_area() as a call that can be watched and ended.
+ * \param[in] count,curves,tolerance,relative_tolerance as for nurbs_enclosed_area().
+ * \param[out] area,centroid,inertia,error as for nurbs_enclosed_area().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \return as for nurbs_enclosed_area(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_enclosed_area_with(int64_t count, const nurbs *const *curves, double tolerance,
+                                                double relative_tolerance, double *area, double *centroid,
+                                                double *inertia, double *error,
+                                                const nurbs_call_options *call);
+
 /** \brief Volume, centroid and inertia of the body that surfaces enclose, by the divergence theorem: 1/3
  * integral of S . (S_u x S_v). Normals S_u x S_v point outwards (all inwards: the volume is negative).
  * The vector area, the integral of S_u x S_v, shows whether the surfaces close: it is zero for closed
@@ -3510,6 +3813,17 @@ NURBS_API nurbs_status nurbs_enclosed_area(int64_t count, const nurbs *const *cu
 NURBS_API nurbs_status nurbs_enclosed_volume(int64_t count, const nurbs *const *surfaces,
                                              double relative_tolerance, double *volume, double *centroid,
                                              double *inertia, double *openness, double *error);
+
+/** \brief nurbs_enclosed_volume() as a call that can be watched and ended.
+ * \param[in] count,surfaces,relative_tolerance as for nurbs_enclosed_volume().
+ * \param[out] volume,centroid,inertia,openness,error as for nurbs_enclosed_volume().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \return as for nurbs_enclosed_volume(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_enclosed_volume_with(int64_t count, const nurbs *const *surfaces,
+                                                  double relative_tolerance, double *volume, double *centroid,
+                                                  double *inertia, double *openness, double *error,
+                                                  const nurbs_call_options *call);
 /** @} */
 
 /** \defgroup bounds Boxes and cones
@@ -3666,6 +3980,16 @@ NURBS_API nurbs_status nurbs_curve_features(const nurbs *g, uint32_t kinds, int6
                                             int32_t *found, double *values, int64_t *count,
                                             int32_t *complete);
 
+/** \brief nurbs_curve_features() as a call that can be watched and ended.
+ * \param[in] g,kinds,cap as for nurbs_curve_features().
+ * \param[out] params,found,values,count,complete as for nurbs_curve_features().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \return as for nurbs_curve_features(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_curve_features_with(const nurbs *g, uint32_t kinds, int64_t cap, double *params,
+                                                 int32_t *found, double *values, int64_t *count,
+                                                 int32_t *complete, const nurbs_call_options *call);
+
 /** \brief The pieces of a curve on which it runs one way along a direction: direction . C(t) rises, falls
  * or, to rounding, stays on whole Bezier pieces. A jump begins a piece.
  * \param[in] g a curve.
@@ -3762,6 +4086,16 @@ NURBS_API nurbs_status nurbs_singular_points(const nurbs *g, double tolerance, i
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_fold_test(const nurbs *g, const double *reference, int32_t *result,
                                        double *positive, double *negative);
+
+/** \brief nurbs_fold_test() as a call that can be watched and ended.
+ * \param[in] g,reference as for nurbs_fold_test().
+ * \param[out] result,positive,negative as for nurbs_fold_test().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \return as for nurbs_fold_test(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_fold_test_with(const nurbs *g, const double *reference, int32_t *result,
+                                            double *positive, double *negative,
+                                            const nurbs_call_options *call);
 /** @} */
 
 /** \defgroup edit Weights and control points
@@ -4012,6 +4346,42 @@ NURBS_API nurbs_status nurbs_constrain(const nurbs *g, int64_t count, const int3
                                        const int32_t *keep, const double *costs, const double *weight_costs,
                                        double tolerance, double *residuals, int64_t *rank, double *moved,
                                        double *optimality, nurbs **out);
+
+/** \brief The constraints of nurbs_constrain() as one argument. Fields are only ever appended, and
+ * struct_size is at most 4096. */
+typedef struct nurbs_constraints {
+    int64_t struct_size;        /**< size of this struct as the caller knows it */
+    int64_t count;              /**< number of constraints, > 0 */
+    const int32_t *kinds;       /**< [count] or NULL: as for nurbs_constrain(), like all fields that follow */
+    const int32_t *orders;      /**< [count][axes] or NULL: orders of derivatives */
+    const double *params;       /**< [count][axes] parameters */
+    const double *targets;      /**< [count][dim] targets */
+    const int32_t *keep;        /**< [axes][2] or NULL: derivatives that stay at the ends */
+    const double *costs;        /**< [N] or NULL: of moving control points */
+    const double *weight_costs; /**< [N] or NULL: of changing weights */
+    double tolerance;           /**< largest residual, >= 0 */
+} nurbs_constraints;
+
+/** \brief What nurbs_constrain() tells about its solution. */
+typedef struct nurbs_constraint_report {
+    int64_t struct_size; /**< size of this struct as the caller knows it */
+    double *residuals;   /**< [count] or NULL: an array of the caller, which receives the residuals */
+    int64_t rank;        /**< receives the number of independent equations */
+    double moved;        /**< receives the largest distance by which a control point moved */
+    double optimality;   /**< receives the relative length of the gradient */
+} nurbs_constraint_report;
+
+/** \brief nurbs_constrain() as a call that can be watched and ended.
+ * \param[in] g as for nurbs_constrain().
+ * \param[in] constraints what is to hold.
+ * \param[in,out] report or NULL: where the answers go.
+ * \param[in] call or NULL: the wishes of the caller.
+ * \param[out] out the new handle.
+ * \return as for nurbs_constrain(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_constrain_with(const nurbs *g, const nurbs_constraints *constraints,
+                                            nurbs_constraint_report *report, const nurbs_call_options *call,
+                                            nurbs **out);
 /** @} */
 
 /** \defgroup deform Deformations
@@ -4092,6 +4462,18 @@ NURBS_API nurbs_status nurbs_bend(const nurbs *g, const double *origin, const do
                                   const double *across, double curvature, double lower, double upper,
                                   double tolerance, double *deviation, int32_t *proven, nurbs **out);
 
+/** \brief nurbs_bend() as a call that can be watched and ended.
+ * \param[in] g,origin,along,across,curvature,lower,upper,tolerance as for nurbs_bend().
+ * \param[out] deviation,proven as for nurbs_bend().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \param[out] out the new handle.
+ * \return as for nurbs_bend(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_bend_with(const nurbs *g, const double *origin, const double *along,
+                                       const double *across, double curvature, double lower, double upper,
+                                       double tolerance, double *deviation, int32_t *proven,
+                                       const nurbs_call_options *call, nurbs **out);
+
 /** \brief Free-form deformation (Sederberg & Parry 1986): maps a shape by a volume, C -> V(A C), where A
  * maps the box from lower to upper to the domain of V. The exact image of a curve has a high degree
  * (nurbs_compose()); here g is refined as by nurbs_bend() until the difference is at most the tolerance. That
@@ -4113,6 +4495,18 @@ NURBS_API nurbs_status nurbs_free_form_deform(const nurbs *g, const nurbs *volum
                                               const double *upper, double tolerance, double *deviation,
                                               int32_t *proven, nurbs **out);
 
+/** \brief nurbs_free_form_deform() as a call that can be watched and ended.
+ * \param[in] g,volume,lower,upper,tolerance as for nurbs_free_form_deform().
+ * \param[out] deviation,proven as for nurbs_free_form_deform().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \param[out] out the new handle.
+ * \return as for nurbs_free_form_deform(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_free_form_deform_with(const nurbs *g, const nurbs *volume, const double *lower,
+                                                   const double *upper, double tolerance, double *deviation,
+                                                   int32_t *proven, const nurbs_call_options *call,
+                                                   nurbs **out);
+
 /** \brief Fairs a shape: among the splines with the same knots and weights that are at most a tolerance away,
  * and of them those that move control points least for their energy, the one with the least energy, the
  * integral of the squared derivatives of an order, summed over the axes (of homogeneous coordinates about the
@@ -4132,6 +4526,17 @@ NURBS_API nurbs_status nurbs_free_form_deform(const nurbs *g, const nurbs *volum
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_fair(const nurbs *g, int32_t order, const int32_t *keep, double tolerance,
                                   double *energies, double *bound, nurbs **out);
+
+/** \brief nurbs_fair() as a call that can be watched and ended.
+ * \param[in] g,order,keep,tolerance as for nurbs_fair().
+ * \param[out] energies,bound as for nurbs_fair().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \param[out] out the new handle.
+ * \return as for nurbs_fair(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_fair_with(const nurbs *g, int32_t order, const int32_t *keep, double tolerance,
+                                       double *energies, double *bound, const nurbs_call_options *call,
+                                       nurbs **out);
 
 /** \brief Moves a boundary of a spline onto one of another: a curve's end onto an end, a surface's edge onto
  * an edge. Layers of control points at the boundary change, after both were made compatible along it; with
@@ -4354,6 +4759,15 @@ NURBS_API nurbs_status nurbs_read_options_init(nurbs_read_options *options, int6
 NURBS_API nurbs_status nurbs_read(const void *bytes, int64_t size, const nurbs_read_options *options,
                                   nurbs_list **out);
 
+/** \brief nurbs_read() as a call that can be watched and ended.
+ * \param[in] bytes,size,options as for nurbs_read().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \param[out] out the new list.
+ * \return as for nurbs_read(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_read_with(const void *bytes, int64_t size, const nurbs_read_options *options,
+                                       const nurbs_call_options *call, nurbs_list **out);
+
 /** \brief Reads a file by its path; see nurbs_read().
  * \param[in] path file name, zero-terminated, in the system's encoding.
  * \param[in] options or NULL for the defaults: settings.
@@ -4361,6 +4775,15 @@ NURBS_API nurbs_status nurbs_read(const void *bytes, int64_t size, const nurbs_r
  * \return as for nurbs_read(), and NURBS_ERROR_FILE.
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_read_file(const char *path, const nurbs_read_options *options, nurbs_list **out);
+
+/** \brief nurbs_read_file() as a call that can be watched and ended.
+ * \param[in] path,options as for nurbs_read_file().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \param[out] out the new list.
+ * \return as for nurbs_read_file(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_read_file_with(const char *path, const nurbs_read_options *options,
+                                            const nurbs_call_options *call, nurbs_list **out);
 
 /** \brief Number of splines in a list.
  * \param[in] list a list.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "analysis/curve_signs.h"
 
+#include "base/watch.h"
+
 #include <algorithm>
 
 namespace nrb::analysis {
@@ -25,10 +27,11 @@ void append_runs(const pieces::HomogeneousPiece &piece, const SignRuns &signs, C
 CurveSigns curve_signs(const std::vector<pieces::HomogeneousPiece> &pieces, const Numerator &numerator) {
     CurveSigns result;
     for (const pieces::HomogeneousPiece &piece : pieces) {
-        const RoundedPolynomial f = numerator(piece);
-        if (!piece.positive || exactly_zero(f)) {
+        const bool known = piece.positive && !work_ended();
+        const RoundedPolynomial f = known ? numerator(piece) : constant(0);
+        if (exactly_zero(f)) {
             result.runs.push_back({piece.parameter(0, 0), piece.parameter(0, 1), 0});
-            result.complete = result.complete && piece.positive;
+            result.complete = result.complete && known;
             continue;
         }
         append_runs(piece, sign_runs(f), result);

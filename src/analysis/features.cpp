@@ -5,6 +5,7 @@
 #include "analysis/curve_turns.h"
 #include "base/error.h"
 #include "base/numbers.h"
+#include "base/watch.h"
 #include "eval/frames/curve_limit.h"
 #include "eval/frames/magnitude.h"
 
@@ -117,7 +118,10 @@ private:
     std::vector<CurveZero> zeros(const Numerator &numerator) {
         std::vector<CurveZero> result;
         for (const pieces::HomogeneousPiece &piece : pieces_.pieces()) {
-            found_.complete = found_.complete && piece.positive;
+            found_.complete = found_.complete && piece.positive && !work_ended();
+            if (work_ended()) {
+                break;
+            }
             for (const ZeroPlace &place : zero_places(numerator(piece))) {
                 const CurveZero zero{piece.parameter(0, place.from), piece.parameter(0, place.to),
                                      place.certain};
@@ -240,7 +244,7 @@ private:
         for (size_t e = 0; e < pieces.size(); ++e) {
             const double start = pieces[e].parameter(0, 0);
             rises.runs.push_back({start, start, curvature_step(e)});
-            if (pieces[e].positive) {
+            if (pieces[e].positive && !work_ended()) {
                 append_piece(pieces[e], rises, bends);
             } else {
                 rises.complete = false;
@@ -266,6 +270,7 @@ private:
 } // namespace
 
 Features curve_features(const Spline &curve, uint32_t kinds) {
+    const LimitedSearch search;
     return FeatureFinder(curve, kinds).run();
 }
 

@@ -4,6 +4,7 @@
 #include "analysis/curve_signs.h"
 #include "analysis/jacobian_parts.h"
 #include "base/error.h"
+#include "base/watch.h"
 #include "numeric/norm.h"
 
 #include <algorithm>
@@ -118,7 +119,7 @@ private:
     void start(const pieces::HomogeneousPiece &piece) {
         const size_t e = pieces_.size();
         pieces_.push_back(piece.part);
-        if (!piece.positive || too_large(piece)) {
+        if (!piece.positive || too_large(piece) || work_ended()) {
             hidden_ = true;
             return;
         }
@@ -195,6 +196,7 @@ private:
 } // namespace
 
 FoldTest fold_test(const Spline &spline, const double *reference) {
+    const LimitedSearch search;
     return FoldSearch(spline, reference).run();
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "analysis/jacobian_parts.h"
 
+#include "base/watch.h"
 #include "pieces/best_first.h"
 
 #include <algorithm>
@@ -69,7 +70,7 @@ JacobianPart PartQueue::take() {
 
 bool PartQueue::halve(JacobianPart &part, const std::array<double, max_axes> &scale, double least) {
     const int k = longest_axis(part, axes_, scale, least);
-    if (k < 0 || *halvings_ <= 0) {
+    if (k < 0 || *halvings_ <= 0 || work_ended()) {
         return false;
     }
     --*halvings_;

@@ -23,6 +23,11 @@ private:
     char text_[capacity];
 };
 
+// What ends a watched call from outside. It is no Error, so that nothing that copes with failures takes it for one.
+struct CallEnded {
+    Error why;
+};
+
 // A double as text for messages: the shortest digits that name the value, whatever the locale.
 struct Number {
     explicit Number(double value) noexcept;

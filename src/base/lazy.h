@@ -2,13 +2,15 @@
 // Slots for tables that are derived from an immutable object: built when needed, by any thread, then shared.
 #pragma once
 
+#include "base/watch.h"
+
 #include <atomic>
 #include <cstdint>
 #include <memory>
 
 namespace nrb::inline base {
 
-// If two threads meet, both may build; the first to store wins, and the other result is dropped. No thread
+// Building does not count for the limit of work of the call that needs the table first. If two threads meet, both may build; the first to store wins, and the other result is dropped. No thread
 // ever waits, and a builder that throws leaves the slot empty.
 template <class T>
 class Lazy {
@@ -26,6 +28,7 @@ public:
         if (const T *ready = peek()) {
             return *ready;
         }
+        const NotCounted kept;
         auto fresh = std::make_unique<const T>(build());
         const T *expected = nullptr;
         if (slot_.compare_exchange_strong(expected, fresh.get(), std::memory_order_acq_rel)) {

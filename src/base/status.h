@@ -78,6 +78,8 @@ enum class Status : int32_t {
     memory = 300,
     file = 301,
     too_large = 302,
+    cancelled = 303,
+    work = 304,
     // contents of files
     format = 400,
     truncated = 401,

@@ -2,6 +2,7 @@
 #include "bernstein/rounded_polynomial.h"
 
 #include "base/numbers.h"
+#include "base/watch.h"
 
 #include <algorithm>
 #include <cmath>
@@ -94,6 +95,7 @@ RoundedPolynomial side_by_side(const std::vector<RoundedPolynomial> &components)
 // product, three multiplications, and sums of as many terms as the smaller factor has coefficients; half an
 // eps each.
 RoundedPolynomial operator*(const RoundedPolynomial &a, const RoundedPolynomial &b) {
+    count_work(4 * a.shape.values() * b.shape.coefficients());
     RoundedPolynomial result{product_shape(a.shape, b.shape), {}, {}};
     const auto left = binomial_factors(a.shape), right = binomial_factors(b.shape),
                over = binomial_factors(result.shape);
@@ -187,6 +189,7 @@ RoundedPolynomial end_value(const RoundedPolynomial &a, int axis, bool upper) {
 
 RoundedPolynomial split(RoundedPolynomial &a, int axis, double place) {
     const AxisLayers layers = a.shape.along(axis);
+    count_work(a.shape.values() * layers.degree);
     add_rounding_of_means(a, layers.degree);
     RoundedPolynomial lower = a;
     subdivide(layers, place, a.values.data(), lower.values.data());

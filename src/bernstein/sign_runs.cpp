@@ -2,6 +2,7 @@
 #include "bernstein/sign_runs.h"
 
 #include "base/numbers.h"
+#include "base/watch.h"
 
 #include <algorithm>
 #include <cmath>
@@ -116,7 +117,7 @@ private:
     // At a place where the sign is certain.
     void halve(const RoundedPolynomial &f, double from, double to) {
         for (const double place : split_places) {
-            if (to - from < least || halvings_ > most_halvings) {
+            if (to - from < least || halvings_ > most_halvings || work_ended()) {
                 break;
             }
             ++halvings_;
@@ -207,7 +208,7 @@ private:
     // At a place where not all components may vanish.
     void halve(const RoundedPolynomial &v, double from, double to) {
         for (const double place : split_places) {
-            if (to - from < least || ++halvings_ > most_halvings) {
+            if (to - from < least || ++halvings_ > most_halvings || work_ended()) {
                 break;
             }
             RoundedPolynomial upper = v;

@@ -3,6 +3,7 @@
 
 #include "base/finite.h"
 #include "base/numbers.h"
+#include "base/watch.h"
 
 #include <algorithm>
 #include <cmath>
@@ -116,6 +117,7 @@ public:
     }
 
     void fill(int64_t piece, pieces::QuotientPiece &out) {
+        count_work(f_.weighted() ? 3 * vector_.values() * scalar_.coefficients() : 8 * vector_.values());
         out.numerator_error = out.quotient_error = out.denominator_error = out.denominator_factor = 0;
         out.last_axis = -1;
         size_ = std::max(f_.size(piece), g_.size(piece));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "closest/closest.h"
 
+#include "base/watch.h"
 #include "closest/curve/curve_locator.h"
 #include "closest/patch/patch_locator.h"
 #include "eval/evaluate.h"
@@ -15,6 +16,7 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr int64_t block = 64;
+constexpr int64_t work_of_a_point = 1000, work_of_a_descent = 3000; // beyond what searches count
 
 // The search of patches answers for curves as well, in 1.8 times the time of their own one.
 std::shared_ptr<const Locator> make_locator(const Spline &spline) {
@@ -32,6 +34,14 @@ bool copy(const ConstRecords &from, int64_t i, std::vector<double> &to) noexcept
         finite = finite && std::isfinite(to[c]);
     }
     return finite;
+}
+
+// The answer to a local search that the limit of work left no time for.
+Foot where_it_began(const std::vector<double> &guess) {
+    Foot foot;
+    std::copy(guess.begin(), guess.end(), foot.params.begin());
+    foot.status = closest_budget;
+    return foot;
 }
 
 // Turns the answers of locators into results: points and distances are those of the parameters.
@@ -142,7 +152,9 @@ void closest_points(const Spline &spline, const ConstRecords &points, const Quer
     Query query = common;
     query.point = point.data();
     Feet feet(spline, points, &common, out);
-    for (int64_t i = 0; i < points.count; ++i) {
+    const LimitedSearch search;
+    Steps steps(points.count);
+    for (int64_t i = 0; i < points.count; ++i, steps.next(work_of_a_point)) {
         if (copy(points, i, point)) {
             feet.set(i, locator.nearest(query));
         } else {
@@ -156,9 +168,13 @@ void closest_local(const Spline &spline, const ConstRecords &points, const Const
     const Locator &locator = locator_of(spline);
     std::vector<double> point(static_cast<size_t>(spline.dim())), guess(static_cast<size_t>(spline.axes()));
     Feet feet(spline, points, nullptr, out);
-    for (int64_t i = 0; i < points.count; ++i) {
+    const LimitedSearch search;
+    Steps steps(points.count);
+    for (int64_t i = 0; i < points.count; ++i, steps.next(work_of_a_descent)) {
         copy(guesses, i, guess);
-        if (copy(points, i, point)) {
+        if (work_ended()) {
+            feet.set(i, where_it_began(guess));
+        } else if (copy(points, i, point)) {
             feet.set(i, locator.local(point.data(), guess.data()));
         } else {
             feet.set_invalid(i);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "closest/signed_distance.h"
 
+#include "base/watch.h"
 #include "eval/evaluate.h"
 #include "eval/frames/curve_limit.h"
 #include "eval/frames/jet.h"
@@ -117,7 +118,8 @@ void signed_distances(const Spline &curve, const ConstRecords &points, const Que
     eval::AxisRules rules;
     rules[0].nan = true;
     Block block;
-    for (int64_t first = 0; first < points.count; first += Block::size) {
+    Steps steps((points.count + Block::size - 1) / Block::size);
+    for (int64_t first = 0; first < points.count; first += Block::size, steps.next()) {
         ConstRecords part = points;
         part.data += first * points.stride;
         part.count = std::min(Block::size, points.count - first);

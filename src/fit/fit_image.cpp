@@ -2,6 +2,7 @@
 #include "fit/fit_image.h"
 
 #include "base/representable.h"
+#include "base/watch.h"
 #include "fit/span_samples.h"
 #include "numeric/norm.h"
 #include "refine/degree/elevate.h"
@@ -14,6 +15,8 @@
 namespace nrb::fit {
 
 namespace {
+
+constexpr int64_t work_of_a_point = 100; // which is mapped
 
 // The numerators w F(A / w) at samples (A, w) of homogeneous points, and the weights.
 struct Numerators {
@@ -35,6 +38,7 @@ Numerators mapped(const std::vector<double> &samples, size_t dim, bool rational,
         }
     }
     require_representable(points, "points of g");
+    count_work(work_of_a_point * static_cast<int64_t>(count));
     result.values.resize(points.size());
     map(points, result.values);
     require_representable(result.values, "the image");

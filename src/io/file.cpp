@@ -2,12 +2,13 @@
 #include "io/file.h"
 
 #include "base/error.h"
+#include "base/no_cancellation.h"
+#include "base/watch.h"
 
 #include <cerrno>
 #include <cstdio>
 #include <memory>
 #include <new>
-#include <pthread.h>
 #include <system_error>
 
 namespace nrb::io {
@@ -26,19 +27,6 @@ using File = std::unique_ptr<std::FILE, Close>;
     fail(Status::file, "path = \"%.200s\": %s", path, std::generic_category().message(errno).c_str());
 }
 
-// A cancelled thread unwinds by an exception that must not be caught, but the border catches everything. So
-// cancellation waits: the thread ends after the call.
-class NoCancellation {
-public:
-    NoCancellation() noexcept { pthread_setcancelstate(PTHREAD_CANCEL_DISABLE, &before_); }
-    ~NoCancellation() { pthread_setcancelstate(before_, nullptr); }
-    NoCancellation(const NoCancellation &) = delete;
-    NoCancellation &operator=(const NoCancellation &) = delete;
-
-private:
-    int before_ = 0;
-};
-
 } // namespace
 
 std::vector<char> read_whole_file(const char *path, int64_t max_bytes) {
@@ -52,6 +40,7 @@ std::vector<char> read_whole_file(const char *path, int64_t max_bytes) {
     size_t block = size_t{1} << 16;
     for (;;) {
         const size_t used = bytes.size();
+        count_work(static_cast<int64_t>(block));
         bytes.resize(used + block);
         const size_t got = std::fread(bytes.data() + used, 1, block, file.get());
         bytes.resize(used + got);

@@ -3,6 +3,7 @@
 
 #include "base/error.h"
 #include "base/numbers.h"
+#include "base/watch.h"
 #include "measure/speed_net.h"
 #include "measure/tolerance_ladder.h"
 #include "numeric/sum.h"
@@ -59,6 +60,8 @@ private:
     RuleDecay decay_;
 };
 
+constexpr int64_t work_of_a_value = 32; // of a net: at the nodes of a rule
+
 // One search with a given idea of the whole length.
 class LengthSearch {
 public:
@@ -78,7 +81,8 @@ public:
             nets_->clear();
         }
         total_ = error_ = CompensatedSum();
-        for (int64_t e = 0; e < pieces_.size(); ++e) {
+        Steps steps(pieces_.size());
+        for (int64_t e = 0; e < pieces_.size(); ++e, steps.next()) {
             run_piece(e);
         }
         return {total_.value(), error_.value()};
@@ -108,6 +112,7 @@ private:
     }
 
     bool finish(int64_t piece, const SpeedPart &part, const double *net) {
+        count_work(work_of_a_value * pieces_.form().size());
         const NetShape shape = net_shape(pieces_.form(), net);
         return shape.even ? finish_even(piece, part, net, shape)
                           : finish_uneven(piece, part, net, shape.bound());
@@ -213,6 +218,7 @@ SpeedPieces::SpeedPieces(const Spline &curve, Interval range) {
     nets_.reserve(static_cast<size_t>(elements.size() * form_.size()));
     Element element;
     for (int64_t e = 0; e < elements.size(); ++e) {
+        count_work(work_of_a_value * form_.size());
         elements.load(e, element);
         add_piece(element, p);
         intervals_.push_back(elements.interval(e, 0));

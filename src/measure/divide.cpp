@@ -3,6 +3,7 @@
 
 #include "base/error.h"
 #include "base/numbers.h"
+#include "base/watch.h"
 #include "eval/evaluate.h"
 #include "measure/chord_path.h"
 #include "measure/length_table.h"
@@ -42,6 +43,7 @@ public:
         return std::ldexp(length, -table_.exponent());
     }
     [[nodiscard]] double param(double s) {
+        count_work(4 * table_.work_of_a_place());
         const double t = table_.param_at(std::clamp(start_ + s, start_, end_), work_.data());
         return std::clamp(t, range_.lower, range_.upper);
     }

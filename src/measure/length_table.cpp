@@ -4,6 +4,7 @@
 #include "base/error.h"
 #include "base/numbers.h"
 #include "base/scratch.h"
+#include "base/watch.h"
 #include "bernstein/de_casteljau.h"
 #include "numeric/binomial.h"
 #include "numeric/sum.h"
@@ -45,6 +46,7 @@ LengthTable::LengthTable(const Spline &curve) : pieces_(curve, curve.axis(0).dom
     starts_.push_back(sum.value());
     std::vector<double> work(work_size());
     for (size_t leaf = 0; leaf < leaves_.size(); ++leaf) {
+        count_work(work_of_a_place());
         end_speeds_.push_back({speed(leaf, 0, work.data()), speed(leaf, 1, work.data())});
     }
 }
@@ -91,6 +93,10 @@ double LengthTable::speed(size_t leaf, double x, double *work) const noexcept {
 
 size_t LengthTable::work_size() const noexcept {
     return static_cast<size_t>(pieces_.form().size()) + max_row;
+}
+
+int64_t LengthTable::work_of_a_place() const noexcept {
+    return 32 * int64_t{pieces_.form().size()};
 }
 
 double LengthTable::length_at(double t, double *work) const noexcept {
@@ -178,7 +184,8 @@ void curve_lengths(const Spline &curve, const ConstRecords &params, double relat
     table.check(relative_tolerance, table.total());
     Scratch work(table.work_size());
     double *rows = work.take(table.work_size());
-    for (int64_t i = 0; i < params.count; ++i) {
+    Steps steps(params.count);
+    for (int64_t i = 0; i < params.count; ++i, steps.next(table.work_of_a_place())) {
         out(i, 0) = std::ldexp(table.length_at(params(i, 0), rows), table.exponent());
     }
 }
@@ -198,7 +205,8 @@ void curve_params_at_lengths(const Spline &curve, const ConstRecords &lengths, d
     }
     Scratch work(table.work_size());
     double *rows = work.take(table.work_size());
-    for (int64_t i = 0; i < lengths.count; ++i) {
+    Steps steps(lengths.count);
+    for (int64_t i = 0; i < lengths.count; ++i, steps.next(4 * table.work_of_a_place())) {
         const double s = std::clamp(std::ldexp(lengths(i, 0), -table.exponent()), 0.0, table.total());
         out(i, 0) = table.param_at(s, rows);
     }

@@ -22,6 +22,8 @@ public:
     [[nodiscard]] int exponent() const noexcept { return pieces_.exponent(); }
     // Doubles of working memory that the functions below need.
     [[nodiscard]] size_t work_size() const noexcept;
+    // Multiply-adds of a rule on a part of a leaf.
+    [[nodiscard]] int64_t work_of_a_place() const noexcept;
     // From the start of the domain; precondition: t in it. Cost: one rule.
     [[nodiscard]] double length_at(double t, double *work) const noexcept;
     // The first parameter at a length in [0, total()]: Newton's method with the speed as derivative, inside a

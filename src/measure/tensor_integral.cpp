@@ -2,6 +2,7 @@
 #include "measure/tensor_integral.h"
 
 #include "base/numbers.h"
+#include "base/watch.h"
 #include "bernstein/de_casteljau.h"
 #include "measure/element_shape.h"
 #include "measure/tensor_rule.h"
@@ -47,6 +48,7 @@ public:
             for (int64_t e = 0; e < elements.size(); ++e) {
                 elements.load(e, element);
                 add_rounding(elements, element);
+                count_work(work_of_rule(elements, first(elements)));
                 rule.evaluate(element.net.data(), element.origin, first(elements));
                 accept(rule, elements.axes(), true);
             }
@@ -61,11 +63,13 @@ public:
             TensorRule rule(elements, integrand_);
             ElementShape shape(elements);
             Element element;
+            Steps steps(elements.size());
             budget_ += least_budgets[axis_index(elements)] + budget_for_an_element * elements.size();
             for (int64_t e = 0; e < elements.size(); ++e) {
                 elements.load(e, element);
                 add_rounding(elements, element);
                 run_element(elements, element, rule, shape, goal);
+                steps.next();
             }
         }
         return finish();
@@ -82,6 +86,16 @@ private:
         Levels levels{};
         levels.fill(first_levels[axis_index(elements)]);
         return levels;
+    }
+
+    // A value and derivatives at each node, each axis in turn.
+    [[nodiscard]] int64_t work_of_rule(const Elements &elements, const Levels &levels) const noexcept {
+        int64_t nodes = 1, degrees = 0;
+        for (int k = 0; k < elements.axes(); ++k) {
+            nodes *= rule_size(levels[static_cast<size_t>(k)]);
+            degrees += elements.degree(k) + 1;
+        }
+        return nodes * (elements.axes() + 1) * elements.width() * degrees;
     }
 
     void start() {
@@ -142,6 +156,7 @@ private:
             Levels levels = first(elements);
             Verdict verdict;
             do {
+                count_work(work_of_rule(elements, levels));
                 rule.evaluate(nets_.data() + nets_.size() - size, element.origin, levels);
                 verdict = judge(rule, levels, axes, goal);
             } while (verdict.axis >= 0 && verdict.raise && ++levels[static_cast<size_t>(verdict.axis)] > 0);

@@ -2,6 +2,7 @@
 #include "pieces/bernstein_net.h"
 
 #include "base/numbers.h"
+#include "base/watch.h"
 #include "pieces/extraction.h"
 #include "refine/knots/axis_table.h"
 #include "refine/knots/bezier_rows.h"
@@ -149,6 +150,7 @@ BernsteinNet::BernsteinNet(const Spline &spline, const CentredRecords &records, 
         const auto padded = static_cast<size_t>(max_axes - spline.axes()) + at;
         shape_.degrees[padded] = n;
         counts_[padded] = std::ssize(breaks[at]) - 1;
+        count_work(view.outer * view.count * view.inner * (p + 1));
         sizes = active_maxima(sizes, view, axis, breaks[at]);
         if (k + 1 < spline.axes()) {
             view = {view.outer * counts_[padded], spline.count(k + 1), view.inner / spline.count(k + 1)};

@@ -2,6 +2,8 @@
 // The best of what is left first, within a budget: the order of most searches with proof.
 #pragma once
 
+#include "base/watch.h"
+
 #include <algorithm>
 #include <cstdint>
 #include <limits>
@@ -52,10 +54,10 @@ public:
     void leave_out(double bound) noexcept { left_out_ = std::max(left_out_, bound); }
 
     // Calls look(Entry) while there is something left that counts(const Entry &), at most `budget` times, of
-    // which look() may take more itself.
+    // which look() may take more itself, and as long as the limit of work is not reached.
     template <class Counts, class Look>
     void run(int64_t &budget, Counts &&counts, Look &&look) {
-        while (!empty() && counts(best()) && budget-- > 0) {
+        while (!empty() && counts(best()) && budget-- > 0 && !work_ended()) {
             look(pop());
         }
     }

@@ -2,6 +2,7 @@
 #include "pieces/bezier_piece.h"
 
 #include "base/numbers.h"
+#include "base/watch.h"
 #include "numeric/norm.h"
 
 #include <algorithm>
@@ -55,6 +56,7 @@ LocalParam BezierPiece::place(const LocalParam &parameter) const noexcept {
 }
 
 void BezierPiece::update() {
+    count_work(2 * coefficients() * shape_.width);
     if (weight(0) < 0 || (weight(0) == 0 && values_.back() < 0)) {
         std::for_each(values_.begin(), values_.end(), [](double &x) { x = -x; });
     }
@@ -149,6 +151,7 @@ double BezierPiece::middle(int axis) const noexcept {
 
 // Each value is a mean of `degree` steps, off by degree eps / 2 of the same means of magnitudes.
 BezierPiece BezierPiece::halve(int axis) {
+    count_work(coefficients() * degree(axis) * shape_.width / 2);
     add_rounding(degree(axis) * eps);
     BezierPiece lower = *this;
     nrb::halve(shape_, max_axes - axes_ + axis, values_.data(), lower.values_.data());

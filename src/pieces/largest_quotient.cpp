@@ -3,6 +3,7 @@
 
 #include "base/finite.h"
 #include "base/numbers.h"
+#include "base/watch.h"
 #include "numeric/norm.h"
 
 #include <algorithm>
@@ -279,6 +280,7 @@ QuotientPiece halve(QuotientPiece &piece, int axis) {
     piece.last_axis = axis;
     double &extent = piece.extent[static_cast<size_t>(axis)];
     extent /= 2;
+    count_work(2 * std::ssize(piece.numerators));
     QuotientPiece lower = piece;
     piece.start[static_cast<size_t>(axis)] += extent;
     halve(piece.shape, axis, piece.numerators.data(), lower.numerators.data());

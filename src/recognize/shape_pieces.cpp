@@ -81,6 +81,7 @@ std::vector<pieces::BezierPiece> shape_pieces(const Spline &spline, const Shape 
     centre.resize(static_cast<size_t>(spline.dim()));
     pieces::BezierNet net(spline, {std::move(centre), 0});
     std::vector<pieces::BezierPiece> result;
+    result.reserve(static_cast<size_t>(net.count()));
     for (int64_t e = 0; e < net.count(); ++e) {
         pieces::BezierPiece &piece = result.emplace_back(net, e, spline.axes());
         double reach = 0;

@@ -3,6 +3,7 @@
 
 #include "base/finite.h"
 #include "base/numbers.h"
+#include "base/watch.h"
 #include "numeric/norm.h"
 #include "reduce/layers.h"
 #include "refine/periodic/period.h"
@@ -11,6 +12,12 @@
 #include <cmath>
 
 namespace nrb::reduce {
+
+namespace {
+
+constexpr int64_t work_of_a_node = 16; // of a list
+
+} // namespace
 
 GreedyKnotRemoval::GreedyKnotRemoval(const Spline &spline, int axis, bool forgive_rounding)
     : spline_(spline), axis_index_(axis), axis_(spline.axis(axis)), degree_(axis_.degree()),
@@ -35,6 +42,7 @@ void GreedyKnotRemoval::link_knots() {
     const int64_t count = axis_.periodic() ? axis_.distinct_layers() : std::ssize(axis_.knots());
     knots_.reserve(static_cast<size_t>(count));
     for (int64_t i = 0; i < count; ++i) {
+        count_work(work_of_a_node);
         const double value = axis_[first + i];
         const bool inside = value > lower && value < upper;
         const int64_t layer = axis_.periodic() ? (first + i) % count : i;
@@ -47,6 +55,7 @@ void GreedyKnotRemoval::link_layers() {
     const int64_t count = axis_.distinct_layers();
     layers_.reserve(static_cast<size_t>(count));
     for (int64_t i = 0; i < count; ++i) {
+        count_work(work_of_a_node);
         layers_.push_back({(i + 1) % count, (i + count - 1) % count, false, true});
     }
 }
@@ -82,7 +91,8 @@ bool GreedyKnotRemoval::removable(int64_t knot) const noexcept {
     return at.present && at.movable && last_copy(knot);
 }
 
-double GreedyKnotRemoval::key_of(int64_t knot) noexcept {
+double GreedyKnotRemoval::key_of(int64_t knot) {
+    count_work(4 * length_ * (degree_ + 2));
     Window window;
     return locate(knot, window) ? cost(window) : infinity;
 }

@@ -85,7 +85,7 @@ private:
     double cost(const Window &window) noexcept;
     double column_cost(const Window &window, int64_t at) const noexcept;
     double gap_rounding(const Window &window, const Column &column) const noexcept;
-    double key_of(int64_t knot) noexcept;
+    double key_of(int64_t knot);
     void push(int64_t knot);
     template <class Body>
     void for_each_span(const Window &window, Body &&body);

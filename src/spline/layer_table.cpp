@@ -3,6 +3,7 @@
 
 #include "base/checked.h"
 #include "base/representable.h"
+#include "base/watch.h"
 #include "spline/contract.h"
 #include "spline/short_layers.h"
 
@@ -39,7 +40,9 @@ inline void combine(const LayerTable &table, const LayerTable::Row &row, const L
 std::vector<double> new_layers(const AxisView &view, int64_t layers) {
     const int64_t size = checked_product(view.outer * view.inner, layers, "points");
     constexpr auto padding = static_cast<int64_t>(Spline::padding);
-    return std::vector<double>(static_cast<size_t>(checked_sum(size, padding, "points")));
+    std::vector<double> room;
+    grow_watched(room, static_cast<size_t>(checked_sum(size, padding, "points")));
+    return room;
 }
 
 // The same without the padding, once the layers are made.
@@ -53,6 +56,7 @@ std::vector<double> finished(std::vector<double> layers) {
 void combine_all(const LayerTable &table, const Layers &layers, int64_t total, double *out) {
     const int64_t inner = layers.view.inner;
     for (int64_t o = 0; o < layers.view.outer; ++o, out += total * inner) {
+        count_work(table.rows() * inner * 2);
         if (layers.padded && inner <= longest_short_layer) {
             combine_short(table, layers.at(o, 0), static_cast<int>(inner), out);
             continue;
@@ -100,19 +104,20 @@ public:
     }
 
 private:
-    bool combine_short_ones(const LayerTable &table, int64_t total, double *points,
-                            double *weights) const noexcept {
+    bool combine_short_ones(const LayerTable &table, int64_t total, double *points, double *weights) const {
         bool weighted = true;
         for (int64_t o = 0; o < records_.view.outer && weighted; ++o) {
+            count_work(table.rows() * records_.view.inner * 2);
             const ShortNet net{records_.at(o, 0), points_.at(o, 0), weights_.at(o, 0), dim_};
             weighted = combine_short(table, net, points + o * total * dim_, weights + o * total);
         }
         return weighted;
     }
 
-    void combine_long_ones(const LayerTable &table, int64_t total, double *points) noexcept {
+    void combine_long_ones(const LayerTable &table, int64_t total, double *points) {
         const int64_t inner = points_.view.inner;
         for (int64_t o = 0; o < records_.view.outer; ++o, points += total * inner) {
+            count_work(table.rows() * inner * 2);
             for (int64_t r = 0; r < table.rows(); ++r) {
                 combine_points(table, table.row(r), o, points + r * inner);
             }

@@ -2,6 +2,7 @@
 #include "spline/spline.h"
 
 #include "base/finite.h"
+#include "base/watch.h"
 
 #include <algorithm>
 #include <cmath>
@@ -41,6 +42,7 @@ bool all_active(const KnotVector &axis) noexcept {
 Spline::Spline(Axes axes, int dim, Form form, std::vector<double> points, std::vector<double> weights)
     : axes_(std::move(axes)), axis_count_(static_cast<int>(axes_.size())), dim_(dim), form_(form),
       points_(std::move(points)), weights_(std::move(weights)) {
+    count_work(std::ssize(points_) / 4);
     points_.reserve(points_.size() + padding); // no more than that
     points_.resize(points_.size() + padding);
     inert_ =

@@ -28,8 +28,8 @@ def interface(manual):
     for macro in manual.macros:
         yield f"{macro.name}({', '.join(macro.parameters)}) {macro.body}"
     for struct in manual.structs:
-        for place, (kind, name, _) in enumerate(struct.fields):
-            yield f"{struct.name}[{place}] {kind} {name}"
+        for place, entry in enumerate(struct.fields):
+            yield f"{struct.name}[{place}] {entry.c_type} {entry.name}"
 
 
 def missing_files(folder, version):

@@ -8,6 +8,72 @@ module nurbs_c
     implicit none
     public
 
+    !> What a caller wants of a long call; fill with nurbs_call_options_init() first. Fields are only ever
+    !> appended, and struct_size is at most 4096.
+    type, bind(c) :: nurbs_call_options
+        integer(c_int64_t) :: struct_size  ! size of this struct as the caller knows it
+        integer(c_int64_t) :: work  ! most multiply-adds; 0 sets no limit
+        type(c_funptr) :: progress  ! or NULL: called now and then
+        type(c_ptr) :: user  ! or NULL: passed to progress
+    end type nurbs_call_options
+
+    !> What the batches of this chapter are asked as long calls. Fields that are 0 or NULL have their
+    !> defaults; those that a function does not use have to be 0 or NULL (NURBS_ERROR_OPTIONS). Fields are
+    !> only ever appended, and struct_size is at most 4096.
+    type, bind(c) :: nurbs_closest_query
+        integer(c_int64_t) :: struct_size  ! size of this struct as the caller knows it
+        integer(c_int64_t) :: n  ! number of points
+        type(c_ptr) :: points  ! [n][dim] the points
+        integer(c_int64_t) :: point_stride  ! distance between points, 0 = packed
+        integer(c_int64_t) :: point_component_stride  ! distance between components, 0 = 1
+        type(c_ptr) :: guesses  ! [n][axes] or NULL: where nurbs_closest_local_with() begins
+        integer(c_int64_t) :: guess_stride  ! distance between guesses, 0 = packed
+        integer(c_int64_t) :: guess_component_stride  ! distance between components, 0 = 1
+        type(c_ptr) :: range  ! [axes][2] or NULL for all of it: the part of the domain
+        real(c_double) :: tolerance  ! >= 0
+        integer(c_int64_t) :: budget  ! most pieces looked at for each point, 0 for 20000
+        integer(c_int32_t) :: flags  ! NURBS_NAN_POINTS or 0
+        integer(c_int32_t) :: reserved  ! 0
+    end type nurbs_closest_query
+
+    !> Where the answers of such a batch go: arrays of the caller, NULL for what is not wanted.
+    type, bind(c) :: nurbs_closest_answer
+        integer(c_int64_t) :: struct_size  ! size of this struct as the caller knows it
+        type(c_ptr) :: params  ! [n][axes] or NULL: the parameters
+        integer(c_int64_t) :: param_stride  ! distance between parameters, 0 = packed
+        integer(c_int64_t) :: param_component_stride  ! distance between components, 0 = 1
+        type(c_ptr) :: feet  ! [n][dim] or NULL: the points of the spline
+        integer(c_int64_t) :: foot_stride  ! distance between feet, 0 = packed
+        integer(c_int64_t) :: foot_component_stride  ! distance between components, 0 = 1
+        type(c_ptr) :: distances  ! [n] or NULL: the distances, of nurbs_curve_signed_distances_with() signed
+        integer(c_int64_t) :: distance_stride  ! distance between distances, 0 = 1
+        type(c_ptr) :: status  ! [n] or NULL: sums of NURBS_CLOSEST_ bits
+    end type nurbs_closest_answer
+
+    !> The constraints of nurbs_constrain() as one argument. Fields are only ever appended, and struct_size is
+    !> at most 4096.
+    type, bind(c) :: nurbs_constraints
+        integer(c_int64_t) :: struct_size  ! size of this struct as the caller knows it
+        integer(c_int64_t) :: count  ! number of constraints, > 0
+        type(c_ptr) :: kinds  ! [count] or NULL: as for nurbs_constrain(), like all fields that follow
+        type(c_ptr) :: orders  ! [count][axes] or NULL: orders of derivatives
+        type(c_ptr) :: params  ! [count][axes] parameters
+        type(c_ptr) :: targets  ! [count][dim] targets
+        type(c_ptr) :: keep  ! [axes][2] or NULL: derivatives that stay at the ends
+        type(c_ptr) :: costs  ! [N] or NULL: of moving control points
+        type(c_ptr) :: weight_costs  ! [N] or NULL: of changing weights
+        real(c_double) :: tolerance  ! largest residual, >= 0
+    end type nurbs_constraints
+
+    !> What nurbs_constrain() tells about its solution.
+    type, bind(c) :: nurbs_constraint_report
+        integer(c_int64_t) :: struct_size  ! size of this struct as the caller knows it
+        type(c_ptr) :: residuals  ! [count] or NULL: an array of the caller, which receives the residuals
+        integer(c_int64_t) :: rank  ! receives the number of independent equations
+        real(c_double) :: moved  ! receives the largest distance by which a control point moved
+        real(c_double) :: optimality  ! receives the relative length of the gradient
+    end type nurbs_constraint_report
+
     !> Settings for nurbs_read(); fill with nurbs_read_options_init() first. Fields are only ever appended,
     !> and struct_size is at most 4096. A file whose own unit is not known cannot be converted to another:
     !> NURBS_ERROR_OPTIONS.
@@ -38,6 +104,14 @@ module nurbs_c
             integer(c_int64_t), value :: cap
             integer(c_int64_t) :: r
         end function nurbs_last_error
+        ! --- Long calls
+        !> Fills an options struct with the defaults: no limit, no callback.
+        function nurbs_call_options_init(options, struct_size) bind(c) result(r)
+            import
+            type(nurbs_call_options), intent(inout) :: options
+            integer(c_int64_t), value :: struct_size
+            integer(c_int32_t) :: r
+        end function nurbs_call_options_init
         ! --- Construction
         !> A spline from full knot vectors, Cartesian points and optional weights.
         function nurbs_create(axes, degrees, counts, knots, knot_count, dim, points, point_stride, &
@@ -835,6 +909,15 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_product
+        !> nurbs_product() as a call that can be watched and ended.
+        function nurbs_product_with(a, b, flags, call, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: a, b
+            integer(c_int32_t), value :: flags
+            type(nurbs_call_options), intent(in), optional :: call
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_product_with
         !> The curve g(f(t)): a curve g over another parameter, or the curve in space that a curve f in the
         !> parameter space of a surface or volume g traces on it.
         function nurbs_compose(g, f, out) bind(c) result(r)
@@ -843,6 +926,14 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_compose
+        !> nurbs_compose() as a call that can be watched and ended.
+        function nurbs_compose_with(g, f, call, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g, f
+            type(nurbs_call_options), intent(in), optional :: call
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_compose_with
         !> The linear combination alpha a(t) + beta b(t) of two splines over the same domain on every axis.
         function nurbs_sum(a, alpha, b, beta, out) bind(c) result(r)
             import
@@ -966,6 +1057,17 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_reduce_knots
+        !> nurbs_reduce_knots() as a call that can be watched and ended.
+        function nurbs_reduce_knots_with(g, axis, tolerance, bound, call, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int32_t), value :: axis
+            real(c_double), value :: tolerance
+            real(c_double), intent(inout), optional :: bound
+            type(nurbs_call_options), intent(in), optional :: call
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_reduce_knots_with
         !> Lowers the degree along an axis.
         function nurbs_reduce_degree(g, axis, times, bound, out) bind(c) result(r)
             import
@@ -975,6 +1077,16 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_reduce_degree
+        !> nurbs_reduce_degree() as a call that can be watched and ended.
+        function nurbs_reduce_degree_with(g, axis, times, bound, call, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int32_t), value :: axis, times
+            real(c_double), intent(inout), optional :: bound
+            type(nurbs_call_options), intent(in), optional :: call
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_reduce_degree_with
         !> The simplest spline within a tolerance: weights are dropped if they may be, the degree of each axis
         !> is lowered by nurbs_reduce_degree() as long as that stays within and leaves no more control points
         !> (but not below 1, where steps would begin), and knots are removed by nurbs_reduce_knots().
@@ -986,6 +1098,16 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_simplify
+        !> nurbs_simplify() as a call that can be watched and ended.
+        function nurbs_simplify_with(g, tolerance, bound, call, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            real(c_double), value :: tolerance
+            real(c_double), intent(inout), optional :: bound
+            type(nurbs_call_options), intent(in), optional :: call
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_simplify_with
         ! --- Transformations
         !> Applies the affine map x -> A x + b to the control points, and with them to the shape.
         function nurbs_transform(g, out_dim, matrix, translation, out) bind(c) result(r)
@@ -1487,6 +1609,17 @@ module nurbs_c
             real(c_double), intent(inout), optional :: placement(*), sizes(*), deviation
             integer(c_int32_t) :: r
         end function nurbs_recognize
+        !> nurbs_recognize() as a call that can be watched and ended.
+        function nurbs_recognize_with(g, tolerance, shape, placement, sizes, deviation, call) bind(c) &
+                result(r)
+            import
+            type(c_ptr), value :: g
+            real(c_double), value :: tolerance
+            integer(c_int32_t), intent(inout) :: shape
+            real(c_double), intent(inout), optional :: placement(*), sizes(*), deviation
+            type(nurbs_call_options), intent(in), optional :: call
+            integer(c_int32_t) :: r
+        end function nurbs_recognize_with
         ! --- Distances and closest points
         !> The points of a spline that are nearest to given points: parameters, points and distances, each
         !> with its status.
@@ -1505,6 +1638,15 @@ module nurbs_c
             integer(c_int32_t), value :: flags
             integer(c_int32_t) :: r
         end function nurbs_closest_points
+        !> nurbs_closest_points() as a call that can be watched and ended.
+        function nurbs_closest_points_with(g, query, answer, call) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            type(nurbs_closest_query), intent(in) :: query
+            type(nurbs_closest_answer), intent(in) :: answer
+            type(nurbs_call_options), intent(in), optional :: call
+            integer(c_int32_t) :: r
+        end function nurbs_closest_points_with
         !> The points of a spline that are farthest from given points; otherwise as nurbs_closest_points().
         function nurbs_farthest_points(g, n, points, point_stride, point_component_stride, range, tolerance, &
                 budget, params, param_stride, param_component_stride, feet, foot_stride, &
@@ -1521,6 +1663,15 @@ module nurbs_c
             integer(c_int32_t), value :: flags
             integer(c_int32_t) :: r
         end function nurbs_farthest_points
+        !> nurbs_farthest_points() as a call that can be watched and ended.
+        function nurbs_farthest_points_with(g, query, answer, call) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            type(nurbs_closest_query), intent(in) :: query
+            type(nurbs_closest_answer), intent(in) :: answer
+            type(nurbs_call_options), intent(in), optional :: call
+            integer(c_int32_t) :: r
+        end function nurbs_farthest_points_with
         !> Local minima of the distance to given points, each the one that a descent from a guess comes to:
         !> Newton's method with a trust region, box-constrained to the domain, across knots.
         function nurbs_closest_local(g, n, points, point_stride, point_component_stride, guesses, &
@@ -1538,6 +1689,15 @@ module nurbs_c
             integer(c_int32_t), value :: flags
             integer(c_int32_t) :: r
         end function nurbs_closest_local
+        !> nurbs_closest_local() as a call that can be watched and ended.
+        function nurbs_closest_local_with(g, query, answer, call) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            type(nurbs_closest_query), intent(in) :: query
+            type(nurbs_closest_answer), intent(in) :: answer
+            type(nurbs_call_options), intent(in), optional :: call
+            integer(c_int32_t) :: r
+        end function nurbs_closest_local_with
         !> All points of a spline whose distance to a point exceeds the smallest one by at most a tolerance
         !> and that are local minima of it.
         function nurbs_closest_all(g, point, range, tolerance, budget, cap, params, distances, count, &
@@ -1553,6 +1713,21 @@ module nurbs_c
             integer(c_int32_t), intent(inout), optional :: status
             integer(c_int32_t) :: r
         end function nurbs_closest_all
+        !> nurbs_closest_all() as a call that can be watched and ended.
+        function nurbs_closest_all_with(g, point, range, tolerance, budget, cap, params, distances, count, &
+                status, call) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            real(c_double), intent(in) :: point(*)
+            real(c_double), intent(in), optional :: range(*)
+            real(c_double), value :: tolerance
+            integer(c_int64_t), value :: budget, cap
+            real(c_double), intent(inout), optional :: params(*), distances(*)
+            integer(c_int64_t), intent(inout), optional :: count
+            integer(c_int32_t), intent(inout), optional :: status
+            type(nurbs_call_options), intent(in), optional :: call
+            integer(c_int32_t) :: r
+        end function nurbs_closest_all_with
         !> All critical points of the distance from a point: where x - C is perpendicular to the tangents of
         !> g, and at ends and kinks of a curve, where the distance has a minimum or maximum.
         function nurbs_critical_points(g, point, range, tolerance, budget, cap, params, distances, kinds, &
@@ -1568,6 +1743,21 @@ module nurbs_c
             integer(c_int64_t), intent(inout), optional :: count
             integer(c_int32_t) :: r
         end function nurbs_critical_points
+        !> nurbs_critical_points() as a call that can be watched and ended.
+        function nurbs_critical_points_with(g, point, range, tolerance, budget, cap, params, distances, &
+                kinds, count, status, call) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            real(c_double), intent(in) :: point(*)
+            real(c_double), intent(in), optional :: range(*)
+            real(c_double), value :: tolerance
+            integer(c_int64_t), value :: budget, cap
+            real(c_double), intent(inout), optional :: params(*), distances(*)
+            integer(c_int32_t), intent(inout), optional :: kinds(*), status
+            integer(c_int64_t), intent(inout), optional :: count
+            type(nurbs_call_options), intent(in), optional :: call
+            integer(c_int32_t) :: r
+        end function nurbs_critical_points_with
         !> Signed distances of points in the plane from a curve: positive to the left of its direction, so
         !> inside a closed curve that runs counterclockwise without crossing itself.
         function nurbs_curve_signed_distances(g, n, points, point_stride, point_component_stride, tolerance, &
@@ -1584,6 +1774,15 @@ module nurbs_c
             integer(c_int32_t), value :: flags
             integer(c_int32_t) :: r
         end function nurbs_curve_signed_distances
+        !> nurbs_curve_signed_distances() as a call that can be watched and ended.
+        function nurbs_curve_signed_distances_with(g, query, answer, call) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            type(nurbs_closest_query), intent(in) :: query
+            type(nurbs_closest_answer), intent(in) :: answer
+            type(nurbs_call_options), intent(in), optional :: call
+            integer(c_int32_t) :: r
+        end function nurbs_curve_signed_distances_with
         !> The smallest distance between two splines, of any number of axes each, enclosed: at_least <=
         !> distance of the nearest points <= at_most, which is the distance of the two points returned; they
         !> differ by at most the tolerance and rounding unless the budget ends.
@@ -1597,6 +1796,18 @@ module nurbs_c
             integer(c_int32_t), intent(inout), optional :: status
             integer(c_int32_t) :: r
         end function nurbs_distance
+        !> nurbs_distance() as a call that can be watched and ended.
+        function nurbs_distance_with(a, b, tolerance, budget, at_least, at_most, params_a, params_b, status, &
+                call) bind(c) result(r)
+            import
+            type(c_ptr), value :: a, b
+            real(c_double), value :: tolerance
+            integer(c_int64_t), value :: budget
+            real(c_double), intent(inout), optional :: at_least, at_most, params_a(*), params_b(*)
+            integer(c_int32_t), intent(inout), optional :: status
+            type(nurbs_call_options), intent(in), optional :: call
+            integer(c_int32_t) :: r
+        end function nurbs_distance_with
         !> The Hausdorff distances of two splines as sets of points, whatever their parameters: how far the
         !> point of a that is farthest from b is from it, and the other way round; the larger of the two is
         !> the symmetric distance.
@@ -1610,6 +1821,18 @@ module nurbs_c
             integer(c_int32_t), intent(inout), optional :: status
             integer(c_int32_t) :: r
         end function nurbs_hausdorff_distance
+        !> nurbs_hausdorff_distance() as a call that can be watched and ended.
+        function nurbs_hausdorff_distance_with(a, b, tolerance, budget, at_least, at_most, params_a, &
+                params_b, status, call) bind(c) result(r)
+            import
+            type(c_ptr), value :: a, b
+            real(c_double), value :: tolerance
+            integer(c_int64_t), value :: budget
+            real(c_double), intent(inout), optional :: at_least(*), at_most(*), params_a(*), params_b(*)
+            integer(c_int32_t), intent(inout), optional :: status
+            type(nurbs_call_options), intent(in), optional :: call
+            integer(c_int32_t) :: r
+        end function nurbs_hausdorff_distance_with
         ! --- Lengths, areas and moments
         !> Length of a curve or of a part of it.
         function nurbs_curve_length(g, range, relative_tolerance, length, error) bind(c) result(r)
@@ -1621,6 +1844,17 @@ module nurbs_c
             real(c_double), intent(inout), optional :: error
             integer(c_int32_t) :: r
         end function nurbs_curve_length
+        !> nurbs_curve_length() as a call that can be watched and ended.
+        function nurbs_curve_length_with(g, range, relative_tolerance, length, error, call) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            real(c_double), intent(in), optional :: range(*)
+            real(c_double), value :: relative_tolerance
+            real(c_double), intent(inout) :: length
+            real(c_double), intent(inout), optional :: error
+            type(nurbs_call_options), intent(in), optional :: call
+            integer(c_int32_t) :: r
+        end function nurbs_curve_length_with
         !> Lengths from the start of the domain to given parameters.
         function nurbs_curve_lengths(g, n, params, param_stride, relative_tolerance, lengths, length_stride) &
                 bind(c) result(r)
@@ -1632,6 +1866,18 @@ module nurbs_c
             real(c_double), intent(inout) :: lengths(*)
             integer(c_int32_t) :: r
         end function nurbs_curve_lengths
+        !> nurbs_curve_lengths() as a call that can be watched and ended.
+        function nurbs_curve_lengths_with(g, n, params, param_stride, relative_tolerance, lengths, &
+                length_stride, call) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int64_t), value :: n, param_stride, length_stride
+            real(c_double), intent(in) :: params(*)
+            real(c_double), value :: relative_tolerance
+            real(c_double), intent(inout) :: lengths(*)
+            type(nurbs_call_options), intent(in), optional :: call
+            integer(c_int32_t) :: r
+        end function nurbs_curve_lengths_with
         !> Parameters at given lengths from the start of the domain.
         function nurbs_curve_params_at_lengths(g, n, lengths, length_stride, relative_tolerance, params, &
                 param_stride, flags) bind(c) result(r)
@@ -1644,6 +1890,19 @@ module nurbs_c
             integer(c_int32_t), value :: flags
             integer(c_int32_t) :: r
         end function nurbs_curve_params_at_lengths
+        !> nurbs_curve_params_at_lengths() as a call that can be watched and ended.
+        function nurbs_curve_params_at_lengths_with(g, n, lengths, length_stride, relative_tolerance, &
+                params, param_stride, flags, call) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int64_t), value :: n, length_stride, param_stride
+            real(c_double), intent(in) :: lengths(*)
+            real(c_double), value :: relative_tolerance
+            real(c_double), intent(inout) :: params(*)
+            integer(c_int32_t), value :: flags
+            type(nurbs_call_options), intent(in), optional :: call
+            integer(c_int32_t) :: r
+        end function nurbs_curve_params_at_lengths_with
         !> Divides a curve into parts of equal length, or so that consecutive points have equal distances.
         function nurbs_curve_divide(g, range, parts, relative_tolerance, flags, params, size) bind(c) &
                 result(r)
@@ -1657,6 +1916,20 @@ module nurbs_c
             real(c_double), intent(inout), optional :: size
             integer(c_int32_t) :: r
         end function nurbs_curve_divide
+        !> nurbs_curve_divide() as a call that can be watched and ended.
+        function nurbs_curve_divide_with(g, range, parts, relative_tolerance, flags, params, size, call) &
+                bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            real(c_double), intent(in), optional :: range(*)
+            integer(c_int64_t), value :: parts
+            real(c_double), value :: relative_tolerance
+            integer(c_int32_t), value :: flags
+            real(c_double), intent(inout) :: params(*)
+            real(c_double), intent(inout), optional :: size
+            type(nurbs_call_options), intent(in), optional :: call
+            integer(c_int32_t) :: r
+        end function nurbs_curve_divide_with
         !> Area of a surface, in any dimension.
         function nurbs_surface_area(g, range, relative_tolerance, area, error) bind(c) result(r)
             import
@@ -1667,6 +1940,17 @@ module nurbs_c
             real(c_double), intent(inout), optional :: error
             integer(c_int32_t) :: r
         end function nurbs_surface_area
+        !> nurbs_surface_area() as a call that can be watched and ended.
+        function nurbs_surface_area_with(g, range, relative_tolerance, area, error, call) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            real(c_double), intent(in), optional :: range(*)
+            real(c_double), value :: relative_tolerance
+            real(c_double), intent(inout) :: area
+            real(c_double), intent(inout), optional :: error
+            type(nurbs_call_options), intent(in), optional :: call
+            integer(c_int32_t) :: r
+        end function nurbs_surface_area_with
         !> Content, centroid and inertia of a spline itself: of a curve as a wire, of a surface as a sheet, of
         !> a volume as a body (the integral of |det J|, J its derivatives).
         function nurbs_moments(g, relative_tolerance, content, centroid, inertia, error) bind(c) result(r)
@@ -1677,6 +1961,17 @@ module nurbs_c
             real(c_double), intent(inout), optional :: centroid(*), inertia(*), error
             integer(c_int32_t) :: r
         end function nurbs_moments
+        !> nurbs_moments() as a call that can be watched and ended.
+        function nurbs_moments_with(g, relative_tolerance, content, centroid, inertia, error, call) bind(c) &
+                result(r)
+            import
+            type(c_ptr), value :: g
+            real(c_double), value :: relative_tolerance
+            real(c_double), intent(inout) :: content
+            real(c_double), intent(inout), optional :: centroid(*), inertia(*), error
+            type(nurbs_call_options), intent(in), optional :: call
+            integer(c_int32_t) :: r
+        end function nurbs_moments_with
         !> Area, centroid and inertia of the region of the plane that closed chains of curves enclose, by
         !> Green's theorem: 1/2 integral of x dy - y dx.
         function nurbs_enclosed_area(count, curves, tolerance, relative_tolerance, area, centroid, inertia, &
@@ -1689,6 +1984,18 @@ module nurbs_c
             real(c_double), intent(inout), optional :: centroid(*), inertia(*), error
             integer(c_int32_t) :: r
         end function nurbs_enclosed_area
+        !> nurbs_enclosed_area() as a call that can be watched and ended.
+        function nurbs_enclosed_area_with(count, curves, tolerance, relative_tolerance, area, centroid, &
+                inertia, error, call) bind(c) result(r)
+            import
+            integer(c_int64_t), value :: count
+            type(c_ptr), intent(in) :: curves(*)
+            real(c_double), value :: tolerance, relative_tolerance
+            real(c_double), intent(inout) :: area
+            real(c_double), intent(inout), optional :: centroid(*), inertia(*), error
+            type(nurbs_call_options), intent(in), optional :: call
+            integer(c_int32_t) :: r
+        end function nurbs_enclosed_area_with
         !> Volume, centroid and inertia of the body that surfaces enclose, by the divergence theorem: 1/3
         !> integral of S . (S_u x S_v).
         function nurbs_enclosed_volume(count, surfaces, relative_tolerance, volume, centroid, inertia, &
@@ -1701,6 +2008,18 @@ module nurbs_c
             real(c_double), intent(inout), optional :: centroid(*), inertia(*), openness, error
             integer(c_int32_t) :: r
         end function nurbs_enclosed_volume
+        !> nurbs_enclosed_volume() as a call that can be watched and ended.
+        function nurbs_enclosed_volume_with(count, surfaces, relative_tolerance, volume, centroid, inertia, &
+                openness, error, call) bind(c) result(r)
+            import
+            integer(c_int64_t), value :: count
+            type(c_ptr), intent(in) :: surfaces(*)
+            real(c_double), value :: relative_tolerance
+            real(c_double), intent(inout) :: volume
+            real(c_double), intent(inout), optional :: centroid(*), inertia(*), openness, error
+            type(nurbs_call_options), intent(in), optional :: call
+            integer(c_int32_t) :: r
+        end function nurbs_enclosed_volume_with
         ! --- Boxes and cones
         !> An axis-aligned box that contains a spline, and all points that evaluation gives of it (except
         !> homogeneous ones, whose rounding has no such bound).
@@ -1764,6 +2083,19 @@ module nurbs_c
             integer(c_int64_t), intent(inout), optional :: count
             integer(c_int32_t) :: r
         end function nurbs_curve_features
+        !> nurbs_curve_features() as a call that can be watched and ended.
+        function nurbs_curve_features_with(g, kinds, cap, params, found, values, count, complete, call) &
+                bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int32_t), value :: kinds
+            integer(c_int64_t), value :: cap
+            real(c_double), intent(inout), optional :: params(*), values(*)
+            integer(c_int32_t), intent(inout), optional :: found(*), complete
+            integer(c_int64_t), intent(inout), optional :: count
+            type(nurbs_call_options), intent(in), optional :: call
+            integer(c_int32_t) :: r
+        end function nurbs_curve_features_with
         !> The pieces of a curve on which it runs one way along a direction: direction . C(t) rises, falls or,
         !> to rounding, stays on whole Bezier pieces.
         function nurbs_curve_monotone_pieces(g, direction, cap, starts, signs, count, complete) bind(c) &
@@ -1834,6 +2166,16 @@ module nurbs_c
             real(c_double), intent(inout), optional :: positive(*), negative(*)
             integer(c_int32_t) :: r
         end function nurbs_fold_test
+        !> nurbs_fold_test() as a call that can be watched and ended.
+        function nurbs_fold_test_with(g, reference, result, positive, negative, call) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            real(c_double), intent(in), optional :: reference(*)
+            integer(c_int32_t), intent(inout) :: result
+            real(c_double), intent(inout), optional :: positive(*), negative(*)
+            type(nurbs_call_options), intent(in), optional :: call
+            integer(c_int32_t) :: r
+        end function nurbs_fold_test_with
         ! --- Weights and control points
         !> Changes a weight so that the point at a parameter moves by a distance towards the control point, or
         !> away from it if the distance is negative.
@@ -1966,6 +2308,16 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_constrain
+        !> nurbs_constrain() as a call that can be watched and ended.
+        function nurbs_constrain_with(g, constraints, report, call, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            type(nurbs_constraints), intent(in) :: constraints
+            type(nurbs_constraint_report), intent(in), optional :: report
+            type(nurbs_call_options), intent(in), optional :: call
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_constrain_with
         ! --- Deformations
         !> Raises a region along a direction: adds distance * b(t) * direction / |direction|, where b is 1 in
         !> the middle of the range, 0 at its ends with the first `order` derivatives, and rises and falls once
@@ -2004,6 +2356,19 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_bend
+        !> nurbs_bend() as a call that can be watched and ended.
+        function nurbs_bend_with(g, origin, along, across, curvature, lower, upper, tolerance, deviation, &
+                proven, call, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            real(c_double), intent(in) :: origin(*), along(*), across(*)
+            real(c_double), value :: curvature, lower, upper, tolerance
+            real(c_double), intent(inout), optional :: deviation
+            integer(c_int32_t), intent(inout), optional :: proven
+            type(nurbs_call_options), intent(in), optional :: call
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_bend_with
         !> Free-form deformation (Sederberg & Parry 1986): maps a shape by a volume, C -> V(A C), where A maps
         !> the box from lower to upper to the domain of V.
         function nurbs_free_form_deform(g, volume, lower, upper, tolerance, deviation, proven, out) bind(c) &
@@ -2017,6 +2382,19 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_free_form_deform
+        !> nurbs_free_form_deform() as a call that can be watched and ended.
+        function nurbs_free_form_deform_with(g, volume, lower, upper, tolerance, deviation, proven, call, &
+                out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g, volume
+            real(c_double), intent(in) :: lower(*), upper(*)
+            real(c_double), value :: tolerance
+            real(c_double), intent(inout), optional :: deviation
+            integer(c_int32_t), intent(inout), optional :: proven
+            type(nurbs_call_options), intent(in), optional :: call
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_free_form_deform_with
         !> Fairs a shape: among the splines with the same knots and weights that are at most a tolerance away,
         !> and of them those that move control points least for their energy, the one with the least energy,
         !> the integral of the squared derivatives of an order, summed over the axes (of homogeneous
@@ -2031,6 +2409,18 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_fair
+        !> nurbs_fair() as a call that can be watched and ended.
+        function nurbs_fair_with(g, order, keep, tolerance, energies, bound, call, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            integer(c_int32_t), value :: order
+            integer(c_int32_t), intent(in), optional :: keep(*)
+            real(c_double), value :: tolerance
+            real(c_double), intent(inout), optional :: energies(*), bound
+            type(nurbs_call_options), intent(in), optional :: call
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_fair_with
         !> Moves a boundary of a spline onto one of another: a curve's end onto an end, a surface's edge onto
         !> an edge.
         function nurbs_snap_boundary(g, axis, end, other, other_axis, other_end, order, flags, bound, out) &
@@ -2117,6 +2507,16 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_read
+        !> nurbs_read() as a call that can be watched and ended.
+        function nurbs_read_with(bytes, size, options, call, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: bytes
+            integer(c_int64_t), value :: size
+            type(nurbs_read_options), intent(in), optional :: options
+            type(nurbs_call_options), intent(in), optional :: call
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_read_with
         !> Reads a file by its path; see nurbs_read().
         function nurbs_read_file(path, options, out) bind(c) result(r)
             import
@@ -2125,6 +2525,15 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_read_file
+        !> nurbs_read_file() as a call that can be watched and ended.
+        function nurbs_read_file_with(path, options, call, out) bind(c) result(r)
+            import
+            character(kind=c_char), intent(in) :: path(*)
+            type(nurbs_read_options), intent(in), optional :: options
+            type(nurbs_call_options), intent(in), optional :: call
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_read_file_with
         !> Number of splines in a list.
         function nurbs_list_count(list, count) bind(c) result(r)
             import

@@ -130,6 +130,10 @@ module nurbs_constants
     integer(c_int32_t), parameter :: NURBS_ERROR_FILE = 301  ! a file cannot be opened or read
     ! a file exceeds the size limit of the options
     integer(c_int32_t), parameter :: NURBS_ERROR_TOO_LARGE = 302
+    ! the callback of a long call asked for its end
+    integer(c_int32_t), parameter :: NURBS_ERROR_CANCELLED = 303
+    ! the limit of work of a long call was reached before its end
+    integer(c_int32_t), parameter :: NURBS_ERROR_WORK = 304
     integer(c_int32_t), parameter :: NURBS_ERROR_FORMAT = 400  ! not a file of a known format
     ! the file ends, or a section is missing, before its contents are complete
     integer(c_int32_t), parameter :: NURBS_ERROR_TRUNCATED = 401

@@ -2,6 +2,7 @@
 #include "closest/curve/curve_critical.h"
 
 #include "base/numbers.h"
+#include "base/watch.h"
 #include "bernstein/sign_runs.h"
 #include "eval/evaluate.h"
 #include "numeric/norm.h"
@@ -92,6 +93,8 @@ double least_distance(const pieces::HomogeneousPiece &piece, const double *x) no
     });
 }
 
+constexpr int64_t work_of_a_piece = 2000; // products, and signs of them
+
 class CurveCriticalSearch {
 public:
     CurveCriticalSearch(const Spline &curve, const CriticalQuestion &question)
@@ -118,11 +121,12 @@ private:
     // Records the critical places inside the piece.
     PieceEnds look_at(int64_t i) {
         PieceEnds ends;
-        if (++examined_ > question_.budget) {
+        if (++examined_ > question_.budget || work_ended()) {
             out_of_budget_ = true;
             return ends;
         }
         const pieces::HomogeneousPiece piece = maker_.piece(i);
+        count_work(work_of_a_piece);
         ends.start = point_of(piece, false);
         ends.end = point_of(piece, true);
         if (least_distance(piece, question_.point) > question_.within) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "closest/curve/curve_locator.h"
 
+#include "base/watch.h"
 #include "closest/curve/curve_critical.h"
 #include "closest/curve/curve_search.h"
 
@@ -76,12 +77,14 @@ CriticalSet CurveLocator::critical(const Query &query, double apart, double with
 }
 
 CriticalSet CurveLocator::critical(const Query &query) const {
+    const LimitedSearch search;
     CriticalSet set = critical(query, query.tolerance, std::numeric_limits<double>::infinity());
     set.revoke_infinite();
     return set;
 }
 
 CriticalSet CurveLocator::minima(const Query &query) const {
+    const LimitedSearch search;
     Query exact = query;
     exact.tolerance = 0;
     const Foot best = nearest(exact);

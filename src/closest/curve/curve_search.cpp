@@ -6,6 +6,7 @@
 #include <hwy/foreach_target.h>
 
 #include "base/scratch.h"
+#include "base/watch.h"
 #include "closest/curve/curve_candidates-inl.h"
 #include "closest/curve/curve_search.h"
 #include "closest/curve/segment-inl.h"
@@ -49,6 +50,7 @@ public:
             best_.note({query_.range == nullptr ? 0 : tree_.leaf_at(query_.range->lower), 0,
                         std::numeric_limits<double>::infinity()});
         }
+        count(budget_used_ % looks_between_counts);
         const bool certified = certified_ && tree_.sound() && budget_used_ <= query_.budget && in_range();
         return {best_.best(), certified, best_.unique(), budget_used_};
     }
@@ -63,6 +65,7 @@ public:
 private:
     static constexpr int stack_height = 64; // halvings of a leaf, after which nothing is left of it
     static constexpr double at_end = 0x1p-40;
+    static constexpr int64_t looks_between_counts = 64, work_of_a_look = 32;
 
     // A part [a, b] of a leaf, with a local minimum known to be at the lower end (1) or the upper end (2).
     struct LeafPart {
@@ -106,8 +109,12 @@ private:
         parts_[0] = load(leaf, whole);
         bool untested = !in_range();
         for (int height = 1; height > 0;) {
-            if (++budget_used_ > query_.budget) {
+            if (++budget_used_ > query_.budget || work_ended_) {
+                certified_ = certified_ && !work_ended_;
                 return;
+            }
+            if (budget_used_ % looks_between_counts == 0) {
+                count(looks_between_counts);
             }
             if (!untested && !in_range()) {
                 certified_ = false; // no polynomial decides anything then
@@ -119,6 +126,11 @@ private:
             height = untested ? divide(height) : step(height);
             untested = false;
         }
+    }
+
+    void count(int64_t looks) {
+        count_work(looks * work_of_a_look * shape_.degree() * shape_.lanes());
+        work_ended_ = work_ended();
     }
 
     // Whether there is a best place, near enough that no product with the square of its distance overflows.
@@ -252,7 +264,7 @@ private:
     double sign_;
     double margin_;
     BestPlaces best_;
-    bool certified_ = true;
+    bool certified_ = true, work_ended_ = work_ended();
     int64_t budget_used_ = 0;
     int64_t leaf_ = 0;
     int current_ = 0; // the part that is being divided

@@ -3,6 +3,7 @@
 
 #include "base/finite.h"
 #include "base/numbers.h"
+#include "base/watch.h"
 #include "numeric/norm.h"
 #include "pieces/bernstein_net.h"
 #include "refine/knots/bezier_rows.h"
@@ -73,6 +74,8 @@ private:
     int lanes_;
 };
 
+constexpr int64_t work_of_a_record = 32; // which is extracted, and halved a few times
+
 } // namespace
 
 // Lower and upper ends of boxes, one after the other.
@@ -98,6 +101,7 @@ CurveTree::CurveTree(const Spline &curve)
     std::vector<double> points(count * static_cast<size_t>(dim_)), weights(count, 1.0);
     std::vector<double> padded(count * static_cast<size_t>(lanes_));
     for (int64_t piece = 0; piece < net.pieces(); ++piece) {
+        count_work(work_of_a_record * (degree_ + 1) * lanes_);
         net.copy(piece, points.data(), weights.data());
         for (size_t i = 0; i < count; ++i) {
             double *record = padded.data() + i * static_cast<size_t>(lanes_);

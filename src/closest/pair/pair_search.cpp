@@ -3,6 +3,7 @@
 
 #include "base/error.h"
 #include "base/numbers.h"
+#include "base/watch.h"
 #include "closest/foot.h"
 #include "closest/pair/pair_bound.h"
 #include "closest/pair/pair_cells.h"
@@ -80,7 +81,7 @@ private:
     // way of the nearest children.
     void dive() {
         Entry pair = entry({&a_.root(), &b_.root(), false}, 0);
-        while (budget_ > 0 && descend(pair)) {
+        while (budget_ > 0 && !work_ended() && descend(pair)) {
             --budget_;
         }
         if (budget_ > 0 && bounds(pair.item)) {
@@ -217,6 +218,7 @@ std::vector<double> point_of(const Spline &spline, const pieces::LocalParam &par
 
 PairDistance pair_distance(const Spline &a, const Spline &b, double tolerance, int64_t budget) {
     check_same_dimension(a, b);
+    const LimitedSearch limited;
     const pieces::Frame frame = pieces::frame_of({{&a, &b}});
     PairSearch search(a, b, frame, frame.scaled(tolerance), budget);
     search.run();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "closest/patch/patch_locator.h"
 
+#include "base/watch.h"
 #include "closest/patch/critical/patch_critical.h"
 #include "closest/patch/patch_search.h"
 
@@ -16,6 +17,7 @@ Foot PatchLocator::nearest(const Query &query) const {
 }
 
 CriticalSet PatchLocator::minima(const Query &query) const {
+    const LimitedSearch search;
     CriticalSet set;
     for (const Foot &foot : PatchSearch(pieces_, tree_, query).all()) {
         set.points.push_back({foot, critical_minimum});
@@ -28,6 +30,7 @@ CriticalSet PatchLocator::minima(const Query &query) const {
 // The nearest and the farthest point are critical, but for creases: where they are not among the points
 // found, tangents that vanish or rounding have hidden some.
 CriticalSet PatchLocator::critical(const Query &query) const {
+    const LimitedSearch search;
     CriticalSet set = critical_points(pieces_, query);
     double least = std::numeric_limits<double>::infinity(), most = 0;
     for (const CriticalPoint &found : set.points) {

@@ -2,6 +2,7 @@
 #include "closest/patch/patch_search.h"
 
 #include "base/numbers.h"
+#include "base/watch.h"
 #include "closest/patch/critical/patch_critical.h"
 #include "numeric/norm.h"
 
@@ -23,6 +24,12 @@ PatchSearch::PatchSearch(const PieceGrid &pieces, const PatchTree &tree, const Q
     : PatchMinima(pieces, query), tree_(tree) {
     const int64_t count = pieces.shape().coefficients();
     cost_ = std::max<int64_t>(1, count * count / 65536);
+    work_ = 2 * count * std::min(count, pieces::most_squared) * pieces.shape().lanes;
+}
+
+void PatchSearch::spend() {
+    spent_ += cost_;
+    count_work(work_);
 }
 
 // From the best centre.
@@ -74,7 +81,7 @@ void PatchSearch::search_piece(const PatchCandidates::Group &group) {
         PatchItem item = whole;
         bool fresh = false;
         int axis = -1;
-        spent_ += cost_;
+        spend();
         if (item.sound && finished(item, fresh, axis)) {
             return;
         }
@@ -149,7 +156,7 @@ void PatchSearch::examine(PatchItem &item, bool fresh) {
         }
         return;
     }
-    spent_ += cost_;
+    spend();
     items_.measure(item);
     int axis = -1;
     if (!item.sound) {

@@ -2,6 +2,7 @@
 // The search for the nearest or farthest points of one query: branch and bound.
 #pragma once
 
+#include "base/watch.h"
 #include "closest/patch/patch_minima.h"
 #include "closest/patch/patch_proof.h"
 #include "closest/patch/tree/patch_candidates.h"
@@ -51,7 +52,10 @@ private:
     void split(PatchItem &item, int axis);
     void put_off(const PatchItem &item, int axis);
     [[nodiscard]] double order(const PatchItem &item) const;
-    [[nodiscard]] bool spent() const noexcept { return spent_ + cost_ > query_.most_pieces(); }
+    [[nodiscard]] bool spent() const noexcept {
+        return spent_ + cost_ > query_.most_pieces() || work_ended();
+    }
+    void spend();
     bool improve(const PatchItem &item, AxisValues at);
     [[nodiscard]] PatchGoal goal(double value, const PatchItem &item) const noexcept;
     [[nodiscard]] bool asks_for_others() const noexcept { return all_ || (!not_unique_ && extra_ < 24); }
@@ -61,6 +65,7 @@ private:
     const PatchTree &tree_;
     bool incomplete_ = false;
     int64_t cost_ = 1; // of an item
+    int64_t work_ = 1; // the same in multiply-adds
     int64_t spent_ = 0;
     int64_t pause_ = 0;               // what may be spent before parts are put off
     pieces::BestFirst<PutOff> later_; // by order(), negated

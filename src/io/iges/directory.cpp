@@ -2,6 +2,7 @@
 #include "io/iges/directory.h"
 
 #include "base/error.h"
+#include "base/watch.h"
 #include "io/iges/text.h"
 
 #include <algorithm>
@@ -85,7 +86,9 @@ int64_t back_pointer(std::string_view line) {
 
 Directory::Directory(const Lines &lines) {
     entries_.reserve(lines.size() / 2);
+    constexpr int64_t work_of_an_entry = 1000;
     for (size_t i = 0; i + 1 < lines.size(); i += 2) {
+        count_work(work_of_an_entry);
         entries_.push_back(read_entry(lines[i], lines[i + 1], static_cast<int64_t>(i) + 1));
     }
 }

@@ -2,6 +2,7 @@
 #include "io/iges/lines.h"
 
 #include "base/error.h"
+#include "base/watch.h"
 #include "io/iges/text.h"
 
 #include <algorithm>
@@ -163,6 +164,8 @@ bool begins_compressed(std::span<const char> bytes) noexcept {
     return section_letter(first_line(bytes)) == 'C';
 }
 
+constexpr int64_t work_of_a_line = 100;
+
 Sections split_sections(std::span<const char> bytes) {
     Sections sections;
     Lines *const in_order[] = {&sections.start, &sections.global, &sections.directory, &sections.parameter,
@@ -171,6 +174,7 @@ Sections split_sections(std::span<const char> bytes) {
     const int64_t skipped = take_preamble(rest);
     size_t current = 0;
     for (int64_t number = skipped + 1; !rest.empty() && sections.terminate.empty(); ++number) {
+        count_work(work_of_a_line);
         const FileLine line = take_line(rest, number);
         const size_t section = section_of(line);
         if (section < current) {

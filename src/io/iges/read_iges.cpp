@@ -2,6 +2,7 @@
 #include "io/iges/read_iges.h"
 
 #include "base/error.h"
+#include "base/watch.h"
 #include "io/iges/directory.h"
 #include "io/iges/global.h"
 #include "io/iges/lines.h"
@@ -35,6 +36,8 @@ double unit_factor(double metres_per_unit, const ReadSettings &settings) {
     return factor;
 }
 
+constexpr int64_t work_of_an_entity = 1000; // beyond what its parameters count
+
 class Reader {
 public:
     Reader(const iges::Sections &sections, const iges::Global &global, const ReadSettings &settings)
@@ -46,7 +49,8 @@ public:
     }
 
     model::Model run() {
-        for (size_t i = 0; i < directory_.entries().size(); ++i) {
+        Steps steps(std::ssize(directory_.entries()));
+        for (size_t i = 0; i < directory_.entries().size(); ++i, steps.next(work_of_an_entity)) {
             const Entry &entry = directory_.entries()[i];
             try {
                 read_entity(entry, parameter_plane_[i]);

@@ -2,6 +2,7 @@
 #include "io/iges/record.h"
 
 #include "base/error.h"
+#include "base/watch.h"
 #include "io/iges/text.h"
 
 #include <algorithm>
@@ -10,11 +11,14 @@
 
 namespace nrb::io::iges {
 
+constexpr int64_t work_of_a_parameter = 200; // which is scanned twice, and becomes a number
+
 // One pass counts the parameters, so that counts stated inside an entity can be checked before anything is
 // allocated.
 Record::Record(std::string text, Delimiters delimiters) : text_(std::move(text)), delimiters_(delimiters) {
     size_t at = 0;
     for (bool more = true; more; ++at) {
+        count_work(work_of_a_parameter);
         (void)scan(at);
         ++count_;
         if (at >= text_.size()) {

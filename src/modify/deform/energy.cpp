@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "modify/deform/energy.h"
 
+#include "base/watch.h"
 #include "modify/edit/net_editor.h"
 #include "numeric/binomial.h"
 #include "refine/knots/extraction.h"
@@ -101,13 +102,25 @@ public:
     }
 
     std::vector<Entry> entries() {
-        for (int64_t i = 0; i < spline_.point_count(); ++i) {
+        Steps steps(spline_.point_count());
+        for (int64_t i = 0; i < spline_.point_count();
+             ++i, steps.next(work_of_an_entry * entries_of_a_row())) {
             add_row(0, i, place_of(spline_, i), 0, Factors{});
         }
         return std::move(entries_);
     }
 
 private:
+    static constexpr int64_t work_of_an_entry = 8;
+
+    [[nodiscard]] int64_t entries_of_a_row() const noexcept {
+        int64_t entries = 1;
+        for (int k = 0; k < spline_.axes(); ++k) {
+            entries *= 2 * spline_.axis(k).degree() + 1;
+        }
+        return entries;
+    }
+
     // The product of masses so far, and the sum of products in which one factor is of derivatives.
     struct Factors {
         double mass = 1;

@@ -2,6 +2,7 @@
 #include "numeric/solvers/banded_least_squares.h"
 
 #include "base/checked.h"
+#include "base/watch.h"
 
 #include <algorithm>
 #include <cmath>
@@ -50,6 +51,7 @@ void BandedLeastSquares::add_entered(const double *right) {
 
 void BandedLeastSquares::add_row(int64_t first, std::span<const double> band, std::span<const double> border,
                                  const double *right) {
+    count_work(4 * stride_ * (bandwidth_ + border_));
     std::fill(fresh_.begin(), fresh_.end(), 0.0);
     std::copy(band.begin(), band.end(), fresh_.begin());
     std::copy(border.begin(), border.end(), fresh_.begin() + bandwidth_);
@@ -71,6 +73,7 @@ void BandedLeastSquares::add_row(int64_t first, std::span<const double> band, st
 bool BandedLeastSquares::solve(double *x) const {
     const int64_t columns = banded_ + border_;
     for (int64_t i = columns; i-- > 0;) {
+        count_work(width_ * (bandwidth_ + border_));
         const bool banded = i < banded_;
         const double *from = row(i);
         const double diagonal = banded ? from[0] : from[bandwidth_ + i - banded_];

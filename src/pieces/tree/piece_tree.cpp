@@ -2,6 +2,7 @@
 #include "pieces/tree/piece_tree.h"
 
 #include "base/numbers.h"
+#include "base/watch.h"
 #include "numeric/norm.h"
 
 #include <algorithm>
@@ -29,6 +30,8 @@ public:
     }
 
 private:
+    static constexpr int64_t work_of_a_value = 8; // a piece is computed, and its values are measured
+
     // The number of nodes along each axis, and of the pieces in each of them; root first.
     void set_grids() {
         std::vector<PieceGrid::Index> &grids = tree_.grids_;
@@ -112,6 +115,7 @@ private:
             inside.upper[at] = std::min(inside.lower[at] + block[at], pieces_.count(k));
             middle[at] = (inside.lower[at] + inside.upper[at]) / 2;
         }
+        count_work(block[0] * block[1] * block[2] * pieces_.shape().values() * work_of_a_value);
         Disc disc(pieces_.shape(), load(pieces_.piece(middle)), tree_.normals_);
         disc.make_single();
         for_each(inside, [&](const PieceGrid::Index &i) { disc.add(pieces_, load(pieces_.piece(i))); });

@@ -2,6 +2,7 @@
 #include "refine/algebra/common_knots.h"
 
 #include "base/error.h"
+#include "base/watch.h"
 #include "numeric/sum.h"
 
 #include <algorithm>
@@ -66,6 +67,8 @@ CommonKnots::CommonKnots(int degree, const std::vector<const KnotVector *> &memb
 }
 
 // The knots of all members, each with its multiplicities.
+constexpr int64_t work_of_a_knot = 64; // which takes much memory
+
 std::vector<CommonKnots::Group> CommonKnots::merged(const std::vector<std::vector<KnotGroup>> &own) {
     std::vector<double> all;
     for (const std::vector<KnotGroup> &groups : own) {
@@ -77,6 +80,7 @@ std::vector<CommonKnots::Group> CommonKnots::merged(const std::vector<std::vecto
     std::vector<Group> result;
     std::vector<size_t> next(own.size(), 0);
     for (const double knot : all) {
+        count_work(work_of_a_knot);
         Group group{knot, 0, 0, {}, {}};
         for (size_t i = 0; i < own.size(); ++i) {
             const bool has = next[i] < own[i].size() && own[i][next[i]].knot == knot;
@@ -103,6 +107,7 @@ void CommonKnots::add_open(const std::vector<const KnotVector *> &members) {
         own.push_back(distinct_knots(member->knots()));
     }
     for (const Group &group : merged(own)) {
+        count_work(work_of_a_knot);
         append(group);
     }
 }

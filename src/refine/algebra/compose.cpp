@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "refine/algebra/compose.h"
 
+#include "base/watch.h"
 #include "numeric/sum.h"
 #include "refine/algebra/product.h"
 #include "refine/algebra/span_cells.h"
@@ -116,6 +117,8 @@ int copies_between(const Spline &g, const Spline &f, int degree, const std::vect
 
 using Window = CommonKnots::Window;
 
+constexpr int64_t work_of_a_term = 32; // for each component: arguments, contractions, a compensated sum
+
 class Composer {
 public:
     Composer(const Spline &g, const Spline &f, int degree)
@@ -141,7 +144,8 @@ public:
         std::vector<double> records;
         const auto layers = std::ssize(knots_) - degree_ - 1;
         records.reserve(static_cast<size_t>(layers * g_.width()) + Spline::padding);
-        for (int64_t layer = 0; layer < layers; ++layer) {
+        Steps steps(layers);
+        for (int64_t layer = 0; layer < layers; ++layer, steps.next()) {
             append_layer(layer, records);
         }
         const Form form = has_negative_weight(records) ? Form::homogeneous : g_.form();
@@ -226,6 +230,7 @@ private:
             next_argument(k, 0, left, nullptr, 0, points, times);
             return;
         }
+        count_work(work_of_a_term * std::ssize(sums_));
         double share = times;
         if (weighted_) {
             only_weight_ = product_of_weights();

@@ -3,6 +3,7 @@
 
 #include "base/checked.h"
 #include "base/representable.h"
+#include "base/watch.h"
 #include "numeric/sum.h"
 #include "spline/contract.h"
 
@@ -94,16 +95,18 @@ public:
             }
         }
         const int64_t size = checked_product(axes[0].axis()->count(), lengths_[0], "points");
-        sums_.resize(static_cast<size_t>(size));
+        grow_watched(sums_, static_cast<size_t>(size));
     }
 
     std::vector<double> run(const double *a, const double *b) {
-        for (int64_t layer = 0; layer < axes_[0].axis()->count(); ++layer) {
+        Steps steps(axes_[0].axis()->count());
+        for (int64_t layer = 0; layer < axes_[0].axis()->count(); ++layer, steps.next()) {
             terms_[0].clear();
             terms_[0].add_layer(axes_[0], layer, degrees_[0], scales_[0]);
             add_layer(0, terms_[0].layer(0), a, b, 1, sums_.data() + layer * lengths_[0]);
         }
-        std::vector<double> result(sums_.size());
+        std::vector<double> result;
+        grow_watched(result, sums_.size());
         for (size_t i = 0; i < sums_.size(); ++i) {
             result[i] = sums_[i].value() / total_;
         }
@@ -115,6 +118,7 @@ private:
     // Adds to one layer of axis k of the result.
     void add_layer(size_t k, std::span<const Term> terms, const double *a, const double *b, double weight,
                    CompensatedSum *out) {
+        count_work(std::ssize(terms) * (degrees_[k] + 1) * (lengths_a_[k] + lengths_b_[k]));
         for (const Term &term : terms) {
             const double *coefficients = terms_[k].coefficients(term);
             double *part_a = parts_a_[k].data(), *part_b = parts_b_[k].data();
@@ -262,6 +266,7 @@ SplinePtr from_records(Spline::Axes axes, int dim, Form form, std::vector<double
     }
     const auto width = static_cast<size_t>(dim) + 1;
     std::vector<double> points, weights;
+    count_work(std::ssize(records));
     points.reserve(records.size() / width * static_cast<size_t>(dim));
     weights.reserve(records.size() / width);
     for (size_t i = 0; i < records.size(); i += width) {

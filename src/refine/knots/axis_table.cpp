@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "refine/knots/axis_table.h"
 
+#include "base/watch.h"
 #include "refine/knots/batched_blossoms.h"
 #include "refine/periodic/periodic.h"
 
@@ -10,6 +11,7 @@
 namespace nrb::refine {
 
 LayerTable rows_of(const Refinement &refinement, int64_t first, int64_t end) {
+    constexpr int64_t rows_between_counts = 256;
     constexpr int64_t many = row_lanes / 2; // from this many on it pays that they are alike
     const int degree = refinement.width() - 1;
     LayerTable table;
@@ -17,6 +19,9 @@ LayerTable rows_of(const Refinement &refinement, int64_t first, int64_t end) {
     BatchedBlossoms batches(degree);
     double room[max_basis];
     for (int64_t j = first; j < end; ++j) {
+        if ((j - first) % rows_between_counts == 0) {
+            count_work(rows_between_counts * refinement.width() * refinement.width());
+        }
         if (j > first && refinement.repeats(j)) {
             table.repeat_row();
             continue;
@@ -28,6 +33,7 @@ LayerTable rows_of(const Refinement &refinement, int64_t first, int64_t end) {
         }
         const int64_t alike = steps == degree ? refinement.alike(j, end) : 1;
         if (alike >= many) {
+            count_work(alike * refinement.width() * refinement.width());
             sliding_blossom_rows(degree, left, right, arguments, alike, table.room(0));
             const LayerTable::Row row{layer, degree + 1, 0};
             table.add_pattern({&row, 1}, alike, 0, degree + 1);

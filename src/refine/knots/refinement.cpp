@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "refine/knots/refinement.h"
 
+#include "base/watch.h"
+
 #include <algorithm>
 
 namespace nrb::refine {
@@ -19,6 +21,7 @@ Refinement::Refinement(int degree, std::span<const double> coarse, std::span<con
       old_last_(std::make_unique_for_overwrite<int64_t[]>(fine.size() + 1)) {
     int64_t old = 0, begin = 0;
     const auto rows = std::ssize(fine);
+    count_work(4 * rows);
     while (old < std::ssize(coarse)) {
         const double knot = coarse[at(old)];
         for (; fine[at(begin)] < knot; ++begin) {

@@ -22,6 +22,128 @@ pub struct nurbs_list {
 /// Result of a call: 0, or one of the NURBS_ERROR_ codes.
 pub type nurbs_status = i32;
 
+/// Told how much of a call is done: an estimate, from 0 to 1, which never falls. Anything but 0 ends the
+/// call.
+pub type nurbs_progress = Option<unsafe extern "C" fn(done: f64, user: *mut c_void) -> i32>;
+
+/// What a caller wants of a long call; fill with nurbs_call_options_init() first. Fields are only ever
+/// appended, and struct_size is at most 4096.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct nurbs_call_options {
+    /// size of this struct as the caller knows it
+    pub struct_size: i64,
+    /// most multiply-adds; 0 sets no limit
+    pub work: i64,
+    /// or NULL: called now and then
+    pub progress: nurbs_progress,
+    /// or NULL: passed to progress
+    pub user: *mut c_void,
+}
+
+/// What the batches of this chapter are asked as long calls. Fields that are 0 or NULL have their defaults;
+/// those that a function does not use have to be 0 or NULL (NURBS_ERROR_OPTIONS). Fields are only ever
+/// appended, and struct_size is at most 4096.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct nurbs_closest_query {
+    /// size of this struct as the caller knows it
+    pub struct_size: i64,
+    /// number of points
+    pub n: i64,
+    /// \[n\]\[dim\] the points
+    pub points: *const f64,
+    /// distance between points, 0 = packed
+    pub point_stride: i64,
+    /// distance between components, 0 = 1
+    pub point_component_stride: i64,
+    /// \[n\]\[axes\] or NULL: where nurbs_closest_local_with() begins
+    pub guesses: *const f64,
+    /// distance between guesses, 0 = packed
+    pub guess_stride: i64,
+    /// distance between components, 0 = 1
+    pub guess_component_stride: i64,
+    /// \[axes\]\[2\] or NULL for all of it: the part of the domain
+    pub range: *const f64,
+    /// \>= 0
+    pub tolerance: f64,
+    /// most pieces looked at for each point, 0 for 20000
+    pub budget: i64,
+    /// NURBS_NAN_POINTS or 0
+    pub flags: u32,
+    /// 0
+    pub reserved: u32,
+}
+
+/// Where the answers of such a batch go: arrays of the caller, NULL for what is not wanted.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct nurbs_closest_answer {
+    /// size of this struct as the caller knows it
+    pub struct_size: i64,
+    /// \[n\]\[axes\] or NULL: the parameters
+    pub params: *mut f64,
+    /// distance between parameters, 0 = packed
+    pub param_stride: i64,
+    /// distance between components, 0 = 1
+    pub param_component_stride: i64,
+    /// \[n\]\[dim\] or NULL: the points of the spline
+    pub feet: *mut f64,
+    /// distance between feet, 0 = packed
+    pub foot_stride: i64,
+    /// distance between components, 0 = 1
+    pub foot_component_stride: i64,
+    /// \[n\] or NULL: the distances, of nurbs_curve_signed_distances_with() signed
+    pub distances: *mut f64,
+    /// distance between distances, 0 = 1
+    pub distance_stride: i64,
+    /// \[n\] or NULL: sums of NURBS_CLOSEST_ bits
+    pub status: *mut i32,
+}
+
+/// The constraints of nurbs_constrain() as one argument. Fields are only ever appended, and struct_size is at
+/// most 4096.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct nurbs_constraints {
+    /// size of this struct as the caller knows it
+    pub struct_size: i64,
+    /// number of constraints, \> 0
+    pub count: i64,
+    /// \[count\] or NULL: as for nurbs_constrain(), like all fields that follow
+    pub kinds: *const i32,
+    /// \[count\]\[axes\] or NULL: orders of derivatives
+    pub orders: *const i32,
+    /// \[count\]\[axes\] parameters
+    pub params: *const f64,
+    /// \[count\]\[dim\] targets
+    pub targets: *const f64,
+    /// \[axes\]\[2\] or NULL: derivatives that stay at the ends
+    pub keep: *const i32,
+    /// \[N\] or NULL: of moving control points
+    pub costs: *const f64,
+    /// \[N\] or NULL: of changing weights
+    pub weight_costs: *const f64,
+    /// largest residual, \>= 0
+    pub tolerance: f64,
+}
+
+/// What nurbs_constrain() tells about its solution.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct nurbs_constraint_report {
+    /// size of this struct as the caller knows it
+    pub struct_size: i64,
+    /// \[count\] or NULL: an array of the caller, which receives the residuals
+    pub residuals: *mut f64,
+    /// receives the number of independent equations
+    pub rank: i64,
+    /// receives the largest distance by which a control point moved
+    pub moved: f64,
+    /// receives the relative length of the gradient
+    pub optimality: f64,
+}
+
 /// Settings for nurbs_read(); fill with nurbs_read_options_init() first. Fields are only ever appended, and
 /// struct_size is at most 4096. A file whose own unit is not known cannot be converted to another:
 /// NURBS_ERROR_OPTIONS.
@@ -183,6 +305,10 @@ pub const NURBS_ERROR_MEMORY: nurbs_status = 300;
 pub const NURBS_ERROR_FILE: nurbs_status = 301;
 /// a file exceeds the size limit of the options
 pub const NURBS_ERROR_TOO_LARGE: nurbs_status = 302;
+/// the callback of a long call asked for its end
+pub const NURBS_ERROR_CANCELLED: nurbs_status = 303;
+/// the limit of work of a long call was reached before its end
+pub const NURBS_ERROR_WORK: nurbs_status = 304;
 /// not a file of a known format
 pub const NURBS_ERROR_FORMAT: nurbs_status = 400;
 /// the file ends, or a section is missing, before its contents are complete
@@ -423,6 +549,9 @@ extern "C" {
     ///
     /// May be null: `buf`.
     pub fn nurbs_last_error(buf: *mut c_char, cap: i64) -> i64;
+    // --- Long calls
+    /// Fills an options struct with the defaults: no limit, no callback.
+    pub fn nurbs_call_options_init(options: *mut nurbs_call_options, struct_size: i64) -> nurbs_status;
     // --- Construction
     /// A spline from full knot vectors, Cartesian points and optional weights.
     ///
@@ -1094,9 +1223,28 @@ extern "C" {
     /// one of them may have dimension 1 and multiplies all components of the other; or the dot or cross
     /// product.
     pub fn nurbs_product(a: *const nurbs, b: *const nurbs, flags: u32, out: *mut *mut nurbs) -> nurbs_status;
+    /// nurbs_product() as a call that can be watched and ended.
+    ///
+    /// May be null: `call`.
+    pub fn nurbs_product_with(
+        a: *const nurbs,
+        b: *const nurbs,
+        flags: u32,
+        call: *const nurbs_call_options,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
     /// The curve g(f(t)): a curve g over another parameter, or the curve in space that a curve f in the
     /// parameter space of a surface or volume g traces on it.
     pub fn nurbs_compose(g: *const nurbs, f: *const nurbs, out: *mut *mut nurbs) -> nurbs_status;
+    /// nurbs_compose() as a call that can be watched and ended.
+    ///
+    /// May be null: `call`.
+    pub fn nurbs_compose_with(
+        g: *const nurbs,
+        f: *const nurbs,
+        call: *const nurbs_call_options,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
     /// The linear combination alpha a(t) + beta b(t) of two splines over the same domain on every axis.
     pub fn nurbs_sum(
         a: *const nurbs,
@@ -1237,6 +1385,17 @@ extern "C" {
         bound: *mut f64,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
+    /// nurbs_reduce_knots() as a call that can be watched and ended.
+    ///
+    /// May be null: `bound`, `call`.
+    pub fn nurbs_reduce_knots_with(
+        g: *const nurbs,
+        axis: i32,
+        tolerance: f64,
+        bound: *mut f64,
+        call: *const nurbs_call_options,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
     /// Lowers the degree along an axis.
     ///
     /// May be null: `bound`.
@@ -1245,6 +1404,17 @@ extern "C" {
         axis: i32,
         times: i32,
         bound: *mut f64,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    /// nurbs_reduce_degree() as a call that can be watched and ended.
+    ///
+    /// May be null: `bound`, `call`.
+    pub fn nurbs_reduce_degree_with(
+        g: *const nurbs,
+        axis: i32,
+        times: i32,
+        bound: *mut f64,
+        call: *const nurbs_call_options,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
     /// The simplest spline within a tolerance: weights are dropped if they may be, the degree of each axis is
@@ -1256,6 +1426,16 @@ extern "C" {
         g: *const nurbs,
         tolerance: f64,
         bound: *mut f64,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    /// nurbs_simplify() as a call that can be watched and ended.
+    ///
+    /// May be null: `bound`, `call`.
+    pub fn nurbs_simplify_with(
+        g: *const nurbs,
+        tolerance: f64,
+        bound: *mut f64,
+        call: *const nurbs_call_options,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
     // --- Transformations
@@ -1803,6 +1983,18 @@ extern "C" {
         sizes: *mut f64,
         deviation: *mut f64,
     ) -> nurbs_status;
+    /// nurbs_recognize() as a call that can be watched and ended.
+    ///
+    /// May be null: `placement`, `sizes`, `deviation`, `call`.
+    pub fn nurbs_recognize_with(
+        g: *const nurbs,
+        tolerance: f64,
+        shape: *mut i32,
+        placement: *mut f64,
+        sizes: *mut f64,
+        deviation: *mut f64,
+        call: *const nurbs_call_options,
+    ) -> nurbs_status;
     // --- Distances and closest points
     /// The points of a spline that are nearest to given points: parameters, points and distances, each with
     /// its status.
@@ -1828,6 +2020,15 @@ extern "C" {
         status: *mut i32,
         flags: u32,
     ) -> nurbs_status;
+    /// nurbs_closest_points() as a call that can be watched and ended.
+    ///
+    /// May be null: `call`.
+    pub fn nurbs_closest_points_with(
+        g: *const nurbs,
+        query: *const nurbs_closest_query,
+        answer: *const nurbs_closest_answer,
+        call: *const nurbs_call_options,
+    ) -> nurbs_status;
     /// The points of a spline that are farthest from given points; otherwise as nurbs_closest_points().
     ///
     /// May be null: `range`, `params`, `feet`, `distances`, `status`.
@@ -1850,6 +2051,15 @@ extern "C" {
         distance_stride: i64,
         status: *mut i32,
         flags: u32,
+    ) -> nurbs_status;
+    /// nurbs_farthest_points() as a call that can be watched and ended.
+    ///
+    /// May be null: `call`.
+    pub fn nurbs_farthest_points_with(
+        g: *const nurbs,
+        query: *const nurbs_closest_query,
+        answer: *const nurbs_closest_answer,
+        call: *const nurbs_call_options,
     ) -> nurbs_status;
     /// Local minima of the distance to given points, each the one that a descent from a guess comes to:
     /// Newton's method with a trust region, box-constrained to the domain, across knots.
@@ -1875,6 +2085,15 @@ extern "C" {
         status: *mut i32,
         flags: u32,
     ) -> nurbs_status;
+    /// nurbs_closest_local() as a call that can be watched and ended.
+    ///
+    /// May be null: `call`.
+    pub fn nurbs_closest_local_with(
+        g: *const nurbs,
+        query: *const nurbs_closest_query,
+        answer: *const nurbs_closest_answer,
+        call: *const nurbs_call_options,
+    ) -> nurbs_status;
     /// All points of a spline whose distance to a point exceeds the smallest one by at most a tolerance and
     /// that are local minima of it.
     ///
@@ -1890,6 +2109,22 @@ extern "C" {
         distances: *mut f64,
         count: *mut i64,
         status: *mut i32,
+    ) -> nurbs_status;
+    /// nurbs_closest_all() as a call that can be watched and ended.
+    ///
+    /// May be null: `range`, `params`, `distances`, `count`, `status`, `call`.
+    pub fn nurbs_closest_all_with(
+        g: *const nurbs,
+        point: *const f64,
+        range: *const f64,
+        tolerance: f64,
+        budget: i64,
+        cap: i64,
+        params: *mut f64,
+        distances: *mut f64,
+        count: *mut i64,
+        status: *mut i32,
+        call: *const nurbs_call_options,
     ) -> nurbs_status;
     /// All critical points of the distance from a point: where x - C is perpendicular to the tangents of g,
     /// and at ends and kinks of a curve, where the distance has a minimum or maximum.
@@ -1907,6 +2142,23 @@ extern "C" {
         kinds: *mut i32,
         count: *mut i64,
         status: *mut i32,
+    ) -> nurbs_status;
+    /// nurbs_critical_points() as a call that can be watched and ended.
+    ///
+    /// May be null: `range`, `params`, `distances`, `kinds`, `count`, `status`, `call`.
+    pub fn nurbs_critical_points_with(
+        g: *const nurbs,
+        point: *const f64,
+        range: *const f64,
+        tolerance: f64,
+        budget: i64,
+        cap: i64,
+        params: *mut f64,
+        distances: *mut f64,
+        kinds: *mut i32,
+        count: *mut i64,
+        status: *mut i32,
+        call: *const nurbs_call_options,
     ) -> nurbs_status;
     /// Signed distances of points in the plane from a curve: positive to the left of its direction, so inside
     /// a closed curve that runs counterclockwise without crossing itself.
@@ -1927,6 +2179,15 @@ extern "C" {
         status: *mut i32,
         flags: u32,
     ) -> nurbs_status;
+    /// nurbs_curve_signed_distances() as a call that can be watched and ended.
+    ///
+    /// May be null: `call`.
+    pub fn nurbs_curve_signed_distances_with(
+        g: *const nurbs,
+        query: *const nurbs_closest_query,
+        answer: *const nurbs_closest_answer,
+        call: *const nurbs_call_options,
+    ) -> nurbs_status;
     /// The smallest distance between two splines, of any number of axes each, enclosed: at_least \<= distance
     /// of the nearest points \<= at_most, which is the distance of the two points returned; they differ by at
     /// most the tolerance and rounding unless the budget ends.
@@ -1942,6 +2203,21 @@ extern "C" {
         params_a: *mut f64,
         params_b: *mut f64,
         status: *mut i32,
+    ) -> nurbs_status;
+    /// nurbs_distance() as a call that can be watched and ended.
+    ///
+    /// May be null: `at_least`, `at_most`, `params_a`, `params_b`, `status`, `call`.
+    pub fn nurbs_distance_with(
+        a: *const nurbs,
+        b: *const nurbs,
+        tolerance: f64,
+        budget: i64,
+        at_least: *mut f64,
+        at_most: *mut f64,
+        params_a: *mut f64,
+        params_b: *mut f64,
+        status: *mut i32,
+        call: *const nurbs_call_options,
     ) -> nurbs_status;
     /// The Hausdorff distances of two splines as sets of points, whatever their parameters: how far the point
     /// of a that is farthest from b is from it, and the other way round; the larger of the two is the
@@ -1959,6 +2235,21 @@ extern "C" {
         params_b: *mut f64,
         status: *mut i32,
     ) -> nurbs_status;
+    /// nurbs_hausdorff_distance() as a call that can be watched and ended.
+    ///
+    /// May be null: `at_least`, `at_most`, `params_a`, `params_b`, `status`, `call`.
+    pub fn nurbs_hausdorff_distance_with(
+        a: *const nurbs,
+        b: *const nurbs,
+        tolerance: f64,
+        budget: i64,
+        at_least: *mut f64,
+        at_most: *mut f64,
+        params_a: *mut f64,
+        params_b: *mut f64,
+        status: *mut i32,
+        call: *const nurbs_call_options,
+    ) -> nurbs_status;
     // --- Lengths, areas and moments
     /// Length of a curve or of a part of it.
     ///
@@ -1970,6 +2261,17 @@ extern "C" {
         length: *mut f64,
         error: *mut f64,
     ) -> nurbs_status;
+    /// nurbs_curve_length() as a call that can be watched and ended.
+    ///
+    /// May be null: `range`, `error`, `call`.
+    pub fn nurbs_curve_length_with(
+        g: *const nurbs,
+        range: *const f64,
+        relative_tolerance: f64,
+        length: *mut f64,
+        error: *mut f64,
+        call: *const nurbs_call_options,
+    ) -> nurbs_status;
     /// Lengths from the start of the domain to given parameters.
     pub fn nurbs_curve_lengths(
         g: *const nurbs,
@@ -1979,6 +2281,19 @@ extern "C" {
         relative_tolerance: f64,
         lengths: *mut f64,
         length_stride: i64,
+    ) -> nurbs_status;
+    /// nurbs_curve_lengths() as a call that can be watched and ended.
+    ///
+    /// May be null: `call`.
+    pub fn nurbs_curve_lengths_with(
+        g: *const nurbs,
+        n: i64,
+        params: *const f64,
+        param_stride: i64,
+        relative_tolerance: f64,
+        lengths: *mut f64,
+        length_stride: i64,
+        call: *const nurbs_call_options,
     ) -> nurbs_status;
     /// Parameters at given lengths from the start of the domain.
     pub fn nurbs_curve_params_at_lengths(
@@ -1990,6 +2305,20 @@ extern "C" {
         params: *mut f64,
         param_stride: i64,
         flags: u32,
+    ) -> nurbs_status;
+    /// nurbs_curve_params_at_lengths() as a call that can be watched and ended.
+    ///
+    /// May be null: `call`.
+    pub fn nurbs_curve_params_at_lengths_with(
+        g: *const nurbs,
+        n: i64,
+        lengths: *const f64,
+        length_stride: i64,
+        relative_tolerance: f64,
+        params: *mut f64,
+        param_stride: i64,
+        flags: u32,
+        call: *const nurbs_call_options,
     ) -> nurbs_status;
     /// Divides a curve into parts of equal length, or so that consecutive points have equal distances.
     ///
@@ -2003,6 +2332,19 @@ extern "C" {
         params: *mut f64,
         size: *mut f64,
     ) -> nurbs_status;
+    /// nurbs_curve_divide() as a call that can be watched and ended.
+    ///
+    /// May be null: `range`, `size`, `call`.
+    pub fn nurbs_curve_divide_with(
+        g: *const nurbs,
+        range: *const f64,
+        parts: i64,
+        relative_tolerance: f64,
+        flags: u32,
+        params: *mut f64,
+        size: *mut f64,
+        call: *const nurbs_call_options,
+    ) -> nurbs_status;
     /// Area of a surface, in any dimension.
     ///
     /// May be null: `range`, `error`.
@@ -2012,6 +2354,17 @@ extern "C" {
         relative_tolerance: f64,
         area: *mut f64,
         error: *mut f64,
+    ) -> nurbs_status;
+    /// nurbs_surface_area() as a call that can be watched and ended.
+    ///
+    /// May be null: `range`, `error`, `call`.
+    pub fn nurbs_surface_area_with(
+        g: *const nurbs,
+        range: *const f64,
+        relative_tolerance: f64,
+        area: *mut f64,
+        error: *mut f64,
+        call: *const nurbs_call_options,
     ) -> nurbs_status;
     /// Content, centroid and inertia of a spline itself: of a curve as a wire, of a surface as a sheet, of a
     /// volume as a body (the integral of |det J|, J its derivatives).
@@ -2024,6 +2377,18 @@ extern "C" {
         centroid: *mut f64,
         inertia: *mut f64,
         error: *mut f64,
+    ) -> nurbs_status;
+    /// nurbs_moments() as a call that can be watched and ended.
+    ///
+    /// May be null: `centroid`, `inertia`, `error`, `call`.
+    pub fn nurbs_moments_with(
+        g: *const nurbs,
+        relative_tolerance: f64,
+        content: *mut f64,
+        centroid: *mut f64,
+        inertia: *mut f64,
+        error: *mut f64,
+        call: *const nurbs_call_options,
     ) -> nurbs_status;
     /// Area, centroid and inertia of the region of the plane that closed chains of curves enclose, by Green's
     /// theorem: 1/2 integral of x dy - y dx.
@@ -2039,6 +2404,20 @@ extern "C" {
         inertia: *mut f64,
         error: *mut f64,
     ) -> nurbs_status;
+    /// nurbs_enclosed_area() as a call that can be watched and ended.
+    ///
+    /// May be null: `centroid`, `inertia`, `error`, `call`.
+    pub fn nurbs_enclosed_area_with(
+        count: i64,
+        curves: *const *const nurbs,
+        tolerance: f64,
+        relative_tolerance: f64,
+        area: *mut f64,
+        centroid: *mut f64,
+        inertia: *mut f64,
+        error: *mut f64,
+        call: *const nurbs_call_options,
+    ) -> nurbs_status;
     /// Volume, centroid and inertia of the body that surfaces enclose, by the divergence theorem: 1/3
     /// integral of S . (S_u x S_v).
     ///
@@ -2052,6 +2431,20 @@ extern "C" {
         inertia: *mut f64,
         openness: *mut f64,
         error: *mut f64,
+    ) -> nurbs_status;
+    /// nurbs_enclosed_volume() as a call that can be watched and ended.
+    ///
+    /// May be null: `centroid`, `inertia`, `openness`, `error`, `call`.
+    pub fn nurbs_enclosed_volume_with(
+        count: i64,
+        surfaces: *const *const nurbs,
+        relative_tolerance: f64,
+        volume: *mut f64,
+        centroid: *mut f64,
+        inertia: *mut f64,
+        openness: *mut f64,
+        error: *mut f64,
+        call: *const nurbs_call_options,
     ) -> nurbs_status;
     // --- Boxes and cones
     /// An axis-aligned box that contains a spline, and all points that evaluation gives of it (except
@@ -2123,6 +2516,20 @@ extern "C" {
         count: *mut i64,
         complete: *mut i32,
     ) -> nurbs_status;
+    /// nurbs_curve_features() as a call that can be watched and ended.
+    ///
+    /// May be null: `params`, `found`, `values`, `count`, `complete`, `call`.
+    pub fn nurbs_curve_features_with(
+        g: *const nurbs,
+        kinds: u32,
+        cap: i64,
+        params: *mut f64,
+        found: *mut i32,
+        values: *mut f64,
+        count: *mut i64,
+        complete: *mut i32,
+        call: *const nurbs_call_options,
+    ) -> nurbs_status;
     /// The pieces of a curve on which it runs one way along a direction: direction . C(t) rises, falls or, to
     /// rounding, stays on whole Bezier pieces.
     ///
@@ -2193,6 +2600,17 @@ extern "C" {
         result: *mut i32,
         positive: *mut f64,
         negative: *mut f64,
+    ) -> nurbs_status;
+    /// nurbs_fold_test() as a call that can be watched and ended.
+    ///
+    /// May be null: `reference`, `positive`, `negative`, `call`.
+    pub fn nurbs_fold_test_with(
+        g: *const nurbs,
+        reference: *const f64,
+        result: *mut i32,
+        positive: *mut f64,
+        negative: *mut f64,
+        call: *const nurbs_call_options,
     ) -> nurbs_status;
     // --- Weights and control points
     /// Changes a weight so that the point at a parameter moves by a distance towards the control point, or
@@ -2335,6 +2753,16 @@ extern "C" {
         optimality: *mut f64,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
+    /// nurbs_constrain() as a call that can be watched and ended.
+    ///
+    /// May be null: `report`, `call`.
+    pub fn nurbs_constrain_with(
+        g: *const nurbs,
+        constraints: *const nurbs_constraints,
+        report: *const nurbs_constraint_report,
+        call: *const nurbs_call_options,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
     // --- Deformations
     /// Raises a region along a direction: adds distance \* b(t) \* direction / |direction|, where b is 1 in
     /// the middle of the range, 0 at its ends with the first `order` derivatives, and rises and falls once
@@ -2379,6 +2807,23 @@ extern "C" {
         proven: *mut i32,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
+    /// nurbs_bend() as a call that can be watched and ended.
+    ///
+    /// May be null: `deviation`, `proven`, `call`.
+    pub fn nurbs_bend_with(
+        g: *const nurbs,
+        origin: *const f64,
+        along: *const f64,
+        across: *const f64,
+        curvature: f64,
+        lower: f64,
+        upper: f64,
+        tolerance: f64,
+        deviation: *mut f64,
+        proven: *mut i32,
+        call: *const nurbs_call_options,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
     /// Free-form deformation (Sederberg & Parry 1986): maps a shape by a volume, C -\> V(A C), where A maps
     /// the box from lower to upper to the domain of V.
     ///
@@ -2391,6 +2836,20 @@ extern "C" {
         tolerance: f64,
         deviation: *mut f64,
         proven: *mut i32,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    /// nurbs_free_form_deform() as a call that can be watched and ended.
+    ///
+    /// May be null: `deviation`, `proven`, `call`.
+    pub fn nurbs_free_form_deform_with(
+        g: *const nurbs,
+        volume: *const nurbs,
+        lower: *const f64,
+        upper: *const f64,
+        tolerance: f64,
+        deviation: *mut f64,
+        proven: *mut i32,
+        call: *const nurbs_call_options,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
     /// Fairs a shape: among the splines with the same knots and weights that are at most a tolerance away,
@@ -2406,6 +2865,19 @@ extern "C" {
         tolerance: f64,
         energies: *mut f64,
         bound: *mut f64,
+        out: *mut *mut nurbs,
+    ) -> nurbs_status;
+    /// nurbs_fair() as a call that can be watched and ended.
+    ///
+    /// May be null: `keep`, `energies`, `bound`, `call`.
+    pub fn nurbs_fair_with(
+        g: *const nurbs,
+        order: i32,
+        keep: *const i32,
+        tolerance: f64,
+        energies: *mut f64,
+        bound: *mut f64,
+        call: *const nurbs_call_options,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
     /// Moves a boundary of a spline onto one of another: a curve's end onto an end, a surface's edge onto an
@@ -2513,12 +2985,31 @@ extern "C" {
         options: *const nurbs_read_options,
         out: *mut *mut nurbs_list,
     ) -> nurbs_status;
+    /// nurbs_read() as a call that can be watched and ended.
+    ///
+    /// May be null: `options`, `call`.
+    pub fn nurbs_read_with(
+        bytes: *const c_void,
+        size: i64,
+        options: *const nurbs_read_options,
+        call: *const nurbs_call_options,
+        out: *mut *mut nurbs_list,
+    ) -> nurbs_status;
     /// Reads a file by its path; see nurbs_read().
     ///
     /// May be null: `options`.
     pub fn nurbs_read_file(
         path: *const c_char,
         options: *const nurbs_read_options,
+        out: *mut *mut nurbs_list,
+    ) -> nurbs_status;
+    /// nurbs_read_file() as a call that can be watched and ended.
+    ///
+    /// May be null: `options`, `call`.
+    pub fn nurbs_read_file_with(
+        path: *const c_char,
+        options: *const nurbs_read_options,
+        call: *const nurbs_call_options,
         out: *mut *mut nurbs_list,
     ) -> nurbs_status;
     /// Number of splines in a list.

@@ -2,6 +2,7 @@
 #include "closest/patch/critical/critical_search.h"
 
 #include "base/numbers.h"
+#include "base/watch.h"
 #include "closest/patch/critical/critical_kind.h"
 
 #include <algorithm>
@@ -51,11 +52,12 @@ void CriticalSearch::examine_corner(const Target &target) {
 }
 
 void CriticalSearch::examine(const Target &target, FacePart &part) {
-    if (spent_ + cost_ > budget_) {
+    if (spent_ + cost_ > budget_ || work_ended()) {
         gaps_.incomplete = true;
         return;
     }
     spent_ += cost_;
+    count_work(target.face.shape.products() * target.face.shape.lanes);
     int axis = 0;
     if (!finished(target, part, axis)) {
         split(target, part, axis);

@@ -2,6 +2,7 @@
 #include "closest/patch/tree/patch_leaves.h"
 
 #include "base/numbers.h"
+#include "base/watch.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +13,8 @@ namespace nrb::closest {
 namespace {
 
 constexpr double most_byte = 127;
-constexpr int64_t read_over = 7; // numbers after the last disc that are read
+constexpr int64_t work_of_a_value = 16; // of a leaf
+constexpr int64_t read_over = 7;        // numbers after the last disc that are read
 
 // The scale of numbers up to a magnitude: 0 if they are.
 float scale_of(double magnitude) noexcept {
@@ -80,6 +82,7 @@ PatchLeaves::PatchLeaves(const pieces::PieceTree &tree) : has_normals_(tree.norm
     std::vector<pieces::Disc> discs;
     for (int64_t node = 0; node < nodes; ++node) {
         pieces.patch(tree.order()[static_cast<size_t>(node)], work.data(), patch.data());
+        count_work(work_of_a_value * count_ * shape.values());
         split(shape, patch, parts);
         discs.clear();
         for (int64_t i = 0; i < count_; ++i) {

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// Calls that the caller watches, limits and ends.
+#pragma once
+
+#include "guard.h"
+#include "outputs.h"
+
+#include "base/watch.h"
+
+#include <vector>
+
+namespace nrb::capi {
+
+Watch::Wishes wishes_of(const nurbs_call_options *call);
+
+// Runs body(), which returns a status, as a watched call.
+template <class Body>
+nurbs_status watched(const nurbs_call_options *call, Body &&body) noexcept {
+    nurbs_status status = NURBS_OK;
+    const nurbs_status wishes = guard([&] {
+        const Watch watch(wishes_of(call));
+        status = body();
+    });
+    return wishes == NURBS_OK ? status : wishes;
+}
+
+// The same for bodies with a new handle, which is NULL after wrong wishes too.
+template <class Handle, class Body>
+nurbs_status watched(const nurbs_call_options *call, Handle **out, Body &&body) noexcept {
+    if (out != nullptr) {
+        *out = nullptr;
+    }
+    return watched(call, body);
+}
+
+// Where a batch writes as it goes: into the arrays of the caller, or, if the call is watched and may end before all
+// is written, into others from which commit() copies.
+class StagedRecords {
+public:
+    explicit StagedRecords(const Records &wanted);
+    StagedRecords(const StagedRecords &) = delete;
+    StagedRecords &operator=(const StagedRecords &) = delete;
+
+    [[nodiscard]] const Records &view() const noexcept { return view_; }
+    void commit() const noexcept;
+
+private:
+    Records wanted_, view_;
+    std::vector<double> values_;
+};
+
+class StagedStatus {
+public:
+    StagedStatus(int32_t *wanted, int64_t count);
+    StagedStatus(const StagedStatus &) = delete;
+    StagedStatus &operator=(const StagedStatus &) = delete;
+
+    [[nodiscard]] int32_t *data() noexcept { return values_.empty() ? wanted_ : values_.data(); }
+    void commit() const noexcept { std::copy(values_.begin(), values_.end(), wanted_); }
+
+private:
+    int32_t *wanted_;
+    std::vector<int32_t> values_;
+};
+
+} // namespace nrb::capi

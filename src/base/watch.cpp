@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+#include "base/watch.h"
+
+#include "base/error.h"
+#include "base/no_cancellation.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <limits>
+#include <utility>
+
+namespace nrb::inline base {
+
+namespace {
+
+thread_local Watch *watch_of_thread = nullptr;
+
+constexpr std::chrono::milliseconds pause{10}; // between two calls of the callback
+
+} // namespace
+
+Watch::Watch(const Wishes &wishes) noexcept
+    : wishes_(wishes), limit_(wishes.work > 0 ? wishes.work : std::numeric_limits<int64_t>::max()),
+      last_(Clock::now()), outer_(std::exchange(watch_of_thread, this)) {}
+
+Watch::~Watch() {
+    watch_of_thread = outer_;
+}
+
+Watch *Watch::current() noexcept {
+    return watch_of_thread;
+}
+
+void Watch::end() {
+    if (searches_ == 0) {
+        char text[64];
+        std::snprintf(text, sizeof text, "call.work = %lld multiply-adds were not enough",
+                      static_cast<long long>(limit_));
+        throw CallEnded{{Status::work, text}};
+    }
+    ended_ = true;
+}
+
+void Watch::look() {
+    unseen_ = 0;
+    if (wishes_.progress == nullptr) {
+        return;
+    }
+    const Clock::time_point now = Clock::now();
+    if (now - last_ >= pause) {
+        report();
+        last_ = Clock::now();
+    }
+}
+
+void Watch::report() {
+    done_ = std::max(done_, from_);
+    const int32_t answer = ask();
+    if (answer != 0) {
+        char text[48];
+        std::snprintf(text, sizeof text, "call.progress returned %d", static_cast<int>(answer));
+        throw CallEnded{{Status::cancelled, text}};
+    }
+}
+
+// No exception of the callback gets out, whatever its language.
+int32_t Watch::ask() {
+    const NoCancellation shield;
+    watch_of_thread = nullptr;
+    int32_t answer = 1;
+    try {
+        answer = wishes_.progress(done_, wishes_.user);
+    } catch (...) {
+        watch_of_thread = this;
+        throw CallEnded{{Status::cancelled, "call.progress threw an exception"}};
+    }
+    watch_of_thread = this;
+    return answer;
+}
+
+Steps::Steps(int64_t count) noexcept : watch_(Watch::current()), count_(count) {
+    if (watch_ != nullptr) {
+        from_ = watch_->from_;
+        to_ = watch_->to_;
+        set_step();
+    }
+}
+
+Steps::~Steps() {
+    if (watch_ != nullptr) {
+        watch_->from_ = watch_->to_ = to_;
+    }
+}
+
+void Steps::set_step() noexcept {
+    const double length = (to_ - from_) / static_cast<double>(std::max<int64_t>(count_, 1));
+    watch_->from_ = std::min(from_ + static_cast<double>(step_) * length, to_);
+    watch_->to_ = std::min(watch_->from_ + length, to_);
+}
+
+void Steps::advance(int64_t work) {
+    ++step_;
+    set_step();
+    watch_->count(work);
+}
+
+LimitedSearch::LimitedSearch() noexcept : watch_(Watch::current()) {
+    if (watch_ != nullptr) {
+        ++watch_->searches_;
+    }
+}
+
+LimitedSearch::~LimitedSearch() {
+    if (watch_ != nullptr) {
+        --watch_->searches_;
+    }
+}
+
+bool work_ended() noexcept {
+    return watch_of_thread != nullptr && watch_of_thread->ended();
+}
+
+NotCounted::NotCounted() noexcept : watch_(Watch::current()) {
+    if (watch_ != nullptr) {
+        ++watch_->uncounted_;
+    }
+}
+
+NotCounted::~NotCounted() {
+    if (watch_ != nullptr) {
+        --watch_->uncounted_;
+    }
+}
+
+} // namespace nrb::inline base

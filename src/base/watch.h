@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+// How a long call is watched and ended from outside.
+//
+// The loops in which time passes count their work. They lie many layers below the border, under functions that
+// have other business, so that the watch is found in a slot of the thread instead of being handed down. The slot
+// is set while a watched call runs, and empty while its callback runs: a call that the callback makes is a call
+// of its own. Where nobody watches, counting costs a read of the slot.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <vector>
+
+namespace nrb::inline base {
+
+class Watch {
+public:
+    struct Wishes {
+        int64_t work = 0; // most multiply-adds; 0: no limit
+        int32_t (*progress)(double done, void *user) = nullptr;
+        void *user = nullptr;
+    };
+
+    // Watches the calling thread until it is destroyed.
+    explicit Watch(const Wishes &wishes) noexcept;
+    ~Watch();
+    Watch(const Watch &) = delete;
+    Watch &operator=(const Watch &) = delete;
+
+    // The one of the calling thread, or null.
+    [[nodiscard]] static Watch *current() noexcept;
+
+    // Throws CallEnded if the callback asks for it, and at the limit of work, unless a search is
+    // under way that ends by itself.
+    void count(int64_t work) {
+        counted_ += uncounted_ > 0 ? 0 : work;
+        unseen_ += work;
+        if (counted_ > limit_ && !ended_) {
+            end();
+        }
+        if (unseen_ >= often) {
+            look();
+        }
+    }
+
+    // Whether the limit of work is reached.
+    [[nodiscard]] bool ended() const noexcept { return ended_; }
+
+private:
+    friend class Steps;
+    friend class LimitedSearch;
+    friend class NotCounted;
+    using Clock = std::chrono::steady_clock;
+    // Multiply-adds between two looks at the clock, which takes as long as about 100 of them.
+    static constexpr int64_t often = 1 << 14;
+
+    void end();
+    void look();
+    void report();
+    int32_t ask();
+
+    Wishes wishes_;
+    int64_t limit_;
+    int64_t counted_ = 0, unseen_ = 0;
+    int uncounted_ = 0, searches_ = 0;
+    bool ended_ = false;
+    double from_ = 0, to_ = 1; // the part of the whole that the present loop makes up
+    double done_ = 0;
+    Clock::time_point last_;
+    Watch *outer_;
+};
+
+inline void count_work(int64_t multiply_adds) {
+    if (Watch *watch = Watch::current()) {
+        watch->count(multiply_adds);
+    }
+}
+
+// Makes a vector longer: in parts, because a system may be slow to give memory.
+template <class T>
+void grow_watched(std::vector<T> &values, size_t size) {
+    constexpr size_t part = size_t{1} << 15;
+    values.reserve(size);
+    while (Watch::current() != nullptr && values.size() + part < size) {
+        values.resize(values.size() + part);
+        count_work(part / 4);
+    }
+    values.resize(size);
+}
+
+// A loop of steps that take about equally long: tells how much of the call is done. Loops inside a step divide it
+// further.
+class Steps {
+public:
+    explicit Steps(int64_t count) noexcept;
+    ~Steps();
+    Steps(const Steps &) = delete;
+    Steps &operator=(const Steps &) = delete;
+
+    // A step is done, which took so much work beyond what was counted in it. Throws as Watch::count() does.
+    void next(int64_t work = 0) {
+        if (watch_ != nullptr) {
+            advance(work);
+        }
+    }
+
+private:
+    void advance(int64_t work);
+    void set_step() noexcept;
+
+    Watch *watch_;
+    int64_t count_, step_ = 0;
+    double from_ = 0, to_ = 1; // of all steps
+};
+
+// While this exists, the limit of work does not end the call: the search asks, and answers with what it has.
+class LimitedSearch {
+public:
+    LimitedSearch() noexcept;
+    ~LimitedSearch();
+    LimitedSearch(const LimitedSearch &) = delete;
+    LimitedSearch &operator=(const LimitedSearch &) = delete;
+
+private:
+    Watch *watch_;
+};
+
+// Whether the limit of work is reached.
+[[nodiscard]] bool work_ended() noexcept;
+
+// While this exists, work does not count for the limit: that of tables that a handle keeps, so that an answer does
+// not depend on what was asked before.
+class NotCounted {
+public:
+    NotCounted() noexcept;
+    ~NotCounted();
+    NotCounted(const NotCounted &) = delete;
+    NotCounted &operator=(const NotCounted &) = delete;
+
+private:
+    Watch *watch_;
+};
+
+} // namespace nrb::inline base
